@@ -1,0 +1,192 @@
+//! Space-fixed and body-fixed vectors as types.
+//!
+//! A vector knows the axes its components refer to: [`SpaceVector`] the fixed
+//! axes X, Y, Z of the laboratory, [`BodyVector`] axes that turn with the body.
+//! Adding one to the other does not compile; [`crate::attitude::Attitude`] is
+//! the only way across.
+
+use core::marker::PhantomData;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use nalgebra::Vector3;
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// A set of axes in which components are given.
+pub trait Frame: sealed::Sealed + Copy + Clone + core::fmt::Debug + PartialEq + 'static {}
+
+/// The fixed axes X, Y, Z of the laboratory; Z points up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Space;
+/// Axes fixed in the body, usually its principal axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body;
+
+impl sealed::Sealed for Space {}
+impl sealed::Sealed for Body {}
+impl Frame for Space {}
+impl Frame for Body {}
+
+/// A vector with components on the axes of frame `F`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vector<F: Frame> {
+    components: Vector3<f64>,
+    frame: PhantomData<F>,
+}
+
+/// A vector given by its components on the fixed axes X, Y, Z.
+pub type SpaceVector = Vector<Space>;
+/// A vector given by its components on axes fixed in the body.
+pub type BodyVector = Vector<Body>;
+
+impl<F: Frame> Vector<F> {
+    /// The vector with these components.
+    #[inline]
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self {
+            components: Vector3::new(x, y, z),
+            frame: PhantomData,
+        }
+    }
+
+    /// The zero vector.
+    #[inline]
+    pub const fn zero() -> Self {
+        Self::new(0.0, 0.0, 0.0)
+    }
+
+    /// The vector with these components, as an array.
+    #[inline]
+    pub const fn from_array([x, y, z]: [f64; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+
+    /// The components, as an array.
+    #[inline]
+    pub fn to_array(self) -> [f64; 3] {
+        self.components.into()
+    }
+
+    /// The vector with these components, as a nalgebra column.
+    #[inline]
+    pub const fn from_column(components: Vector3<f64>) -> Self {
+        Self {
+            components,
+            frame: PhantomData,
+        }
+    }
+
+    /// The components, as a nalgebra column without its frame.
+    #[inline]
+    pub const fn column(&self) -> &Vector3<f64> {
+        &self.components
+    }
+
+    /// First component.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.components.x
+    }
+
+    /// Second component.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.components.y
+    }
+
+    /// Third component.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.components.z
+    }
+
+    /// Scalar product.
+    #[inline]
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.components.dot(&other.components)
+    }
+
+    /// Vector product, in this order.
+    #[inline]
+    pub fn cross(&self, other: &Self) -> Self {
+        Self::from_column(self.components.cross(&other.components))
+    }
+
+    /// Length, without overflow or underflow on the way.
+    #[inline]
+    pub fn norm(&self) -> f64 {
+        crate::math::hypot(
+            crate::math::hypot(self.components.x, self.components.y),
+            self.components.z,
+        )
+    }
+
+    /// True if every component is finite.
+    #[inline]
+    pub fn is_finite(&self) -> bool {
+        self.components.iter().all(|c| c.is_finite())
+    }
+}
+
+impl<F: Frame> Add for Vector<F> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::from_column(self.components + other.components)
+    }
+}
+
+impl<F: Frame> AddAssign for Vector<F> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        self.components += other.components;
+    }
+}
+
+impl<F: Frame> Sub for Vector<F> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self::from_column(self.components - other.components)
+    }
+}
+
+impl<F: Frame> SubAssign for Vector<F> {
+    #[inline]
+    fn sub_assign(&mut self, other: Self) {
+        self.components -= other.components;
+    }
+}
+
+impl<F: Frame> Neg for Vector<F> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self::from_column(-self.components)
+    }
+}
+
+impl<F: Frame> Mul<f64> for Vector<F> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        Self::from_column(self.components * factor)
+    }
+}
+
+impl<F: Frame> Mul<Vector<F>> for f64 {
+    type Output = Vector<F>;
+    #[inline]
+    fn mul(self, vector: Vector<F>) -> Vector<F> {
+        vector * self
+    }
+}
+
+impl<F: Frame> Div<f64> for Vector<F> {
+    type Output = Self;
+    #[inline]
+    fn div(self, divisor: f64) -> Self {
+        Self::from_column(self.components / divisor)
+    }
+}

@@ -1,0 +1,17 @@
+//! The only door to elementary functions, and double-double arithmetic.
+//!
+//! Platforms disagree in the last bit of `sin`, `exp` and their kin; the `libm`
+//! crate does not. Every elementary function of this library goes through this
+//! module, so a snapshot holds on every machine. (`sqrt`, `abs`, `floor` and the
+//! four operations are exact by IEEE 754 and are used as methods of `f64`.)
+
+pub mod double_double;
+
+pub use double_double::DoubleDouble;
+pub use libm::{
+    acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
+    ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
+};
+
+/// The unit round-off of `f64`, 2^-53: half the distance from 1 to the next number.
+pub const EPS: f64 = 1.110_223_024_625_156_5e-16;
