@@ -10,7 +10,7 @@ pub mod double_double;
 pub use double_double::DoubleDouble;
 pub use libm::{
     acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
-    ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
+    ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
 
 /// The unit round-off of `f64`, 2^-53: half the distance from 1 to the next number.
