@@ -17,6 +17,20 @@ pub enum Error {
         value: f64,
         allowed: &'static str,
     },
+    /// A number and the independent route that should confirm it differ too much.
+    Contradicted {
+        key: String,
+        value: f64,
+        oracle: String,
+        oracle_value: f64,
+        bound: f64,
+    },
+    /// A name or a piece of text does not fit where it is to be printed.
+    Text { text: String, allowed: &'static str },
+    /// There is no claim with this key.
+    UnknownKey { key: String, known: String },
+    /// A file cannot be written.
+    File { path: String, reason: String },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -33,6 +47,22 @@ impl fmt::Display for Error {
                 value,
                 allowed,
             } => write!(f, "{name} = {value} is not allowed: {allowed}"),
+            Self::Contradicted {
+                key,
+                value,
+                oracle,
+                oracle_value,
+                bound,
+            } => write!(
+                f,
+                "{key} = {value:?} is contradicted: {oracle} gives {oracle_value:?}, \
+                 and they may differ by {bound:?}"
+            ),
+            Self::Text { text, allowed } => write!(f, "{text:?} is not allowed: {allowed}"),
+            Self::UnknownKey { key, known } => {
+                write!(f, "there is no {key}; there are: {known}")
+            }
+            Self::File { path, reason } => write!(f, "{path} cannot be written: {reason}"),
         }
     }
 }

@@ -1,1 +1,57 @@
-//! (to be written)
+//! Claims, tables, figures, and the command line of the examples.
+//!
+//! A [`Report`] is what an example says: claims that an independent route
+//! confirms, limits, the effects in and out, what accuracy costs. Its text is the
+//! example's default output, the locked snapshot, and the source of every number
+//! on the example's page. This module does no physics.
+//!
+//! # The text of a report
+//! ```text
+//! report      = title NEWLINE [ description NEWLINE ] { NEWLINE section }
+//! section     = heading NEWLINE columns { row }
+//! heading     = "parameters" | "claims" | "limits" | "effects" | "accuracy"
+//!             | "table " NAME | "checks" | "slips"
+//! columns,row = cell { two or more spaces, cell } NEWLINE
+//! ```
+//! A blank line stands before every section and nowhere else. A cell is never
+//! empty (`-` stands for nothing) and never holds two spaces in a row; the columns
+//! are aligned, the first starts at the margin. [`parse`] reads it back.
+//!
+//! | section | columns |
+//! |---|---|
+//! | `parameters` | `flag`, `value`, `unit`, `meaning` |
+//! | `claims` | `key`, `value`, `unit`, `bound`, `checked against`, `differs by` |
+//! | `limits` | `limit`, `must give`, `gives`, `within`, `because` |
+//! | `effects` | `effect`, `number`, `value`, `error if left out`, `here` |
+//! | `accuracy` | `method`, `requested`, `delivered`, `work`, `relative time` |
+//! | `checks` | `key`, `within`, `meaning` |
+//! | `slips` | `key`, `value`, `hint` |
+//!
+//! A claim's value shows only the digits its bound supports ([`supported_digits`]).
+//! `within` in `checks` is the relative tolerance of [`Claim::verdict`], which is
+//! also the rule of the page's answer box.
+
+mod claim;
+pub mod cli;
+mod files;
+mod json;
+mod number;
+mod sections;
+mod table;
+
+pub use claim::{Claim, Oracle, RECIPROCAL, Slip, USUAL_SLIPS, Verdict};
+pub use files::Trajectory;
+pub use number::{below, rounded_up, short, supported_digits};
+pub use sections::{EffectEntry, Limit, Price, Report};
+pub use table::{Parsed, Table, parse};
+
+/// A finished drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Its name within the example, `[a-z0-9_]+`.
+    pub name: String,
+    /// The whole SVG document; deterministic to the byte.
+    pub svg: String,
+    /// What is to be seen, for those who do not see it (also in the SVG, as `<desc>`).
+    pub alt: String,
+}

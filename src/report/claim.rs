@@ -1,0 +1,258 @@
+//! A claim: a number, its error bound, and the independent route that confirms it.
+
+use super::number::{below, rounded_up, supported_digits};
+use crate::error::{Error, Result};
+use crate::math::{EPS, log10};
+use core::f64::consts::PI;
+
+/// The independent route that a claim was compared with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Oracle {
+    /// What it is, in a few words: `"closed form"`, `"DOP853 at 1e-13"`.
+    pub name: String,
+    /// The value it gives, in the claim's unit.
+    pub value: f64,
+}
+
+impl Oracle {
+    /// The route called `name`, which gives `value`.
+    pub fn new(name: impl Into<String>, value: f64) -> Self {
+        Self {
+            name: name.into(),
+            value,
+        }
+    }
+}
+
+/// A wrong answer that people give, and what to tell them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slip {
+    /// The wrong value, in the claim's unit.
+    pub value: f64,
+    /// One sentence that helps without giving the answer away.
+    pub hint: String,
+}
+
+/// A number that may be printed: it has a bound, and a second route agrees within it.
+///
+/// ```
+/// use rotation_dynamics::report::{Claim, Oracle};
+/// let claim = Claim::new("angle", "angle of release", 0.863_154_1, "rad", 1e-6,
+///     Oracle::new("located event", 0.863_154_3))?
+///     .slip(0.707_6, "that is measured from the floor");
+/// assert_eq!(claim.printed(), "0.863154");
+/// // A value that its oracle contradicts cannot be made into a claim.
+/// assert!(Claim::new("angle", "angle of release", 0.9, "rad", 1e-6,
+///     Oracle::new("located event", 0.863_154_3)).is_err());
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Claim {
+    key: String,
+    meaning: String,
+    value: f64,
+    unit: String,
+    bound: f64,
+    oracle: Oracle,
+    judged_within: f64,
+    slips: Vec<Slip>,
+}
+
+impl Claim {
+    /// The claim that `meaning` is `value` (in `unit`, `"-"` if it has none) up to
+    /// `bound`, as `oracle` confirms: `|value - oracle.value| <= bound`.
+    ///
+    /// `key` names it everywhere (`[a-z0-9_]+`). A bound of 0 claims equal bits.
+    ///
+    /// # Errors
+    /// [`Error::Contradicted`] if the oracle differs by more than the bound (or
+    /// anything is NaN or infinite), [`Error::Text`] for a key or text that does
+    /// not fit in a table.
+    pub fn new(
+        key: impl Into<String>,
+        meaning: impl Into<String>,
+        value: f64,
+        unit: impl Into<String>,
+        bound: f64,
+        oracle: Oracle,
+    ) -> Result<Self> {
+        let claim = Self {
+            key: key.into(),
+            meaning: meaning.into(),
+            value,
+            unit: unit.into(),
+            bound,
+            oracle,
+            judged_within: 1e-3,
+            slips: Vec::new(),
+        };
+        let key_is_plain = !claim.key.is_empty()
+            && claim
+                .key
+                .bytes()
+                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_');
+        if !key_is_plain {
+            return Err(Error::Text {
+                text: claim.key,
+                allowed: "a key has only a-z, 0-9 and _",
+            });
+        }
+        for cell in [&claim.meaning, &claim.unit, &claim.oracle.name] {
+            super::table::check_cell(cell)?;
+        }
+        // Positive conditions, so that a NaN anywhere fails them.
+        let agrees = (claim.value - claim.oracle.value).abs() <= claim.bound;
+        if agrees && claim.bound.is_finite() && claim.value.is_finite() {
+            Ok(claim)
+        } else {
+            Err(Error::Contradicted {
+                key: claim.key,
+                value: claim.value,
+                oracle: claim.oracle.name,
+                oracle_value: claim.oracle.value,
+                bound: claim.bound,
+            })
+        }
+    }
+
+    /// Adds a wrong answer to be recognised by [`Claim::verdict`].
+    #[must_use]
+    pub fn slip(mut self, value: f64, hint: impl Into<String>) -> Self {
+        self.slips.push(Slip {
+            value,
+            hint: hint.into(),
+        });
+        self
+    }
+
+    /// Sets the relative error within which a reader's answer counts as right
+    /// (0.001 if never set).
+    #[must_use]
+    pub fn judged_within(mut self, relative: f64) -> Self {
+        self.judged_within = relative;
+        self
+    }
+
+    /// The key, unique in its report.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+    /// What the number is, in a few words.
+    pub fn meaning(&self) -> &str {
+        &self.meaning
+    }
+    /// The number.
+    pub fn value(&self) -> f64 {
+        self.value
+    }
+    /// Its unit, `"-"` if it has none.
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+    /// The bound on its absolute error.
+    pub fn bound(&self) -> f64 {
+        self.bound
+    }
+    /// The independent route.
+    pub fn oracle(&self) -> &Oracle {
+        &self.oracle
+    }
+    /// How far the two routes are apart.
+    pub fn difference(&self) -> f64 {
+        (self.value - self.oracle.value).abs()
+    }
+    /// The relative error within which an answer counts as right.
+    pub fn tolerance(&self) -> f64 {
+        self.judged_within
+    }
+    /// The wrong answers that are recognised by name.
+    pub fn slips(&self) -> &[Slip] {
+        &self.slips
+    }
+
+    /// The value with the digits that its bound supports.
+    pub fn printed(&self) -> String {
+        supported_digits(self.value, self.bound)
+    }
+
+    pub(super) fn cells(&self) -> [String; 6] {
+        [
+            self.key.clone(),
+            self.printed(),
+            self.unit.clone(),
+            rounded_up(self.bound),
+            self.oracle.name.clone(),
+            below(
+                self.difference(),
+                EPS * self.value.abs().max(self.oracle.value.abs()),
+            ),
+        ]
+    }
+
+    /// Judges a reader's answer `x` against the value `v`, by these rules in this order:
+    ///
+    /// 1. right, if `|x - v| <= max(r |v|, bound)` with `r` the claim's tolerance
+    ///    (`max(r, bound)` if `v = 0`);
+    /// 2. a slip listed by the claim, if `x` is that close to the slip's value;
+    /// 3. right to `n >= 2` digits, if `|x - v| <= 10^(e+1-n) / 2`, `10^e <= |v| < 10^(e+1)`;
+    /// 4. one of [`USUAL_SLIPS`] (or the reciprocal), if `x` is that close to it;
+    /// 5. wrong.
+    pub fn verdict(&self, answer: f64) -> Verdict {
+        let within = |target: f64| {
+            let scale = if target == 0.0 { 1.0 } else { target.abs() };
+            (answer - target).abs() <= (self.judged_within * scale).max(self.bound)
+        };
+        let v = self.value;
+        if within(v) {
+            return Verdict::Right;
+        }
+        if let Some(slip) = self.slips.iter().find(|slip| within(slip.value)) {
+            return Verdict::Slip(slip.hint.clone());
+        }
+        if v != 0.0 {
+            // The greatest n with 2 |x - v| <= 10^(e+1-n).
+            let places = libm::floor(-log10(2.0 * (answer - v).abs())) as i64;
+            let n = places + libm::floor(log10(v.abs())) as i64 + 1;
+            if n >= 2 {
+                return Verdict::RightTo(n as u32);
+            }
+            if let Some((_, hint)) = USUAL_SLIPS.iter().find(|(factor, _)| within(factor * v)) {
+                return Verdict::Slip((*hint).into());
+            }
+            if within(1.0 / v) {
+                return Verdict::Slip(RECIPROCAL.into());
+            }
+        }
+        Verdict::Wrong
+    }
+}
+
+/// Factors by which an answer is often off, with what to say, in the order tried.
+pub const USUAL_SLIPS: [(f64, &str); 7] = [
+    (-1.0, "the size is right, the sign is not"),
+    (2.0, "too large by a factor 2"),
+    (0.5, "too small by a factor 2"),
+    (2.0 * PI, "too large by 2 pi: turns or radians?"),
+    (0.5 / PI, "too small by 2 pi: turns or radians?"),
+    (180.0 / PI, "that is in degrees; give radians"),
+    (
+        PI / 180.0,
+        "too small by 180/pi: converted to radians twice?",
+    ),
+];
+
+/// What to say to an answer `1/v`.
+pub const RECIPROCAL: &str = "that is one over the value";
+
+/// What became of a reader's answer; see [`Claim::verdict`].
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// Within the tolerance.
+    Right,
+    /// Right to so many significant digits, and not within the tolerance.
+    RightTo(u32),
+    /// A recognised wrong answer, with its hint.
+    Slip(String),
+    /// None of these.
+    Wrong,
+}

@@ -1,0 +1,143 @@
+//! Trajectories as CSV, and files that are written whole or not at all.
+
+use crate::error::{Error, Result};
+use core::fmt::Write as _;
+use std::fs::{self, File, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Samples of a motion: named columns, one row per instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trajectory {
+    columns: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Trajectory {
+    /// An empty trajectory; a column is named with its unit, as in `"t [s]"`.
+    ///
+    /// # Errors
+    /// [`Error::Text`] if there is no column, or a name holds a comma or a quote.
+    pub fn new<S: Into<String>>(columns: impl IntoIterator<Item = S>) -> Result<Self> {
+        let columns: Vec<String> = columns.into_iter().map(Into::into).collect();
+        let plain = |c: &String| !c.is_empty() && !c.contains([',', '"', '\n', '\r']);
+        if columns.is_empty() || !columns.iter().all(plain) {
+            return Err(Error::Text {
+                text: columns.join(","),
+                allowed: "a trajectory has columns, named without commas and quotes",
+            });
+        }
+        Ok(Self {
+            columns,
+            rows: Vec::new(),
+        })
+    }
+
+    /// Appends the sample `row`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity, [`Error::Text`] for a wrong length.
+    pub fn push(&mut self, row: impl Into<Vec<f64>>) -> Result<()> {
+        let row = row.into();
+        for &value in &row {
+            crate::error::finite("sample", value)?;
+        }
+        if row.len() != self.columns.len() {
+            return Err(Error::Text {
+                text: format!("{row:?}"),
+                allowed: "a sample has as many numbers as the trajectory has columns",
+            });
+        }
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// The samples.
+    pub fn rows(&self) -> &[Vec<f64>] {
+        &self.rows
+    }
+
+    /// The file: a line of names, then the samples, each number with as many
+    /// digits as it takes to read the same bits back.
+    pub fn csv(&self) -> String {
+        let mut text = self.columns.join(",") + "\n";
+        for row in &self.rows {
+            for (i, value) in row.iter().enumerate() {
+                // Writing to a string cannot fail.
+                let _ = write!(text, "{}{value:?}", if i == 0 { "" } else { "," });
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// Writes all `files` or none: each goes to a temporary file beside its place
+/// first, and only when all are complete are they renamed.
+pub(super) fn write_whole(files: &[(PathBuf, &str)]) -> Result<()> {
+    let mut staged: Vec<(PathBuf, &Path)> = Vec::new();
+    let mut outcome = Ok(());
+    for (path, content) in files {
+        match stage(path, content) {
+            Ok(temporary) => staged.push((temporary, path)),
+            Err(error) => {
+                outcome = Err(error);
+                break;
+            }
+        }
+    }
+    if outcome.is_ok() {
+        for (temporary, path) in &staged {
+            if let Err(e) = fs::rename(temporary, path) {
+                outcome = Err(failure(path, &e));
+                break;
+            }
+        }
+    }
+    if outcome.is_err() {
+        for (temporary, _) in &staged {
+            // Already renamed or already gone: nothing is left to clean.
+            let _ = fs::remove_file(temporary);
+        }
+    }
+    outcome
+}
+
+fn stage(path: &Path, content: &str) -> Result<PathBuf> {
+    let name = path.file_name().ok_or_else(|| Error::File {
+        path: path.display().to_string(),
+        reason: "it does not name a file".into(),
+    })?;
+    if path.is_dir() {
+        return Err(Error::File {
+            path: path.display().to_string(),
+            reason: "it is a directory".into(),
+        });
+    }
+    let mut hidden = std::ffi::OsString::from(".");
+    hidden.push(name);
+    hidden.push(format!(".{}.tmp", std::process::id()));
+    let temporary = path.with_file_name(hidden);
+    let written = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(&temporary)
+        .map_err(|e| failure(path, &e))
+        .and_then(|file: File| {
+            (&file)
+                .write_all(content.as_bytes())
+                .and_then(|()| file.sync_all())
+                .map_err(|e| {
+                    let _ = fs::remove_file(&temporary);
+                    failure(path, &e)
+                })
+        });
+    written.map(|()| temporary)
+}
+
+pub(super) fn failure(path: &Path, error: &std::io::Error) -> Error {
+    Error::File {
+        path: path.display().to_string(),
+        reason: error.to_string(),
+    }
+}

@@ -1,0 +1,132 @@
+//! How a number is written: only the digits its error bound supports.
+//!
+//! Everything here works on Rust's exact decimal conversion of an `f64`, so no
+//! logarithm is rounded and a power of ten falls on the right side.
+
+/// Significant digits are never more than this: what an `f64` always holds.
+const MOST_DIGITS: i32 = 15;
+
+/// The decimal exponent of a finite number other than 0, `10^e <= |x| < 10^(e+1)`,
+/// and whether `|x|` is exactly (as printed) the power of ten.
+fn exponent(x: f64) -> (i32, bool) {
+    let text = format!("{:e}", x.abs());
+    let (mantissa, e) = text.split_once('e').unwrap_or((&text, "0"));
+    (e.parse().unwrap_or(0), mantissa == "1")
+}
+
+/// `value` with the digits that `bound` supports: the last one printed is worth
+/// at least `bound`, and there are at most 15. A value below its own bound is `0`.
+///
+/// ```
+/// use rotation_dynamics::report::supported_digits;
+/// assert_eq!(supported_digits(0.863_154_127_6, 2e-6), "0.86315");
+/// assert_eq!(supported_digits(123.456, 10.0), "120");
+/// assert_eq!(supported_digits(1.0 / 3.0, 0.0), "0.333333333333333");
+/// assert_eq!(supported_digits(3e-17, 1e-15), "0");
+/// ```
+pub fn supported_digits(value: f64, bound: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 {
+            "0".into()
+        } else {
+            value.to_string()
+        };
+    }
+    let (top, _) = exponent(value);
+    let mut last = top - (MOST_DIGITS - 1);
+    if bound > 0.0 {
+        let (e, power) = exponent(bound);
+        last = last.max(if power { e } else { e + 1 });
+    }
+    if last > top {
+        return "0".into();
+    }
+    rounded(value, top, last)
+}
+
+/// `value` with `digits` significant digits.
+///
+/// ```
+/// use rotation_dynamics::report::short;
+/// assert_eq!(short(0.012_34, 2), "0.012");
+/// assert_eq!(short(6.02e23, 2), "6.0e23");
+/// ```
+pub fn short(value: f64, digits: u32) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return supported_digits(value, 0.0);
+    }
+    let (top, _) = exponent(value);
+    rounded(value, top, top - (digits.clamp(1, 15) as i32 - 1))
+}
+
+/// `value`, of decimal exponent `top`, rounded to a multiple of `10^last`, `last <= top`.
+fn rounded(value: f64, top: i32, last: i32) -> String {
+    let scientific = |digits: i32| format!("{:.*e}", digits.max(0) as usize, value);
+    let mut text = scientific(top - last);
+    // Rounding up to the next power of ten gains a digit: 9.96 to one decimal is 10.0.
+    let grown = text.split_once('e').and_then(|(_, e)| e.parse().ok()) == Some(top + 1);
+    if grown {
+        text = scientific(top + 1 - last);
+    }
+    if (-4..7).contains(&top) && last <= 0 {
+        format!("{:.*}", (-last) as usize, value)
+    } else if (0..7).contains(&top) {
+        // Zeros stand for the digits that are not known.
+        let unit = 10_i64.pow(last as u32);
+        let digits: String = text
+            .split('e')
+            .next()
+            .unwrap_or("")
+            .chars()
+            .filter(|c| *c != '.')
+            .collect();
+        digits
+            .parse::<i64>()
+            .map_or(text, |d| (d * unit).to_string())
+    } else {
+        text
+    }
+}
+
+/// `x >= 0` rounded up to one significant digit: how bounds and errors are printed.
+///
+/// ```
+/// use rotation_dynamics::report::rounded_up;
+/// assert_eq!(rounded_up(2.1e-13), "3e-13");
+/// assert_eq!(rounded_up(9.5e-13), "1e-12");
+/// assert_eq!(rounded_up(0.0), "0");
+/// ```
+pub fn rounded_up(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return supported_digits(x, 0.0);
+    }
+    let text = format!("{:e}", x.abs());
+    let (mantissa, e) = text.split_once('e').unwrap_or((&text, "0"));
+    let lead: u32 = mantissa[..1].parse().unwrap_or(9);
+    let up = lead + u32::from(mantissa.len() > 1);
+    let e: i32 = e.parse().unwrap_or(0);
+    if up == 10 {
+        format!("1e{}", e + 1)
+    } else {
+        format!("{up}e{e}")
+    }
+}
+
+/// `< 10^k` for the smallest such `k`, without a space: a difference at the level
+/// of round-off must not be locked digit for digit. `floor` is the smallest
+/// difference worth telling apart (0 if every one is).
+///
+/// ```
+/// use rotation_dynamics::report::below;
+/// assert_eq!(below(3.2e-16, 0.0), "<1e-15");
+/// assert_eq!(below(0.0, 2e-16), "<1e-15");
+/// assert_eq!(below(0.0, 0.0), "0");
+/// ```
+pub fn below(difference: f64, floor: f64) -> String {
+    let d = difference.abs().max(floor);
+    if d == 0.0 {
+        "0".into()
+    } else {
+        format!("<1e{}", exponent(d).0 + 1)
+    }
+}

@@ -1,0 +1,298 @@
+//! The report and what goes into its sections.
+
+use super::claim::Claim;
+use super::number::{rounded_up, short, supported_digits};
+use super::table::{Table, check_cell};
+use crate::error::{Error, Result, finite};
+use core::fmt;
+
+/// A limit in which the answer is known: what must come out, and what does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    limit: String,
+    because: String,
+    must_give: f64,
+    gives: f64,
+    within: f64,
+}
+
+impl Limit {
+    /// In the limit `limit` the result must be `must_give`, because `because`; it
+    /// `gives` a value that may differ by `within`.
+    ///
+    /// # Errors
+    /// [`Error::Contradicted`] if it differs by more, or anything is not finite.
+    pub fn new(
+        limit: impl Into<String>,
+        because: impl Into<String>,
+        must_give: f64,
+        gives: f64,
+        within: f64,
+    ) -> Result<Self> {
+        let entry = Self {
+            limit: limit.into(),
+            because: because.into(),
+            must_give,
+            gives,
+            within,
+        };
+        check_cell(&entry.limit)?;
+        check_cell(&entry.because)?;
+        let agrees = (gives - must_give).abs() <= within;
+        if agrees && within.is_finite() && gives.is_finite() {
+            Ok(entry)
+        } else {
+            Err(Error::Contradicted {
+                key: entry.limit,
+                value: gives,
+                oracle: entry.because,
+                oracle_value: must_give,
+                bound: within,
+            })
+        }
+    }
+}
+
+/// A line of the card of effects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EffectEntry {
+    /// The effect: `"air drag"`.
+    pub effect: String,
+    /// The dimensionless number that measures it, as a formula: `"rho C d l^2 / m"`.
+    pub number: String,
+    /// The value of that number.
+    pub value: f64,
+    /// The error made by leaving it out.
+    pub error: f64,
+    /// The unit of that error, `"-"` if it has none.
+    pub unit: String,
+    /// Whether the scene includes it.
+    pub included: bool,
+}
+
+/// A line of the accuracy strip: what was asked for, what came, and its price.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Price {
+    /// The method: `"DOP853"`.
+    pub method: String,
+    /// The global error asked for; `None` for a method without a dial.
+    pub requested: Option<f64>,
+    /// The error found against the exact solution.
+    pub delivered: f64,
+    /// The work, in words: `"1204 torques"`. Deterministic; never a time.
+    pub work: String,
+}
+
+/// What an example says: title, description, and the sections in their fixed order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    title: String,
+    description: String,
+    parameters: Option<Table>,
+    claims: Vec<Claim>,
+    limits: Vec<Limit>,
+    effects: Vec<EffectEntry>,
+    accuracy: Vec<Price>,
+    tables: Vec<Table>,
+}
+
+impl Report {
+    /// An empty report; `description` is one line that says what the scene is.
+    ///
+    /// # Errors
+    /// [`Error::Text`] if either is empty or longer than a line.
+    pub fn new(title: impl Into<String>, description: impl Into<String>) -> Result<Self> {
+        let (title, description) = (title.into(), description.into());
+        check_cell(&title)?;
+        check_cell(&description)?;
+        Ok(Self {
+            title,
+            description,
+            parameters: None,
+            claims: Vec::new(),
+            limits: Vec::new(),
+            effects: Vec::new(),
+            accuracy: Vec::new(),
+            tables: Vec::new(),
+        })
+    }
+
+    /// Adds a claim.
+    ///
+    /// # Errors
+    /// [`Error::Text`] if its key is taken, [`Error::OutOfRange`] if its tolerance is
+    /// not between 0 and 1, [`Error::NotFinite`] if a slip is NaN or infinite.
+    pub fn add_claim(&mut self, claim: Claim) -> Result<()> {
+        let tolerance = claim.tolerance();
+        if !(0.0 < tolerance && tolerance < 1.0) {
+            return Err(Error::OutOfRange {
+                name: "the relative tolerance of a check",
+                value: tolerance,
+                allowed: "it must lie between 0 and 1",
+            });
+        }
+        for slip in claim.slips() {
+            finite("a slip", slip.value)?;
+            check_cell(&slip.hint)?;
+        }
+        if self.claim(claim.key()).is_some() {
+            return Err(Error::Text {
+                text: claim.key().into(),
+                allowed: "a key may be used only once in a report",
+            });
+        }
+        self.claims.push(claim);
+        Ok(())
+    }
+
+    /// Adds a limit.
+    pub fn add_limit(&mut self, limit: Limit) {
+        self.limits.push(limit);
+    }
+
+    /// Adds a line to the card of effects.
+    pub fn add_effect(&mut self, effect: EffectEntry) {
+        self.effects.push(effect);
+    }
+
+    /// Adds a line to the accuracy strip.
+    pub fn add_price(&mut self, price: Price) {
+        self.accuracy.push(price);
+    }
+
+    /// Adds a table of its own.
+    ///
+    /// # Errors
+    /// [`Error::Text`] if its name is taken.
+    pub fn add_table(&mut self, table: Table) -> Result<()> {
+        if self.tables.iter().any(|t| t.heading() == table.heading()) {
+            return Err(Error::Text {
+                text: table.heading().into(),
+                allowed: "the name of a table may be used only once in a report",
+            });
+        }
+        self.tables.push(table);
+        Ok(())
+    }
+
+    pub(super) fn set_parameters(&mut self, table: Table) {
+        self.parameters = Some(table);
+    }
+
+    /// The first line.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+    /// The claims, in order.
+    pub fn claims(&self) -> &[Claim] {
+        &self.claims
+    }
+    /// The claim with this key.
+    pub fn claim(&self, key: &str) -> Option<&Claim> {
+        self.claims.iter().find(|claim| claim.key() == key)
+    }
+
+    /// The sections that are not empty, in the order in which they are printed.
+    ///
+    /// # Errors
+    /// [`Error::Text`] if an entry holds text that does not fit in a table.
+    pub fn sections(&self) -> Result<Vec<Table>> {
+        let mut all: Vec<Table> = self.parameters.iter().cloned().collect();
+        let columns = [
+            "key",
+            "value",
+            "unit",
+            "bound",
+            "checked against",
+            "differs by",
+        ];
+        let mut table = Table::headed("claims", columns)?;
+        for claim in &self.claims {
+            table.push(claim.cells())?;
+        }
+        all.push(table);
+
+        let mut table = Table::headed(
+            "limits",
+            ["limit", "must give", "gives", "within", "because"],
+        )?;
+        for l in &self.limits {
+            table.push([
+                l.limit.clone(),
+                supported_digits(l.must_give, l.within),
+                supported_digits(l.gives, l.within),
+                rounded_up(l.within),
+                l.because.clone(),
+            ])?;
+        }
+        all.push(table);
+
+        let columns = ["effect", "number", "value", "error if left out", "here"];
+        let mut table = Table::headed("effects", columns)?;
+        for e in &self.effects {
+            let unit = if e.unit == "-" {
+                String::new()
+            } else {
+                format!(" {}", e.unit)
+            };
+            table.push([
+                e.effect.clone(),
+                e.number.clone(),
+                short(e.value, 2),
+                format!("{}{unit}", short(e.error, 2)),
+                if e.included { "in" } else { "left out" }.into(),
+            ])?;
+        }
+        all.push(table);
+
+        let columns = ["method", "requested", "delivered", "work", "relative time"];
+        let mut table = Table::headed("accuracy", columns)?;
+        for p in &self.accuracy {
+            table.push([
+                p.method.clone(),
+                p.requested.map_or("-".into(), rounded_up),
+                rounded_up(p.delivered),
+                p.work.clone(),
+                "-".into(),
+            ])?;
+        }
+        all.push(table);
+
+        all.extend(self.tables.iter().cloned());
+
+        let mut checks = Table::headed("checks", ["key", "within", "meaning"])?;
+        let mut slips = Table::headed("slips", ["key", "value", "hint"])?;
+        for c in &self.claims {
+            checks.push([
+                c.key().into(),
+                rounded_up(c.tolerance()),
+                c.meaning().into(),
+            ])?;
+            for slip in c.slips() {
+                slips.push([
+                    c.key().into(),
+                    supported_digits(slip.value, c.bound()),
+                    slip.hint.clone(),
+                ])?;
+            }
+        }
+        all.push(checks);
+        all.push(slips);
+        all.retain(|table| !table.is_empty());
+        Ok(all)
+    }
+
+    /// The text, in the grammar of [`crate::report`].
+    ///
+    /// # Errors
+    /// As [`Report::sections`].
+    pub fn text(&self) -> Result<String> {
+        use fmt::Write;
+        let mut text = format!("{}\n{}\n", self.title, self.description);
+        for section in self.sections()? {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "\n{section}");
+        }
+        Ok(text)
+    }
+}
