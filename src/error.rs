@@ -31,6 +31,14 @@ pub enum Error {
     UnknownKey { key: String, known: String },
     /// A file cannot be written.
     File { path: String, reason: String },
+    /// A 3x3 matrix is not a rotation: R^T R is off 1, or R is a reflection.
+    NotRotation { deviation: f64, determinant: f64 },
+    /// The rates of the Euler angles are asked for with the body axis vertical.
+    AtPole { theta: f64 },
+    /// One moment of inertia exceeds the sum of the other two.
+    TriangleInequality { moments: [f64; 3] },
+    /// A tensor that must be symmetric is not: its largest |I_ij - I_ji|.
+    NotSymmetric { difference: f64 },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -63,6 +71,28 @@ impl fmt::Display for Error {
                 write!(f, "there is no {key}; there are: {known}")
             }
             Self::File { path, reason } => write!(f, "{path} cannot be written: {reason}"),
+            Self::NotRotation {
+                deviation,
+                determinant,
+            } => write!(
+                f,
+                "the matrix is not a rotation: R^T R is off 1 by {deviation:.3e} (at most 1e-12 is \
+                 allowed) and its determinant is {determinant} (it must be +1)"
+            ),
+            Self::AtPole { theta } => write!(
+                f,
+                "theta = {theta}: the body axis is vertical, so precession and spin are about the \
+                 same line and their rates are not defined; theta must not be a multiple of pi"
+            ),
+            Self::TriangleInequality { moments: [a, b, c] } => write!(
+                f,
+                "the moments of inertia ({a}, {b}, {c}) belong to no body: none may exceed the sum \
+                 of the other two"
+            ),
+            Self::NotSymmetric { difference } => write!(
+                f,
+                "the tensor is not symmetric: elements across the diagonal differ by {difference:e}"
+            ),
         }
     }
 }
