@@ -1,0 +1,173 @@
+//! Mass, centre of mass and the tensor about it; the parallel-axis theorem.
+
+use super::InertiaTensor;
+use crate::error::{Result, finite, positive};
+use crate::frame::BodyVector;
+use crate::math::DoubleDouble;
+
+/// Mass, centre of mass, and the tensor of inertia about the centre of mass,
+/// on body-fixed axes with some origin O.
+///
+/// ```
+/// use rotation_dynamics::frame::BodyVector;
+/// use rotation_dynamics::inertia::{MassProperties, solids};
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// // A rod along e3, about its centre and about its end.
+/// let rod = solids::rod(3.0, 2.0)?;
+/// let end = BodyVector::new(0.0, 0.0, -1.0);
+/// assert_eq!(rod.about_centre_of_mass().matrix()[0][0], 1.0);
+/// assert_eq!(rod.about(end)?.matrix()[0][0], 4.0);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// Source: notes 15.3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MassProperties {
+    mass: f64,
+    centre_of_mass: BodyVector,
+    tensor: InertiaTensor,
+}
+
+impl MassProperties {
+    /// From mass (kg), centre of mass (m) and the tensor about it (kg m^2).
+    ///
+    /// Errors: a mass that is not positive and finite, a centre that is not finite.
+    pub fn new(mass: f64, centre_of_mass: BodyVector, tensor: InertiaTensor) -> Result<Self> {
+        positive("mass", mass)?;
+        point("centre of mass", centre_of_mass)?;
+        Ok(Self {
+            mass,
+            centre_of_mass,
+            tensor,
+        })
+    }
+
+    /// From mass, centre of mass and the tensor about another point.
+    ///
+    /// The parallel-axis theorem backwards: I_cm = I_P - m (d^2 1 - d d^T).
+    ///
+    /// Errors: as [`MassProperties::new`]; and if no body has this tensor about
+    /// that point (what is left about the centre of mass would not be a body's).
+    pub fn from_tensor_about(
+        reference: BodyVector,
+        mass: f64,
+        centre_of_mass: BodyVector,
+        tensor: InertiaTensor,
+    ) -> Result<Self> {
+        positive("mass", mass)?;
+        point("centre of mass", centre_of_mass)?;
+        point("reference point", reference)?;
+        let step = point_mass_tensor(-mass, centre_of_mass - reference);
+        let about_centre = InertiaTensor::new(tensor.plus(&step).matrix())?;
+        Self::new(mass, centre_of_mass, about_centre)
+    }
+
+    /// Of point masses (kg) at points (m) fixed in the body.
+    ///
+    /// I_ij = sum m (r^2 delta_ij - r_i r_j) about the centre of mass.
+    ///
+    /// Errors: no points; a mass that is not positive and finite; a position
+    /// that is not finite.
+    /// Accuracy: a few eps of the largest moment, measured in
+    /// `tests/inertia.rs`: positions are taken relative to the centre of mass
+    /// before they are squared, so a distant origin costs nothing but the
+    /// rounding of the positions themselves.
+    /// Source: notes 15.3.
+    pub fn of_points(points: &[(f64, BodyVector)]) -> Result<Self> {
+        let mut mass = DoubleDouble::ZERO;
+        let mut moment = [DoubleDouble::ZERO; 3];
+        for (m, r) in points {
+            positive("mass of a point", *m)?;
+            point("position of a point", *r)?;
+            mass = mass + *m;
+            for (sum, c) in moment.iter_mut().zip(r.to_array()) {
+                *sum += DoubleDouble::product(*m, c);
+            }
+        }
+        positive("total mass", mass.to_f64())?;
+        let centre = moment.map(|sum| sum / mass);
+        let mut tensor = zero_tensor();
+        for (m, r) in points {
+            let r = r.to_array();
+            let d = [0, 1, 2].map(|i| (DoubleDouble::from(r[i]) - centre[i]).to_f64());
+            tensor = tensor.plus(&point_mass_tensor(*m, BodyVector::from_array(d)));
+        }
+        let centre = BodyVector::from_array(centre.map(DoubleDouble::to_f64));
+        point("centre of mass", centre)?;
+        Self::new(mass.to_f64(), centre, InertiaTensor::new(tensor.matrix())?)
+    }
+
+    /// Several parts, rigidly joined, all given on the same axes and origin.
+    ///
+    /// Errors: no parts; sums beyond the range of `f64`.
+    /// Source: notes 15.3, the parallel-axis theorem part by part.
+    pub fn of_parts(parts: &[Self]) -> Result<Self> {
+        let points: Vec<_> = parts.iter().map(|p| (p.mass, p.centre_of_mass)).collect();
+        let mut whole = Self::of_points(&points)?;
+        for part in parts {
+            whole.tensor = whole.tensor.plus(&part.tensor);
+        }
+        whole.tensor = InertiaTensor::new(whole.tensor.matrix())?;
+        Ok(whole)
+    }
+
+    /// The same body with its centre of mass moved by this much.
+    ///
+    /// Errors: a displacement that is not finite.
+    pub fn displaced(&self, by: BodyVector) -> Result<Self> {
+        Self::new(self.mass, self.centre_of_mass + by, self.tensor)
+    }
+
+    /// Mass (kg).
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Centre of mass (m).
+    pub const fn centre_of_mass(&self) -> BodyVector {
+        self.centre_of_mass
+    }
+
+    /// The tensor about the centre of mass.
+    pub const fn about_centre_of_mass(&self) -> InertiaTensor {
+        self.tensor
+    }
+
+    /// The tensor about another point, on parallel axes (Steiner's theorem):
+    /// I_P = I_cm + m (d^2 1 - d d^T), d from P to the centre of mass.
+    ///
+    /// The step always starts at the centre of mass. The notes speak of an axis
+    /// parallel to "the symmetry axis"; it need not be one, but it must pass
+    /// through the centre of mass.
+    ///
+    /// Errors: a point that is not finite; moments beyond the range of `f64`.
+    /// Source: notes 15.3.
+    pub fn about(&self, reference: BodyVector) -> Result<InertiaTensor> {
+        point("reference point", reference)?;
+        let step = point_mass_tensor(self.mass, self.centre_of_mass - reference);
+        InertiaTensor::new(self.tensor.plus(&step).matrix())
+    }
+}
+
+fn point(name: &'static str, r: BodyVector) -> Result<()> {
+    for value in r.to_array() {
+        finite(name, value)?;
+    }
+    Ok(())
+}
+
+fn zero_tensor() -> InertiaTensor {
+    InertiaTensor::from_elements([[0.0; 3]; 3])
+}
+
+/// m (d^2 1 - d d^T)
+fn point_mass_tensor(m: f64, d: BodyVector) -> InertiaTensor {
+    let [x, y, z] = d.to_array();
+    let (xy, xz, yz) = (-m * x * y, -m * x * z, -m * y * z);
+    InertiaTensor::from_elements([
+        [m * (y * y + z * z), xy, xz],
+        [xy, m * (x * x + z * z), yz],
+        [xz, yz, m * (x * x + y * y)],
+    ])
+}
