@@ -1,1 +1,3 @@
 //! Benchmarks and the accuracy kit.
+
+pub mod kit;
