@@ -1,0 +1,198 @@
+//! Torque-free motion of any rigid body in closed form (Euler-Poinsot): body
+//! rates and attitude at any time, without stepping.
+//!
+//! Not for: bodies under a torque; the heavy top has its own module.
+//!
+//! With the third axis along L, the attitude is Rz(2 nu t) times a *periodic*
+//! rotation whose Cayley-Klein parameters are theta functions of nome q^2,
+//!
+//!   alpha = cos(theta/2) e^{i(phi+zeta)/2} ~ theta_4(z + iy | q^2) e^{i nu t},
+//!   beta  = sin(theta/2) e^{i(phi-zeta)/2} ~ theta_1(z + iy | q^2) e^{i nu t},
+//!
+//! z = pi tau/2K, because 1 -+ L_3/L = 1 -+ c dn(tau) has one pair of zeros in a
+//! cell 2K by 4iK'. Both are regular where the axis passes L, so nothing is
+//! special there, and no third-kind integral is formed. The set-up is done in
+//! double-double arithmetic; a sample takes two sine-cosine pairs.
+//!
+//! Sources: the notes, 15.5; L. D. Landau, E. M. Lifshitz, *Mechanics*, 37;
+//! R. van Zon, J. Schofield, J. Comput. Phys. 225, 145 (2007) for the theta
+//! functions in the rotation matrix; the doubled period is ours.
+
+use crate::attitude::Attitude;
+use crate::error::{Error, Result};
+use crate::frame::{BodyVector, SpaceVector};
+use crate::inertia::PrincipalMoments;
+use crate::math::DoubleDouble as Dd;
+
+mod asymmetric;
+mod series;
+mod symmetric;
+
+use asymmetric::Asymmetric;
+use symmetric::Symmetric;
+
+/// A rigid body on which nothing acts: the whole motion, at any time.
+///
+/// ```
+/// use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
+/// use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};
+/// let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
+/// let motion = FreeBody::new(moments, BodyVector::new(0.8, 0.4, 0.3375), Attitude::IDENTITY)?;
+/// let late = motion.angular_momentum_at(1e6) - motion.angular_momentum();
+/// assert!(late.norm() < 1e-14);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct FreeBody {
+    moments: [f64; 3],
+    angular_velocity: BodyVector,
+    attitude: Attitude,
+    motion: Motion,
+}
+
+/// Which of the solutions applies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Rotation about a principal axis (or of a spherical body): steady.
+    Steady,
+    /// Two equal moments: the axis precesses about L, the body spins about the axis.
+    Symmetric,
+    /// Three different moments.
+    Asymmetric,
+    /// Three different moments and L^2 = 2 E I_mid exactly: one flip, no period.
+    Separatrix,
+}
+
+#[derive(Debug, Clone)]
+enum Motion {
+    Steady,
+    Symmetric(Symmetric),
+    Asymmetric(Box<Asymmetric>),
+}
+
+impl FreeBody {
+    /// The motion that starts with this attitude and these body rates.
+    ///
+    /// `moments`: principal moments [kg m^2] about the centre of mass or a fixed
+    /// point; `angular_velocity`: on the principal axes [rad/s].
+    ///
+    /// # Errors
+    /// `NotFinite` for a NaN or infinite rate.
+    pub fn new(
+        moments: PrincipalMoments,
+        angular_velocity: BodyVector,
+        attitude: Attitude,
+    ) -> Result<Self> {
+        let moments = moments.to_array();
+        let omega = angular_velocity.to_array();
+        if let Some(&value) = omega.iter().find(|w| !w.is_finite()) {
+            return Err(Error::NotFinite {
+                name: "angular_velocity",
+                value,
+            });
+        }
+        let equal = [0, 1, 2].map(|i| moments[(i + 1) % 3] == moments[(i + 2) % 3]);
+        let motion = if omega.iter().filter(|w| **w != 0.0).count() <= 1 || (equal[0] && equal[1]) {
+            Motion::Steady
+        } else if let Some(axis) = equal.iter().position(|e| *e) {
+            Motion::Symmetric(Symmetric::new(moments, omega, axis))
+        } else {
+            Motion::Asymmetric(Box::new(Asymmetric::new(moments, omega, attitude)))
+        };
+        Ok(Self {
+            moments,
+            angular_velocity,
+            attitude,
+            motion,
+        })
+    }
+
+    /// Which of the solutions applies.
+    pub fn kind(&self) -> Kind {
+        match &self.motion {
+            Motion::Steady => Kind::Steady,
+            Motion::Symmetric(_) => Kind::Symmetric,
+            Motion::Asymmetric(motion) if motion.half_period.is_none() => Kind::Separatrix,
+            Motion::Asymmetric(_) => Kind::Asymmetric,
+        }
+    }
+
+    /// Attitude at time `t` [s].
+    pub fn attitude_at(&self, t: f64) -> Attitude {
+        match &self.motion {
+            Motion::Steady => self.attitude * rotation_about(self.angular_velocity.to_array(), t),
+            Motion::Symmetric(motion) => motion.attitude_at(t, self.attitude),
+            Motion::Asymmetric(motion) => motion.attitude(&motion.sample(t)),
+        }
+    }
+
+    /// Angular velocity on the body axes at time `t` [rad/s].
+    pub fn angular_velocity_at(&self, t: f64) -> BodyVector {
+        match &self.motion {
+            Motion::Steady => self.angular_velocity,
+            Motion::Symmetric(motion) => motion.angular_velocity_at(t),
+            Motion::Asymmetric(motion) => motion.angular_velocity(&motion.sample(t)),
+        }
+    }
+
+    /// Attitude and body rates at time `t`, for the price of one.
+    pub fn state_at(&self, t: f64) -> (Attitude, BodyVector) {
+        match &self.motion {
+            Motion::Asymmetric(motion) => {
+                let sample = motion.sample(t);
+                (motion.attitude(&sample), motion.angular_velocity(&sample))
+            }
+            _ => (self.attitude_at(t), self.angular_velocity_at(t)),
+        }
+    }
+
+    /// The angular momentum [kg m^2/s], the same at all times.
+    pub fn angular_momentum(&self) -> SpaceVector {
+        self.attitude
+            .to_space(self.body_momentum(self.angular_velocity))
+    }
+
+    /// The angular momentum rebuilt from the sample at `t`: a check, not a need.
+    pub fn angular_momentum_at(&self, t: f64) -> SpaceVector {
+        let (attitude, omega) = self.state_at(t);
+        attitude.to_space(self.body_momentum(omega))
+    }
+
+    /// The kinetic energy [J].
+    pub fn kinetic_energy(&self) -> f64 {
+        0.5 * self
+            .body_momentum(self.angular_velocity)
+            .dot(&self.angular_velocity)
+    }
+
+    /// The period of the body rates [s]; infinite on the separatrix and for steady rotation.
+    pub fn rate_period(&self) -> f64 {
+        match &self.motion {
+            Motion::Steady => f64::INFINITY,
+            Motion::Symmetric(motion) => core::f64::consts::TAU / motion.body_rate.to_f64().abs(),
+            Motion::Asymmetric(motion) => motion
+                .half_period
+                .map_or(f64::INFINITY, |half| 2.0 * half.to_f64()),
+        }
+    }
+
+    fn body_momentum(&self, omega: BodyVector) -> BodyVector {
+        let [i1, i2, i3] = self.moments;
+        BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
+    }
+}
+
+/// The rotation exp(t [w]x), its angle formed in double-double.
+fn rotation_about(omega: [f64; 3], t: f64) -> Attitude {
+    let norm = norm3(omega.map(Dd::from));
+    if norm == 0.0 {
+        return Attitude::IDENTITY;
+    }
+    let (sin, cos) = (norm * t).scaled(0.5).sin_cos();
+    let [x, y, z] = omega.map(|w| (sin * (Dd::from(w) / norm)).to_f64());
+    Attitude::from_unit([cos.to_f64(), x, y, z])
+}
+
+fn norm3(v: [Dd; 3]) -> Dd {
+    (v[0].square() + v[1].square() + v[2].square()).sqrt()
+}
