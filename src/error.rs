@@ -39,6 +39,8 @@ pub enum Error {
     TriangleInequality { moments: [f64; 3] },
     /// A tensor that must be symmetric is not: its largest |I_ij - I_ji|.
     NotSymmetric { difference: f64 },
+    /// A time at which the described motion has not begun or is over.
+    OutsideMotion { time: f64, start: f64, end: f64 },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -92,6 +94,10 @@ impl fmt::Display for Error {
             Self::NotSymmetric { difference } => write!(
                 f,
                 "the tensor is not symmetric: elements across the diagonal differ by {difference:e}"
+            ),
+            Self::OutsideMotion { time, start, end } => write!(
+                f,
+                "t = {time} s lies outside the motion, which lasts from {start} s to {end} s"
             ),
         }
     }

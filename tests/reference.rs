@@ -1,0 +1,73 @@
+//! Every case of the reference files, held to `K eps (|value| + max(sens_norm, sens_path))`.
+//!
+//! `REFERENCE_CASES=FILE cargo test --test reference -- --nocapture` runs the cases
+//! of another file of the same schema instead. One line is printed per case, with
+//! the factor K reached.
+
+#[path = "reference/case.rs"]
+mod case;
+#[path = "reference/ladder.rs"]
+mod ladder;
+
+use case::{Case, Outcome};
+
+/// A kind of case and the method that answers it.
+struct Method {
+    kind: &'static str,
+    name: &'static str,
+    /// The factor K no case may exceed.
+    bound: f64,
+    run: fn(&Case) -> Outcome,
+}
+
+const METHODS: &[Method] = &[Method {
+    kind: "ladder",
+    name: "exact::ladder",
+    bound: ladder::BOUND,
+    run: ladder::closed_form,
+}];
+
+#[test]
+fn every_case_within_its_condition() {
+    let (files, own) = case::files();
+    let mut ran = 0;
+    let mut failures = Vec::new();
+    let mut uncovered = std::collections::BTreeMap::<String, usize>::new();
+    for case in files.iter().flat_map(|file| case::read(file)) {
+        let methods: Vec<_> = METHODS.iter().filter(|m| m.kind == case.kind).collect();
+        if methods.is_empty() {
+            *uncovered.entry(case.kind.clone()).or_default() += 1;
+        }
+        for method in methods {
+            let outcome = (method.run)(&case);
+            ran += 1;
+            println!(
+                "{:<28} {:<16} K = {:>6.2} of {} ({}, {} values)",
+                case.id, method.name, outcome.factor, method.bound, outcome.worst, outcome.compared
+            );
+            // Not `>`: a factor that is not a number must fail.
+            if outcome.compared == 0 || !matches!(outcome.factor, k if k <= method.bound) {
+                failures.push(format!("{} by {}: {outcome:?}", case.id, method.name));
+            }
+        }
+    }
+    for (kind, count) in &uncovered {
+        println!("not yet covered: {kind} ({count} cases)");
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    if own {
+        assert!(ran > 0, "no case ran");
+    }
+}
+
+/// The harness itself must see an error: a length 200 eps off is refused.
+#[test]
+fn a_damaged_value_is_seen() {
+    let case = case::own_files()
+        .iter()
+        .flat_map(|file| case::read(file))
+        .find(|case| case.id == "ladder-15deg")
+        .expect("the notes' own instance is among the cases");
+    let damaged = ladder::closed_form_with_length(&case, 1.0 + 200.0 * case::EPS);
+    assert!(damaged.factor > ladder::BOUND, "{damaged:?}");
+}
