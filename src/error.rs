@@ -17,6 +17,24 @@ pub enum Error {
         value: f64,
         allowed: &'static str,
     },
+    /// A derivative is NaN or infinite at this time and state.
+    DerivativeNotFinite {
+        t: f64,
+        state: Vec<f64>,
+        derivative: Vec<f64>,
+    },
+    /// An event function is NaN or infinite.
+    EventNotFinite {
+        name: &'static str,
+        t: f64,
+        value: f64,
+    },
+    /// No step is short enough for the tolerance.
+    StepUnderflow { t: f64, step: f64, state: Vec<f64> },
+    /// A run needs more steps than it was allowed.
+    TooManySteps { t: f64, t_end: f64, limit: u64 },
+    /// A time at which a solution is not known.
+    OutsideRun { t: f64, start: f64, end: f64 },
     /// A number and the independent route that should confirm it differ too much.
     Contradicted {
         key: String,
@@ -57,6 +75,32 @@ impl fmt::Display for Error {
                 value,
                 allowed,
             } => write!(f, "{name} = {value} is not allowed: {allowed}"),
+            Self::DerivativeNotFinite {
+                t,
+                state,
+                derivative,
+            } => write!(
+                f,
+                "the derivative at t = {t}, y = {state:?} is {derivative:?}; it must be finite"
+            ),
+            Self::EventNotFinite { name, t, value } => write!(
+                f,
+                "the function of the event \"{name}\" is {value} at t = {t}; it must be finite"
+            ),
+            Self::StepUnderflow { t, step, state } => write!(
+                f,
+                "at t = {t}, y = {state:?} even a step of {step:e} misses the tolerance: \
+                 the system is singular there, or the tolerance too small"
+            ),
+            Self::TooManySteps { t, t_end, limit } => write!(
+                f,
+                "after {limit} steps the run has come to t = {t} of {t_end}: \
+                 allow more steps or a larger tolerance"
+            ),
+            Self::OutsideRun { t, start, end } => write!(
+                f,
+                "t = {t} is outside the run, which goes from {start} to {end}"
+            ),
             Self::Contradicted {
                 key,
                 value,

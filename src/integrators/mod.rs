@@ -1,1 +1,75 @@
-//! (to be written)
+//! Integrators: one method per file, coefficients as data.
+//!
+//! A method is a value that says what it is ([`Integrator::about`]), carries a
+//! state from one time to another ([`Integrator::advance`]) and reports what
+//! that cost ([`Work`]). What it can carry is in the type:
+//!
+//! | method | carries | step |
+//! |---|---|---|
+//! | [`Rk4`] | any [`Ode`] | fixed |
+//! | [`Dop853`] | any [`Ode`]; dense output and events by [`Dop853::solve`] | adaptive |
+//!
+//! Not for: closed forms (see [`crate::exact`]), and systems with jumps, which
+//! [`crate::planar`] cuts into smooth pieces at located events.
+
+mod compensated;
+pub mod dop853;
+mod explicit;
+mod ode;
+mod rk4;
+mod work;
+
+pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
+pub use explicit::{Tableau, Weights};
+pub use ode::Ode;
+pub use rk4::Rk4;
+pub use work::Work;
+
+use crate::error::Result;
+
+/// What a method is: its name, its order and where it comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct About {
+    /// The name the literature uses.
+    pub name: &'static str,
+    /// The error at a fixed time shrinks as this power of the step.
+    pub order: u32,
+    /// Paper or book, with the place in it.
+    pub source: &'static str,
+}
+
+/// A method that carries states `Y` of the problem `P` through time.
+///
+/// ```
+/// use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Rk4};
+///
+/// /// A pendulum of unit frequency: angle and rate.
+/// struct Pendulum;
+/// impl Ode<2> for Pendulum {
+///     fn derivative(&self, _t: f64, [angle, rate]: &[f64; 2]) -> [f64; 2] {
+///         [*rate, -rotation_dynamics::math::sin(*angle)]
+///     }
+/// }
+///
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let start = [1.0, 0.0];
+/// let (coarse, work) = Rk4::new(100)?.advance(&Pendulum, 0.0, &start, 5.0)?;
+/// let (fine, _) = Dop853::new(1e-13)?.advance(&Pendulum, 0.0, &start, 5.0)?;
+/// assert!((coarse[0] - fine[0]).abs() < 1e-6);
+/// assert_eq!(work.derivatives, 400);
+/// # Ok(())
+/// # }
+/// ```
+pub trait Integrator<P: ?Sized, Y> {
+    /// Name, order and source of this method.
+    fn about(&self) -> About;
+
+    /// The state at `t_end` that follows from `start` at `t`, and the work done.
+    ///
+    /// `t_end` may lie before `t`. With `t_end == t` the start is returned and
+    /// no work is done.
+    ///
+    /// Errors: a time or a state that is not finite; what the method itself
+    /// refuses.
+    fn advance(&self, problem: &P, t: f64, start: &Y, t_end: f64) -> Result<(Y, Work)>;
+}

@@ -1,0 +1,146 @@
+//! The loop that chooses the steps.
+
+use super::Dop853;
+use super::trial::{Trial, sizes};
+use crate::error::{Error, Result};
+use crate::integrators::compensated::Compensated;
+use crate::integrators::ode::{check_span, finite_derivative};
+use crate::integrators::{Ode, Work};
+use crate::math::{EPS, pow};
+use core::ops::ControlFlow;
+
+/// Aim at this part of the step that the error estimate allows.
+const SAFETY: f64 = 0.9;
+/// The step shrinks at most by this factor at once, and grows at most by the other.
+const SHRINK: f64 = 0.333;
+const GROW: f64 = 6.0;
+/// Weight of the last error in the choice of the next step (PI control).
+const MEMORY: f64 = 0.04;
+/// Exponent of the present error: 1/8, less what the memory takes.
+const RESPONSE: f64 = 0.125 - 0.75 * MEMORY;
+
+/// What is done after an accepted step: go on, or end with this state.
+type Verdict<const N: usize> = ControlFlow<[f64; N]>;
+
+impl Dop853 {
+    /// Carries `start` from `t` to `t_end`; `accepted` sees every accepted step
+    /// with the derivative at its end and may stop the run.
+    pub(super) fn drive<const N: usize, O: Ode<N> + ?Sized>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        mut accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
+    ) -> Result<([f64; N], Work)> {
+        check_span(t, start, t_end)?;
+        let mut work = Work::default();
+        if t == t_end {
+            return Ok((*start, work));
+        }
+        let direction = 1f64.copysign(t_end - t);
+        let (mut t, mut y) = (t, Compensated::new(*start));
+        work.derivatives += 1;
+        let mut first = finite_derivative(t, start, ode.derivative(t, start))?;
+        let mut h = self.first_step(ode, t, start, &first, t_end, &mut work)?;
+        let mut last_error: f64 = 1e-4;
+        let mut after_rejection = false;
+        loop {
+            if work.steps + work.rejected >= self.step_limit {
+                return Err(Error::TooManySteps {
+                    t,
+                    t_end,
+                    limit: self.step_limit,
+                });
+            }
+            h = h.min(self.longest_step);
+            // A rest of less than 1 % of a step is not left over.
+            let last = 1.01 * h >= (t_end - t) * direction;
+            let to = if last { t_end } else { t + direction * h };
+            // The step the clock really makes: t + h was rounded.
+            let made = (to - t) * direction;
+            let trial = Trial::new(ode, t, y, first, to, &mut work);
+            let error = match &trial {
+                Ok(trial) => trial.error(ode, self.tolerance)?,
+                Err(_) => f64::INFINITY,
+            };
+            if error <= 1.0
+                && let Ok(trial) = &trial
+            {
+                first = trial.last(ode, &mut work)?;
+                work.steps += 1;
+                if let ControlFlow::Break(end) = accepted(trial, first, &mut work)? {
+                    return Ok((end, work));
+                }
+                (t, y) = (to, trial.end);
+                if last {
+                    return Ok((y.value, work));
+                }
+                let change = SAFETY * pow(last_error, MEMORY) / pow(error, RESPONSE);
+                let change = change.clamp(SHRINK, if after_rejection { 1.0 } else { GROW });
+                h = made * change;
+                last_error = error.max(1e-4);
+                after_rejection = false;
+            } else {
+                work.rejected += 1;
+                let change = if error.is_finite() {
+                    (SAFETY / pow(error, RESPONSE)).max(SHRINK)
+                } else {
+                    SHRINK
+                };
+                h = made * change;
+                after_rejection = true;
+                if t + direction * h == t || h < 4.0 * EPS * t.abs() {
+                    trial?;
+                    return Err(Error::StepUnderflow {
+                        t,
+                        step: h,
+                        state: y.value.to_vec(),
+                    });
+                }
+            }
+        }
+    }
+
+    /// A first step whose error should be near the tolerance (Hairer, Nørsett,
+    /// Wanner I, II.4, starting step size).
+    fn first_step<const N: usize>(
+        &self,
+        ode: &(impl Ode<N> + ?Sized),
+        t: f64,
+        y: &[f64; N],
+        first: &[f64; N],
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<f64> {
+        let size = sizes(ode, y)?;
+        let norm = |v: &[f64; N]| {
+            let sum: f64 = (0..N).map(|i| (v[i] / size[i]) * (v[i] / size[i])).sum();
+            (sum / N as f64).sqrt()
+        };
+        let span = (t_end - t).abs();
+        let (n0, n1) = (norm(y), norm(first));
+        let guess = if n0 > 1e-10 && n1 > 1e-10 {
+            0.01 * n0 / n1
+        } else {
+            1e-3 * span
+        };
+        let guess = guess.min(span).min(self.longest_step);
+        let h = guess.copysign(t_end - t);
+        let mut euler = *y;
+        for i in 0..N {
+            euler[i] += h * first[i];
+        }
+        work.derivatives += 1;
+        let second = ode.derivative(t + h, &euler);
+        let mut curve = [0.0; N];
+        for i in 0..N {
+            curve[i] = (second[i] - first[i]) / guess;
+        }
+        // Per unit time: how fast the state changes, and how fast its rate does.
+        let rate = n1.max(norm(&curve).sqrt());
+        let step = pow(0.01 * self.tolerance, 0.125) / rate;
+        let step = if step > 0.0 { step } else { guess };
+        Ok(step.min(100.0 * guess).min(span))
+    }
+}

@@ -1,0 +1,265 @@
+//! Events: places where a function of time and state goes through zero.
+//!
+//! A crossing is found by the sign of the function at the ends of a step and
+//! at seven times between, on the interpolant. Its time is then polished with
+//! real steps from the start of the step, so that it has the accuracy of the
+//! run and not that of the interpolant.
+
+use super::segment::Segment;
+use super::trial::Trial;
+use crate::error::{Error, Result};
+use crate::integrators::{Ode, Work};
+use crate::math::EPS;
+
+/// Which crossings count, as the run meets them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Both.
+    Either,
+}
+
+type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
+
+/// A function of time and state whose zeros are to be located.
+///
+/// What counts is a change of sign between two of nine equidistant times in a
+/// step. A function that only touches zero (grazes) is therefore met or missed
+/// as round-off has it, and two zeros within an eighth of a step hide each
+/// other: [`Dop853::with_longest_step`](super::Dop853::with_longest_step). A
+/// function that is zero at the very start of a run has no event there.
+pub struct Event<'f, const N: usize> {
+    name: &'static str,
+    function: Box<Function<'f, N>>,
+    direction: Direction,
+    terminal: bool,
+}
+
+impl<'f, const N: usize> Event<'f, N> {
+    /// The event that `function(t, y)` goes through zero in this direction.
+    pub fn new(
+        name: &'static str,
+        direction: Direction,
+        function: impl Fn(f64, &[f64; N]) -> f64 + 'f,
+    ) -> Self {
+        Self {
+            name,
+            function: Box::new(function),
+            direction,
+            terminal: false,
+        }
+    }
+
+    /// The event that `function(t, y)` goes from negative to positive.
+    pub fn rising(name: &'static str, function: impl Fn(f64, &[f64; N]) -> f64 + 'f) -> Self {
+        Self::new(name, Direction::Rising, function)
+    }
+
+    /// The event that `function(t, y)` goes from positive to negative.
+    pub fn falling(name: &'static str, function: impl Fn(f64, &[f64; N]) -> f64 + 'f) -> Self {
+        Self::new(name, Direction::Falling, function)
+    }
+
+    /// The event that `function(t, y)` goes through zero either way.
+    pub fn crossing(name: &'static str, function: impl Fn(f64, &[f64; N]) -> f64 + 'f) -> Self {
+        Self::new(name, Direction::Either, function)
+    }
+
+    /// The same event, but the run ends where it happens.
+    #[must_use]
+    pub fn terminal(self) -> Self {
+        Self {
+            terminal: true,
+            ..self
+        }
+    }
+
+    fn value(&self, t: f64, y: &[f64; N]) -> Result<f64> {
+        let value = (self.function)(t, y);
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err(Error::EventNotFinite {
+                name: self.name,
+                t,
+                value,
+            })
+        }
+    }
+
+    /// Some(rising) if the step from value `a` to value `b` counts.
+    fn counts(&self, a: f64, b: f64) -> Option<bool> {
+        let rising = a < 0.0 && b >= 0.0;
+        let falling = a > 0.0 && b <= 0.0;
+        match self.direction {
+            Direction::Rising => rising.then_some(true),
+            Direction::Falling => falling.then_some(false),
+            Direction::Either => (rising || falling).then_some(rising),
+        }
+    }
+}
+
+/// An event that has happened.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LocatedEvent<const N: usize> {
+    /// Its place in the list of events given.
+    pub index: usize,
+    /// Its name.
+    pub name: &'static str,
+    /// When.
+    pub t: f64,
+    /// The state there, by a real step.
+    pub state: [f64; N],
+    /// True if the function went from negative to positive.
+    pub rising: bool,
+}
+
+/// Parts of a step between which the sign of an event function is compared.
+const PARTS: u32 = 8;
+/// Corrections of an event's time by real steps, at most.
+const CORRECTIONS: u32 = 6;
+
+/// The events of a run and the values they had at the end of the last step.
+pub(super) struct Watch<'e, 'f, const N: usize> {
+    events: &'e [Event<'f, N>],
+    values: Vec<f64>,
+}
+
+/// The events met in a step, and the step cut short at a terminal one.
+type Met<const N: usize> = (Vec<LocatedEvent<N>>, Option<Trial<N>>);
+
+impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
+    pub fn new(events: &'e [Event<'f, N>], t: f64, y: &[f64; N]) -> Result<Self> {
+        let values = events
+            .iter()
+            .map(|e| e.value(t, y))
+            .collect::<Result<_>>()?;
+        Ok(Self { events, values })
+    }
+
+    /// The events within an accepted step, in the order in which they happen,
+    /// up to the first terminal one.
+    pub fn crossings(
+        &mut self,
+        ode: &(impl Ode<N> + ?Sized),
+        step: &Trial<N>,
+        segment: &Segment<N>,
+        work: &mut Work,
+    ) -> Result<Met<N>> {
+        let mut found: Vec<(LocatedEvent<N>, Trial<N>)> = Vec::new();
+        for (index, event) in self.events.iter().enumerate() {
+            let (mut t_a, mut a) = (step.t, self.values[index]);
+            for part in 1..=PARTS {
+                let (t_b, y_b) = if part == PARTS {
+                    (step.t_end, step.end.value)
+                } else {
+                    let s = f64::from(part) / f64::from(PARTS);
+                    let t_b = step.t + s * (step.t_end - step.t);
+                    (t_b, segment.at(t_b))
+                };
+                let b = event.value(t_b, &y_b)?;
+                if let Some(rising) = event.counts(a, b) {
+                    let guess = root(event, segment, (t_a, a), (t_b, b))?;
+                    let there = polish(ode, event, step, segment, guess, work)?;
+                    let located = LocatedEvent {
+                        index,
+                        name: event.name,
+                        t: there.t_end,
+                        state: there.end.value,
+                        rising,
+                    };
+                    found.push((located, there));
+                }
+                (t_a, a) = (t_b, b);
+            }
+            self.values[index] = a;
+        }
+        let since_start = |e: &LocatedEvent<N>| (e.t - step.t).abs();
+        found.sort_by(|(e, _), (f, _)| since_start(e).total_cmp(&since_start(f)));
+        let terminal = found
+            .iter()
+            .position(|(e, _)| self.events[e.index].terminal);
+        let stopped = terminal.map(|last| {
+            let (_, step) = found[last];
+            found.truncate(last + 1);
+            step
+        });
+        Ok((found.into_iter().map(|(e, _)| e).collect(), stopped))
+    }
+}
+
+/// A zero of the event function on the interpolant, between times where its
+/// signs differ: secant and bisection by turns, until the bracket is round-off.
+fn root<const N: usize>(
+    event: &Event<'_, N>,
+    segment: &Segment<N>,
+    (mut t_a, mut a): (f64, f64),
+    (mut t_b, mut b): (f64, f64),
+) -> Result<f64> {
+    let enough = 2.0 * EPS * t_a.abs().max(t_b.abs());
+    // Sixty halvings reach round-off from any bracket; every second turn halves.
+    for turn in 0..120 {
+        if b == 0.0 || (t_b - t_a).abs() <= enough {
+            break;
+        }
+        let secant = t_b - b * ((t_b - t_a) / (b - a));
+        let middle = 0.5 * (t_a + t_b);
+        let inside = secant > t_a.min(t_b) && secant < t_a.max(t_b);
+        let t = if turn % 2 == 0 && inside {
+            secant
+        } else {
+            middle
+        };
+        let value = event.value(t, &segment.at(t))?;
+        if value != 0.0 && (value < 0.0) == (a < 0.0) {
+            (t_a, a) = (t, value);
+        } else {
+            (t_b, b) = (t, value);
+        }
+    }
+    Ok(t_b)
+}
+
+/// The step from the same start to the zero itself: the time is corrected with
+/// real steps until the event function no longer shrinks.
+fn polish<const N: usize>(
+    ode: &(impl Ode<N> + ?Sized),
+    event: &Event<'_, N>,
+    step: &Trial<N>,
+    segment: &Segment<N>,
+    guess: f64,
+    work: &mut Work,
+) -> Result<Trial<N>> {
+    let within = |t: f64| t.clamp(step.t.min(step.t_end), step.t.max(step.t_end));
+    let real = |t: f64, work: &mut Work| -> Result<(Trial<N>, f64)> {
+        let there = if t == step.t_end {
+            *step
+        } else {
+            step.shortened(ode, t, work)?
+        };
+        let value = event.value(t, &there.end.value)?;
+        Ok((there, value))
+    };
+    let (mut best, mut value) = real(guess, work)?;
+    // The slope of the function along the interpolant is good enough to start with.
+    let reach = 1e-3 * (step.t_end - step.t);
+    let (t_a, t_b) = (within(guess - reach), within(guess + reach));
+    let rise = event.value(t_b, &segment.at(t_b))? - event.value(t_a, &segment.at(t_a))?;
+    let mut slope = rise / (t_b - t_a);
+    for _ in 0..CORRECTIONS {
+        let t = within(best.t_end - value / slope);
+        if value == 0.0 || !t.is_finite() || t == best.t_end {
+            break;
+        }
+        let (next, next_value) = real(t, work)?;
+        if next_value.abs() >= value.abs() {
+            break;
+        }
+        slope = (next_value - value) / (next.t_end - best.t_end);
+        (best, value) = (next, next_value);
+    }
+    Ok(best)
+}

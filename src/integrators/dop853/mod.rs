@@ -1,0 +1,174 @@
+//! DOP853: the adaptive method of order 8 by Dormand and Prince.
+//!
+//! Twelve derivatives a step, two embedded error estimates (orders 5 and 3)
+//! that choose the step, an interpolant of order 7 for the time between steps,
+//! and events located to the accuracy of the run itself.
+
+pub mod coefficients;
+mod driver;
+mod event;
+mod segment;
+mod solution;
+mod trial;
+
+pub use event::{Direction, Event, LocatedEvent};
+pub use solution::Solution;
+
+use super::ode::check_span;
+use super::{About, Integrator, Ode, Work};
+use crate::error::{Error, Result, finite, positive};
+use core::ops::ControlFlow;
+
+/// The adaptive Runge-Kutta method of order 8(5,3) by Dormand and Prince.
+///
+/// The *tolerance* bounds the error made in one step, relative to
+/// [`Ode::scale`]. The error at the end of a run is larger by the number of
+/// steps and by what the system itself does to errors on the way.
+///
+/// A step in which the derivative is not finite is shortened like one whose
+/// error is too large; if no short step helps, that derivative is the error
+/// returned.
+///
+/// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential
+/// Equations I*, 2nd ed. (1993), II.4 to II.6; step control II.4 and, with
+/// memory of the last error (PI), *II*, IV.2.
+///
+/// ```
+/// use rotation_dynamics::integrators::{Dop853, Event, Ode};
+///
+/// /// A stone thrown upwards: height and speed.
+/// struct Stone;
+/// impl Ode<2> for Stone {
+///     fn derivative(&self, _t: f64, [_, speed]: &[f64; 2]) -> [f64; 2] {
+///         [*speed, -9.81]
+///     }
+/// }
+///
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let ground = Event::falling("ground", |_t, y: &[f64; 2]| y[0]).terminal();
+/// let flight = Dop853::new(1e-12)?.solve(&Stone, 0.0, &[0.0, 9.81], 10.0, &[ground])?;
+/// assert!((flight.end_time() - 2.0).abs() < 1e-14);
+/// assert!((flight.at(1.0)?[0] - 4.905).abs() < 1e-14);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dop853 {
+    tolerance: f64,
+    longest_step: f64,
+    step_limit: u64,
+}
+
+impl Dop853 {
+    /// The smallest tolerance: below it the error estimates are round-off.
+    pub const SMALLEST_TOLERANCE: f64 = 1e-15;
+    /// The largest tolerance.
+    pub const LARGEST_TOLERANCE: f64 = 0.1;
+
+    /// The method that holds the error of each step to `tolerance`, from 1e-15
+    /// to 0.1, relative to [`Ode::scale`].
+    ///
+    /// Errors: a tolerance outside that range.
+    pub fn new(tolerance: f64) -> Result<Self> {
+        finite("tolerance", tolerance)?;
+        if !(Self::SMALLEST_TOLERANCE..=Self::LARGEST_TOLERANCE).contains(&tolerance) {
+            return Err(Error::OutOfRange {
+                name: "tolerance",
+                value: tolerance,
+                allowed: "from 1e-15 to 0.1",
+            });
+        }
+        Ok(Self {
+            tolerance,
+            longest_step: f64::INFINITY,
+            step_limit: 1_000_000,
+        })
+    }
+
+    /// The same method with no step longer than this (time units of the system).
+    ///
+    /// Needed only where an event could come and go twice within a step.
+    /// Errors: a length that is not positive and finite.
+    pub fn with_longest_step(self, longest_step: f64) -> Result<Self> {
+        positive("longest step", longest_step)?;
+        Ok(Self {
+            longest_step,
+            ..self
+        })
+    }
+
+    /// The same method that gives up after this many steps, rejected ones
+    /// included; without it, after a million.
+    ///
+    /// Errors: a limit of no steps.
+    pub fn with_step_limit(self, step_limit: u64) -> Result<Self> {
+        if step_limit == 0 {
+            return Err(super::explicit::no_steps());
+        }
+        Ok(Self { step_limit, ..self })
+    }
+
+    /// The bound on the error of one step.
+    pub const fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The solution from `start` at `t` to `t_end` or to the first terminal
+    /// event, at any time between, with the events met on the way.
+    ///
+    /// `t_end` may lie before `t`. The interpolant costs three more derivatives
+    /// a step, an event found about 25, and memory for 9 states a step; use
+    /// [`Integrator::advance`] where only the end counts.
+    ///
+    /// Errors: a time or a start that is not finite; a derivative that is not
+    /// finite; a step too short to change the time; more steps than the limit;
+    /// a scale that is not positive; an event function that is not finite.
+    pub fn solve<const N: usize>(
+        &self,
+        ode: &(impl Ode<N> + ?Sized),
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        events: &[Event<'_, N>],
+    ) -> Result<Solution<N>> {
+        check_span(t, start, t_end)?;
+        let mut solution = Solution::new(t, *start);
+        let mut watch = event::Watch::new(events, t, start)?;
+        let (end, work) = self.drive(ode, t, start, t_end, |trial, last, work| {
+            let segment = trial.segment(ode, last, work)?;
+            let (met, stopped) = watch.crossings(ode, trial, &segment, work)?;
+            solution.events.extend(met);
+            Ok(match stopped {
+                None => {
+                    solution.push(segment);
+                    ControlFlow::Continue(())
+                }
+                Some(to_event) => {
+                    let last = to_event.last(ode, work)?;
+                    solution.push(to_event.segment(ode, last, work)?);
+                    solution.stopped = true;
+                    ControlFlow::Break(to_event.end.value)
+                }
+            })
+        })?;
+        solution.end = end;
+        solution.work = work;
+        Ok(solution)
+    }
+}
+
+impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
+    fn about(&self) -> About {
+        About {
+            name: "DOP853",
+            order: 8,
+            source: "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5",
+        }
+    }
+
+    fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
+        self.drive(ode, t, start, t_end, |_, _, _| {
+            Ok(ControlFlow::Continue(()))
+        })
+    }
+}
