@@ -42,8 +42,8 @@ impl Attitude {
     /// many turns lose nothing.
     ///
     /// Errors: an angle that is not finite.
-    /// Accuracy: rotation error a few eps, measured in `tests/attitude.rs`
-    /// for angles up to 1e15.
+    /// Accuracy: rotation error 3.2 eps; components within 1.9 eps of themselves
+    /// for angles up to 1e15 rad, measured in `tests/attitude`.
     /// Source: notes 15.1.
     pub fn from_euler(angles: EulerAngles) -> Result<Self> {
         let phi = finite("phi", angles.phi)?;
@@ -82,7 +82,8 @@ impl Attitude {
     ///
     /// These are the figures of the exact angles rounded to doubles (at 0 and pi
     /// better: one angle is rounded, not two). No attitude does worse than 4.5:
-    /// half an ulp of pi in phi and in zeta, and of theta.
+    /// half an ulp of pi in phi and in zeta, and of theta. Over 32 000 random
+    /// attitudes the largest is 2.7 (`tests/attitude`).
     ///
     /// Special cases: for tiny theta > 0 all three angles are the true ones. At
     /// theta = 0 exactly only phi + zeta has a meaning, at theta = pi exactly
@@ -139,7 +140,7 @@ impl EulerAngles {
     /// do not spin with it, so the result is a bare array and not a vector of
     /// either frame.
     ///
-    /// Accuracy: 3 eps of the sum of the terms. Source: notes 15.2 (6).
+    /// Accuracy: 1.6 eps of |phi'| + |theta'| + |zeta'|. Source: notes 15.2 (6).
     pub fn nodal_angular_velocity(&self, rates: EulerRates) -> [f64; 3] {
         let (sin_theta, cos_theta) = math::sincos(self.theta);
         [
@@ -155,7 +156,8 @@ impl EulerAngles {
     /// w1 = theta' cos zeta + phi' sin theta sin zeta,
     /// w2 = -theta' sin zeta + phi' sin theta cos zeta, w3 = zeta' + phi' cos theta.
     ///
-    /// Accuracy: 4 eps of the sum of the terms. Source: notes 15.2 (5).
+    /// Accuracy: 1.6 eps of |phi'| + |theta'| + |zeta'|, measured in
+    /// `tests/attitude`. Source: notes 15.2 (5).
     pub fn angular_velocity(&self, rates: EulerRates) -> BodyVector {
         let [along_node, across, along_axis] = self.nodal_angular_velocity(rates);
         let (sin_zeta, cos_zeta) = math::sincos(self.zeta);
@@ -175,7 +177,8 @@ impl EulerAngles {
     /// bit: the body axis is vertical, precession and spin are about one line
     /// and cannot be told apart; angles or components that are not finite;
     /// rates beyond the range of `f64`.
-    /// Accuracy: 4 eps |w|/sin theta, the condition of the problem.
+    /// Accuracy: 2.3 eps/sin theta, the condition of the problem, for rates up to
+    /// 1 rad/s; measured in `tests/attitude`.
     /// Source: notes 15.2 (6), inverted.
     pub fn rates(&self, angular_velocity: BodyVector) -> Result<EulerRates> {
         finite("theta", self.theta)?;
@@ -216,7 +219,8 @@ fn sin_cos_of_sum(a: f64, b: f64) -> (f64, f64) {
 /// Twice the argument of `re + i im`, in [-pi, pi]; the sign of both is free.
 fn twice_argument(re: f64, im: f64) -> f64 {
     // Choosing the sign first spares a reduction by 2 pi, which would round.
-    let im = if re < 0.0 { -im } else { im };
+    let flip = re < 0.0 || (re == 0.0 && im < 0.0);
+    let im = if flip { -im } else { im };
     let argument = DoubleDouble::from(im + 0.0).atan2(DoubleDouble::from(re.abs()));
     argument.scaled(2.0).to_f64()
 }

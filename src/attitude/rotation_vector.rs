@@ -1,6 +1,6 @@
 //! The rotation vector: axis times angle; exponential and logarithm.
 
-use super::{Attitude, norm};
+use super::{Attitude, norm, scale_for_squares};
 use crate::error::{Error, Result, finite};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble};
@@ -13,8 +13,8 @@ impl Attitude {
     /// and on the body's axes.
     ///
     /// Errors: a component, or the length, that is not finite.
-    /// Accuracy: rotation error a few eps, at any number of turns; the components keep their
-    /// relative accuracy down to 1e-300.
+    /// Accuracy: each component of the quaternion within 2.4 eps of itself, from
+    /// vectors of 1e-300 to those of 1e15 rad, measured in `tests/attitude`.
     pub fn from_rotation_vector(vector: SpaceVector) -> Result<Self> {
         exponential(vector.to_array())
     }
@@ -90,12 +90,14 @@ fn exponential(vector: [f64; 3]) -> Result<Attitude> {
     for (name, value) in ["x", "y", "z"].into_iter().zip(vector) {
         finite(name, value)?;
     }
-    let length = norm(vector);
-    finite("length of the rotation vector", length.hi())?;
+    let (direction, scale) = scaled(vector);
+    let length = norm(direction);
     if length == 0.0 {
         return Ok(Attitude::IDENTITY);
     }
-    turn_by(vector, length, length)
+    let angle = length.scaled(scale.recip());
+    finite("length of the rotation vector", angle.hi())?;
+    Ok(turn_by(direction, length, angle))
 }
 
 /// The rotation by `angle` about `axis`, of any nonzero length.
@@ -104,7 +106,8 @@ fn about(axis: [f64; 3], angle: f64) -> Result<Attitude> {
         finite(name, value)?;
     }
     finite("angle", angle)?;
-    let length = norm(axis);
+    let (direction, _) = scaled(axis);
+    let length = norm(direction);
     if length == 0.0 {
         return Err(Error::OutOfRange {
             name: "length of the axis",
@@ -112,21 +115,22 @@ fn about(axis: [f64; 3], angle: f64) -> Result<Attitude> {
             allowed: "it must be greater than 0",
         });
     }
-    finite("length of the axis", length.hi())?;
-    turn_by(axis, length, DoubleDouble::from(angle))
+    Ok(turn_by(direction, length, DoubleDouble::from(angle)))
+}
+
+/// The vector times a power of two that brings it where it can be squared.
+fn scaled(vector: [f64; 3]) -> ([f64; 3], f64) {
+    let largest = vector.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+    let scale = scale_for_squares(largest);
+    (vector.map(|c| c * scale), scale)
 }
 
 /// (cos a/2, sin(a/2) v/|v|); the angle has two parts, so that the rounding of a
 /// length of many turns does not turn the body.
-fn turn_by(vector: [f64; 3], length: DoubleDouble, angle: DoubleDouble) -> Result<Attitude> {
+fn turn_by(vector: [f64; 3], length: DoubleDouble, angle: DoubleDouble) -> Attitude {
     let (sin, cos) = math::sincos(angle.hi() / 2.0);
     let (sin_rest, cos_rest) = math::sincos(angle.lo() / 2.0);
     let factor = DoubleDouble::from(sin * cos_rest + cos * sin_rest) / length;
     let [x, y, z] = vector.map(|c| (factor * c).to_f64());
-    Ok(Attitude::from_unit([
-        cos * cos_rest - sin * sin_rest,
-        x,
-        y,
-        z,
-    ]))
+    Attitude::from_unit([cos * cos_rest - sin * sin_rest, x, y, z])
 }
