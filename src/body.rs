@@ -87,7 +87,7 @@ impl RigidBody {
 
     /// Angular velocity on the body's axes, I^-1 R^T L (rad/s).
     ///
-    /// Accuracy: component i within 6 eps |L|/I_i. Source: notes 15.4.
+    /// Accuracy: component i within 6 eps |L|/I_i (the turning of L). Source: notes 15.4.
     #[inline]
     pub fn angular_velocity(&self, state: &State) -> BodyVector {
         let [l1, l2, l3] = self.angular_momentum(state).to_array();
