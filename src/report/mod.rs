@@ -33,6 +33,7 @@
 
 mod claim;
 pub mod cli;
+pub mod draw;
 mod files;
 mod json;
 mod number;

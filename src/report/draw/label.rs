@@ -1,0 +1,298 @@
+//! Labels: words, and between dollar signs a little TeX.
+//!
+//! In `$…$` letters are slanted, digits and signs upright, `-` is a minus sign, `'`
+//! a prime; there are Greek letters (`\theta`), `_x`, `_{eff}`, `^{-3}`, `\tilde E`,
+//! `\dot\phi`, `\mathrm{d}`, `\times`, `\cdot`, `\pi`, thin space `\,`. Outside,
+//! text is text.
+
+use core::fmt::Write;
+
+/// Size of the text of labels, in px.
+pub(super) const SIZE: f64 = 14.0;
+/// Size of sub- and superscripts relative to the text: never below 11 px.
+const SMALL: f64 = 0.79;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Level {
+    Base,
+    Sub,
+    Sup,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Span {
+    text: String,
+    slanted: bool,
+    level: Level,
+}
+
+/// A parsed label.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Label {
+    spans: Vec<Span>,
+}
+
+const NAMES: [(&str, &str); 40] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+    ("times", "×"),
+    ("cdot", "·"),
+    ("approx", "≈"),
+    ("le", "≤"),
+    ("ge", "≥"),
+    ("to", "→"),
+    ("infty", "∞"),
+    ("pm", "±"),
+    ("degree", "°"),
+    ("sqrt", "√"),
+    ("varepsilon", "ε"),
+    ("ell", "ℓ"),
+];
+
+impl Label {
+    pub(super) fn new(text: &str) -> Self {
+        let mut label = Self { spans: Vec::new() };
+        for (i, part) in text.split('$').enumerate() {
+            if i % 2 == 0 {
+                label.push(part, false, Level::Base);
+            } else {
+                label.formula(&mut part.chars().peekable(), Level::Base, false);
+            }
+        }
+        label
+    }
+
+    fn push(&mut self, text: &str, slanted: bool, level: Level) {
+        if text.is_empty() {
+            return;
+        }
+        if let Some(last) = self.spans.last_mut()
+            && last.slanted == slanted
+            && last.level == level
+        {
+            last.text.push_str(text);
+            return;
+        }
+        self.spans.push(Span {
+            text: text.into(),
+            slanted,
+            level,
+        });
+    }
+
+    /// Reads a formula up to its end or to the brace that closes it.
+    fn formula(
+        &mut self,
+        input: &mut core::iter::Peekable<core::str::Chars<'_>>,
+        level: Level,
+        upright: bool,
+    ) {
+        // A combining mark follows the letter that it stands on.
+        let mut mark = "";
+        while let Some(c) = input.next() {
+            let mut text = match c {
+                '}' => return,
+                '{' => {
+                    self.formula(input, level, upright);
+                    continue;
+                }
+                '_' | '^' => {
+                    let level = if c == '_' { Level::Sub } else { Level::Sup };
+                    if input.next_if_eq(&'{').is_some() {
+                        self.formula(input, level, upright);
+                    } else if let Some(one) = input.next() {
+                        self.formula(&mut one.to_string().chars().peekable(), level, upright);
+                    }
+                    continue;
+                }
+                '\\' => {
+                    let mut name = String::new();
+                    while let Some(letter) = input.next_if(char::is_ascii_alphabetic) {
+                        name.push(letter);
+                    }
+                    if !name.is_empty() {
+                        input.next_if_eq(&' ');
+                    }
+                    match name.as_str() {
+                        "" => {
+                            input.next();
+                            "\u{2009}".to_string()
+                        }
+                        "mathrm" | "text" => {
+                            input.next_if_eq(&'{');
+                            self.formula(input, level, true);
+                            continue;
+                        }
+                        "dot" => {
+                            mark = "\u{307}";
+                            continue;
+                        }
+                        "ddot" => {
+                            mark = "\u{308}";
+                            continue;
+                        }
+                        "tilde" => {
+                            mark = "\u{303}";
+                            continue;
+                        }
+                        "hat" => {
+                            mark = "\u{302}";
+                            continue;
+                        }
+                        _ => NAMES
+                            .iter()
+                            .find(|(n, _)| *n == name)
+                            .map_or(name.clone(), |(_, glyph)| (*glyph).into()),
+                    }
+                }
+                '-' => "\u{2212}".into(),
+                '\'' => "′".into(),
+                ' ' if !upright => continue,
+                '=' | '<' | '>' | '+' if level == Level::Base => format!("\u{2009}{c}\u{2009}"),
+                c => c.to_string(),
+            };
+            let letter = text.chars().next().is_some_and(char::is_alphabetic);
+            let capital_greek = text
+                .chars()
+                .next()
+                .is_some_and(|c| ('Α'..='Ω').contains(&c));
+            text.push_str(core::mem::take(&mut mark));
+            self.push(&text, letter && !upright && !capital_greek, level);
+        }
+    }
+
+    /// Width in px, from the widths of an average typeface; good to about a tenth.
+    pub(super) fn width(&self, size: f64) -> f64 {
+        self.spans
+            .iter()
+            .map(|span| {
+                let em: f64 = span.text.chars().map(glyph_width).sum();
+                let scale = if span.level == Level::Base {
+                    1.0
+                } else {
+                    SMALL
+                };
+                em * scale * size
+            })
+            .sum()
+    }
+
+    /// The content of an SVG `<text>` element.
+    pub(super) fn svg(&self, size: f64) -> String {
+        let mut out = String::new();
+        let mut raised = 0.0;
+        for span in &self.spans {
+            let target = match span.level {
+                Level::Base => 0.0,
+                Level::Sub => 0.24 * size,
+                Level::Sup => -0.36 * size,
+            };
+            let mut attributes = String::new();
+            // Writing to a string cannot fail.
+            if target != raised {
+                let _ = write!(attributes, " dy=\"{:.1}\"", target - raised);
+                raised = target;
+            }
+            if span.level != Level::Base {
+                let _ = write!(attributes, " font-size=\"{:.1}\"", SMALL * size);
+            }
+            if span.slanted {
+                attributes.push_str(" class=\"v\"");
+            }
+            let text = escaped(&span.text);
+            if attributes.is_empty() {
+                out.push_str(&text);
+            } else {
+                let _ = write!(out, "<tspan{attributes}>{text}</tspan>");
+            }
+        }
+        out
+    }
+}
+
+/// `text` with the characters that XML reserves replaced.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+fn glyph_width(c: char) -> f64 {
+    match c {
+        '\u{300}'..='\u{36f}' => 0.0,
+        '\u{2009}' => 0.17,
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' | '′' => 0.25,
+        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '/' | ' ' | '-' | '·' => 0.31,
+        'm' | 'w' | 'M' | 'W' => 0.84,
+        '=' | '+' | '<' | '>' | '\u{2212}' | '×' | '≈' | '±' => 0.58,
+        '→' => 0.9,
+        c if c.is_uppercase() => 0.71,
+        _ => 0.56,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(label: &str) -> String {
+        Label::new(label)
+            .spans
+            .iter()
+            .map(|s| s.text.as_str())
+            .collect()
+    }
+
+    #[test]
+    fn formulas_become_glyphs() {
+        assert_eq!(plain(r"$\theta$ / rad"), "θ / rad");
+        assert_eq!(plain(r"$10^{-3}$"), "10\u{2212}3");
+        assert_eq!(plain(r"$U_{\mathrm{eff}}(\theta)$"), "Ueff(θ)");
+        assert_eq!(plain(r"$\tilde E$"), "E\u{303}");
+        assert_eq!(plain(r"$\dot\phi$"), "φ\u{307}");
+        assert_eq!(plain(r"$t'$"), "t′");
+        assert_eq!(plain("a - b"), "a - b");
+    }
+
+    #[test]
+    fn only_variables_are_slanted_and_the_baseline_returns() {
+        let svg = Label::new(r"$x_1=2$ m").svg(14.0);
+        assert_eq!(
+            svg,
+            "<tspan class=\"v\">x</tspan><tspan dy=\"3.4\" font-size=\"11.1\">1</tspan>\
+             <tspan dy=\"-3.4\">\u{2009}=\u{2009}2 m</tspan>"
+        );
+    }
+
+    #[test]
+    fn small_text_is_not_below_eleven_px() {
+        assert!(SMALL * SIZE >= 11.0);
+    }
+}

@@ -1,0 +1,327 @@
+//! How a panel is painted: margins, axes, contents, labels.
+
+use super::canvas::{Canvas, Frame, Paint, Point, Rect, Side, Text};
+use super::ink::Ink;
+use super::label::{Label, SIZE};
+use super::panel::{AXIS, Curve, LabelPlace, Panel, Rule};
+use super::place::{GAP, Obstacles, clipped, clipped_polygon, spread};
+use super::svg::Stroke;
+use crate::error::Result;
+
+/// Length of ticks, and distance of the axes from the data.
+const TICK: f64 = 5.0;
+const OFFSET: f64 = 6.0;
+/// Height of a line of text.
+const LINE: f64 = 17.0;
+
+impl Panel {
+    fn place(&self, (x, y): Point) -> Result<Point> {
+        Ok((self.x.place(x)?, self.y.place(y)?))
+    }
+
+    fn places(&self, points: &[Point]) -> Result<Vec<Point>> {
+        points.iter().map(|&p| self.place(p)).collect()
+    }
+
+    /// The extents of both axes, in places.
+    pub(super) fn extents(&self) -> Result<(Point, Point)> {
+        let mut all = Vec::new();
+        for points in self
+            .curves
+            .iter()
+            .map(|c| &c.points)
+            .chain(self.areas.iter().map(|a| &a.0))
+        {
+            all.extend(self.places(points)?);
+        }
+        let (mut xs, mut ys) = (Vec::new(), Vec::new());
+        for (rule, ..) in &self.rules {
+            match rule {
+                Rule::Across(y) => ys.push(self.y.place(*y)?),
+                Rule::Up(x) => xs.push(self.x.place(*x)?),
+            }
+        }
+        let x = self.x.extent(all.iter().map(|p| p.0).chain(xs))?;
+        let y = self.y.extent(all.iter().map(|p| p.1).chain(ys))?;
+        Ok((x, y))
+    }
+
+    fn y_ticks(&self, y: Point, height: f64) -> Result<Vec<(f64, String)>> {
+        self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)
+    }
+
+    /// The room that the labels of the vertical axis need.
+    pub(super) fn left_margin(&self, y: Point, height: f64) -> Result<f64> {
+        let ticks = self.y_ticks(y, height)?;
+        let widest = ticks
+            .iter()
+            .map(|(_, label)| Label::new(label).width(SIZE))
+            .fold(0.0, f64::max);
+        Ok(widest + OFFSET + TICK + 7.0)
+    }
+
+    /// The room around the plot on each side, given the left one.
+    fn margins(&self, left: f64, labelled_x: bool) -> Rect {
+        let end_labels = self.curves.iter().filter_map(|c| match &c.label {
+            Some((text, LabelPlace::End)) => Some(Label::new(text).width(SIZE)),
+            _ => None,
+        });
+        let ticks = OFFSET + TICK + LINE + 2.0;
+        Rect {
+            left,
+            right: end_labels.fold(12.0, |margin, width| f64::max(margin, width + 14.0)),
+            top: if self.y.label.is_empty() {
+                10.0
+            } else {
+                LINE + 10.0
+            },
+            bottom: match (labelled_x, self.x.label.is_empty()) {
+                (false, _) => OFFSET,
+                (true, true) => ticks + 3.0,
+                (true, false) => ticks + LINE,
+            },
+        }
+    }
+
+    /// The size of the figure; with equal units the height follows from the width.
+    pub(super) fn fitted_size(&self, left: f64, x: Point, y: Point) -> (u32, u32) {
+        let (width, height) = self.size;
+        if !self.equal {
+            return (width, height);
+        }
+        let margins = self.margins(left, true);
+        let across = f64::from(width) - margins.left - margins.right;
+        let up = across * (y.1 - y.0) / (x.1 - x.0) + margins.top + margins.bottom;
+        // Tall and narrow data are fitted into a square instead.
+        (width, libm::ceil(up).clamp(120.0, f64::from(width)) as u32)
+    }
+
+    /// Draws it into `outer` (px), with a left margin and extents that may be shared.
+    pub(super) fn paint(
+        &self,
+        canvas: &Canvas<'_>,
+        outer: Rect,
+        left: f64,
+        x: Point,
+        y: Point,
+        labelled_x: bool,
+    ) -> Result<()> {
+        let sheet = canvas.sheet();
+        let margins = self.margins(left, labelled_x);
+        let mut plot = Rect {
+            left: outer.left + margins.left,
+            right: outer.right - margins.right,
+            top: outer.top + margins.top,
+            bottom: outer.bottom - margins.bottom,
+        };
+        if self.equal {
+            plot = equal_units(plot, x, y);
+        }
+        let frame = canvas.frame(x, y, plot);
+        for (outline, ink, alpha) in &self.areas {
+            let cut = clipped_polygon(&self.places(outline)?, x, y);
+            frame.draw(&cut, Paint::Fill(*ink, *alpha))?;
+        }
+        let mut obstacles = Obstacles::new(Rect {
+            left: plot.left,
+            right: outer.right - 2.0,
+            top: outer.top + 2.0,
+            bottom: plot.bottom,
+        });
+        self.paint_axes(&sheet, &frame, plot, (x, y), labelled_x, &mut obstacles)?;
+        self.paint_contents(&sheet, &frame, (x, y), plot, &mut obstacles)
+    }
+
+    fn paint_axes(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        plot: Rect,
+        (x, y): (Point, Point),
+        labelled_x: bool,
+        obstacles: &mut Obstacles,
+    ) -> Result<()> {
+        let line = Paint::Line(Stroke::new(Ink::Ink, AXIS));
+        let (floor, wall) = (plot.bottom + OFFSET, plot.left - OFFSET);
+        sheet.draw(&[(wall, plot.top), (wall, plot.bottom)], line.clone())?;
+        if labelled_x {
+            sheet.draw(&[(plot.left, floor), (plot.right, floor)], line.clone())?;
+            for (place, label) in self
+                .x
+                .marks(x, ((plot.right - plot.left) / 48.0) as usize)?
+            {
+                let at = frame.px((place, y.0)).0;
+                sheet.draw(&[(at, floor), (at, floor + TICK)], line.clone())?;
+                let text = Text::new(&label, Ink::Ink, Side::Below, 3.0);
+                sheet.draw(&[(at, floor + TICK)], Paint::Text(text))?;
+            }
+            let text = Text::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
+            sheet.draw(
+                &[(plot.right, floor + TICK + LINE + 2.0)],
+                Paint::Text(text),
+            )?;
+        }
+        for (place, label) in self.y_ticks(y, plot.bottom - plot.top)? {
+            let at = frame.px((x.0, place)).1;
+            sheet.draw(&[(wall, at), (wall - TICK, at)], line.clone())?;
+            let text = Text::new(&label, Ink::Ink, Side::Left, 4.0);
+            sheet.draw(&[(wall - TICK, at)], Paint::Text(text))?;
+        }
+        let text = Text::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0);
+        let at = (wall - TICK, plot.top - 8.0);
+        obstacles.take(text.rect(at));
+        sheet.draw(&[at], Paint::Text(text))
+    }
+
+    fn paint_contents(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        (x, y): (Point, Point),
+        plot: Rect,
+        obstacles: &mut Obstacles,
+    ) -> Result<()> {
+        let mut curves: Vec<Curve> = Vec::new();
+        for (rule, ink, label) in &self.rules {
+            let line = match rule {
+                Rule::Across(at) => {
+                    let at = self.y.place(*at)?;
+                    [(x.0, at), (x.1, at)]
+                }
+                Rule::Up(at) => {
+                    let at = self.x.place(*at)?;
+                    [(at, y.0), (at, y.1)]
+                }
+            };
+            let curve = Curve::new(line, *ink).thin();
+            curves.push(if label.is_empty() {
+                curve
+            } else {
+                curve.label(label)
+            });
+        }
+        for curve in &self.curves {
+            let mut curve = curve.clone();
+            curve.points = self.places(&curve.points)?;
+            curves.push(curve);
+        }
+        let lines: Vec<Vec<Vec<Point>>> = curves.iter().map(|c| clipped(&c.points, x, y)).collect();
+        for (i, (curve, parts)) in curves.iter().zip(&lines).enumerate() {
+            curve.paint(frame, parts, x, y)?;
+            for part in parts {
+                let px: Vec<Point> = part.iter().map(|&p| frame.px(p)).collect();
+                obstacles.add_line(i, &px);
+            }
+        }
+        for note in &self.notes {
+            let at = self.place(note.at)?;
+            if let Some(ring) = note.dot {
+                frame.draw(&[at], Paint::Dot(note.ink, 3.5, ring))?;
+            }
+            let text = Text::new(&note.text, note.ink, note.side, GAP + 2.0);
+            obstacles.take(text.rect(frame.px(at)));
+            frame.draw(&[at], Paint::Text(text))?;
+        }
+        self.paint_labels(sheet, frame, &curves, &lines, plot, obstacles)
+    }
+
+    fn paint_labels(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        curves: &[Curve],
+        lines: &[Vec<Vec<Point>>],
+        plot: Rect,
+        obstacles: &mut Obstacles,
+    ) -> Result<()> {
+        let mut ends: Vec<(usize, f64)> = Vec::new();
+        for (i, curve) in curves.iter().enumerate() {
+            match (&curve.label, lines[i].last().and_then(|part| part.last())) {
+                (Some((_, LabelPlace::End)), Some(&last)) => ends.push((i, frame.px(last).1)),
+                (Some((text, LabelPlace::At(at, side))), _) => {
+                    let at = self.place(*at)?;
+                    let text = Text::new(text, curve.ink, *side, GAP);
+                    obstacles.take(text.rect(frame.px(at)));
+                    frame.draw(&[at], Paint::Text(text))?;
+                }
+                _ => {}
+            }
+        }
+        spread(&mut ends, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
+        for (i, at) in ends {
+            let (Some((text, _)), Some(&last)) = (
+                &curves[i].label,
+                lines[i].last().and_then(|part| part.last()),
+            ) else {
+                continue;
+            };
+            let text = Text::new(text, curves[i].ink, Side::Right, GAP + 2.0);
+            let at = (frame.px(last).0, at);
+            obstacles.take(text.rect(at));
+            sheet.draw(&[at], Paint::Text(text))?;
+        }
+        for (i, curve) in curves.iter().enumerate() {
+            let Some((text, LabelPlace::Found)) = &curve.label else {
+                continue;
+            };
+            let Some(longest) = lines[i].iter().max_by_key(|part| part.len()) else {
+                continue;
+            };
+            let px: Vec<Point> = longest.iter().map(|&p| frame.px(p)).collect();
+            let make = |side| Text::new(text, curve.ink, side, GAP);
+            if let Some((at, side)) = obstacles.place(i, &px, make) {
+                sheet.draw(&[at], Paint::Text(make(side)))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// `plot` made smaller so that a unit is as long across as up.
+fn equal_units(plot: Rect, x: Point, y: Point) -> Rect {
+    let (width, height) = (plot.right - plot.left, plot.bottom - plot.top);
+    let unit = (width / (x.1 - x.0)).min(height / (y.1 - y.0));
+    let spare = (width - unit * (x.1 - x.0)) / 2.0;
+    Rect {
+        left: plot.left + spare,
+        right: plot.right - spare,
+        top: plot.bottom - unit * (y.1 - y.0),
+        bottom: plot.bottom,
+    }
+}
+
+impl Curve {
+    /// Draws its parts that lie within `x` and `y`.
+    fn paint(&self, frame: &Frame<'_>, parts: &[Vec<Point>], x: Point, y: Point) -> Result<()> {
+        let inside = |p: &&Point| (x.0..=x.1).contains(&p.0) && (y.0..=y.1).contains(&p.1);
+        let stroke = Stroke {
+            dash: self.dash,
+            opacity: self.opacity,
+            ..Stroke::new(self.ink, self.width)
+        };
+        if self.line {
+            for part in parts {
+                frame.draw(part, Paint::Line(stroke))?;
+            }
+        }
+        if self.dots {
+            let seen: Vec<Point> = self.points.iter().filter(inside).copied().collect();
+            frame.draw(&seen, Paint::Dot(self.ink, 2.6, false))?;
+        }
+        for &at in &self.arrows {
+            let count = at.clamp(0.0, 1.0) * self.points.len() as f64;
+            let run = self.points.iter().take(count as usize).filter(inside);
+            frame.draw(
+                &run.copied().collect::<Vec<_>>(),
+                Paint::Head(self.ink, 8.0),
+            )?;
+        }
+        Ok(())
+    }
+
+    /// Draws all of it.
+    pub(super) fn paint_whole(&self, frame: &Frame<'_>) -> Result<()> {
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        self.paint(frame, core::slice::from_ref(&self.points), all, all)
+    }
+}

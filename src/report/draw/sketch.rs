@@ -1,0 +1,303 @@
+//! Drawings of set-ups, and strobe pictures.
+
+use super::canvas::{Canvas, Frame, Paint, Point, Rect, Side, Text, figure};
+use super::ink::Ink;
+use super::panel::{CURVE, Curve, LabelPlace};
+use super::place::{GAP, Obstacles};
+use super::svg::Stroke;
+use crate::error::{Error, Result};
+use crate::math::{hypot, sincos};
+use crate::report::Figure;
+
+#[derive(Debug, Clone)]
+enum Element {
+    Curve(Curve),
+    Arrow(Vec<Point>, Ink),
+    Dimension(Point, Point),
+    Wall(Point, Point),
+    Solid(Vec<Point>, Ink, f64),
+    Dot(Point, Ink, bool),
+}
+
+/// A drawing in its own units, equal on both axes: `x` to the right, `y` up.
+///
+/// Elements are painted in the order in which they are added, labels last.
+///
+/// ```
+/// use rotation_dynamics::report::draw::{Curve, Ink, Side, Sketch};
+/// let figure = Sketch::new("setup", "a ladder between a wall and the floor")
+///     .window((-0.4, 2.6), (-0.4, 3.2))
+///     .wall((0.0, 3.1), (0.0, 0.0))
+///     .wall((0.0, 0.0), (2.5, 0.0))
+///     .curve(Curve::new([(0.0, 2.6), (1.5, 0.0)], Ink::Body).width(4.0))
+///     .angle((0.0, 2.6), 0.7, (-1.5708, -1.0472), r"$\theta$")
+///     .arrow((0.75, 1.3), (0.75, 0.5), Ink::Force, "$mg$", Side::Right)
+///     .figure()?;
+/// # assert!(figure.svg.contains("mg") || figure.svg.contains(">m"));
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Sketch {
+    name: String,
+    alt: String,
+    width: u32,
+    x: Point,
+    y: Point,
+    elements: Vec<Element>,
+    texts: Vec<(Point, String, Ink, Side, f64)>,
+}
+
+impl Sketch {
+    /// An empty sketch of the unit square; `alt` says in a sentence what is to be seen.
+    pub fn new(name: &str, alt: &str) -> Self {
+        Self {
+            name: name.into(),
+            alt: alt.into(),
+            width: 340,
+            x: (0.0, 1.0),
+            y: (0.0, 1.0),
+            elements: Vec::new(),
+            texts: Vec::new(),
+        }
+    }
+
+    /// Sets what is shown: from left to right, from bottom to top.
+    #[must_use]
+    pub fn window(mut self, x: (f64, f64), y: (f64, f64)) -> Self {
+        (self.x, self.y) = (x, y);
+        self
+    }
+
+    /// Sets the width in px (340 if never set); the height follows from the window.
+    #[must_use]
+    pub fn width(mut self, px: u32) -> Self {
+        self.width = px;
+        self
+    }
+
+    /// Adds a line; its dots, arrows and label count as in a panel.
+    #[must_use]
+    pub fn curve(mut self, curve: Curve) -> Self {
+        self.elements.push(Element::Curve(curve));
+        self
+    }
+
+    /// Adds an arrow with a label beside its middle. A force or torque has an open head.
+    #[must_use]
+    pub fn arrow(
+        self,
+        from: (f64, f64),
+        to: (f64, f64),
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
+        self.arrow_along([from, to], ink)
+            .text(middle, label, ink, side)
+    }
+
+    /// Adds an arrow along a curve.
+    #[must_use]
+    pub fn arrow_along(mut self, points: impl IntoIterator<Item = (f64, f64)>, ink: Ink) -> Self {
+        self.elements
+            .push(Element::Arrow(points.into_iter().collect(), ink));
+        self
+    }
+
+    /// Adds the arc of an angle about `centre`, between two directions in radians
+    /// counted from the x axis, with a label outside its middle.
+    #[must_use]
+    pub fn angle(self, centre: (f64, f64), radius: f64, between: (f64, f64), label: &str) -> Self {
+        let (s, c) = sincos((between.0 + between.1) / 2.0);
+        // The label sits on the ray through the middle, beyond the arc.
+        let beyond = radius + 13.0 * (self.x.1 - self.x.0) / f64::from(self.width);
+        let at = (centre.0 + beyond * c, centre.1 + beyond * s);
+        self.curve(Curve::new(arc(centre, radius, between), Ink::Ink).thin())
+            .text(at, label, Ink::Ink, Side::Centre)
+    }
+
+    /// Adds an arrow along an arc: which way something turns.
+    #[must_use]
+    pub fn turn(self, centre: (f64, f64), radius: f64, between: (f64, f64), ink: Ink) -> Self {
+        self.arrow_along(arc(centre, radius, between), ink)
+    }
+
+    /// Adds a dimension line with heads at both ends and a label beside its middle.
+    #[must_use]
+    pub fn dimension(mut self, from: (f64, f64), to: (f64, f64), label: &str, side: Side) -> Self {
+        self.elements.push(Element::Dimension(from, to));
+        let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
+        self.text(middle, label, Ink::Ink, side)
+    }
+
+    /// Adds a fixed surface, hatched on the right as one goes from `from` to `to`.
+    #[must_use]
+    pub fn wall(mut self, from: (f64, f64), to: (f64, f64)) -> Self {
+        self.elements.push(Element::Wall(from, to));
+        self
+    }
+
+    /// Adds a body with this outline, filled faintly or (`fill` = 1) fully.
+    #[must_use]
+    pub fn body(
+        mut self,
+        outline: impl IntoIterator<Item = (f64, f64)>,
+        ink: Ink,
+        fill: f64,
+    ) -> Self {
+        let outline = outline.into_iter().collect();
+        self.elements.push(Element::Solid(outline, ink, fill));
+        self
+    }
+
+    /// Adds a round body.
+    #[must_use]
+    pub fn disc(self, centre: (f64, f64), radius: f64, ink: Ink, fill: f64) -> Self {
+        let rim = arc(centre, radius, (0.0, 2.0 * core::f64::consts::PI));
+        self.body(rim, ink, fill)
+    }
+
+    /// Adds a dot.
+    #[must_use]
+    pub fn dot(mut self, at: (f64, f64), ink: Ink, label: &str, side: Side) -> Self {
+        self.elements.push(Element::Dot(at, ink, false));
+        self.text(at, label, ink, side)
+    }
+
+    /// Adds a ring: a hinge, or a point that something leaves.
+    #[must_use]
+    pub fn ring(mut self, at: (f64, f64), ink: Ink, label: &str, side: Side) -> Self {
+        self.elements.push(Element::Dot(at, ink, true));
+        self.text(at, label, ink, side)
+    }
+
+    /// Adds a text beside the point `at`; an empty one adds nothing.
+    #[must_use]
+    pub fn text(mut self, at: (f64, f64), text: &str, ink: Ink, side: Side) -> Self {
+        if !text.is_empty() {
+            self.texts.push((at, text.into(), ink, side, GAP));
+        }
+        self
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a window without area or too tall (more than three
+    /// times its width) or a point far outside it, [`Error::NotFinite`] for NaN and
+    /// infinities, [`Error::Text`] for a bad name or a missing alternative text.
+    pub fn figure(&self) -> Result<Figure> {
+        let (across, up) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
+        let aspect = up / across;
+        if !(across > 0.0 && aspect > 0.0 && aspect <= 3.0) {
+            return Err(Error::OutOfRange {
+                name: "height of the window over its width",
+                value: aspect,
+                allowed: "it must be greater than 0 and at most 3",
+            });
+        }
+        let height = libm::round(f64::from(self.width) * aspect).max(20.0) as u32;
+        figure(&self.name, &self.alt, (self.width, height), |canvas| {
+            let frame = canvas.frame(self.x, self.y, canvas.rect());
+            for element in &self.elements {
+                self.paint(&frame, element)?;
+            }
+            self.paint_labels(canvas, &frame)
+        })
+    }
+
+    fn paint(&self, frame: &Frame<'_>, element: &Element) -> Result<()> {
+        let ink_line = |width| Stroke::new(Ink::Ink, width);
+        match element {
+            Element::Curve(curve) => curve.paint_whole(frame),
+            Element::Arrow(points, ink) => {
+                let (stroke, open) = (Stroke::new(*ink, CURVE), *ink == Ink::Force);
+                frame.draw(points, Paint::Arrow(stroke, 9.0, open))
+            }
+            Element::Dimension(from, to) => {
+                frame.draw(&[*from, *to], Paint::Dimension(ink_line(1.0)))
+            }
+            Element::Wall(from, to) => {
+                let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+                let length = hypot(dx, dy);
+                let px = (self.x.1 - self.x.0) / f64::from(self.width);
+                let (ex, ey) = (dx / length, dy / length);
+                let strokes = (length / (8.0 * px)) as usize;
+                for i in 0..strokes {
+                    let s = (i as f64 + 0.9) * length / strokes as f64;
+                    let on = (from.0 + s * ex, from.1 + s * ey);
+                    let back = 7.0 * px;
+                    let off = (on.0 + back * (ey - ex), on.1 + back * (-ex - ey));
+                    frame.draw(&[on, off], Paint::Line(Stroke::new(Ink::Frame, 0.8)))?;
+                }
+                frame.draw(&[*from, *to], Paint::Line(ink_line(1.4)))
+            }
+            Element::Solid(outline, ink, fill) => {
+                frame.draw(outline, Paint::Fill(*ink, *fill))?;
+                frame.draw(outline, Paint::Loop(Stroke::new(*ink, 1.4)))
+            }
+            Element::Dot(at, ink, ring) => frame.draw(&[*at], Paint::Dot(*ink, 3.5, *ring)),
+        }
+    }
+
+    fn paint_labels(&self, canvas: &Canvas<'_>, frame: &Frame<'_>) -> Result<()> {
+        let sheet = canvas.sheet();
+        let room = canvas.rect();
+        let mut obstacles = Obstacles::new(Rect {
+            left: room.left + 2.0,
+            right: room.right - 2.0,
+            ..room
+        });
+        let mut wanted = Vec::new();
+        for (i, element) in self.elements.iter().enumerate() {
+            let points = match element {
+                Element::Curve(curve) => &curve.points,
+                Element::Arrow(points, _) | Element::Solid(points, ..) => points,
+                _ => continue,
+            };
+            let px: Vec<Point> = points.iter().map(|&p| frame.px(p)).collect();
+            obstacles.add_line(i, &px);
+            if let Element::Curve(Curve {
+                label: Some((text, place)),
+                ink,
+                ..
+            }) = element
+            {
+                wanted.push((i, px, text, place, *ink));
+            }
+        }
+        for (at, text, ink, side, gap) in &self.texts {
+            let text = Text::new(text, *ink, *side, *gap);
+            obstacles.take(text.rect(frame.px(*at)));
+            frame.draw(&[*at], Paint::Text(text))?;
+        }
+        for (i, px, text, place, ink) in wanted {
+            let make = |side| Text::new(text, ink, side, GAP);
+            match place {
+                LabelPlace::At(at, side) => frame.draw(&[*at], Paint::Text(make(*side)))?,
+                LabelPlace::End => {
+                    let last = px.last().copied().unwrap_or_default();
+                    sheet.draw(&[last], Paint::Text(make(Side::Right)))?;
+                }
+                LabelPlace::Found => {
+                    if let Some((at, side)) = obstacles.place(i, &px, make) {
+                        sheet.draw(&[at], Paint::Text(make(side)))?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Points of an arc, 3 degrees apart or closer.
+pub(super) fn arc(centre: Point, radius: f64, (from, to): (f64, f64)) -> Vec<Point> {
+    let steps = libm::ceil((to - from).abs() / 0.05).clamp(1.0, 1000.0) as usize;
+    (0..=steps)
+        .map(|i| {
+            let (s, c) = sincos(from + (to - from) * i as f64 / steps as f64);
+            (centre.0 + radius * c, centre.1 + radius * s)
+        })
+        .collect()
+}
