@@ -112,8 +112,8 @@ impl Axis {
 
 /// The multiples of `step` in the range, by their integer factors.
 fn multiples(low: f64, high: f64, step: f64) -> core::ops::RangeInclusive<i64> {
-    // The slack keeps a tick that sits on the end of the axis up to round-off.
-    let slack = 1e-9;
+    // Data that all but reach a round value get its tick: it stands at most a pixel outside.
+    let slack = 0.004 * (high - low) / step;
     libm::ceil(low / step - slack) as i64..=libm::floor(high / step + slack) as i64
 }
 
@@ -123,21 +123,26 @@ fn count(low: f64, high: f64, step: f64) -> usize {
 
 fn decimal_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
     let start = libm::floor(log10(high - low)) as i32 - 2;
-    for exponent in start..start + 4 {
-        for factor in [1_i64, 2, 5] {
-            let step = factor as f64 * crate::math::pow(10.0, f64::from(exponent));
-            if count(low, high, step) <= most {
-                let decimals = (-exponent).max(0) as usize;
-                return multiples(low, high, step)
-                    .map(|i| {
-                        let value = i as f64 * step;
-                        (value, format!("${value:.decimals$}$"))
-                    })
-                    .collect();
-            }
+    let steps = (start..start + 4).flat_map(|e| [1.0, 2.0, 5.0].map(|factor| (factor, e)));
+    let value = |(factor, e): (f64, i32)| factor * crate::math::pow(10.0, f64::from(e));
+    let mut chosen = (1.0, start);
+    for step in steps {
+        let count = count(low, high, value(step));
+        // One tick says nothing about the scale: then rather a few more.
+        if count >= 2 {
+            chosen = step;
+        }
+        if count <= most {
+            break;
         }
     }
-    Vec::new()
+    let (step, decimals) = (value(chosen), (-chosen.1).max(0) as usize);
+    multiples(low, high, step)
+        .map(|i| {
+            let at = i as f64 * step;
+            (at, format!("${at:.decimals$}$"))
+        })
+        .collect()
 }
 
 /// Parts of pi that make a good step: numerator and denominator.

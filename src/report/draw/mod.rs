@@ -5,6 +5,7 @@
 //! | [`Panel`] | curves over two axes: time series, potentials, phase portraits, work against error |
 //! | [`Stack`] | several panels over one time axis |
 //! | [`Sketch`] | set-ups: lines, arrows, arcs, hatched walls, labels; strobe drawings |
+//! | [`View`] | three dimensions: the sphere with a trace, arrows, solids |
 //!
 //! Colours have meanings ([`Ink`]), lines are labelled directly, labels speak a
 //! little TeX (`"$U_{eff}$"`), coordinates are finer than pixels, and the same
@@ -20,6 +21,7 @@ mod panel;
 mod place;
 mod sketch;
 mod svg;
+mod view;
 
 pub use axis::Axis;
 pub use canvas::Side;
@@ -27,3 +29,4 @@ pub use ink::{Colour, Ink, PALETTE, css_variables};
 pub use panel::{Curve, Panel, Stack};
 pub use sketch::Sketch;
 pub use svg::Dash;
+pub use view::{Camera, Solid, View};
