@@ -130,6 +130,8 @@ pub(super) enum Paint {
     Line(Stroke),
     Loop(Stroke),
     Fill(Ink, f64),
+    /// An opaque face: so many percent of ink on paper.
+    Face(Ink, u32),
     /// Radius in px, and whether only its rim is drawn.
     Dot(Ink, f64, bool),
     Text(Text),
@@ -168,6 +170,7 @@ impl Drawable<Svg<'_>> for Mark {
             Paint::Line(stroke) => svg.line(&points, *stroke, false),
             Paint::Loop(stroke) => svg.line(&points, *stroke, true),
             Paint::Fill(ink, alpha) => svg.fill(&points, *ink, *alpha),
+            Paint::Face(ink, percent) => svg.face(&points, *ink, *percent),
             Paint::Dot(ink, radius, ring) => {
                 for &point in &points {
                     svg.dot(point, *radius, *ink, *ring);

@@ -94,6 +94,17 @@ impl Ink {
         format!("var(--{},#{:06X})", c.name, c.line)
     }
 
+    /// So many percent of it on light paper, for readers that do not know `color-mix`.
+    pub(super) fn mixed(self, percent: u32) -> String {
+        let percent = percent.min(100);
+        let (ink, paper) = (self.colour().line, Ink::Paper.colour().line);
+        let channel = |shift: u32| {
+            let (a, b) = ((ink >> shift) & 255, (paper >> shift) & 255);
+            (a * percent + b * (100 - percent) + 50) / 100
+        };
+        format!("#{:02X}{:02X}{:02X}", channel(16), channel(8), channel(0))
+    }
+
     /// The CSS colour of its text.
     pub(super) fn text(self) -> String {
         let c = self.colour();

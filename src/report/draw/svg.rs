@@ -121,6 +121,23 @@ impl<'a> Svg<'a> {
         );
     }
 
+    /// A face of a solid, `percent` of `ink` on paper. The rim has the same colour, so
+    /// that neighbours leave no seam.
+    pub(super) fn face(&mut self, points: &[BackendCoord], ink: Ink, percent: u32) {
+        let data = path_data(&thinned(points), true);
+        let plain = ink.mixed(percent);
+        let mix = format!(
+            "color-mix(in srgb,{} {percent}%,{})",
+            ink.line(),
+            Ink::Paper.line()
+        );
+        let _ = writeln!(
+            self.out,
+            "<path d=\"{data}\" stroke-width=\"0.6\" \
+             style=\"fill:{plain};stroke:{plain};fill:{mix};stroke:{mix}\"/>"
+        );
+    }
+
     /// A disc, or with `ring` a circle filled with paper.
     pub(super) fn dot(&mut self, at: BackendCoord, radius: f64, ink: Ink, ring: bool) {
         let (x, y) = (hundredths(at.0), hundredths(at.1));

@@ -432,16 +432,9 @@ impl View {
         }
         seen.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (_, outline, shade) in seen {
-            // Two coats: paper hides what is behind, ink shades. Hundredths keep the text short.
-            let shade = libm::round(shade * 100.0) / 100.0;
-            let edge = Stroke {
-                opacity: shade,
-                ..Stroke::new(ink, 0.5)
-            };
-            frame.draw(&outline, Paint::Loop(Stroke::new(Ink::Paper, 0.5)))?;
-            frame.draw(&outline, Paint::Fill(Ink::Paper, 1.0))?;
-            frame.draw(&outline, Paint::Fill(ink, shade))?;
-            frame.draw(&outline, Paint::Loop(edge))?;
+            // Whole percents keep the text short.
+            let percent = libm::round(shade * 100.0) as u32;
+            frame.draw(&outline, Paint::Face(ink, percent))?;
         }
         Ok(())
     }
