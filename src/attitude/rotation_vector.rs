@@ -69,6 +69,8 @@ impl Attitude {
     ///
     /// These are the figures of the exact vector rounded to doubles.
     ///
+    /// Cost: one arc tangent to 100 bits, about 90 compositions.
+    ///
     /// Special cases: the identity gives zero; at the angle pi the sign of the
     /// axis is that of the stored quaternion.
     pub fn rotation_vector(&self) -> SpaceVector {
