@@ -26,6 +26,8 @@ pub(super) struct Asymmetric {
     /// 2K in time, None on the separatrix; and its reciprocal.
     pub(super) half_period: Option<Dd>,
     per_half_period: f64,
+    /// What the azimuth of the third axis gains in a period of the rates [rad].
+    pub(super) precession: f64,
     /// Turns (of 2 pi) gained in `half_period` beyond whole ones, and the local rate
     /// [rad/s] inside it.
     advance: Dd,
@@ -100,8 +102,13 @@ impl Asymmetric {
         let (series, argument_rate, winding) = Series::new(quarter, conjugate, eta, p, ratio);
         let local = rate - argument_rate * sense;
         let half_period = (m1 > 0.0).then(|| quarter.scaled(2.0) / p);
-        let advance = half_period.map_or(Dd::ZERO, |half| {
-            let turns = (local * half + winding * sense) / Dd::TWO_PI;
+        // phi = arg alpha + arg beta; arg theta_1 falls by pi over each half period.
+        let gained = half_period.map(|half| local * half + winding * sense);
+        let precession = gained.map_or(f64::INFINITY, |gained| {
+            (gained.scaled(4.0) - Dd::TWO_PI * sense).to_f64()
+        });
+        let advance = gained.map_or(Dd::ZERO, |gained| {
+            let turns = gained / Dd::TWO_PI;
             turns - turns.round()
         });
 
@@ -114,6 +121,7 @@ impl Asymmetric {
             series,
             start: tau / p,
             half_period,
+            precession,
             per_half_period: half_period.map_or(0.0, |half| half.recip().to_f64()),
             advance,
             local_rate: local.to_f64(),

@@ -38,8 +38,9 @@ use symmetric::Symmetric;
 /// use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};
 /// let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
 /// let motion = FreeBody::new(moments, BodyVector::new(0.8, 0.4, 0.3375), Attitude::IDENTITY)?;
-/// let late = motion.angular_momentum_at(1e6) - motion.angular_momentum();
-/// assert!(late.norm() < 1e-14);
+/// let (attitude, rates) = motion.state_at(1e6);
+/// let momentum = attitude.to_space(motion.body_momentum(rates));
+/// assert!((momentum - motion.angular_momentum()).norm() < 1e-14);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -152,12 +153,6 @@ impl FreeBody {
             .to_space(self.body_momentum(self.angular_velocity))
     }
 
-    /// The angular momentum rebuilt from the sample at `t`: a check, not a need.
-    pub fn angular_momentum_at(&self, t: f64) -> SpaceVector {
-        let (attitude, omega) = self.state_at(t);
-        attitude.to_space(self.body_momentum(omega))
-    }
-
     /// The kinetic energy [J].
     pub fn kinetic_energy(&self) -> f64 {
         0.5 * self
@@ -176,7 +171,19 @@ impl FreeBody {
         }
     }
 
-    fn body_momentum(&self, omega: BodyVector) -> BodyVector {
+    /// The angle [rad] by which the body has turned about L after one
+    /// [`FreeBody::rate_period`]; infinite where there is none. For three different
+    /// moments it is counted on the axis whose rate keeps its sign.
+    pub fn precession_per_period(&self) -> f64 {
+        match &self.motion {
+            Motion::Steady => f64::INFINITY,
+            Motion::Symmetric(motion) => motion.precession_rate() * self.rate_period(),
+            Motion::Asymmetric(motion) => motion.precession,
+        }
+    }
+
+    /// The angular momentum on the body axes for these rates, I omega.
+    pub fn body_momentum(&self, omega: BodyVector) -> BodyVector {
         let [i1, i2, i3] = self.moments;
         BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
     }

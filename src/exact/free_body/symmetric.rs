@@ -32,6 +32,11 @@ impl Symmetric {
         }
     }
 
+    /// Omega_P = L/I1 [rad/s], notes 15.5 (9).
+    pub(super) fn precession_rate(&self) -> f64 {
+        norm3(self.precession).to_f64()
+    }
+
     pub(super) fn attitude_at(&self, t: f64, start: Attitude) -> Attitude {
         // exp(t L/I1) acts in space; moved to the right of R0 it acts on body components.
         let rate = norm3(self.precession);
