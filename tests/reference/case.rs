@@ -37,7 +37,7 @@ pub fn files() -> (Vec<PathBuf>, bool) {
 
 pub fn own_files() -> Vec<PathBuf> {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
-    ["reference.json", "ladder_hard.json"]
+    ["reference.json", "free_body_hard.json", "ladder_hard.json"]
         .map(|file| data.join(file))
         .to_vec()
 }
@@ -66,6 +66,15 @@ impl Case {
         self.json["inputs"][name]
             .as_f64()
             .unwrap_or_else(|| panic!("{}: input {name}", self.id))
+    }
+
+    /// An input vector: exact doubles.
+    pub fn input_vector(&self, name: &str) -> [f64; 3] {
+        [0, 1, 2].map(|i| {
+            self.json["inputs"][name][i]
+                .as_f64()
+                .unwrap_or_else(|| panic!("{}: input {name}[{i}]", self.id))
+        })
     }
 
     /// A derived value, if it is a number.
@@ -97,12 +106,20 @@ impl Sample<'_> {
         self.0[field].as_str().map(decimal)
     }
 
-    /// The field's condition, `max(sens_norm, sens_path)`.
+    /// A field that is a list of decimal strings; empty if it is absent.
+    pub fn values(&self, field: &str) -> Vec<DoubleDouble> {
+        let list = self.0[field].as_array().into_iter().flatten();
+        list.map(|v| decimal(v.as_str().expect("a decimal string")))
+            .collect()
+    }
+
+    /// The field's condition, `max(sens_norm, sens_path)`; where the path's has no
+    /// entry for the field, that of the attitude stands in, as the schema says.
     pub fn condition(&self, field: &str) -> f64 {
-        ["sens_norm", "sens_path"]
-            .iter()
-            .filter_map(|table| self.0[*table][field].as_f64())
-            .fold(0.0, f64::max)
+        let norm = self.0["sens_norm"][field].as_f64();
+        let path = &self.0["sens_path"];
+        let path = path[field].as_f64().or(path["R"].as_f64());
+        norm.unwrap_or(0.0).max(path.unwrap_or(0.0))
     }
 
     /// The field's sharper condition, `sens`: relative changes of the inputs only.

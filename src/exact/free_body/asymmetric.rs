@@ -26,10 +26,10 @@ pub(super) struct Asymmetric {
     /// 2K in time, None on the separatrix; and its reciprocal.
     pub(super) half_period: Option<Dd>,
     per_half_period: f64,
-    /// What the azimuth of the third axis gains in a period of the rates [rad].
+    /// What the azimuth of the third axis gains in a period of the rates (rad).
     pub(super) precession: f64,
     /// Turns (of 2 pi) gained in `half_period` beyond whole ones, and the local rate
-    /// [rad/s] inside it.
+    /// (rad/s) inside it.
     advance: Dd,
     local_rate: f64,
     /// l3 = c dn, dn^2 = m1 + m (l1/l1max)^2: the small l3 next to the separatrix

@@ -74,8 +74,8 @@ enum Motion {
 impl FreeBody {
     /// The motion that starts with this attitude and these body rates.
     ///
-    /// `moments`: principal moments [kg m^2] about the centre of mass or a fixed
-    /// point; `angular_velocity`: on the principal axes [rad/s].
+    /// `moments`: principal moments (kg m^2) about the centre of mass or a fixed
+    /// point; `angular_velocity`: on the principal axes, in rad/s.
     ///
     /// # Errors
     /// `NotFinite` for a NaN or infinite rate.
@@ -118,7 +118,7 @@ impl FreeBody {
         }
     }
 
-    /// Attitude at time `t` [s].
+    /// Attitude at time `t` (s).
     pub fn attitude_at(&self, t: f64) -> Attitude {
         match &self.motion {
             Motion::Steady => self.attitude * rotation_about(self.angular_velocity.to_array(), t),
@@ -127,7 +127,7 @@ impl FreeBody {
         }
     }
 
-    /// Angular velocity on the body axes at time `t` [rad/s].
+    /// Angular velocity on the body axes at time `t` (rad/s).
     pub fn angular_velocity_at(&self, t: f64) -> BodyVector {
         match &self.motion {
             Motion::Steady => self.angular_velocity,
@@ -147,20 +147,20 @@ impl FreeBody {
         }
     }
 
-    /// The angular momentum [kg m^2/s], the same at all times.
+    /// The angular momentum (kg m^2/s), the same at all times.
     pub fn angular_momentum(&self) -> SpaceVector {
         self.attitude
             .to_space(self.body_momentum(self.angular_velocity))
     }
 
-    /// The kinetic energy [J].
+    /// The kinetic energy (J).
     pub fn kinetic_energy(&self) -> f64 {
         0.5 * self
             .body_momentum(self.angular_velocity)
             .dot(&self.angular_velocity)
     }
 
-    /// The period of the body rates [s]; infinite on the separatrix and for steady rotation.
+    /// The period of the body rates (s); infinite on the separatrix and for steady rotation.
     pub fn rate_period(&self) -> f64 {
         match &self.motion {
             Motion::Steady => f64::INFINITY,
@@ -171,7 +171,7 @@ impl FreeBody {
         }
     }
 
-    /// The angle [rad] by which the body has turned about L after one
+    /// The angle (rad) by which the body has turned about L after one
     /// [`FreeBody::rate_period`]; infinite where there is none. For three different
     /// moments it is counted on the axis whose rate keeps its sign.
     pub fn precession_per_period(&self) -> f64 {

@@ -32,7 +32,7 @@ impl Symmetric {
         }
     }
 
-    /// Omega_P = L/I1 [rad/s], notes 15.5 (9).
+    /// Omega_P = L/I1 (rad/s), notes 15.5 (9).
     pub(super) fn precession_rate(&self) -> f64 {
         norm3(self.precession).to_f64()
     }
