@@ -76,9 +76,7 @@ impl<P> Flag<P> {
 
     fn printed(&self, parameters: &P) -> String {
         match &self.kind {
-            Kind::Number { get, .. } => {
-                get(parameters).map_or("-".into(), |value| super::supported_digits(value, 0.0))
-            }
+            Kind::Number { get, .. } => get(parameters).map_or("-".into(), super::number::exactly),
             Kind::Choice { get, .. } => get(parameters).into(),
         }
     }
@@ -93,8 +91,7 @@ impl<P> Flag<P> {
         };
         let arg = Arg::new(self.name)
             .long(self.name)
-            .help(format!("{}{unit}", self.meaning))
-            .allow_negative_numbers(true);
+            .help(format!("{}{unit}", self.meaning));
         match &self.kind {
             Kind::Number { .. } => arg.value_name("NUMBER").value_parser(number),
             Kind::Choice { among, .. } => arg
@@ -126,6 +123,27 @@ fn number(text: &str) -> core::result::Result<f64, String> {
         Ok(value) => Err(format!("{value} is not a finite number")),
         Err(_) => Err("it is not a number".into()),
     }
+}
+
+/// Joins a negative number to the flag before it: clap would take `-5.0e-1` for a flag.
+fn joined(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut all: Vec<OsString> = Vec::new();
+    for argument in arguments {
+        let text = argument.to_str().unwrap_or("");
+        let negative = text.starts_with('-') && text.parse::<f64>().is_ok();
+        let flag = |last: &&mut OsString| {
+            last.to_str()
+                .is_some_and(|l| l.starts_with("--") && !l.contains('='))
+        };
+        match all.last_mut().filter(flag) {
+            Some(last) if negative => {
+                last.push("=");
+                last.push(argument);
+            }
+            _ => all.push(argument),
+        }
+    }
+    all
 }
 
 /// `KEY=VALUE`, a reader's answer.
@@ -230,7 +248,7 @@ impl<P: Default> Example<P> {
         &self,
         arguments: impl IntoIterator<Item = A>,
     ) -> Outcome {
-        let arguments = arguments.into_iter().map(Into::into);
+        let arguments = joined(arguments.into_iter().map(Into::into));
         let name = core::iter::once(OsString::from(self.stem));
         let matches = match self.command().try_get_matches_from(name.chain(arguments)) {
             Ok(matches) => matches,
@@ -260,6 +278,7 @@ impl<P: Default> Example<P> {
     fn command(&self) -> Command {
         let defaults = P::default();
         let mut command = Command::new(self.stem)
+            .bin_name(format!("cargo run --example {} --", self.stem))
             .about(self.about)
             .disable_version_flag(true)
             .next_help_heading("Parameters");

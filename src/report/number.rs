@@ -59,6 +59,15 @@ pub fn short(value: f64, digits: u32) -> String {
     rounded(value, top, top - (digits.clamp(1, 15) as i32 - 1))
 }
 
+/// `value` with as many digits as it takes to read the same bits back.
+pub(super) fn exactly(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// `value`, of decimal exponent `top`, rounded to a multiple of `10^last`, `last <= top`.
 fn rounded(value: f64, top: i32, last: i32) -> String {
     let scientific = |digits: i32| format!("{:.*e}", digits.max(0) as usize, value);

@@ -59,7 +59,7 @@ pub const PALETTE: [Colour; 9] = [
     colour(Ink::Ink, "fig-ink", [0x1F2328; 2], [0xE6E3DD; 2]),
     colour(
         Ink::Frame,
-        "fig-frame",
+        "fig-axis",
         [0x6B7076, 0x5F646A],
         [0x9BA1A8, 0xA8AEB5],
     ),
@@ -67,12 +67,17 @@ pub const PALETTE: [Colour; 9] = [
     colour(Ink::Momentum, "fig-momentum", [0x0072B2; 2], [0x4FB0EA; 2]),
     colour(
         Ink::Velocity,
-        "fig-velocity",
+        "fig-rate",
         [0xD55E00, 0xB84E00],
         [0xF08A45; 2],
     ),
     colour(Ink::Body, "fig-body", [0x009E73, 0x007A59], [0x34C495; 2]),
-    colour(Ink::Force, "fig-force", [0xCC79A7, 0xAD5186], [0xE29CC6; 2]),
+    colour(
+        Ink::Force,
+        "fig-torque",
+        [0xCC79A7, 0xAD5186],
+        [0xE29CC6; 2],
+    ),
     colour(
         Ink::Energy,
         "fig-energy",
@@ -108,7 +113,8 @@ impl Ink {
     /// The CSS colour of its text.
     pub(super) fn text(self) -> String {
         let c = self.colour();
-        format!("var(--{}-text,#{:06X})", c.name, c.text)
+        // A page that sets only the colour of lines still gets text of its theme.
+        format!("var(--{0}-text,var(--{0},#{1:06X}))", c.name, c.text)
     }
 }
 

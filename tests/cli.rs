@@ -1,0 +1,353 @@
+//! The command line that all examples share, driven in process with an example of
+//! its own: a rod on a pivot. Nothing here depends on what the book's examples compute.
+
+use rotation_dynamics::report::cli::{Example, Flag, Outcome};
+use rotation_dynamics::report::draw::{Curve, Ink, Panel};
+use rotation_dynamics::report::{Claim, Figure, Oracle, Report, Trajectory, parse};
+use rotation_dynamics::{Error, Result};
+use std::fs;
+use std::path::PathBuf;
+
+#[derive(Clone)]
+struct Parameters {
+    length: f64,
+    offset: f64,
+    mass: Option<f64>,
+    start: &'static str,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            length: 3.0,
+            offset: 0.0,
+            mass: None,
+            start: "rest",
+        }
+    }
+}
+
+fn report(p: &Parameters) -> Result<Report> {
+    if p.length <= 0.0 {
+        return Err(Error::OutOfRange {
+            name: "length",
+            value: p.length,
+            allowed: "it must be greater than 0",
+        });
+    }
+    let mut report = Report::new(
+        "A rod on a pivot",
+        "a thin rod turns about a point of itself",
+    )?;
+    let inertia = p.length * p.length / 12.0 + p.offset * p.offset;
+    let halves = [p.length / 2.0 - p.offset, p.length / 2.0 + p.offset];
+    let by_halves = halves.map(|l| l * l * l / 3.0).iter().sum::<f64>() / p.length;
+    report.add_claim(
+        Claim::new(
+            "inertia",
+            "moment of inertia over mass",
+            inertia,
+            "m^2",
+            1e-12,
+            Oracle::new("two halves", by_halves),
+        )?
+        .slip(
+            p.length * p.length / 3.0,
+            "that is about the end of the rod",
+        ),
+    )?;
+    report.add_claim(Claim::new(
+        "mass",
+        "mass",
+        p.mass.unwrap_or(1.0),
+        "kg",
+        0.0,
+        Oracle::new("itself", p.mass.unwrap_or(1.0)),
+    )?)?;
+    Ok(report)
+}
+
+fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let mut samples = Trajectory::new(["t [s]", "angle [rad]"])?;
+    for i in 0..5 {
+        // A motion that breaks down half-way, on demand.
+        let broken = p.start == "broken" && i == 3;
+        samples.push([0.1 * f64::from(i), if broken { f64::NAN } else { p.offset }])?;
+    }
+    Ok(samples)
+}
+
+fn figures(p: &Parameters) -> Result<Vec<Figure>> {
+    let line = Curve::new([(0.0, 0.0), (1.0, p.length)], Ink::Body);
+    let panel = Panel::new("line", "a straight line that ends at the rod's length");
+    Ok(vec![panel.curve(line).figure()?])
+}
+
+const EXAMPLE: Example<Parameters> = Example {
+    stem: "rod",
+    about: "A rod on a pivot",
+    flags: &[
+        Flag::number(
+            "length",
+            "m",
+            "length of the rod",
+            |p| Some(p.length),
+            |p, x| p.length = x,
+        ),
+        Flag::number(
+            "offset",
+            "m",
+            "pivot from the middle",
+            |p| Some(p.offset),
+            |p, x| p.offset = x,
+        ),
+        Flag::number(
+            "mass",
+            "kg",
+            "mass, if it matters",
+            |p| p.mass,
+            |p, x| p.mass = Some(x),
+        ),
+        Flag::choice(
+            "start",
+            "how it starts",
+            &["rest", "turning", "broken"],
+            |p| p.start,
+            |p, w| p.start = w,
+        ),
+    ],
+    report,
+    figures,
+    trajectory,
+};
+
+fn answer(arguments: &str) -> Outcome {
+    EXAMPLE.answer(arguments.split_whitespace())
+}
+
+/// A fresh empty directory that is removed at the end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("rod-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a temporary directory");
+        Self(path)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("the directory is there");
+        let mut names: Vec<String> = entries
+            .map(|e| {
+                e.expect("an entry")
+                    .file_name()
+                    .to_string_lossy()
+                    .into_owned()
+            })
+            .collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn the_default_output_reads_back_as_written() {
+    let outcome = answer("");
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
+    let parsed = parse(&outcome.stdout).expect("the text follows its grammar");
+    assert_eq!(parsed.title, "A rod on a pivot");
+    let headings: Vec<&str> = parsed.tables.iter().map(|t| t.heading()).collect();
+    assert_eq!(headings, ["parameters", "claims", "checks", "slips"]);
+    let claims = parsed.table("claims").expect("there are claims");
+    assert_eq!(claims.rows()[0][..3], ["inertia", "0.750000000000", "m^2"]);
+    let parameters = parsed.table("parameters").expect("there are parameters");
+    assert_eq!(
+        parameters.rows()[2],
+        ["--mass", "-", "kg", "mass, if it matters"]
+    );
+    // Writing it again gives the same text.
+    let again: String = parsed.tables.iter().map(|t| format!("\n{t}")).collect();
+    assert_eq!(
+        format!("{}\n{}\n{again}", parsed.title, parsed.description),
+        outcome.stdout
+    );
+}
+
+#[test]
+fn flags_set_parameters_and_negative_numbers_are_numbers() {
+    for (arguments, inertia) in [
+        ("--length 6", "3.000000000000"),
+        ("--offset -0.5", "1.000000000000"),
+        ("--offset=-5e-1", "1.000000000000"),
+        ("--offset -5.0e-1 --length 3", "1.000000000000"),
+        ("--offset -.5", "1.000000000000"),
+    ] {
+        let outcome = answer(arguments);
+        assert_eq!(outcome.code, 0, "{arguments}: {}", outcome.stderr);
+        assert!(
+            outcome.stdout.contains(&format!("inertia  {inertia}")),
+            "{arguments}"
+        );
+    }
+    assert!(answer("--mass 2").stdout.contains("--mass    2"));
+}
+
+#[test]
+fn bad_input_is_refused_with_its_reason() {
+    for (arguments, told) in [
+        ("--lenght 3", "--length"),
+        ("--length", "a value is required"),
+        ("--length three", "it is not a number"),
+        ("--length NaN", "NaN is not a finite number"),
+        ("--length inf", "inf is not a finite number"),
+        ("--length -inf", "-inf is not a finite number"),
+        ("--length --offset 1", "a value is required for '--length"),
+        (
+            "--length 0",
+            "length = 0 is not allowed: it must be greater than 0",
+        ),
+        ("--length -3", "length = -3 is not allowed"),
+        ("--length 1 --length 2", "cannot be used multiple times"),
+        ("--start asleep", "possible values: rest, turning, broken"),
+        ("--check", "a value is required"),
+        ("--check inertia", "write KEY=VALUE"),
+        ("--check inertia=NaN", "NaN is not a finite number"),
+        (
+            "--check inerta=3",
+            "there is no inerta; there are: inertia, mass",
+        ),
+        ("--check inertia=3 --json", "cannot be used with"),
+        ("stray", "unexpected argument"),
+    ] {
+        let outcome = answer(arguments);
+        assert_eq!(outcome.code, 2, "{arguments}");
+        assert_eq!(outcome.stdout, "", "{arguments}");
+        assert!(
+            outcome.stderr.contains(told),
+            "{arguments}: {}",
+            outcome.stderr
+        );
+    }
+}
+
+#[test]
+fn help_names_every_flag_with_its_default() {
+    let help = answer("--help");
+    assert_eq!((help.code, help.stderr.as_str()), (0, ""));
+    for part in [
+        "--length <NUMBER>",
+        "length of the rod [3 m]",
+        "--mass <NUMBER>",
+        "mass, if it matters, in kg",
+        "--start <WORD>",
+        "[rest]",
+        "--check <KEY=VALUE>",
+        "--json",
+        "--csv <FILE>",
+        "--svg <DIR>",
+    ] {
+        assert!(help.stdout.contains(part), "{part} in {}", help.stdout);
+    }
+}
+
+#[test]
+fn json_holds_the_same_bits() {
+    let outcome = answer("--json --length 0.7 --offset 0.1");
+    let json: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("valid JSON");
+    assert_eq!(json["stem"], "rod");
+    let claim = &json["claims"][0];
+    assert_eq!(claim["key"], "inertia");
+    assert_eq!(claim["value"].as_f64(), Some(0.7 * 0.7 / 12.0 + 0.1 * 0.1));
+    assert_eq!(claim["oracle"], "two halves");
+    assert_eq!(claim["bound"].as_f64(), Some(1e-12));
+    assert!(claim["error"].as_f64().is_some_and(|e| e < 1e-16));
+}
+
+#[test]
+fn an_answer_is_judged() {
+    let cases = [
+        ("inertia=0.75", 0, "right: inertia = 0.750000000000 m^2"),
+        ("inertia=0.7507", 0, "right"),
+        (
+            "inertia=0.7508",
+            1,
+            "nearly: your inertia is right to 2 digits",
+        ),
+        ("inertia=3", 1, "that is about the end of the rod"),
+        ("inertia=-0.75", 1, "the sign is not"),
+        ("inertia=1.5", 1, "too large by a factor 2"),
+        ("inertia=0.375", 1, "too small by a factor 2"),
+        ("inertia=4.712389", 1, "too large by 2 pi"),
+        ("inertia=42.9718", 1, "degrees"),
+        ("inertia=1.33333", 1, "one over the value"),
+        ("inertia=0.7", 1, "not yet: your inertia is not right\n"),
+    ];
+    for (given, code, told) in cases {
+        let outcome = answer(&format!("--check {given}"));
+        assert_eq!(outcome.code, code, "{given}: {}", outcome.stdout);
+        assert!(outcome.stdout.contains(told), "{given}: {}", outcome.stdout);
+    }
+    let both = answer("--check inertia=0.75 --check mass=2");
+    assert_eq!((both.code, both.stdout.lines().count()), (1, 2));
+}
+
+#[test]
+fn files_are_written_whole() {
+    let scratch = Scratch::new("whole");
+    let csv = scratch.0.join("rod.csv");
+    let svg = scratch.0.join("figures");
+    let outcome = EXAMPLE.answer([
+        "--csv".as_ref(),
+        csv.as_os_str(),
+        "--svg".as_ref(),
+        svg.as_os_str(),
+        "--offset".as_ref(),
+        "0.1".as_ref(),
+    ]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let text = fs::read_to_string(&csv).expect("the file is there");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(
+        (lines[0], lines[3], lines.len()),
+        ("t [s],angle [rad]", "0.2,0.1", 6)
+    );
+    assert_eq!(scratch.names(), ["figures", "rod.csv"]);
+    let figure = fs::read_to_string(svg.join("rod__line.svg")).expect("the figure is there");
+    assert!(figure.ends_with("</svg>\n"));
+}
+
+#[test]
+fn a_failure_leaves_the_old_file_and_nothing_else() {
+    let scratch = Scratch::new("failure");
+    let csv = scratch.0.join("rod.csv");
+    fs::write(&csv, "old\n").expect("writable");
+    let refused = |arguments: &[&std::ffi::OsStr]| {
+        let outcome = EXAMPLE.answer(arguments);
+        assert_eq!(
+            (outcome.code, outcome.stdout.as_str()),
+            (2, ""),
+            "{arguments:?}"
+        );
+        assert!(!outcome.stderr.is_empty(), "{arguments:?}");
+        assert_eq!(fs::read_to_string(&csv).expect("still there"), "old\n");
+    };
+    let (flag, path) = ("--csv".as_ref(), csv.as_os_str());
+    // The motion breaks down; the parameters are refused; the answer has no such key.
+    refused(&[flag, path, "--start".as_ref(), "broken".as_ref()]);
+    refused(&[flag, path, "--length".as_ref(), "-1".as_ref()]);
+    refused(&[flag, path, "--check".as_ref(), "weight=1".as_ref()]);
+    // The figures cannot be written, for their directory is a file.
+    refused(&[flag, path, "--svg".as_ref(), path]);
+    // The file's directory does not exist, or the file is a directory.
+    let nowhere = scratch.0.join("no").join("rod.csv");
+    refused(&[flag, nowhere.as_os_str()]);
+    refused(&[flag, scratch.0.as_os_str()]);
+    assert_eq!(scratch.names(), ["rod.csv"]);
+}
