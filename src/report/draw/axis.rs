@@ -233,7 +233,7 @@ mod tests {
     fn ticks_are_round_and_inside() {
         let axis = Axis::linear("x");
         assert_eq!(labels(&axis, (0.0, 10.0)), ["0", "2", "4", "6", "8", "10"]);
-        assert_eq!(labels(&axis, (0.62, 1.26)), ["0.8", "1.0", "1.2"]);
+        assert_eq!(labels(&axis, (0.62, 1.36)), ["0.8", "1.0", "1.2"]);
         assert_eq!(labels(&axis, (-0.3, 0.3)), ["-0.2", "0.0", "0.2"]);
         let angle = Axis::angle("x");
         assert_eq!(
