@@ -1,1 +1,121 @@
-//! (to be written)
+//! A scene: a body and what acts on it.
+//!
+//! The effects are part of the type: `Scene<()>` is a free body, and
+//! `Scene<((), GravityAtLever)>` a heavy top. A scene knows which quantities
+//! its motion keeps. How it moves is for [`crate::exact`] and
+//! [`crate::integrators`].
+
+use crate::body::{RigidBody, State};
+use crate::effects::{Effect, Keeps};
+use crate::frame::SpaceVector;
+
+/// A body and the effects that act on it.
+///
+/// ```
+/// use rotation_dynamics::body::RigidBody;
+/// use rotation_dynamics::effects::GravityAtLever;
+/// use rotation_dynamics::inertia::PrincipalMoments;
+/// use rotation_dynamics::scene::{Invariant, Scene};
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let body = RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9.0e-4)?);
+/// let gyroscope = Scene::new(body).with(GravityAtLever::new(4.9, 0.1)?);
+/// let kept: Vec<Invariant> = gyroscope.invariants().collect();
+/// assert_eq!(
+///     kept,
+///     [Invariant::Energy, Invariant::MomentumZ, Invariant::AxialMomentum]
+/// );
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scene<E> {
+    body: RigidBody,
+    effects: E,
+}
+
+/// A quantity that a motion may keep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Invariant {
+    /// Kinetic plus potential energy (J).
+    Energy,
+    /// Angular momentum about the fixed axis X (kg m^2/s).
+    MomentumX,
+    /// Angular momentum about the fixed axis Y (kg m^2/s).
+    MomentumY,
+    /// Angular momentum about the vertical, the notes' L_Z (kg m^2/s).
+    MomentumZ,
+    /// Angular momentum about the body's axis e3, the notes' L_z (kg m^2/s).
+    AxialMomentum,
+}
+
+impl Scene<()> {
+    /// A body on which nothing acts.
+    pub const fn new(body: RigidBody) -> Self {
+        Self { body, effects: () }
+    }
+}
+
+impl<E: Effect> Scene<E> {
+    /// The same scene with one more effect.
+    pub fn with<F: Effect>(self, effect: F) -> Scene<(E, F)> {
+        Scene {
+            body: self.body,
+            effects: (self.effects, effect),
+        }
+    }
+
+    /// The body.
+    #[inline]
+    pub const fn body(&self) -> &RigidBody {
+        &self.body
+    }
+
+    /// The effects.
+    #[inline]
+    pub const fn effects(&self) -> &E {
+        &self.effects
+    }
+
+    /// The torque on the body, on the fixed axes (N m).
+    #[inline]
+    pub fn torque(&self, t: f64, state: &State) -> SpaceVector {
+        self.effects.torque(t, &self.body, state)
+    }
+
+    /// Kinetic plus potential energy (J).
+    #[inline]
+    pub fn energy(&self, state: &State) -> f64 {
+        self.body.kinetic_energy(state) + self.effects.potential_energy(state)
+    }
+
+    /// The quantities that every motion of this scene keeps.
+    pub fn invariants(&self) -> impl Iterator<Item = Invariant> + use<E> {
+        let Keeps {
+            energy,
+            momentum: [x, y, z],
+            axial_momentum,
+        } = E::KEEPS;
+        // Without symmetry the body's own motion changes L_z.
+        let axial = axial_momentum && self.body.moments().is_symmetric();
+        [
+            (energy, Invariant::Energy),
+            (x, Invariant::MomentumX),
+            (y, Invariant::MomentumY),
+            (z, Invariant::MomentumZ),
+            (axial, Invariant::AxialMomentum),
+        ]
+        .into_iter()
+        .filter_map(|(kept, invariant)| kept.then_some(invariant))
+    }
+
+    /// The value of a quantity in a state, kept or not.
+    pub fn value(&self, quantity: Invariant, state: &State) -> f64 {
+        match quantity {
+            Invariant::Energy => self.energy(state),
+            Invariant::MomentumX => state.angular_momentum.x(),
+            Invariant::MomentumY => state.angular_momentum.y(),
+            Invariant::MomentumZ => state.angular_momentum.z(),
+            Invariant::AxialMomentum => self.body.angular_momentum(state).z(),
+        }
+    }
+}

@@ -15,5 +15,9 @@ mod kepler;
 mod rk4;
 #[path = "convergence/slope.rs"]
 mod slope;
+#[path = "convergence/splitting.rs"]
+mod splitting;
+#[path = "convergence/top.rs"]
+mod top;
 #[path = "convergence/trees.rs"]
 mod trees;

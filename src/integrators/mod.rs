@@ -8,6 +8,10 @@
 //! |---|---|---|
 //! | [`Rk4`] | any [`Ode`] | fixed |
 //! | [`Dop853`] | any [`Ode`]; dense output and events by [`Dop853::solve`] | adaptive |
+//! | [`Splitting`] | symmetric bodies under effects that see only the axis, and any [`Separable`] | fixed |
+//!
+//! A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
+//! carries its [`State`](crate::body::State)s.
 //!
 //! Not for: closed forms (see [`crate::exact`]), and systems with jumps, which
 //! [`crate::planar`] cuts into smooth pieces at located events.
@@ -17,12 +21,15 @@ pub mod dop853;
 mod explicit;
 mod ode;
 mod rk4;
+pub mod scene;
+pub mod splitting;
 mod work;
 
 pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
 pub use explicit::{Tableau, Weights};
 pub use ode::Ode;
 pub use rk4::Rk4;
+pub use splitting::{Scheme, Separable, Splitting};
 pub use work::Work;
 
 use crate::error::Result;

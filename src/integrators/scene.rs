@@ -1,0 +1,95 @@
+//! Scenes as problems for the general methods.
+//!
+//! The variables are the attitude quaternion q and the momentum L on the fixed
+//! axes; without torque L is constant, and the integrator cannot spoil it:
+//!
+//! ```text
+//! q' = q (0, omega) / 2,   omega = I^-1 R^T L,   L' = torque(t, q, L).
+//! ```
+//!
+//! *The length of q.* The derivative is that of q/|q|, times |q|: it is
+//! homogeneous of degree one. So |q| has no influence on the motion, is not
+//! corrected on the way (which would break steps and interpolants), and is
+//! divided out once, when the state is read.
+
+use super::{About, Dop853, Integrator, Ode, Rk4, Work};
+use crate::attitude::Attitude;
+use crate::body::State;
+use crate::effects::Effect;
+use crate::error::Result;
+use crate::frame::SpaceVector;
+use crate::scene::Scene;
+
+/// The state as the general methods carry it: w, x, y, z, L_X, L_Y, L_Z.
+pub fn components(state: &State) -> [f64; 7] {
+    let [w, x, y, z] = state.attitude.quaternion();
+    let [lx, ly, lz] = state.angular_momentum.to_array();
+    [w, x, y, z, lx, ly, lz]
+}
+
+/// The state that these components stand for; the quaternion is normalised.
+///
+/// Errors: a component that is not finite; a quaternion of length 0.
+pub fn state([w, x, y, z, lx, ly, lz]: &[f64; 7]) -> Result<State> {
+    State::new(
+        Attitude::from_quaternion([*w, *x, *y, *z])?,
+        SpaceVector::new(*lx, *ly, *lz),
+    )
+}
+
+impl<E: Effect> Ode<7> for Scene<E> {
+    fn derivative(&self, t: f64, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
+        let norm = (w * w + x * x + y * y + z * z).sqrt();
+        let state = State {
+            attitude: Attitude::from_unit([w / norm, x / norm, y / norm, z / norm]),
+            angular_momentum: SpaceVector::new(lx, ly, lz),
+        };
+        let [p, q, r] = self.body().angular_velocity(&state).to_array();
+        let [tx, ty, tz] = self.torque(t, &state).to_array();
+        [
+            0.5 * (-x * p - y * q - z * r),
+            0.5 * (w * p + y * r - z * q),
+            0.5 * (w * q + z * p - x * r),
+            0.5 * (w * r + x * q - y * p),
+            tx,
+            ty,
+            tz,
+        ]
+    }
+
+    /// The length of the quaternion; the length of the momentum, or the momentum
+    /// that the torques build up in the body's own time if that is more.
+    fn scale(&self, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
+        let q = (w * w + x * x + y * y + z * z).sqrt();
+        let [i1, i2, i3] = self.body().moments().to_array();
+        let built_up = (i1.max(i2).max(i3) * self.effects().torque_scale()).sqrt();
+        let l = SpaceVector::new(lx, ly, lz).norm();
+        let l = l.max(built_up).max(f64::MIN_POSITIVE);
+        [q, q, q, q, l, l, l]
+    }
+}
+
+/// The general methods carry a [`State`] by its components.
+macro_rules! carries_states {
+    ($method:ty) => {
+        impl<E: Effect> Integrator<Scene<E>, State> for $method {
+            fn about(&self) -> About {
+                Integrator::<Scene<E>, [f64; 7]>::about(self)
+            }
+
+            fn advance(
+                &self,
+                scene: &Scene<E>,
+                t: f64,
+                start: &State,
+                t_end: f64,
+            ) -> Result<(State, Work)> {
+                let (end, work) = self.advance(scene, t, &components(start), t_end)?;
+                Ok((state(&end)?, work))
+            }
+        }
+    };
+}
+
+carries_states!(Rk4);
+carries_states!(Dop853);

@@ -1,0 +1,145 @@
+//! Splittings: exact flow and exact kick in turn.
+//!
+//! A problem that splits into two parts, each solvable exactly, is carried by
+//! steps of one and the other. For a symmetric body in a potential the parts
+//! are free rotation and the kick of the torque. Each part keeps the geometry
+//! (unit quaternion, L_Z, L_z, symplecticity, reversibility), so every
+//! composition does; the coefficients only choose the order.
+
+mod scheme;
+mod top;
+
+pub use scheme::{Outer, Scheme};
+
+use super::explicit::no_steps;
+use super::{About, Integrator, Work};
+use crate::error::{Result, finite};
+
+/// A problem made of two parts that can each be solved exactly.
+pub trait Separable {
+    /// The state as a user gives and reads it.
+    type State: Clone;
+    /// The state as flow and kick carry it.
+    type Point;
+
+    /// The point of a state.
+    ///
+    /// Errors: a state to which the splitting does not apply.
+    fn enter(&self, state: &Self::State) -> Result<Self::Point>;
+
+    /// The state of a point, `elapsed` after it was entered.
+    ///
+    /// Errors: a point that is no longer finite.
+    fn leave(&self, point: &Self::Point, elapsed: f64) -> Result<Self::State>;
+
+    /// The first part for the time `dt`: motion without the kick.
+    fn flow(&self, point: &mut Self::Point, dt: f64);
+
+    /// The second part for the time `dt`: the kick without motion.
+    fn kick(&self, point: &mut Self::Point, dt: f64);
+
+    /// What round-off has done to the geometry is undone, once a step.
+    fn settle(&self, point: &mut Self::Point);
+}
+
+/// A symmetric splitting with fixed step, of order 2, 4 or 6.
+///
+/// Which scheme: at a given order the one with the smallest error for the same
+/// number of kicks, measured on the notes' top (a = 2, b = 1.2, c = 0.2,
+/// E~ = 0.55, t' = 20). Largest error of an entry of R with about 480 kicks:
+///
+/// | order | chosen | | others | |
+/// |---|---|---|---|---|
+/// | 2 | Strang, flow outside | 8.3e-5 | Strang, kick outside | 2.1e-4 |
+/// | 4 | SRKN 6b | 1.8e-8 | Chin 4A with gradient, S6, Suzuki, Forest-Ruth | 6.3e-8, 4.5e-7, 1.5e-6, 3.5e-6 |
+/// | 6 | SRKN 14a | 2.0e-9 | SRKN 11b, S10, Kahan-Li, Yoshida A | 4.0e-9, 1.3e-8, 2.1e-7, 9.7e-7 |
+///
+/// Sources: with each [`Scheme`]; the splitting of the top: exact free rotation
+/// and gravity kick, as in E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical
+/// Integration*, VII.5.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Splitting {
+    scheme: Scheme,
+    steps: u64,
+}
+
+impl Splitting {
+    /// The splitting by this scheme with this many equal steps over the run.
+    ///
+    /// Errors: no steps.
+    pub fn new(scheme: Scheme, steps: u64) -> Result<Self> {
+        if steps == 0 {
+            return Err(no_steps());
+        }
+        Ok(Self { scheme, steps })
+    }
+
+    /// The scheme.
+    pub const fn scheme(&self) -> &Scheme {
+        &self.scheme
+    }
+}
+
+impl<P: Separable> Integrator<P, P::State> for Splitting {
+    fn about(&self) -> About {
+        About {
+            name: self.scheme.name,
+            order: self.scheme.order,
+            source: self.scheme.source,
+        }
+    }
+
+    fn advance(
+        &self,
+        problem: &P,
+        t: f64,
+        start: &P::State,
+        t_end: f64,
+    ) -> Result<(P::State, Work)> {
+        finite("start time", t)?;
+        finite("end time", t_end)?;
+        let span = finite("end time - start time", t_end - t)?;
+        let mut work = Work::default();
+        if span == 0.0 {
+            return Ok((start.clone(), work));
+        }
+        let h = span / self.steps as f64;
+        let mut point = problem.enter(start)?;
+        let outer = |part: f64, point: &mut P::Point| match self.scheme.outer {
+            Outer::Flow => problem.flow(point, part * h),
+            Outer::Kick => problem.kick(point, part * h),
+        };
+        let inner = |part: f64, point: &mut P::Point| match self.scheme.outer {
+            Outer::Flow => problem.kick(point, part * h),
+            Outer::Kick => problem.flow(point, part * h),
+        };
+        let [first, between @ .., last] = self.scheme.outer_parts else {
+            return Err(no_steps());
+        };
+        outer(*first, &mut point);
+        for step in 1..=self.steps {
+            // The outer operation that ends this step begins the next as well.
+            let end = if step == self.steps {
+                *last
+            } else {
+                first + last
+            };
+            let after = between.iter().chain(core::iter::once(&end));
+            for (inside, outside) in self.scheme.inner_parts.iter().zip(after) {
+                inner(*inside, &mut point);
+                outer(*outside, &mut point);
+            }
+            problem.settle(&mut point);
+        }
+        let (outers, inners) = (
+            1 + self.steps * (self.scheme.outer_parts.len() as u64 - 1),
+            self.steps * self.scheme.inner_parts.len() as u64,
+        );
+        work.steps = self.steps;
+        (work.flows, work.kicks) = match self.scheme.outer {
+            Outer::Flow => (outers, inners),
+            Outer::Kick => (inners, outers),
+        };
+        Ok((problem.leave(&point, span)?, work))
+    }
+}
