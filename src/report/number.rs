@@ -70,12 +70,14 @@ pub(super) fn exactly(value: f64) -> String {
 
 /// `value`, of decimal exponent `top`, rounded to a multiple of `10^last`, `last <= top`.
 fn rounded(value: f64, top: i32, last: i32) -> String {
-    let scientific = |digits: i32| format!("{:.*e}", digits.max(0) as usize, value);
-    let mut text = scientific(top - last);
-    // Rounding up to the next power of ten gains a digit: 9.96 to one decimal is 10.0.
+    let scientific = |x: f64, digits: i32| format!("{x:.*e}", digits.max(0) as usize);
+    let mut text = scientific(value, top - last);
+    let mut top = top;
+    // Rounding up to the next power of ten gains a digit: 9.996 to two decimals is 10.00.
     let grown = text.split_once('e').and_then(|(_, e)| e.parse().ok()) == Some(top + 1);
-    if grown {
-        text = scientific(top + 1 - last);
+    if let (true, Ok(power)) = (grown, text.parse()) {
+        top += 1;
+        text = scientific(power, top - last);
     }
     if (-4..7).contains(&top) && last <= 0 {
         format!("{:.*}", (-last) as usize, value)
@@ -137,5 +139,112 @@ pub fn below(difference: f64, floor: f64) -> String {
         "0".into()
     } else {
         format!("<1e{}", exponent(d).0 + 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{EPS, pow, sin};
+
+    /// What the last digit of a printed number is worth, read off the text alone;
+    /// trailing zeros of a whole number do not count.
+    fn worth_of_last_digit(text: &str) -> f64 {
+        let (mantissa, e) = text.split_once('e').unwrap_or((text, "0"));
+        let decimals = match mantissa.split_once('.') {
+            Some((_, decimals)) => -(decimals.len() as i32),
+            None => (mantissa.len() - mantissa.trim_end_matches('0').len()) as i32,
+        };
+        pow(
+            10.0,
+            f64::from(decimals + e.parse::<i32>().expect("an exponent")),
+        )
+    }
+
+    /// Values and bounds over 40 decades: the printed number is a rounding of the
+    /// value (up to the reading back), and its last digit is worth the bound or up to
+    /// ten times as much.
+    #[test]
+    fn printed_digits_are_those_the_bound_supports() {
+        let (mut printed, mut zeros) = (0, 0);
+        for i in 0..4000 {
+            let x = f64::from(i);
+            let value = pow(10.0, 20.0 * sin(1.7 * x)) * if i % 2 == 0 { 1.0 } else { -1.0 };
+            let bound = value.abs() * pow(10.0, -8.0 + 9.0 * sin(0.3 * x + 1.0));
+            let text = supported_digits(value, bound);
+            let back: f64 = text.parse().expect("it reads back");
+            if back == 0.0 {
+                // Only what is not ten times its bound can vanish.
+                assert!(value.abs() < 10.0 * bound, "{value:e} {bound:e}");
+                zeros += 1;
+                continue;
+            }
+            let worth = worth_of_last_digit(&text);
+            let slack = 1.0 + 1e-12;
+            assert!(
+                (back - value).abs() <= 0.5 * worth * slack + EPS * value.abs(),
+                "{value:e} {bound:e}: {text}"
+            );
+            // A whole number may end in zeros that count: 1200 to the nearest 10.
+            let whole = !text.contains(['.', 'e']);
+            // Fifteen digits may be all there are, though the bound supports more.
+            let fine = bound < 1e-14 * value.abs();
+            assert!(bound <= worth * slack, "{value:e} {bound:e}: {text}");
+            assert!(
+                whole || fine || worth < 10.0 * bound * slack,
+                "{value:e} {bound:e}: {text}"
+            );
+            printed += 1;
+        }
+        assert_eq!((printed + zeros, zeros > 50), (4000, true));
+    }
+
+    #[test]
+    fn rounding_that_gains_a_digit_keeps_its_place() {
+        for (value, bound, text) in [
+            (9.996, 0.01, "10.00"),
+            (9.996, 0.001, "9.996"),
+            (-9.996, 0.01, "-10.00"),
+            (0.099_96, 1e-4, "0.1000"),
+            (99_999_96.0, 10.0, "1.000000e7"),
+            (1e-5, 1e-7, "1.00e-5"),
+            (1234.0, 1.0, "1234"),
+            (1234.0, 2.0, "1230"),
+            (1234.0, 1000.0, "1000"),
+            (1234.0, 1001.0, "0"),
+            (0.25, 0.0, "0.250000000000000"),
+        ] {
+            assert_eq!(supported_digits(value, bound), text, "{value} {bound}");
+        }
+    }
+
+    #[test]
+    fn bounds_are_rounded_up_never_down() {
+        let mut count = 0;
+        for i in 1..2000 {
+            let x = pow(10.0, 30.0 * sin(f64::from(i)));
+            let up: f64 = rounded_up(x).parse().expect("it reads back");
+            // The slack is for 3e-13, which as an f64 may lie below the x it came from.
+            assert!(
+                up >= x * (1.0 - 1e-15) && up < 2.0 * x * (1.0 + 1e-15),
+                "{x:e} {up:e}"
+            );
+            let power: f64 = below(x, 0.0)[1..].parse().expect("it reads back");
+            assert!(
+                power > x * (1.0 - 1e-15) && power <= 10.0 * x * (1.0 + 1e-15),
+                "{x:e} {power:e}"
+            );
+            count += 1;
+        }
+        assert_eq!(count, 1999);
+    }
+
+    #[test]
+    fn exact_numbers_read_back_to_the_same_bits() {
+        for x in [0.0, 3.0, 0.1, 9.80665, 1e-12, -2.5e17, 1.0 / 3.0] {
+            assert_eq!(exactly(x).parse::<f64>(), Ok(x));
+        }
+        assert_eq!(exactly(1e-12), "1e-12");
+        assert_eq!(exactly(3.0), "3");
     }
 }
