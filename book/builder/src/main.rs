@@ -1,1 +1,130 @@
-fn main() {}
+//! `cargo book`: builds the book, serves it on loopback, and builds it again when a
+//! page, an example or a snapshot changes.
+//!
+//! ```text
+//! pages ── expand (directives, formulas) ── mdBook ── marks filled ── checked ── book
+//! ```
+//! The same two steps are commands for the stock `mdbook` (`preprocess` and `render`
+//! in `book.toml`). Nothing here knows physics.
+
+mod build;
+mod check;
+mod directive;
+mod expand;
+mod figure;
+mod fonts;
+mod lint;
+mod maths;
+mod pages;
+mod preprocess;
+mod problem;
+mod project;
+mod render;
+mod serve;
+mod source;
+mod splice;
+mod table;
+mod text;
+mod warnings;
+
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use mdbook_preprocessor::Preprocessor;
+use mdbook_renderer::{RenderContext, Renderer};
+use project::Project;
+use std::error::Error;
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+fn command() -> Command {
+    let supports = Command::new("supports")
+        .about("Whether a renderer is supported (for mdbook)")
+        .arg(Arg::new("renderer").required(true));
+    Command::new("cargo book")
+        .about("Builds the book and serves it on this machine")
+        .arg(
+            Arg::new("open")
+                .long("open")
+                .action(ArgAction::SetTrue)
+                .help("Open the book in the browser"),
+        )
+        .arg(
+            Arg::new("port")
+                .long("port")
+                .value_name("PORT")
+                .value_parser(value_parser!(u16))
+                .default_value("3000")
+                .help("Port of the server"),
+        )
+        .arg(
+            Arg::new("out")
+                .long("out")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .conflicts_with_all(["open", "port"])
+                .help("Only build, into this directory"),
+        )
+        .arg(
+            Arg::new("root")
+                .long("root")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .hide(true)
+                .help("The project's directory"),
+        )
+        .subcommand(
+            Command::new("preprocess")
+                .about("Expand the pages (called by mdbook)")
+                .subcommand(supports),
+        )
+        .subcommand(Command::new("render").about("Write the pages (called by mdbook)"))
+}
+
+fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
+    warnings::listen();
+    match matches.subcommand() {
+        Some(("preprocess", sub)) => {
+            if let Some(asked) = sub.subcommand_matches("supports") {
+                let renderer = asked.get_one::<String>("renderer");
+                let supported = renderer.map(|name| preprocess::Directives.supports_renderer(name));
+                return match supported {
+                    Some(Ok(true)) => Ok(()),
+                    _ => Err("only the renderers 'pages' and 'html' are supported".into()),
+                };
+            }
+            let (ctx, book) = mdbook_preprocessor::parse_input(io::stdin())?;
+            let book = preprocess::Directives.run(&ctx, book)?;
+            Ok(serde_json::to_writer(io::stdout(), &book)?)
+        }
+        Some(("render", _)) => {
+            let ctx = RenderContext::from_json(io::stdin())?;
+            Ok(render::Pages.render(&ctx)?)
+        }
+        _ => {
+            let here = std::env::current_dir()?;
+            let project = match matches.get_one::<PathBuf>("root") {
+                Some(root) => Project::new(root),
+                None => Project::above(&here)
+                    .ok_or("there is no book/book.toml here or in any directory above")?,
+            };
+            match matches.get_one::<PathBuf>("out") {
+                Some(out) => build::once(&project, &here.join(out)),
+                None => {
+                    let port = matches.get_one::<u16>("port").copied().unwrap_or(3000);
+                    serve::serve(&project, port, matches.get_flag("open"))
+                }
+            }
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let matches = command().get_matches();
+    match run(&matches) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{}", build::message(error.as_ref()));
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! One build of the book.
+
+use crate::preprocess::Directives;
+use crate::problem::Problems;
+use crate::project::Project;
+use crate::render::Pages;
+use crate::warnings;
+use mdbook_driver::MDBook;
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+
+/// An error in words: our problems as they are, anything else with its causes.
+pub fn message(error: &(dyn Error + 'static)) -> String {
+    let mut words = Vec::new();
+    let mut cause = Some(error);
+    while let Some(error) = cause {
+        if let Some(problems) = error.downcast_ref::<Problems>() {
+            return problems.to_string();
+        }
+        words.push(error.to_string());
+        cause = error.source();
+    }
+    words.dedup();
+    format!("error: {}", words.join(": "))
+}
+
+/// Builds the book into `out`; what is there stays if anything is wrong.
+///
+/// # Errors
+/// All problems found, each with its file and line.
+pub fn build(project: &Project, out: &Path) -> Result<(), Box<dyn Error>> {
+    let mut book = MDBook::load(project.path("book"))?;
+    warnings::none()?;
+    book.config.build.build_dir = out.to_owned();
+    book.with_preprocessor(Directives);
+    book.execute_build_process(&Pages)?;
+    Ok(warnings::none()?)
+}
+
+/// Builds the book and says how long it took.
+///
+/// # Errors
+/// As [`build`].
+pub fn once(project: &Project, out: &Path) -> Result<(), Box<dyn Error>> {
+    let start = Instant::now();
+    build(project, out)?;
+    eprintln!(
+        "The book is in {} ({:.1} s).",
+        out.display(),
+        start.elapsed().as_secs_f64()
+    );
+    Ok(())
+}

@@ -1,0 +1,105 @@
+//! Locked figures, made part of a page.
+//!
+//! A figure is drawn with the variables of the palette, so that it follows the
+//! theme once it stands in the page itself; as a picture file it would not.
+
+use std::collections::BTreeSet;
+
+/// The text of the first element called `name`.
+fn element<'a>(svg: &'a str, name: &str) -> Option<&'a str> {
+    let open = svg.find(&format!("<{name}>"))? + name.len() + 2;
+    Some(svg[open..open + svg[open..].find(&format!("</{name}>"))?].trim())
+}
+
+/// What a figure shows, in words.
+///
+/// # Errors
+/// If it does not say so (`<desc>`), or has no `viewBox`: then it could not be scaled.
+pub fn alternative(svg: &str) -> Result<&str, String> {
+    if !svg.contains(" viewBox=\"") {
+        return Err("the figure has no viewBox".into());
+    }
+    element(svg, "desc")
+        .filter(|alt| !alt.is_empty())
+        .ok_or("the figure does not say what is to be seen (<desc>)".into())
+}
+
+/// The figure as part of a page; its identifiers begin with `prefix`, so that two
+/// figures of a page cannot use each other's clip paths.
+///
+/// # Errors
+/// As [`alternative`].
+pub fn inline(svg: &str, prefix: &str) -> Result<String, String> {
+    alternative(svg)?;
+    let start = svg.find("<svg").ok_or("the figure is not an SVG")?;
+    let mut svg = svg[start..].trim_end().to_owned();
+    let ids: BTreeSet<String> = svg
+        .match_indices(" id=\"")
+        .filter_map(|(at, key)| {
+            let value = &svg[at + key.len()..];
+            Some(value[..value.find('"')?].to_owned())
+        })
+        .collect();
+    for id in ids {
+        for (open, close) in [(" id=\"", "\""), ("url(#", ")"), ("href=\"#", "\"")] {
+            svg = svg.replace(
+                &format!("{open}{id}{close}"),
+                &format!("{open}{prefix}{id}{close}"),
+            );
+        }
+    }
+    Ok(svg)
+}
+
+/// A row of panels with their caption below, as Markdown that holds HTML.
+pub fn row(marks: &[String], caption: &str, indent: &str, id: &str) -> String {
+    let panels: Vec<String> = marks
+        .iter()
+        .map(|mark| format!("<div class=\"panel\">{mark}</div>"))
+        .collect();
+    let lines = [
+        &format!("<figure id=\"{id}\">"),
+        &format!("<div class=\"panels\">{}</div>", panels.concat()),
+        "<figcaption>",
+        "",
+        caption,
+        "",
+        "</figcaption>",
+        "</figure>",
+        "",
+        "",
+    ];
+    let indented: Vec<String> = lines
+        .iter()
+        .map(|line| {
+            if line.is_empty() {
+                String::new()
+            } else {
+                format!("{indent}{line}")
+            }
+        })
+        .collect();
+    indented.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SVG: &str = "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 340 260\">\
+        <desc>A line that falls</desc><clipPath id=\"c\"/><path clip-path=\"url(#c)\"/></svg>\n";
+
+    #[test]
+    fn a_figure_keeps_to_itself() {
+        assert_eq!(
+            inline(SVG, "f1-").as_deref(),
+            Ok(
+                "<svg viewBox=\"0 0 340 260\"><desc>A line that falls</desc>\
+                <clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\"/></svg>"
+            )
+        );
+        // The damaged twins.
+        assert!(inline(&SVG.replace("A line that falls", " "), "").is_err());
+        assert!(inline(&SVG.replace("viewBox", "viewbox"), "").is_err());
+    }
+}

@@ -1,0 +1,41 @@
+//! The fonts of the book, taken from the crate `typst-assets`: New Computer Modern for
+//! formulas (GUST Font License), Libertinus for text (SIL Open Font License), DejaVu
+//! for code (Bitstream Vera license).
+
+/// The fonts that the style sheet names, by their PostScript names.
+const NAMES: [&str; 6] = [
+    "NewCMMath-Book",
+    "LibertinusSerif-Regular",
+    "LibertinusSerif-Italic",
+    "LibertinusSerif-Semibold",
+    "LibertinusSerif-SemiboldItalic",
+    "DejaVuSansMono",
+];
+
+/// The name that OpenType files with PostScript outlines carry in their CFF table, or
+/// TrueType files in their naming table, as ASCII and ended by what cannot be in a name.
+fn is_called(font: &[u8], name: &str) -> bool {
+    let name = name.as_bytes();
+    font.windows(name.len() + 1).any(|window| {
+        window.starts_with(name)
+            && !(window[name.len()].is_ascii_alphanumeric()
+                && window[name.len()].is_ascii_lowercase()
+                || window[name.len()] == b'-')
+    })
+}
+
+/// Each font's file name in the book, and its bytes.
+///
+/// # Errors
+/// If the crate no longer has a font.
+pub fn files() -> Result<Vec<(String, &'static [u8])>, String> {
+    NAMES
+        .iter()
+        .map(|name| {
+            typst_assets::fonts()
+                .find(|font| is_called(font, name))
+                .map(|font| (format!("{name}.otf"), font))
+                .ok_or(format!("typst-assets has no font {name}"))
+        })
+        .collect()
+}

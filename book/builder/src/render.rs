@@ -1,0 +1,223 @@
+//! The renderer: mdBook's HTML, our marks filled, fonts and sources beside it, all of
+//! it checked before the old book is replaced.
+
+use crate::check;
+use crate::figure;
+use crate::fonts;
+use crate::maths;
+use crate::pages;
+use crate::project::Project;
+use crate::source;
+use crate::splice::{self, Splice};
+use crate::table;
+use crate::text::escape;
+use crate::warnings;
+use mdbook_html::HtmlHandlebars;
+use mdbook_renderer::errors::{Error, Result};
+use mdbook_renderer::{RenderContext, Renderer};
+use rotation_dynamics::report::draw::css_variables;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Our renderer, under the name that `book.toml` gives it.
+pub struct Pages;
+
+/// The name in `book.toml`.
+pub const NAME: &str = "pages";
+
+/// What belongs at a mark; `number` counts the figures of the page.
+///
+/// # Errors
+/// Whatever is missing by now.
+pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result<String, String> {
+    match splice {
+        Splice::Inline { tex } => maths::mathml(tex, false).map_err(|e| e.reason),
+        Splice::Display {
+            tex,
+            tag,
+            id,
+            boxed,
+        } => {
+            let mathml = maths::mathml(tex, true).map_err(|e| e.reason)?;
+            let class = if *boxed { "formula boxed" } else { "formula" };
+            let identifier = id.as_ref().map(|id| format!(" id=\"{}\"", escape(id)));
+            let tag = match (tag, id) {
+                (None, _) => String::new(),
+                (Some(tag), None) => format!("<span class=\"tag\">{}</span>", escape(tag)),
+                (Some(tag), Some(id)) => format!(
+                    "<a class=\"tag\" href=\"#{}\">{}</a>",
+                    escape(id),
+                    escape(tag)
+                ),
+            };
+            Ok(format!(
+                "<span class=\"equation\"{}><span class=\"{class}\">{mathml}</span>{tag}</span>",
+                identifier.unwrap_or_default()
+            ))
+        }
+        Splice::Figure { stem, name } => {
+            *number += 1;
+            figure::inline(&project.figure(stem, name)?, &format!("f{number}-"))
+        }
+        Splice::Table { stem, section } => Ok(table::html(&project.table(stem, section)?)),
+        Splice::Check { stem } => check::html(project, stem),
+    }
+}
+
+impl Renderer for Pages {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn render(&self, ctx: &RenderContext) -> Result<()> {
+        crate::preprocess::same_protocol(&ctx.version)?;
+        let root = ctx.root.canonicalize()?;
+        let root = root.parent().ok_or(Error::msg("the book has no parent"))?;
+        let project = Project::new(root);
+        let destination = &ctx.destination;
+        may_be_replaced(destination)?;
+
+        // The old book stays until the new one is whole.
+        let mut fresh = destination.clone().into_os_string();
+        fresh.push(".new");
+        let fresh = PathBuf::from(fresh);
+        let mut ctx = ctx.clone();
+        ctx.destination.clone_from(&fresh);
+        let mut html: serde_json::Value = ctx
+            .config
+            .get("output.pages.html")?
+            .ok_or(Error::msg("book.toml has no table [output.pages.html]"))?;
+        // `mdbook serve` gives its endpoint for reloading here.
+        let reload: Option<String> = ctx.config.get("output.html.live-reload-endpoint")?;
+        if let (Some(reload), Some(table)) = (reload, html.as_object_mut()) {
+            table.insert("live-reload-endpoint".into(), reload.into());
+        }
+        ctx.config.set("output.html", html)?;
+
+        let done = build(&project, &ctx).and_then(|()| replace(&fresh, destination));
+        let cleared = match fresh.exists() {
+            true => fs::remove_dir_all(&fresh).map_err(Error::from),
+            false => Ok(()),
+        };
+        done.and(cleared)
+    }
+}
+
+fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
+    let fresh = &ctx.destination;
+    HtmlHandlebars::new().render(ctx)?;
+    warnings::none()?;
+
+    let mut written = BTreeMap::new();
+    for path in files(fresh)? {
+        if path.extension().is_some_and(|e| e == "html") {
+            let address = address(fresh, &path);
+            let html = fs::read_to_string(&path)?;
+            let html = finish(project, &html).map_err(|e| Error::msg(format!("{address}: {e}")))?;
+            fs::write(&path, &html)?;
+            written.insert(address, html);
+        }
+    }
+    for (address, html) in source::pages(project, &written).map_err(Error::msg)? {
+        let path = fresh.join(&address);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent)?;
+        }
+        fs::write(&path, &html)?;
+        written.insert(address, html);
+    }
+    for (name, bytes) in fonts::files().map_err(Error::msg)? {
+        let path = fresh.join("fonts").join(name);
+        fs::create_dir_all(fresh.join("fonts"))?;
+        fs::write(path, bytes)?;
+    }
+    let all: Vec<String> = files(fresh)?.iter().map(|p| address(fresh, p)).collect();
+    pages::check(&written, &all).map_err(Error::new)
+}
+
+/// A page with its marks filled and the theme's colours in place.
+fn finish(project: &Project, html: &str) -> Result<String, String> {
+    let mut number = 0;
+    let html = splice::fill(html, |splice| html_of(project, splice, &mut number))?;
+    let colours = format!(
+        "<style>:root{{{}}}.coal{{{}}}@media print{{:root,.coal{{{}}}}}</style></head>",
+        css_variables(false).replace('\n', ""),
+        css_variables(true).replace('\n', ""),
+        css_variables(false).replace('\n', ""),
+    );
+    let mut html = html.replacen("</head>", &colours, 1);
+    // Two themes, each with its own contrast measured, instead of mdBook's five.
+    for theme in ["rust", "navy", "ayu"] {
+        let from = format!(
+            "<li role=\"none\"><button role=\"menuitem\" class=\"theme\" id=\"mdbook-theme-{theme}\">"
+        );
+        if let Some(at) = html.find(&from)
+            && let Some(end) = html[at..].find("</li>")
+        {
+            html.replace_range(at..at + end + "</li>".len(), "");
+        }
+    }
+    Ok(html.replace(
+        "id=\"mdbook-theme-coal\">Coal<",
+        "id=\"mdbook-theme-coal\">Dark<",
+    ))
+}
+
+/// The files at or below `directory`, sorted.
+fn files(directory: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(directory)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            found.append(&mut files(&path)?);
+        } else {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+fn address(root: &Path, path: &Path) -> String {
+    let relative = path.strip_prefix(root).unwrap_or(path);
+    relative.to_string_lossy().replace('\\', "/")
+}
+
+/// Refuses a directory that holds something other than a book.
+fn may_be_replaced(directory: &Path) -> Result<()> {
+    let empty = match fs::read_dir(directory) {
+        Ok(mut entries) => entries.next().is_none(),
+        Err(_) => !directory.exists(),
+    };
+    if empty || directory.join(".nojekyll").is_file() {
+        return Ok(());
+    }
+    Err(Error::msg(format!(
+        "{} holds files that are not a book; give an empty or a new directory",
+        directory.display()
+    )))
+}
+
+/// Makes `old` equal to `new`, touching only what differs.
+fn replace(new: &Path, old: &Path) -> Result<()> {
+    fs::create_dir_all(old)?;
+    let wanted = files(new)?;
+    for path in &wanted {
+        let target = old.join(path.strip_prefix(new)?);
+        let bytes = fs::read(path)?;
+        if fs::read(&target).is_ok_and(|there| there == bytes) {
+            continue;
+        }
+        if let Some(parent) = target.parent() {
+            fs::create_dir_all(parent)?;
+        }
+        fs::write(&target, bytes)?;
+    }
+    for path in files(old)? {
+        if !new.join(path.strip_prefix(old)?).exists() {
+            fs::remove_file(path)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,185 @@
+//! Places in a page that are filled after mdBook has written its HTML.
+//!
+//! mdBook's tokenizer damages SVG and MathML (it lowercases `viewBox`, reads `_` as
+//! emphasis). So the preprocessor leaves a mark that says what belongs there, and the
+//! renderer fills it. The mark carries everything, so that the two may run in
+//! different processes, as the stock `mdbook` does it.
+
+use std::fmt::Write;
+
+/// What belongs at a mark.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Splice {
+    /// A formula in a line.
+    Inline { tex: String },
+    /// A formula of its own.
+    Display {
+        tex: String,
+        tag: Option<String>,
+        id: Option<String>,
+        boxed: bool,
+    },
+    /// A locked figure.
+    Figure { stem: String, name: String },
+    /// A section of the locked output.
+    Table { stem: String, section: String },
+    /// The answer box.
+    Check { stem: String },
+}
+
+const OPEN: &str = "<span data-splice=\"";
+const MIDDLE: &str = "\">";
+const CLOSE: &str = "</span>";
+
+impl Splice {
+    fn fields(&self) -> Vec<String> {
+        let some = |field: &Option<String>| field.clone().unwrap_or_default();
+        match self {
+            Self::Inline { tex } => vec!["inline".into(), tex.clone()],
+            Self::Display {
+                tex,
+                tag,
+                id,
+                boxed,
+            } => vec![
+                "display".into(),
+                tex.clone(),
+                some(tag),
+                some(id),
+                if *boxed { "boxed" } else { "" }.into(),
+            ],
+            Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
+            Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
+            Self::Check { stem } => vec!["check".into(), stem.clone()],
+        }
+    }
+
+    fn from_fields(fields: &[String]) -> Option<Self> {
+        let some = |field: &String| (!field.is_empty()).then(|| field.clone());
+        let words: Vec<&str> = fields.iter().map(String::as_str).collect();
+        Some(match *words.as_slice() {
+            ["inline", tex] => Self::Inline { tex: tex.into() },
+            ["display", tex, _, _, boxed] => Self::Display {
+                tex: tex.into(),
+                tag: some(&fields[2]),
+                id: some(&fields[3]),
+                boxed: boxed == "boxed",
+            },
+            ["figure", stem, name] => Self::Figure {
+                stem: stem.into(),
+                name: name.into(),
+            },
+            ["table", stem, section] => Self::Table {
+                stem: stem.into(),
+                section: section.into(),
+            },
+            ["check", stem] => Self::Check { stem: stem.into() },
+            _ => return None,
+        })
+    }
+
+    /// The mark, with `text` for those who search.
+    ///
+    /// Every character of `text` that Markdown could read is written as an entity.
+    pub fn mark(&self, text: &str) -> String {
+        let mut mark = String::from(OPEN);
+        for (n, field) in self.fields().iter().enumerate() {
+            if n > 0 {
+                mark.push('.');
+            }
+            for byte in field.bytes() {
+                let _ = write!(mark, "{byte:02x}");
+            }
+        }
+        mark.push_str(MIDDLE);
+        for c in text.chars() {
+            if c.is_ascii_punctuation() {
+                let _ = write!(mark, "&#{};", u32::from(c));
+            } else {
+                mark.push(c);
+            }
+        }
+        mark.push_str(CLOSE);
+        mark
+    }
+}
+
+fn decode(field: &str) -> Option<String> {
+    if !field.len().is_multiple_of(2) {
+        return None;
+    }
+    let bytes: Option<Vec<u8>> = (0..field.len())
+        .step_by(2)
+        .map(|at| u8::from_str_radix(field.get(at..at + 2)?, 16).ok())
+        .collect();
+    String::from_utf8(bytes?).ok()
+}
+
+/// Replaces each mark in `html` with what `fill` gives for it.
+///
+/// # Errors
+/// A mark that cannot be read, or the first error of `fill`.
+pub fn fill(
+    html: &str,
+    mut fill: impl FnMut(&Splice) -> Result<String, String>,
+) -> Result<String, String> {
+    let mut filled = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = rest.find(OPEN) {
+        let (before, mark) = rest.split_at(at);
+        filled.push_str(before);
+        let damaged = || format!("a damaged mark: {}", mark.get(..80).unwrap_or(mark));
+        let (fields, after) = mark[OPEN.len()..].split_once(MIDDLE).ok_or_else(damaged)?;
+        let (_, after) = after.split_once(CLOSE).ok_or_else(damaged)?;
+        let fields: Option<Vec<String>> = fields.split('.').map(decode).collect();
+        let splice = fields
+            .and_then(|fields| Splice::from_fields(&fields))
+            .ok_or_else(damaged)?;
+        filled.push_str(&fill(&splice)?);
+        rest = after;
+    }
+    filled.push_str(rest);
+    Ok(filled)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_come_back() {
+        let splices = [
+            Splice::Inline {
+                tex: r"\dot\phi_1 * |x|".into(),
+            },
+            Splice::Display {
+                tex: "E=\n+ 1".into(),
+                tag: Some("16.2 (4)".into()),
+                id: None,
+                boxed: true,
+            },
+            Splice::Figure {
+                stem: "a".into(),
+                name: "b".into(),
+            },
+            Splice::Table {
+                stem: "a".into(),
+                section: "limits".into(),
+            },
+            Splice::Check { stem: "a".into() },
+        ];
+        let mut page = String::from("<p>");
+        for splice in &splices {
+            page += &splice.mark("a_b|c");
+        }
+        let mut seen = Vec::new();
+        let filled = fill(&page, |splice| {
+            seen.push(splice.clone());
+            Ok("!".into())
+        });
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!"));
+        assert_eq!(seen, splices);
+        // The damaged twin: a broken mark is an error, not text.
+        assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());
+    }
+}
