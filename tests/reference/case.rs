@@ -82,6 +82,26 @@ impl Case {
         self.json["derived"][name].as_str().map(decimal)
     }
 
+    /// theta and its rate at the start of a `top_nd` case, in either of its two forms.
+    pub fn start_of_top(&self) -> (f64, f64) {
+        let inputs = &self.json["inputs"];
+        let Some(start) = inputs["start"].as_str() else {
+            return (self.input("theta0"), self.input("dtheta0"));
+        };
+        let theta = self
+            .derived(start)
+            .unwrap_or_else(|| panic!("{}: derived {start}", self.id))
+            .to_f64();
+        // At rest in theta, unless the turning "point" is the pole, which is passed
+        // with E~ = theta'^2 / 2.
+        let rate = if theta == 0.0 {
+            (2.0 * self.input("Etilde")).sqrt()
+        } else {
+            0.0
+        };
+        (theta, rate)
+    }
+
     pub fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
         self.json["samples"]
             .as_array()
@@ -111,6 +131,16 @@ impl Sample<'_> {
         let list = self.0[field].as_array().into_iter().flatten();
         list.map(|v| decimal(v.as_str().expect("a decimal string")))
             .collect()
+    }
+
+    /// A field that is a number or a list of numbers; empty if it is absent.
+    pub fn all(&self, field: &str) -> Vec<DoubleDouble> {
+        let list = self.values(field);
+        if list.is_empty() {
+            self.value(field).into_iter().collect()
+        } else {
+            list
+        }
     }
 
     /// The field's condition, `max(sens_norm, sens_path)`; where the path's has no
