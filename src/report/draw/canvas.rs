@@ -176,6 +176,7 @@ impl Drawable<Svg<'_>> for Mark {
                     svg.dot(point, *radius, *ink, *ring);
                 }
             }
+            Paint::Text(text) if text.label.is_empty() => {}
             Paint::Text(text) => {
                 for &(x, y) in &points {
                     let at = (x + units(text.shift.0), y + units(text.shift.1));

@@ -1,7 +1,7 @@
 //! Labels: words, and between dollar signs a little TeX.
 //!
 //! In `$…$` letters are slanted, digits and signs upright, `-` is a minus sign, `'`
-//! a prime; there are Greek letters (`\theta`), `_x`, `_{eff}`, `^{-3}`, `\tilde E`,
+//! a prime; there are Greek letters (`\theta`), `_x`, `^{-3}`, `_{eff}` (a word: upright), `\tilde E`,
 //! `\dot\phi`, `\mathrm{d}`, `\times`, `\cdot`, `\pi`, thin space `\,`. Outside,
 //! text is text.
 
@@ -88,6 +88,10 @@ impl Label {
         label
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.spans.is_empty()
+    }
+
     fn push(&mut self, text: &str, slanted: bool, level: Level) {
         if text.is_empty() {
             return;
@@ -125,7 +129,11 @@ impl Label {
                 '_' | '^' => {
                     let level = if c == '_' { Level::Sub } else { Level::Sup };
                     if input.next_if_eq(&'{').is_some() {
-                        self.formula(input, level, upright);
+                        // A subscript that is a word is not a product of variables.
+                        let word = input.clone().take_while(|c| *c != '}');
+                        let word = word.clone().count() > 1
+                            && word.clone().all(|c| c.is_ascii_alphabetic());
+                        self.formula(input, level, upright || word);
                     } else if let Some(one) = input.next() {
                         self.formula(&mut one.to_string().chars().peekable(), level, upright);
                     }
@@ -275,6 +283,8 @@ mod tests {
         assert_eq!(plain(r"$\theta$ / rad"), "θ / rad");
         assert_eq!(plain(r"$10^{-3}$"), "10\u{2212}3");
         assert_eq!(plain(r"$U_{\mathrm{eff}}(\theta)$"), "Ueff(θ)");
+        assert_eq!(Label::new("$U_{eff}$"), Label::new(r"$U_{\mathrm{eff}}$"));
+        assert_ne!(Label::new("$U_{1x}$"), Label::new(r"$U_{\mathrm{1x}}$"));
         assert_eq!(plain(r"$\tilde E$"), "E\u{303}");
         assert_eq!(plain(r"$\dot\phi$"), "φ\u{307}");
         assert_eq!(plain(r"$t'$"), "t′");

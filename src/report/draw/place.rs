@@ -253,4 +253,51 @@ mod tests {
         spread(&mut centres, 15.0, 0.0, 100.0);
         assert_eq!(centres.map(|c| c.1), [50.0, 65.0, 92.5]);
     }
+
+    /// Four waves that cross each other, each with a label of its own: every label is
+    /// found a place that touches no curve and no other label.
+    #[test]
+    fn labels_touch_neither_curves_nor_each_other() {
+        use super::super::ink::Ink;
+        let room = Rect {
+            left: 0.0,
+            right: 300.0,
+            top: 0.0,
+            bottom: 200.0,
+        };
+        let mut obstacles = Obstacles::new(room);
+        let wave = |k: usize| -> Vec<Point> {
+            let at = |i: u32| f64::from(i) * 3.0;
+            let height = |x: f64| 100.0 + 60.0 * crate::math::sin(0.02 * x + 1.5 * k as f64);
+            (0..=100).map(|i| (at(i), height(at(i)))).collect()
+        };
+        for k in 0..4 {
+            obstacles.add_line(k, &wave(k));
+        }
+        let crossed = |rect: &Rect, obstacles: &Obstacles| {
+            obstacles
+                .points
+                .iter()
+                .filter(|(_, p)| rect.contains(*p))
+                .count()
+        };
+        let mut rects: Vec<Rect> = Vec::new();
+        for k in 0..4 {
+            let text = |side| Text::new("wave number", Ink::Ink, side, GAP);
+            let (at, side) = obstacles
+                .place(k, &wave(k), text)
+                .expect("a line has places");
+            let rect = text(side).rect(at);
+            assert_eq!(crossed(&rect, &obstacles), 0, "label {k}");
+            assert!(rects.iter().all(|r| !r.overlaps(&rect)), "label {k}");
+            assert!(
+                room.contains((rect.left, rect.top)) && room.contains((rect.right, rect.bottom))
+            );
+            rects.push(rect);
+        }
+        assert_eq!(rects.len(), 4);
+        // The damaged twin: at the middle of its curve the label is crossed.
+        let blind = Text::new("wave number", Ink::Ink, Side::Right, GAP).rect(wave(0)[50]);
+        assert!(crossed(&blind, &obstacles) > 0);
+    }
 }
