@@ -162,7 +162,7 @@ mod tests {
         }
     }
 
-    /// The weakest line measures 3.06 (force, light), the weakest text 4.74 (force, light).
+    /// Measured: the weakest line 3.06, the weakest text 4.89, both the torque on white.
     #[test]
     fn contrast_is_enough_in_both_themes() {
         let paper = Ink::Paper.colour();

@@ -20,6 +20,7 @@ mod paint;
 mod panel;
 mod place;
 mod sketch;
+mod solid;
 mod svg;
 mod view;
 
@@ -28,5 +29,6 @@ pub use canvas::Side;
 pub use ink::{Colour, Ink, PALETTE, css_variables};
 pub use panel::{Curve, Panel, Stack};
 pub use sketch::Sketch;
+pub use solid::{Camera, Solid};
 pub use svg::Dash;
-pub use view::{Camera, Solid, View};
+pub use view::View;
