@@ -2,11 +2,21 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | [`Modulus`], [`Characteristic`] | the parameters of elliptic integrals, with their complements |
+//! | [`carlson`] | the symmetric integrals R_F, R_C, R_D, R_J |
+//! | [`legendre`] | F, E, D, Pi and the complete K, E, D, Pi |
+//! | [`jacobi`] | sn, cn, dn and the amplitude |
 //! | [`free_body`] | torque-free rotation of any body (Euler-Poinsot) |
 //! | [`ladder`] | the sliding ladder of exercise 16.6 |
 //!
 //! Not for: motions that must be stepped; see [`crate::integrators`].
 
+pub mod carlson;
 mod extended;
 pub mod free_body;
+pub mod jacobi;
 pub mod ladder;
+pub mod legendre;
+mod modulus;
+
+pub use modulus::{Characteristic, Modulus};
