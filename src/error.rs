@@ -17,6 +17,8 @@ pub enum Error {
         value: f64,
         allowed: &'static str,
     },
+    /// No motion of a heavy top has this energy.
+    NoMotion { energy: f64, minimum: f64 },
     /// A derivative is NaN or infinite at this time and state.
     DerivativeNotFinite {
         t: f64,
@@ -75,6 +77,13 @@ impl fmt::Display for Error {
                 value,
                 allowed,
             } => write!(f, "{name} = {value} is not allowed: {allowed}"),
+            Self::NoMotion { energy, minimum } => {
+                // Six places, or all of them if six do not show the difference.
+                let short = format!("{minimum:.6}");
+                let seen = short.parse::<f64>().is_ok_and(|m| *energy < m);
+                let minimum = if seen { short } else { minimum.to_string() };
+                write!(f, "no motion: E~ = {energy} is below U_min = {minimum}")
+            }
             Self::DerivativeNotFinite {
                 t,
                 state,

@@ -12,6 +12,8 @@ mod free_body;
 mod integrators;
 #[path = "reference/ladder.rs"]
 mod ladder;
+#[path = "reference/top.rs"]
+mod top;
 
 use case::{Case, Outcome};
 
@@ -40,6 +42,20 @@ const METHODS: &[Method] = &[
         bound: ladder::BOUND,
         promised: 64.0,
         run: ladder::closed_form,
+    },
+    Method {
+        kind: "top_nd",
+        name: "exact::heavy_top",
+        bound: top::BOUND,
+        promised: 64.0,
+        run: top::dimensionless,
+    },
+    Method {
+        kind: "top_si",
+        name: "exact::heavy_top",
+        bound: top::BOUND,
+        promised: 64.0,
+        run: top::dimensional,
     },
 ];
 

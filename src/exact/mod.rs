@@ -7,6 +7,7 @@
 //! | [`legendre`] | F, E, D, Pi and the complete K, E, D, Pi |
 //! | [`jacobi`] | sn, cn, dn and the amplitude |
 //! | [`free_body`] | torque-free rotation of any body (Euler-Poinsot) |
+//! | [`heavy_top`] | the heavy symmetric top about a fixed point (Lagrange) |
 //! | [`ladder`] | the sliding ladder of exercise 16.6 |
 //!
 //! Not for: motions that must be stepped; see [`crate::integrators`].
@@ -14,6 +15,7 @@
 pub mod carlson;
 mod extended;
 pub mod free_body;
+pub mod heavy_top;
 pub mod jacobi;
 pub mod ladder;
 pub mod legendre;

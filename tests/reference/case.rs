@@ -77,6 +77,21 @@ impl Case {
         })
     }
 
+    /// An input number, if the case has it.
+    pub fn optional(&self, name: &str) -> Option<f64> {
+        self.json["inputs"][name].as_f64()
+    }
+
+    /// An input word, if the case has it.
+    pub fn word(&self, name: &str) -> Option<&str> {
+        self.json["inputs"][name].as_str()
+    }
+
+    /// A derived flag; false if it is missing.
+    pub fn flag(&self, name: &str) -> bool {
+        self.json["derived"][name].as_bool() == Some(true)
+    }
+
     /// A derived value, if it is a number.
     pub fn derived(&self, name: &str) -> Option<DoubleDouble> {
         self.json["derived"][name].as_str().map(decimal)

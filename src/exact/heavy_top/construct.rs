@@ -1,0 +1,334 @@
+//! The ways to state a motion: by energy, by angles and rates, by a body.
+
+use super::motion::Motion;
+use super::roots::{Conserved, Origin, Roots, State};
+use super::{Course, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
+use crate::attitude::EulerAngles;
+use crate::error::{Error, Result, finite};
+use crate::frame::BodyVector;
+use crate::math::DoubleDouble as Dd;
+
+/// The problem in u = cos(theta), before the sign of gravity is taken out.
+struct Problem {
+    /// B = L_z/I1, A - B, A + B.
+    spin: Dd,
+    difference: Dd,
+    sum: Dd,
+    omega3: Dd,
+    free_spin: Dd,
+    /// 2 m g l/I1, with its sign.
+    gravity: Dd,
+    start: Beginning,
+    phi0: f64,
+    zeta0: f64,
+    moments: [f64; 2],
+    reduced: Option<ReducedTop>,
+    body: Option<SymmetricTop>,
+}
+
+enum Beginning {
+    /// At rest in theta, with this value of alpha - beta.
+    Turning { excess: Dd, start: Start },
+    /// At an angle, with nodal rates x = theta' and y = phi' sin(theta).
+    Angle {
+        theta: f64,
+        half_sin: Dd,
+        half_cos: Dd,
+        nodal: [Dd; 2],
+    },
+}
+
+impl HeavyTop {
+    /// The motion of energy `energy` = E~ that is at rest in theta at the turning point
+    /// `start` when t' = 0.
+    ///
+    /// An E~ below U_min by no more than rounding is taken as U_min: steady precession.
+    /// With b = 1 the axis passes the pole if E~ > 0; started at `ThetaMin` it then is
+    /// at the pole, arriving with the given phi0 and zeta0 (for c < 0: leaving).
+    ///
+    /// # Errors
+    /// [`Error::NoMotion`] if E~ is below U_min; `NotFinite`.
+    pub fn from_energy(
+        top: ReducedTop,
+        energy: f64,
+        start: Start,
+        phi0: f64,
+        zeta0: f64,
+    ) -> Result<Self> {
+        finite("energy", energy)?;
+        let (_, minimum, size) = top.minimum_dd();
+        if energy < (minimum - ReducedTop::energy_slack(size)).to_f64() {
+            return Err(Error::NoMotion {
+                energy,
+                minimum: minimum.to_f64(),
+            });
+        }
+        let excess = Dd::from(energy).scaled(2.0);
+        Self::reduced_problem(top, Beginning::Turning { excess, start }, phi0, zeta0)
+    }
+
+    /// The motion with these initial angles (rad) and this theta' (per t').
+    ///
+    /// A start at exactly theta = 0 needs b = 1; theta' then is the rate at which the
+    /// axis leaves the pole, along the node line of `phi0` and `zeta0`.
+    ///
+    /// # Errors
+    /// An input that is not finite; theta0 outside [0, pi], or 0 while b is not 1.
+    pub fn from_angles(
+        top: ReducedTop,
+        theta0: f64,
+        theta_rate0: f64,
+        phi0: f64,
+        zeta0: f64,
+    ) -> Result<Self> {
+        finite("theta_rate0", theta_rate0)?;
+        let (half_sin, half_cos) = half_angle(theta0)?;
+        let root_a = Dd::from(top.a()).sqrt();
+        let nodal_y = if theta0 == 0.0 {
+            if top.b() != 1.0 {
+                return Err(Error::OutOfRange {
+                    name: "theta0",
+                    value: theta0,
+                    allowed: "an axis starts at theta = 0 only if b = 1",
+                });
+            }
+            Dd::ZERO
+        } else {
+            // (b - cos)/sin in half angles.
+            let below = Dd::sum(top.b(), 1.0) * half_sin / half_cos;
+            let above = Dd::sum(top.b(), -1.0) * half_cos / half_sin;
+            root_a * (below + above).scaled(0.5)
+        };
+        let start = Beginning::Angle {
+            theta: theta0,
+            half_sin,
+            half_cos,
+            nodal: [Dd::from(theta_rate0), nodal_y],
+        };
+        Self::reduced_problem(top, start, phi0, zeta0)
+    }
+
+    fn reduced_problem(top: ReducedTop, start: Beginning, phi0: f64, zeta0: f64) -> Result<Self> {
+        let root_a = Dd::from(top.a()).sqrt();
+        Self::solve(Problem {
+            spin: root_a,
+            difference: root_a * Dd::sum(top.b(), -1.0),
+            sum: root_a * Dd::sum(top.b(), 1.0),
+            omega3: root_a.recip(),
+            free_spin: Dd::sum(1.0, -top.a()) / root_a,
+            gravity: Dd::from(2.0 * top.c()),
+            start,
+            phi0: finite("phi0", phi0)?,
+            zeta0: finite("zeta0", zeta0)?,
+            moments: [1.0, top.a()],
+            reduced: Some(top),
+            body: None,
+        })
+    }
+
+    /// The motion of a body with this attitude and angular velocity (on the body axes,
+    /// rad/s) at t = 0 s.
+    ///
+    /// # Errors
+    /// An input that is not finite; theta outside [0, pi].
+    pub fn from_body(
+        body: SymmetricTop,
+        attitude: EulerAngles,
+        omega_body: BodyVector,
+    ) -> Result<Self> {
+        let EulerAngles { phi, theta, zeta } = attitude;
+        finite("phi", phi)?;
+        finite("zeta", zeta)?;
+        let (half_sin, half_cos) = half_angle(theta)?;
+        for value in omega_body.to_array() {
+            finite("omega_body", value)?;
+        }
+        let i1 = Dd::from(body.i1());
+        let omega3 = omega_body.z();
+        let spin = Dd::product(body.i3(), omega3) / i1;
+        let (sin, cos) = Dd::from(zeta).sin_cos();
+        let (x, y) = (omega_body.x(), omega_body.y());
+        let nodal = [cos * x - sin * y, sin * x + cos * y];
+        // A - B = -B (1 - cos) + omega_y sin, A + B = B (1 + cos) + omega_y sin.
+        let across = nodal[1] * (half_sin * half_cos).scaled(2.0);
+        let (start, phi0, zeta0);
+        if theta == 0.0 && (x != 0.0 || y != 0.0) {
+            // The node line is where the axis leaves the pole.
+            let node = Dd::from(-y).atan2(Dd::from(x));
+            let speed = (Dd::product(x, x) + Dd::product(y, y)).sqrt();
+            start = Beginning::Angle {
+                theta,
+                half_sin,
+                half_cos,
+                nodal: [speed, Dd::ZERO],
+            };
+            phi0 = (Dd::sum(phi, zeta) - node).to_f64();
+            zeta0 = node.to_f64();
+        } else {
+            start = Beginning::Angle {
+                theta,
+                half_sin,
+                half_cos,
+                nodal,
+            };
+            (phi0, zeta0) = (phi, zeta);
+        }
+        Self::solve(Problem {
+            spin,
+            difference: across - (spin * half_sin.square()).scaled(2.0),
+            sum: across + (spin * half_cos.square()).scaled(2.0),
+            omega3: Dd::from(omega3),
+            free_spin: Dd::sum(body.i1(), -body.i3()) * omega3 / i1,
+            gravity: body.moment().scaled(2.0) / i1,
+            start,
+            phi0,
+            zeta0,
+            moments: [body.i1(), body.i3()],
+            reduced: None,
+            body: Some(body),
+        })
+    }
+
+    fn solve(problem: Problem) -> Result<Self> {
+        let Problem {
+            spin,
+            difference,
+            sum,
+            gravity,
+            ..
+        } = problem;
+        let flipped = gravity < 0.0;
+        let flip = if flipped { -1.0 } else { 1.0 };
+        let strength = gravity.abs();
+
+        let (excess, origin, theta0) = match problem.start {
+            Beginning::Turning { excess, start } => {
+                let upper = (start == Start::ThetaMin) != flipped;
+                let origin = if upper { Origin::Upper } else { Origin::Lower };
+                (excess, origin, None)
+            }
+            Beginning::Angle {
+                theta,
+                half_sin,
+                half_cos,
+                nodal,
+            } => {
+                let below = half_sin.square().scaled(2.0);
+                let above = half_cos.square().scaled(2.0);
+                let sin = (half_sin * half_cos).scaled(2.0);
+                let cos = half_cos.square() - half_sin.square();
+                let transverse = nodal[0].square() + nodal[1].square();
+                // F'(v) = -2 v omega_t^2 - beta sin^2 + 2 B omega_y sin, odd in the flip
+                // but for the middle term.
+                let slope = ((spin * nodal[1] * sin - cos * transverse).scaled(2.0)) * flip
+                    - strength * sin.square();
+                let state = State {
+                    to_one: if flipped { above } else { below },
+                    from_minus_one: if flipped { below } else { above },
+                    rate: -(sin * nodal[0]) * flip,
+                    slope,
+                };
+                let excess = transverse - gravity * below;
+                (excess, Origin::State(state), Some((theta, transverse)))
+            }
+        };
+        // alpha - beta and alpha + beta in v: exchanged by the flip.
+        let total = excess + gravity.scaled(2.0);
+        let conserved = if flipped {
+            Conserved {
+                spin: -spin,
+                difference: sum,
+                sum: difference,
+                excess: total,
+                total: excess,
+                gravity: strength,
+            }
+        } else {
+            Conserved {
+                spin,
+                difference,
+                sum,
+                excess,
+                total,
+                gravity: strength,
+            }
+        };
+        let at_upper_pole = if flipped { core::f64::consts::PI } else { 0.0 };
+        let at_lower_pole = core::f64::consts::PI - at_upper_pole;
+        let fixed = match theta0 {
+            // Upright without a transverse rate: it stays so for ever.
+            Some((theta, transverse))
+                if transverse == 0.0 && (theta == 0.0 || (gravity == 0.0 && spin == 0.0)) =>
+            {
+                Some(theta)
+            }
+            _ => None,
+        };
+        let course = if let Some(theta) = fixed {
+            Course::Fixed { theta }
+        } else {
+            let roots = Roots::new(&conserved, &origin);
+            let homoclinic = roots.x2 == 0.0 && roots.outer == 0.0;
+            if roots.x1 <= 0.0 || (homoclinic && matches!(origin, Origin::Upper)) {
+                Course::Fixed {
+                    theta: at_upper_pole,
+                }
+            } else if roots.y2 <= 0.0 {
+                Course::Fixed {
+                    theta: at_lower_pole,
+                }
+            } else {
+                Self::moving(&problem, flip, Motion::new(&conserved, &origin, roots))
+            }
+        };
+        Ok(Self {
+            phi0: problem.phi0,
+            zeta0: problem.zeta0,
+            flip,
+            spin,
+            difference,
+            sum,
+            omega3: problem.omega3,
+            free_spin: problem.free_spin,
+            excess,
+            moments: problem.moments,
+            reduced: problem.reduced,
+            body: problem.body,
+            course,
+        })
+    }
+
+    fn moving(problem: &Problem, flip: f64, motion: Motion) -> Course {
+        // alpha turns with (phi + zeta)/2, beta with (phi - zeta)/2; the free spin goes
+        // to zeta. In v the two are exchanged for a flipped top.
+        let turns = [1.0, -1.0].map(|sense| {
+            let first = (sense > 0.0) == (flip > 0.0);
+            let channel = &motion.channels[usize::from(!first)];
+            let start = Dd::sum(problem.phi0, problem.zeta0 * sense).scaled(0.5);
+            let phase = start - channel.initial - Dd::PI * channel.initial_half_turns;
+            let rate = channel.rate + problem.free_spin.scaled(0.5) * sense;
+            Turns {
+                rate: rate / Dd::TWO_PI,
+                lag: channel.step / Dd::TWO_PI,
+                start: phase / Dd::TWO_PI,
+            }
+        });
+        Course::Moving {
+            motion: Box::new(motion),
+            turns,
+        }
+    }
+}
+
+/// Sine and cosine of theta/2 for theta in [0, pi].
+fn half_angle(theta: f64) -> Result<(Dd, Dd)> {
+    finite("theta", theta)?;
+    if !(0.0..=core::f64::consts::PI).contains(&theta) {
+        return Err(Error::OutOfRange {
+            name: "theta",
+            value: theta,
+            allowed: "theta lies in [0, pi]",
+        });
+    }
+    Ok(Dd::from(theta * 0.5).sin_cos())
+}

@@ -1,0 +1,121 @@
+//! The heavy symmetric top in closed form: angles, attitude and rates at any time,
+//! without stepping.
+//!
+//! The equations are the notes' (16.2 (4)-(6)). With u = cos(theta) the energy is
+//! u'^2 = a cubic in u, so u is an elliptic function of time; the Cayley-Klein
+//! parameters
+//!
+//!   alpha = cos(theta/2) e^{i(phi+zeta)/2},  beta = sin(theta/2) e^{i(phi-zeta)/2}
+//!
+//! are single quotients of theta functions, regular where the axis passes a pole. No
+//! third-kind integral is formed and no regime needs its own formula, except a motion
+//! that stays where it is. The set-up is done in double-double arithmetic: a sample
+//! is as good as its time. Its cost does not depend on the time.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `reduced` | the parameters a, b, c and the effective potential |
+//! | `body` | the dimensional body |
+//! | `roots` | the turning points and the gaps between the roots |
+//! | `series` | the theta functions |
+//! | `motion` | the phases in time |
+//!
+//! Not for: tops with friction or with three different moments; see
+//! [`crate::integrators`].
+//!
+//! Sources: the notes, 16.2; F. Klein, A. Sommerfeld, *Theorie des Kreisels*, VI;
+//! E. T. Whittaker, *Analytical Dynamics*, 71-72. The forms without cancellation are
+//! ours.
+
+mod body;
+mod construct;
+mod motion;
+mod queries;
+mod reduced;
+mod roots;
+mod series;
+
+pub use body::SymmetricTop;
+pub use queries::Regime;
+pub use reduced::ReducedTop;
+
+use crate::math::DoubleDouble as Dd;
+use motion::Motion;
+
+/// A turning point at which the motion starts, at rest in theta.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// The smaller angle from the upward vertical.
+    ThetaMin,
+    /// The larger angle.
+    ThetaMax,
+}
+
+/// A motion of a heavy symmetric top, at any time.
+///
+/// Time is the notes' t' for a motion made from a [`ReducedTop`], seconds for one made
+/// from a [`SymmetricTop`]. Times must be finite.
+///
+/// ```
+/// use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
+/// let top = ReducedTop::new(2.0, 1.2, 0.2)?;
+/// let motion = HeavyTop::from_energy(top, 0.55, Start::ThetaMin, 0.0, 0.0)?;
+/// assert!((motion.nutation_period() - 3.870_867_767).abs() < 1e-9);
+/// let late = motion.angles(1e6 * motion.nutation_period());
+/// assert!((late.theta - motion.theta_min()).abs() < 1e-6);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+///
+/// Accuracy: see [`HeavyTop::angles`].
+#[derive(Debug, Clone)]
+pub struct HeavyTop {
+    phi0: f64,
+    zeta0: f64,
+    /// +1, or -1 if gravity pulls towards theta = 0.
+    flip: f64,
+    /// B = L_z/I1, A - B and A + B.
+    spin: Dd,
+    difference: Dd,
+    sum: Dd,
+    /// omega_3.
+    omega3: Dd,
+    /// omega_3 - B, the spin that drops out of the motion of the axis.
+    free_spin: Dd,
+    /// alpha - beta in u: 2 E~ in the reduced top's units.
+    excess: Dd,
+    moments: [f64; 2],
+    reduced: Option<ReducedTop>,
+    body: Option<SymmetricTop>,
+    course: Course,
+}
+
+/// What the axis does.
+#[derive(Debug, Clone)]
+enum Course {
+    /// The axis stays at this angle; the body spins about it.
+    Fixed { theta: f64 },
+    /// The axis moves between turning points.
+    Moving {
+        motion: Box<Motion>,
+        /// Turns of alpha and beta: rate, lag per half-period, start.
+        turns: [Turns; 2],
+    },
+}
+
+/// A phase in turns: `start + rate t - lag n`.
+#[derive(Debug, Clone, Copy)]
+struct Turns {
+    rate: Dd,
+    lag: Dd,
+    start: Dd,
+}
+
+impl Turns {
+    /// The phase modulo a turn, in radians within (-pi, pi].
+    #[inline]
+    fn phase(&self, t: f64, count: f64) -> f64 {
+        let turns = self.rate * t - self.lag * count + self.start;
+        let whole = turns.hi().round();
+        core::f64::consts::TAU * (turns - whole).hi()
+    }
+}

@@ -1,0 +1,296 @@
+//! The motion in time: which half-period, which phases.
+//!
+//! A time is counted from a turning point in half-periods K/p in double-double
+//! arithmetic, so that a late time loses only what its own last bit means. The
+//! phases are written as (rate) t - (number of half-periods) (step), both reduced to
+//! turns in the same way: near t = 0 they are near their initial values however fast
+//! the body spins.
+
+use super::roots::{Conserved, Origin, Roots};
+use super::series::{Pair, Periods, Series, Zero};
+use crate::exact::extended::{carlson_rf, complete_first_kind};
+use crate::math::{self, DoubleDouble as Dd};
+use nalgebra::Complex;
+
+/// A motion between two turning points.
+#[derive(Debug, Clone)]
+pub(super) struct Motion {
+    pub roots: Roots,
+    pub m: Dd,
+    pub m1: Dd,
+    /// Time from a turning point to the next; infinite for the homoclinic motion.
+    pub half_period: Dd,
+    homoclinic: bool,
+    /// Time from the turning point number `first` to the start.
+    offset: Dd,
+    first: f64,
+    series: Series,
+    /// z or w per time.
+    pub rate: f64,
+    pub channels: [Channel; 2],
+    /// The half-period of the start, counted from the turning point `first`.
+    start: f64,
+}
+
+/// The phase of one Cayley-Klein parameter, without the body's own spin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Channel {
+    /// Phase rate (rad per time).
+    pub rate: Dd,
+    /// Lag per half-period (rad).
+    pub step: Dd,
+    /// The sense of its turn at each passage: +1 or -1.
+    pub sign: f64,
+    /// It reaches zero: the axis passes the pole.
+    pub reached: bool,
+    /// Argument of the series at the start, and the half turns beyond it.
+    pub initial: f64,
+    pub initial_half_turns: f64,
+}
+
+/// A place on the time axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    /// Half-periods since the start's.
+    pub count: f64,
+    /// Full periods, counted so that -1, 0 and 1 alternate in sign.
+    pub period: f64,
+    /// Near the turning point v2.
+    pub upper: bool,
+    /// z or w from the nearest turning point.
+    pub x: f64,
+}
+
+impl Motion {
+    /// The motion through `origin` with these roots, neither at rest nor upright.
+    pub fn new(conserved: &Conserved, origin: &Origin, roots: Roots) -> Self {
+        let span = roots.span();
+        let p = span.sqrt().scaled(0.5);
+        let (m, m1) = (roots.parameter(), roots.complementary_parameter());
+        let quarter = complete_first_kind(m1);
+        let quarter_prime = complete_first_kind(m);
+        let periods = Periods {
+            quarter,
+            quarter_prime,
+            hyperbolic: m > 0.5,
+        };
+        let homoclinic = !quarter.is_finite();
+        let [a, b] = zeros(conserved, &roots, quarter_prime);
+        let matched = Series::matched(
+            &periods,
+            &a,
+            &b,
+            roots.y2.sqrt(),
+            roots.x1.sqrt(),
+            m1.sqrt().sqrt(),
+        );
+        let (base, step) = if periods.hyperbolic {
+            let step = |zero: &Zero| Dd::FRAC_PI_2 * zero.eta / quarter_prime * zero.sign;
+            (quarter_prime, [step(&a), step(&b)])
+        } else {
+            (quarter, [Dd::ZERO; 2])
+        };
+        let rate = Dd::FRAC_PI_2 * p / base;
+        // The phase rates are matched where they do not cancel: that of a at the upper
+        // turning point, (A+B)/2(1+v2), that of b at the lower one, (A-B)/2(1-v1).
+        let channel = |zero: &Zero, turning: Dd, slope: Dd, step: Dd, reached: bool| Channel {
+            rate: turning.scaled(0.5) - rate * slope,
+            step,
+            sign: zero.sign,
+            reached,
+            initial: 0.0,
+            initial_half_turns: 0.0,
+        };
+        let channels = [
+            channel(
+                &a,
+                conserved.sum / roots.y2,
+                matched.slope_a,
+                step[0],
+                conserved.sum == 0.0,
+            ),
+            channel(
+                &b,
+                conserved.difference / roots.x1,
+                matched.slope_b,
+                step[1],
+                conserved.difference == 0.0 && roots.x2 == 0.0,
+            ),
+        ];
+        let (first, offset) = time_from_turning_point(origin, &roots, m1, p);
+        let mut motion = Self {
+            roots,
+            m,
+            m1,
+            half_period: if homoclinic { quarter } else { quarter / p },
+            homoclinic,
+            offset,
+            first,
+            series: matched.series,
+            rate: rate.to_f64(),
+            channels,
+            start: 0.0,
+        };
+        motion.set_start();
+        motion
+    }
+
+    fn set_start(&mut self) {
+        let place = self.place(0.0);
+        self.start = place.count;
+        let pair = self.series.at(place.upper, place.x);
+        let arguments = self.arguments(&place, &pair);
+        let half_turns = self.half_turns(&place);
+        for (i, value) in [pair.a, pair.b].into_iter().enumerate() {
+            // A start at the pole has no argument: the one towards the motion is 0.
+            let gone = value.re == 0.0 && value.im == 0.0;
+            if !gone {
+                self.channels[i].initial = arguments[i];
+                self.channels[i].initial_half_turns = half_turns[i];
+            }
+        }
+    }
+
+    /// Where the time `t` falls.
+    #[inline]
+    pub fn place(&self, t: f64) -> Place {
+        let since = self.offset + t;
+        let (count, rest) = if self.homoclinic {
+            (0.0, since.hi())
+        } else {
+            let count = (since.hi() / self.half_period.hi()).round();
+            (count, (since - self.half_period * count).hi())
+        };
+        let index = count + self.first;
+        let period = (0.5 * index).floor();
+        Place {
+            count: count - self.start,
+            period,
+            upper: index - 2.0 * period == 1.0,
+            x: rest * self.rate,
+        }
+    }
+
+    /// Both series there.
+    #[inline]
+    pub fn pair(&self, place: &Place) -> Pair {
+        self.series.at(place.upper, place.x)
+    }
+
+    /// Both series and their derivatives by z or w.
+    #[inline]
+    pub fn pair_with_slopes(&self, place: &Place) -> (Pair, Pair) {
+        self.series.with_slopes(place.upper, place.x)
+    }
+
+    /// The arguments of both series without their whole turns: continuous in time
+    /// once [`Self::turns`] is added.
+    pub fn arguments(&self, place: &Place, pair: &Pair) -> [f64; 2] {
+        let argument = |value: Complex<f64>, channel: &Channel| {
+            if channel.reached {
+                // A signed real factor: a half turn at each passage.
+                if value.re < 0.0 {
+                    -core::f64::consts::PI
+                } else {
+                    0.0
+                }
+            } else {
+                math::atan2(value.im, value.re)
+            }
+        };
+        let [a, b] = &self.channels;
+        [
+            argument(pair.a, a),
+            // Near the upper turning point b is -H: its argument and half a turn.
+            argument(if place.upper { -pair.b } else { pair.b }, b),
+        ]
+    }
+
+    /// Half turns of the arguments at a place, beyond [`Self::arguments`].
+    pub fn half_turns(&self, place: &Place) -> [f64; 2] {
+        let [a, b] = &self.channels;
+        [
+            place.period * a.sign,
+            (place.period + f64::from(u8::from(place.upper))) * b.sign,
+        ]
+    }
+}
+
+/// The zeros of both parameters: sc^2(eta_a|m1) = (1+v1)/(v2-v1) and
+/// sc^2(eta_b|m1) = (1-v2)(v3-v1)/((v2-v1)(v3-1)), as Carlson integrals in which the
+/// gap v2 - v1 cancels analytically where it must.
+fn zeros(conserved: &Conserved, roots: &Roots, quarter_prime: Dd) -> [Zero; 2] {
+    let span = roots.span();
+    let kappa = roots.gravity / span;
+    let far = (roots.outer + roots.gravity.scaled(2.0)) / span;
+    let near = roots.outer / span;
+    let m1 = roots.complementary_parameter();
+    let Roots {
+        x2, y1, y2, gap, ..
+    } = *roots;
+    let infinite = Dd::from(f64::INFINITY);
+    let sign = |value: Dd| if value < 0.0 { -1.0 } else { 1.0 };
+
+    let eta = |size: Dd, x: Dd, y: Dd, z: Dd| {
+        if size == 0.0 {
+            Dd::ZERO
+        } else if gap == 0.0 {
+            infinite
+        } else {
+            size.sqrt() * carlson_rf(x, y, z)
+        }
+    };
+    let a = Zero {
+        sign: sign(conserved.sum),
+        eta: eta(y1, gap, gap * far, y2),
+        rest: if kappa == 0.0 {
+            infinite
+        } else if y1 == 0.0 {
+            quarter_prime
+        } else {
+            carlson_rf(kappa * y1, kappa * y2, far)
+        },
+    };
+    let to_two = x2 + gap * near;
+    let b = Zero {
+        sign: sign(conserved.difference),
+        eta: eta(x2, gap * near, gap * m1, to_two),
+        rest: if kappa == 0.0 {
+            infinite
+        } else if x2 == 0.0 {
+            quarter_prime
+        } else if near == 0.0 {
+            Dd::ZERO
+        } else {
+            near.sqrt() * carlson_rf(kappa * x2, kappa * to_two, m1)
+        },
+    };
+    [a, b]
+}
+
+/// The number of a turning point (even: v1, odd: v2) and the time since.
+fn time_from_turning_point(origin: &Origin, roots: &Roots, m1: Dd, p: Dd) -> (f64, Dd) {
+    let (below, above) = roots.start;
+    let state = match origin {
+        Origin::Lower => return (0.0, Dd::ZERO),
+        Origin::Upper => return (1.0, Dd::ZERO),
+        Origin::State(state) => state,
+    };
+    if below == 0.0 {
+        return (0.0, Dd::ZERO);
+    }
+    if above == 0.0 {
+        // At v = 1 the motion leaves the pole: the zero before the lower turning point.
+        let leaving = state.to_one == 0.0;
+        return (if leaving { -1.0 } else { 1.0 }, Dd::ZERO);
+    }
+    let rising = if state.rate < 0.0 { -1.0 } else { 1.0 };
+    if below <= above || m1 == 0.0 {
+        let tau = below.sqrt() * carlson_rf(above, above + m1 * below, roots.gap);
+        (0.0, tau / p * rising)
+    } else {
+        let (n, g) = (m1 * below, roots.gap);
+        let tau = above.sqrt() * carlson_rf(n, m1 * g, n + above);
+        (1.0, -(tau / p) * rising)
+    }
+}

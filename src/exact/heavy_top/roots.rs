@@ -1,0 +1,276 @@
+//! The cubic of the heavy top and the gaps between its roots, each to full
+//! relative accuracy.
+//!
+//! With v = cos(theta) when gravity pulls the axis down (m g l >= 0) and
+//! v = -cos(theta) otherwise, so that beta = 2 |m g l| / I1 >= 0,
+//!
+//!   v'^2 = F(v) = (1 - v^2)(alpha - beta v) - (A - B v)^2
+//!        = beta (v - v1)(v - v2)(v - v3),   -1 <= v1 <= v2 <= 1 <= v3,
+//!
+//! A = L_Z/I1, B = +-L_z/I1. What the motion depends on are differences: 1 - v2
+//! near the upper pole, v3 - v2 near the homoclinic motion, v2 - v1 near steady
+//! precession. Subtracting computed roots would lose them. F is therefore
+//! expanded about v = 1, about v = -1 and about the initial state, where its
+//! coefficients are known without cancellation, and the products of roots
+//! (Vieta) give the small ones from the large ones.
+//!
+//! Source: the notes, 16.2 (4)-(6); E. T. Whittaker, *Analytical Dynamics*, 71.
+
+use crate::math::DoubleDouble as Dd;
+
+/// What the motion conserves, in the variable v.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Conserved {
+    /// B = +-L_z/I1.
+    pub spin: Dd,
+    /// A - B: zero for a motion that can reach v = 1.
+    pub difference: Dd,
+    /// A + B: zero for a motion that can reach v = -1.
+    pub sum: Dd,
+    /// alpha - beta.
+    pub excess: Dd,
+    /// alpha + beta.
+    pub total: Dd,
+    /// beta >= 0.
+    pub gravity: Dd,
+}
+
+/// Where the motion starts.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Origin {
+    /// At the turning point v1.
+    Lower,
+    /// At the turning point v2.
+    Upper,
+    /// At a state.
+    State(State),
+}
+
+/// An initial state, as the expansion of F about it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct State {
+    /// 1 - v, without cancellation.
+    pub to_one: Dd,
+    /// 1 + v, without cancellation.
+    pub from_minus_one: Dd,
+    /// v'.
+    pub rate: Dd,
+    /// F'(v).
+    pub slope: Dd,
+}
+
+/// The roots by their distances from 1, -1 and each other.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Roots {
+    /// 1 - v1.
+    pub x1: Dd,
+    /// 1 - v2.
+    pub x2: Dd,
+    /// 1 + v1.
+    pub y1: Dd,
+    /// 1 + v2.
+    pub y2: Dd,
+    /// v2 - v1.
+    pub gap: Dd,
+    /// beta (v3 - 1), finite as beta -> 0.
+    pub outer: Dd,
+    /// beta.
+    pub gravity: Dd,
+    /// v - v1 and v2 - v at the start.
+    pub start: (Dd, Dd),
+}
+
+impl Roots {
+    /// The roots. Inner roots that rounding has made a complex pair are taken as
+    /// equal; that the energy allows a motion is the caller's to check.
+    pub fn new(conserved: &Conserved, origin: &Origin) -> Self {
+        let Conserved {
+            spin,
+            difference,
+            sum,
+            excess,
+            total,
+            gravity,
+        } = *conserved;
+        // F(1 - x) = -d^2 + c1 x + c2 x^2 - beta x^3
+        let c1 = (excess - difference * spin).scaled(2.0);
+        let c1_size = 2.0 * (excess.hi().abs() + (difference * spin).hi().abs());
+        let c2 = gravity.scaled(2.0) - excess - spin.square();
+        let outer = outer_root(gravity, difference, c1, c2);
+        let far = outer + gravity.scaled(2.0);
+
+        // X1 X2 = d^2 / (beta (v3 - 1)), Y1 Y2 = s^2 / (beta (v3 + 1)).
+        let product_x = if outer > 0.0 {
+            difference.square() / outer
+        } else {
+            -c1 / gravity
+        };
+        let product_y = sum.square() / far;
+
+        let (x1, y2, gap, start) = match origin {
+            Origin::State(state) => {
+                let (below, above) = turning_points_around(state, outer, gravity);
+                let x1 = state.to_one + below;
+                let y2 = state.from_minus_one + above;
+                (x1, y2, below + above, (below, above))
+            }
+            Origin::Lower | Origin::Upper => {
+                // X1 + X2 from either of two identities, whichever cancels less.
+                let by_outer = (outer.hi() + c2.hi().abs()) / gravity.hi();
+                let by_product = ((product_x * gravity).hi().abs() + c1_size) / outer.hi();
+                let sum_x = if by_outer < by_product || outer == 0.0 {
+                    (outer + c2) / gravity
+                } else {
+                    (product_x * gravity + c1) / outer
+                };
+                let (x1, y2, gap) = if sum_x <= 2.0 {
+                    let root = distance(sum_x, product_x);
+                    let x1 = (sum_x + root).scaled(0.5);
+                    let x2 = if x1 > 0.0 { product_x / x1 } else { Dd::ZERO };
+                    (x1, 2.0 - x2, root)
+                } else {
+                    let slope = (total + sum * spin).scaled(2.0);
+                    let sum_y = (slope - product_y * gravity) / far;
+                    let root = distance(sum_y, product_y);
+                    let y2 = (sum_y + root).scaled(0.5);
+                    let y1 = if y2 > 0.0 { product_y / y2 } else { Dd::ZERO };
+                    (2.0 - y1, y2, root)
+                };
+                let start = if matches!(origin, Origin::Lower) {
+                    (Dd::ZERO, gap)
+                } else {
+                    (gap, Dd::ZERO)
+                };
+                (x1, y2, gap, start)
+            }
+        };
+        let x2 = if x1 > 0.0 { product_x / x1 } else { Dd::ZERO };
+        let y1 = if y2 > 0.0 { product_y / y2 } else { Dd::ZERO };
+        Self {
+            x1,
+            x2: x2.max(Dd::ZERO),
+            y1,
+            y2,
+            gap,
+            outer,
+            gravity,
+            start,
+        }
+    }
+
+    /// beta (v3 - v1), four times the square of the rate p of the argument.
+    pub fn span(&self) -> Dd {
+        self.outer + self.gravity * self.x1
+    }
+
+    /// The parameter m = (v2 - v1)/(v3 - v1).
+    pub fn parameter(&self) -> Dd {
+        self.gravity * self.gap / self.span()
+    }
+
+    /// 1 - m = (v3 - v2)/(v3 - v1): a sum of gaps, nothing cancels.
+    pub fn complementary_parameter(&self) -> Dd {
+        (self.outer + self.gravity * self.x2) / self.span()
+    }
+}
+
+/// The distance of the two roots with this sum and product.
+fn distance(sum: Dd, product: Dd) -> Dd {
+    (sum.square() - product.scaled(4.0)).max(Dd::ZERO).sqrt()
+}
+
+/// The distances v - v1 and v2 - v of the state from its turning points.
+///
+/// F(v + y) = (y^2 - S y + P)(beta y - far) with far = beta (v3 - v): from the two
+/// lowest coefficients, F(v) = v'^2 and F'(v), without the others.
+fn turning_points_around(state: &State, outer: Dd, gravity: Dd) -> (Dd, Dd) {
+    let far = outer + gravity * state.to_one;
+    let product = -(state.rate.square() / far);
+    let sum = (state.slope - product * gravity) / far;
+    let half = sum.scaled(0.5);
+    let root = (half.square() - product).sqrt();
+    if half >= 0.0 {
+        let above = half + root;
+        let below = if above > 0.0 { -product / above } else { above };
+        (below, above)
+    } else {
+        let below = root - half;
+        (below, -product / below)
+    }
+}
+
+/// beta (v3 - 1): the one root >= 0 of s^3 + c2 s^2 - c1 beta s - (d beta)^2.
+///
+/// Its relative error is that of the coefficients: the other two roots,
+/// -beta X1 and -beta X2, lie on the other side of zero.
+fn outer_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
+    if gravity == 0.0 {
+        return (-c2).max(Dd::ZERO);
+    }
+    let linear = c1 * gravity;
+    if difference == 0.0 {
+        return if c1 > 0.0 {
+            positive_root(c2, linear)
+        } else if c1 == 0.0 {
+            (-c2).max(Dd::ZERO)
+        } else {
+            Dd::ZERO
+        };
+    }
+    let constant = (difference * gravity).square();
+    let mut s = Dd::from(outer_root_guess(c2.hi(), linear.hi(), constant.hi()));
+    for _ in 0..12 {
+        let value = ((s + c2) * s - linear) * s - constant;
+        let slope = (s * 3.0 + c2.scaled(2.0)) * s - linear;
+        let step = value / slope;
+        let next = s - step;
+        if !next.is_finite() || next <= 0.0 {
+            break;
+        }
+        s = next;
+        if step.hi().abs() <= 1e-30 * s.hi() {
+            break;
+        }
+    }
+    s
+}
+
+/// Newton's method from above, where it falls monotonically onto the largest root.
+fn outer_root_guess(c2: f64, linear: f64, constant: f64) -> f64 {
+    let size = c2
+        .abs()
+        .max(linear.abs().sqrt())
+        .max(crate::math::cbrt(constant));
+    let mut s = 2.0 * size;
+    if c2 > 0.0 {
+        // Without s^3 >= 0 the root only grows: an upper bound, near if s is small.
+        let root = (linear * linear + 4.0 * c2 * constant).sqrt();
+        let bound = if linear >= 0.0 {
+            (linear + root) / (2.0 * c2)
+        } else {
+            2.0 * constant / (root - linear)
+        };
+        s = s.min(bound);
+    }
+    for _ in 0..200 {
+        let value = ((s + c2) * s - linear) * s - constant;
+        let slope = (3.0 * s + 2.0 * c2) * s - linear;
+        let next = s - value / slope;
+        if next > 0.0 && next < s {
+            s = next;
+        } else {
+            break;
+        }
+    }
+    s
+}
+
+/// The positive root of s^2 + b s - c, c > 0.
+fn positive_root(b: Dd, c: Dd) -> Dd {
+    let root = (b.square() + c.scaled(4.0)).sqrt();
+    if b <= 0.0 {
+        (root - b).scaled(0.5)
+    } else {
+        c.scaled(2.0) / (b + root)
+    }
+}

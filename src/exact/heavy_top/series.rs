@@ -1,0 +1,441 @@
+//! The Cayley-Klein parameters between two turning points, as theta functions.
+//!
+//! With tau = p t from the lower turning point and z = pi tau/2K,
+//!
+//!   sqrt((1+v)/2) e^{i..} ~ H(tau - i eta_a)/Theta(tau) e^{i nu_a t},
+//!   sqrt((1-v)/2) e^{i..} ~ H1(tau - i eta_b)/Theta(tau) e^{i nu_b t}
+//!
+//! (Jacobi's H, H1, Theta = theta_1, theta_2, theta_4 of z and nome q). Theta is
+//! common and real: it drops out on normalising. Around the upper turning point,
+//! tau = K + x, H becomes H1(x) and H1 becomes -H(x), so |x| <= K/2 is enough and
+//! the zeros, where the axis passes near a pole, keep relative accuracy.
+//!
+//! For m <= 1/2 the series runs in q, for m > 1/2, after Jacobi's imaginary
+//! transformation, in q' = exp(-pi K/K') with hyperbolic functions of w = pi x/2K';
+//! q' = 0 is the homoclinic motion. Either nome is at most e^-pi: four terms do.
+//!
+//! Sources: DLMF 20.2, 20.7(viii); F. Klein, A. Sommerfeld, *Theorie des Kreisels*,
+//! VI.
+
+use crate::math::{self, DoubleDouble as Dd};
+use nalgebra::Complex;
+
+/// The zero i eta of one Cayley-Klein parameter, off the real axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Zero {
+    /// The sense in which the phase runs past it: +1 or -1.
+    pub sign: f64,
+    /// eta >= 0; infinite for a steady motion.
+    pub eta: Dd,
+    /// K' - eta, without cancellation; infinite if K' is.
+    pub rest: Dd,
+}
+
+/// Periods and nome.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Periods {
+    /// K.
+    pub quarter: Dd,
+    /// K'.
+    pub quarter_prime: Dd,
+    /// m > 1/2.
+    pub hyperbolic: bool,
+}
+
+/// Both parameters at a point, up to a common real factor, with derivatives by z or w.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair {
+    pub a: Complex<f64>,
+    pub b: Complex<f64>,
+}
+
+/// One factor as the series of its real and imaginary part, polynomials in k = 2 cos 2z
+/// or in q' 2 cosh 2w.
+#[derive(Debug, Clone, Copy)]
+struct Factor {
+    re: [f64; 4],
+    im: [f64; 4],
+}
+
+/// The series around both turning points.
+#[derive(Debug, Clone)]
+pub(super) struct Series {
+    hyperbolic: bool,
+    /// q', or q.
+    nome: f64,
+    /// [lower, upper] turning point: the factor of type H and the one of type H1.
+    sides: [[Factor; 2]; 2],
+}
+
+/// What the set-up learns besides the series: the phase rates d arg/dz that the two
+/// series have where they are matched.
+pub(super) struct Matched {
+    pub series: Series,
+    /// d arg a/dz at the upper turning point.
+    pub slope_a: Dd,
+    /// d arg b/dz at the lower turning point.
+    pub slope_b: Dd,
+}
+
+/// Terms kept in the set-up: q^(n^2) < 1e-60.
+const TERMS: usize = 7;
+
+impl Series {
+    /// `a` and `b` are the zeros; at the upper turning point |a| is `size_a`, at the lower
+    /// one |b| is `size_b`; `root_m1` is (1-m)^(1/4).
+    pub fn matched(
+        periods: &Periods,
+        a: &Zero,
+        b: &Zero,
+        size_a: Dd,
+        size_b: Dd,
+        root_m1: Dd,
+    ) -> Matched {
+        if periods.hyperbolic {
+            Self::hyperbolic(periods, a, b, size_a, size_b)
+        } else {
+            Self::trigonometric(periods, a, b, size_a, size_b * root_m1)
+        }
+    }
+
+    fn trigonometric(periods: &Periods, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
+        let nome = nome(periods.quarter_prime, periods.quarter);
+        let waves = [a, b].map(|zero| Wave::new(zero, nome, periods.quarter));
+        let [scale_a, scale_b] = [size_a / waves[0].at_zero(), size_b / waves[1].at_zero()];
+        let series = Self {
+            hyperbolic: false,
+            nome: nome.to_f64(),
+            sides: [
+                [waves[0].h(scale_a), waves[1].h1(scale_b)],
+                [waves[1].h(-scale_b), waves[0].h1(scale_a)],
+            ],
+        };
+        Matched {
+            series,
+            slope_a: waves[0].slope(),
+            slope_b: waves[1].slope(),
+        }
+    }
+
+    fn hyperbolic(periods: &Periods, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
+        let nome = nome(periods.quarter, periods.quarter_prime);
+        let waves = [a, b].map(|zero| Ripple::new(zero, nome, periods.quarter_prime));
+        // theta_3(0) and theta_2(0)/(2 q'^(1/4)) at nome q'.
+        let (mut theta3, mut theta2) = (Dd::ONE, Dd::ONE);
+        for n in 1..TERMS {
+            theta3 += power(nome, n * n).scaled(2.0);
+            theta2 += power(nome, n * (n + 1));
+        }
+        let scale_a = size_a * theta3 / waves[0].at_zero();
+        let scale_b = size_b * theta2 / waves[1].at_zero();
+        let scale_upper = scale_b * nome.sqrt().scaled(4.0);
+        let series = Self {
+            hyperbolic: true,
+            nome: nome.to_f64(),
+            sides: [
+                [waves[0].h(scale_a), waves[1].h1(scale_b)],
+                [waves[1].h(-scale_upper), waves[0].h1(scale_a)],
+            ],
+        };
+        Matched {
+            series,
+            slope_a: waves[0].slope(),
+            slope_b: waves[1].slope(),
+        }
+    }
+
+    /// Both parameters at the distance `x` (z or w) from a turning point.
+    #[inline]
+    pub fn at(&self, upper: bool, x: f64) -> Pair {
+        let [h, h1] = &self.sides[usize::from(upper)];
+        let (k, odd, even, re1, im1) = if self.hyperbolic {
+            let (odd, even, e, sum, difference) = self.hyperbolic_functions(x);
+            (sum, odd, even, e, e * difference)
+        } else {
+            let (sin, cos) = math::sincos(x);
+            (2.0 - 4.0 * sin * sin, sin, cos, cos, sin)
+        };
+        let first = Complex::new(odd * horner(&h.re, k), even * horner(&h.im, k));
+        let second = Complex::new(re1 * horner(&h1.re, k), im1 * horner(&h1.im, k));
+        if upper {
+            Pair {
+                a: second,
+                b: first,
+            }
+        } else {
+            Pair {
+                a: first,
+                b: second,
+            }
+        }
+    }
+
+    /// The same with the derivatives by `x`.
+    #[inline]
+    pub fn with_slopes(&self, upper: bool, x: f64) -> (Pair, Pair) {
+        let [h, h1] = &self.sides[usize::from(upper)];
+        // Factors and k with their derivatives; the common e^-|w| counts as constant.
+        let (k, dk, odd, even, d_even, re1, d_re1, im1, d_im1);
+        if self.hyperbolic {
+            let (sinh, cosh, e, sum, difference) = self.hyperbolic_functions(x);
+            (k, dk) = (sum, 2.0 * difference);
+            (odd, even, d_even) = (sinh, cosh, sinh);
+            (re1, d_re1) = (e, 0.0);
+            (im1, d_im1) = (e * difference, e * 2.0 * sum);
+        } else {
+            let (sin, cos) = math::sincos(x);
+            (k, dk) = (2.0 - 4.0 * sin * sin, -8.0 * sin * cos);
+            (odd, even, d_even) = (sin, cos, -sin);
+            (re1, d_re1) = (cos, -sin);
+            (im1, d_im1) = (sin, cos);
+        }
+        let part = |f: f64, df: f64, p: &[f64; 4]| {
+            let value = horner(p, k);
+            let slope = p[1] + k * (2.0 * p[2] + k * 3.0 * p[3]);
+            (f * value, df * value + f * slope * dk)
+        };
+        let (first_re, d_first_re) = part(odd, even, &h.re);
+        let (first_im, d_first_im) = part(even, d_even, &h.im);
+        let (second_re, d_second_re) = part(re1, d_re1, &h1.re);
+        let (second_im, d_second_im) = part(im1, d_im1, &h1.im);
+        let first = Complex::new(first_re, first_im);
+        let second = Complex::new(second_re, second_im);
+        let d_first = Complex::new(d_first_re, d_first_im);
+        let d_second = Complex::new(d_second_re, d_second_im);
+        if upper {
+            (
+                Pair {
+                    a: second,
+                    b: first,
+                },
+                Pair {
+                    a: d_second,
+                    b: d_first,
+                },
+            )
+        } else {
+            (
+                Pair {
+                    a: first,
+                    b: second,
+                },
+                Pair {
+                    a: d_first,
+                    b: d_second,
+                },
+            )
+        }
+    }
+
+    /// e^-|w| times sinh w and cosh w; e^-|w|; q' times 2 cosh 2w and 2 sinh 2w.
+    #[inline]
+    fn hyperbolic_functions(&self, w: f64) -> (f64, f64, f64, f64, f64) {
+        let decay = math::expm1(-2.0 * w.abs());
+        let e = math::exp(-w.abs());
+        let odd = (-0.5 * decay).copysign(w);
+        let even = 0.5 * (2.0 + decay);
+        let (mut sum, mut difference) = (0.0, 0.0);
+        if self.nome > 0.0 {
+            // |w| stays below the middle of the turning points: q' e^{2|w|} <= sqrt(q').
+            let squared = e * e;
+            let grown = self.nome / squared;
+            sum = grown + self.nome * squared;
+            difference = (-decay * (grown + self.nome)).copysign(w);
+        }
+        (odd, even, e, sum, difference)
+    }
+}
+
+/// Horner's rule for a cubic.
+#[inline]
+fn horner(p: &[f64; 4], k: f64) -> f64 {
+    p[0] + k * (p[1] + k * (p[2] + k * p[3]))
+}
+
+/// exp(-pi K'/K), zero if K' is infinite.
+fn nome(quarter_prime: Dd, quarter: Dd) -> Dd {
+    if quarter.is_finite() && quarter_prime.is_finite() {
+        (-(Dd::PI * quarter_prime / quarter)).exp()
+    } else {
+        Dd::ZERO
+    }
+}
+
+/// x^n.
+fn power(x: Dd, n: usize) -> Dd {
+    (0..n).fold(Dd::ONE, |product, _| product * x)
+}
+
+/// The series of H and H1 in q, divided by q^(1/4) e^y, y = pi eta/2K:
+/// weights q^(n^2) (q e^{2y})^n of cosh and sinh((2n+1) y), times 2 e^{-(2n+1)y}.
+struct Wave {
+    sign: f64,
+    cosh: [Dd; TERMS],
+    sinh: [Dd; TERMS],
+}
+
+impl Wave {
+    fn new(zero: &Zero, nome: Dd, quarter: Dd) -> Self {
+        let rest = if zero.rest.is_finite() {
+            // q e^{2y} from K' - eta: no q -> 0 times e^y -> infinity.
+            (-(Dd::PI * zero.rest / quarter)).exp()
+        } else {
+            Dd::ZERO
+        };
+        let (mut cosh, mut sinh) = ([Dd::ZERO; TERMS], [Dd::ZERO; TERMS]);
+        for n in 0..TERMS {
+            let weight = power(nome, n * n) * power(rest, n);
+            let fall = if zero.eta.is_finite() {
+                (Dd::PI * zero.eta / quarter * -((2 * n + 1) as f64)).exp_m1()
+            } else {
+                -Dd::ONE
+            };
+            cosh[n] = weight * (fall + 2.0);
+            sinh[n] = -weight * fall;
+        }
+        Self {
+            sign: zero.sign,
+            cosh,
+            sinh,
+        }
+    }
+
+    /// H1(-i eta).
+    fn at_zero(&self) -> Dd {
+        self.cosh.iter().fold(Dd::ZERO, |sum, c| sum + *c)
+    }
+
+    /// d arg H1(x - i eta)/dz at x = 0.
+    fn slope(&self) -> Dd {
+        let sum = self
+            .sinh
+            .iter()
+            .enumerate()
+            .fold(Dd::ZERO, |sum, (n, s)| sum + *s * (2 * n + 1) as f64);
+        sum / self.at_zero() * self.sign
+    }
+
+    /// H(x - i eta) = sum (-1)^n [sin(2n+1)z cosh(2n+1)y - i cos(2n+1)z sinh(2n+1)y].
+    fn h(&self, scale: Dd) -> Factor {
+        let alternating = |n: usize| if n.is_multiple_of(2) { scale } else { -scale };
+        let re = core::array::from_fn(|n| self.cosh[n] * alternating(n));
+        let im = core::array::from_fn(|n| self.sinh[n] * alternating(n) * -self.sign);
+        Factor {
+            re: odd_polynomial(re).map(Dd::to_f64),
+            im: even_polynomial(im).map(Dd::to_f64),
+        }
+    }
+
+    /// H1(x - i eta) = sum [cos(2n+1)z cosh(2n+1)y + i sin(2n+1)z sinh(2n+1)y].
+    fn h1(&self, scale: Dd) -> Factor {
+        let re = core::array::from_fn(|n| self.cosh[n] * scale);
+        let im = core::array::from_fn(|n| self.sinh[n] * scale * self.sign);
+        Factor {
+            re: even_polynomial(re).map(Dd::to_f64),
+            im: odd_polynomial(im).map(Dd::to_f64),
+        }
+    }
+}
+
+/// The same after Jacobi's imaginary transformation: H as theta_1(y' + iw | q') divided
+/// by 2 q'^(1/4) i, H1 as theta_4(y' + iw | q'), y' = pi eta/2K'.
+struct Ripple {
+    sign: f64,
+    nome: Dd,
+    /// sin and cos of j y', j = 0, 1, ...
+    harmonics: [(Dd, Dd); 2 * TERMS],
+}
+
+impl Ripple {
+    fn new(zero: &Zero, nome: Dd, quarter_prime: Dd) -> Self {
+        let angle = Dd::FRAC_PI_2 * zero.eta / quarter_prime;
+        Self {
+            sign: zero.sign,
+            nome,
+            harmonics: core::array::from_fn(|j| (angle * j as f64).sin_cos()),
+        }
+    }
+
+    /// (-1)^n q'^n.
+    fn weight(&self, exponent: usize, n: usize) -> Dd {
+        let weight = power(self.nome, exponent);
+        if n.is_multiple_of(2) { weight } else { -weight }
+    }
+
+    /// theta_4(y').
+    fn at_zero(&self) -> Dd {
+        (1..TERMS).fold(Dd::ONE, |sum, n| {
+            sum + self.weight(n * n, n).scaled(2.0) * self.harmonics[2 * n].1
+        })
+    }
+
+    /// d arg theta_4(y' + iw)/dw at w = 0.
+    fn slope(&self) -> Dd {
+        let sum = (1..TERMS).fold(Dd::ZERO, |sum, n| {
+            sum - self.weight(n * n, n) * self.harmonics[2 * n].0 * (4 * n) as f64
+        });
+        sum / self.at_zero() * self.sign
+    }
+
+    /// sum (-1)^n q'^(n(n+1)) [cos(2n+1)y' sinh(2n+1)w - i sin(2n+1)y' cosh(2n+1)w],
+    /// in powers of q' 2 cosh 2w.
+    fn h(&self, scale: Dd) -> Factor {
+        let term = |n: usize, j: usize, wave: Dd| {
+            // q'^(n(n+1) - j) belongs to the power j <= n of the variable.
+            self.weight(n * (n + 1) - j, n) * wave * scale
+        };
+        let by_power = |polynomial: fn([Dd; 4]) -> [Dd; 4], wave: &dyn Fn(usize) -> Dd| {
+            core::array::from_fn(|j| {
+                let terms =
+                    core::array::from_fn(|n| if n < j { Dd::ZERO } else { term(n, j, wave(n)) });
+                polynomial(terms)[j].to_f64()
+            })
+        };
+        Factor {
+            re: by_power(odd_polynomial, &|n| self.harmonics[2 * n + 1].1),
+            im: by_power(even_polynomial, &|n| {
+                self.harmonics[2 * n + 1].0 * -self.sign
+            }),
+        }
+    }
+
+    /// 1 + 2 sum (-1)^n q'^(n^2) [cos 2ny' cosh 2nw - i sin 2ny' sinh 2nw].
+    fn h1(&self, scale: Dd) -> Factor {
+        let re = |n: usize, j: usize| self.weight(n * n - j, n) * self.harmonics[2 * n].1;
+        let im =
+            |n: usize, j: usize| -self.weight(n * n - j, n) * self.harmonics[2 * n].0 * self.sign;
+        // 2 cosh 4w = k^2 - 2, 2 cosh 6w = k^3 - 3k; sinh 4w = k sinh 2w,
+        // sinh 6w = (k^2 - 1) sinh 2w.
+        let re = [
+            Dd::ONE - re(2, 0).scaled(2.0),
+            re(1, 1) - re(3, 1) * 3.0,
+            re(2, 2),
+            re(3, 3),
+        ];
+        let im = [im(1, 1) - im(3, 1), im(2, 2), im(3, 3), Dd::ZERO];
+        Factor {
+            re: re.map(|c| (c * scale).to_f64()),
+            im: im.map(|c| (c * scale).to_f64()),
+        }
+    }
+}
+
+/// sum c_n sin((2n+1)z)/sin z in powers of k = 2 cos 2z.
+fn odd_polynomial(c: [Dd; 4]) -> [Dd; 4] {
+    [
+        c[0] + c[1] - c[2] - c[3],
+        c[1] + c[2] - c[3].scaled(2.0),
+        c[2] + c[3],
+        c[3],
+    ]
+}
+
+/// sum c_n cos((2n+1)z)/cos z in powers of k = 2 cos 2z.
+fn even_polynomial(c: [Dd; 4]) -> [Dd; 4] {
+    [
+        c[0] - c[1] - c[2] + c[3],
+        c[1] - c[2] - c[3].scaled(2.0),
+        c[2] - c[3],
+        c[3],
+    ]
+}
