@@ -59,8 +59,18 @@ pub enum Error {
     TriangleInequality { moments: [f64; 3] },
     /// A tensor that must be symmetric is not: its largest |I_ij - I_ji|.
     NotSymmetric { difference: f64 },
-    /// A time at which the described motion has not begun or is over.
-    OutsideMotion { time: f64, start: f64, end: f64 },
+    /// A phase is entered whose own condition does not hold.
+    ConditionBroken {
+        name: &'static str,
+        value: f64,
+        t: f64,
+    },
+    /// A scene changes its phase again and again without getting on.
+    TooManyPhases { t: f64, limit: usize },
+    /// A change of phase was waited for and did not come.
+    NotReached { name: &'static str, until: f64 },
+    /// The error asked for at the end cannot be reached with doubles.
+    NotDelivered { requested: f64, reached: f64 },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -148,9 +158,21 @@ impl fmt::Display for Error {
                 f,
                 "the tensor is not symmetric: elements across the diagonal differ by {difference:e}"
             ),
-            Self::OutsideMotion { time, start, end } => write!(
+            Self::ConditionBroken { name, value, t } => write!(
                 f,
-                "t = {time} s lies outside the motion, which lasts from {start} s to {end} s"
+                "at t = {t} a phase begins in which \"{name}\" must not be negative, but it is {value}"
+            ),
+            Self::TooManyPhases { t, limit } => write!(
+                f,
+                "after {limit} changes of phase the scene has only come to t = {t}"
+            ),
+            Self::NotReached { name, until } => {
+                write!(f, "\"{name}\" does not happen until t = {until}")
+            }
+            Self::NotDelivered { requested, reached } => write!(
+                f,
+                "an error of {requested:e} is asked for, and {reached:.1e} is the smallest that \
+                 shows in doubles"
             ),
         }
     }

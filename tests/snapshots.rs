@@ -7,7 +7,11 @@
 //!
 //! A new example: a module below, its line in [`all`], and the two counts.
 
+#[path = "../examples/ch16_ex6_ladder.rs"]
+mod ch16_ex6_ladder;
+
 use insta::Settings;
+use rotation_dynamics::report::cli::Example;
 use rotation_dynamics::report::draw::PALETTE;
 use rotation_dynamics::report::{Figure, parse};
 use std::collections::BTreeSet;
@@ -22,11 +26,21 @@ struct Locked {
 }
 
 /// How many examples there are, and how many figures they draw.
-const EXAMPLES: usize = 0;
-const FIGURES: usize = 0;
+const EXAMPLES: usize = 1;
+const FIGURES: usize = 8;
 
 fn all() -> Vec<Locked> {
-    Vec::new()
+    vec![locked(&ch16_ex6_ladder::EXAMPLE)]
+}
+
+fn locked<P: Default>(example: &Example<P>) -> Locked {
+    let (text, figures) = example.locked().expect("the default output is sound");
+    Locked {
+        stem: example.stem,
+        flags: example.flags.iter().map(|flag| flag.name()).collect(),
+        text,
+        figures,
+    }
 }
 
 fn settings(path: &str) -> Settings {

@@ -1,1 +1,179 @@
-//! (to be written)
+//! Scenes that move through phases: contacts that let go, gaps that close,
+//! friction that stops.
+//!
+//! Between two such events the motion is smooth; at them the equations change.
+//! A scene says which equations hold in which [phase](Phased::Phase) and under
+//! which [`Condition`]s the phase lasts: a contact that must push, a gap that must
+//! stay open. [`simulate`] integrates each phase with
+//! [`Dop853`](crate::integrators::Dop853), locates the
+//! moment when the first condition fails, and enters the next phase there.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Phased`] | a scene: phases, equations, conditions |
+//! | [`Condition`], [`Next`] | what a phase needs, and what follows when it fails |
+//! | [`simulate`], [`Run`] | the motion, with its events, from phase to phase |
+//! | [`simulate_within`] | the same with a bound on the error at the end |
+//! | [`Bilateral`] | the same scene with contacts that may pull: the usual mistake |
+//!
+//! Not for: rotation in three dimensions ([`crate::scene`]), and many contacts at
+//! once, where which of them act is itself a problem to be solved.
+
+mod bilateral;
+mod dial;
+mod run;
+
+pub use bilateral::Bilateral;
+pub use dial::{Delivered, simulate_within};
+pub use run::{Leg, Run, Transition, simulate};
+
+/// A scene with `N` coordinates and velocities that moves through phases.
+///
+/// The equations must not depend on time; a scene that is driven carries its
+/// clock as a coordinate.
+///
+/// ```
+/// use rotation_dynamics::integrators::Dop853;
+/// use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
+///
+/// /// A ball dropped on a floor, from which it rebounds with half its speed.
+/// struct Ball;
+/// impl Phased<2> for Ball {
+///     type Phase = ();
+///     fn derivative(&self, _: (), [_, speed]: &[f64; 2]) -> [f64; 2] {
+///         [*speed, -10.0]
+///     }
+///     fn conditions(&self, _: ()) -> Vec<Condition<'_, (), 2>> {
+///         let rebound = Next::jump((), |[_, speed]: &[f64; 2]| [0.0, -0.5 * speed]);
+///         vec![Condition::gap("height", |y| y[0], rebound)]
+///     }
+/// }
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let run = simulate(&Ball, &Dop853::new(1e-12)?, (), [5.0, 0.0], 1.5)?;
+/// let bounce = run.transition("height")?;
+/// assert!((bounce.t - 1.0).abs() < 1e-14);
+/// assert_eq!(bounce.after, [0.0, -0.5 * bounce.before[1]]);
+/// # Ok(())
+/// # }
+/// ```
+pub trait Phased<const N: usize> {
+    /// What tells the phases apart.
+    type Phase: Copy + PartialEq + core::fmt::Debug;
+
+    /// The rates of coordinates and velocities in `phase`.
+    fn derivative(&self, phase: Self::Phase, state: &[f64; N]) -> [f64; N];
+
+    /// Under which conditions `phase` lasts; none if it lasts for ever.
+    fn conditions(&self, phase: Self::Phase) -> Vec<Condition<'_, Self::Phase, N>>;
+
+    /// The size against which errors count, as [`crate::integrators::Ode::scale`].
+    fn scale(&self, state: &[f64; N]) -> [f64; N] {
+        state.map(|c| c.abs().max(1.0))
+    }
+}
+
+impl<const N: usize, S: Phased<N>> Phased<N> for &S {
+    type Phase = S::Phase;
+    fn derivative(&self, phase: S::Phase, state: &[f64; N]) -> [f64; N] {
+        (**self).derivative(phase, state)
+    }
+    fn conditions(&self, phase: S::Phase) -> Vec<Condition<'_, S::Phase, N>> {
+        (**self).conditions(phase)
+    }
+    fn scale(&self, state: &[f64; N]) -> [f64; N] {
+        (**self).scale(state)
+    }
+}
+
+/// Something that must not be negative while a phase lasts.
+pub struct Condition<'s, P, const N: usize> {
+    name: &'static str,
+    kind: Kind,
+    margin: Margin<'s, N>,
+    next: Next<'s, P, N>,
+}
+
+/// A function of the state.
+type Margin<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> f64 + 's>;
+
+/// How a condition behaves where its phase begins, and what it stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// The force of a contact that can push and not pull.
+    Contact,
+    /// The distance of things that cannot pass through one another, or anything
+    /// else that must hold.
+    Gap,
+    /// A gap that is shut where the phase begins, and opens.
+    Opening,
+}
+
+impl<'s, P, const N: usize> Condition<'s, P, N> {
+    /// The contact pushes with `force`; when it would have to pull, `next` follows.
+    pub fn contact(
+        name: &'static str,
+        force: impl Fn(&[f64; N]) -> f64 + 's,
+        next: Next<'s, P, N>,
+    ) -> Self {
+        Self::new(name, Kind::Contact, force, next)
+    }
+
+    /// The `gap` stays open; when it closes, `next` follows. (Also for anything
+    /// else that must not become negative, such as a sliding speed.)
+    pub fn gap(
+        name: &'static str,
+        gap: impl Fn(&[f64; N]) -> f64 + 's,
+        next: Next<'s, P, N>,
+    ) -> Self {
+        Self::new(name, Kind::Gap, gap, next)
+    }
+
+    /// The `gap` is shut at the beginning of the phase (its sign is round-off there),
+    /// opens, and stays open; when it closes again, `next` follows.
+    pub fn opening_gap(
+        name: &'static str,
+        gap: impl Fn(&[f64; N]) -> f64 + 's,
+        next: Next<'s, P, N>,
+    ) -> Self {
+        Self::new(name, Kind::Opening, gap, next)
+    }
+
+    fn new(
+        name: &'static str,
+        kind: Kind,
+        margin: impl Fn(&[f64; N]) -> f64 + 's,
+        next: Next<'s, P, N>,
+    ) -> Self {
+        Self {
+            name,
+            kind,
+            margin: Box::new(margin),
+            next,
+        }
+    }
+
+    /// Its name, which is also the name of the event when it fails.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+}
+
+/// What follows when a condition fails.
+pub enum Next<'s, P, const N: usize> {
+    /// This phase, with the state as it is.
+    Enter(P),
+    /// This phase, with the state that an impact leaves.
+    Jump(P, Impact<'s, N>),
+    /// Nothing: the scene ends.
+    End,
+}
+
+/// The state after an impact as a function of the state before.
+pub type Impact<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> [f64; N] + 's>;
+
+impl<'s, P, const N: usize> Next<'s, P, N> {
+    /// The phase `phase` after an impact that changes the state by `impact`.
+    pub fn jump(phase: P, impact: impl Fn(&[f64; N]) -> [f64; N] + 's) -> Self {
+        Self::Jump(phase, Box::new(impact))
+    }
+}

@@ -1,0 +1,109 @@
+//! The dial: ask for an error at the end, get it, see the price.
+
+use super::{Phased, Run, simulate};
+use crate::error::{Error, Result, finite};
+use crate::integrators::{Dop853, Work};
+
+/// Between two runs that are compared, the error of a step differs by this factor.
+const STRIDE: f64 = 32.0;
+
+/// A run whose error was asked for.
+#[derive(Debug, Clone)]
+pub struct Delivered<P, const N: usize> {
+    /// The motion.
+    pub run: Run<P, N>,
+    /// How far it is from the run before it, which was made with larger steps:
+    /// an upper estimate of its error.
+    pub estimate: f64,
+    /// What all runs together cost.
+    pub work: Work,
+}
+
+/// The motion of `scene` with an error of at most `tolerance` at every event and at the end.
+///
+/// Errors are relative: of times to the time of the end, of coordinates and
+/// velocities to [`Phased::scale`]. The scene is simulated twice, the second time
+/// with the error of a step 32 times smaller; the second run is returned when the
+/// two agree within half the tolerance, else the comparison goes on with
+/// smaller errors of the step. What the two have in common, such as the rounding
+/// of a coordinate that the scene is sensitive to, this does not see.
+///
+/// # Errors
+/// [`Error::OutOfRange`] for a tolerance below 3.2e-14 or above 0.1,
+/// [`Error::NotDelivered`] if doubles cannot hold the motion that closely;
+/// those of [`simulate`].
+pub fn simulate_within<const N: usize, S: Phased<N>>(
+    scene: &S,
+    tolerance: f64,
+    phase: S::Phase,
+    start: [f64; N],
+    t_end: f64,
+) -> Result<Delivered<S::Phase, N>> {
+    finite("tolerance", tolerance)?;
+    if !(STRIDE * Dop853::SMALLEST_TOLERANCE..=Dop853::LARGEST_TOLERANCE).contains(&tolerance) {
+        return Err(Error::OutOfRange {
+            name: "tolerance",
+            value: tolerance,
+            allowed: "from 3.2e-14 to 0.1",
+        });
+    }
+    let run = |step_error: f64| simulate(scene, &Dop853::new(step_error)?, phase, start, t_end);
+    let mut step_error = tolerance;
+    let mut coarse = run(step_error)?;
+    let mut work = coarse.work();
+    let mut reached = f64::INFINITY;
+    loop {
+        step_error /= STRIDE;
+        if step_error < Dop853::SMALLEST_TOLERANCE {
+            return Err(Error::NotDelivered {
+                requested: tolerance,
+                reached,
+            });
+        }
+        let fine = run(step_error)?;
+        work += fine.work();
+        let estimate = distance(scene, &coarse, &fine);
+        if estimate <= 0.5 * tolerance {
+            return Ok(Delivered {
+                run: fine,
+                estimate,
+                work,
+            });
+        }
+        reached = reached.min(estimate);
+        coarse = fine;
+    }
+}
+
+/// The largest relative difference of two runs at their events and ends; infinite if
+/// they pass through different phases.
+fn distance<const N: usize, S: Phased<N>>(
+    scene: &S,
+    a: &Run<S::Phase, N>,
+    b: &Run<S::Phase, N>,
+) -> f64 {
+    let (events_a, events_b) = (a.transitions(), b.transitions());
+    let same = events_a.len() == events_b.len()
+        && events_a
+            .iter()
+            .zip(events_b)
+            .all(|(x, y)| x.name == y.name && x.to == y.to);
+    if !same {
+        return f64::INFINITY;
+    }
+    let span = b.end_time();
+    let apart = |x: &[f64; N], y: &[f64; N]| {
+        let size = scene.scale(y);
+        (0..N).fold(0.0_f64, |most, i| most.max((x[i] - y[i]).abs() / size[i]))
+    };
+    let mut most = (a.end_time() - span).abs() / span;
+    for (x, y) in events_a.iter().zip(events_b) {
+        most = most
+            .max((x.t - y.t).abs() / span)
+            .max(apart(&x.before, &y.before));
+    }
+    match (a.end_state(), b.end_state()) {
+        (Some(x), Some(y)) => most.max(apart(x, y)),
+        _ => most,
+    }
+}

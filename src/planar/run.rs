@@ -1,0 +1,192 @@
+//! The motion of a scene from phase to phase.
+
+use super::{Condition, Kind, Next, Phased};
+use crate::error::{Error, Result};
+use crate::integrators::{Dop853, Event, Ode, Solution, Work};
+
+/// Changes of phase in one run, at most: a ball that bounces ever lower is
+/// stopped here.
+const PHASE_LIMIT: usize = 1000;
+
+/// The motion within one phase.
+#[derive(Debug, Clone)]
+pub struct Leg<P, const N: usize> {
+    /// The phase.
+    pub phase: P,
+    /// The state at any time of the phase.
+    pub solution: Solution<N>,
+}
+
+/// A change of phase, or the end of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transition<P, const N: usize> {
+    /// The condition that failed.
+    pub name: &'static str,
+    /// When, located to the accuracy of the run.
+    pub t: f64,
+    /// The phase that ends.
+    pub from: P,
+    /// The phase that begins; `None` where the scene ends.
+    pub to: Option<P>,
+    /// The state in which the condition failed.
+    pub before: [f64; N],
+    /// The state with which the next phase begins; other than `before` after an impact.
+    pub after: [f64; N],
+}
+
+/// A motion through phases.
+#[derive(Debug, Clone)]
+pub struct Run<P, const N: usize> {
+    legs: Vec<Leg<P, N>>,
+    transitions: Vec<Transition<P, N>>,
+    work: Work,
+}
+
+/// A scene held in one phase.
+struct InPhase<'s, S, P>(&'s S, P);
+
+impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
+    fn derivative(&self, _t: f64, state: &[f64; N]) -> [f64; N] {
+        self.0.derivative(self.1, state)
+    }
+    fn scale(&self, state: &[f64; N]) -> [f64; N] {
+        self.0.scale(state)
+    }
+}
+
+/// The motion of `scene` from `start` in `phase`, from time 0 to `t_end` or to the end
+/// of the scene.
+///
+/// Accuracy: that of `method`; events are located by real steps, as accurately as the
+/// motion itself.
+///
+/// # Errors
+/// [`Error::ConditionBroken`] if a phase begins although one of its conditions does
+/// not hold, [`Error::TooManyPhases`] after a thousand changes of phase, and those of
+/// [`Dop853::solve`].
+pub fn simulate<const N: usize, S: Phased<N>>(
+    scene: &S,
+    method: &Dop853,
+    phase: S::Phase,
+    start: [f64; N],
+    t_end: f64,
+) -> Result<Run<S::Phase, N>> {
+    let mut run = Run {
+        legs: Vec::new(),
+        transitions: Vec::new(),
+        work: Work::default(),
+    };
+    let (mut t, mut phase, mut state) = (0.0, phase, start);
+    while run.legs.len() < PHASE_LIMIT {
+        let conditions = scene.conditions(phase);
+        check_entry(&conditions, t, &state)?;
+        let events: Vec<_> = conditions
+            .iter()
+            .map(|c| Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal())
+            .collect();
+        let solution = method.solve(&InPhase(scene, phase), t, &state, t_end, &events)?;
+        run.work += solution.work();
+        let failed = solution
+            .stopped_by()
+            .map(|event| (event.index, event.t, event.state));
+        run.legs.push(Leg { phase, solution });
+        let Some((index, when, before)) = failed else {
+            return Ok(run);
+        };
+        let (to, after) = match &conditions[index].next {
+            Next::Enter(to) => (Some(*to), before),
+            Next::Jump(to, impact) => (Some(*to), impact(&before)),
+            Next::End => (None, before),
+        };
+        run.transitions.push(Transition {
+            name: conditions[index].name,
+            t: when,
+            from: phase,
+            to,
+            before,
+            after,
+        });
+        let Some(to) = to.filter(|_| when < t_end) else {
+            return Ok(run);
+        };
+        (t, phase, state) = (when, to, after);
+    }
+    Err(Error::TooManyPhases {
+        t,
+        limit: PHASE_LIMIT,
+    })
+}
+
+fn check_entry<P, const N: usize>(
+    conditions: &[Condition<'_, P, N>],
+    t: f64,
+    state: &[f64; N],
+) -> Result<()> {
+    for condition in conditions.iter().filter(|c| c.kind != Kind::Opening) {
+        let value = (condition.margin)(state);
+        // Not `value < 0`: what is not a number does not hold either.
+        if !matches!(value, v if v >= 0.0) {
+            return Err(Error::ConditionBroken {
+                name: condition.name,
+                value,
+                t,
+            });
+        }
+    }
+    Ok(())
+}
+
+impl<P: Copy, const N: usize> Run<P, N> {
+    /// The phases in order, each with its motion.
+    pub fn legs(&self) -> &[Leg<P, N>] {
+        &self.legs
+    }
+
+    /// The changes of phase in order, the end of the scene included.
+    pub fn transitions(&self) -> &[Transition<P, N>] {
+        &self.transitions
+    }
+
+    /// The first change of phase by the condition with this name.
+    ///
+    /// # Errors
+    /// [`Error::NotReached`] if there was none.
+    pub fn transition(&self, name: &'static str) -> Result<&Transition<P, N>> {
+        let found = self.transitions.iter().find(|t| t.name == name);
+        found.ok_or_else(|| Error::NotReached {
+            name,
+            until: self.end_time(),
+        })
+    }
+
+    /// When the run ended.
+    pub fn end_time(&self) -> f64 {
+        self.legs.last().map_or(0.0, |leg| leg.solution.end_time())
+    }
+
+    /// Phase and state at `t`; at a change of phase, those before it.
+    ///
+    /// # Errors
+    /// [`Error::OutsideRun`] for a time before the start or after the end.
+    pub fn at(&self, t: f64) -> Result<(P, [f64; N])> {
+        let outside = || Error::OutsideRun {
+            t,
+            start: 0.0,
+            end: self.end_time(),
+        };
+        let holds = |leg: &&Leg<P, N>| t <= leg.solution.end_time();
+        let leg = self.legs.iter().find(holds).ok_or_else(outside)?;
+        let state = leg.solution.at(t).map_err(|_| outside())?;
+        Ok((leg.phase, state))
+    }
+
+    /// The state at the end of the run.
+    pub fn end_state(&self) -> Option<&[f64; N]> {
+        self.legs.last().map(|leg| leg.solution.end_state())
+    }
+
+    /// What the run cost.
+    pub fn work(&self) -> Work {
+        self.work
+    }
+}
