@@ -5,7 +5,6 @@ use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::scene::Scene;
 
@@ -38,11 +37,4 @@ pub fn figure_3() -> (HeavyTop, State) {
 pub fn distance(a: &State, b: &State) -> f64 {
     let angle = a.attitude.angle_to(&b.attitude);
     angle.max((a.angular_momentum - b.angular_momentum).norm())
-}
-
-/// Where the top of fig. 3 is at t, to about 1e-14 at t = 20.
-pub fn at(t: f64) -> State {
-    let (scene, start) = figure_3();
-    let method = Dop853::new(1e-15).expect("valid");
-    method.advance(&scene, 0.0, &start, t).expect("smooth").0
 }

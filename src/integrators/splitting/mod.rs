@@ -10,6 +10,7 @@ mod scheme;
 mod top;
 
 pub use scheme::{Outer, Scheme};
+pub use top::TopPoint;
 
 use super::explicit::no_steps;
 use super::{About, Integrator, Work};

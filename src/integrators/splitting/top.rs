@@ -24,6 +24,13 @@ pub struct TopPoint {
     spin: f64,
 }
 
+impl TopPoint {
+    /// The quaternion as it is carried, of unit length but for round-off.
+    pub const fn quaternion(&self) -> [f64; 4] {
+        self.quaternion.value
+    }
+}
+
 impl<E: AxisEffect> Separable for Scene<E> {
     type State = State;
     type Point = TopPoint;

@@ -1,0 +1,102 @@
+//! A million kicks: what must not drift does not.
+
+use crate::top::{HeavyTop, distance, figure_3};
+use rotation_dynamics::body::State;
+use rotation_dynamics::integrators::splitting::Separable;
+use rotation_dynamics::integrators::{Integrator, Rk4, Scheme, Splitting};
+use rotation_dynamics::math::EPS;
+use rotation_dynamics::scene::Invariant;
+
+/// Kicks in a run, and the time between them (the period of the nutation is 3.87).
+const KICKS: u64 = 1_000_000;
+const SPACING: f64 = 0.05;
+
+#[test]
+fn the_quaternion_stays_unit_and_the_momenta_stay() {
+    let (scene, start) = figure_3();
+    let mut point = scene.enter(&start).expect("a symmetric body");
+    let mut excess: f64 = 0.0;
+    for _ in 0..KICKS {
+        scene.flow(&mut point, SPACING);
+        scene.kick(&mut point, SPACING);
+        scene.settle(&mut point);
+        let square: f64 = point.quaternion().iter().map(|c| c * c).sum();
+        excess = excess.max((square - 1.0).abs());
+    }
+    // Measured: 6 eps in the square of the length.
+    assert!(excess <= 6.0 * EPS, "{:.1} eps", excess / EPS);
+    let end = scene.leave(&point, SPACING * KICKS as f64).expect("finite");
+    let change = |q| (scene.value(q, &end) - scene.value(q, &start)).abs();
+    // The kick is horizontal: nothing touches L_Z.
+    assert_eq!(change(Invariant::MomentumZ), 0.0);
+    // Measured: 4 eps.
+    let axial = change(Invariant::AxialMomentum) / EPS;
+    assert!(axial <= 4.0, "{axial:.1} eps");
+}
+
+type Method<'a> = &'a dyn Integrator<HeavyTop, State>;
+
+/// The energy error at 200 times in a run of 200 stretches: the largest, and by how
+/// much of that its mean moves from the first half of the run to the second.
+fn energy(method: Method, stretch: f64) -> (f64, f64) {
+    let (scene, start) = figure_3();
+    let mut state = start;
+    let mut errors = Vec::new();
+    for i in 0..200 {
+        let t = f64::from(i) * stretch;
+        (state, _) = method
+            .advance(&scene, t, &state, t + stretch)
+            .expect("smooth");
+        errors.push(scene.energy(&state) - scene.energy(&start));
+    }
+    let largest = errors.iter().fold(0.0_f64, |m, e| m.max(e.abs()));
+    let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len() as f64;
+    let drift = mean(&errors[100..]) - mean(&errors[..100]);
+    (largest, drift.abs() / largest)
+}
+
+#[test]
+fn the_energy_swings_but_does_not_drift() {
+    let mut ran = 0;
+    // Largest error just above the measured one; measured drifts 0.9 %, 0.09 %, 0.05 %.
+    for (scheme, bound) in [
+        (Scheme::STRANG, 2.2e-5),
+        (Scheme::SRKN6, 7.5e-9),
+        (Scheme::SRKN14, 7.7e-10),
+    ] {
+        let steps = KICKS / 200 / scheme.kicks();
+        let stretch = SPACING * (steps * scheme.kicks()) as f64;
+        let method = Splitting::new(scheme, steps).expect("some steps");
+        let (largest, drift) = energy(&method, stretch);
+        assert!(
+            largest <= bound && largest > 0.9 * bound,
+            "{} {largest:e}",
+            scheme.name
+        );
+        assert!(drift < 0.01, "{} {drift}", scheme.name);
+        ran += 1;
+    }
+    assert_eq!(ran, 3);
+    // RK4 at the same price loses energy all the way: measured 0.50 of the largest
+    // error 0.071, as a straight line would.
+    let rk4 = Rk4::new(KICKS / 4 / 200).expect("some steps");
+    let (largest, drift) = energy(&rk4, SPACING * (KICKS / 200) as f64);
+    assert!(largest > 0.05 && drift > 0.4, "{largest} {drift}");
+}
+
+#[test]
+fn a_million_kicks_and_back() {
+    let (scene, start) = figure_3();
+    let span = SPACING * KICKS as f64;
+    let mut ran = 0;
+    for scheme in [Scheme::STRANG, Scheme::SRKN6, Scheme::SRKN14] {
+        let method = Splitting::new(scheme, KICKS / scheme.kicks()).expect("some steps");
+        let (end, _) = method.advance(&scene, 0.0, &start, span).expect("there");
+        let (back, _) = method.advance(&scene, span, &end, 0.0).expect("back");
+        // Measured: 2.9e-10, 1.6e-11, 1.7e-10: an error of the momentum made on the way
+        // turns the attitude for up to 50000 time units.
+        assert!(distance(&back, &start) <= 3e-10, "{}", scheme.name);
+        ran += 1;
+    }
+    assert_eq!(ran, 3);
+}
