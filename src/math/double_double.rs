@@ -34,7 +34,7 @@ pub struct DoubleDouble {
 }
 
 /// `a + b` exactly, as rounded sum and error; any order of magnitudes (Knuth).
-#[inline]
+#[inline(always)]
 pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
@@ -43,14 +43,14 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// `a + b` exactly when `|a| >= |b|` (Dekker).
-#[inline]
+#[inline(always)]
 pub fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
 /// `a * b` exactly, as rounded product and error (Veltkamp's splitting, Dekker).
-#[inline]
+#[inline(always)]
 pub fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let (a_hi, a_lo) = split(a);
@@ -60,7 +60,7 @@ pub fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// Two halves of 26 bits each, whose products are exact.
-#[inline]
+#[inline(always)]
 fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0; // 2^27 + 1
     let scaled = SPLITTER * a;

@@ -6,12 +6,14 @@
 //! four operations are exact by IEEE 754 and are used as methods of `f64`.)
 
 pub mod double_double;
+mod turns;
 
 pub use double_double::DoubleDouble;
 pub use libm::{
     acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
     ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
+pub use turns::{round_even, sincos_turns};
 
 /// The unit round-off of `f64`, 2^-53: half the distance from 1 to the next number.
 pub const EPS: f64 = 1.110_223_024_625_156_5e-16;

@@ -2,34 +2,29 @@
 //! arithmetic and the sample in plain f64.
 
 use super::norm3;
-use super::series::Series;
+use super::series::{Parts, Series};
 use crate::attitude::Attitude;
 use crate::exact::extended::{carlson_rf, complete_first_kind, first_kind};
-use crate::frame::BodyVector;
 use crate::math::DoubleDouble as Dd;
-use crate::math::sincos;
+use crate::math::{round_even, sincos_turns};
 
-/// Three different moments.
+/// Three different moments, on ordered axes: the third keeps the sign of its rate
+/// for ever (it goes as dn), and J1, J2, J3 are monotonic.
 #[derive(Debug, Clone)]
 pub(super) struct Asymmetric {
-    /// Ordered axes: component r is `sign[r]` times body component `order[r]`; the
-    /// third keeps its sign for ever (it goes as dn), and J1, J2, J3 are monotonic.
-    order: [usize; 3],
-    sign: [f64; 3],
-    /// L/J on the ordered axes.
+    /// L/J on the ordered axes, with the sign; and where each body axis stands in that order.
     rate: [f64; 3],
+    place: [usize; 3],
     /// +1 if J3 < J1, else -1: the sense in which the theta functions turn.
     sense: f64,
-    series: Series,
+    pub(super) series: Series,
     /// Time from the turning point of the first component to t = 0.
     start: Dd,
-    /// 2K in time, None on the separatrix; and its reciprocal.
-    pub(super) half_period: Option<Dd>,
-    per_half_period: f64,
+    /// 2K in time and its reciprocal; None on the separatrix.
+    pub(super) half_period: Option<(Dd, f64)>,
     /// What the azimuth of the third axis gains in a period of the rates (rad).
     pub(super) precession: f64,
-    /// Turns (of 2 pi) gained in `half_period` beyond whole ones, and the local rate
-    /// (rad/s) inside it.
+    /// Turns gained in `half_period` beyond whole ones, and turns per second inside it.
     advance: Dd,
     local_rate: f64,
     /// l3 = c dn, dn^2 = m1 + m (l1/l1max)^2: the small l3 next to the separatrix
@@ -114,17 +109,15 @@ impl Asymmetric {
 
         let first_max = (j1 * amplitude1 / momentum).to_f64();
         let mut motion = Self {
-            order,
-            sign,
-            rate: [0, 1, 2].map(|r| (momentum / j[r]).to_f64()),
+            rate: [0, 1, 2].map(|r| sign[r] * (momentum / j[r]).to_f64()),
+            place: invert(order),
             sense,
             series,
             start: tau / p,
-            half_period,
+            half_period: half_period.map(|half| (half, half.recip().to_f64())),
             precession,
-            per_half_period: half_period.map_or(0.0, |half| half.recip().to_f64()),
             advance,
-            local_rate: local.to_f64(),
+            local_rate: (local / Dd::TWO_PI).to_f64(),
             c: (j3 * amplitude3 / momentum).to_f64(),
             m1: m1.to_f64(),
             m_over_l1: if first_max == 0.0 {
@@ -142,68 +135,87 @@ impl Asymmetric {
     }
 
     /// The closed form: reduce the time, sum two short series, turn by the phase.
+    #[inline(always)]
     pub(super) fn sample(&self, t: f64) -> Sample {
-        let since = self.start + t;
-        let (rest, turns, odd) = match self.half_period {
-            Some(half) => {
-                let n = (since.to_f64() * self.per_half_period).round();
-                let turns = self.advance * n;
-                let turns = (turns - turns.to_f64().round()).to_f64();
-                ((since - half * n).to_f64(), turns, n % 2.0 != 0.0)
+        match (&self.series, self.half_period) {
+            (Series::Trigonometric(series), Some((half, per_half))) => {
+                self.periodic_sample(half, per_half, t, |fraction, _| series.sum(fraction))
             }
-            None => (since.to_f64(), 0.0, false),
-        };
-        let (mut alpha, mut beta) = self.series.sum(rest);
-        alpha[1] *= self.sense;
-        // The constant phase of beta puts l1 > 0 at tau = 0; theta_1 changes sign over 2K.
-        let flip = if (self.sense > 0.0) != odd { -1.0 } else { 1.0 };
-        beta = [flip * beta[0], flip * self.sense * beta[1]];
-        let size =
-            (alpha[0] * alpha[0] + alpha[1] * alpha[1] + beta[0] * beta[0] + beta[1] * beta[1])
-                .sqrt();
-        let (sin, cos) = sincos(self.local_rate * rest + core::f64::consts::TAU * turns);
-        let turn = |v: [f64; 2]| {
-            [
-                (v[0] * cos - v[1] * sin) / size,
-                (v[0] * sin + v[1] * cos) / size,
-            ]
-        };
-        Sample {
-            alpha: turn(alpha),
-            beta: turn(beta),
+            (Series::Hyperbolic(series), Some((half, per_half))) => {
+                self.periodic_sample(half, per_half, t, |_, rest| series.sum(rest))
+            }
+            (Series::Hyperbolic(series), None) => {
+                let rest = (self.start + t).to_f64();
+                self.turned(series.sum(rest), self.local_rate * rest, 1.0)
+            }
+            (Series::Trigonometric(_), None) => unreachable!("the separatrix is hyperbolic"),
         }
     }
 
-    pub(super) fn attitude(&self, sample: &Sample) -> Attitude {
-        Attitude::from_unit(product(
-            product(self.outer, sample.quaternion()),
-            self.inner,
-        ))
+    /// The sample where there is a period. `sum` is given the time from the turning
+    /// point, as a fraction of 2K and in seconds. No branch: a loop of these is
+    /// vector code.
+    #[inline(always)]
+    pub(super) fn periodic_sample(
+        &self,
+        half: Dd,
+        per_half: f64,
+        t: f64,
+        sum: impl Fn(f64, f64) -> Parts,
+    ) -> Sample {
+        let since = self.start + t;
+        let n = round_even(since.hi() * per_half);
+        let rest = (since - half * n).to_f64();
+        let turns = self.advance * n;
+        let turns = (turns - round_even(turns.hi())).to_f64();
+        // theta_1 changes sign over 2K: -1 for odd n.
+        let parity = 1.0 - 2.0 * (n - 2.0 * round_even(0.5 * n - 0.25));
+        let parts = sum(rest * per_half, rest);
+        self.turned(parts, self.local_rate * rest + turns, parity)
     }
 
-    pub(super) fn angular_velocity(&self, sample: &Sample) -> BodyVector {
+    /// alpha and beta, normalised, turned by the phase (in turns).
+    #[inline(always)]
+    fn turned(&self, ([ar, ai], [br, bi]): Parts, phase: f64, parity: f64) -> Sample {
+        // The constant phase of beta puts l1 > 0 at tau = 0.
+        let flip = -self.sense * parity;
+        let (ai, br, bi) = (ai * self.sense, br * flip, bi * flip * self.sense);
+        let scale = 1.0 / (ar * ar + ai * ai + (br * br + bi * bi)).sqrt();
+        let (sin, cos) = sincos_turns(phase);
+        let (sin, cos) = (sin * scale, cos * scale);
+        Sample {
+            alpha: [ar * cos - ai * sin, ar * sin + ai * cos],
+            beta: [br * cos - bi * sin, br * sin + bi * cos],
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn quaternion(&self, sample: &Sample) -> [f64; 4] {
+        product(product(self.outer, sample.quaternion()), self.inner)
+    }
+
+    /// The body rates on the body's own axes.
+    #[inline(always)]
+    pub(super) fn rates(&self, sample: &Sample) -> [f64; 3] {
         // 2 alpha conj(beta) = l2 + i l1.
         let ([ar, ai], [br, bi]) = (sample.alpha, sample.beta);
         let l2 = 2.0 * (ar * br + ai * bi);
         let l1 = 2.0 * (ai * br - ar * bi);
         let l3 = self.c * (self.m1 + self.m_over_l1 * l1 * l1).sqrt();
-        let ordered = [l1, l2, l3];
-        let mut omega = [0.0; 3];
-        for r in 0..3 {
-            omega[self.order[r]] = self.sign[r] * self.rate[r] * ordered[r];
-        }
-        BodyVector::from_array(omega)
+        let ordered = [l1 * self.rate[0], l2 * self.rate[1], l3 * self.rate[2]];
+        [0, 1, 2].map(|i| ordered[self.place[i]])
     }
 }
 
 impl Sample {
+    #[inline(always)]
     pub(super) fn quaternion(&self) -> [f64; 4] {
         [self.alpha[0], self.beta[0], self.beta[1], self.alpha[1]]
     }
 }
 
 /// The quaternion product; the factors are unit to a few eps, and so is the result.
-#[inline]
+#[inline(always)]
 fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {
     let ([pw, px, py, pz], [qw, qx, qy, qz]) = (p, q);
     [
@@ -212,6 +224,15 @@ fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {
         pw * qy - px * qz + py * qw + pz * qx,
         pw * qz + px * qy - py * qx + pz * qw,
     ]
+}
+
+/// Where each index stands in a permutation.
+fn invert(order: [usize; 3]) -> [usize; 3] {
+    let mut place = [0; 3];
+    for (r, i) in order.into_iter().enumerate() {
+        place[i] = r;
+    }
+    place
 }
 
 /// +1 for an even permutation of (0, 1, 2), -1 for an odd one.

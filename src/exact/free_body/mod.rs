@@ -123,7 +123,7 @@ impl FreeBody {
         match &self.motion {
             Motion::Steady => self.attitude * rotation_about(self.angular_velocity.to_array(), t),
             Motion::Symmetric(motion) => motion.attitude_at(t, self.attitude),
-            Motion::Asymmetric(motion) => motion.attitude(&motion.sample(t)),
+            Motion::Asymmetric(motion) => Attitude::from_unit(motion.quaternion(&motion.sample(t))),
         }
     }
 
@@ -132,7 +132,7 @@ impl FreeBody {
         match &self.motion {
             Motion::Steady => self.angular_velocity,
             Motion::Symmetric(motion) => motion.angular_velocity_at(t),
-            Motion::Asymmetric(motion) => motion.angular_velocity(&motion.sample(t)),
+            Motion::Asymmetric(motion) => BodyVector::from_array(motion.rates(&motion.sample(t))),
         }
     }
 
@@ -141,7 +141,10 @@ impl FreeBody {
         match &self.motion {
             Motion::Asymmetric(motion) => {
                 let sample = motion.sample(t);
-                (motion.attitude(&sample), motion.angular_velocity(&sample))
+                (
+                    Attitude::from_unit(motion.quaternion(&sample)),
+                    BodyVector::from_array(motion.rates(&sample)),
+                )
             }
             _ => (self.attitude_at(t), self.angular_velocity_at(t)),
         }
@@ -167,7 +170,7 @@ impl FreeBody {
             Motion::Symmetric(motion) => core::f64::consts::TAU / motion.body_rate.to_f64().abs(),
             Motion::Asymmetric(motion) => motion
                 .half_period
-                .map_or(f64::INFINITY, |half| 2.0 * half.to_f64()),
+                .map_or(f64::INFINITY, |(half, _)| 2.0 * half.to_f64()),
         }
     }
 

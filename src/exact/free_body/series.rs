@@ -4,26 +4,34 @@
 //! most exp(-pi) = 0.043, and four terms reach 1e-19.
 
 use crate::math::DoubleDouble as Dd;
-use crate::math::{exp, expm1, sincos};
+use crate::math::{exp, expm1, sincos_turns};
+
+/// Real and imaginary parts of alpha and of beta.
+pub(super) type Parts = ([f64; 2], [f64; 2]);
 
 /// theta_4(z + iy) and `ratio` theta_1(z + iy), up to a common real factor and a
 /// phase linear in time.
 #[derive(Debug, Clone)]
 pub(super) enum Series {
-    /// Polynomials in sin^2 z; z = `rate` t.
-    Trigonometric {
-        rate: f64,
-        alpha: [[f64; 4]; 2],
-        beta: [[f64; 4]; 2],
-    },
-    /// cos and sin of (2n+1) y', each with its power of the nome; w = `rate` t.
-    Hyperbolic {
-        rate: f64,
-        /// pi K/2K' = 2 w_max: the nome is exp of minus this.
-        width: f64,
-        alpha: [[f64; 4]; 2],
-        beta: [[f64; 4]; 2],
-    },
+    Trigonometric(Trigonometric),
+    Hyperbolic(Hyperbolic),
+}
+
+/// Polynomials in sin^2 z.
+#[derive(Debug, Clone)]
+pub(super) struct Trigonometric {
+    alpha: [[f64; 4]; 2],
+    beta: [[f64; 4]; 2],
+}
+
+/// cos and sin of (2n+1) y', each with its power of the nome; w = `rate` t.
+#[derive(Debug, Clone)]
+pub(super) struct Hyperbolic {
+    rate: f64,
+    /// pi K/2K' = 2 w_max: the nome is exp of minus this.
+    width: f64,
+    alpha: [[f64; 4]; 2],
+    beta: [[f64; 4]; 2],
 }
 
 impl Series {
@@ -69,8 +77,7 @@ impl Series {
         }
         let scale = ratio.to_f64() * a.iter().sum::<f64>() / d.iter().sum::<f64>();
         let (c, d) = (c.map(|x| x * scale), d.map(|x| x * scale));
-        let series = Self::Trigonometric {
-            rate: (Dd::PI * p / k.scaled(2.0)).to_f64(),
+        let series = Self::Trigonometric(Trigonometric {
             alpha: [
                 [
                     a[0] + a[1] + a[2] + a[3],
@@ -99,7 +106,7 @@ impl Series {
                     -64.0 * d[3],
                 ],
             ],
-        };
+        });
         let rate = Dd::PI * p / k.scaled(2.0) * (sums[1] / sums[0]);
         (series, rate, Dd::ZERO)
     }
@@ -139,61 +146,58 @@ impl Series {
         }
         let scale = (ratio * alpha0 / beta0).to_f64();
         let beta = beta.map(|part| part.map(|x| x * scale));
-        let series = Self::Hyperbolic {
+        let series = Self::Hyperbolic(Hyperbolic {
             rate: (Dd::PI * p / k1.scaled(4.0)).to_f64(),
             width: width.to_f64(),
             alpha,
             beta,
-        };
+        });
         let rate = Dd::PI * p / k1.scaled(4.0) * (sums[1] / sums[0]);
         (series, rate, Dd::PI * eta / k1.scaled(2.0))
     }
+}
 
-    /// Real and imaginary parts of alpha and beta at time `t` from the turning
-    /// point, within half a period, up to a common factor.
-    #[inline]
-    pub(super) fn sum(&self, t: f64) -> ([f64; 2], [f64; 2]) {
-        match self {
-            Self::Trigonometric { rate, alpha, beta } => {
-                let (sin, cos) = sincos(rate * t);
-                let x = sin * sin;
-                (
-                    [poly(&alpha[0], x), sin * cos * poly(&alpha[1], x)],
-                    [sin * poly(&beta[0], x), cos * poly(&beta[1], x)],
-                )
-            }
-            Self::Hyperbolic {
-                rate,
-                width,
-                alpha,
-                beta,
-            } => {
-                let w = (rate * t).abs();
-                // All scaled by e^{-w}: cosh -> 1 + e^{-2w}, sinh -> 1 - e^{-2w}.
-                let minus = -expm1(-2.0 * w);
-                let decay = 1.0 - minus;
-                let growth = exp(2.0 * w - width);
-                let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
-                let (mut weight, mut power, mut differences) = (1.0, decay, minus);
-                for n in 0..4 {
-                    even[n] = weight * (1.0 + power);
-                    odd[n] = weight * differences;
-                    weight *= growth;
-                    // 1 - E^{2n+3} = (1 - E^{2n+1}) + E^{2n+1} (1 - E)(1 + E).
-                    differences += power * minus * (1.0 + decay);
-                    power *= decay * decay;
-                }
-                let sign = if t < 0.0 { -1.0 } else { 1.0 };
-                (
-                    [dot(&alpha[0], &even), sign * dot(&alpha[1], &odd)],
-                    [sign * dot(&beta[0], &odd), dot(&beta[1], &even)],
-                )
-            }
-        }
+impl Trigonometric {
+    /// The sums at this fraction of 2K from the turning point, -1/2 to 1/2.
+    #[inline(always)]
+    pub(super) fn sum(&self, fraction: f64) -> Parts {
+        let (sin, cos) = sincos_turns(0.5 * fraction);
+        let x = sin * sin;
+        (
+            [poly(&self.alpha[0], x), sin * cos * poly(&self.alpha[1], x)],
+            [sin * poly(&self.beta[0], x), cos * poly(&self.beta[1], x)],
+        )
     }
 }
 
-#[inline]
+impl Hyperbolic {
+    /// The sums at time `t` from the turning point, within half a period.
+    #[inline]
+    pub(super) fn sum(&self, t: f64) -> Parts {
+        let w = (self.rate * t).abs();
+        // All scaled by e^{-w}: cosh -> 1 + e^{-2w}, sinh -> 1 - e^{-2w}.
+        let minus = -expm1(-2.0 * w);
+        let decay = 1.0 - minus;
+        let growth = exp(2.0 * w - self.width);
+        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
+        let (mut weight, mut power, mut differences) = (1.0, decay, minus);
+        for n in 0..4 {
+            even[n] = weight * (1.0 + power);
+            odd[n] = weight * differences;
+            weight *= growth;
+            // 1 - E^{2n+3} = (1 - E^{2n+1}) + E^{2n+1} (1 - E)(1 + E).
+            differences += power * minus * (1.0 + decay);
+            power *= decay * decay;
+        }
+        let sign = if t < 0.0 { -1.0 } else { 1.0 };
+        (
+            [dot(&self.alpha[0], &even), sign * dot(&self.alpha[1], &odd)],
+            [sign * dot(&self.beta[0], &odd), dot(&self.beta[1], &even)],
+        )
+    }
+}
+
+#[inline(always)]
 fn poly(c: &[f64; 4], x: f64) -> f64 {
     c[0] + x * (c[1] + x * (c[2] + x * c[3]))
 }
