@@ -197,6 +197,15 @@ fn flags_set_parameters_and_negative_numbers_are_numbers() {
         );
     }
     assert!(answer("--mass 2").stdout.contains("--mass    2"));
+    // A column with a negative number keeps its digits below each other, and reads back.
+    let text = answer("--offset -0.5 --mass 2").stdout;
+    assert!(
+        text.contains("--length   3 ") && text.contains("--offset  -0.5 "),
+        "{text}"
+    );
+    let parsed = parse(&text).expect("the text follows its grammar");
+    let again: String = parsed.tables.iter().map(|t| format!("\n{t}")).collect();
+    assert!(text.ends_with(&again));
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::number::{below, rounded_up, supported_digits};
 use crate::error::{Error, Result};
 use crate::math::{EPS, log10};
 use core::f64::consts::PI;
+use libm::floor;
 
 /// The independent route that a claim was compared with.
 #[derive(Debug, Clone, PartialEq)]
@@ -211,9 +212,8 @@ impl Claim {
         }
         if v != 0.0 {
             // The greatest n with 2 |x - v| <= 10^(e+1-n).
-            let places = libm::floor(-log10(2.0 * (answer - v).abs())) as i64;
-            let n = places + libm::floor(log10(v.abs())) as i64 + 1;
-            if n >= 2 {
+            let n = floor(-log10(2.0 * (answer - v).abs())) + floor(log10(v.abs())) + 1.0;
+            if n >= 2.0 {
                 return Verdict::RightTo(n as u32);
             }
             if let Some((_, hint)) = USUAL_SLIPS.iter().find(|(factor, _)| within(factor * v)) {

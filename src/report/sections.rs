@@ -195,7 +195,8 @@ impl Report {
     /// The sections that are not empty, in the order in which they are printed.
     ///
     /// # Errors
-    /// [`Error::Text`] if an entry holds text that does not fit in a table.
+    /// [`Error::Text`] if an entry holds text that does not fit in a table,
+    /// [`Error::NotFinite`] if it holds a NaN or an infinity.
     pub fn sections(&self) -> Result<Vec<Table>> {
         let mut all: Vec<Table> = self.parameters.iter().cloned().collect();
         let columns = [
@@ -230,6 +231,8 @@ impl Report {
         let columns = ["effect", "number", "value", "error if left out", "here"];
         let mut table = Table::headed("effects", columns)?;
         for e in &self.effects {
+            finite("the number of an effect", e.value)?;
+            finite("the error of leaving out an effect", e.error)?;
             let unit = if e.unit == "-" {
                 String::new()
             } else {
@@ -248,6 +251,8 @@ impl Report {
         let columns = ["method", "requested", "delivered", "work", "relative time"];
         let mut table = Table::headed("accuracy", columns)?;
         for p in &self.accuracy {
+            finite("the requested error", p.requested.unwrap_or_default())?;
+            finite("the delivered error", p.delivered)?;
             table.push([
                 p.method.clone(),
                 p.requested.map_or("-".into(), rounded_up),

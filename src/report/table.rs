@@ -112,17 +112,37 @@ impl Table {
 }
 
 impl fmt::Display for Table {
-    /// Heading, column names, rows; each line ends with a newline and has no trailing space.
+    /// Heading, column names, rows; each line ends with a newline and has no trailing
+    /// space. Where a column has a negative number, the others leave room for the sign.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let signed: Vec<bool> = (0..self.columns.len())
+            .map(|i| i > 0 && self.rows.iter().any(|row| is_negative(&row[i])))
+            .collect();
+        let shown = |i: usize, cell: &str| -> String {
+            let room = if signed[i] && !is_negative(cell) {
+                " "
+            } else {
+                ""
+            };
+            format!("{room}{cell}")
+        };
+        let lines: Vec<Vec<String>> = core::iter::once(&self.columns)
+            .chain(&self.rows)
+            .map(|line| {
+                line.iter()
+                    .enumerate()
+                    .map(|(i, cell)| shown(i, cell))
+                    .collect()
+            })
+            .collect();
         let mut widths = vec![0; self.columns.len()];
-        let lines = || core::iter::once(&self.columns).chain(&self.rows);
-        for line in lines() {
+        for line in &lines {
             for (width, cell) in widths.iter_mut().zip(line) {
                 *width = (*width).max(cell.chars().count());
             }
         }
         writeln!(f, "{}", self.heading)?;
-        for line in lines() {
+        for line in &lines {
             let mut padding = 0;
             for (width, cell) in widths.iter().zip(line) {
                 write!(f, "{:padding$}{cell}", "")?;
@@ -132,6 +152,11 @@ impl fmt::Display for Table {
         }
         Ok(())
     }
+}
+
+/// True for a number with a minus sign; `-` alone stands for nothing.
+fn is_negative(cell: &str) -> bool {
+    cell.starts_with('-') && cell.parse::<f64>().is_ok()
 }
 
 /// A report read back from its text; see [`parse`].

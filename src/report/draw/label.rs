@@ -181,6 +181,7 @@ impl Label {
                 }
                 '-' => "\u{2212}".into(),
                 '\'' => "′".into(),
+                ',' => ",\u{2009}".into(),
                 ' ' if !upright => continue,
                 '=' | '<' | '>' | '+' if level == Level::Base => format!("\u{2009}{c}\u{2009}"),
                 c => c.to_string(),

@@ -1,0 +1,197 @@
+//! Claims, limits and reports: what may be printed, and what may not.
+
+use rotation_dynamics::Error;
+use rotation_dynamics::report::{
+    Claim, EffectEntry, Limit, Oracle, Price, Report, Table, Verdict, parse,
+};
+
+fn claim(value: f64, oracle: f64, bound: f64) -> Result<Claim, Error> {
+    Claim::new(
+        "rate",
+        "rate of turning",
+        value,
+        "rad/s",
+        bound,
+        Oracle::new("oracle", oracle),
+    )
+}
+
+/// A claim exists only if its oracle agrees; the comparison is a positive condition,
+/// so a NaN anywhere fails it.
+#[test]
+fn a_contradicted_number_cannot_be_claimed() {
+    assert!(claim(1.0, 1.0 + 1e-9, 1e-9 * (1.0 + 1e-6)).is_ok());
+    let mut refused = 0;
+    for (value, oracle, bound) in [
+        (1.0, 1.0 + 1.1e-9, 1e-9),
+        (1.0, 1.0, -1e-9),
+        (f64::NAN, 1.0, 1e-9),
+        (1.0, f64::NAN, 1e-9),
+        (1.0, 1.0, f64::NAN),
+        (1.0, 1.0, f64::INFINITY),
+        (f64::INFINITY, f64::INFINITY, 1e-9),
+        (f64::INFINITY, 1.0, f64::INFINITY),
+    ] {
+        assert!(
+            matches!(claim(value, oracle, bound), Err(Error::Contradicted { .. })),
+            "{value} {oracle} {bound}"
+        );
+        refused += 1;
+    }
+    assert_eq!(refused, 8);
+    let told = claim(1.0, 2.0, 0.5).expect_err("contradicted").to_string();
+    assert_eq!(
+        told,
+        "rate = 1.0 is contradicted: oracle gives 2.0, and they may differ by 0.5"
+    );
+    assert!(Limit::new("slow", "nothing moves", 0.0, 1e-16, 1e-15).is_ok());
+    assert!(Limit::new("slow", "nothing moves", 0.0, 1e-14, 1e-15).is_err());
+    assert!(Limit::new("slow", "nothing moves", 0.0, f64::NAN, 1e-15).is_err());
+}
+
+#[test]
+fn text_that_would_break_a_table_is_refused() {
+    let named = |key: &str, meaning: &str, unit: &str| {
+        Claim::new(key, meaning, 1.0, unit, 0.0, Oracle::new("oracle", 1.0))
+    };
+    assert!(named("rate_2", "rate of turning", "rad/s").is_ok());
+    for (key, meaning, unit) in [
+        ("Rate", "rate of turning", "rad/s"),
+        ("", "rate of turning", "rad/s"),
+        ("rate", "rate  of turning", "rad/s"),
+        ("rate", "rate\nof turning", "rad/s"),
+        ("rate", " rate", "rad/s"),
+        ("rate", "", "rad/s"),
+        ("rate", "rate of turning", ""),
+    ] {
+        assert!(
+            matches!(named(key, meaning, unit), Err(Error::Text { .. })),
+            "{key} {meaning} {unit}"
+        );
+    }
+    let table = || Table::new("masses", ["m", "t"]).expect("a sound table");
+    assert!(table().row(["1", "2"]).is_ok());
+    assert!(table().row(["1"]).is_err());
+    assert!(table().row(["1", ""]).is_err());
+    assert!(Table::new("Masses", ["m"]).is_err());
+    assert!(Table::new("masses", Vec::<String>::new()).is_err());
+}
+
+fn sound() -> Report {
+    let mut report = Report::new("A title", "What the scene is.").expect("sound");
+    report
+        .add_claim(
+            claim(1.25, 1.25, 1e-3)
+                .expect("sound")
+                .slip(2.0, "that is twice"),
+        )
+        .expect("sound");
+    report.add_limit(Limit::new("slow", "nothing moves", 0.0, 1e-16, 1e-15).expect("sound"));
+    report.add_effect(EffectEntry {
+        effect: "air drag".into(),
+        number: "rho C A l / m".into(),
+        value: 0.0123,
+        error: 4.56e-7,
+        unit: "rad".into(),
+        included: false,
+    });
+    report.add_price(Price {
+        method: "RK4".into(),
+        requested: None,
+        delivered: 3.2e-9,
+        work: "400 torques".into(),
+    });
+    let table = Table::new("masses", ["m", "t"])
+        .and_then(|t| t.row(["1", "-2"]))
+        .expect("sound");
+    report.add_table(table).expect("sound");
+    report
+}
+
+#[test]
+fn a_report_has_its_sections_in_order_and_reads_back() {
+    let text = sound().text().expect("sound");
+    assert_eq!(
+        text,
+        "A title\nWhat the scene is.\n\n\
+         claims\nkey   value  unit   bound  checked against  differs by\n\
+         rate  1.250  rad/s  1e-3   oracle           <1e-15\n\n\
+         limits\nlimit  must give  gives  within  because\n\
+         slow   0          0      1e-15   nothing moves\n\n\
+         effects\neffect    number         value  error if left out  here\n\
+         air drag  rho C A l / m  0.012  4.6e-7 rad         left out\n\n\
+         accuracy\nmethod  requested  delivered  work         relative time\n\
+         RK4     -          4e-9       400 torques  -\n\n\
+         table masses\nm   t\n1  -2\n\n\
+         checks\nkey   within  meaning\nrate  1e-3    rate of turning\n\n\
+         slips\nkey   value  hint\nrate  2.000  that is twice\n"
+    );
+    let parsed = parse(&text).expect("it follows its grammar");
+    let tables = sound().sections().expect("sound");
+    assert_eq!(parsed.tables, tables);
+}
+
+#[test]
+fn a_report_refuses_what_it_cannot_print() {
+    let mut report = sound();
+    let again = claim(1.0, 1.0, 0.0).expect("sound");
+    assert!(report.add_claim(again).is_err(), "the key is taken");
+    let other = |key: &str| {
+        Claim::new(key, "another", 1.0, "-", 0.0, Oracle::new("oracle", 1.0)).expect("sound")
+    };
+    assert!(report.add_claim(other("a").judged_within(0.0)).is_err());
+    assert!(
+        report
+            .add_claim(other("a").judged_within(f64::NAN))
+            .is_err()
+    );
+    assert!(
+        report
+            .add_claim(other("a").slip(f64::NAN, "no number"))
+            .is_err()
+    );
+    assert!(
+        report
+            .add_claim(other("a").slip(1.0, "two  spaces"))
+            .is_err()
+    );
+    assert!(report.add_claim(other("a")).is_ok());
+    assert!(
+        report
+            .add_table(Table::new("masses", ["m"]).expect("sound"))
+            .is_err(),
+        "the name is taken"
+    );
+    report.add_price(Price {
+        method: "RK4".into(),
+        requested: Some(1e-9),
+        delivered: f64::NAN,
+        work: "400 torques".into(),
+    });
+    assert!(matches!(report.text(), Err(Error::NotFinite { .. })));
+}
+
+/// The order of the rules: right, listed slip, nearly, usual slip, wrong.
+#[test]
+fn answers_are_judged_by_the_stated_rules() {
+    let judged = claim(0.25, 0.25, 1e-6)
+        .expect("sound")
+        .judged_within(1e-4)
+        .slip(0.2501, "nearly a slip");
+    for (answer, verdict) in [
+        (0.25, Verdict::Right),
+        (0.250_024, Verdict::Right),
+        (0.2501, Verdict::Slip("nearly a slip".into())),
+        (0.250_3, Verdict::RightTo(3)),
+        (0.2512, Verdict::RightTo(2)),
+        (0.26, Verdict::Wrong),
+        (4.0, Verdict::Slip("that is one over the value".into())),
+        (f64::MAX, Verdict::Wrong),
+    ] {
+        assert_eq!(judged.verdict(answer), verdict, "{answer}");
+    }
+    // A value of zero has no digits and no factors: its tolerance is absolute.
+    let zero = claim(0.0, 0.0, 1e-12).expect("sound");
+    assert_eq!(zero.verdict(5e-4), Verdict::Right);
+    assert_eq!(zero.verdict(0.1), Verdict::Wrong);
+}
