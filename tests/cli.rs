@@ -360,3 +360,47 @@ fn a_failure_leaves_the_old_file_and_nothing_else() {
     refused(&[flag, scratch.0.as_os_str()]);
     assert_eq!(scratch.names(), ["rod.csv"]);
 }
+
+/// Once for real, as a reader types it: the ladder, with its output going to a pipe
+/// that nobody reads, and to one that is read.
+#[test]
+fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
+    use std::process::{Command, Stdio};
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO"));
+        command.args([
+            "run",
+            "--quiet",
+            "--offline",
+            "--example",
+            "ch16_ex6_ladder",
+            "--",
+        ]);
+        command
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        command.spawn().expect("cargo runs")
+    };
+    let mut unread = run(&[]);
+    drop(unread.stdout.take());
+    let unread = unread.wait_with_output().expect("it ends");
+    let told = String::from_utf8_lossy(&unread.stderr);
+    assert!(unread.status.success(), "{told}");
+    assert!(!told.contains("panicked"), "{told}");
+
+    let read = run(&["--check", "t_release=1e9"])
+        .wait_with_output()
+        .expect("it ends");
+    assert_eq!(read.status.code(), Some(1));
+    assert_eq!(
+        String::from_utf8_lossy(&read.stdout),
+        "not yet: your t_release is not right\n"
+    );
+
+    let refused = run(&["--length", "-3"])
+        .wait_with_output()
+        .expect("it ends");
+    assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
+    assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error: length = -3"));
+}
