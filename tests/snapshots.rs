@@ -154,3 +154,102 @@ fn figures_say_what_is_to_be_seen_in_colours_of_the_palette() {
         }
     }
 }
+
+/// A text of a figure: what it says and the box it fills, in px. The width is a
+/// cautious estimate (0.45 of the size a character), so that what is reported is wrong.
+struct Text {
+    says: String,
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
+}
+
+fn attribute(tag: &str, name: &str) -> Option<f64> {
+    let value = tag.split_once(&format!(" {name}=\""))?.1;
+    value.split('"').next()?.parse().ok()
+}
+
+fn texts(svg: &str) -> Vec<Text> {
+    let elements = svg.split("<text").skip(1);
+    elements
+        .map(|element| {
+            let (tag, rest) = element.split_once('>').expect("a tag ends");
+            let content = rest.split("</text>").next().expect("a text ends");
+            let plain: Vec<&str> = content
+                .split('<')
+                .map(|s| s.rsplit('>').next().unwrap_or(s))
+                .collect();
+            let says = plain.concat();
+            let size = attribute(tag, "font-size").unwrap_or(14.0);
+            let (x, y) = (
+                attribute(tag, "x").expect("x"),
+                attribute(tag, "y").expect("y"),
+            );
+            let width = 0.45 * size * says.chars().count() as f64;
+            let left = match tag {
+                tag if tag.contains("\"middle\"") => x - width / 2.0,
+                tag if tag.contains("\"end\"") => x - width,
+                _ => x,
+            };
+            Text {
+                says,
+                left,
+                right: left + width,
+                top: y - 0.65 * size,
+                bottom: y,
+            }
+        })
+        .collect()
+}
+
+/// What is wrong with the texts of a figure of this size: cut off, or on top of each other.
+fn misplaced(svg: &str) -> Vec<String> {
+    let root = svg.split_once('>').expect("there is a root").0;
+    let (width, height) = (
+        attribute(root, "width").expect("width"),
+        attribute(root, "height").expect("height"),
+    );
+    let texts = texts(svg);
+    let mut found = Vec::new();
+    for (i, a) in texts.iter().enumerate() {
+        if a.left < -1.0 || a.right > width + 1.0 || a.top < -1.0 || a.bottom > height + 1.0 {
+            found.push(format!("{} leaves the figure", a.says));
+        }
+        for b in &texts[..i] {
+            if a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom {
+                found.push(format!("{} lies on {}", a.says, b.says));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn texts_in_figures_are_whole_and_apart() {
+    let mut seen = 0;
+    for example in all() {
+        for figure in &example.figures {
+            let found = misplaced(&figure.svg);
+            assert!(
+                found.is_empty(),
+                "{}__{}: {found:?}",
+                example.stem,
+                figure.name
+            );
+            seen += texts(&figure.svg).len();
+        }
+    }
+    assert!(seen >= 5 * FIGURES, "only {seen} texts seen");
+    // The damaged twins.
+    let svg = |x: i32, y: i32| {
+        format!(
+            "<svg width=\"340\" height=\"250\"><text x=\"10\" y=\"20\">first</text>\
+             <text x=\"{x}\" y=\"{y}\"><tspan>second</tspan></text></svg>"
+        )
+    };
+    assert!(misplaced(&svg(100, 20)).is_empty());
+    assert_eq!(misplaced(&svg(20, 25)), ["second lies on first"]);
+    assert_eq!(misplaced(&svg(310, 100)), ["second leaves the figure"]);
+    assert_eq!(misplaced(&svg(10, 255)), ["second leaves the figure"]);
+}
