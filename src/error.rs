@@ -92,6 +92,10 @@ impl fmt::Display for Error {
                 let short = format!("{minimum:.6}");
                 let seen = short.parse::<f64>().is_ok_and(|m| *energy < m);
                 let minimum = if seen { short } else { minimum.to_string() };
+                // Two places at least: the notes write 0.40.
+                let places = format!("{energy:.2}");
+                let exact = places.parse::<f64>().is_ok_and(|e| e == *energy);
+                let energy = if exact { places } else { energy.to_string() };
                 write!(f, "no motion: E~ = {energy} is below U_min = {minimum}")
             }
             Self::DerivativeNotFinite {

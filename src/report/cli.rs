@@ -322,9 +322,14 @@ impl<P: Default> Example<P> {
         let mut report = (self.report)(parameters)?;
         let mut table = Table::headed("parameters", ["flag", "value", "unit", "meaning"])?;
         for flag in self.flags {
+            // What is not set has no place among the numbers of this run; --help lists it.
+            let value = flag.printed(parameters);
+            if value == "-" {
+                continue;
+            }
             table.push([
                 format!("--{}", flag.name),
-                flag.printed(parameters),
+                value,
                 flag.unit.into(),
                 flag.meaning.into(),
             ])?;

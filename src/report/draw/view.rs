@@ -353,7 +353,7 @@ impl View {
             top: canvas.rect().bottom - 62.0,
             bottom: canvas.rect().bottom - 2.0,
         };
-        let frame = canvas.frame((-1.3, 1.3), (-0.9, 1.7), rect);
+        let frame = canvas.frame((-1.3, 1.3), (-1.2, 1.4), rect);
         for (axis, name) in [
             (SpaceVector::new(1.0, 0.0, 0.0), "$X$"),
             (SpaceVector::new(0.0, 1.0, 0.0), "$Y$"),
