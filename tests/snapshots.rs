@@ -7,6 +7,8 @@
 //!
 //! A new example: a module below, its line in [`all`], and the two counts.
 
+#[path = "../examples/ch16_2_gyroscope.rs"]
+mod ch16_2_gyroscope;
 #[path = "../examples/ch16_ex6_ladder.rs"]
 mod ch16_ex6_ladder;
 
@@ -26,11 +28,14 @@ struct Locked {
 }
 
 /// How many examples there are, and how many figures they draw.
-const EXAMPLES: usize = 1;
-const FIGURES: usize = 8;
+const EXAMPLES: usize = 2;
+const FIGURES: usize = 26;
 
 fn all() -> Vec<Locked> {
-    vec![locked(&ch16_ex6_ladder::EXAMPLE)]
+    vec![
+        locked(&ch16_2_gyroscope::EXAMPLE),
+        locked(&ch16_ex6_ladder::EXAMPLE),
+    ]
 }
 
 fn locked<P: Default>(example: &Example<P>) -> Locked {

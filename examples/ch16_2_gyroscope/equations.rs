@@ -1,0 +1,139 @@
+//! The notes' equations, and two ways to read numbers from them that know
+//! nothing of elliptic functions: an integrator, and a quadrature.
+
+use rotation_dynamics::Result;
+use rotation_dynamics::exact::heavy_top::ReducedTop;
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::math::{cos, sincos};
+
+// ANCHOR: equations
+/// Equations (4) to (6). The state is theta, dtheta/dt', phi, zeta.
+pub struct Equations {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+    /// Torque of the bearing of the line of nodes, -friction dtheta/dt'; 0 in the notes.
+    pub friction: f64,
+}
+
+impl Ode<4> for Equations {
+    fn derivative(&self, _t: f64, &[theta, nutation, _, _]: &[f64; 4]) -> [f64; 4] {
+        let Self { a, b, c, friction } = *self;
+        let (s, u) = sincos(theta);
+        let precession = a.sqrt() * (b - u) / (s * s); // (5)
+        [
+            nutation,
+            c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation, // (4)
+            precession,
+            1.0 / a.sqrt() - precession * u, // (6)
+        ]
+    }
+}
+// ANCHOR_END: equations
+
+impl Equations {
+    /// The equations of this top, without friction.
+    pub fn of(top: &ReducedTop) -> Self {
+        Self {
+            a: top.a(),
+            b: top.b(),
+            c: top.c(),
+            friction: 0.0,
+        }
+    }
+
+    /// The state at `end` that follows from `start`, and how far a run with a
+    /// tolerance 100 times coarser ends from it.
+    pub fn carried(&self, start: &[f64; 4], end: f64) -> Result<([f64; 4], f64)> {
+        let (fine, _) = Dop853::new(1e-14)?.advance(self, 0.0, start, end)?;
+        let (coarse, _) = Dop853::new(1e-12)?.advance(self, 0.0, start, end)?;
+        let apart = (0..4)
+            .map(|i| (fine[i] - coarse[i]).abs())
+            .fold(0.0, f64::max);
+        Ok((fine, apart))
+    }
+}
+
+/// Where the tilt turns back, and what happens in one nod.
+#[derive(Debug, Clone, Copy)]
+pub struct Nod {
+    pub theta_min: f64,
+    pub theta_max: f64,
+    /// Duration in t', advance of phi, advance of zeta.
+    pub period: f64,
+    pub precession: f64,
+    pub spin: f64,
+    /// How much the last refinement changed the largest of the three.
+    pub refinement: f64,
+}
+
+impl Nod {
+    /// By bisection for the turning points and the trapezoidal rule for the rest.
+    ///
+    /// With u = cos theta = m - h cos psi the integrals run over a full turn of
+    /// psi and their integrands are smooth and periodic: the trapezoidal rule
+    /// then converges faster than any power of the number of points.
+    pub fn by_quadrature(top: &ReducedTop, energy: f64) -> Result<Self> {
+        let (bottom, _) = top.minimum();
+        let excess = |theta: f64| energy - top.effective_potential(theta);
+        let theta_min = crossing(excess, bottom, 0.0);
+        let theta_max = crossing(excess, bottom, core::f64::consts::PI);
+        let (u_max, u_min) = (cos(theta_min), cos(theta_max));
+        let (a, b, c) = (top.a(), top.b(), top.c());
+        let sums = |points: u32| -> [f64; 3] {
+            let mut sums = [0.0; 3];
+            let step = core::f64::consts::TAU / f64::from(points);
+            for k in 0..points {
+                // (du/dt')^2 = (u - u_min)(u_max - u) w(u): the turning points drop out.
+                let half = 0.5 * (u_max - u_min);
+                let u = 0.5 * (u_max + u_min) - half * cos(step * (f64::from(k) + 0.5));
+                let w = 2.0 * energy + 2.0 * c + a - 2.0 * c * (u_min + u_max + u);
+                let dt = step / w.sqrt();
+                let rate = a.sqrt() * (b - u) / ((1.0 - u) * (1.0 + u));
+                sums[0] += dt;
+                sums[1] += rate * dt;
+                sums[2] += (1.0 / a.sqrt() - rate * u) * dt;
+            }
+            sums
+        };
+        let mut points = 16;
+        let mut last = sums(points);
+        let mut refinement = f64::INFINITY;
+        while points < 1 << 14 {
+            points *= 2;
+            let next = sums(points);
+            let change = (0..3)
+                .map(|i| (next[i] - last[i]).abs())
+                .fold(0.0, f64::max);
+            last = next;
+            if change >= refinement && change < 1e-12 {
+                break;
+            }
+            refinement = change;
+        }
+        Ok(Self {
+            theta_min,
+            theta_max,
+            period: last[0],
+            precession: last[1],
+            spin: last[2],
+            refinement,
+        })
+    }
+}
+
+/// The place between `inside`, where `f >= 0`, and `outside`, where `f` is
+/// negative, at which it changes sign: bisection down to neighbouring numbers.
+fn crossing(f: impl Fn(f64) -> f64, mut inside: f64, mut outside: f64) -> f64 {
+    loop {
+        let middle = 0.5 * (inside + outside);
+        if middle == inside || middle == outside {
+            return middle;
+        }
+        if f(middle) >= 0.0 {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+}

@@ -1,0 +1,402 @@
+//! A motion with its exact solution, and what can be said about it in numbers.
+
+use super::equations::{Equations, Nod};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::math::{EPS, cos, sin};
+use rotation_dynamics::report::{Claim, Oracle, Report, Trajectory};
+use rotation_dynamics::{Error, Result};
+
+/// One motion of one gyroscope.
+pub struct Motion {
+    /// Prefix of its keys and figures; empty for a motion asked for by flags.
+    pub name: &'static str,
+    pub exact: HeavyTop,
+    pub top: ReducedTop,
+    pub energy: f64,
+    /// Length of the unit of time t' in the motion's own unit: 1, or in seconds.
+    pub unit: f64,
+    /// How far it is followed, in its own unit of time.
+    pub end: f64,
+}
+
+/// The five motions of figures 3 and 4: at the bottom of the valley and above
+/// it for b > 1; loops, cusps and waves for b < 1.
+pub fn of_the_notes() -> Result<Vec<Motion>> {
+    // ANCHOR: motions
+    let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of figure 3
+    let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of figure 4
+    let (bottom, _) = steep.minimum();
+    Ok(vec![
+        Motion::at_rest_in_theta("steady", steep, bottom)?,
+        Motion::with_energy("nutating", steep, 0.55, Start::ThetaMin)?,
+        Motion::with_energy("loops", gentle, 0.11, Start::ThetaMin)?,
+        Motion::with_energy("cusps", gentle, -0.08, Start::ThetaMin)?,
+        Motion::with_energy("waves", gentle, -0.085, Start::ThetaMin)?,
+    ])
+    // ANCHOR_END: motions
+}
+
+impl Motion {
+    fn new(name: &'static str, exact: HeavyTop) -> Result<Self> {
+        let (Some(top), Some(energy), Some(unit)) =
+            (exact.reduced(), exact.energy_reduced(), exact.time_unit())
+        else {
+            return Err(Error::OutOfRange {
+                name: "L_z",
+                value: exact.momenta().1,
+                allowed: "not 0: the notes' unit of time is sqrt(I1 I3)/L_z",
+            });
+        };
+        let end = if exact.body().is_some() { 1.0 } else { 20.0 };
+        Ok(Self {
+            name,
+            exact,
+            top,
+            energy,
+            unit,
+            end,
+        })
+    }
+
+    fn with_energy(name: &'static str, top: ReducedTop, energy: f64, start: Start) -> Result<Self> {
+        Self::new(name, HeavyTop::from_energy(top, energy, start, 0.0, 0.0)?)
+    }
+
+    fn at_rest_in_theta(name: &'static str, top: ReducedTop, theta: f64) -> Result<Self> {
+        Self::new(name, HeavyTop::from_angles(top, theta, 0.0, 0.0, 0.0)?)
+    }
+
+    /// The motion of the notes' dimensionless gyroscope that the flags ask for.
+    pub fn reduced(a: f64, b: f64, c: f64, energy: f64, start: &str) -> Result<Self> {
+        let start = if start == "theta_max" {
+            Start::ThetaMax
+        } else {
+            Start::ThetaMin
+        };
+        Self::with_energy("", ReducedTop::new(a, b, c)?, energy, start)
+    }
+
+    /// A motion of a body, in SI units.
+    pub fn of_body(name: &'static str, exact: HeavyTop) -> Result<Self> {
+        Self::new(name, exact)
+    }
+
+    pub fn in_seconds(&self) -> bool {
+        self.exact.body().is_some()
+    }
+
+    /// The regime in a word, and the numbers that fix the motion.
+    pub fn description(&self) -> String {
+        format!(
+            "a symmetric rotor about a fixed point: {}; a = {:.6}, b = {:.6}, c = {:.6}, E~ = {:.6}",
+            self.regime(),
+            self.top.a(),
+            self.top.b(),
+            self.top.c(),
+            self.energy
+        )
+    }
+
+    pub fn regime(&self) -> &'static str {
+        match self.exact.regime() {
+            Regime::Steady => "steady precession",
+            Regime::Waves => "precession with waves",
+            Regime::Cusps => "precession with cusps",
+            Regime::Loops => "precession with loops",
+            Regime::Sleeping => "sleeping upright",
+            Regime::Homoclinic => "leaving the vertical and returning to it in infinite time",
+            Regime::Planar => "a swing in a plane",
+            _ => "through the vertical",
+        }
+    }
+
+    /// The state of equations (4) to (6) at the start.
+    pub fn start(&self) -> [f64; 4] {
+        let angles = self.exact.angles(0.0);
+        let nutation = self.exact.theta_rate(0.0) * self.unit;
+        [angles.theta, nutation, angles.phi, angles.zeta]
+    }
+
+    fn key(&self, what: &str) -> String {
+        if self.name.is_empty() {
+            what.into()
+        } else {
+            format!("{}_{what}", self.name)
+        }
+    }
+
+    fn time_unit(&self) -> &'static str {
+        if self.in_seconds() { "s" } else { "-" }
+    }
+
+    /// Adds what the regime allows to say.
+    pub fn add_claims(&self, report: &mut Report) -> Result<()> {
+        match self.exact.regime() {
+            Regime::Steady => self.add_steady(report),
+            Regime::Waves | Regime::Cusps | Regime::Loops => {
+                self.add_nod(report)?;
+                self.add_end(report)
+            }
+            _ => self.add_tilt(report),
+        }
+    }
+
+    /// Turning points, period and advances, against bisection and quadrature.
+    fn add_nod(&self, report: &mut Report) -> Result<()> {
+        let exact = &self.exact;
+        let nod = Nod::by_quadrature(&self.top, self.energy)?;
+        let time = self.time_unit();
+        let mut add = |what: &str,
+                       meaning: &str,
+                       value: f64,
+                       unit: &str,
+                       other: f64,
+                       rule: &str,
+                       within: f64| {
+            let bound = within + 200.0 * EPS * value.abs().max(1.0);
+            report.add_claim(Claim::new(
+                self.key(what),
+                meaning,
+                value,
+                unit,
+                bound,
+                Oracle::new(rule, other),
+            )?)
+        };
+        let near = 100.0 * EPS * (nod.theta_max - nod.theta_min).recip();
+        let (root, sum) = ("bisection of E~ - U_eff", "quadrature over one nod");
+        let refined = 4.0 * nod.refinement + near;
+        add(
+            "theta_min",
+            "least tilt",
+            exact.theta_min(),
+            "rad",
+            nod.theta_min,
+            root,
+            near,
+        )?;
+        add(
+            "theta_max",
+            "greatest tilt",
+            exact.theta_max(),
+            "rad",
+            nod.theta_max,
+            root,
+            near,
+        )?;
+        let period = nod.period * self.unit;
+        add(
+            "period",
+            "time of one nod",
+            exact.nutation_period(),
+            time,
+            period,
+            sum,
+            refined * self.unit,
+        )?;
+        add(
+            "precession",
+            "advance of phi in one nod",
+            exact.precession_per_period(),
+            "rad",
+            nod.precession,
+            sum,
+            refined,
+        )?;
+        add(
+            "spin",
+            "advance of zeta in one nod",
+            exact.spin_per_period(),
+            "rad",
+            nod.spin,
+            sum,
+            refined,
+        )?;
+        if self.in_seconds() {
+            let (value, other) = (
+                exact.precession_per_period() / exact.nutation_period(),
+                nod.precession / period,
+            );
+            add(
+                "precession_rate",
+                "mean rate of precession",
+                value,
+                "rad/s",
+                other,
+                sum,
+                refined / period,
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The azimuth at the end of the run, against the notes' equations.
+    fn add_end(&self, report: &mut Report) -> Result<()> {
+        let end = self.end / self.unit;
+        let (state, apart) = Equations::of(&self.top).carried(&self.start(), end)?;
+        let value = self.exact.angles(self.end).phi;
+        let (what, meaning) = if self.in_seconds() {
+            ("phi_1s", "phi after 1 s")
+        } else {
+            ("phi_20", "phi at t' = 20")
+        };
+        let bound = 4.0 * apart + 1e-13 * value.abs().max(1.0);
+        let oracle = Oracle::new("DOP853 on (4), (5), (6)", state[2]);
+        report.add_claim(Claim::new(
+            self.key(what),
+            meaning,
+            value,
+            "rad",
+            bound,
+            oracle,
+        )?)
+    }
+
+    /// Constant tilt: where, and the two constant rates.
+    fn add_steady(&self, report: &mut Report) -> Result<()> {
+        let (a, b, c) = (self.top.a(), self.top.b(), self.top.c());
+        let end = self.end / self.unit;
+        let (state, apart) = Equations::of(&self.top).carried(&self.start(), end)?;
+        let theta = self.exact.theta_min();
+        let bound = 4.0 * apart + 1e-13;
+        let run = "DOP853 on (4), (5), (6)";
+        report.add_claim(Claim::new(
+            self.key("theta"),
+            "the constant tilt",
+            theta,
+            "rad",
+            bound,
+            Oracle::new(run, state[0]),
+        )?)?;
+        // cos(theta) p^2 - sqrt(a) p + c = 0 has a slow and a fast root; phi' is one of them.
+        let rate = self.exact.phi_rate(0.0) * self.unit;
+        let root = (a - 4.0 * c * cos(theta)).max(0.0).sqrt();
+        let fast = (a.sqrt() + root) / (2.0 * cos(theta));
+        let slow = 2.0 * c / (a.sqrt() + root);
+        let nearer = if (rate - fast).abs() < (rate - slow).abs() {
+            fast
+        } else {
+            slow
+        };
+        let quadratic = "root of u p^2 - sqrt(a) p + c";
+        let sharp =
+            64.0 * EPS * (1.0 + b.abs()) / (sin(theta) * sin(theta)) * nearer.abs().max(1.0);
+        report.add_claim(Claim::new(
+            self.key("precession"),
+            "dphi/dt'",
+            rate,
+            "-",
+            sharp,
+            Oracle::new(quadratic, nearer),
+        )?)?;
+        let spin = self.exact.zeta_rate(0.0) * self.unit;
+        report.add_claim(Claim::new(
+            self.key("spin"),
+            "dzeta/dt'",
+            spin,
+            "-",
+            bound,
+            Oracle::new(run, state[3] / end),
+        )?)
+    }
+
+    /// The tilt at the end, against a run in vectors, which knows no poles.
+    fn add_tilt(&self, report: &mut Report) -> Result<()> {
+        let end = self.end / self.unit;
+        let vectors = Vectors { c: self.top.c() };
+        let start = vectors.start(self);
+        let (fine, _) = Dop853::new(1e-14)?.advance(&vectors, 0.0, &start, end)?;
+        let (coarse, _) = Dop853::new(1e-12)?.advance(&vectors, 0.0, &start, end)?;
+        let value = self.exact.cos_theta(self.end);
+        let bound = 4.0 * (fine[5] - coarse[5]).abs() + 1e-12;
+        report.add_claim(Claim::new(
+            self.key("height_end"),
+            "cos(theta) at the end",
+            value,
+            "-",
+            bound,
+            Oracle::new("DOP853 on dL/dt = torque", fine[5]),
+        )?)
+    }
+}
+
+/// Newton's and Euler's law in space: dL/dt = torque, de/dt = L x e / I1, with
+/// I1 = 1, m g l = c. The state is L (X, Y, Z), then the axis e.
+struct Vectors {
+    c: f64,
+}
+
+impl Vectors {
+    fn start(&self, motion: &Motion) -> [f64; 6] {
+        let axis = motion.exact.axis(0.0).to_array();
+        let (s, u) = (sin(motion.start()[0]), axis[2]);
+        let phi = motion.start()[2];
+        let spin = motion.top.a().sqrt();
+        let nutation = motion.start()[1];
+        // L = nutation x + across y + spin z; phi' sin(theta) is regular at the pole.
+        let across = if s == 0.0 {
+            0.0
+        } else {
+            spin * (motion.top.b() - u) / s
+        };
+        let x = [cos(phi), sin(phi), 0.0];
+        let y = [-u * sin(phi), u * cos(phi), s];
+        let mut state = [0.0; 6];
+        for k in 0..3 {
+            state[k] = nutation * x[k] + across * y[k] + spin * axis[k];
+            state[k + 3] = axis[k];
+        }
+        state
+    }
+}
+
+impl Ode<6> for Vectors {
+    fn derivative(&self, _t: f64, &[lx, ly, lz, ex, ey, ez]: &[f64; 6]) -> [f64; 6] {
+        [
+            -self.c * ey,
+            self.c * ex,
+            0.0,
+            ly * ez - lz * ey,
+            lz * ex - lx * ez,
+            lx * ey - ly * ex,
+        ]
+    }
+}
+
+/// The motions in closed form: 200 samples over the run of each.
+pub fn trajectory(motions: &[Motion]) -> Result<Trajectory> {
+    let time = if motions.iter().any(Motion::in_seconds) {
+        "t [s]"
+    } else {
+        "t'"
+    };
+    let mut table = Trajectory::new([
+        "motion",
+        time,
+        "theta [rad]",
+        "phi [rad]",
+        "zeta [rad]",
+        "axis X",
+        "axis Y",
+        "axis Z",
+    ])?;
+    for (number, motion) in (1_u32..).zip(motions) {
+        for k in 0..=200 {
+            let t = motion.end * f64::from(k) / 200.0;
+            let angles = motion.exact.angles(t);
+            let [x, y, z] = motion.exact.axis(t).to_array();
+            table.push([
+                f64::from(number),
+                t,
+                angles.theta,
+                angles.phi,
+                angles.zeta,
+                x,
+                y,
+                z,
+            ])?;
+        }
+    }
+    Ok(table)
+}
