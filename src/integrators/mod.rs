@@ -11,7 +11,8 @@
 //! | [`Splitting`] | symmetric bodies under effects that see only the axis, and any [`Separable`] | fixed |
 //!
 //! A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
-//! carries its [`State`](crate::body::State)s.
+//! carries its [`State`](crate::body::State)s. [`SpinFree`] takes the spin of a
+//! symmetric body out, for the general methods too.
 //!
 //! Not for: closed forms (see [`crate::exact`]), and systems with jumps, which
 //! [`crate::planar`] cuts into smooth pieces at located events.
@@ -22,6 +23,7 @@ mod explicit;
 mod ode;
 mod rk4;
 pub mod scene;
+mod spin_free;
 pub mod splitting;
 mod work;
 
@@ -29,6 +31,7 @@ pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
 pub use explicit::{Tableau, Weights};
 pub use ode::Ode;
 pub use rk4::Rk4;
+pub use spin_free::SpinFree;
 pub use splitting::{Scheme, Separable, Splitting};
 pub use work::Work;
 

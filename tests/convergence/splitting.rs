@@ -162,7 +162,7 @@ fn bad_input() {
         .expect_err("refused");
     assert_eq!(
         refused.to_string(),
-        "I1 - I2 = -1 is not allowed: 0: only a symmetric body splits into free rotation and kick"
+        "I1 - I2 = -1 is not allowed: 0: only the spin of a symmetric body can be taken out"
     );
     let (same, work) = method
         .advance(&scene, 5.0, &start, 5.0)

@@ -1,18 +1,15 @@
 //! The symmetric body under effects that see only its axis.
 //!
-//! The free rotation of a symmetric body is R(t) = exp(t L/I1) R(0) exp(t Omega_S e3)
-//! with Omega_S = L_z (1/I3 - 1/I1). The second factor, the spin, commutes with
-//! everything here: an effect that sees only the axis does not change L_z. So the
-//! point carries only the first factor, and the spin is applied once at the end:
-//! it costs no steps and no accuracy, however fast it is.
+//! The parts are the free rotation and the kick of the torque. The spin is taken
+//! out, as in [`SpinFree`](crate::integrators::SpinFree), and applied once at the end.
 
 use super::Separable;
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::AxisEffect;
-use crate::error::{Error, Result};
-use crate::frame::SpaceVector;
+use crate::error::Result;
 use crate::integrators::compensated::Compensated;
+use crate::integrators::spin_free::{spin_rate, spun, symmetric};
 use crate::math::sincos;
 use crate::scene::Scene;
 
@@ -36,36 +33,17 @@ impl<E: AxisEffect> Separable for Scene<E> {
     type Point = TopPoint;
 
     fn enter(&self, state: &State) -> Result<TopPoint> {
-        let moments = self.body().moments();
-        if !moments.is_symmetric() {
-            return Err(Error::OutOfRange {
-                name: "I1 - I2",
-                value: moments.i1() - moments.i2(),
-                allowed: "0: only a symmetric body splits into free rotation and kick",
-            });
-        }
-        let (i1, i3) = (moments.i1(), moments.i3());
-        let axial = self.body().angular_momentum(state).z();
+        symmetric(self.body())?;
         Ok(TopPoint {
             quaternion: Compensated::new(state.attitude.quaternion()),
             momentum: Compensated::new(state.angular_momentum.to_array()),
-            // (I1 - I3)/I1 does not cancel as 1/I3 - 1/I1 would near a sphere.
-            spin: axial / i3 * ((i1 - i3) / i1),
+            spin: spin_rate(self.body(), state),
         })
     }
 
     fn leave(&self, point: &TopPoint, elapsed: f64) -> Result<State> {
-        let (s, c) = sincos(0.5 * (point.spin * elapsed));
-        let [w, x, y, z] = point.quaternion.value;
-        State::new(
-            Attitude::from_quaternion([
-                w * c - z * s,
-                x * c + y * s,
-                y * c - x * s,
-                z * c + w * s,
-            ])?,
-            SpaceVector::from_array(point.momentum.value),
-        )
+        let spin = point.spin * elapsed;
+        spun(point.quaternion.value, spin, point.momentum.value)
     }
 
     /// The axis turns about L, by the angle |L| dt / I1.
