@@ -90,7 +90,8 @@ impl fmt::Display for Error {
             Self::NoMotion { energy, minimum } => {
                 // Six places, or all of them if six do not show the difference.
                 let short = format!("{minimum:.6}");
-                let seen = short.parse::<f64>().is_ok_and(|m| *energy < m);
+                let rounded = short.parse::<f64>().unwrap_or(f64::NAN);
+                let seen = (rounded - minimum).abs() < 0.1 * (minimum - energy);
                 let minimum = if seen { short } else { minimum.to_string() };
                 // Two places at least: the notes write 0.40.
                 let places = format!("{energy:.2}");

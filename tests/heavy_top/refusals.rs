@@ -1,0 +1,148 @@
+//! What is refused, and that nothing else fails.
+
+use rotation_dynamics::Error;
+use rotation_dynamics::attitude::EulerAngles;
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, SymmetricTop};
+use rotation_dynamics::frame::BodyVector;
+
+#[test]
+fn an_energy_below_the_minimum_is_no_motion() {
+    let top = ReducedTop::new(2.0, 1.2, 0.2).expect("a top");
+    let refuse = |energy| HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0);
+    let error = refuse(0.40).expect_err("below");
+    assert_eq!(
+        error.to_string(),
+        "no motion: E~ = 0.4 is below U_min = 0.404262"
+    );
+    // One part in 1e14 below is seen, and shown.
+    let minimum = top.minimum().1;
+    let error = refuse(minimum * (1.0 - 1e-13)).expect_err("below");
+    assert!(error.to_string().contains(&minimum.to_string()), "{error}");
+    assert!(refuse(minimum).is_ok());
+}
+
+#[test]
+fn bad_input_is_named() {
+    let top = ReducedTop::new(1.0, 0.5, 0.2).expect("a top");
+    let start = |theta, rate| HeavyTop::from_angles(top, theta, rate, 0.0, 0.0).err();
+    let parameters = |a, b, c| ReducedTop::new(a, b, c).err();
+    let body = |i1, i3, weight, lever| SymmetricTop::new(i1, i3, weight, lever).err();
+    let nan = f64::NAN;
+    let errors = [
+        (parameters(nan, 0.5, 0.2), "a = NaN"),
+        (parameters(-1.0, 0.5, 0.2), "a = -1"),
+        (parameters(2.5, 0.5, 0.2), "I3 > 2 I1"),
+        (parameters(1.0, f64::INFINITY, 0.2), "b = inf"),
+        (parameters(1.0, 0.5, nan), "c = NaN"),
+        (start(0.0, 0.1), "b = 1"),
+        (start(-0.1, 0.1), "theta = -0.1"),
+        (start(3.2, 0.1), "theta = 3.2"),
+        (start(nan, 0.1), "theta = NaN"),
+        (start(1.0, nan), "theta_rate0 = NaN"),
+        (
+            HeavyTop::from_energy(top, nan, Start::ThetaMin, 0.0, 0.0).err(),
+            "energy = NaN",
+        ),
+        (
+            HeavyTop::from_energy(top, 1.0, Start::ThetaMin, nan, 0.0).err(),
+            "phi0 = NaN",
+        ),
+        (body(0.0, 1.0, 1.0, 1.0), "I1 = 0"),
+        (body(1.0, -1.0, 1.0, 1.0), "I3 = -1"),
+        (body(f64::INFINITY, 1.0, 1.0, 1.0), "I1 = inf"),
+        (body(1.0, 2.1, 1.0, 0.0), "I3/I1 = 2.1"),
+        (body(1.0, 2.0, 1.0, 0.1), "I3/I1 = 2"),
+        (body(1.0, 1.0, -1.0, 0.1), "m g = -1"),
+        (body(1.0, 1.0, 1.0, nan), "l = NaN"),
+    ];
+    for (error, part) in &errors {
+        let text = error.as_ref().map(Error::to_string).unwrap_or_default();
+        assert!(text.contains(part), "{part:?} is not in {text:?}");
+    }
+    assert_eq!(errors.len(), 19);
+    assert!(SymmetricTop::new(1.0, 2.0, 1.0, 0.0).is_ok());
+}
+
+/// A generator of its own, so that the cases are the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Of either sign, from 10^-`decades` to 10^`decades`; sometimes 0 or 1.
+    fn wild(&mut self, decades: f64) -> f64 {
+        let sign = if self.unit() < 0.5 { -1.0 } else { 1.0 };
+        let exponent = decades * (2.0 * self.unit() - 1.0);
+        match self.unit() {
+            u if u < 0.1 => 0.0,
+            u if u < 0.2 => sign,
+            _ => sign * rotation_dynamics::math::pow(10.0, exponent),
+        }
+    }
+}
+
+fn is_sound(motion: &HeavyTop) -> bool {
+    [0.0, 1e-9, 0.7, -31.0, 1e6].into_iter().all(|t| {
+        let angles = motion.angles(t);
+        let (attitude, omega) = motion.state(t);
+        let norm: f64 = attitude.quaternion().iter().map(|c| c * c).sum();
+        (0.0..=core::f64::consts::PI).contains(&angles.theta)
+            && angles.phi.is_finite()
+            && angles.zeta.is_finite()
+            && (norm - 1.0).abs() < 1e-14
+            && omega.is_finite()
+            && motion.theta_rate(t).is_finite()
+            && motion.cos_theta(t).abs() <= 1.0
+    })
+}
+
+/// Whatever is not refused answers with numbers: twelve decades of everything.
+#[test]
+fn no_motion_answers_with_nonsense() {
+    let mut random = Random(7);
+    let mut made = 0;
+    for i in 0..6000 {
+        let a = (random.unit() * 2.0).max(1e-9);
+        let (b, c) = (random.wild(6.0), random.wild(6.0));
+        let theta = match random.unit() {
+            u if u < 0.2 => 0.0,
+            u if u < 0.3 => core::f64::consts::PI,
+            u if u < 0.5 => random.wild(8.0).abs().min(3.0),
+            _ => random.unit() * core::f64::consts::PI,
+        };
+        let (rate, spin) = (random.wild(6.0), random.wild(6.0));
+        let top = ReducedTop::new(a, b, c).expect("a top");
+        let motion = match i % 3 {
+            0 => HeavyTop::from_angles(top, theta, rate, 0.1, 0.2),
+            1 => {
+                let start = [Start::ThetaMin, Start::ThetaMax][i / 3 % 2];
+                let energy = top.minimum().1 + rate.abs();
+                HeavyTop::from_energy(top, energy, start, 0.1, 0.2)
+            }
+            _ => SymmetricTop::new(1.0, a * 0.99, c.abs(), b).and_then(|body| {
+                let attitude = EulerAngles {
+                    phi: 0.1,
+                    theta,
+                    zeta: 0.2,
+                };
+                let omega = BodyVector::new(rate, random.wild(6.0), spin);
+                HeavyTop::from_body(body, attitude, omega)
+            }),
+        };
+        match motion {
+            Ok(motion) => {
+                made += 1;
+                assert!(is_sound(&motion), "case {i}: {motion:?}");
+            }
+            Err(Error::OutOfRange { name: "theta0", .. }) => {}
+            Err(error) => panic!("case {i}: {error}"),
+        }
+    }
+    assert!(made > 5000, "{made}");
+}
