@@ -57,6 +57,13 @@ const METHODS: &[Method] = &[
         promised: 64.0,
         run: top::dimensional,
     },
+    Method {
+        kind: "pendulum",
+        name: "exact::heavy_top",
+        bound: top::BOUND,
+        promised: 64.0,
+        run: top::pendulum,
+    },
 ];
 
 #[test]
@@ -115,4 +122,24 @@ fn a_damaged_rate_is_seen() {
         .collect();
     assert_eq!(factors.len(), 2);
     assert!(factors.iter().all(|k| *k > free_body::BOUND), "{factors:?}");
+}
+
+/// A gravity off by 1e-9 is refused in every case in which gravity is not tiny.
+#[test]
+fn a_damaged_gravity_is_seen() {
+    let files = case::own_files();
+    let cases = files.iter().flat_map(|file| case::read(file));
+    let tops = cases.filter(|case| case.kind == "top_nd" && case.input("c").abs() > 1e-5);
+    let factors: Vec<(String, f64)> = tops
+        .map(|case| {
+            // Refused is seen too: the energy may then be below the minimum.
+            let factor = top::from_parameters(&case, 1.0 + 1e-9)
+                .map_or(f64::INFINITY, |motion| top::compare(&case, &motion).factor);
+            (case.id, factor)
+        })
+        .collect();
+    assert!(factors.len() >= 35, "{}", factors.len());
+    for (id, factor) in factors {
+        assert!(!matches!(factor, k if k <= top::BOUND), "{id}: {factor}");
+    }
 }

@@ -37,9 +37,14 @@ pub fn files() -> (Vec<PathBuf>, bool) {
 
 pub fn own_files() -> Vec<PathBuf> {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
-    ["reference.json", "free_body_hard.json", "ladder_hard.json"]
-        .map(|file| data.join(file))
-        .to_vec()
+    [
+        "reference.json",
+        "free_body_hard.json",
+        "heavy_top_hard.json",
+        "ladder_hard.json",
+    ]
+    .map(|file| data.join(file))
+    .to_vec()
 }
 
 pub fn read(file: &Path) -> Vec<Case> {
@@ -85,6 +90,17 @@ impl Case {
     /// An input word, if the case has it.
     pub fn word(&self, name: &str) -> Option<&str> {
         self.json["inputs"][name].as_str()
+    }
+
+    /// A derived word, if the case has it.
+    pub fn derived_word(&self, name: &str) -> Option<&str> {
+        self.json["derived"][name].as_str()
+    }
+
+    /// True if every sample says what errors made on the way do to it.
+    pub fn has_path_conditions(&self) -> bool {
+        self.samples()
+            .all(|sample| sample.0["sens_path"].is_object())
     }
 
     /// A derived flag; false if it is missing.

@@ -1,15 +1,19 @@
 //! The heavy top in closed form.
 
 use super::case::{Case, Outcome};
+use rotation_dynamics::Result;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::math::DoubleDouble;
+use rotation_dynamics::math::{DoubleDouble, atan2};
 
-pub const BOUND: f64 = 8.0;
+/// Measured: 2.48 over the repository's cases (theta' in `rand-energy-0`), without
+/// sens_path in those of `heavy_top_hard.json`.
+pub const BOUND: f64 = 2.6;
 
 pub fn dimensionless(case: &Case) -> Outcome {
-    compare(case, &from_parameters(case, 1.0))
+    let motion = from_parameters(case, 1.0).unwrap_or_else(|error| panic!("{}: {error}", case.id));
+    compare(case, &motion)
 }
 
 pub fn dimensional(case: &Case) -> Outcome {
@@ -17,9 +21,9 @@ pub fn dimensional(case: &Case) -> Outcome {
 }
 
 /// The motion of a `top_nd` case with c multiplied by `damage`.
-pub fn from_parameters(case: &Case, damage: f64) -> HeavyTop {
+pub fn from_parameters(case: &Case, damage: f64) -> Result<HeavyTop> {
     let input = |name| case.input(name);
-    let motion = ReducedTop::formal(input("a"), input("b"), input("c") * damage).and_then(|top| {
+    ReducedTop::formal(input("a"), input("b"), input("c") * damage).and_then(|top| {
         let (phi0, zeta0) = (
             case.optional("phi0").unwrap_or(0.0),
             case.optional("zeta0").unwrap_or(0.0),
@@ -35,8 +39,54 @@ pub fn from_parameters(case: &Case, damage: f64) -> HeavyTop {
             }
             None => HeavyTop::from_angles(top, input("theta0"), input("dtheta0"), phi0, zeta0),
         }
-    });
-    motion.unwrap_or_else(|error| panic!("{}: {error}", case.id))
+    })
+}
+
+/// A pendulum is a top without spin that swings in a plane: theta from the hanging
+/// position with the centre of mass below the pivot.
+pub fn pendulum(case: &Case) -> Outcome {
+    let mut outcome = Outcome::new();
+    let input = |name| case.input(name);
+    let (theta0, omega0) = (input("theta0"), input("omega0"));
+    let side = if theta0 < 0.0 { -1.0 } else { 1.0 };
+    let motion =
+        SymmetricTop::from_mass(input("I"), input("I"), input("m"), input("g"), -input("d"))
+            .and_then(|body| {
+                let attitude = EulerAngles {
+                    phi: 0.0,
+                    theta: theta0.abs(),
+                    zeta: 0.0,
+                };
+                let omega = BodyVector::new(side * omega0, 0.0, 0.0);
+                HeavyTop::from_body(body, attitude, omega)
+            })
+            .unwrap_or_else(|error| panic!("{}: {error}", case.id));
+    for sample in case.samples() {
+        let t = sample.t();
+        let compare = |outcome: &mut Outcome, field: &str, got: f64, want: DoubleDouble| {
+            let scale = want.abs().to_f64() + sample.condition(field);
+            outcome.compare(&format!("{field} at {t}"), got, want, scale);
+        };
+        if let Some(want) = sample.value("theta") {
+            // The attitude knows theta without its whole turns.
+            let [w, x, ..] = motion.attitude(t).quaternion();
+            let angle = side * 2.0 * atan2(x, w);
+            let turns = ((want - angle) / DoubleDouble::TWO_PI).round();
+            let got = (DoubleDouble::TWO_PI * turns + angle).to_f64();
+            compare(&mut outcome, "theta", got, want);
+        }
+        if let Some(want) = sample.value("omega") {
+            let got = side * motion.angular_velocity(t).x();
+            compare(&mut outcome, "omega", got, want);
+        }
+    }
+    if let Some(want) = case.derived("T") {
+        // A swing passes the bottom twice; a turn passes it once.
+        let swings = case.derived_word("type") == Some("osc");
+        let period = motion.nutation_period() * if swings { 2.0 } else { 1.0 };
+        outcome.compare("T", period, want, want.to_f64());
+    }
+    outcome
 }
 
 fn from_body(case: &Case) -> HeavyTop {
