@@ -12,7 +12,7 @@ fn an_energy_below_the_minimum_is_no_motion() {
     let error = refuse(0.40).expect_err("below");
     assert_eq!(
         error.to_string(),
-        "no motion: E~ = 0.4 is below U_min = 0.404262"
+        "no motion: E~ = 0.40 is below U_min = 0.404262"
     );
     // One part in 1e14 below is seen, and shown.
     let minimum = top.minimum().1;
