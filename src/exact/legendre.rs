@@ -85,7 +85,7 @@ pub fn complete_pi(characteristic: Characteristic, modulus: Modulus) -> Result<f
 ///
 /// F(phi | m) = int_0^phi dtheta / sqrt(1 - m sin^2 theta); odd in phi, F(phi + pi) = F(phi) + 2K.
 ///
-/// `phi` [rad]: any finite angle, |phi| <= 1e15.
+/// `phi` (rad): any finite angle, |phi| <= 1e15.
 ///
 /// # Errors
 /// `NotFinite`; `OutOfRange` for |phi| > 1e15, and for |phi| > pi/2 at m1 = 0.
@@ -115,7 +115,7 @@ pub fn f(phi: f64, modulus: Modulus) -> Result<f64> {
 ///
 /// E(phi | m) = int_0^phi sqrt(1 - m sin^2 theta) dtheta; odd in phi, E(phi + pi) = E(phi) + 2E.
 ///
-/// `phi` [rad]: any finite angle, |phi| <= 1e15.
+/// `phi` (rad): any finite angle, |phi| <= 1e15.
 ///
 /// # Errors
 /// `NotFinite`; `OutOfRange` for |phi| > 1e15.
@@ -135,7 +135,7 @@ pub fn e(phi: f64, modulus: Modulus) -> Result<f64> {
 /// D(phi | m) = int_0^phi sin^2 theta dtheta / sqrt(1 - m sin^2 theta)
 /// = sin^3 phi R_D(cos^2 phi, 1 - m sin^2 phi, 1)/3.
 ///
-/// `phi` [rad]: any finite angle, |phi| <= 1e15.
+/// `phi` (rad): any finite angle, |phi| <= 1e15.
 ///
 /// # Errors
 /// As [`f`].
@@ -154,7 +154,7 @@ pub fn d(phi: f64, modulus: Modulus) -> Result<f64> {
 ///
 /// Pi(n; phi | m) = int_0^phi dtheta / ((1 - n sin^2 theta) sqrt(1 - m sin^2 theta)); odd in phi.
 ///
-/// `phi` [rad]: any finite angle, |phi| <= 1e15, for n >= 1 only where n sin^2 phi < 1
+/// `phi` (rad): any finite angle, |phi| <= 1e15, for n >= 1 only where n sin^2 phi < 1
 /// on the whole path.
 ///
 /// # Errors
