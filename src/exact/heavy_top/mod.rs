@@ -40,7 +40,7 @@ pub use queries::Regime;
 pub use reduced::ReducedTop;
 
 use crate::math::DoubleDouble as Dd;
-use motion::Motion;
+use motion::{Motion, nearest};
 
 /// A turning point at which the motion starts, at rest in theta.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,7 +115,7 @@ impl Turns {
     #[inline]
     fn phase(&self, t: f64, count: f64) -> f64 {
         let turns = self.rate * t - self.lag * count + self.start;
-        let whole = turns.hi().round();
+        let whole = nearest(turns.hi());
         core::f64::consts::TAU * (turns - whole).hi()
     }
 }

@@ -21,9 +21,10 @@ pub(super) struct Motion {
     /// Time from a turning point to the next; infinite for the homoclinic motion.
     pub half_period: Dd,
     homoclinic: bool,
+    per_half_period: f64,
     /// Time from the turning point number `first` to the start.
     offset: Dd,
-    first: f64,
+    first: i64,
     series: Series,
     /// z or w per time.
     pub rate: f64,
@@ -54,7 +55,7 @@ pub(super) struct Place {
     /// Half-periods since the start's.
     pub count: f64,
     /// Full periods, counted so that -1, 0 and 1 alternate in sign.
-    pub period: f64,
+    pub period: i64,
     /// Near the turning point v2.
     pub upper: bool,
     /// z or w from the nearest turning point.
@@ -118,12 +119,14 @@ impl Motion {
             ),
         ];
         let (first, offset) = time_from_turning_point(origin, &roots, m1, p);
+        let half_period = if homoclinic { quarter } else { quarter / p };
         let mut motion = Self {
             roots,
             m,
             m1,
-            half_period: if homoclinic { quarter } else { quarter / p },
+            half_period,
             homoclinic,
+            per_half_period: 1.0 / half_period.hi(),
             offset,
             first,
             series: matched.series,
@@ -158,15 +161,14 @@ impl Motion {
         let (count, rest) = if self.homoclinic {
             (0.0, since.hi())
         } else {
-            let count = (since.hi() / self.half_period.hi()).round();
+            let count = nearest(since.hi() * self.per_half_period);
             (count, (since - self.half_period * count).hi())
         };
-        let index = count + self.first;
-        let period = (0.5 * index).floor();
+        let index = (count as i64).saturating_add(self.first);
         Place {
             count: count - self.start,
-            period,
-            upper: index - 2.0 * period == 1.0,
+            period: index >> 1,
+            upper: index & 1 == 1,
             x: rest * self.rate,
         }
     }
@@ -210,9 +212,21 @@ impl Motion {
     pub fn half_turns(&self, place: &Place) -> [f64; 2] {
         let [a, b] = &self.channels;
         [
-            place.period * a.sign,
-            (place.period + f64::from(u8::from(place.upper))) * b.sign,
+            place.period as f64 * a.sign,
+            (place.period + i64::from(place.upper)) as f64 * b.sign,
         ]
+    }
+}
+
+/// The whole number nearest to `x`, a tie to the even one. Without a call: adding
+/// 1.5 * 2^52 leaves no room for a fraction.
+#[inline]
+pub(super) fn nearest(x: f64) -> f64 {
+    const SHIFT: f64 = 6_755_399_441_055_744.0;
+    if x.abs() < 2_251_799_813_685_248.0 {
+        (x + SHIFT) - SHIFT
+    } else {
+        x.round()
     }
 }
 
@@ -269,28 +283,28 @@ fn zeros(conserved: &Conserved, roots: &Roots, quarter_prime: Dd) -> [Zero; 2] {
 }
 
 /// The number of a turning point (even: v1, odd: v2) and the time since.
-fn time_from_turning_point(origin: &Origin, roots: &Roots, m1: Dd, p: Dd) -> (f64, Dd) {
+fn time_from_turning_point(origin: &Origin, roots: &Roots, m1: Dd, p: Dd) -> (i64, Dd) {
     let (below, above) = roots.start;
     let state = match origin {
-        Origin::Lower => return (0.0, Dd::ZERO),
-        Origin::Upper => return (1.0, Dd::ZERO),
+        Origin::Lower => return (0, Dd::ZERO),
+        Origin::Upper => return (1, Dd::ZERO),
         Origin::State(state) => state,
     };
     if below == 0.0 {
-        return (0.0, Dd::ZERO);
+        return (0, Dd::ZERO);
     }
     if above == 0.0 {
         // At v = 1 the motion leaves the pole: the zero before the lower turning point.
         let leaving = state.to_one == 0.0;
-        return (if leaving { -1.0 } else { 1.0 }, Dd::ZERO);
+        return (if leaving { -1 } else { 1 }, Dd::ZERO);
     }
     let rising = if state.rate < 0.0 { -1.0 } else { 1.0 };
     if below <= above || m1 == 0.0 {
         let tau = below.sqrt() * carlson_rf(above, above + m1 * below, roots.gap);
-        (0.0, tau / p * rising)
+        (0, tau / p * rising)
     } else {
         let (n, g) = (m1 * below, roots.gap);
         let tau = above.sqrt() * carlson_rf(n, m1 * g, n + above);
-        (1.0, -(tau / p) * rising)
+        (1, -(tau / p) * rising)
     }
 }

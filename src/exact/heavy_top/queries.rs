@@ -1,6 +1,7 @@
 //! What can be asked of a motion.
 
 use super::motion::{Motion, Place};
+use super::series::Pair;
 use super::{Course, HeavyTop, ReducedTop, SymmetricTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::frame::{BodyVector, SpaceVector};
@@ -109,7 +110,10 @@ impl HeavyTop {
             Course::Fixed { .. } => 0.0,
             Course::Moving { motion, .. } => {
                 let place = motion.place(t);
-                let (product, transverse, norm) = self.transverse(motion, &place);
+                let [alpha, beta, transverse] = self.transverse(motion, &place);
+                let norm = alpha.norm_sqr() + beta.norm_sqr();
+                // e^{i zeta} is alpha conj(beta) over its size.
+                let product = alpha * beta.conj();
                 let size = math::hypot(product.re, product.im);
                 if size > 0.0 {
                     (transverse * product).re / (size * norm)
@@ -428,62 +432,64 @@ impl HeavyTop {
     #[inline]
     fn sample(&self, motion: &Motion, turns: &[Turns; 2], t: f64) -> Sample {
         let place = motion.place(t);
-        let pair = motion.pair(&place);
-        self.turned(&place, turns, t, pair.a, pair.b)
+        let (alpha, beta) = self.ordered(motion.pair(&place));
+        let norm = alpha.norm_sqr() + beta.norm_sqr();
+        let [turn_alpha, turn_beta] = factors(turns, &place, t);
+        Sample {
+            alpha: alpha * turn_alpha,
+            beta: beta * turn_beta,
+            norm,
+        }
     }
 
-    /// The series turned by their phases.
+    /// alpha and beta from the parameters in v.
     #[inline]
-    fn turned(
-        &self,
-        place: &Place,
-        turns: &[Turns; 2],
-        t: f64,
-        a: Complex<f64>,
-        b: Complex<f64>,
-    ) -> Sample {
-        let norm = a.norm_sqr() + b.norm_sqr();
-        let (alpha, beta) = if self.flip > 0.0 { (a, b) } else { (b, a) };
-        let half = 0.5 * place.period;
-        let sign = if half == half.floor() { 1.0 } else { -1.0 };
-        let [alpha, beta] = [(alpha, &turns[0]), (beta, &turns[1])].map(|(value, turns)| {
-            let (sin, cos) = math::sincos(turns.phase(t, place.count));
-            value * Complex::new(sign * cos, sign * sin)
-        });
-        Sample { alpha, beta, norm }
+    fn ordered(&self, pair: Pair) -> (Complex<f64>, Complex<f64>) {
+        if self.flip > 0.0 {
+            (pair.a, pair.b)
+        } else {
+            (pair.b, pair.a)
+        }
     }
 
-    /// In the frame of the series: alpha conj(beta) (2 |..| = sin theta up to the norm),
-    /// e^{i..} (omega_1 + i omega_2) times the norm, and the norm.
-    fn transverse(&self, motion: &Motion, place: &Place) -> (Complex<f64>, Complex<f64>, f64) {
+    /// Before the phases: alpha, beta, and omega_1 + i omega_2 times |alpha|^2 + |beta|^2.
+    #[inline]
+    fn transverse(&self, motion: &Motion, place: &Place) -> [Complex<f64>; 3] {
         let (pair, slopes) = motion.pair_with_slopes(place);
-        let norm = pair.a.norm_sqr() + pair.b.norm_sqr();
         let [a, b] = &motion.channels;
-        let ((alpha, d_alpha), (beta, d_beta)) = if self.flip > 0.0 {
-            ((pair.a, slopes.a), (pair.b, slopes.b))
-        } else {
-            ((pair.b, slopes.b), (pair.a, slopes.a))
-        };
+        let (alpha, beta) = self.ordered(pair);
+        let (d_alpha, d_beta) = self.ordered(slopes);
         // omega_1 + i omega_2 = 2 (conj(alpha) beta' - beta conj(alpha)').
         let wronskian = alpha.conj() * d_beta - beta * d_alpha.conj();
-        let phases = Complex::new(0.0, (a.rate + b.rate).to_f64()) * (alpha.conj() * beta);
-        let transverse = (wronskian * motion.rate + phases) * 2.0;
-        (alpha * beta.conj(), transverse, norm)
+        let phases = Complex::new(0.0, a.rate.hi() + b.rate.hi()) * (alpha.conj() * beta);
+        [alpha, beta, (wronskian * motion.rate + phases) * 2.0]
     }
 
+    #[inline]
     fn rates_at(&self, motion: &Motion, turns: &[Turns; 2], t: f64) -> (Sample, BodyVector) {
         let place = motion.place(t);
-        let (_, transverse, norm) = self.transverse(motion, &place);
-        let pair = motion.pair(&place);
-        let sample = self.turned(&place, turns, t, pair.a, pair.b);
-        let [alpha, beta] = [0, 1].map(|i| {
-            let (sin, cos) = math::sincos(turns[i].phase(t, place.count));
-            Complex::new(cos, sin)
-        });
-        let omega = transverse * (alpha.conj() * beta) / norm;
+        let [alpha, beta, transverse] = self.transverse(motion, &place);
+        let norm = alpha.norm_sqr() + beta.norm_sqr();
+        let [turn_alpha, turn_beta] = factors(turns, &place, t);
+        let omega = transverse * (turn_alpha.conj() * turn_beta) / norm;
+        let sample = Sample {
+            alpha: alpha * turn_alpha,
+            beta: beta * turn_beta,
+            norm,
+        };
         let omega = BodyVector::new(omega.re, omega.im, self.omega3.to_f64());
         (sample, omega)
     }
+}
+
+/// The phase factors of alpha and beta, with the sign that makes the quaternion continuous.
+#[inline]
+fn factors(turns: &[Turns; 2], place: &Place, t: f64) -> [Complex<f64>; 2] {
+    let sign = if place.period & 1 == 0 { 1.0 } else { -1.0 };
+    [&turns[0], &turns[1]].map(|turns| {
+        let (sin, cos) = math::sincos(turns.phase(t, place.count));
+        Complex::new(sign * cos, sign * sin)
+    })
 }
 
 /// The unit quaternion (Re alpha, Re beta, Im beta, Im alpha).

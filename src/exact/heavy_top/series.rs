@@ -77,8 +77,11 @@ pub(super) struct Matched {
     pub slope_b: Dd,
 }
 
-/// Terms kept in the set-up: q^(n^2) < 1e-60.
-const TERMS: usize = 7;
+/// Terms kept in the set-up: the next would weigh q^36 < 1e-48.
+const TERMS: usize = 6;
+
+/// The powers of the nome up to the last term's.
+type Powers = [Dd; (TERMS - 1) * (TERMS - 1) + 1];
 
 impl Series {
     /// `a` and `b` are the zeros; at the upper turning point |a| is `size_a`, at the lower
@@ -100,7 +103,8 @@ impl Series {
 
     fn trigonometric(periods: &Periods, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
         let nome = nome(periods.quarter_prime, periods.quarter);
-        let waves = [a, b].map(|zero| Wave::new(zero, nome, periods.quarter));
+        let powers: Powers = powers(nome);
+        let waves = [a, b].map(|zero| Wave::new(zero, &powers, periods.quarter));
         let [scale_a, scale_b] = [size_a / waves[0].at_zero(), size_b / waves[1].at_zero()];
         let series = Self {
             hyperbolic: false,
@@ -119,12 +123,15 @@ impl Series {
 
     fn hyperbolic(periods: &Periods, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
         let nome = nome(periods.quarter, periods.quarter_prime);
-        let waves = [a, b].map(|zero| Ripple::new(zero, nome, periods.quarter_prime));
+        let powers: Powers = powers(nome);
+        let waves = [a, b].map(|zero| Ripple::new(zero, &powers, periods.quarter_prime));
         // theta_3(0) and theta_2(0)/(2 q'^(1/4)) at nome q'.
         let (mut theta3, mut theta2) = (Dd::ONE, Dd::ONE);
         for n in 1..TERMS {
-            theta3 += power(nome, n * n).scaled(2.0);
-            theta2 += power(nome, n * (n + 1));
+            theta3 += powers[n * n].scaled(2.0);
+            if n * (n + 1) < powers.len() {
+                theta2 += powers[n * (n + 1)];
+            }
         }
         let scale_a = size_a * theta3 / waves[0].at_zero();
         let scale_b = size_b * theta2 / waves[1].at_zero();
@@ -261,9 +268,13 @@ fn nome(quarter_prime: Dd, quarter: Dd) -> Dd {
     }
 }
 
-/// x^n.
-fn power(x: Dd, n: usize) -> Dd {
-    (0..n).fold(Dd::ONE, |product, _| product * x)
+/// 1, x, x^2, ...
+fn powers<const N: usize>(x: Dd) -> [Dd; N] {
+    let mut powers = [Dd::ONE; N];
+    for n in 1..N {
+        powers[n] = powers[n - 1] * x;
+    }
+    powers
 }
 
 /// The series of H and H1 in q, divided by q^(1/4) e^y, y = pi eta/2K:
@@ -275,23 +286,27 @@ struct Wave {
 }
 
 impl Wave {
-    fn new(zero: &Zero, nome: Dd, quarter: Dd) -> Self {
+    fn new(zero: &Zero, nome: &Powers, quarter: Dd) -> Self {
         let rest = if zero.rest.is_finite() {
             // q e^{2y} from K' - eta: no q -> 0 times e^y -> infinity.
             (-(Dd::PI * zero.rest / quarter)).exp()
         } else {
             Dd::ZERO
         };
+        let rest: [Dd; TERMS] = powers(rest);
+        // e^{-(2n+1) 2y} - 1 from n = 0 on: the terms of x + y + x y agree in sign.
+        let mut fall = if zero.eta.is_finite() {
+            (-(Dd::PI * zero.eta / quarter)).exp_m1()
+        } else {
+            -Dd::ONE
+        };
+        let two = fall.scaled(2.0) + fall.square();
         let (mut cosh, mut sinh) = ([Dd::ZERO; TERMS], [Dd::ZERO; TERMS]);
         for n in 0..TERMS {
-            let weight = power(nome, n * n) * power(rest, n);
-            let fall = if zero.eta.is_finite() {
-                (Dd::PI * zero.eta / quarter * -((2 * n + 1) as f64)).exp_m1()
-            } else {
-                -Dd::ONE
-            };
+            let weight = nome[n * n] * rest[n];
             cosh[n] = weight * (fall + 2.0);
             sinh[n] = -weight * fall;
+            fall = fall + two + fall * two;
         }
         Self {
             sign: zero.sign,
@@ -339,26 +354,31 @@ impl Wave {
 
 /// The same after Jacobi's imaginary transformation: H as theta_1(y' + iw | q') divided
 /// by 2 q'^(1/4) i, H1 as theta_4(y' + iw | q'), y' = pi eta/2K'.
-struct Ripple {
+struct Ripple<'a> {
     sign: f64,
-    nome: Dd,
+    nome: &'a Powers,
     /// sin and cos of j y', j = 0, 1, ...
     harmonics: [(Dd, Dd); 2 * TERMS],
 }
 
-impl Ripple {
-    fn new(zero: &Zero, nome: Dd, quarter_prime: Dd) -> Self {
-        let angle = Dd::FRAC_PI_2 * zero.eta / quarter_prime;
+impl<'a> Ripple<'a> {
+    fn new(zero: &Zero, nome: &'a Powers, quarter_prime: Dd) -> Self {
+        let (sin, cos) = (Dd::FRAC_PI_2 * zero.eta / quarter_prime).sin_cos();
+        let mut harmonics = [(Dd::ZERO, Dd::ONE); 2 * TERMS];
+        for j in 1..harmonics.len() {
+            let (s, c) = harmonics[j - 1];
+            harmonics[j] = (s * cos + c * sin, c * cos - s * sin);
+        }
         Self {
             sign: zero.sign,
             nome,
-            harmonics: core::array::from_fn(|j| (angle * j as f64).sin_cos()),
+            harmonics,
         }
     }
 
-    /// (-1)^n q'^n.
+    /// (-1)^n times a power of q'.
     fn weight(&self, exponent: usize, n: usize) -> Dd {
-        let weight = power(self.nome, exponent);
+        let weight = self.nome[exponent];
         if n.is_multiple_of(2) { weight } else { -weight }
     }
 
