@@ -5,6 +5,8 @@
 //! range that lies above round-off; two-sided. Each check has a damaged twin, a
 //! coefficient off by 1e-6, that must fail it.
 
+#[path = "convergence/closed_form.rs"]
+mod closed_form;
 #[path = "convergence/dop853.rs"]
 mod dop853;
 #[path = "convergence/events.rs"]

@@ -9,6 +9,10 @@ use crate::error::Result;
 /// Halving the step divides the error by 16. It keeps no invariant exactly: use
 /// it where a few digits will do, or as the yardstick others are held to.
 ///
+/// Accuracy, as measured on the notes' top (16.2, fig. 3) over 20 time units: 1.4e-6
+/// with 400 steps, 8.5e-8 with 800, and round-off (1.7e-14, since sums are
+/// compensated) with 40000.
+///
 /// Source: W. Kutta, Z. Math. Phys. 46, 435 (1901); E. Hairer, S. P. Nørsett,
 /// G. Wanner, *Solving Ordinary Differential Equations I*, II.1, table 1.2.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,26 +1,19 @@
 //! The splittings are of orders 2, 4 and 6, reversible, and cost what they say.
 
+use crate::closed_form::at;
 use crate::slope::fitted;
 use crate::top::{HeavyTop, distance, figure_3};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::splitting::Outer;
-use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, Scheme, Splitting, Work};
+use rotation_dynamics::integrators::{Integrator, Rk4, Scheme, Splitting, Work};
 use rotation_dynamics::scene::Scene;
 
 const T: f64 = 20.0;
 
-/// Where the top of fig. 3 is at t = 20, by a method of another kind, to about
-/// 1e-14 (`tests/reference` holds it to 25 digits).
-fn at_the_end() -> State {
-    let (scene, start) = figure_3();
-    let method = Dop853::new(1e-15).expect("valid");
-    method.advance(&scene, 0.0, &start, T).expect("smooth").0
-}
-
 fn errors(scheme: Scheme, steps: &[u64]) -> Vec<(f64, f64)> {
     let (scene, start) = figure_3();
-    let exact = at_the_end();
+    let exact = at(T);
     steps
         .iter()
         .map(|&n| {
@@ -94,18 +87,6 @@ fn slopes() {
     };
     let (slope, _) = fitted(&errors(kick, CASES[0].1));
     assert!(slope < 1.9, "{slope}");
-}
-
-#[test]
-fn where_two_methods_meet() {
-    // Measured: 7.3e-15 and 6.8e-15 between two methods that share nothing, after
-    // 20 time units in which the axis turns seven times.
-    let mut ran = 0;
-    for (_, off) in errors(Scheme::SRKN14, &[1000, 10000]) {
-        assert!(off <= 8e-15, "{off:e}");
-        ran += 1;
-    }
-    assert_eq!(ran, 2);
 }
 
 #[test]

@@ -27,9 +27,12 @@ pub fn top(a: f64, b: f64, c: f64, theta: f64) -> (HeavyTop, State) {
     (scene, start)
 }
 
+/// The smallest theta of the top of fig. 3 at E~ = 0.55.
+pub const THETA_3: f64 = 0.359_515_098_053_132_17;
+
 /// The top of fig. 3 at E~ = 0.55, from its smallest theta.
 pub fn figure_3() -> (HeavyTop, State) {
-    top(2.0, 1.2, 0.2, 0.359_515_098_053_132_17)
+    top(2.0, 1.2, 0.2, THETA_3)
 }
 
 /// Angle between two attitudes (rad) and length of the difference of the

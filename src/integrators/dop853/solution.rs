@@ -7,8 +7,9 @@ use crate::integrators::Work;
 
 /// A solution over a span of time, known at every time in it.
 ///
-/// Accuracy of the states between steps: see `tests/convergence.rs`; the error
-/// of the interpolant (order 7) stays within 20 times the tolerance.
+/// Accuracy: between steps no worse than at the end of the run, measured at 500
+/// times over ten Kepler orbits of eccentricity 0.5, for tolerances from 1e-4 to
+/// 1e-15 (`tests/convergence/dop853.rs`).
 #[derive(Debug, Clone)]
 pub struct Solution<const N: usize> {
     start_time: f64,
