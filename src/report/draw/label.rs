@@ -2,7 +2,7 @@
 //!
 //! In `$…$` letters are slanted, digits and signs upright, `-` is a minus sign, `'`
 //! a prime; there are Greek letters (`\theta`), `_x`, `^{-3}`, `_{eff}` (a word: upright), `\tilde E`,
-//! `\dot\phi`, `\mathrm{d}`, `\times`, `\cdot`, `\pi`, thin space `\,`. Outside,
+//! `\dot\phi`, `\mathrm{d}`, `\times`, `\cdot`, `\cos`, thin space `\,`. Outside,
 //! text is text.
 
 use core::fmt::Write;
@@ -11,6 +11,8 @@ use core::fmt::Write;
 pub(super) const SIZE: f64 = 14.0;
 /// Size of sub- and superscripts relative to the text: never below 11 px.
 const SMALL: f64 = 0.79;
+/// Size of slanted letters, which have a face of their own that runs smaller.
+const SLANTED: f64 = 1.08;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Level {
@@ -173,6 +175,14 @@ impl Label {
                             mark = "\u{302}";
                             continue;
                         }
+                        "sin" | "cos" | "tan" | "ln" | "exp" | "max" | "min" => {
+                            self.push(&name, false, level);
+                            // A parenthesis follows closely, an argument after a thin space.
+                            if input.peek().is_some_and(|c| !"(^_{".contains(*c)) {
+                                self.push("\u{2009}", false, level);
+                            }
+                            continue;
+                        }
                         _ => NAMES
                             .iter()
                             .find(|(n, _)| *n == name)
@@ -228,8 +238,14 @@ impl Label {
                 let _ = write!(attributes, " dy=\"{:.1}\"", target - raised);
                 raised = target;
             }
-            if span.level != Level::Base {
-                let _ = write!(attributes, " font-size=\"{:.1}\"", SMALL * size);
+            let scale = if span.level == Level::Base {
+                1.0
+            } else {
+                SMALL
+            };
+            let scale = if span.slanted { SLANTED * scale } else { scale };
+            if scale != 1.0 {
+                let _ = write!(attributes, " font-size=\"{:.1}\"", scale * size);
             }
             if span.slanted {
                 attributes.push_str(" class=\"v\"");
@@ -290,6 +306,8 @@ mod tests {
         assert_eq!(plain(r"$\dot\phi$"), "φ\u{307}");
         assert_eq!(plain(r"$t'$"), "t′");
         assert_eq!(plain("a - b"), "a - b");
+        assert_eq!(plain(r"$\cos\theta=b$"), "cos\u{2009}θ\u{2009}=\u{2009}b");
+        assert!(Label::new(r"$\sin(x)$").svg(14.0).starts_with("sin(<tspan"));
     }
 
     #[test]
@@ -297,7 +315,7 @@ mod tests {
         let svg = Label::new(r"$x_1=2$ m").svg(14.0);
         assert_eq!(
             svg,
-            "<tspan class=\"v\">x</tspan><tspan dy=\"3.4\" font-size=\"11.1\">1</tspan>\
+            "<tspan font-size=\"15.1\" class=\"v\">x</tspan><tspan dy=\"3.4\" font-size=\"11.1\">1</tspan>\
              <tspan dy=\"-3.4\">\u{2009}=\u{2009}2 m</tspan>"
         );
     }

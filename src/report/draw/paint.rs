@@ -268,9 +268,9 @@ impl Panel {
                 continue;
             };
             let px: Vec<Point> = longest.iter().map(|&p| frame.px(p)).collect();
-            let make = |side| Text::new(text, curve.ink, side, GAP);
-            if let Some((at, side)) = obstacles.place(i, &px, make) {
-                sheet.draw(&[at], Paint::Text(make(side)))?;
+            let make = |side, gap| Text::new(text, curve.ink, side, gap);
+            if let Some((at, text)) = obstacles.place(i, &px, make) {
+                sheet.draw(&[at], Paint::Text(text))?;
             }
         }
         Ok(())

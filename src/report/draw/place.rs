@@ -54,29 +54,32 @@ impl Obstacles {
         self.taken.push(rect);
     }
 
-    /// The best place for the label `text(side)` of curve number `curve` along `line`
-    /// (px): its point and side. The place is taken.
+    /// The best place for the label `text(side, gap)` of curve number `curve` along `line`
+    /// (px): its point and the text. The place is taken.
     pub(super) fn place(
         &mut self,
         curve: usize,
         line: &[Point],
-        text: impl Fn(Side) -> Text,
-    ) -> Option<(Point, Side)> {
-        let mut best: Option<(f64, Point, Side, Rect)> = None;
+        text: impl Fn(Side, f64) -> Text,
+    ) -> Option<(Point, Text)> {
+        let mut best: Option<(f64, Point, Text, Rect)> = None;
         for (position, at) in stations(line) {
             for (rank, &side) in SIDES.iter().enumerate() {
-                let rect = text(side).rect(at);
-                // A slight preference for the end of the curve and for the first sides.
-                let taste = 2.0 * (1.0 - position) + 0.3 * rank as f64;
-                let cost = taste + self.cost(curve, &rect);
-                if best.as_ref().is_none_or(|b| cost < b.0) {
-                    best = Some((cost, at, side, rect));
+                for (far, gap) in [GAP, 2.0 * GAP, 3.0 * GAP].into_iter().enumerate() {
+                    let text = text(side, gap);
+                    let rect = text.rect(at);
+                    // A slight preference for the end, for the first sides, for being near.
+                    let taste = 2.0 * (1.0 - position) + 0.3 * rank as f64 + 4.0 * far as f64;
+                    let cost = taste + self.cost(curve, &rect);
+                    if best.as_ref().is_none_or(|b| cost < b.0) {
+                        best = Some((cost, at, text, rect));
+                    }
                 }
             }
         }
-        best.map(|(_, at, side, rect)| {
+        best.map(|(_, at, text, rect)| {
             self.take(rect);
-            (at, side)
+            (at, text)
         })
     }
 
@@ -283,11 +286,11 @@ mod tests {
         };
         let mut rects: Vec<Rect> = Vec::new();
         for k in 0..4 {
-            let text = |side| Text::new("wave number", Ink::Ink, side, GAP);
-            let (at, side) = obstacles
+            let text = |side, gap| Text::new("wave number", Ink::Ink, side, gap);
+            let (at, text) = obstacles
                 .place(k, &wave(k), text)
                 .expect("a line has places");
-            let rect = text(side).rect(at);
+            let rect = text.rect(at);
             assert_eq!(crossed(&rect, &obstacles), 0, "label {k}");
             assert!(rects.iter().all(|r| !r.overlaps(&rect)), "label {k}");
             assert!(

@@ -273,16 +273,16 @@ impl Sketch {
             frame.draw(&[*at], Paint::Text(text))?;
         }
         for (i, px, text, place, ink) in wanted {
-            let make = |side| Text::new(text, ink, side, GAP);
+            let make = |side, gap| Text::new(text, ink, side, gap);
             match place {
-                LabelPlace::At(at, side) => frame.draw(&[*at], Paint::Text(make(*side)))?,
+                LabelPlace::At(at, side) => frame.draw(&[*at], Paint::Text(make(*side, GAP)))?,
                 LabelPlace::End => {
                     let last = px.last().copied().unwrap_or_default();
-                    sheet.draw(&[last], Paint::Text(make(Side::Right)))?;
+                    sheet.draw(&[last], Paint::Text(make(Side::Right, GAP)))?;
                 }
                 LabelPlace::Found => {
-                    if let Some((at, side)) = obstacles.place(i, &px, make) {
-                        sheet.draw(&[at], Paint::Text(make(side)))?;
+                    if let Some((at, text)) = obstacles.place(i, &px, make) {
+                        sheet.draw(&[at], Paint::Text(text))?;
                     }
                 }
             }

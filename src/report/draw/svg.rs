@@ -76,7 +76,7 @@ impl<'a> Svg<'a> {
              width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{alt}\" fill=\"none\" \
              stroke-linejoin=\"round\" font-size=\"{size}\" font-family=\"{SANS}\">\n\
              <desc>{alt}</desc>\n\
-             <style>.fig .v{{font-style:italic;font-family:var(--fig-math,{SERIF});font-size:1.09em}}\
+             <style>.fig .v{{font-style:italic;font-family:var(--fig-math,{SERIF})}}\
              .fig .h{{paint-order:stroke;stroke-width:4px;stroke:{paper}}}</style>\n\
              <rect width=\"{w}\" height=\"{h}\" style=\"fill:{paper}\"/>\n",
             size = super::label::SIZE,
