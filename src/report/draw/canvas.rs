@@ -36,6 +36,15 @@ impl Rect {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
 
+    /// The distance of a point; 0 inside.
+    pub(super) fn distance(&self, (x, y): Point) -> f64 {
+        let outside = |low: f64, value: f64, high: f64| (low - value).max(value - high).max(0.0);
+        hypot(
+            outside(self.left, x, self.right),
+            outside(self.top, y, self.bottom),
+        )
+    }
+
     pub(super) fn grown(&self, by: f64) -> Self {
         Self {
             left: self.left - by,

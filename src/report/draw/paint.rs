@@ -260,15 +260,22 @@ impl Panel {
             obstacles.take(text.rect(at));
             sheet.draw(&[at], Paint::Text(text))?;
         }
-        for (i, curve) in curves.iter().enumerate() {
-            let Some((text, LabelPlace::Found)) = &curve.label else {
-                continue;
-            };
+        let found = curves
+            .iter()
+            .enumerate()
+            .filter_map(|(i, curve)| match &curve.label {
+                Some((text, LabelPlace::Found)) => Some((i, curve.ink, text)),
+                _ => None,
+            });
+        let mut found: Vec<(usize, Ink, &String)> = found.collect();
+        // The longest is the hardest to place: it chooses first.
+        found.sort_by(|a, b| b.2.len().cmp(&a.2.len()));
+        for (i, ink, text) in found {
             let Some(longest) = lines[i].iter().max_by_key(|part| part.len()) else {
                 continue;
             };
             let px: Vec<Point> = longest.iter().map(|&p| frame.px(p)).collect();
-            let make = |side, gap| Text::new(text, curve.ink, side, gap);
+            let make = |side, gap| Text::new(text, ink, side, gap);
             if let Some((at, text)) = obstacles.place(i, &px, make) {
                 sheet.draw(&[at], Paint::Text(text))?;
             }

@@ -91,15 +91,19 @@ impl Obstacles {
             .iter()
             .filter(|t| t.grown(2.0).overlaps(rect))
             .count();
-        let (tight, wide) = (rect.grown(1.0), rect.grown(GAP));
+        let tight = rect.grown(1.0);
         let mut cost = if outside { 1e4 } else { 0.0 } + 500.0 * taken as f64;
+        let (mut own, mut other) = (f64::INFINITY, f64::INFINITY);
         for &(owner, p) in &self.points {
             if tight.contains(p) {
                 cost += 10.0;
-            } else if owner != curve && wide.contains(p) {
-                // Not crossed, but it might be read as that curve's label.
-                cost += 2.0;
             }
+            let nearest = if owner == curve { &mut own } else { &mut other };
+            *nearest = nearest.min(rect.distance(p));
+        }
+        // Much nearer to another curve it would be read as that curve's label.
+        if other < 0.7 * own {
+            cost += 12.0;
         }
         cost
     }
