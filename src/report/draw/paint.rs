@@ -269,7 +269,7 @@ impl Panel {
             });
         let mut found: Vec<(usize, Ink, &String)> = found.collect();
         // The longest is the hardest to place: it chooses first.
-        found.sort_by(|a, b| b.2.len().cmp(&a.2.len()));
+        found.sort_by_key(|label| core::cmp::Reverse(label.2.len()));
         for (i, ink, text) in found {
             let Some(longest) = lines[i].iter().max_by_key(|part| part.len()) else {
                 continue;
