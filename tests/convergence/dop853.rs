@@ -272,3 +272,44 @@ fn bad_input_and_singularities() {
         "t = 4 is outside the run, which goes from 3 to 3"
     );
 }
+
+/// The same motion in other units: as many steps, the same error.
+#[test]
+fn units_do_not_matter() {
+    struct Oscillator {
+        unit: f64,
+        time: f64,
+    }
+    impl Ode<2> for Oscillator {
+        fn derivative(&self, _t: f64, &[x, v]: &[f64; 2]) -> [f64; 2] {
+            [v / self.time, -x / self.time]
+        }
+        fn scale(&self, _y: &[f64; 2]) -> [f64; 2] {
+            [self.unit; 2]
+        }
+    }
+    // Powers of two: nothing is rounded, so the runs must be equal bit for bit.
+    let run = |unit: f64, time: f64| {
+        let method = Dop853::new(1e-10).expect("valid");
+        let ode = Oscillator { unit, time };
+        let (end, work) = method
+            .advance(&ode, 0.0, &[unit, 0.0], 20.0 * time)
+            .expect("smooth");
+        (end.map(|c| c / unit), work)
+    };
+    let reference = run(1.0, 1.0);
+    assert_eq!(reference, run(0.000_030_517_578_125, 1.0));
+    assert_eq!(reference, run(1.0, 1024.0));
+    assert_eq!(reference, run(1_048_576.0, 0.125));
+    // A scale must be positive.
+    let zero = Oscillator {
+        unit: 0.0,
+        time: 1.0,
+    };
+    let method = Dop853::new(1e-10).expect("valid");
+    let error = Integrator::advance(&method, &zero, 0.0, &[1.0, 0.0], 1.0);
+    assert_eq!(
+        error.expect_err("refused").to_string(),
+        "scale of a component = 0 is not allowed: it must be greater than 0"
+    );
+}

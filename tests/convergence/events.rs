@@ -122,3 +122,45 @@ fn events_in_one_step_come_in_order() {
     let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
     assert_eq!(met, [("first", 0.25), ("second", 0.5), ("third", 0.75)]);
 }
+
+#[test]
+fn grazing_and_an_event_at_the_start() {
+    let method = Dop853::new(1e-12).expect("valid");
+    // sin t - 1 touches zero at pi/2 without crossing: met as two crossings, as one
+    // touch or not at all, never as an error.
+    let graze = Event::crossing("graze", |_t, y: &[f64; 1]| y[0] - 1.0);
+    let run = method
+        .solve(&Clock, 0.0, &[0.0], 3.0, &[graze])
+        .expect("smooth");
+    assert!(run.events().len() <= 2);
+    for event in run.events() {
+        // Where a parabola meets zero, a rounding of it is its root: 1e-6.
+        assert!((event.t - PI / 2.0).abs() < 1e-6);
+    }
+    // Zero at the very start is no event; a rounding below zero is one, at once.
+    for (start, met) in [(0.0, 0), (-1e-300, 1)] {
+        let zero = Event::rising("zero", |_t, y: &[f64; 1]| y[0]).terminal();
+        let run = method
+            .solve(&Clock, 0.0, &[start], 3.0, &[zero])
+            .expect("smooth");
+        assert_eq!(run.events().len(), met);
+        assert_eq!(run.stopped_by().is_some(), met == 1);
+        let end = run.end_time();
+        assert_eq!(run.at(end).expect("the end"), *run.end_state());
+        assert!(run.at(end).expect("the end")[0].is_finite());
+    }
+}
+
+#[test]
+fn an_event_must_be_a_number() {
+    let method = Dop853::new(1e-9).expect("valid");
+    let bad = Event::rising("root", |_t, y: &[f64; 1]| (0.5 - y[0]).sqrt());
+    let error = method
+        .solve(&Clock, 0.0, &[0.0], 2.0, &[bad])
+        .expect_err("refused");
+    let message = error.to_string();
+    assert!(
+        message.starts_with("the function of the event \"root\" is NaN at t = "),
+        "{message}"
+    );
+}

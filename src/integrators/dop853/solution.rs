@@ -40,8 +40,12 @@ impl<const N: usize> Solution<N> {
         }
     }
 
+    /// Adds a step. One without length (an event at the very start of a step) holds
+    /// no time that the steps before it do not.
     pub(super) fn push(&mut self, segment: Segment<N>) {
-        self.segments.push(segment);
+        if segment.t_end != segment.t {
+            self.segments.push(segment);
+        }
     }
 
     /// Where the run began.
