@@ -18,6 +18,7 @@ use rotation_dynamics::report::draw::PALETTE;
 use rotation_dynamics::report::{Figure, parse};
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// What is locked of an example.
 struct Locked {
@@ -31,11 +32,15 @@ struct Locked {
 const EXAMPLES: usize = 2;
 const FIGURES: usize = 26;
 
-fn all() -> Vec<Locked> {
-    vec![
-        locked(&ch16_2_gyroscope::EXAMPLE),
-        locked(&ch16_ex6_ladder::EXAMPLE),
-    ]
+/// Every example, run once for all tests of this file.
+fn all() -> &'static [Locked] {
+    static ALL: OnceLock<Vec<Locked>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        vec![
+            locked(&ch16_2_gyroscope::EXAMPLE),
+            locked(&ch16_ex6_ladder::EXAMPLE),
+        ]
+    })
 }
 
 fn locked<P: Default>(example: &Example<P>) -> Locked {
@@ -71,7 +76,7 @@ fn files(directory: &str) -> BTreeSet<String> {
 #[test]
 fn examples_are_locked() {
     let all = all();
-    for example in &all {
+    for example in all {
         settings("snapshots").bind(|| insta::assert_snapshot!(example.stem, example.text));
         settings("snapshots/figures").bind(|| {
             for figure in &example.figures {
@@ -96,7 +101,7 @@ fn nothing_is_locked_twice_or_without_an_example() {
     let texts: BTreeSet<String> = all.iter().map(|e| format!("{}.snap", e.stem)).collect();
     assert_eq!(texts, files("tests/snapshots"));
     let mut figures = BTreeSet::new();
-    for example in &all {
+    for example in all {
         for figure in &example.figures {
             for extension in ["snap", "snap.svg"] {
                 let name = format!("{}__{}.{extension}", example.stem, figure.name);
