@@ -51,28 +51,30 @@ impl Default for Parameters {
 ///
 /// The state is `[theta, theta', x, x']`: the angle from the wall, and how far the
 /// centre of mass is from it.
-struct Sliding {
-    length: f64,
-    gravity: f64,
+pub struct Sliding {
+    pub length: f64,
+    pub gravity: f64,
     /// Moment of inertia about the middle, over that of a uniform rod, m l^2/12.
-    inertia: f64,
+    pub inertia: f64,
 }
 
 /// What touches the ladder besides the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Wall {
+pub enum Wall {
     Touches,
     Free,
 }
 
-struct Forces {
-    wall: f64,
-    floor: f64,
-    angular_acceleration: f64,
+/// Forces per unit mass, m/s^2, and the angular acceleration, rad/s^2.
+pub struct Forces {
+    pub wall: f64,
+    pub floor: f64,
+    pub angular_acceleration: f64,
 }
 
 impl Sliding {
-    fn forces(&self, wall: Wall, [theta, omega, ..]: &[f64; 4]) -> Forces {
+    /// What the surfaces push with, and how the ladder turns.
+    pub fn forces(&self, wall: Wall, [theta, omega, ..]: &[f64; 4]) -> Forces {
         let (l, g, i) = (self.length, self.gravity, self.inertia);
         let (s, c) = sincos(*theta);
         match wall {
@@ -86,9 +88,11 @@ impl Sliding {
                     angular_acceleration: alpha,
                 }
             }
-            // Only the foot is held; the floor alone turns the ladder, i l^2/12 alpha = s l/2 N.
+            // Only the foot is held; the floor alone turns the ladder:
+            // i l^2/12 alpha = (l/2) s N_floor.
             Wall::Free => {
-                let floor = (g - 0.5 * l * c * omega * omega) / (1.0 + 3.0 / i * s * s);
+                let fall = g - 0.5 * l * c * omega * omega;
+                let floor = fall / (1.0 + 3.0 / i * s * s);
                 Forces {
                     wall: 0.0,
                     floor,
@@ -110,16 +114,19 @@ impl Phased<4> for Sliding {
     }
 
     fn conditions(&self, wall: Wall) -> Vec<Condition<'_, Wall, 4>> {
-        let force = |pick: fn(Forces) -> f64| move |y: &[f64; 4]| pick(self.forces(wall, y));
-        let lies_flat = Condition::gap("lands", |y: &[f64; 4]| FRAC_PI_2 - y[0], Next::End);
-        let floor_pushes = Condition::contact("floor lets go", force(|f| f.floor), Next::End);
-        let wall = match wall {
-            Wall::Touches => {
-                Condition::contact("wall lets go", force(|f| f.wall), Next::Enter(Wall::Free))
-            }
-            Wall::Free => Condition::opening_gap("top is back", |y| self.top_gap(y), Next::End),
-        };
-        vec![wall, floor_pushes, lies_flat]
+        let push = |y: &[f64; 4]| self.forces(Wall::Touches, y).wall;
+        let carry = move |y: &[f64; 4]| self.forces(wall, y).floor;
+        let gap = |y: &[f64; 4]| self.top_gap(y);
+        let slope = |y: &[f64; 4]| FRAC_PI_2 - y[0];
+        let free = Next::Enter(Wall::Free);
+        vec![
+            match wall {
+                Wall::Touches => Condition::contact("wall lets go", push, free),
+                Wall::Free => Condition::opening_gap("top is back", gap, Next::End),
+            },
+            Condition::contact("floor lets go", carry, Next::End),
+            Condition::gap("lands", slope, Next::End),
+        ]
     }
 
     /// Errors count relative to each coordinate, so a start a hair off the wall is
@@ -133,19 +140,20 @@ impl Phased<4> for Sliding {
 
 impl Sliding {
     /// How far the top is from the wall.
-    fn top_gap(&self, [theta, _, x, _]: &[f64; 4]) -> f64 {
+    pub fn top_gap(&self, [theta, _, x, _]: &[f64; 4]) -> f64 {
         x - 0.5 * self.length * sin(*theta)
     }
 
     /// The energy over `m g l/2`, counted from the floor.
-    fn energy(&self, [theta, omega, _, vx]: &[f64; 4]) -> f64 {
+    pub fn energy(&self, [theta, omega, _, vx]: &[f64; 4]) -> f64 {
         let (s, c) = sincos(*theta);
         let vy = -0.5 * self.length * s * omega;
         let turning = self.inertia * self.length * self.length / 12.0 * omega * omega;
         c + (vx * vx + vy * vy + turning) / (self.gravity * self.length)
     }
 
-    fn at_rest(&self, angle: f64) -> [f64; 4] {
+    /// The state at rest at this angle, both ends touching.
+    pub fn at_rest(&self, angle: f64) -> [f64; 4] {
         [angle, 0.0, 0.5 * self.length * sin(angle), 0.0]
     }
 }
@@ -363,12 +371,12 @@ fn claims(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
 
     // ANCHOR: naive
     let flat = naive.transition("lands")?;
-    let pull = scene.forces(Wall::Touches, &flat.before).wall / g;
+    let pull = -scene.forces(Wall::Touches, &flat.before).wall / g;
     // ANCHOR_END: naive
     report.add_claim(Claim::new(
-        "naive_wall_force",
-        "wrong: force of a wall that is kept to the floor, over the weight",
-        -1.5 * start,
+        "naive_pull",
+        "wrong: pull of a wall that is kept to the floor, over the weight",
+        1.5 * start,
         "-",
         force,
         simulated(pull),

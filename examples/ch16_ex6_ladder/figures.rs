@@ -68,7 +68,7 @@ fn setup(p: &Parameters) -> Result<Figure> {
     .wall((0.0, 0.0), (s + 0.4, 0.0))
     .curve(Curve::new([top, foot], Ink::Body).width(4.0))
     .angle(top, 0.26, (-FRAC_PI_2, theta - FRAC_PI_2), r"$\theta$")
-    .dot(middle, Ink::Ink, "$(x, y)$", Side::AboveRight)
+    .dot(middle, Ink::Ink, "$(x, y)$", Side::Left)
     .arrow(
         middle,
         (middle.0, middle.1 - 0.24),

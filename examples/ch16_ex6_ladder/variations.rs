@@ -48,7 +48,6 @@ pub fn mass(p: &Parameters) -> Result<Table> {
     Ok(table)
 }
 
-// ANCHOR: friction
 /// The uniform ladder with dry friction, coefficient `mu` at both ends, while it slides.
 struct Rubbing {
     ladder: Sliding,
@@ -87,7 +86,6 @@ impl Rubbing {
         }
     }
 }
-// ANCHOR_END: friction
 
 impl Phased<4> for Rubbing {
     type Phase = Wall;
@@ -221,8 +219,8 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     });
     report.add_effect(EffectEntry {
         effect: "one-sided contact of the wall".into(),
-        number: "N_wall / (m g) at the floor, if kept".into(),
-        value: -1.5 * cos(p.angle),
+        number: "pull / (m g) at the floor, if kept".into(),
+        value: 1.5 * cos(p.angle),
         error: super::landing_error(&solved.exact, &solved.naive)?,
         unit: "of omega_floor".into(),
         included: true,

@@ -41,8 +41,10 @@
 //!
 //! Source: lecture notes, chapter 16, exercise 6; the two integrals are ours.
 
+use super::Modulus;
+use super::extended::carlson_rf;
+use super::jacobi::Jacobi;
 use crate::error::{Error, Result, finite};
-use crate::exact::extended::carlson_rf;
 use crate::math::{self, DoubleDouble};
 
 /// The smallest angle of release: below it `theta0^2` leaves the range of the
@@ -106,6 +108,7 @@ pub struct Ladder {
     cos_half: f64,
     /// W = sqrt(3g/(2l)).
     rate: DoubleDouble,
+    functions: Jacobi,
     release_time: DoubleDouble,
     // Off the wall.
     /// u_r = (2/3) cos theta0.
@@ -171,6 +174,7 @@ impl Ladder {
             sin_half: sin_half.to_f64(),
             cos_half: cos_half.to_f64(),
             rate,
+            functions: Jacobi::new(Modulus::from_m1(sin_half.square().to_f64())?),
             release_time: release_phase / rate,
             release_cos: release_cos.to_f64(),
             release_v: release_v.to_f64(),
@@ -267,7 +271,7 @@ impl Ladder {
             });
         }
         if DoubleDouble::from(t) <= self.release_time {
-            return Ok(self.on_wall(t));
+            return self.on_wall(t);
         }
         if t >= self.landing_time {
             return Ok(self.landing());
@@ -281,9 +285,9 @@ impl Ladder {
         (DoubleDouble::from(t) - self.release_time).to_f64()
     }
 
-    fn on_wall(&self, t: f64) -> LadderState {
+    fn on_wall(&self, t: f64) -> Result<LadderState> {
         let phase = (self.rate * t).to_f64();
-        let (sn, cn, dn) = sn_cn_dn(phase, self.sin_half * self.sin_half);
+        let (sn, cn, dn) = self.functions.sn_cn_dn(phase)?;
         // dn is left out of both components: the angle does not need it.
         let theta = 2.0 * math::atan2(self.sin_half, self.cos_half * cn);
         let swing = self.sin0 * sn / dn;
@@ -294,7 +298,7 @@ impl Ladder {
         let cos = self.cos0 - 0.5 * swing * swing;
         let half = 0.5 * self.length;
         let push = 2.25 * (cos - self.release_cos);
-        LadderState {
+        Ok(LadderState {
             phase: Phase::OnWall,
             theta,
             omega,
@@ -304,7 +308,7 @@ impl Ladder {
             vx_cm: half * cos * omega,
             floor_force: 0.25 + push * cos,
             wall_force: push * sin,
-        }
+        })
     }
 
     /// The state after `v` has grown by `x` in the time `since`.
@@ -427,42 +431,4 @@ fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
         .map(|(x, weight)| weight * (f(half * (1.0 - x)) + f(half * (1.0 + x))))
         .sum();
     half * sum
-}
-
-/// Jacobi's `sn`, `cn`, `dn` from the complementary parameter, for `0 <= u < K`.
-fn sn_cn_dn(u: f64, m1: f64) -> (f64, f64, f64) {
-    // R. Bulirsch, Numer. Math. 7, 78 (1965): descending Landen steps.
-    let mut mc = m1;
-    let (mut a, mut means, mut roots) = (1.0, [0.0; 16], [0.0; 16]);
-    let mut last = 0;
-    let mut c = 0.0;
-    for i in 0..16 {
-        last = i;
-        means[i] = a;
-        mc = mc.sqrt();
-        roots[i] = mc;
-        c = 0.5 * (a + mc);
-        if (a - mc).abs() <= 1e-9 * a {
-            break;
-        }
-        mc *= a;
-        a = c;
-    }
-    let (mut sn, mut cn) = math::sincos(c * u);
-    let mut dn = 1.0;
-    if sn != 0.0 {
-        let mut a = cn / sn;
-        c *= a;
-        for i in (0..=last).rev() {
-            let b = means[i];
-            a *= c;
-            c *= dn;
-            dn = (roots[i] + a) / (b + a);
-            a = c / b;
-        }
-        let norm = 1.0 / (c * c + 1.0).sqrt();
-        sn = if sn < 0.0 { -norm } else { norm };
-        cn = c * sn;
-    }
-    (sn, cn, dn)
 }
