@@ -5,25 +5,70 @@
 //! dimensionless time t'. With `--i1`, `--i3`, `--mass`, ...: a gyroscope in SI
 //! units, time in seconds.
 
-#[path = "ch16_2_gyroscope/equations.rs"]
-mod equations;
 #[path = "ch16_2_gyroscope/figures.rs"]
 mod figures;
 #[path = "ch16_2_gyroscope/limits.rs"]
 mod limits;
 #[path = "ch16_2_gyroscope/motions.rs"]
-mod motions;
+pub mod motions;
 #[path = "ch16_2_gyroscope/picture.rs"]
-mod picture;
+pub mod picture;
 #[path = "ch16_2_gyroscope/price.rs"]
-mod price;
+pub mod price;
 #[path = "ch16_2_gyroscope/rotor.rs"]
 mod rotor;
+#[path = "ch16_2_gyroscope/routes.rs"]
+pub mod routes;
 
 use motions::Motion;
+use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
+use rotation_dynamics::integrators::Ode;
+use rotation_dynamics::math::sincos;
 use rotation_dynamics::report::cli::{Example, Flag};
 use rotation_dynamics::report::{Report, Trajectory};
 use rotation_dynamics::{Error, Result};
+
+// ANCHOR: equations
+/// Equations (4) to (6). The state is theta, dtheta/dt', phi, zeta.
+pub struct Equations {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+    /// Torque of the bearing of the line of nodes, -friction dtheta/dt'; 0 in the notes.
+    pub friction: f64,
+}
+
+impl Ode<4> for Equations {
+    fn derivative(&self, _t: f64, &[theta, nutation, _, _]: &[f64; 4]) -> [f64; 4] {
+        let Self { a, b, c, friction } = *self;
+        let (s, u) = sincos(theta);
+        let precession = a.sqrt() * (b - u) / (s * s); // (5)
+        [
+            nutation,
+            c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation, // (4)
+            precession,
+            1.0 / a.sqrt() - precession * u, // (6)
+        ]
+    }
+}
+// ANCHOR_END: equations
+
+/// The five motions of figures 3 and 4: at the bottom of the valley and above
+/// it for b > 1; loops, cusps and waves for b < 1.
+pub fn of_the_notes() -> Result<Vec<Motion>> {
+    // ANCHOR: motions
+    let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of figure 3
+    let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of figure 4
+    let (bottom, _) = steep.minimum();
+    Ok(vec![
+        Motion::at_rest_in_theta("steady", steep, bottom)?,
+        Motion::with_energy("nutating", steep, 0.55, Start::ThetaMin)?,
+        Motion::with_energy("loops", gentle, 0.11, Start::ThetaMin)?,
+        Motion::with_energy("cusps", gentle, -0.08, Start::ThetaMin)?,
+        Motion::with_energy("waves", gentle, -0.085, Start::ThetaMin)?,
+    ])
+    // ANCHOR_END: motions
+}
 
 /// What can be set on the command line; `None` where the notes' value is meant.
 #[derive(Debug, Clone)]
@@ -70,7 +115,7 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
             )?])
         }
         (false, true) => Ok(vec![rotor::motion(&p.body)?]),
-        (false, false) => motions::of_the_notes(),
+        (false, false) => of_the_notes(),
     }
 }
 

@@ -1,8 +1,7 @@
 //! Limits in which the answer is known without solving anything, and what
 //! friction makes of the motion in the end.
 
-use super::equations::Equations;
-use super::motions;
+use super::Equations;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Event, Solution};
@@ -99,7 +98,7 @@ pub fn add(report: &mut Report) -> Result<()> {
 
 /// Numbers that show what the notes' misprints would do.
 fn add_slips(report: &mut Report) -> Result<()> {
-    let loops = &motions::of_the_notes()?[2];
+    let loops = &super::of_the_notes()?[2];
     // zeta' + cos(theta) as printed, against zeta' + phi' cos(theta) = 1/sqrt(a), over one nod.
     let printed = |theta: f64| {
         let (s, u) = sincos(theta);

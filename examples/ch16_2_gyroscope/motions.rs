@@ -1,6 +1,7 @@
 //! A motion with its exact solution, and what can be said about it in numbers.
 
-use super::equations::{Equations, Nod};
+use super::Equations;
+use super::routes::Nod;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::{EPS, cos, sin};
@@ -18,23 +19,6 @@ pub struct Motion {
     pub unit: f64,
     /// How far it is followed, in its own unit of time.
     pub end: f64,
-}
-
-/// The five motions of figures 3 and 4: at the bottom of the valley and above
-/// it for b > 1; loops, cusps and waves for b < 1.
-pub fn of_the_notes() -> Result<Vec<Motion>> {
-    // ANCHOR: motions
-    let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of figure 3
-    let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of figure 4
-    let (bottom, _) = steep.minimum();
-    Ok(vec![
-        Motion::at_rest_in_theta("steady", steep, bottom)?,
-        Motion::with_energy("nutating", steep, 0.55, Start::ThetaMin)?,
-        Motion::with_energy("loops", gentle, 0.11, Start::ThetaMin)?,
-        Motion::with_energy("cusps", gentle, -0.08, Start::ThetaMin)?,
-        Motion::with_energy("waves", gentle, -0.085, Start::ThetaMin)?,
-    ])
-    // ANCHOR_END: motions
 }
 
 impl Motion {
@@ -59,11 +43,18 @@ impl Motion {
         })
     }
 
-    fn with_energy(name: &'static str, top: ReducedTop, energy: f64, start: Start) -> Result<Self> {
+    /// The motion of this energy that starts at a turning point.
+    pub fn with_energy(
+        name: &'static str,
+        top: ReducedTop,
+        energy: f64,
+        start: Start,
+    ) -> Result<Self> {
         Self::new(name, HeavyTop::from_energy(top, energy, start, 0.0, 0.0)?)
     }
 
-    fn at_rest_in_theta(name: &'static str, top: ReducedTop, theta: f64) -> Result<Self> {
+    /// The motion that starts at this tilt, at rest in theta.
+    pub fn at_rest_in_theta(name: &'static str, top: ReducedTop, theta: f64) -> Result<Self> {
         Self::new(name, HeavyTop::from_angles(top, theta, 0.0, 0.0, 0.0)?)
     }
 
@@ -289,6 +280,17 @@ impl Motion {
             "-",
             sharp,
             Oracle::new(quadratic, nearer),
+        )?)?;
+        // The kinetic energy of the precession, and the height lost.
+        let (s, half) = (sin(theta), sin(0.5 * theta));
+        let energy = 0.5 * nearer * nearer * s * s - 2.0 * c * half * half;
+        report.add_claim(Claim::new(
+            self.key("energy"),
+            "E~, the minimum of U_eff",
+            self.energy,
+            "-",
+            sharp,
+            Oracle::new("(p sin(theta))^2/2 - c (1 - cos(theta))", energy),
         )?)?;
         let spin = self.exact.zeta_rate(0.0) * self.unit;
         report.add_claim(Claim::new(

@@ -1,6 +1,6 @@
 //! Pictures of a motion: its angles against time, and its path on the sphere.
 
-use super::equations::Equations;
+use super::Equations;
 use super::motions::Motion;
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;

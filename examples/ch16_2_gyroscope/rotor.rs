@@ -1,8 +1,8 @@
 //! A gyroscope one can hold: a 0.5 kg disc of 6 cm radius at 3000 turns a minute,
 //! 10 cm from its pivot. In SI units, and with the effects the notes leave out.
 
-use super::equations::Nod;
 use super::motions::Motion;
+use super::routes::Nod;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};

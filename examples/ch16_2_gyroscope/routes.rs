@@ -1,35 +1,11 @@
-//! The notes' equations, and two ways to read numbers from them that know
-//! nothing of elliptic functions: an integrator, and a quadrature.
+//! Two ways to read numbers from the notes' equations that know nothing of
+//! elliptic functions: an integrator, and a quadrature.
 
+use super::Equations;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::ReducedTop;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
-use rotation_dynamics::math::{cos, sincos};
-
-// ANCHOR: equations
-/// Equations (4) to (6). The state is theta, dtheta/dt', phi, zeta.
-pub struct Equations {
-    pub a: f64,
-    pub b: f64,
-    pub c: f64,
-    /// Torque of the bearing of the line of nodes, -friction dtheta/dt'; 0 in the notes.
-    pub friction: f64,
-}
-
-impl Ode<4> for Equations {
-    fn derivative(&self, _t: f64, &[theta, nutation, _, _]: &[f64; 4]) -> [f64; 4] {
-        let Self { a, b, c, friction } = *self;
-        let (s, u) = sincos(theta);
-        let precession = a.sqrt() * (b - u) / (s * s); // (5)
-        [
-            nutation,
-            c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation, // (4)
-            precession,
-            1.0 / a.sqrt() - precession * u, // (6)
-        ]
-    }
-}
-// ANCHOR_END: equations
+use rotation_dynamics::integrators::{Dop853, Integrator};
+use rotation_dynamics::math::cos;
 
 impl Equations {
     /// The equations of this top, without friction.
