@@ -94,3 +94,35 @@ fn nothing_to_do_and_bad_input() {
         method.advance(&Kepler, 0.0, &[0.0, 0.0, 1.0, 0.0], 1.0),
     );
 }
+
+#[test]
+fn methods_say_what_they_are_and_what_they_cost() {
+    use crate::top::HeavyTop;
+    use rotation_dynamics::body::State;
+    use rotation_dynamics::integrators::{About, Dop853, Scheme, Splitting};
+    let about = |m: &dyn Integrator<HeavyTop, State>| -> About { m.about() };
+    let split = |scheme| Splitting::new(scheme, 1).expect("a step");
+    let all = [
+        about(&Rk4::new(1).expect("a step")),
+        about(&Dop853::new(1e-9).expect("valid")),
+        about(&split(Scheme::STRANG)),
+        about(&split(Scheme::SRKN6)),
+        about(&split(Scheme::SRKN14)),
+    ];
+    assert_eq!(all.map(|a| a.order), [4, 8, 2, 4, 6]);
+    for (i, a) in all.iter().enumerate() {
+        assert!(!a.source.is_empty());
+        assert!(all[..i].iter().all(|b| b.name != a.name));
+    }
+    let work = Work {
+        derivatives: 480,
+        steps: 38,
+        rejected: 4,
+        ..Work::default()
+    };
+    assert_eq!(work.to_string(), "38 steps, 4 rejected, 480 derivatives");
+    assert_eq!(Work::default().to_string(), "no work");
+    let mut twice = work;
+    twice += work;
+    assert_eq!((twice.steps, twice.torques()), (76, 960));
+}
