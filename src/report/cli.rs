@@ -232,7 +232,7 @@ impl<P: Default> Example<P> {
         ExitCode::from(outcome.code)
     }
 
-    /// The default output, which is what the snapshot locks, and the figures.
+    /// The default output and its slips, which is what the snapshot locks, and the figures.
     ///
     /// # Errors
     /// Those of the example's functions; none for a sound example.
@@ -354,7 +354,7 @@ impl<P: Default> Example<P> {
         } else if matches.get_flag("json") {
             outcome.stdout = json::claims(self.stem, &report);
         } else {
-            outcome.stdout = report.text()?;
+            outcome.stdout = report.output()?;
         }
         outcome.stderr = self.write_files(parameters, matches)?;
         Ok(outcome)

@@ -300,4 +300,20 @@ impl Report {
         }
         Ok(text)
     }
+
+    /// What an example prints: the text without its last section, the slips, which
+    /// would give the answers away to those who want to be judged.
+    ///
+    /// # Errors
+    /// As [`Report::sections`].
+    pub fn output(&self) -> Result<String> {
+        let text = self.text()?;
+        Ok(without_slips(&text).to_owned())
+    }
+}
+
+/// A report's text up to its last section, the slips.
+pub fn without_slips(text: &str) -> &str {
+    text.split_once("\n\nslips\n")
+        .map_or(text, |(before, _)| &text[..before.len() + 1])
 }
