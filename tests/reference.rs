@@ -8,6 +8,8 @@
 mod case;
 #[path = "reference/free_body.rs"]
 mod free_body;
+#[path = "hard_cases/heavy_top.rs"]
+mod heavy_top;
 #[path = "reference/integrators.rs"]
 mod integrators;
 #[path = "reference/ladder.rs"]

@@ -103,11 +103,6 @@ impl Case {
             .all(|sample| sample.0["sens_path"].is_object())
     }
 
-    /// A derived flag; false if it is missing.
-    pub fn flag(&self, name: &str) -> bool {
-        self.json["derived"][name].as_bool() == Some(true)
-    }
-
     /// A derived value, if it is a number.
     pub fn derived(&self, name: &str) -> Option<DoubleDouble> {
         self.json["derived"][name].as_str().map(decimal)

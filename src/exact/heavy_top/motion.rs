@@ -7,7 +7,8 @@
 //! the body spins.
 
 use super::roots::{Conserved, Origin, Roots};
-use super::series::{Pair, Periods, Series, Zero};
+use super::series::{Pair, Series};
+use super::waves::{Periods, Zero};
 use crate::exact::extended::{carlson_rf, complete_first_kind};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
