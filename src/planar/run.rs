@@ -8,6 +8,11 @@ use crate::integrators::{Dop853, Event, Ode, Solution, Work};
 /// stopped here.
 const PHASE_LIMIT: usize = 1000;
 
+/// How often a phase is solved again with shorter steps.
+const SHORTENINGS: u32 = 30;
+/// A margin this much below zero, relative to its largest value, is round-off.
+const ROUND_OFF: f64 = 1e-9;
+
 /// The motion within one phase.
 #[derive(Debug, Clone)]
 pub struct Leg<P, const N: usize> {
@@ -62,7 +67,7 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
 ///
 /// # Errors
 /// [`Error::ConditionBroken`] if a phase begins although one of its conditions does
-/// not hold, [`Error::TooManyPhases`] after a thousand changes of phase, and those of
+/// not hold, or fails at once, [`Error::TooManyPhases`] after a thousand changes of phase, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
     scene: &S,
@@ -84,7 +89,9 @@ pub fn simulate<const N: usize, S: Phased<N>>(
             .iter()
             .map(|c| Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal())
             .collect();
-        let solution = method.solve(&InPhase(scene, phase), t, &state, t_end, &events)?;
+        let solution = within_conditions(&conditions, method, t_end, |method, t_end| {
+            method.solve(&InPhase(scene, phase), t, &state, t_end, &events)
+        })?;
         run.work += solution.work();
         let failed = solution
             .stopped_by()
@@ -115,6 +122,62 @@ pub fn simulate<const N: usize, S: Phased<N>>(
         t,
         limit: PHASE_LIMIT,
     })
+}
+
+/// The solution of a phase in which no condition fails unseen.
+///
+/// A gap that is shut at the start and closes again within the first step was never
+/// seen open: its event is missed. Then the stretch until it is seen violated is
+/// solved again in sixteen steps or more, until the event shows.
+fn within_conditions<P, const N: usize>(
+    conditions: &[Condition<'_, P, N>],
+    method: &Dop853,
+    t_end: f64,
+    solve: impl Fn(&Dop853, f64) -> Result<Solution<N>>,
+) -> Result<Solution<N>> {
+    let (mut method, mut end) = (*method, t_end);
+    let mut broken = None;
+    for _ in 0..SHORTENINGS {
+        let solution = solve(&method, end)?;
+        let Some((name, value, when)) = failed_unseen(conditions, &solution)? else {
+            if end == t_end || solution.stopped_by().is_some() {
+                return Ok(solution);
+            }
+            break;
+        };
+        let t = solution.start_time();
+        broken = Some(Error::ConditionBroken { name, value, t });
+        method = method.with_longest_step((when - t) / 16.0)?;
+        end = when;
+    }
+    broken.map_or_else(|| solve(&method, t_end), Err)
+}
+
+/// The condition that fails at the end of a step without an event, its lowest margin and
+/// the time when it is first negative. Round-off does not count: a margin that falls below zero by less than
+/// [`ROUND_OFF`] of what it reaches elsewhere.
+fn failed_unseen<P, const N: usize>(
+    conditions: &[Condition<'_, P, N>],
+    solution: &Solution<N>,
+) -> Result<Option<(&'static str, f64, f64)>> {
+    let stopped = solution.stopped_by().map(|event| event.index);
+    for (_, condition) in (0..).zip(conditions).filter(|(i, _)| Some(*i) != stopped) {
+        let (mut lowest, mut highest, mut first) = (0.0_f64, 0.0_f64, None);
+        for t in solution.step_times() {
+            let margin = (condition.margin)(&solution.at(t)?);
+            highest = highest.max(margin);
+            lowest = lowest.min(margin);
+            if margin < 0.0 {
+                first = first.or(Some(t));
+            }
+        }
+        if let Some(t) = first
+            && lowest < -ROUND_OFF * highest
+        {
+            return Ok(Some((condition.name, lowest, t)));
+        }
+    }
+    Ok(None)
 }
 
 fn check_entry<P, const N: usize>(
