@@ -232,7 +232,7 @@ impl<P: Default> Example<P> {
         ExitCode::from(outcome.code)
     }
 
-    /// The default output and its slips, which is what the snapshot locks, and the figures.
+    /// The default output and the answer box's data, which the snapshot locks, and the figures.
     ///
     /// # Errors
     /// Those of the example's functions; none for a sound example.

@@ -3,7 +3,7 @@
 //! A [`Report`] is what an example says: claims that an independent route
 //! confirms, limits, the effects in and out, what accuracy costs. Its text is the
 //! locked snapshot and the source of every number on the example's page; the
-//! example prints it, all but the slips. This module does no physics.
+//! example prints it, all but what the answer box needs. This module does no physics.
 //!
 //! # The text of a report
 //! ```text
@@ -43,7 +43,7 @@ mod table;
 pub use claim::{Claim, Oracle, RECIPROCAL, Slip, USUAL_SLIPS, Verdict};
 pub use files::Trajectory;
 pub use number::{below, rounded_up, short, supported_digits};
-pub use sections::{EffectEntry, Limit, Price, Report, without_slips};
+pub use sections::{EffectEntry, Limit, Price, Report, for_reading};
 pub use table::{Parsed, Table, parse};
 
 /// A finished drawing.

@@ -301,19 +301,19 @@ impl Report {
         Ok(text)
     }
 
-    /// What an example prints: the text without its last section, the slips, which
-    /// would give the answers away to those who want to be judged.
+    /// What an example prints: the text without its last two sections, which are
+    /// for the page's answer box and would give its hints away.
     ///
     /// # Errors
     /// As [`Report::sections`].
     pub fn output(&self) -> Result<String> {
         let text = self.text()?;
-        Ok(without_slips(&text).to_owned())
+        Ok(for_reading(&text).to_owned())
     }
 }
 
-/// A report's text up to its last section, the slips.
-pub fn without_slips(text: &str) -> &str {
-    text.split_once("\n\nslips\n")
+/// A report's text up to the sections of the answer box, `checks` and `slips`.
+pub fn for_reading(text: &str) -> &str {
+    text.split_once("\n\nchecks\n")
         .map_or(text, |(before, _)| &text[..before.len() + 1])
 }

@@ -18,7 +18,7 @@ use crate::project::Project;
 use crate::splice::Splice;
 use crate::table;
 use crate::text::{escape, number_html, number_tex, unit_html};
-use rotation_dynamics::report::without_slips;
+use rotation_dynamics::report::for_reading;
 
 /// A directive, read but not resolved.
 #[derive(Debug, Clone, PartialEq)]
@@ -278,7 +278,7 @@ pub fn block(
             page.stems.push(stem.clone());
             let command = format!("cargo run --example {stem}");
             let text = match section {
-                None => without_slips(&project.output(stem)?).to_owned(),
+                None => for_reading(&project.output(stem)?).to_owned(),
                 Some(section) => project.table(stem, section)?.to_string(),
             };
             let text = format!("$ {command}\n{}", text.trim_end());
