@@ -14,6 +14,8 @@ mod heavy_top;
 mod integrators;
 #[path = "reference/ladder.rs"]
 mod ladder;
+#[path = "reference/pendulum.rs"]
+mod pendulum;
 #[path = "reference/top.rs"]
 mod top;
 
@@ -61,10 +63,10 @@ const METHODS: &[Method] = &[
     },
     Method {
         kind: "pendulum",
-        name: "exact::heavy_top",
-        bound: top::BOUND,
+        name: "exact::pendulum",
+        bound: pendulum::BOUND,
         promised: 64.0,
-        run: top::pendulum,
+        run: pendulum::closed_form,
     },
 ];
 
@@ -144,4 +146,30 @@ fn a_damaged_gravity_is_seen() {
     for (id, factor) in factors {
         assert!(!matches!(factor, k if k <= top::BOUND), "{id}: {factor}");
     }
+}
+
+/// A second route: a top without spin that swings in a plane is a pendulum.
+#[test]
+fn a_planar_top_is_a_pendulum() {
+    let cases = case::read(&case::own_files()[0]);
+    let factors: Vec<f64> = (cases.iter().filter(|case| case.kind == "pendulum"))
+        .map(|case| top::pendulum(case).factor)
+        .collect();
+    assert_eq!(factors.len(), 3);
+    assert!(factors.iter().all(|k| *k <= top::BOUND), "{factors:?}");
+}
+
+/// Gravity off by 1e-13 is refused in every case of the pendulum that swings or turns.
+#[test]
+fn a_damaged_pendulum_is_seen() {
+    let cases = case::read(&case::own_files()[0]);
+    let mut ran = 0;
+    for case in &cases {
+        if case.kind == "pendulum" && case.derived("T").is_some() {
+            let damaged = pendulum::closed_form_with_gravity(case, 1.0 + 1e-13);
+            assert!(damaged.factor > pendulum::BOUND, "{}: {damaged:?}", case.id);
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 2);
 }

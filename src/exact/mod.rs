@@ -9,6 +9,7 @@
 //! | [`free_body`] | torque-free rotation of any body (Euler-Poinsot) |
 //! | [`heavy_top`] | the heavy symmetric top about a fixed point (Lagrange) |
 //! | [`ladder`] | the sliding ladder of exercise 16.6 |
+//! | [`pendulum`] | the physical pendulum: swings, separatrix, rotations |
 //!
 //! Not for: motions that must be stepped; see [`crate::integrators`].
 
@@ -20,5 +21,7 @@ pub mod jacobi;
 pub mod ladder;
 pub mod legendre;
 mod modulus;
+pub mod pendulum;
+mod phase;
 
 pub use modulus::{Characteristic, Modulus};

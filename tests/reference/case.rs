@@ -42,6 +42,7 @@ pub fn own_files() -> Vec<PathBuf> {
         "free_body_hard.json",
         "heavy_top_hard.json",
         "ladder_hard.json",
+        "pendulum_hard.json",
     ]
     .map(|file| data.join(file))
     .to_vec()

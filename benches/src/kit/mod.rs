@@ -5,13 +5,16 @@
 
 pub mod attitude;
 pub mod elliptic;
+pub mod pendulum;
 
 /// The answer to one row, or why there is none.
 pub type Answer = Result<Vec<f64>, String>;
 
 /// The function that answers the rows of a family, if this library has one.
 pub fn answerer(family: &str) -> Option<fn(&[&str]) -> Answer> {
-    attitude::answerer(family).or_else(|| elliptic::answerer(family))
+    attitude::answerer(family)
+        .or_else(|| elliptic::answerer(family))
+        .or_else(|| pendulum::answerer(family))
 }
 
 /// The columns of a row as numbers.
