@@ -69,6 +69,8 @@ pub enum Error {
     TooManyPhases { t: f64, limit: usize },
     /// A change of phase was waited for and did not come.
     NotReached { name: &'static str, until: f64 },
+    /// A start so fast that a body would leave the floor at once.
+    FloorWouldPull { rate: f64, limit: f64 },
     /// The error asked for at the end cannot be reached with doubles.
     NotDelivered { requested: f64, reached: f64 },
 }
@@ -174,6 +176,11 @@ impl fmt::Display for Error {
             Self::NotReached { name, until } => {
                 write!(f, "\"{name}\" does not happen until t = {until}")
             }
+            Self::FloorWouldPull { rate, limit } => write!(
+                f,
+                "at {rate} rad/s the floor would have to pull to keep the foot down: at this angle \
+                 at most {limit} rad/s"
+            ),
             Self::NotDelivered { requested, reached } => write!(
                 f,
                 "an error of {requested:e} is asked for, and {reached:.1e} is the smallest that \

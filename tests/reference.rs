@@ -16,6 +16,8 @@ mod integrators;
 mod ladder;
 #[path = "reference/pendulum.rs"]
 mod pendulum;
+#[path = "reference/plank_fall.rs"]
+mod plank_fall;
 #[path = "reference/top.rs"]
 mod top;
 
@@ -67,6 +69,13 @@ const METHODS: &[Method] = &[
         bound: pendulum::BOUND,
         promised: 64.0,
         run: pendulum::closed_form,
+    },
+    Method {
+        kind: "plank_fall",
+        name: "exact::plank",
+        bound: plank_fall::BOUND,
+        promised: 64.0,
+        run: plank_fall::closed_form,
     },
 ];
 
@@ -172,4 +181,19 @@ fn a_damaged_pendulum_is_seen() {
         }
     }
     assert_eq!(ran, 2);
+}
+
+/// A length off by 1e-13 is refused in both planks.
+#[test]
+fn a_damaged_plank_is_seen() {
+    let cases = case::read(&case::own_files()[0]);
+    let planks = cases.iter().filter(|case| case.kind == "plank_fall");
+    let factors: Vec<f64> = planks
+        .map(|case| plank_fall::closed_form_with_length(case, 1.0 + 1e-13).factor)
+        .collect();
+    assert_eq!(factors.len(), 2);
+    assert!(
+        factors.iter().all(|k| *k > plank_fall::BOUND),
+        "{factors:?}"
+    );
 }

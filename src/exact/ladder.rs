@@ -416,7 +416,7 @@ fn in_range(
 /// Both integrands are analytic inside the ellipse of foci 0 and `growth` whose
 /// semi-axes add up to 5.4 half-lengths, whatever `theta0`: the error is below
 /// `5.4^-24 = 3e-18` of the value. (Abramowitz and Stegun, table 25.4.)
-fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
     const NODES: [(f64, f64); 6] = [
         (0.981_560_634_246_719_3, 0.047_175_336_386_511_83),
         (0.904_117_256_370_474_9, 0.106_939_325_995_318_43),

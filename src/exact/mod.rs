@@ -10,6 +10,7 @@
 //! | [`heavy_top`] | the heavy symmetric top about a fixed point (Lagrange) |
 //! | [`ladder`] | the sliding ladder of exercise 16.6 |
 //! | [`pendulum`] | the physical pendulum: swings, separatrix, rotations |
+//! | [`plank`] | a plank falling over on a smooth floor |
 //!
 //! Not for: motions that must be stepped; see [`crate::integrators`].
 
@@ -23,5 +24,6 @@ pub mod legendre;
 mod modulus;
 pub mod pendulum;
 mod phase;
+pub mod plank;
 
 pub use modulus::{Characteristic, Modulus};

@@ -43,6 +43,7 @@ pub fn own_files() -> Vec<PathBuf> {
         "heavy_top_hard.json",
         "ladder_hard.json",
         "pendulum_hard.json",
+        "plank_hard.json",
     ]
     .map(|file| data.join(file))
     .to_vec()
