@@ -18,7 +18,7 @@ pub struct SymmetricTop {
 
 impl SymmetricTop {
     /// The top with transverse moment `i1` about the pivot and axial moment `i3`
-    /// [kg m^2], weight m g [N] and lever l [m].
+    /// (kg m^2), weight m g (N) and lever l (m).
     ///
     /// # Errors
     /// A moment that is not positive, or i3 > 2 i1; i3 = 2 i1 is a flat body through
@@ -28,7 +28,7 @@ impl SymmetricTop {
         Self::checked(i1, i3, weight, lever, moment)
     }
 
-    /// The same from mass [kg] and gravity [m/s^2]; m g l is formed exactly.
+    /// The same from mass (kg) and gravity (m/s^2); m g l is formed exactly.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -68,27 +68,27 @@ impl SymmetricTop {
         })
     }
 
-    /// Transverse moment of inertia about the pivot [kg m^2].
+    /// Transverse moment of inertia about the pivot (kg m^2).
     pub const fn i1(&self) -> f64 {
         self.i1
     }
 
-    /// Axial moment of inertia [kg m^2].
+    /// Axial moment of inertia (kg m^2).
     pub const fn i3(&self) -> f64 {
         self.i3
     }
 
-    /// Weight m g [N].
+    /// Weight m g (N).
     pub const fn weight(&self) -> f64 {
         self.weight
     }
 
-    /// Distance l of the centre of mass from the pivot along the third axis [m].
+    /// Distance l of the centre of mass from the pivot along the third axis (m).
     pub const fn lever(&self) -> f64 {
         self.lever
     }
 
-    /// m g l to 106 bits [N m].
+    /// m g l to 106 bits (N m).
     pub(super) const fn moment(&self) -> Dd {
         self.moment
     }

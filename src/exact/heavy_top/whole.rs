@@ -183,7 +183,7 @@ impl HeavyTop {
         ReducedTop::formal(a.to_f64(), b.to_f64(), c.to_f64()).ok()
     }
 
-    /// The unit of time sqrt(I1 I3)/L_z [s], with the sign of L_z; 1 for a dimensionless
+    /// The unit of time sqrt(I1 I3)/L_z (s), with the sign of L_z; 1 for a dimensionless
     /// top, `None` if L_z = 0.
     pub fn time_unit(&self) -> Option<f64> {
         if self.body.is_none() {
@@ -205,7 +205,7 @@ impl HeavyTop {
         (vertical.to_f64(), (self.spin * i1).to_f64())
     }
 
-    /// Energy T + U [J], U = m g l cos(theta); for a dimensionless top in units with
+    /// Energy T + U (J), U = m g l cos(theta); for a dimensionless top in units with
     /// I1 = 1, I3 = a, m g l = c.
     pub fn energy(&self) -> f64 {
         let [i1, i3] = self.moments;
