@@ -102,21 +102,21 @@ fn is_sound(motion: &HeavyTop) -> bool {
     })
 }
 
-/// Whatever is not refused answers with numbers: twelve decades of everything.
-#[test]
-fn no_motion_answers_with_nonsense() {
+/// Makes 6000 motions from numbers of +-`decades`; returns how many were made, how many
+/// refused for their range. Whatever is made must answer with numbers.
+fn tally(decades: f64) -> (usize, usize) {
     let mut random = Random(7);
-    let mut made = 0;
+    let (mut made, mut refused) = (0, 0);
     for i in 0..6000 {
         let a = (random.unit() * 2.0).max(1e-9);
-        let (b, c) = (random.wild(6.0), random.wild(6.0));
+        let (b, c) = (random.wild(decades), random.wild(decades));
         let theta = match random.unit() {
             u if u < 0.2 => 0.0,
             u if u < 0.3 => core::f64::consts::PI,
-            u if u < 0.5 => random.wild(8.0).abs().min(3.0),
+            u if u < 0.5 => random.wild(1.5 * decades).abs().min(3.0),
             _ => random.unit() * core::f64::consts::PI,
         };
-        let (rate, spin) = (random.wild(6.0), random.wild(6.0));
+        let (rate, spin) = (random.wild(decades), random.wild(decades));
         let top = ReducedTop::new(a, b, c).expect("a top");
         let motion = match i % 3 {
             0 => HeavyTop::from_angles(top, theta, rate, 0.1, 0.2),
@@ -131,7 +131,7 @@ fn no_motion_answers_with_nonsense() {
                     theta,
                     zeta: 0.2,
                 };
-                let omega = BodyVector::new(rate, random.wild(6.0), spin);
+                let omega = BodyVector::new(rate, random.wild(decades), spin);
                 HeavyTop::from_body(body, attitude, omega)
             }),
         };
@@ -141,8 +141,25 @@ fn no_motion_answers_with_nonsense() {
                 assert!(is_sound(&motion), "case {i}: {motion:?}");
             }
             Err(Error::OutOfRange { name: "theta0", .. }) => {}
+            Err(Error::OutOfRange {
+                name: "the square of the fastest rate",
+                ..
+            }) => refused += 1,
             Err(error) => panic!("case {i}: {error}"),
         }
     }
-    assert!(made > 5000, "{made}");
+    (made, refused)
+}
+
+#[test]
+fn no_motion_answers_with_nonsense() {
+    let (made, refused) = tally(6.0);
+    assert!(made > 5000 && refused == 0, "{made} {refused}");
+}
+
+/// Far beyond any top: either numbers or a refusal.
+#[test]
+fn two_hundred_decades_give_numbers_or_a_refusal() {
+    let (made, refused) = tally(100.0);
+    assert!(made > 5000 && refused > 0, "{made} {refused}");
 }

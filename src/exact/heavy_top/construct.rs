@@ -281,7 +281,7 @@ impl HeavyTop {
                 Self::moving(&problem, flip, Motion::new(&conserved, &origin, roots))
             }
         };
-        Ok(Self {
+        let motion = Self {
             phi0: problem.phi0,
             zeta0: problem.zeta0,
             flip,
@@ -295,7 +295,39 @@ impl HeavyTop {
             reduced: problem.reduced,
             body: problem.body,
             course,
-        })
+        };
+        if motion.is_representable() {
+            Ok(motion)
+        } else {
+            // Sixth powers of the rates are formed, in pairs of doubles.
+            Err(Error::OutOfRange {
+                name: "the square of the fastest rate",
+                value: (strength + spin.square() + excess.abs()).to_f64(),
+                allowed: "rates from 1e-40 to 1e40, no two of them further apart than that",
+            })
+        }
+    }
+
+    /// True if the set-up stayed within the range of double-double arithmetic.
+    fn is_representable(&self) -> bool {
+        let Course::Moving { motion, turns } = &self.course else {
+            return self.omega3.is_finite();
+        };
+        let period = motion.half_period.hi();
+        let start = self.state(0.0);
+        let regular = start.0.quaternion().iter().all(|c| c.is_finite())
+            && start.1.is_finite()
+            && self.theta_rate(0.0).is_finite()
+            && (self.theta_min() + self.theta_max()).is_finite();
+        let phases = turns.iter().all(|turn| {
+            [turn.rate, turn.lag, turn.start]
+                .iter()
+                .all(|c| c.is_finite())
+        });
+        let periodic = period > 0.0 && (period.is_finite() || motion.m1 == 0.0);
+        // Nearer to the separatrix, squares of the series leave the range.
+        let apart = motion.m1 == 0.0 || motion.m1 > 1e-200;
+        regular && phases && periodic && apart
     }
 
     fn moving(problem: &Problem, flip: f64, motion: Motion) -> Course {

@@ -23,6 +23,8 @@ pub(super) struct Motion {
     pub half_period: Dd,
     homoclinic: bool,
     per_half_period: f64,
+    /// The largest |x|: half-way between turning points, and a little for rounding.
+    reach: f64,
     /// Time from the turning point number `first` to the start.
     offset: Dd,
     first: i64,
@@ -128,6 +130,7 @@ impl Motion {
             half_period,
             homoclinic,
             per_half_period: 1.0 / half_period.hi(),
+            reach: 0.5 * (1.0 + 1e-9) * half_period.hi() * rate.hi(),
             offset,
             first,
             series: matched.series,
@@ -170,7 +173,8 @@ impl Motion {
             count: count - self.start,
             period: index >> 1,
             upper: index & 1 == 1,
-            x: rest * self.rate,
+            // A time whose last bit is many periods falls anywhere: on this side.
+            x: (rest * self.rate).max(-self.reach).min(self.reach),
         }
     }
 

@@ -162,6 +162,8 @@ impl HeavyTop {
     fn fixed_attitude(&self, t: f64) -> Attitude {
         let EulerAngles { phi, theta, .. } = self.angles(0.0);
         let turn = self.omega3 * t / Dd::TWO_PI;
+        // Twice: beyond 2^53 turns the first leaves the trailing part.
+        let turn = turn - turn.round();
         let turn = turn - turn.round();
         let zeta = turn * Dd::TWO_PI + self.zeta0;
         let (sin, cos) = math::sincos(0.5 * theta);
