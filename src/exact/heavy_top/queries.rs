@@ -22,7 +22,7 @@ impl HeavyTop {
     /// theta is in [0, pi]. Where the axis passes a pole exactly, phi jumps by pi
     /// there and zeta with it; the attitude does not. `t`: finite, in t' or seconds.
     ///
-    /// Accuracy: K = 1.4 for phi and zeta, 1.0 for theta; see [`HeavyTop`].
+    /// Accuracy: K = 1.9 for phi and zeta, 1.2 for theta; see [`HeavyTop`].
     /// Source: the notes, 16.2 (4)-(6), solved.
     pub fn angles(&self, t: f64) -> EulerAngles {
         let (motion, _) = match &self.course {
