@@ -46,7 +46,6 @@ impl Default for Parameters {
 }
 // ANCHOR_END: parameters
 
-// ANCHOR: newton
 /// Newton's laws for a uniform ladder between smooth surfaces, all per unit mass.
 ///
 /// The state is `[theta, theta', x, x']`: the angle from the wall, and how far the
@@ -72,27 +71,30 @@ pub struct Forces {
     pub angular_acceleration: f64,
 }
 
+// ANCHOR: newton
 impl Sliding {
     /// What the surfaces push with, and how the ladder turns.
-    pub fn forces(&self, wall: Wall, [theta, omega, ..]: &[f64; 4]) -> Forces {
+    pub fn forces(&self, wall: Wall, state: &[f64; 4]) -> Forces {
         let (l, g, i) = (self.length, self.gravity, self.inertia);
-        let (s, c) = sincos(*theta);
+        let [theta, omega, ..] = *state;
+        let (s, c) = sincos(theta);
+        // Acceleration of the middle towards the corner.
+        let inward = 0.5 * l * omega * omega;
         match wall {
-            // Both ends are held: x = (l/2) sin theta and y = (l/2) cos theta, so the
-            // forces are what these accelerations need.
+            // x = (l/2) sin theta and y = (l/2) cos theta: the forces
+            // are what these accelerations need.
             Wall::Touches => {
                 let alpha = 6.0 / (3.0 + i) * g / l * s;
                 Forces {
-                    wall: 0.5 * l * (c * alpha - s * omega * omega),
-                    floor: g - 0.5 * l * (s * alpha + c * omega * omega),
+                    wall: 0.5 * l * c * alpha - s * inward,
+                    floor: g - 0.5 * l * s * alpha - c * inward,
                     angular_acceleration: alpha,
                 }
             }
-            // Only the foot is held; the floor alone turns the ladder:
-            // i l^2/12 alpha = (l/2) s N_floor.
+            // Only y is held; the floor alone turns the ladder:
+            // i l^2/12 alpha = (l/2) s floor.
             Wall::Free => {
-                let fall = g - 0.5 * l * c * omega * omega;
-                let floor = fall / (1.0 + 3.0 / i * s * s);
+                let floor = (g - c * inward) / (1.0 + 3.0 / i * s * s);
                 Forces {
                     wall: 0.0,
                     floor,
@@ -114,29 +116,30 @@ impl Phased<4> for Sliding {
     }
 
     fn conditions(&self, wall: Wall) -> Vec<Condition<'_, Wall, 4>> {
-        let push = |y: &[f64; 4]| self.forces(Wall::Touches, y).wall;
-        let carry = move |y: &[f64; 4]| self.forces(wall, y).floor;
+        use Wall::{Free, Touches};
+        let push = |y: &[f64; 4]| self.forces(Touches, y).wall;
+        let lift = move |y: &[f64; 4]| self.forces(wall, y).floor;
         let gap = |y: &[f64; 4]| self.top_gap(y);
-        let slope = |y: &[f64; 4]| FRAC_PI_2 - y[0];
-        let free = Next::Enter(Wall::Free);
-        vec![
-            match wall {
-                Wall::Touches => Condition::contact("wall lets go", push, free),
-                Wall::Free => Condition::opening_gap("top is back", gap, Next::End),
-            },
-            Condition::contact("floor lets go", carry, Next::End),
-            Condition::gap("lands", slope, Next::End),
-        ]
+        let tilt = |y: &[f64; 4]| FRAC_PI_2 - y[0];
+        let free = Next::Enter(Free);
+        let wall = match wall {
+            Touches => Condition::contact("wall lets go", push, free),
+            Free => Condition::opening_gap("top is back", gap, Next::End),
+        };
+        let floor = Condition::contact("floor lets go", lift, Next::End);
+        let lands = Condition::gap("lands", tilt, Next::End);
+        vec![wall, floor, lands]
     }
 
-    /// Errors count relative to each coordinate, so a start a hair off the wall is
-    /// followed as closely as any other.
+    // ANCHOR_END: phases
+
+    /// Errors count relative to each coordinate, so a start a hair off the wall is followed
+    /// as closely as any other.
     fn scale(&self, [theta, _, x, _]: &[f64; 4]) -> [f64; 4] {
         let rate = (1.5 * self.gravity / self.length).sqrt();
         [theta.abs(), rate * theta.abs(), x.abs(), rate * x.abs()]
     }
 }
-// ANCHOR_END: phases
 
 impl Sliding {
     /// How far the top is from the wall.

@@ -175,8 +175,13 @@ fn ball(solved: &Solved) -> Result<Figure> {
         "$F$",
         Side::Right,
     )
-    .text(leave, "leaves the dome", Ink::Ink, Side::AboveRight)
-    .text(start, "starts", Ink::Ink, Side::Above)
+    .text(
+        (leave.0 + 0.04, leave.1 + 0.01),
+        "leaves the dome",
+        Ink::Ink,
+        Side::Right,
+    )
+    .text((start.0, start.1 + 0.03), "starts", Ink::Ink, Side::Above)
     .text((0.0, 0.0), "$O$", Ink::Frame, Side::BelowLeft)
     .figure()
 }
@@ -189,14 +194,14 @@ fn rate(solved: &Solved) -> Result<Figure> {
     let kept = times(exact.release_time(), naive.end_time(), 80)
         .map(|t| Ok((t, naive.at(t)?.1[1])))
         .collect::<Result<Vec<_>>>()?;
-    let kept_end = kept[(3 * kept.len()) / 4];
+    let kept_end = kept[kept.len() - 1];
     Panel::new(
         "rate",
         "Angular velocity against time: it grows slowly, then steeply; after the release it \
          grows less than the dashed curve of a ladder that is kept on the wall.",
     )
     .x(Axis::linear("$t$ / s"))
-    .y(Axis::linear(r"$\dot\theta$ / (rad/s)"))
+    .y(Axis::linear("angular velocity / (rad/s)").range(0.0, 1.15 * kept_end.1))
     .upright(exact.release_time(), Ink::Frame, "wall lets go")
     .curve(
         Curve::new(
@@ -250,7 +255,7 @@ fn forces(p: &Parameters, solved: &Solved) -> Result<Figure> {
     .x(Axis::linear("$t$ / s"))
     .y(Axis::linear("force / $mg$"))
     .level(0.0, Ink::Frame, "")
-    .upright(exact.release_time(), Ink::Frame, "")
+    .ring(exact.release_time(), 0.0, Ink::Ink, "", Side::Above)
     .curve(Curve::new(motion.iter().map(|(t, s)| (*t, s.floor_force)), Ink::Ink).label("floor"))
     .curve(Curve::new(on_wall, Ink::Force).label("wall"))
     .curve(

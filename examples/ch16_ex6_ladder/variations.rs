@@ -15,11 +15,11 @@ const TOLERANCE: f64 = 1e-9;
 /// The mass spread differently, with the centre in the middle still.
 pub fn mass(p: &Parameters) -> Result<Table> {
     let columns = [
-        "I/(m l^2/12)",
         "mass",
+        "inertia",
         "height ratio",
-        "t_release/s",
-        "omega_floor/(rad/s)",
+        "t_release",
+        "omega_floor",
     ];
     let mut table = Table::new("mass", columns)?;
     let spreads = [
@@ -38,8 +38,8 @@ pub fn mass(p: &Parameters) -> Result<Table> {
         let let_go = run.transition("wall lets go")?;
         let lands = run.transition("lands")?;
         table.push([
-            inertia.to_string(),
             name.into(),
+            inertia.to_string(),
             supported_digits(cos(let_go.before[0]) / cos(p.angle), 1e-7),
             supported_digits(let_go.t, 1e-7),
             supported_digits(lands.before[1], 1e-7),
