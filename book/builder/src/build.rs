@@ -1,7 +1,6 @@
 //! One build of the book.
 
 use crate::preprocess::Directives;
-use crate::problem::Problems;
 use crate::project::Project;
 use crate::render::Pages;
 use crate::warnings;
@@ -10,14 +9,11 @@ use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
 
-/// An error in words: our problems as they are, anything else with its causes.
+/// An error in words, with its causes.
 pub fn message(error: &(dyn Error + 'static)) -> String {
     let mut words = Vec::new();
     let mut cause = Some(error);
     while let Some(error) = cause {
-        if let Some(problems) = error.downcast_ref::<Problems>() {
-            return problems.to_string();
-        }
         words.push(error.to_string());
         cause = error.source();
     }

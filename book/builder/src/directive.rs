@@ -2,7 +2,8 @@
 //!
 //! | directive | gives |
 //! |---|---|
-//! | `{{num STEM:KEY}}`, `{{num STEM:KEY unit}}` | a claim's value from the locked output, with its unit |
+//! | `{{num STEM:KEY}}` | a claim's value from the locked output |
+//! | `{{num STEM:KEY rad/s}}` | the same with its unit, which must be this one (or: `unit`) |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
@@ -14,7 +15,7 @@
 use crate::check;
 use crate::expand::Page;
 use crate::figure;
-use crate::project::Project;
+use crate::project::{Claim, Project};
 use crate::splice::Splice;
 use crate::table;
 use crate::text::{escape, number_html, number_tex, unit_html};
@@ -23,11 +24,11 @@ use rotation_dynamics::report::for_reading;
 /// A directive, read but not resolved.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Directive {
-    /// A claim's value, and whether its unit follows.
+    /// A claim's value; with its unit if the word `unit` or the unit itself follows.
     Num {
         stem: String,
         key: String,
-        unit: bool,
+        unit: Option<String>,
     },
     /// A number that is given.
     Given(String),
@@ -70,15 +71,13 @@ impl Directive {
             (is_name(stem) && is_name(name)).then(|| (stem.to_owned(), name.to_owned()))
         };
         match (kind, words.as_slice()) {
-            ("num", [word]) | ("num", [word, "unit"]) => {
-                let (stem, key) = pair(word).ok_or_else(|| wrong("num STEM:KEY"))?;
-                Ok(Self::Num {
-                    stem,
-                    key,
-                    unit: words.len() == 2,
-                })
+            ("num", [word, unit @ ..]) => {
+                let (stem, key) =
+                    pair(word).ok_or_else(|| wrong("num STEM:KEY}} or {{num STEM:KEY unit"))?;
+                let unit = (!unit.is_empty()).then(|| unit.join(" "));
+                Ok(Self::Num { stem, key, unit })
             }
-            ("num", _) => Err(wrong("num STEM:KEY} or {num STEM:KEY unit")),
+            ("num", _) => Err(wrong("num STEM:KEY}} or {{num STEM:KEY unit")),
             ("given", [number]) if number_html(number).is_some() => {
                 Ok(Self::Given((*number).to_owned()))
             }
@@ -155,6 +154,31 @@ pub fn source_address(file: &str) -> String {
     format!("source/{file}.html")
 }
 
+/// The claim of a `num`, and its unit if it is to follow.
+fn claimed(
+    page: &mut Page,
+    stem: &str,
+    key: &str,
+    unit: Option<&str>,
+) -> Result<(Claim, Option<String>), String> {
+    page.stems.push(stem.to_owned());
+    let claim = page.project.claim(stem, key)?;
+    let shown = match unit {
+        None => None,
+        Some(_) if claim.unit == "-" => {
+            return Err(format!("{stem}:{key} has no unit"));
+        }
+        Some(unit) if unit != "unit" && unit != claim.unit => {
+            return Err(format!(
+                "the unit of {stem}:{key} is {}, not {unit}",
+                claim.unit
+            ));
+        }
+        Some(_) => Some(claim.unit.clone()),
+    };
+    Ok((claim, shown))
+}
+
 /// A directive within a line, as HTML.
 ///
 /// # Errors
@@ -162,11 +186,10 @@ pub fn source_address(file: &str) -> String {
 pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match directive {
         Directive::Num { stem, key, unit } => {
-            page.stems.push(stem.clone());
-            let claim = page.project.claim(stem, key)?;
+            let (claim, unit) = claimed(page, stem, key, unit.as_deref())?;
             let mut value = number_html(&claim.value).unwrap_or_else(|| escape(&claim.value));
-            if *unit && claim.unit != "-" {
-                value += &format!("\u{202f}{}", unit_html(&claim.unit));
+            if let Some(unit) = unit {
+                value += &format!("\u{202f}{}", unit_html(&unit));
             }
             let bound = match number_html(&claim.bound) {
                 Some(_) if claim.bound != "0" => format!("error below {}; ", claim.bound),
@@ -201,11 +224,10 @@ pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> 
 pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match directive {
         Directive::Num { stem, key, unit } => {
-            page.stems.push(stem.clone());
-            let claim = page.project.claim(stem, key)?;
+            let (claim, unit) = claimed(page, stem, key, unit.as_deref())?;
             let mut tex = number_tex(&claim.value);
-            if *unit && claim.unit != "-" {
-                tex += &format!("\\,\\mathrm{{{}}}", claim.unit.replace(' ', "\\,"));
+            if let Some(unit) = unit {
+                tex += &format!("\\,\\mathrm{{{}}}", unit.replace(' ', "\\,"));
             }
             Ok(tex)
         }
@@ -221,11 +243,10 @@ pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
 pub fn plain(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match directive {
         Directive::Num { stem, key, unit } => {
-            page.stems.push(stem.clone());
-            let claim = page.project.claim(stem, key)?;
-            Ok(match *unit && claim.unit != "-" {
-                true => format!("{} {}", claim.value, claim.unit),
-                false => claim.value,
+            let (claim, unit) = claimed(page, stem, key, unit.as_deref())?;
+            Ok(match unit {
+                Some(unit) => format!("{} {unit}", claim.value),
+                None => claim.value,
             })
         }
         _ => Err("only {{num …}} may stand in code".into()),
@@ -336,7 +357,7 @@ mod tests {
             Ok(Directive::Num {
                 stem: "ch16_ex6_ladder".into(),
                 key: "t_floor".into(),
-                unit: true
+                unit: Some("unit".into())
             })
         );
         assert_eq!(
@@ -356,7 +377,7 @@ mod tests {
         );
         let damaged = [
             "num a",
-            "num a:b units",
+            "num",
             "nums a:b",
             "figure",
             "listing a",

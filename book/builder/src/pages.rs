@@ -126,11 +126,17 @@ fn attributes(text: &str) -> Vec<(&str, String)> {
     found
 }
 
-/// Checks all pages (address to HTML) of a book that has the files `all`.
+/// Checks all pages (address to HTML) of a book that has the files `all`; `source`
+/// gives the Markdown file of an address and its text.
 ///
 /// # Errors
-/// What is left over, points nowhere, has no alternative text, or loads from outside.
-pub fn check(pages: &BTreeMap<String, String>, all: &[String]) -> Result<(), Problems> {
+/// What is left over, points nowhere, has no alternative text, or loads from outside:
+/// at the line of the Markdown that holds it, or else at the line of the HTML.
+pub fn check(
+    pages: &BTreeMap<String, String>,
+    all: &[String],
+    source: impl Fn(&str) -> Option<(String, String)>,
+) -> Result<(), Problems> {
     let all: BTreeSet<&str> = all.iter().map(String::as_str).collect();
     let mut problems = Vec::new();
     let mut targets: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
@@ -156,8 +162,16 @@ pub fn check(pages: &BTreeMap<String, String>, all: &[String]) -> Result<(), Pro
         read_pages.push((address.as_str(), tags, text));
     }
     for (address, tags, text) in &read_pages {
-        let mut problem =
-            |line: usize, message: String| problems.push(Problem::new(*address, line, message));
+        let markdown = source(address);
+        let mut problem = |line: usize, what: &str, message: String| {
+            let what = what.replace(".html", ".md");
+            let written = markdown.as_ref().and_then(|(file, text)| {
+                let at = text.lines().position(|line| line.contains(&what))?;
+                Some((file.as_str(), at + 1))
+            });
+            let (file, line) = written.unwrap_or((address, line));
+            problems.push(Problem::new(file, line, message));
+        };
         for (n, line) in text.lines().enumerate() {
             for left_over in [
                 "{{",
@@ -171,6 +185,7 @@ pub fn check(pages: &BTreeMap<String, String>, all: &[String]) -> Result<(), Pro
                 if line.contains(left_over) {
                     problem(
                         n + 1,
+                        line.trim(),
                         format!("'{left_over}' is left over: {}", line.trim()),
                     );
                 }
@@ -180,11 +195,19 @@ pub fn check(pages: &BTreeMap<String, String>, all: &[String]) -> Result<(), Pro
             if tag.name == "svg" && tag.get("role") == Some("img") {
                 let alt = tag.get("aria-label").unwrap_or("");
                 if alt.trim().len() < 10 {
-                    problem(tag.line, "a figure without alternative text".into());
+                    problem(
+                        tag.line,
+                        "{{figure",
+                        "a figure without alternative text".into(),
+                    );
                 }
             }
             if tag.name == "img" && tag.get("alt").is_none_or(|alt| alt.trim().is_empty()) {
-                problem(tag.line, "a picture without alternative text".into());
+                problem(
+                    tag.line,
+                    "![](",
+                    "a picture without alternative text".into(),
+                );
             }
             let loads = match tag.name {
                 "script" | "img" | "iframe" | "source" | "audio" | "video" | "embed" => {
@@ -197,15 +220,19 @@ pub fn check(pages: &BTreeMap<String, String>, all: &[String]) -> Result<(), Pro
             if let Some(url) = loads
                 && (url.contains("://") || url.starts_with("//"))
             {
-                problem(tag.line, format!("{url} loads from outside"));
+                problem(tag.line, url, format!("{url} loads from outside"));
             }
             let link = loads.or_else(|| tag.get("href").filter(|_| tag.name == "a"));
             if let Some(url) = link
                 && let Err(message) = resolves(address, url, &all, &targets)
             {
-                problem(tag.line, message);
+                problem(tag.line, url, message);
             }
         }
+    }
+    // The print page repeats the others.
+    if problems.iter().any(|problem| problem.file != "print.html") {
+        problems.retain(|problem| problem.file != "print.html");
     }
     Problems::none_of(problems)
 }
@@ -258,7 +285,7 @@ mod tests {
     fn checked(html: &str) -> Result<(), String> {
         let pages = BTreeMap::from([("a/b.html".to_owned(), html.to_owned())]);
         let all = ["a/b.html".to_owned(), "c.css".to_owned()];
-        check(&pages, &all).map_err(|e| e.to_string())
+        check(&pages, &all, |_| None).map_err(|e| e.to_string())
     }
 
     #[test]
@@ -293,8 +320,14 @@ mod tests {
             let found = checked(&sound.replacen(from, to, 1))
                 .err()
                 .unwrap_or_default();
-            let expected = format!("error: a/b.html:{message}");
+            let expected = format!("a/b.html:{message}");
             assert!(found.starts_with(&expected), "{expected}: {found}");
         }
+        // The line of the source, where it can be found.
+        let pages = BTreeMap::from([("b.html".to_owned(), "<a href=\"no.html#x\">".to_owned())]);
+        let source = |_: &str| Some(("b.md".into(), "T\n\n[a](no.md#x)".into()));
+        let found = check(&pages, &["b.html".into()], source);
+        let expected = "b.md:3: the link no.html#x leads nowhere";
+        assert_eq!(found.map_err(|e| e.to_string()), Err(expected.into()));
     }
 }

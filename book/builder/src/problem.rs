@@ -30,7 +30,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// All that is wrong, sorted, one per line.
+/// All that is wrong, sorted, one per line; whoever prints it puts `error: ` before.
 #[derive(Debug)]
 pub struct Problems(pub Vec<Problem>);
 
@@ -49,8 +49,8 @@ impl Problems {
 impl fmt::Display for Problems {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (n, problem) in self.0.iter().enumerate() {
-            let separator = if n == 0 { "" } else { "\n" };
-            write!(f, "{separator}error: {problem}")?;
+            let separator = if n == 0 { "" } else { "\nerror: " };
+            write!(f, "{separator}{problem}")?;
         }
         Ok(())
     }

@@ -133,7 +133,11 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
         fs::write(path, bytes)?;
     }
     let all: Vec<String> = files(fresh)?.iter().map(|p| address(fresh, p)).collect();
-    pages::check(&written, &all).map_err(Error::new)
+    let source = |address: &str| {
+        let file = format!("book/src/{}.md", address.strip_suffix(".html")?);
+        project.read(&file).ok().map(|text| (file, text))
+    };
+    pages::check(&written, &all, source).map_err(Error::new)
 }
 
 /// A page with its marks filled and the theme's colours in place.
@@ -141,10 +145,9 @@ fn finish(project: &Project, html: &str) -> Result<String, String> {
     let mut number = 0;
     let html = splice::fill(html, |splice| html_of(project, splice, &mut number))?;
     let colours = format!(
-        "<style>:root{{{}}}.coal{{{}}}@media print{{:root,.coal{{{}}}}}</style></head>",
-        css_variables(false).replace('\n', ""),
-        css_variables(true).replace('\n', ""),
-        css_variables(false).replace('\n', ""),
+        "<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
+        light = css_variables(false).replace('\n', ""),
+        dark = css_variables(true).replace('\n', ""),
     );
     let mut html = html.replacen("</head>", &colours, 1);
     // Two themes, each with its own contrast measured, instead of mdBook's five.
