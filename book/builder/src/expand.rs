@@ -388,7 +388,7 @@ impl<'a> Page<'a> {
         match maths::mathml(&tex, false) {
             Ok(mathml) => {
                 let mark = Splice::Inline { tex }.mark(&maths::plain(&mathml));
-                walk.out.push_str(&mark);
+                walk.glued(&mark);
             }
             Err(refused) => self.refused(&tex, &refused, line),
         }
@@ -484,6 +484,40 @@ impl<'s> Walk<'s> {
         let copied = &self.rest()[..length];
         self.out.push_str(copied);
         self.skip(length);
+    }
+
+    /// Writes what must not be parted from the punctuation around it: a browser may
+    /// break a line before and after a formula.
+    fn glued(&mut self, mark: &str) {
+        let mut before = String::new();
+        while let Some(c) = self
+            .out
+            .chars()
+            .last()
+            .filter(|&c| "([\u{201c}".contains(c))
+        {
+            // `[` may open a link.
+            if c == '[' {
+                break;
+            }
+            self.out.pop();
+            before.insert(0, c);
+        }
+        let rest = self.rest();
+        let after = rest.len()
+            - rest
+                .trim_start_matches([',', '.', ';', ':', '!', '?', ')'])
+                .len();
+        let after = &rest[..after];
+        if before.is_empty() && after.is_empty() {
+            self.out.push_str(mark);
+        } else {
+            self.out.push_str(&format!(
+                "<span class=\"glued\">{before}{mark}{after}</span>"
+            ));
+        }
+        self.at += after.len();
+        self.prose.push_str(after);
     }
 
     fn replace(&mut self, length: usize, with: &str) {

@@ -1,5 +1,6 @@
 //! TeX to MathML, at build time.
 
+use crate::fonts;
 use crate::text;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -112,16 +113,106 @@ pub fn mathml(tex: &str, display: bool) -> Result<String, Refused> {
             at: e.0.start,
             reason: e.to_string(),
         })?;
-    // Chromium ignores the font's raised variants of primes: they get a class to be
-    // set by the style sheet.
-    let mut mathml = converted.mathml;
+    Ok(mend(&converted.mathml))
+}
+
+/// Works around what browsers do not take from a mathematics font.
+///
+/// - Primes: the variants for superscripts are ignored; they get a class for the style sheet.
+/// - Accents: the point of attachment is ignored, so a dot over a slanted letter sits
+///   too far left; it is moved by what the font says.
+/// - Fences: a stretchy one gets the width of its largest variant; around content
+///   that is one line high it need not stretch.
+fn mend(mathml: &str) -> String {
+    let mut mended = mathml.to_owned();
     for prime in ['\u{2032}', '\u{2033}', '\u{2034}'] {
-        mathml = mathml.replace(
+        mended = mended.replace(
             &format!("<mo>{prime}</mo>"),
             &format!("<mo class=\"prime\">{prime}</mo>"),
         );
     }
-    Ok(mathml)
+    accents(&fences(&mended))
+}
+
+fn accents(mathml: &str) -> String {
+    const OPEN: &str = "<mover accent=\"true\"><mi";
+    let mut done = String::with_capacity(mathml.len());
+    let mut rest = mathml;
+    while let Some(at) = rest.find(OPEN) {
+        let base = at + OPEN.len();
+        done.push_str(&rest[..base]);
+        rest = &rest[base..];
+        // The rest of `<mi>`, the letter, and the accent's `<mo`.
+        let Some((attributes, after)) = rest.split_once('>') else {
+            break;
+        };
+        let Some((letter, accent)) = after.split_once("</mi><mo") else {
+            break;
+        };
+        let mut letters = letter.chars();
+        if let (Some(c), None) = (letters.next(), letters.next()) {
+            let c = if attributes.is_empty() { italic(c) } else { c };
+            let skew = fonts::skew(c).filter(|skew| skew.abs() > 0.005);
+            done.push_str(&format!("{attributes}>{letter}</mi><mo"));
+            if let Some(skew) = skew {
+                done.push_str(&format!(" style=\"transform:translateX({skew:.3}em)\""));
+            }
+            rest = accent;
+        }
+    }
+    done + rest
+}
+
+/// The slanted letter that a browser shows for a single one in `<mi>`.
+fn italic(c: char) -> char {
+    let at = |first: u32, letter: char| char::from_u32(first + u32::from(c) - u32::from(letter));
+    let slanted = match c {
+        'h' => Some('\u{210e}'),
+        'a'..='z' => at(0x1d44e, 'a'),
+        'A'..='Z' => at(0x1d434, 'A'),
+        'α'..='ω' => at(0x1d6fc, 'α'),
+        'Α'..='Ω' => at(0x1d6e2, 'Α'),
+        'ϵ' => Some('\u{1d716}'),
+        'ϑ' => Some('\u{1d717}'),
+        'ϕ' => Some('\u{1d719}'),
+        _ => None,
+    };
+    slanted.unwrap_or(c)
+}
+
+fn fences(mathml: &str) -> String {
+    const TALL: [&str; 6] = [
+        "<mfrac", "<mtable", "<munder", "<msqrt", "<mroot", "largeop",
+    ];
+    let mut done = mathml.to_owned();
+    let mut from = 0;
+    while let Some(at) = done[from..].find("<mrow><mo>") {
+        let open = from + at + "<mrow>".len();
+        from = open;
+        let mut depth = 1;
+        let mut end = open;
+        while depth > 0 {
+            let next = done[end..].find("mrow>").map(|n| end + n);
+            let Some(next) = next else {
+                return done;
+            };
+            depth += if done[..next].ends_with('/') { -1 } else { 1 };
+            end = next + "mrow>".len();
+        }
+        let close = end - "</mrow>".len();
+        let content = &done[open..close];
+        let last = content.rfind("<mo>");
+        let fenced = content.ends_with("</mo>") && last.is_some_and(|last| last > 0);
+        if let Some(last) = last
+            && fenced
+            && !TALL.iter().any(|tag| content.contains(tag))
+        {
+            let still = "<mo stretchy=\"false\">";
+            done.replace_range(open + last..open + last + "<mo>".len(), still);
+            done.replace_range(open..open + "<mo>".len(), still);
+        }
+    }
+    done
 }
 
 /// The formula as plain text, for the search index.
@@ -151,6 +242,28 @@ mod tests {
         );
         assert!(prepare("x \\tag{1} \\tag{2}").is_err());
         assert!(prepare("x \\tag 1").is_err());
+    }
+
+    #[test]
+    fn browsers_are_helped() {
+        let html = |tex: &str| mathml(tex, false).map_err(|e| e.reason).unwrap_or_default();
+        // The font attaches an accent of a slanted theta 0.0755 em right of its middle.
+        let theta = html(r"\dot\theta");
+        assert!(
+            theta.contains("<mi>θ</mi><mo style=\"transform:translateX(0.07"),
+            "{theta}"
+        );
+        let bold = html(r"\dot{\boldsymbol\omega}");
+        assert!(bold.contains("translateX(0.039em)"), "{bold}");
+        let omega = html(r"\dot\Omega");
+        assert!(!omega.contains("translateX"), "{omega}");
+        let low = html(r"\left(b - \left[c\right]\right)^2");
+        assert_eq!(low.matches("<mo stretchy=\"false\">").count(), 4, "{low}");
+        let tall = html(r"\left(\frac{b}{c}\right)");
+        assert!(
+            tall.contains("<mo>(</mo>") && tall.contains("<mo>)</mo>"),
+            "{tall}"
+        );
     }
 
     #[test]
