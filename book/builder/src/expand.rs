@@ -107,7 +107,11 @@ impl<'a> Page<'a> {
         } else if rest.starts_with('`') {
             self.code_span(walk);
         } else if rest.starts_with("\\$") {
-            walk.replace(2, "&#36;");
+            self.problem(
+                walk.line_number(),
+                "a dollar sign is a formula's; write the word",
+            );
+            walk.skip(2);
         } else if rest.starts_with("\\eqref{") {
             self.reference(walk);
         } else if rest.starts_with("$$") {
@@ -375,7 +379,7 @@ impl<'a> Page<'a> {
         let Some(end) = rest[1..paragraph].find('$') else {
             self.problem(
                 line,
-                "a formula that $ opens is not closed in its paragraph (\\$ is a dollar)",
+                "a formula that $ opens is not closed in its paragraph",
             );
             walk.skip(1);
             return;

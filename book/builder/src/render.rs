@@ -114,7 +114,8 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
         if path.extension().is_some_and(|e| e == "html") {
             let address = address(fresh, &path);
             let html = fs::read_to_string(&path)?;
-            let html = finish(project, &html).map_err(|e| Error::msg(format!("{address}: {e}")))?;
+            let html = finish(project, &html, &address)
+                .map_err(|e| Error::msg(format!("{address}: {e}")))?;
             fs::write(&path, &html)?;
             written.insert(address, html);
         }
@@ -141,11 +142,19 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
 }
 
 /// A page with its marks filled and the theme's colours in place.
-fn finish(project: &Project, html: &str) -> Result<String, String> {
+fn finish(project: &Project, html: &str, address: &str) -> Result<String, String> {
     let mut number = 0;
     let html = splice::fill(html, |splice| html_of(project, splice, &mut number))?;
+    // The fonts of the first screen, so that nothing moves when they arrive.
+    let up = "../".repeat(address.matches('/').count());
+    let preload = |name: &str| {
+        format!(
+            "<link rel=\"preload\" as=\"font\" type=\"font/otf\" crossorigin href=\"{up}fonts/{name}.otf\">"
+        )
+    };
+    let preload = preload("LibertinusSerif-Regular") + &preload("NewCMMath-Book");
     let colours = format!(
-        "<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
+        "{preload}<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
         light = css_variables(false).replace('\n', ""),
         dark = css_variables(true).replace('\n', ""),
     );

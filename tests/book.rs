@@ -1,0 +1,464 @@
+//! The book as a whole: it builds, every stem is complete, and whatever is damaged
+//! stops the build at its file and line. The pages themselves are checked by the
+//! builder (`book/builder`), which is run here as a reader runs it.
+
+#[path = "book/sample.rs"]
+mod sample;
+
+use rotation_dynamics::math::pow;
+use sample::{Sample, book, read};
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The names in `directory` that end with `suffix`, without it.
+fn names(directory: &str, suffix: &str) -> BTreeSet<String> {
+    let entries = fs::read_dir(root().join(directory)).into_iter().flatten();
+    entries
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter_map(|name| name.strip_suffix(suffix).map(Into::into))
+        .collect()
+}
+
+/// The entries of the summary: title, and file if it is written.
+fn summary() -> Vec<(String, Option<String>)> {
+    let text = read(&root().join("book/src/SUMMARY.md"));
+    let entry = |line: &str| {
+        let line = line.trim_start_matches("- ").strip_prefix('[')?;
+        let (title, file) = line.split_once("](")?;
+        let file = file.strip_suffix(')')?;
+        Some((
+            title.to_owned(),
+            (!file.is_empty()).then(|| file.to_owned()),
+        ))
+    };
+    text.lines().filter_map(entry).collect()
+}
+
+/// Sections 5, exercises 9; sections 5, exercises 8; closing chapters 5; the front page.
+const ENTRIES: usize = 5 + 9 + 5 + 8 + 5 + 1;
+
+#[test]
+fn the_book_is_built_and_every_page_is_in_it() {
+    let entries = summary();
+    assert_eq!(entries.len(), ENTRIES);
+    let out = Sample::directory("whole");
+    let built = book(&root(), &["--out", &out.to_string_lossy()], "");
+    assert!(built.ok, "{}", built.stderr);
+    let mut written = 0;
+    for file in entries.iter().filter_map(|(_, file)| file.as_ref()) {
+        let html = read(&out.join(file).with_extension("html"));
+        assert!(html.contains("<main>"), "{file}");
+        assert!(!html.contains("data-splice"), "{file}");
+        written += 1;
+    }
+    assert_eq!(
+        written,
+        names("book/src", ".md").len() - 1,
+        "pages but SUMMARY"
+    );
+    // The figures on the pages are the locked ones.
+    let stems = names("examples", ".rs");
+    for figure in names("tests/snapshots/figures", ".snap.svg") {
+        let file = root().join(format!("tests/snapshots/figures/{figure}.snap.svg"));
+        let svg = read(&file);
+        let path = svg
+            .split(" d=\"")
+            .nth(1)
+            .and_then(|rest| rest.split('"').next());
+        let stem = stems
+            .iter()
+            .find(|stem| figure.starts_with(&format!("{stem}__")));
+        let stem = stem.unwrap_or_else(|| panic!("{figure} has no example"));
+        let on_page = |stem: &String| {
+            let page = out.join(format!("{stem}.html"));
+            path.is_none_or(|path| page.is_file() && read(&page).contains(path))
+        };
+        assert!(
+            on_page(stem) || stems.iter().any(on_page),
+            "{figure} is on no page"
+        );
+    }
+}
+
+#[test]
+fn every_stem_is_complete() {
+    let examples = names("examples", ".rs");
+    let pages = names("book/src", ".md");
+    let locked = names("tests/snapshots", ".snap");
+    let figures: BTreeSet<String> = names("tests/snapshots/figures", ".snap.svg")
+        .iter()
+        .filter_map(|name| name.split_once("__").map(|(stem, _)| stem.to_owned()))
+        .collect();
+    assert_eq!(examples, locked, "examples and locked outputs");
+    assert_eq!(examples, figures, "examples and locked figures");
+    let stems: BTreeSet<String> = pages
+        .into_iter()
+        .filter(|name| name.starts_with("ch1"))
+        .collect();
+    assert_eq!(examples, stems, "examples and pages");
+}
+
+/// Each damage: the file, what is replaced by what, and how the message begins.
+const DAMAGES: [(&str, &str, &str, &str); 20] = [
+    (
+        "book/src/one.md",
+        "sample:period",
+        "sample:perod",
+        "book/src/one.md:5: sample claims no 'perod'",
+    ),
+    (
+        "book/src/one.md",
+        "{{num sample:period s}}",
+        "{{num sample:period m}}",
+        "book/src/one.md:5: the unit of sample:period is s, not m",
+    ),
+    (
+        "book/src/one.md",
+        "{{num sample:period s}}",
+        "{{numb sample:period}}",
+        "book/src/one.md:5: unknown directive",
+    ),
+    (
+        "book/src/one.md",
+        "{{num sample:period s}}",
+        "2.0064",
+        "book/src/one.md:5: 2.0064 is typed, not computed",
+    ),
+    (
+        "book/src/one.md",
+        "a swing $\\theta$",
+        "a swing $\\theta",
+        "book/src/one.md:7: a formula that $ opens is not closed",
+    ),
+    (
+        "book/src/one.md",
+        "\\ddot\\theta = -\\sin",
+        "\\ddot\\theta = -\\sen",
+        "book/src/one.md:10: TeX:",
+    ),
+    (
+        "book/src/one.md",
+        "\\frac{T}{4}",
+        "\\frac{T}{4",
+        "book/src/one.md:",
+    ),
+    (
+        "book/src/one.md",
+        "sample:swing",
+        "sample:sway",
+        "book/src/one.md:17: there is no figure tests/snapshots/figures/sample__sway.snap.svg; sample has: swing",
+    ),
+    (
+        "book/src/one.md",
+        "sample:physics",
+        "sample:physic",
+        "book/src/one.md:21: examples/sample.rs must hold '// ANCHOR: physic'",
+    ),
+    (
+        "book/src/one.md",
+        "{{listing sample:physics}}",
+        "{{#include ../sample.rs:physics}}",
+        "book/src/one.md:21: unknown directive",
+    ),
+    (
+        "book/src/one.md",
+        "sample:limits",
+        "sample:limit",
+        "book/src/one.md:25: the output of sample has no section 'limit'",
+    ),
+    (
+        "book/src/one.md",
+        "sample_tests::it_swings",
+        "sample_tests::it_sways",
+        "book/src/one.md:29: tests/sample_tests.rs has no test 'it_sways'",
+    ),
+    (
+        "book/src/two.md",
+        "\\eqref{eq:swing}",
+        "\\eqref{eq:sway}",
+        "book/src/two.md:3: no equation is labelled 'eq:sway'",
+    ),
+    (
+        "book/src/two.md",
+        "one.md#the-period",
+        "one.md#the-perod",
+        "book/src/two.md:5: the link one.html#the-perod leads to no place in one.html",
+    ),
+    (
+        "book/src/two.md",
+        "one.md#the-period",
+        "won.md",
+        "book/src/two.md:5: the link won.html leads nowhere",
+    ),
+    (
+        "book/src/two.md",
+        "# Two",
+        "# Two\n\n![](https://example.org/a.png)",
+        "book/src/two.md:3: a picture without alternative text",
+    ),
+    (
+        "book/src/SUMMARY.md",
+        "- [Two](two.md)",
+        "",
+        "book/src/two.md:1: SUMMARY.md does not name this page",
+    ),
+    (
+        "examples/sample.rs",
+        "// ANCHOR_END: physics",
+        "",
+        "book/src/one.md:21: examples/sample.rs must hold",
+    ),
+    (
+        "tests/snapshots/sample.snap",
+        "period  2.0064",
+        "period  2.0064  x",
+        "book/src/one.md:5: tests/snapshots/sample.snap:",
+    ),
+    (
+        "tests/snapshots/figures/sample__swing.snap.svg",
+        "<desc>A curve that swings</desc>",
+        "",
+        "book/src/one.md:17: tests/snapshots/figures/sample__swing.snap.svg: the figure does not say",
+    ),
+];
+
+#[test]
+fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
+    let sample = Sample::new("damage");
+    let out = sample.root.join("out");
+    let arguments = ["--out".to_owned(), out.to_string_lossy().into_owned()];
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let built = book(&sample.root, &arguments, "");
+    assert!(built.ok, "{}", built.stderr);
+    let page = read(&out.join("one.html"));
+    let mut found = 0;
+    for (file, from, to, message) in DAMAGES {
+        let path = sample.root.join(file);
+        let sound = read(&path);
+        assert!(sound.contains(from), "{file} has no {from}");
+        fs::write(&path, sound.replacen(from, to, 1)).expect("the copy can be written");
+        let built = book(&sample.root, &arguments, "");
+        fs::write(&path, sound).expect("the copy can be written");
+        assert!(!built.ok, "not found: {message}");
+        assert!(
+            built.stderr.contains(message),
+            "expected {message}\nfound {}",
+            built.stderr
+        );
+        assert_eq!(
+            read(&out.join("one.html")),
+            page,
+            "the old book has changed"
+        );
+        assert!(!sample.root.join("out.new").exists());
+        found += 1;
+    }
+    assert_eq!(found, 20);
+
+    // Orphans: files that nothing shows.
+    let orphans = [
+        (
+            "book/src/three.md",
+            "book/src/three.md:1: SUMMARY.md does not name this page",
+        ),
+        (
+            "examples/other.rs",
+            "examples/other.rs:1: no page uses this example",
+        ),
+        (
+            "tests/snapshots/other.snap",
+            "tests/snapshots/other.snap:1: there is no examples/other.rs",
+        ),
+        (
+            "tests/snapshots/figures/sample__other.snap.svg",
+            "tests/snapshots/figures/sample__other.snap.svg:1: no page shows this figure",
+        ),
+    ];
+    for (file, message) in orphans {
+        fs::write(sample.root.join(file), "x\n").expect("the copy can be written");
+        let built = book(&sample.root, &arguments, "");
+        fs::remove_file(sample.root.join(file)).expect("the copy can be removed");
+        assert!(
+            !built.ok && built.stderr.contains(message),
+            "{}",
+            built.stderr
+        );
+    }
+
+    // A directory that is no book is not overwritten.
+    let other = sample.root.join("examples");
+    let built = book(&sample.root, &["--out", &other.to_string_lossy()], "");
+    assert!(
+        !built.ok && built.stderr.contains("not a book"),
+        "{}",
+        built.stderr
+    );
+    assert!(other.join("sample.rs").is_file());
+}
+
+/// The JSON that mdbook sends for a chapter of the sample.
+fn chapter(sample: &Sample, name: &str, file: &str, number: u32) -> Value {
+    json!({"Chapter": {
+        "name": name,
+        "content": read(&sample.root.join("book/src").join(file)),
+        "number": if number == 0 { Value::Null } else { json!([number]) },
+        "sub_items": [],
+        "path": file,
+        "source_path": file,
+        "parent_names": [],
+    }})
+}
+
+#[test]
+fn the_stock_mdbook_gets_the_same_pages() {
+    let sample = Sample::new("stock");
+    let ours = sample.root.join("ours");
+    let built = book(&sample.root, &["--out", &ours.to_string_lossy()], "");
+    assert!(built.ok, "{}", built.stderr);
+
+    for (renderer, supported) in [("pages", true), ("html", true), ("epub", false)] {
+        let answer = book(&sample.root, &["preprocess", "supports", renderer], "");
+        assert_eq!(answer.ok, supported, "{renderer}");
+    }
+
+    let book_root = sample.root.join("book");
+    let config = sample::config();
+    let context = |version: &str| {
+        json!({
+            "root": book_root,
+            "config": config,
+            "renderer": "pages",
+            "mdbook_version": version,
+        })
+    };
+    let items = json!({"items": [
+        chapter(&sample, "One", "one.md", 1),
+        chapter(&sample, "Two", "two.md", 2),
+    ]});
+    let sent = json!([context("0.5.4"), items]).to_string();
+    let expanded = book(&sample.root, &["preprocess"], &sent);
+    assert!(expanded.ok, "{}", expanded.stderr);
+    let expanded: Value = serde_json::from_str(&expanded.stdout).expect("a book in JSON");
+
+    let theirs = sample.root.join("theirs");
+    let sent = json!({
+        "version": "0.5.4",
+        "root": book_root,
+        "book": expanded,
+        "config": config,
+        "destination": theirs,
+    });
+    let rendered = book(&sample.root, &["render"], &sent.to_string());
+    assert!(rendered.ok, "{}", rendered.stderr);
+    for page in ["one.html", "two.html", "index.html", "print.html"] {
+        assert_eq!(read(&ours.join(page)), read(&theirs.join(page)), "{page}");
+    }
+
+    // Another version of the protocol, and a damaged page, are refused.
+    let old = json!([context("0.4.52"), items]).to_string();
+    let refused = book(&sample.root, &["preprocess"], &old);
+    assert!(!refused.ok && refused.stderr.contains("mdbook 0.4.52 calls it"));
+    let damaged = sent_with(&context("0.5.4"), &items, "sample:period", "sample:perod");
+    let refused = book(&sample.root, &["preprocess"], &damaged);
+    assert!(!refused.ok && refused.stderr.contains("book/src/one.md:5:"));
+}
+
+fn sent_with(context: &Value, items: &Value, from: &str, to: &str) -> String {
+    json!([context, items]).to_string().replace(from, to)
+}
+
+/// The colours of a theme in the style sheet: variable and value.
+fn theme(css: &str, selector: &str) -> Vec<(String, u32)> {
+    let start = css.find(selector).expect("the theme is in the style sheet");
+    let block = &css[start..start + css[start..].find('}').expect("its end")];
+    let colour = |line: &str| {
+        let (name, value) = line.trim().split_once(": #")?;
+        Some((
+            name.to_owned(),
+            u32::from_str_radix(value.trim_end_matches(';'), 16).ok()?,
+        ))
+    };
+    block.lines().filter_map(colour).collect()
+}
+
+/// Contrast of two colours after WCAG 2.1, 1 to 21.
+fn contrast(a: u32, b: u32) -> f64 {
+    let luminance = |rgb: u32| -> f64 {
+        let channel = |shift: u32| {
+            let c = f64::from((rgb >> shift) & 255) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                pow((c + 0.055) / 1.055, 2.4)
+            }
+        };
+        0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0)
+    };
+    let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
+    if a > b { a / b } else { b / a }
+}
+
+#[test]
+fn text_and_lines_have_contrast_in_both_themes() {
+    let css = read(&root().join("book/theme/book.css"));
+    let texts = [
+        "--fg",
+        "--quiet",
+        "--links",
+        "--slip",
+        "--tip",
+        "--note",
+        "--inline-code-color",
+    ];
+    let mut measured = 0;
+    for selector in [".light, html", "\n.coal {"] {
+        let colours = theme(&css, selector);
+        let get = |name: &str| {
+            let found = colours.iter().find(|(n, _)| n == name);
+            found
+                .unwrap_or_else(|| panic!("{selector} has no {name}"))
+                .1
+        };
+        for ground in ["--bg", "--panel"] {
+            for text in texts {
+                let c = contrast(get(text), get(ground));
+                assert!(c >= 4.5, "{selector} {text} on {ground}: {c:.2}");
+                measured += 1;
+            }
+        }
+        for text in ["--sidebar-fg", "--sidebar-non-existant", "--sidebar-active"] {
+            let c = contrast(get(text), get("--sidebar-bg"));
+            assert!(c >= 4.5, "{selector} {text}: {c:.2}");
+            measured += 1;
+        }
+        let c = contrast(get("--rule"), get("--bg"));
+        assert!(c >= 3.0, "{selector} --rule: {c:.2}");
+    }
+    assert_eq!(measured, 34);
+    // The damaged twin: mdBook's own grey for unwritten chapters fails.
+    assert!(contrast(0x00AA_AAAA, 0x00FA_FAFA) < 4.5);
+}
+
+#[test]
+fn nothing_in_the_theme_comes_from_outside() {
+    let mut read_files = 0;
+    for file in [
+        "book/theme/book.css",
+        "book/theme/check.js",
+        "book/theme/fonts/fonts.css",
+    ] {
+        let text = read(Path::new(&root().join(file)));
+        assert!(
+            !text.contains("://") && !text.contains("url(\"//"),
+            "{file}"
+        );
+        read_files += 1;
+    }
+    assert_eq!(read_files, 3);
+}

@@ -1,0 +1,182 @@
+//! A small project with one of everything a page can name, to be damaged.
+
+use serde_json::{Value, json};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A project of two pages, one example, its locked output and figure, and a test.
+pub struct Sample {
+    pub root: PathBuf,
+}
+
+/// What a run of the builder gave.
+pub struct Run {
+    pub ok: bool,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+pub fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// Runs `cargo book` on the project at `root`.
+pub fn book(root: &Path, arguments: &[&str], input: &str) -> Run {
+    let mut command = Command::new(env!("CARGO"));
+    command
+        .args(["run", "--quiet", "--package", "book", "--"])
+        .arg("--root")
+        .arg(root)
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().expect("cargo runs");
+    if let Some(mut stdin) = child.stdin.take() {
+        // A refusal may close the pipe before all is read.
+        let _ = stdin.write_all(input.as_bytes());
+    }
+    let output = child.wait_with_output().expect("cargo ends");
+    Run {
+        ok: output.status.success(),
+        stdout: String::from_utf8_lossy(&output.stdout).into_owned(),
+        stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
+    }
+}
+
+const SETTINGS: &str = "\
+[book]
+title = \"Sample\"
+
+[build]
+create-missing = false
+use-default-preprocessors = false
+
+[preprocessor.directives]
+command = \"unused\"
+
+[output.pages]
+command = \"unused\"
+
+[output.pages.html]
+no-section-label = true
+";
+
+/// The same settings as mdbook sends them.
+pub fn config() -> Value {
+    json!({
+        "book": {"title": "Sample", "src": "src", "language": "en", "authors": []},
+        "build": {"create-missing": false, "use-default-preprocessors": false},
+        "preprocessor": {"directives": {"command": "unused"}},
+        "output": {"pages": {"command": "unused", "html": {"no-section-label": true}}},
+    })
+}
+
+const ONE: &str = r"# One
+
+## The period
+
+The period is {{num sample:period s}}, as $T = {{num sample:period}}\,\mathrm{s}$ says.
+
+It is a swing $\theta$ with `--length {{num sample:period}}`, where
+
+$$
+\ddot\theta = -\sin\theta
+\tag{1.1 (1)} \label{eq:swing}
+$$
+
+and $\frac{T}{4}$ is a quarter of it, also in a table: | a | $|x|$ |.
+
+<!-- a comment with $ and {{ -->
+{{figure sample:swing}}
+
+**It swings.** The caption holds $\theta$.
+
+{{listing sample:physics}}
+
+{{output sample}}
+
+{{table sample:limits}}
+
+{{check sample}}
+
+{{test sample_tests::it_swings}}
+";
+
+const TWO: &str = r"# Two
+
+By \eqref{eq:swing} it swings.
+
+See [the period](one.md#the-period).
+";
+
+const OUTPUT: &str = "\
+---
+source: tests/snapshots.rs
+---
+Sample
+A pendulum.
+
+claims
+key     value   unit  bound  checked against  differs by
+period  2.0064  s     5e-5   closed form      <1e-15
+
+limits
+limit        must give  gives   within  because
+theta0 -> 0  2.0061     2.0061  1e-4    small swings take the same time
+
+checks
+key     within  meaning
+period  0.001   the period
+
+slips
+key     value   hint
+period  1.0032  that is half a swing
+";
+
+const FIGURE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 340 260\" \
+    width=\"340\" height=\"260\" role=\"img\" aria-label=\"A curve that swings\">\n\
+    <desc>A curve that swings</desc>\n<path d=\"M0,0L9,9\"/>\n</svg>\n";
+
+const EXAMPLE: &str =
+    "fn main() {\n    // ANCHOR: physics\n    let g = 9.8;\n    // ANCHOR_END: physics\n}\n";
+
+impl Sample {
+    /// A new directory of this name for the run.
+    pub fn directory(name: &str) -> PathBuf {
+        let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("book_{name}"));
+        if directory.exists() {
+            fs::remove_dir_all(&directory).expect("the old copy can be removed");
+        }
+        directory
+    }
+
+    /// The project, written to a directory of its own.
+    pub fn new(name: &str) -> Self {
+        let root = Self::directory(name);
+        let files = [
+            ("book/book.toml", SETTINGS),
+            (
+                "book/src/SUMMARY.md",
+                "# Summary\n\n- [One](one.md)\n- [Two](two.md)\n- [Three]()\n",
+            ),
+            ("book/src/one.md", ONE),
+            ("book/src/two.md", TWO),
+            ("examples/sample.rs", EXAMPLE),
+            ("tests/snapshots/sample.snap", OUTPUT),
+            ("tests/snapshots/figures/sample__swing.snap.svg", FIGURE),
+            ("tests/sample_tests.rs", "#[test]\nfn it_swings() {}\n"),
+        ];
+        for (file, text) in files {
+            let path = root.join(file);
+            if let Some(parent) = path.parent() {
+                fs::create_dir_all(parent).expect("the copy can be made");
+            }
+            fs::write(path, text).expect("the copy can be written");
+        }
+        Self { root }
+    }
+}
