@@ -251,9 +251,8 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
             "expected {message}\nfound {}",
             built.stderr
         );
-        assert_eq!(
-            read(&out.join("one.html")),
-            page,
+        assert!(
+            read(&out.join("one.html")) == page,
             "the old book has changed"
         );
         assert!(!sample.root.join("out.new").exists());
@@ -340,6 +339,8 @@ fn the_stock_mdbook_gets_the_same_pages() {
     let items = json!({"items": [
         chapter(&sample, "One", "one.md", 1),
         chapter(&sample, "Two", "two.md", 2),
+        {"Chapter": {"name": "Three", "content": "", "number": [3], "sub_items": [],
+            "path": null, "source_path": null, "parent_names": []}},
     ]});
     let sent = json!([context("0.5.4"), items]).to_string();
     let expanded = book(&sample.root, &["preprocess"], &sent);
@@ -357,7 +358,10 @@ fn the_stock_mdbook_gets_the_same_pages() {
     let rendered = book(&sample.root, &["render"], &sent.to_string());
     assert!(rendered.ok, "{}", rendered.stderr);
     for page in ["one.html", "two.html", "index.html", "print.html"] {
-        assert_eq!(read(&ours.join(page)), read(&theirs.join(page)), "{page}");
+        assert!(
+            read(&ours.join(page)) == read(&theirs.join(page)),
+            "{page} differs"
+        );
     }
 
     // Another version of the protocol, and a damaged page, are refused.

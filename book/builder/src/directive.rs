@@ -291,7 +291,7 @@ pub fn block(
                 source_address(&file)
             );
             Ok(indented(
-                &format!("{head}\n\n{}\n", fence("rust", &code)),
+                &format!("{head}\n\n{}\n", fence("rust,noplayground", &code)),
                 indent,
             ))
         }

@@ -268,7 +268,7 @@ impl<'a> Page<'a> {
         format!(
             "<a class=\"eqref\" href=\"{page}#{}\">{}</a>",
             equation_id(label),
-            text::escape(&target.tag)
+            text::tag_html(&target.tag)
         )
     }
 

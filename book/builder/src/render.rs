@@ -10,7 +10,7 @@ use crate::project::Project;
 use crate::source;
 use crate::splice::{self, Splice};
 use crate::table;
-use crate::text::escape;
+use crate::text::{escape, tag_html};
 use crate::warnings;
 use mdbook_html::HtmlHandlebars;
 use mdbook_renderer::errors::{Error, Result};
@@ -44,11 +44,11 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             let identifier = id.as_ref().map(|id| format!(" id=\"{}\"", escape(id)));
             let tag = match (tag, id) {
                 (None, _) => String::new(),
-                (Some(tag), None) => format!("<span class=\"tag\">{}</span>", escape(tag)),
+                (Some(tag), None) => format!("<span class=\"tag\">{}</span>", tag_html(tag)),
                 (Some(tag), Some(id)) => format!(
                     "<a class=\"tag\" href=\"#{}\">{}</a>",
                     escape(id),
-                    escape(tag)
+                    tag_html(tag)
                 ),
             };
             Ok(format!(

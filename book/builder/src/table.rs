@@ -1,6 +1,6 @@
 //! Sections of the locked output as tables of a page.
 
-use crate::text::{escape, number_html, unit_html};
+use crate::text::{escape, number_html, raised, unit_html};
 use rotation_dynamics::report::Table;
 
 /// Greek letters as reports spell them.
@@ -44,8 +44,20 @@ fn words(cell: &str) -> String {
                 .find(|c: char| !c.is_ascii_alphabetic())
                 .unwrap_or(rest.len());
             let (word, after) = rest.split_at(end);
-            let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
             let letter = GREEK.iter().find(|(name, _)| *name == word);
+            // `t_release` and `theta_0`: a letter with an index.
+            if let Some(index) = after.strip_prefix('_')
+                && (letter.is_some() || word.len() == 1)
+            {
+                let end = index
+                    .find(|c: char| !c.is_ascii_alphanumeric())
+                    .unwrap_or(index.len());
+                let base = letter.map_or(word.to_owned(), |(_, letter)| letter.to_string());
+                html += &format!("{base}<sub>{}</sub>", &index[..end]);
+                rest = &index[end..];
+                continue;
+            }
+            let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
             match letter {
                 Some((_, letter)) => html.push(*letter),
                 None => html.push_str(word),
@@ -61,29 +73,30 @@ fn words(cell: &str) -> String {
             rest = &rest[c.len_utf8()..];
         }
     }
-    unit_html(&crate::text::unescape(&html))
-        .replace("&lt;sub&gt;", "<sub>")
-        .replace("&lt;/sub&gt;", "</sub>")
+    raised(&html)
 }
 
 /// The table as HTML.
 pub fn html(table: &Table) -> String {
     let name = table.heading().trim_start_matches("table ");
     let mut html = format!("<table class=\"section {}\"><thead><tr>", escape(name));
+    // A column is numeric if most of its cells are; one without content is left out.
+    let column = |n: usize| table.rows().iter().map(move |row| row[n].as_str());
     let numeric: Vec<bool> = (0..table.columns().len())
         .map(|n| {
-            let mut cells = table.rows().iter().map(|row| row[n].as_str()).peekable();
-            cells.peek().is_some() && cells.all(|cell| cell == "-" || number_html(cell).is_some())
+            2 * column(n).filter(|cell| number_html(cell).is_some()).count() > table.rows().len()
         })
         .collect();
+    let shown = |n: &usize| column(*n).any(|cell| cell != "-");
     let class = |n: usize| if numeric[n] { " class=\"n\"" } else { "" };
-    for (n, column) in table.columns().iter().enumerate() {
-        html += &format!("<th{}>{}</th>", class(n), words(column));
+    for n in (0..numeric.len()).filter(shown) {
+        html += &format!("<th{}>{}</th>", class(n), words(&table.columns()[n]));
     }
     html += "</tr></thead><tbody>";
     for row in table.rows() {
         html += "<tr>";
-        for (n, cell) in row.iter().enumerate() {
+        for n in (0..numeric.len()).filter(shown) {
+            let cell = &row[n];
             let column = table.columns()[n].as_str();
             let content = match (cell.as_str(), column) {
                 ("-", _) => "–".into(),
@@ -116,9 +129,10 @@ mod tests {
 
     #[test]
     fn cells_are_set_like_formulas() {
+        assert_eq!(words("t_release/s"), "t<sub>release</sub>/s");
         assert_eq!(
-            words("theta0 -> 0, a < b"),
-            "θ<sub>0</sub> → 0, a &lt; b".replace(' ', "\u{202f}")
+            words("theta0 -> 0, a < b^2"),
+            "θ<sub>0</sub> → 0, a &lt; b<sup>2</sup>"
         );
         assert_eq!(
             quantity("1.2e-5 rad").as_deref(),

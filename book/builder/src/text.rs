@@ -60,26 +60,31 @@ pub fn number_tex(cell: &str) -> String {
     }
 }
 
-/// A unit as HTML: `m/s^2` with its exponent raised.
-pub fn unit_html(unit: &str) -> String {
-    let mut html = String::new();
-    let mut rest = unit.chars().peekable();
-    while let Some(c) = rest.next() {
-        if c != '^' {
-            html.push_str(&escape(&c.to_string()).replace(' ', "\u{202f}"));
-            continue;
-        }
-        let mut exponent = String::new();
-        while let Some(&c) = rest.peek() {
-            if !(c.is_ascii_digit() || c == '-') {
-                break;
-            }
-            exponent.push(if c == '-' { '\u{2212}' } else { c });
-            rest.next();
-        }
-        let _ = write!(html, "<sup>{exponent}</sup>");
+/// An equation's number as it is shown: the notes' "16.2 (4)" as it stands, ours in brackets.
+pub fn tag_html(tag: &str) -> String {
+    match tag.contains('(') {
+        true => escape(tag),
+        false => format!("({})", escape(tag)),
     }
-    html
+}
+
+/// A unit as HTML: `m/s^2` with its exponent raised, in one piece.
+pub fn unit_html(unit: &str) -> String {
+    raised(&escape(unit)).replace(' ', "\u{202f}")
+}
+
+/// HTML with what follows each `^` raised: digits and a sign.
+pub fn raised(html: &str) -> String {
+    let mut pieces = html.split('^');
+    let mut done = pieces.next().unwrap_or("").to_owned();
+    for piece in pieces {
+        let end = piece
+            .find(|c: char| !(c.is_ascii_digit() || c == '-'))
+            .unwrap_or(piece.len());
+        let exponent = piece[..end].replace('-', "\u{2212}");
+        let _ = write!(done, "<sup>{exponent}</sup>{}", &piece[end..]);
+    }
+    done
 }
 
 /// The text of some HTML, without its tags.
