@@ -34,7 +34,7 @@ pub struct Equations {
     pub a: f64,
     pub b: f64,
     pub c: f64,
-    /// Torque of the bearing of the line of nodes, -friction dtheta/dt'; 0 in the notes.
+    /// Torque of a bearing, -friction dtheta/dt'; 0 in the notes.
     pub friction: f64,
 }
 
@@ -45,7 +45,8 @@ impl Ode<4> for Equations {
         let precession = a.sqrt() * (b - u) / (s * s); // (5)
         [
             nutation,
-            c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation, // (4)
+            // (4), solved for the second derivative
+            c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation,
             precession,
             1.0 / a.sqrt() - precession * u, // (6)
         ]

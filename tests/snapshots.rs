@@ -9,6 +9,8 @@
 
 #[path = "../examples/ch16_2_gyroscope.rs"]
 mod ch16_2_gyroscope;
+#[path = "../examples/ch16_2_top_and_wheel.rs"]
+mod ch16_2_top_and_wheel;
 #[path = "../examples/ch16_ex6_ladder.rs"]
 mod ch16_ex6_ladder;
 
@@ -29,8 +31,8 @@ struct Locked {
 }
 
 /// How many examples there are, and how many figures they draw.
-const EXAMPLES: usize = 2;
-const FIGURES: usize = 26;
+const EXAMPLES: usize = 3;
+const FIGURES: usize = 34;
 
 /// Every example, run once for all tests of this file.
 fn all() -> &'static [Locked] {

@@ -68,7 +68,7 @@ fn setup() -> Result<Figure> {
     .solid(Solid::turned(hub, axis, &[(-0.04, 0.34), (0.04, 0.34)]), Ink::Body)
     .arrow(hub + axis * 0.04, axis * 1.34, Ink::Body, "$z$", Side::Right)
     .turn(spin, Ink::Velocity)
-    .text(axis * 1.16 + across * 0.24, "$\\zeta$", Ink::Velocity, Side::Right)
+    .text(axis * 1.2 - across * 0.26, "$\\zeta$", Ink::Velocity, Side::Left)
     .turn(tilt, Ink::Ink)
     .text(direction(0.5 * theta, phi) * 0.4, "$\\theta$", Ink::Ink, Side::Above)
     .arrow(hub, hub - up * 0.5, Ink::Force, "$mg$", Side::Right)

@@ -1,7 +1,7 @@
 //! A motion with its exact solution, and what can be said about it in numbers.
 
 use super::Equations;
-use super::routes::Nod;
+use super::routes::{Nod, greatest_tilt};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::{EPS, cos, sin};
@@ -121,16 +121,26 @@ impl Motion {
         if self.in_seconds() { "s" } else { "-" }
     }
 
+    /// Whether phi and zeta are of use: far enough from both poles for equations (5)
+    /// and (6), which divide by sin^2(theta).
+    pub fn clear_of_poles(&self) -> bool {
+        let regular = matches!(
+            self.exact.regime(),
+            Regime::Steady | Regime::Waves | Regime::Cusps | Regime::Loops
+        );
+        regular && sin(self.exact.theta_min()).min(sin(self.exact.theta_max())) > 0.02
+    }
+
     /// Adds what the regime allows to say.
     pub fn add_claims(&self, report: &mut Report) -> Result<()> {
-        match self.exact.regime() {
-            Regime::Steady => self.add_steady(report),
-            Regime::Waves | Regime::Cusps | Regime::Loops => {
-                self.add_nod(report)?;
-                self.add_end(report)
-            }
-            _ => self.add_tilt(report),
+        if !self.clear_of_poles() {
+            return self.add_tilt(report);
         }
+        if self.exact.regime() == Regime::Steady {
+            return self.add_steady(report);
+        }
+        self.add_nod(report)?;
+        self.add_end(report)
     }
 
     /// Turning points, period and advances, against bisection and quadrature.
@@ -305,13 +315,28 @@ impl Motion {
 
     /// The tilt at the end, against a run in vectors, which knows no poles.
     fn add_tilt(&self, report: &mut Report) -> Result<()> {
+        let top = &self.top;
+        let (greatest, bisected) = (self.exact.theta_max(), greatest_tilt(top, self.energy));
+        let terms = self.energy.abs() + top.c().abs() + top.a();
+        let bound = 64.0 * EPS * terms / top.torque(greatest).abs();
+        // A top that sleeps has no turning point to speak of.
+        if bound < 1e-6 {
+            report.add_claim(Claim::new(
+                self.key("theta_max"),
+                "greatest tilt",
+                greatest,
+                "rad",
+                bound,
+                Oracle::new("bisection of E~ - U_eff", bisected),
+            )?)?;
+        }
         let end = self.end / self.unit;
         let vectors = Vectors { c: self.top.c() };
         let start = vectors.start(self);
         let (fine, _) = Dop853::new(1e-14)?.advance(&vectors, 0.0, &start, end)?;
         let (coarse, _) = Dop853::new(1e-12)?.advance(&vectors, 0.0, &start, end)?;
         let value = self.exact.cos_theta(self.end);
-        let bound = 4.0 * (fine[5] - coarse[5]).abs() + 1e-12;
+        let bound = 4.0 * (fine[5] - coarse[5]).abs() + 1e-10;
         report.add_claim(Claim::new(
             self.key("height_end"),
             "cos(theta) at the end",

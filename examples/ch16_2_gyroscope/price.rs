@@ -3,7 +3,6 @@
 use super::motions::Motion;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
-use rotation_dynamics::exact::heavy_top::Regime;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::splitting::Scheme;
@@ -101,11 +100,7 @@ pub fn add(report: &mut Report, motions: &[Motion], tolerance: f64) -> Result<()
         });
     }
     let motion = motions.get(1).unwrap_or(&motions[0]);
-    let regular = matches!(
-        motion.exact.regime(),
-        Regime::Steady | Regime::Waves | Regime::Cusps | Regime::Loops
-    );
-    if motion.top.c() == 0.0 || !regular {
+    if motion.top.c() == 0.0 || !motion.clear_of_poles() {
         return Ok(());
     }
     let problem = scene(motion)?;

@@ -3,7 +3,7 @@
 
 use super::motions::Motion;
 use super::routes::Nod;
-use rotation_dynamics::Result;
+use rotation_dynamics::{Error, Result};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
@@ -41,6 +41,13 @@ pub fn motion(given: &[Option<f64>; 9]) -> Result<Motion> {
         precession,
         nutation,
     ] = core::array::from_fn(|k| given[k].unwrap_or(ROTOR[k]));
+    if mass <= 0.0 {
+        return Err(Error::OutOfRange {
+            name: "mass",
+            value: mass,
+            allowed: "it must be greater than 0",
+        });
+    }
     let body = SymmetricTop::from_mass(i1, i3, mass, gravity, length)?;
     let start = EulerAngles {
         phi: 0.0,

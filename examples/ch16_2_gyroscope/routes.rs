@@ -53,7 +53,7 @@ impl Nod {
         let (bottom, _) = top.minimum();
         let excess = |theta: f64| energy - top.effective_potential(theta);
         let theta_min = crossing(excess, bottom, 0.0);
-        let theta_max = crossing(excess, bottom, core::f64::consts::PI);
+        let theta_max = greatest_tilt(top, energy);
         let (u_max, u_min) = (cos(theta_min), cos(theta_max));
         let (a, b, c) = (top.a(), top.b(), top.c());
         let sums = |points: u32| -> [f64; 3] {
@@ -96,6 +96,12 @@ impl Nod {
             refinement,
         })
     }
+}
+
+/// The turning point farther from the vertical, by bisection.
+pub fn greatest_tilt(top: &ReducedTop, energy: f64) -> f64 {
+    let excess = |theta: f64| energy - top.effective_potential(theta);
+    crossing(excess, top.minimum().0, core::f64::consts::PI)
 }
 
 /// The place between `inside`, where `f >= 0`, and `outside`, where `f` is
