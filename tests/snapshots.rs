@@ -40,6 +40,7 @@ fn all() -> &'static [Locked] {
     ALL.get_or_init(|| {
         vec![
             locked(&ch16_2_gyroscope::EXAMPLE),
+            locked(&ch16_2_top_and_wheel::EXAMPLE),
             locked(&ch16_ex6_ladder::EXAMPLE),
         ]
     })

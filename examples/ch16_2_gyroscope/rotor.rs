@@ -3,13 +3,13 @@
 
 use super::motions::Motion;
 use super::routes::Nod;
-use rotation_dynamics::{Error, Result};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::{cos, pow, sin, sincos};
 use rotation_dynamics::report::{Claim, EffectEntry, Oracle, Report, Table, supported_digits};
+use rotation_dynamics::{Error, Result};
 
 use core::f64::consts::{PI, TAU};
 
