@@ -7,6 +7,11 @@
 //!
 //! A new example: a module below, its line in [`all`], and the two counts.
 
+#![allow(
+    clippy::duplicate_mod,
+    reason = "one example may stand on another, and both are locked here"
+)]
+
 #[path = "../examples/ch16_2_gyroscope.rs"]
 mod ch16_2_gyroscope;
 #[path = "../examples/ch16_2_top_and_wheel.rs"]
