@@ -201,7 +201,7 @@ fn rate(solved: &Solved) -> Result<Figure> {
          grows less than the dashed curve of a ladder that is kept on the wall.",
     )
     .x(Axis::linear("$t$ / s"))
-    .y(Axis::linear("angular velocity / (rad/s)").range(0.0, 1.15 * kept_end.1))
+    .y(Axis::linear("angular velocity / (rad/s)").range(0.0, 1.2 * kept_end.1))
     .upright(exact.release_time(), Ink::Frame, "wall lets go")
     .curve(
         Curve::new(

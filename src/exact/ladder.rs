@@ -205,7 +205,7 @@ impl Ladder {
         self.theta0
     }
 
-    /// The time at which the wall lets go, s: [`F`](crate::exact) at the amplitude
+    /// The time at which the wall lets go, s: [`F`](super::legendre::f) at the amplitude
     /// with `sin^2 phi = (2/3) cos theta0 / ((1 + cos theta0)(1 - (2/3) cos theta0))`, over `W`.
     ///
     /// Accuracy: half a unit in the last place (formed in double-double).
@@ -213,7 +213,8 @@ impl Ladder {
         self.release_time.to_f64()
     }
 
-    /// The time at which the ladder lies on the floor, s.
+    /// The time at which the ladder lies on the floor, s: the release time and the
+    /// integral, formed to a few units in the last place.
     pub fn landing_time(&self) -> f64 {
         self.landing_time
     }
@@ -255,6 +256,11 @@ impl Ladder {
     }
 
     /// The state `t` seconds after the release from rest, `0 <= t <= landing_time`.
+    ///
+    /// Accuracy, measured on 170 ladders from 1e-100 rad off the wall to the last double
+    /// below pi/2: every field within 3.3 eps of its size and condition (the change for
+    /// relative changes of the inputs). `x_top` keeps its relative accuracy at the release.
+    /// Cost: a set of Jacobi functions on the wall, some 130 square roots off it.
     ///
     /// # Errors
     /// A time outside the motion: what the ladder does after the impact depends on the
