@@ -116,6 +116,42 @@ pub fn mathml(tex: &str, display: bool) -> Result<String, Refused> {
     Ok(mend(&converted.mathml))
 }
 
+/// The parts of a display formula that `\qquad` separates outside of all groups: set
+/// side by side where there is room, below each other where there is not.
+pub fn parts(tex: &str) -> Vec<&str> {
+    let mut parts = Vec::new();
+    let (mut depth, mut start, mut at) = (0_i32, 0, 0);
+    while let Some(next) = tex[at..].find(['\\', '{', '}']) {
+        at += next;
+        let rest = &tex[at..];
+        if rest.starts_with('{') {
+            depth += 1;
+        } else if rest.starts_with('}') {
+            depth -= 1;
+        } else if rest.starts_with("\\left") && !rest.starts_with("\\leftarrow")
+            || rest.starts_with("\\begin{")
+        {
+            depth += 1;
+        } else if rest.starts_with("\\right") && !rest.starts_with("\\rightarrow")
+            || rest.starts_with("\\end{")
+        {
+            depth -= 1;
+        } else if rest.starts_with("\\qquad") && depth == 0 {
+            parts.push(&tex[start..at]);
+            start = at + "\\qquad".len();
+        } else if rest.len() > 1 && !rest[1..].starts_with(|c: char| c.is_ascii_alphabetic()) {
+            // An escaped brace is no group.
+            at += 1;
+        }
+        at += tex[at..].chars().next().map_or(1, char::len_utf8);
+    }
+    parts.push(&tex[start..]);
+    if parts.iter().any(|part| part.trim().is_empty()) {
+        return vec![tex];
+    }
+    parts
+}
+
 /// Works around what browsers do not take from a mathematics font.
 ///
 /// - Primes: the variants for superscripts are ignored; they get a class for the style sheet.
@@ -242,6 +278,21 @@ mod tests {
         );
         assert!(prepare("x \\tag{1} \\tag{2}").is_err());
         assert!(prepare("x \\tag 1").is_err());
+    }
+
+    #[test]
+    fn formulas_part_where_there_is_room() {
+        let cases = [
+            (r"a = 1, \qquad b = \frac{1}{2}", 2),
+            (r"\left( a \qquad b \right)", 1),
+            (r"\begin{cases} a \qquad b \end{cases}", 1),
+            (r"\text{a \qquad b} \qquad \{ c", 2),
+            (r"\qquad a", 1),
+            (r"\leftarrow \qquad \rightarrow \\ \qquad x", 3),
+        ];
+        for (tex, count) in cases {
+            assert_eq!(parts(tex).len(), count, "{tex}: {:?}", parts(tex));
+        }
     }
 
     #[test]

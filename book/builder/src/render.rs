@@ -39,7 +39,11 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             id,
             boxed,
         } => {
-            let mathml = maths::mathml(tex, true).map_err(|e| e.reason)?;
+            let parts: Result<String, String> = maths::parts(tex)
+                .iter()
+                .map(|part| maths::mathml(part, true).map_err(|e| e.reason))
+                .collect();
+            let mathml = parts?;
             let class = if *boxed { "formula boxed" } else { "formula" };
             let identifier = id.as_ref().map(|id| format!(" id=\"{}\"", escape(id)));
             let tag = match (tag, id) {
