@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `{{num STEM:KEY}}` | a claim's value from the locked output |
 //! | `{{num STEM:KEY rad/s}}` | the same with its unit, which must be this one (or: `unit`) |
+//! | `{{num STEM:KEY@4 rad/s}}` | the same to 4 significant digits, where prose wants no more |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
@@ -18,7 +19,7 @@ use crate::figure;
 use crate::project::{Claim, Project};
 use crate::splice::Splice;
 use crate::table;
-use crate::text::{escape, number_html, number_tex, unit_html};
+use crate::text::{escape, number_html, number_tex, shortened, unit_html};
 use rotation_dynamics::report::for_reading;
 
 /// A directive, read but not resolved.
@@ -28,6 +29,7 @@ pub enum Directive {
     Num {
         stem: String,
         key: String,
+        digits: Option<usize>,
         unit: Option<String>,
     },
     /// A number that is given.
@@ -72,10 +74,22 @@ impl Directive {
         };
         match (kind, words.as_slice()) {
             ("num", [word, unit @ ..]) => {
+                let (word, digits) = match word.split_once('@') {
+                    None => (*word, None),
+                    Some((word, digits)) => match digits.parse::<usize>() {
+                        Ok(digits @ 1..=15) => (word, Some(digits)),
+                        _ => return Err(wrong("num STEM:KEY@DIGITS, from 1 to 15")),
+                    },
+                };
                 let (stem, key) =
                     pair(word).ok_or_else(|| wrong("num STEM:KEY}} or {{num STEM:KEY unit"))?;
                 let unit = (!unit.is_empty()).then(|| unit.join(" "));
-                Ok(Self::Num { stem, key, unit })
+                Ok(Self::Num {
+                    stem,
+                    key,
+                    digits,
+                    unit,
+                })
             }
             ("num", _) => Err(wrong("num STEM:KEY}} or {{num STEM:KEY unit")),
             ("given", [number]) if number_html(number).is_some() => {
@@ -159,10 +173,15 @@ fn claimed(
     page: &mut Page,
     stem: &str,
     key: &str,
+    digits: Option<usize>,
     unit: Option<&str>,
 ) -> Result<(Claim, Option<String>), String> {
     page.stems.push(stem.to_owned());
-    let claim = page.project.claim(stem, key)?;
+    let mut claim = page.project.claim(stem, key)?;
+    if let Some(digits) = digits {
+        claim.value = shortened(&claim.value, digits)
+            .ok_or_else(|| format!("{stem}:{key} = {} has no {digits} digits", claim.value))?;
+    }
     let shown = match unit {
         None => None,
         Some(_) if claim.unit == "-" => {
@@ -185,8 +204,13 @@ fn claimed(
 /// What is missing, or that the directive needs a line of its own.
 pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match directive {
-        Directive::Num { stem, key, unit } => {
-            let (claim, unit) = claimed(page, stem, key, unit.as_deref())?;
+        Directive::Num {
+            stem,
+            key,
+            digits,
+            unit,
+        } => {
+            let (claim, unit) = claimed(page, stem, key, *digits, unit.as_deref())?;
             let mut value = number_html(&claim.value).unwrap_or_else(|| escape(&claim.value));
             if let Some(unit) = unit {
                 value += &format!("\u{202f}{}", unit_html(&unit));
@@ -223,8 +247,13 @@ pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> 
 /// What is missing.
 pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match directive {
-        Directive::Num { stem, key, unit } => {
-            let (claim, unit) = claimed(page, stem, key, unit.as_deref())?;
+        Directive::Num {
+            stem,
+            key,
+            digits,
+            unit,
+        } => {
+            let (claim, unit) = claimed(page, stem, key, *digits, unit.as_deref())?;
             let mut tex = number_tex(&claim.value);
             if let Some(unit) = unit {
                 tex += &format!("\\,\\mathrm{{{}}}", unit.replace(' ', "\\,"));
@@ -242,8 +271,13 @@ pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
 /// What is missing.
 pub fn plain(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match directive {
-        Directive::Num { stem, key, unit } => {
-            let (claim, unit) = claimed(page, stem, key, unit.as_deref())?;
+        Directive::Num {
+            stem,
+            key,
+            digits,
+            unit,
+        } => {
+            let (claim, unit) = claimed(page, stem, key, *digits, unit.as_deref())?;
             Ok(match unit {
                 Some(unit) => format!("{} {unit}", claim.value),
                 None => claim.value,
@@ -357,6 +391,7 @@ mod tests {
             Ok(Directive::Num {
                 stem: "ch16_ex6_ladder".into(),
                 key: "t_floor".into(),
+                digits: None,
                 unit: Some("unit".into())
             })
         );
@@ -377,6 +412,8 @@ mod tests {
         );
         let damaged = [
             "num a",
+            "num a:b@0",
+            "num a:b@x",
             "num",
             "nums a:b",
             "figure",

@@ -4,7 +4,7 @@ use crate::text::{escape, number_html, raised, unit_html};
 use rotation_dynamics::report::Table;
 
 /// Greek letters as reports spell them.
-const GREEK: [(&str, char); 17] = [
+const GREEK: [(&str, char); 18] = [
     ("alpha", 'α'),
     ("beta", 'β'),
     ("gamma", 'γ'),
@@ -22,6 +22,7 @@ const GREEK: [(&str, char); 17] = [
     ("phi", 'φ'),
     ("omega", 'ω'),
     ("pi", 'π'),
+    ("Omega", 'Ω'),
 ];
 
 /// The text of all cells, for the search index.

@@ -52,6 +52,24 @@ pub fn number_html(cell: &str) -> Option<String> {
     Some(html)
 }
 
+/// A printed number rounded to fewer significant digits; `None` if it has not so many.
+pub fn shortened(cell: &str, digits: usize) -> Option<String> {
+    let (mantissa, exponent) = split_number(cell)?;
+    let figures: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    if digits == 0 || figures.trim_start_matches('0').len() < digits {
+        return None;
+    }
+    let value: f64 = mantissa.parse().ok()?;
+    let rounded = format!("{:.*e}", digits - 1, value);
+    let (_, power) = rounded.split_once('e')?;
+    let decimals = digits as i32 - 1 - power.parse::<i32>().ok()?;
+    let short = format!("{value:.*}", usize::try_from(decimals).ok()?);
+    Some(match exponent {
+        None => short,
+        Some(exponent) => format!("{short}e{exponent}"),
+    })
+}
+
 /// A printed number as TeX.
 pub fn number_tex(cell: &str) -> String {
     match split_number(cell) {
@@ -144,6 +162,20 @@ pub fn unescape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_are_shortened_by_rounding_and_never_lengthened() {
+        let short = |cell, digits| shortened(cell, digits);
+        assert_eq!(short("0.630629186649", 4).as_deref(), Some("0.6306"));
+        assert_eq!(short("-2.3108429238573", 3).as_deref(), Some("-2.31"));
+        assert_eq!(short("34.6472408054", 4).as_deref(), Some("34.65"));
+        assert_eq!(short("9.99996", 4).as_deref(), Some("10.00"));
+        assert_eq!(short("6.02e-7", 2).as_deref(), Some("6.0e-7"));
+        // Not more digits than there are, nor zeros in the place of digits.
+        assert_eq!(short("0.027", 3), None);
+        assert_eq!(short("1430.5", 2), None);
+        assert_eq!(short("text", 2), None);
+    }
 
     #[test]
     fn numbers_are_set_as_numbers() {
