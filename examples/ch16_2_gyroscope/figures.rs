@@ -151,7 +151,7 @@ fn valleys(motions: &[Motion]) -> Result<Vec<Figure>> {
 fn fast() -> Result<Figure> {
     let mut curves: [Vec<(f64, f64)>; 3] = Default::default();
     for k in 0..=24 {
-        let ratio = pow(10.0, -4.0 + 3.3 * f64::from(k) / 24.0);
+        let ratio = pow(10.0, -4.0 + 3.0 * f64::from(k) / 24.0);
         for (curve, miss) in curves.iter_mut().zip(beyond_leading_order(ratio)?) {
             curve.push((ratio, miss.abs()));
         }

@@ -131,6 +131,15 @@ impl Motion {
         regular && sin(self.exact.theta_min()).min(sin(self.exact.theta_max())) > 0.02
     }
 
+    /// What a number is, with the motion it belongs to.
+    fn named(&self, meaning: &str) -> String {
+        if self.name.is_empty() {
+            meaning.into()
+        } else {
+            format!("{}: {meaning}", self.name)
+        }
+    }
+
     /// Adds what the regime allows to say.
     pub fn add_claims(&self, report: &mut Report) -> Result<()> {
         if !self.clear_of_poles() {
@@ -158,7 +167,7 @@ impl Motion {
             let bound = within + 200.0 * EPS * value.abs().max(1.0);
             report.add_claim(Claim::new(
                 self.key(what),
-                meaning,
+                self.named(meaning),
                 value,
                 unit,
                 bound,
@@ -246,7 +255,7 @@ impl Motion {
         let oracle = Oracle::new("DOP853 on (4), (5), (6)", state[2]);
         report.add_claim(Claim::new(
             self.key(what),
-            meaning,
+            self.named(meaning),
             value,
             "rad",
             bound,
@@ -264,7 +273,7 @@ impl Motion {
         let run = "DOP853 on (4), (5), (6)";
         report.add_claim(Claim::new(
             self.key("theta"),
-            "the constant tilt",
+            self.named("the constant tilt"),
             theta,
             "rad",
             bound,
@@ -285,7 +294,7 @@ impl Motion {
             64.0 * EPS * (1.0 + b.abs()) / (sin(theta) * sin(theta)) * nearer.abs().max(1.0);
         report.add_claim(Claim::new(
             self.key("precession"),
-            "dphi/dt'",
+            self.named("dphi/dt'"),
             rate,
             "-",
             sharp,
@@ -296,7 +305,7 @@ impl Motion {
         let energy = 0.5 * nearer * nearer * s * s - 2.0 * c * half * half;
         report.add_claim(Claim::new(
             self.key("energy"),
-            "E~, the minimum of U_eff",
+            self.named("E~, the minimum of U_eff"),
             self.energy,
             "-",
             sharp,
@@ -305,7 +314,7 @@ impl Motion {
         let spin = self.exact.zeta_rate(0.0) * self.unit;
         report.add_claim(Claim::new(
             self.key("spin"),
-            "dzeta/dt'",
+            self.named("dzeta/dt'"),
             spin,
             "-",
             bound,
@@ -323,7 +332,7 @@ impl Motion {
         if bound < 1e-6 {
             report.add_claim(Claim::new(
                 self.key("theta_max"),
-                "greatest tilt",
+                self.named("greatest tilt"),
                 greatest,
                 "rad",
                 bound,
@@ -339,7 +348,7 @@ impl Motion {
         let bound = 4.0 * (fine[5] - coarse[5]).abs() + 1e-10;
         report.add_claim(Claim::new(
             self.key("height_end"),
-            "cos(theta) at the end",
+            self.named("cos(theta) at the end"),
             value,
             "-",
             bound,

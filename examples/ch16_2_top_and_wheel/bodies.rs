@@ -69,7 +69,7 @@ impl Body {
         let across = about_tip.moment_about(BodyVector::new(1.0, 0.0, 0.0))?;
         let claim = Claim::new(
             format!("{name}_moment"),
-            "I1', across the axis about the fixed point",
+            format!("{name}: I1', across the axis about the fixed point"),
             self.moment(),
             "kg m^2",
             1e-15 * self.moment(),
