@@ -126,8 +126,7 @@ fn report(p: &Parameters) -> Result<Report> {
         "The gyroscope",
         match motions.as_slice() {
             [one] => one.description(),
-            _ => "five motions of a symmetric rotor about a fixed point, under its weight; \
-                  time in units of sqrt(I1 I3)/L_z"
+            _ => "five motions of a symmetric rotor about a fixed point; time in sqrt(I1 I3)/L_z"
                 .into(),
         },
     )?;

@@ -166,7 +166,7 @@ fn add_damped(report: &mut Report) -> Result<()> {
         bottom,
         "rad",
         1e-9,
-        Oracle::new("DOP853 with friction, t' = 400", last[0]),
+        Oracle::new("DOP853 with friction", last[0]),
     )?)?;
     report.add_claim(Claim::new(
         "damped_sag",
@@ -174,7 +174,7 @@ fn add_damped(report: &mut Report) -> Result<()> {
         bottom - acos(0.6),
         "rad",
         1e-9,
-        Oracle::new("DOP853 with friction, t' = 400", last[0] - acos(0.6)),
+        Oracle::new("DOP853 with friction", last[0] - acos(0.6)),
     )?)?;
     let (s, u) = sincos(bottom);
     let rate = 2.0 * 0.2 / (2.0_f64.sqrt() + (2.0 - 4.0 * 0.2 * u).sqrt());
@@ -185,7 +185,7 @@ fn add_damped(report: &mut Report) -> Result<()> {
         "-",
         1e-9,
         Oracle::new(
-            "DOP853 with friction, t' = 400",
+            "DOP853 with friction",
             2.0_f64.sqrt() * (0.6 - sincos(last[0]).1) / (s * s),
         ),
     )?)?;

@@ -1,9 +1,9 @@
 //! A motion with its exact solution, and what can be said about it in numbers.
 
 use super::Equations;
-use super::routes::{Nod, greatest_tilt};
+use super::routes::{Nod, Vectors, greatest_tilt};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{EPS, cos, sin};
 use rotation_dynamics::report::{Claim, Oracle, Report, Trajectory};
 use rotation_dynamics::{Error, Result};
@@ -107,6 +107,27 @@ impl Motion {
         let angles = self.exact.angles(0.0);
         let nutation = self.exact.theta_rate(0.0) * self.unit;
         [angles.theta, nutation, angles.phi, angles.zeta]
+    }
+
+    /// L and the axis at the start, for I1 = 1 and L_z = sqrt(a).
+    fn start_in_vectors(&self) -> [f64; 6] {
+        let axis = self.exact.axis(0.0).to_array();
+        let [theta, nutation, phi, _] = self.start();
+        let (s, u, spin) = (sin(theta), axis[2], self.top.a().sqrt());
+        // L = nutation x + across y + spin z; phi' sin(theta) is regular at the pole.
+        let across = if s == 0.0 {
+            0.0
+        } else {
+            spin * (self.top.b() - u) / s
+        };
+        let x = [cos(phi), sin(phi), 0.0];
+        let y = [-u * sin(phi), u * cos(phi), s];
+        let mut state = [0.0; 6];
+        for k in 0..3 {
+            state[k] = nutation * x[k] + across * y[k] + spin * axis[k];
+            state[k + 3] = axis[k];
+        }
+        state
     }
 
     fn key(&self, what: &str) -> String {
@@ -289,7 +310,7 @@ impl Motion {
         } else {
             slow
         };
-        let quadratic = "root of u p^2 - sqrt(a) p + c";
+        let quadratic = "root of the quadratic for p";
         let sharp =
             64.0 * EPS * (1.0 + b.abs()) / (sin(theta) * sin(theta)) * nearer.abs().max(1.0);
         report.add_claim(Claim::new(
@@ -309,7 +330,7 @@ impl Motion {
             self.energy,
             "-",
             sharp,
-            Oracle::new("(p sin(theta))^2/2 - c (1 - cos(theta))", energy),
+            Oracle::new("(p sin(theta))^2/2 and height", energy),
         )?)?;
         let spin = self.exact.zeta_rate(0.0) * self.unit;
         report.add_claim(Claim::new(
@@ -340,8 +361,11 @@ impl Motion {
             )?)?;
         }
         let end = self.end / self.unit;
-        let vectors = Vectors { c: self.top.c() };
-        let start = vectors.start(self);
+        let vectors = Vectors {
+            i1: 1.0,
+            weight_moment: self.top.c(),
+        };
+        let start = self.start_in_vectors();
         let (fine, _) = Dop853::new(1e-14)?.advance(&vectors, 0.0, &start, end)?;
         let (coarse, _) = Dop853::new(1e-12)?.advance(&vectors, 0.0, &start, end)?;
         let value = self.exact.cos_theta(self.end);
@@ -354,49 +378,6 @@ impl Motion {
             bound,
             Oracle::new("DOP853 on dL/dt = torque", fine[5]),
         )?)
-    }
-}
-
-/// Newton's and Euler's law in space: dL/dt = torque, de/dt = L x e / I1, with
-/// I1 = 1, m g l = c. The state is L (X, Y, Z), then the axis e.
-struct Vectors {
-    c: f64,
-}
-
-impl Vectors {
-    fn start(&self, motion: &Motion) -> [f64; 6] {
-        let axis = motion.exact.axis(0.0).to_array();
-        let (s, u) = (sin(motion.start()[0]), axis[2]);
-        let phi = motion.start()[2];
-        let spin = motion.top.a().sqrt();
-        let nutation = motion.start()[1];
-        // L = nutation x + across y + spin z; phi' sin(theta) is regular at the pole.
-        let across = if s == 0.0 {
-            0.0
-        } else {
-            spin * (motion.top.b() - u) / s
-        };
-        let x = [cos(phi), sin(phi), 0.0];
-        let y = [-u * sin(phi), u * cos(phi), s];
-        let mut state = [0.0; 6];
-        for k in 0..3 {
-            state[k] = nutation * x[k] + across * y[k] + spin * axis[k];
-            state[k + 3] = axis[k];
-        }
-        state
-    }
-}
-
-impl Ode<6> for Vectors {
-    fn derivative(&self, _t: f64, &[lx, ly, lz, ex, ey, ez]: &[f64; 6]) -> [f64; 6] {
-        [
-            -self.c * ey,
-            self.c * ex,
-            0.0,
-            ly * ez - lz * ey,
-            lz * ex - lx * ez,
-            lx * ey - ly * ex,
-        ]
     }
 }
 

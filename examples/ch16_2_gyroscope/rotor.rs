@@ -269,21 +269,21 @@ fn add_effects(report: &mut Report, ratio: f64) -> Result<()> {
         "torque x turn / L_z",
         air_torque * turn / momentum,
         by_air,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     add(
         "bearings of the axle",
         "torque x turn / L_z",
         bearing_torque * turn / momentum,
         by_bearing,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     add(
         "friction of the vertical pivot",
         "torque / m g l",
         pivot_torque / weight,
         by_pivot,
-        "rad a turn, in theta",
+        "rad a turn, in θ",
     );
     add(
         "inertia of the fork",
@@ -307,14 +307,14 @@ fn add_effects(report: &mut Report, ratio: f64) -> Result<()> {
         "rho w^2 R^2 / E",
         stretch,
         stretch * TAU,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     report.add_effect(EffectEntry {
         effect: "weight".into(),
         number: "m g l I1 / L_z^2".into(),
         value: ratio,
         error: TAU,
-        unit: "rad a turn, in phi".into(),
+        unit: "rad a turn, in φ".into(),
         included: true,
     });
     Ok(())

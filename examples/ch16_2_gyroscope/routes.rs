@@ -1,10 +1,10 @@
-//! Two ways to read numbers from the notes' equations that know nothing of
-//! elliptic functions: an integrator, and a quadrature.
+//! Ways to the same numbers that know nothing of elliptic functions: the notes'
+//! equations integrated, Newton's law in vectors, and a quadrature.
 
 use super::Equations;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::ReducedTop;
-use rotation_dynamics::integrators::{Dop853, Integrator};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::cos;
 
 impl Equations {
@@ -27,6 +27,28 @@ impl Equations {
             .map(|i| (fine[i] - coarse[i]).abs())
             .fold(0.0, f64::max);
         Ok((fine, apart))
+    }
+}
+
+/// Newton's and Euler's law in space, without angles and so without poles:
+/// dL/dt = torque, de/dt = L x e / I1. The state is L on X, Y, Z, then the axis e.
+pub struct Vectors {
+    pub i1: f64,
+    /// m g l.
+    pub weight_moment: f64,
+}
+
+impl Ode<6> for Vectors {
+    fn derivative(&self, _t: f64, &[lx, ly, lz, ex, ey, ez]: &[f64; 6]) -> [f64; 6] {
+        let (i1, w) = (self.i1, self.weight_moment);
+        [
+            -w * ey,
+            w * ex,
+            0.0,
+            (ly * ez - lz * ey) / i1,
+            (lz * ex - lx * ez) / i1,
+            (lx * ey - ly * ex) / i1,
+        ]
     }
 }
 

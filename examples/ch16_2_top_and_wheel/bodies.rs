@@ -114,7 +114,7 @@ pub fn add_limits(report: &mut Report) -> Result<()> {
     )?;
     let fast = Body { spin: 1e4, ..WHEEL };
     add(
-        "wheel released level at 1e4 rad/s: rate over m g l/L_z",
+        "wheel released level at 10000 rad/s: rate over m g l/L_z",
         "the mean torque turns L, and L is the spin",
         1.0,
         rate(fast)? / fast.horizontal_rate(),

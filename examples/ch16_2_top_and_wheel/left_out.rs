@@ -38,7 +38,7 @@ pub fn add(report: &mut Report) {
         "r_tip / l",
         tip / TOP.length,
         TAU * tip / TOP.length,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     let air = air_torque(&TOP, 0.0283);
     add(
@@ -46,7 +46,7 @@ pub fn add(report: &mut Report) {
         "torque x turn / L_z",
         air * turn / momentum,
         PI * air * turn / momentum,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     // Friction on the contact area (Hertz; steel on wood, E* = 10 GPa).
     let contact = cbrt(0.75 * TOP.mass * TOP.gravity * tip / 1e10);
@@ -56,7 +56,7 @@ pub fn add(report: &mut Report) {
         "torque x turn / L_z",
         drill * turn / momentum,
         PI * drill * turn / momentum,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     // The tip stays down while the nods accelerate the centre of mass by less than g.
     let nod = TOP.i3 * TOP.spin / TOP.moment();
@@ -79,7 +79,7 @@ pub fn add(report: &mut Report) {
         "torque x turn / L_z",
         air * turn / momentum,
         PI * air * turn / momentum,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     // The rope is pulled aside by the force that keeps the hub on its circle.
     let aside = rate * rate * WHEEL.length / WHEEL.gravity;
@@ -96,7 +96,7 @@ pub fn add(report: &mut Report) {
         "torque x turn / L_z",
         bearing * turn / momentum,
         PI * bearing * turn / momentum,
-        "rad a turn, in phi",
+        "rad a turn, in φ",
     );
     let earth = 7.292115e-5;
     add(

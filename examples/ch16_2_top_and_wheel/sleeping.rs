@@ -1,9 +1,10 @@
 //! The sleeping top: upright, spinning, and stable only above a critical spin.
 
+use super::gyroscope::routes::Vectors;
 use super::{Body, TOP, critical_spin};
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{acos, hypot, log};
 use rotation_dynamics::report::{Claim, Oracle, Report};
 
@@ -30,26 +31,6 @@ pub fn reach(ratio: f64) -> f64 {
 fn growth_rate(body: &Body, ratio: f64) -> f64 {
     let stiffness = body.weight_moment() / body.moment();
     (stiffness * (1.0 - ratio * ratio)).sqrt()
-}
-
-/// dL/dt = torque, de/dt = L x e/I1', in space.
-struct Vectors {
-    i1: f64,
-    weight_moment: f64,
-}
-
-impl Ode<6> for Vectors {
-    fn derivative(&self, _t: f64, &[lx, ly, lz, ex, ey, ez]: &[f64; 6]) -> [f64; 6] {
-        let w = self.weight_moment;
-        [
-            -w * ey,
-            w * ex,
-            0.0,
-            (ly * ez - lz * ey) / self.i1,
-            (lz * ex - lx * ez) / self.i1,
-            (lx * ey - ly * ex) / self.i1,
-        ]
-    }
 }
 
 /// The spin at which a kick of 1e-6 rad/s begins to tilt the top by more than 1e-3 rad.
