@@ -15,7 +15,8 @@ pub struct Motion {
     pub exact: HeavyTop,
     pub top: ReducedTop,
     pub energy: f64,
-    /// Length of the unit of time t' in the motion's own unit: 1, or in seconds.
+    /// Length of the unit of time t' in the motion's own unit: 1, or in seconds; below
+    /// 0 with L_z.
     pub unit: f64,
     /// How far it is followed, in its own unit of time.
     pub end: f64,
@@ -177,6 +178,9 @@ impl Motion {
     fn add_nod(&self, report: &mut Report) -> Result<()> {
         let exact = &self.exact;
         let nod = Nod::by_quadrature(&self.top, self.energy)?;
+        // With a spin below 0 the time t' runs backwards.
+        let (unit, sense) = (self.unit.abs(), self.unit.signum());
+        let (precession, spin) = (sense * nod.precession, sense * nod.spin);
         let time = self.time_unit();
         let mut add = |what: &str,
                        meaning: &str,
@@ -197,7 +201,7 @@ impl Motion {
         };
         let near = 100.0 * EPS * (nod.theta_max - nod.theta_min).recip();
         let (root, sum) = ("bisection of E~ - U_eff", "quadrature over one nod");
-        let refined = 4.0 * nod.refinement + near;
+        let refined = 4.0 * nod.refinement + near * nod.leverage + 20.0 * EPS * nod.condition;
         add(
             "theta_min",
             "least tilt",
@@ -216,7 +220,7 @@ impl Motion {
             root,
             near,
         )?;
-        let period = nod.period * self.unit;
+        let period = nod.period * unit;
         add(
             "period",
             "time of one nod",
@@ -224,14 +228,14 @@ impl Motion {
             time,
             period,
             sum,
-            refined * self.unit,
+            refined * unit,
         )?;
         add(
             "precession",
             "advance of phi in one nod",
             exact.precession_per_period(),
             "rad",
-            nod.precession,
+            precession,
             sum,
             refined,
         )?;
@@ -240,14 +244,14 @@ impl Motion {
             "advance of zeta in one nod",
             exact.spin_per_period(),
             "rad",
-            nod.spin,
+            spin,
             sum,
             refined,
         )?;
         if self.in_seconds() {
             let (value, other) = (
                 exact.precession_per_period() / exact.nutation_period(),
-                nod.precession / period,
+                precession / period,
             );
             add(
                 "precession_rate",

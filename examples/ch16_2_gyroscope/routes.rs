@@ -5,7 +5,7 @@ use super::Equations;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::ReducedTop;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
-use rotation_dynamics::math::cos;
+use rotation_dynamics::math::{EPS, cos, sin};
 
 impl Equations {
     /// The equations of this top, without friction.
@@ -63,6 +63,10 @@ pub struct Nod {
     pub spin: f64,
     /// How much the last refinement changed the largest of the three.
     pub refinement: f64,
+    /// By how much the three magnify a relative error of the inputs,
+    pub condition: f64,
+    /// and an error of the turning points.
+    pub leverage: f64,
 }
 
 impl Nod {
@@ -79,7 +83,8 @@ impl Nod {
         let (u_max, u_min) = (cos(theta_min), cos(theta_max));
         let (a, b, c) = (top.a(), top.b(), top.c());
         let sums = |points: u32| -> [f64; 3] {
-            let mut sums = [0.0; 3];
+            // Each sum with what its additions have lost so far (Kahan).
+            let (mut sums, mut lost) = ([0.0; 3], [0.0; 3]);
             let step = core::f64::consts::TAU / f64::from(points);
             for k in 0..points {
                 // (du/dt')^2 = (u - u_min)(u_max - u) w(u): the turning points drop out.
@@ -88,9 +93,13 @@ impl Nod {
                 let w = 2.0 * energy + 2.0 * c + a - 2.0 * c * (u_min + u_max + u);
                 let dt = step / w.sqrt();
                 let rate = a.sqrt() * (b - u) / ((1.0 - u) * (1.0 + u));
-                sums[0] += dt;
-                sums[1] += rate * dt;
-                sums[2] += (1.0 / a.sqrt() - rate * u) * dt;
+                let terms = [dt, rate * dt, (1.0 / a.sqrt() - rate * u) * dt];
+                for k in 0..3 {
+                    let term = terms[k] - lost[k];
+                    let sum = sums[k] + term;
+                    lost[k] = (sum - sums[k]) - term;
+                    sums[k] = sum;
+                }
             }
             sums
         };
@@ -104,11 +113,18 @@ impl Nod {
                 .map(|i| (next[i] - last[i]).abs())
                 .fold(0.0, f64::max);
             last = next;
-            if change >= refinement && change < 1e-12 {
+            let stalled = change >= refinement && change < 1e-12;
+            refinement = change;
+            if stalled || change <= 8.0 * EPS {
                 break;
             }
-            refinement = change;
         }
+        // w loses digits where it is a small difference, and 1 - u^2 near the poles.
+        let left = |u: f64| 2.0 * energy + 2.0 * c + a - 2.0 * c * (u_min + u_max + u);
+        let terms = 2.0 * energy.abs() + 8.0 * c.abs() + a;
+        let least = left(u_min).min(left(u_max)).abs();
+        let closest = sin(theta_min).min(sin(theta_max));
+        let condition = last[0] * terms / least + 1.0 / (closest * closest);
         Ok(Self {
             theta_min,
             theta_max,
@@ -116,6 +132,8 @@ impl Nod {
             precession: last[1],
             spin: last[2],
             refinement,
+            condition,
+            leverage: 1.0 + 2.0 * c.abs() * last[0] / least,
         })
     }
 }
