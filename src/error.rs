@@ -71,6 +71,12 @@ pub enum Error {
     NotReached { name: &'static str, until: f64 },
     /// A start so fast that a body would leave the floor at once.
     FloorWouldPull { rate: f64, limit: f64 },
+    /// Two lists that belong together have different lengths.
+    Lengths {
+        name: &'static str,
+        found: usize,
+        expected: usize,
+    },
     /// The error asked for at the end cannot be reached with doubles.
     NotDelivered { requested: f64, reached: f64 },
 }
@@ -101,6 +107,11 @@ impl fmt::Display for Error {
                 let energy = if exact { places } else { energy.to_string() };
                 write!(f, "no motion: E~ = {energy} is below U_min = {minimum}")
             }
+            Self::Lengths {
+                name,
+                found,
+                expected,
+            } => write!(f, "{name}: {found} given where there must be {expected}"),
             Self::DerivativeNotFinite {
                 t,
                 state,

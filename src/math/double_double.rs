@@ -12,6 +12,7 @@
 //! V. Popescu, ACM TOMS 44, 15res (2017), whose error bounds hold for `+`, `*`
 //! and `/`; Y. Hida, X. Li, D. Bailey, ARITH-15 (2001).
 
+use super::lane::Lane;
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -35,7 +36,7 @@ pub struct DoubleDouble {
 
 /// `a + b` exactly, as rounded sum and error; any order of magnitudes (Knuth).
 #[inline(always)]
-pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn two_sum<L: Lane>(a: L, b: L) -> (L, L) {
     let sum = a + b;
     let b_part = sum - a;
     let a_part = sum - b_part;
@@ -44,14 +45,14 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// `a + b` exactly when `|a| >= |b|` (Dekker).
 #[inline(always)]
-pub fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn quick_two_sum<L: Lane>(a: L, b: L) -> (L, L) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
 /// `a * b` exactly, as rounded product and error (Veltkamp's splitting, Dekker).
 #[inline(always)]
-pub fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub fn two_product<L: Lane>(a: L, b: L) -> (L, L) {
     let product = a * b;
     let (a_hi, a_lo) = split(a);
     let (b_hi, b_lo) = split(b);
@@ -61,11 +62,34 @@ pub fn two_product(a: f64, b: f64) -> (f64, f64) {
 
 /// Two halves of 26 bits each, whose products are exact.
 #[inline(always)]
-fn split(a: f64) -> (f64, f64) {
+fn split<L: Lane>(a: L) -> (L, L) {
     const SPLITTER: f64 = 134_217_729.0; // 2^27 + 1
-    let scaled = SPLITTER * a;
+    let scaled = a * SPLITTER;
     let hi = scaled - (scaled - a);
     (hi, a - hi)
+}
+
+/// A pair and a pair: the sum of two double-doubles.
+#[inline(always)]
+pub(crate) fn pair_sum<L: Lane>(a: (L, L), b: (L, L)) -> (L, L) {
+    let (sum, error) = two_sum(a.0, b.0);
+    let (low, low_error) = two_sum(a.1, b.1);
+    let (sum, error) = quick_two_sum(sum, error + low);
+    quick_two_sum(sum, error + low_error)
+}
+
+/// A pair and a number: their sum.
+#[inline(always)]
+pub(crate) fn pair_plus<L: Lane>(a: (L, L), b: L) -> (L, L) {
+    let (sum, error) = two_sum(a.0, b);
+    quick_two_sum(sum, error + a.1)
+}
+
+/// A pair times a number.
+#[inline(always)]
+pub(crate) fn pair_times<L: Lane>(a: (L, L), b: L) -> (L, L) {
+    let (product, error) = two_product(a.0, b);
+    quick_two_sum(product, error + a.1 * b)
 }
 
 impl From<f64> for DoubleDouble {
@@ -102,6 +126,12 @@ impl DoubleDouble {
     pub fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_product(a, b);
         Self { hi, lo }
+    }
+
+    /// Both parts in every lane.
+    #[inline(always)]
+    pub(crate) fn lanes<L: Lane>(self) -> (L, L) {
+        (L::of(self.hi), L::of(self.lo))
     }
 
     /// The leading part: the nearest double.
@@ -413,10 +443,7 @@ impl Add for DoubleDouble {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        let (sum, error) = two_sum(self.hi, other.hi);
-        let (low, low_error) = two_sum(self.lo, other.lo);
-        let (sum, error) = quick_two_sum(sum, error + low);
-        let (hi, lo) = quick_two_sum(sum, error + low_error);
+        let (hi, lo) = pair_sum((self.hi, self.lo), (other.hi, other.lo));
         Self { hi, lo }
     }
 }
@@ -425,8 +452,7 @@ impl Add<f64> for DoubleDouble {
     type Output = Self;
     #[inline]
     fn add(self, other: f64) -> Self {
-        let (sum, error) = two_sum(self.hi, other);
-        let (hi, lo) = quick_two_sum(sum, error + self.lo);
+        let (hi, lo) = pair_plus((self.hi, self.lo), other);
         Self { hi, lo }
     }
 }
@@ -445,8 +471,7 @@ impl Mul<f64> for DoubleDouble {
     type Output = Self;
     #[inline]
     fn mul(self, other: f64) -> Self {
-        let (product, error) = two_product(self.hi, other);
-        let (hi, lo) = quick_two_sum(product, error + self.lo * other);
+        let (hi, lo) = pair_times((self.hi, self.lo), other);
         Self { hi, lo }
     }
 }

@@ -6,9 +6,11 @@
 //! four operations are exact by IEEE 754 and are used as methods of `f64`.)
 
 pub mod double_double;
+pub mod lane;
 mod turns;
 
 pub use double_double::DoubleDouble;
+pub use lane::Lane;
 pub use libm::{
     acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
     ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,

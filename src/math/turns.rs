@@ -5,13 +5,14 @@
 //! lanes becomes vector code, with the same bits as one call.
 
 use super::double_double::{quick_two_sum, two_product};
+use super::lane::Lane;
 
 /// 3 * 2^51: adding and subtracting it rounds to a whole number, ties to even.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// `x` rounded to a whole number, ties to even, without a branch; |x| < 2^50.
 #[inline(always)]
-pub fn round_even(x: f64) -> f64 {
+pub fn round_even<L: Lane>(x: L) -> L {
     (x + ROUNDER) - ROUNDER
 }
 
@@ -26,23 +27,23 @@ pub fn round_even(x: f64) -> f64 {
 /// assert_eq!(sincos_turns(1e6 + 0.5), (0.0, -1.0));
 /// ```
 #[inline(always)]
-pub fn sincos_turns(t: f64) -> (f64, f64) {
-    let quarters = round_even(4.0 * t);
-    let rest = t - 0.25 * quarters; // exact, |rest| <= 1/8
+pub fn sincos_turns<L: Lane>(t: L) -> (L, L) {
+    let quarters = round_even(t * 4.0);
+    let rest = t - quarters * 0.25; // exact, |rest| <= 1/8
     // x + low = 2 pi rest to 106 bits.
-    let (x, low) = two_product(rest, core::f64::consts::TAU);
+    let (x, low) = two_product(rest, L::of(core::f64::consts::TAU));
     let low = low + rest * TAU_LOW;
     let square = x * x;
     // Taylor series for |x| <= pi/4; what is dropped is below 5e-17 of either.
-    let sin = x + (x * (square * horner(&SIN, square)) + low * (1.0 - 0.5 * square));
+    let sin = x + (x * (square * horner(&SIN, square)) + low * (L::of(1.0) - square * 0.5));
     // 1 - x^2/2 as a pair, or its rounding would cost half an ulp more.
-    let (most, lost) = quick_two_sum(1.0, -0.5 * square);
+    let (most, lost) = quick_two_sum(L::of(1.0), square * -0.5);
     let cos = most + (square * (square * horner(&COS, square)) + (lost - x * low));
     // Quarter k: (s, c), (c, -s), (-s, -c), (-c, s); odd and negative are 0 or 1.
-    let half = round_even(0.5 * quarters - 0.25);
-    let odd = quarters - 2.0 * half;
-    let negative = half - 2.0 * round_even(0.5 * half - 0.25);
-    let (even, sign) = (1.0 - odd, 1.0 - 2.0 * negative);
+    let half = round_even(quarters * 0.5 - 0.25);
+    let odd = quarters - half * 2.0;
+    let negative = half - round_even(half * 0.5 - 0.25) * 2.0;
+    let (even, sign) = (L::of(1.0) - odd, L::of(1.0) - negative * 2.0);
     (
         sign * (even * sin + odd * cos),
         sign * (even * cos - odd * sin),
@@ -76,10 +77,10 @@ const COS: [f64; 7] = [
 ];
 
 #[inline(always)]
-fn horner<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
-    let mut sum = coefficients[N - 1];
+fn horner<L: Lane, const N: usize>(coefficients: &[f64; N], x: L) -> L {
+    let mut sum = L::of(coefficients[N - 1]);
     for k in (0..N - 1).rev() {
-        sum = coefficients[k] + x * sum;
+        sum = x * sum + coefficients[k];
     }
     sum
 }

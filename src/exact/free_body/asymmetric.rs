@@ -6,7 +6,8 @@ use super::series::{Parts, Series};
 use crate::attitude::Attitude;
 use crate::exact::extended::{carlson_rf, complete_first_kind, first_kind};
 use crate::math::DoubleDouble as Dd;
-use crate::math::{round_even, sincos_turns};
+use crate::math::double_double::{pair_plus, pair_sum, pair_times};
+use crate::math::{Lane, round_even, sincos_turns};
 
 /// Three different moments, on ordered axes: the third keeps the sign of its rate
 /// for ever (it goes as dn), and J1, J2, J3 are monotonic.
@@ -38,9 +39,9 @@ pub(super) struct Asymmetric {
 }
 
 /// Cayley-Klein parameters in the frame along L.
-pub(super) struct Sample {
-    alpha: [f64; 2],
-    beta: [f64; 2],
+pub(super) struct Sample<L> {
+    alpha: [L; 2],
+    beta: [L; 2],
 }
 
 impl Asymmetric {
@@ -136,7 +137,7 @@ impl Asymmetric {
 
     /// The closed form: reduce the time, sum two short series, turn by the phase.
     #[inline(always)]
-    pub(super) fn sample(&self, t: f64) -> Sample {
+    pub(super) fn sample(&self, t: f64) -> Sample<f64> {
         match (&self.series, self.half_period) {
             (Series::Trigonometric(series), Some((half, per_half))) => {
                 self.periodic_sample(half, per_half, t, |fraction, _| series.sum(fraction))
@@ -153,34 +154,35 @@ impl Asymmetric {
     }
 
     /// The sample where there is a period. `sum` is given the time from the turning
-    /// point, as a fraction of 2K and in seconds. No branch: a loop of these is
-    /// vector code.
+    /// point, as a fraction of 2K and in seconds. No branch.
     #[inline(always)]
-    pub(super) fn periodic_sample(
+    pub(super) fn periodic_sample<L: Lane>(
         &self,
         half: Dd,
         per_half: f64,
-        t: f64,
-        sum: impl Fn(f64, f64) -> Parts,
-    ) -> Sample {
-        let since = self.start + t;
-        let n = round_even(since.hi() * per_half);
-        let rest = (since - half * n).to_f64();
-        let turns = self.advance * n;
-        let turns = (turns - round_even(turns.hi())).to_f64();
+        t: L,
+        sum: impl Fn(L, L) -> Parts<L>,
+    ) -> Sample<L> {
+        let since = pair_plus(self.start.lanes(), t);
+        let n = round_even(since.0 * per_half);
+        let (whole, whole_low) = pair_times(half.lanes(), n);
+        let (rest, _) = pair_sum(since, (-whole, -whole_low));
+        let turns = pair_times(self.advance.lanes(), n);
+        let (turns, _) = pair_plus(turns, -round_even(turns.0));
         // theta_1 changes sign over 2K: -1 for odd n.
-        let parity = 1.0 - 2.0 * (n - 2.0 * round_even(0.5 * n - 0.25));
+        let odd = n - round_even(n * 0.5 - 0.25) * 2.0;
+        let parity = L::of(1.0) - odd * 2.0;
         let parts = sum(rest * per_half, rest);
-        self.turned(parts, self.local_rate * rest + turns, parity)
+        self.turned(parts, rest * self.local_rate + turns, parity)
     }
 
     /// alpha and beta, normalised, turned by the phase (in turns).
     #[inline(always)]
-    fn turned(&self, ([ar, ai], [br, bi]): Parts, phase: f64, parity: f64) -> Sample {
+    fn turned<L: Lane>(&self, ([ar, ai], [br, bi]): Parts<L>, phase: L, parity: L) -> Sample<L> {
         // The constant phase of beta puts l1 > 0 at tau = 0.
-        let flip = -self.sense * parity;
+        let flip = parity * -self.sense;
         let (ai, br, bi) = (ai * self.sense, br * flip, bi * flip * self.sense);
-        let scale = 1.0 / (ar * ar + ai * ai + (br * br + bi * bi)).sqrt();
+        let scale = L::of(1.0) / (ar * ar + ai * ai + (br * br + bi * bi)).sqrt();
         let (sin, cos) = sincos_turns(phase);
         let (sin, cos) = (sin * scale, cos * scale);
         Sample {
@@ -190,33 +192,34 @@ impl Asymmetric {
     }
 
     #[inline(always)]
-    pub(super) fn quaternion(&self, sample: &Sample) -> [f64; 4] {
-        product(product(self.outer, sample.quaternion()), self.inner)
+    pub(super) fn quaternion<L: Lane>(&self, sample: &Sample<L>) -> [L; 4] {
+        let (outer, inner) = (self.outer.map(L::of), self.inner.map(L::of));
+        product(product(outer, sample.quaternion()), inner)
     }
 
     /// The body rates on the body's own axes.
     #[inline(always)]
-    pub(super) fn rates(&self, sample: &Sample) -> [f64; 3] {
+    pub(super) fn rates<L: Lane>(&self, sample: &Sample<L>) -> [L; 3] {
         // 2 alpha conj(beta) = l2 + i l1.
         let ([ar, ai], [br, bi]) = (sample.alpha, sample.beta);
-        let l2 = 2.0 * (ar * br + ai * bi);
-        let l1 = 2.0 * (ai * br - ar * bi);
-        let l3 = self.c * (self.m1 + self.m_over_l1 * l1 * l1).sqrt();
+        let l2 = (ar * br + ai * bi) * 2.0;
+        let l1 = (ai * br - ar * bi) * 2.0;
+        let l3 = (l1 * self.m_over_l1 * l1 + self.m1).sqrt() * self.c;
         let ordered = [l1 * self.rate[0], l2 * self.rate[1], l3 * self.rate[2]];
         [0, 1, 2].map(|i| ordered[self.place[i]])
     }
 }
 
-impl Sample {
+impl<L: Lane> Sample<L> {
     #[inline(always)]
-    pub(super) fn quaternion(&self) -> [f64; 4] {
+    pub(super) fn quaternion(&self) -> [L; 4] {
         [self.alpha[0], self.beta[0], self.beta[1], self.alpha[1]]
     }
 }
 
 /// The quaternion product; the factors are unit to a few eps, and so is the result.
 #[inline(always)]
-fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {
+fn product<L: Lane>(p: [L; 4], q: [L; 4]) -> [L; 4] {
     let ([pw, px, py, pz], [qw, qx, qy, qz]) = (p, q);
     [
         pw * qw - px * qx - py * qy - pz * qz,

@@ -25,10 +25,12 @@ use crate::inertia::PrincipalMoments;
 use crate::math::DoubleDouble as Dd;
 
 mod asymmetric;
+mod batch;
 mod series;
 mod symmetric;
 
 use asymmetric::Asymmetric;
+use batch::Batch;
 use symmetric::Symmetric;
 
 /// A rigid body on which nothing acts: the whole motion, at any time.
@@ -148,6 +150,51 @@ impl FreeBody {
             }
             _ => (self.attitude_at(t), self.angular_velocity_at(t)),
         }
+    }
+
+    /// Attitude and body rates at many times (s): the bits of [`FreeBody::state_at`],
+    /// in vector registers where the processor has them and the series is periodic
+    /// (three different moments, m up to about 0.97); elsewhere one by one.
+    ///
+    /// Nothing is allocated. Cost of a sample: 1.8 sine-cosine pairs of `libm` with
+    /// AVX-512, 2.1 with AVX2, against 8.2 one by one (`benches`, binary `batch`; 17, 20
+    /// and 76 ns where a pair takes 9.3).
+    ///
+    /// ```
+    /// # use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
+    /// # use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};
+    /// # let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
+    /// # let start = BodyVector::new(0.8, 0.4, 0.3375);
+    /// let motion = FreeBody::new(moments, start, Attitude::IDENTITY)?;
+    /// let times: Vec<f64> = (0..1000).map(|k| 0.01 * f64::from(k)).collect();
+    /// let mut states = vec![(Attitude::IDENTITY, start); times.len()];
+    /// motion.states_at(&times, &mut states)?;
+    /// assert_eq!(states[999], motion.state_at(times[999]));
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `Lengths` if there are not as many states as times; no state is touched then.
+    pub fn states_at(&self, times: &[f64], states: &mut [(Attitude, BodyVector)]) -> Result<()> {
+        if states.len() != times.len() {
+            return Err(Error::Lengths {
+                name: "states",
+                found: states.len(),
+                expected: times.len(),
+            });
+        }
+        let batch = match &self.motion {
+            Motion::Asymmetric(motion) => Batch::new(motion),
+            _ => None,
+        };
+        if let Some(batch) = batch {
+            batch.fill(times, states);
+        } else {
+            for (t, state) in times.iter().zip(states) {
+                *state = self.state_at(*t);
+            }
+        }
+        Ok(())
     }
 
     /// The angular momentum (kg m^2/s), the same at all times.

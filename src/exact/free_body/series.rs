@@ -4,10 +4,10 @@
 //! most exp(-pi) = 0.043, and four terms reach 1e-19.
 
 use crate::math::DoubleDouble as Dd;
-use crate::math::{exp, expm1, sincos_turns};
+use crate::math::{Lane, exp, expm1, sincos_turns};
 
 /// Real and imaginary parts of alpha and of beta.
-pub(super) type Parts = ([f64; 2], [f64; 2]);
+pub(super) type Parts<L> = ([L; 2], [L; 2]);
 
 /// theta_4(z + iy) and `ratio` theta_1(z + iy), up to a common real factor and a
 /// phase linear in time.
@@ -160,8 +160,8 @@ impl Series {
 impl Trigonometric {
     /// The sums at this fraction of 2K from the turning point, -1/2 to 1/2.
     #[inline(always)]
-    pub(super) fn sum(&self, fraction: f64) -> Parts {
-        let (sin, cos) = sincos_turns(0.5 * fraction);
+    pub(super) fn sum<L: Lane>(&self, fraction: L) -> Parts<L> {
+        let (sin, cos) = sincos_turns(fraction * 0.5);
         let x = sin * sin;
         (
             [poly(&self.alpha[0], x), sin * cos * poly(&self.alpha[1], x)],
@@ -173,7 +173,7 @@ impl Trigonometric {
 impl Hyperbolic {
     /// The sums at time `t` from the turning point, within half a period.
     #[inline]
-    pub(super) fn sum(&self, t: f64) -> Parts {
+    pub(super) fn sum(&self, t: f64) -> Parts<f64> {
         let w = (self.rate * t).abs();
         // All scaled by e^{-w}: cosh -> 1 + e^{-2w}, sinh -> 1 - e^{-2w}.
         let minus = -expm1(-2.0 * w);
@@ -198,8 +198,8 @@ impl Hyperbolic {
 }
 
 #[inline(always)]
-fn poly(c: &[f64; 4], x: f64) -> f64 {
-    c[0] + x * (c[1] + x * (c[2] + x * c[3]))
+fn poly<L: Lane>(c: &[f64; 4], x: L) -> L {
+    x * (x * (x * c[3] + c[2]) + c[1]) + c[0]
 }
 
 #[inline]
