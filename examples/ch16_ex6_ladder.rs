@@ -13,10 +13,15 @@ mod variations;
 
 use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::exact::ladder::Ladder;
+use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{EPS, acos, acosh, cos, log, sin, sincos, tan};
-use rotation_dynamics::planar::{Bilateral, Condition, Next, Phased, Run, simulate_within};
+use rotation_dynamics::planar::{
+    Bilateral, Condition, Next, Phased, Run, simulate, simulate_within,
+};
 use rotation_dynamics::report::cli::{Example, Flag};
-use rotation_dynamics::report::{Claim, Limit, Oracle, Price, Report, Trajectory};
+use rotation_dynamics::report::{
+    Claim, ClosedForm, Computation, Limit, Oracle, Price, Report, Trajectory,
+};
 use rotation_dynamics::{Error, Result};
 use std::process::ExitCode;
 
@@ -50,6 +55,7 @@ impl Default for Parameters {
 ///
 /// The state is `[theta, theta', x, x']`: the angle from the wall, and how far the
 /// centre of mass is from it.
+#[derive(Debug, Clone, Copy)]
 pub struct Sliding {
     pub length: f64,
     pub gravity: f64,
@@ -460,13 +466,17 @@ fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
 // ANCHOR: strip
 /// What accuracy costs: the error asked for, the error found, the work.
 fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
-    let (exact, scene) = (&solved.exact, &solved.scene);
+    let (exact, scene) = (solved.exact, solved.scene);
     let (start, end) = (scene.at_rest(p.angle), 2.0 * exact.landing_time());
     for requested in REQUESTED {
-        let done = simulate_within(scene, requested, Wall::Touches, start, end);
-        let (delivered, work) = match done {
-            Ok(done) => (error(exact, &done.run)?, done.work.to_string()),
-            Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into()),
+        let run = move || simulate_within(&scene, requested, Wall::Touches, start, end);
+        let (delivered, work, again) = match run() {
+            Ok(done) => (
+                error(&exact, &done.run)?,
+                done.work.to_string(),
+                Some(Computation::new(run, move |done| error(&exact, &done.run))),
+            ),
+            Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into(), None),
             Err(other) => return Err(other),
         };
         report.add_price(Price {
@@ -474,14 +484,24 @@ fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
             requested: Some(requested),
             delivered,
             work,
+            again,
         });
     }
+    let kept = simulate_within(&Bilateral(&scene), p.tolerance, Wall::Touches, start, end)?;
+    let run = move || {
+        let method = Dop853::new(kept.step_error)?;
+        simulate(&Bilateral(&scene), &method, Wall::Touches, start, end)
+    };
     report.add_price(Price {
         method: "wrong: wall kept".into(),
         requested: Some(p.tolerance),
-        delivered: landing_error(exact, &solved.naive)?,
-        work: solved.naive.work().to_string(),
+        delivered: landing_error(&exact, &kept.run)?,
+        work: kept.run.work().to_string(),
+        again: Some(Computation::new(run, move |run| landing_error(&exact, run))),
     });
+    report.set_closed_form(ClosedForm::new(move |part| {
+        exact.at(part * exact.landing_time())
+    }));
     Ok(())
 }
 // ANCHOR_END: strip

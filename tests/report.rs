@@ -100,6 +100,7 @@ fn sound() -> Report {
         requested: None,
         delivered: 3.2e-9,
         work: "400 torques".into(),
+        again: None,
     });
     let table = Table::new("masses", ["m", "t"])
         .and_then(|t| t.row(["1", "-2"]))
@@ -167,6 +168,7 @@ fn a_report_refuses_what_it_cannot_print() {
         requested: Some(1e-9),
         delivered: f64::NAN,
         work: "400 torques".into(),
+        again: None,
     });
     assert!(matches!(report.text(), Err(Error::NotFinite { .. })));
 }

@@ -3,15 +3,17 @@
 use super::motions::Motion;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
+use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::splitting::Scheme;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, Splitting, Work};
 use rotation_dynamics::math::{exp2, sincos};
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel};
-use rotation_dynamics::report::{Figure, Price, Report};
+use rotation_dynamics::report::{ClosedForm, Computation, Figure, Price, Report};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
+use std::sync::Arc;
 
 /// A heavy symmetric body: the effects of a scene are part of its type.
 type Top = Scene<((), GravityAtLever)>;
@@ -39,29 +41,78 @@ const METHODS: [&str; 5] = [
     "DOP853",
 ];
 
-/// One run of a method, coarser or finer by `level`: its error and its work.
-fn run(
-    method: &str,
-    level: u32,
-    (scene, start): &(Top, State),
-    motion: &Motion,
-) -> Result<(f64, Work)> {
-    let end = motion.end / motion.unit;
-    // Steps and tolerances grow finer by factors of 2^(1/4) in work and of 2 in error.
-    let steps = (8.0 * exp2(0.25 * f64::from(level))) as u64;
-    let by = |scheme: Scheme| Splitting::new(scheme, steps)?.advance(scene, 0.0, start, end);
-    let (state, work) = match method {
-        "RK4" => Rk4::new(steps)?.advance(scene, 0.0, start, end)?,
-        "Strang splitting" => by(Scheme::STRANG)?,
-        "SRKN 6b splitting" => by(Scheme::SRKN6)?,
-        "SRKN 14a splitting" => by(Scheme::SRKN14)?,
-        _ => Dop853::new((0.1 * exp2(-f64::from(level))).max(1e-15))?
-            .advance(scene, 0.0, start, end)?,
-    };
-    Ok((
-        motion.exact.attitude(motion.end).angle_to(&state.attitude),
-        work,
-    ))
+/// The motion as the methods are given it, and its exact answer.
+struct Problem {
+    scene: Top,
+    start: State,
+    exact: HeavyTop,
+    /// The end, and how much of it is one unit of t'.
+    end: f64,
+    unit: f64,
+}
+
+impl Problem {
+    fn new(motion: &Motion) -> Result<Self> {
+        let (scene, start) = scene(motion)?;
+        Ok(Self {
+            scene,
+            start,
+            exact: motion.exact.clone(),
+            end: motion.end,
+            unit: motion.unit,
+        })
+    }
+
+    /// One run of a method, coarser or finer by `level`.
+    fn run(&self, method: &str, level: u32) -> Result<(State, Work)> {
+        let (scene, start, end) = (&self.scene, &self.start, self.end / self.unit);
+        // Steps and tolerances grow finer by factors of 2^(1/4) in work and of 2 in error.
+        let steps = (8.0 * exp2(0.25 * f64::from(level))) as u64;
+        let by = |scheme: Scheme| Splitting::new(scheme, steps)?.advance(scene, 0.0, start, end);
+        match method {
+            "RK4" => Rk4::new(steps)?.advance(scene, 0.0, start, end),
+            "Strang splitting" => by(Scheme::STRANG),
+            "SRKN 6b splitting" => by(Scheme::SRKN6),
+            "SRKN 14a splitting" => by(Scheme::SRKN14),
+            _ => Dop853::new((0.1 * exp2(-f64::from(level))).max(1e-15))?
+                .advance(scene, 0.0, start, end),
+        }
+    }
+
+    /// The angle between the attitude reached and the exact one.
+    fn error(&self, reached: &State) -> f64 {
+        self.exact.attitude(self.end).angle_to(&reached.attitude)
+    }
+
+    /// The least work with which a method delivers the error asked for, if it does.
+    fn least(self: &Arc<Self>, method: &'static str, asked: f64) -> Result<Option<Run>> {
+        for level in 0..=finest(method) {
+            let (state, work) = self.run(method, level)?;
+            let error = self.error(&state);
+            if error <= asked {
+                let (problem, judge) = (Arc::clone(self), Arc::clone(self));
+                let again = Computation::new(
+                    move || problem.run(method, level),
+                    move |(state, _)| Ok(judge.error(state)),
+                );
+                return Ok(Some(Run {
+                    method,
+                    error,
+                    work,
+                    again,
+                }));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// A run that delivered what was asked for.
+struct Run {
+    method: &'static str,
+    error: f64,
+    work: Work,
+    again: Computation,
 }
 
 /// The last level worth trying: beyond it a run costs more than half a million torques.
@@ -72,22 +123,6 @@ fn finest(method: &str) -> u32 {
         "SRKN 6b splitting" => 52,
         _ => 56,
     }
-}
-
-/// The least work with which a method delivers the error asked for, if it does.
-fn least(
-    method: &'static str,
-    asked: f64,
-    problem: &(Top, State),
-    motion: &Motion,
-) -> Result<Option<(f64, Work)>> {
-    for level in 0..=finest(method) {
-        let (error, work) = run(method, level, problem, motion)?;
-        if error <= asked {
-            return Ok(Some((error, work)));
-        }
-    }
-    Ok(None)
 }
 
 /// Adds the accuracy strip for the motion that nods (or the only one).
@@ -103,44 +138,45 @@ pub fn add(report: &mut Report, motions: &[Motion], tolerance: f64) -> Result<()
     if motion.top.c() == 0.0 || !motion.clear_of_poles() {
         return Ok(());
     }
-    let problem = scene(motion)?;
-    let mut price = |method: &str, asked: f64, delivered: f64, work: String| {
+    let problem = Arc::new(Problem::new(motion)?);
+    let mut price = |label: &str, asked: f64, run: Run| {
         report.add_price(Price {
-            method: method.into(),
+            method: format!("{label}{}", run.method),
             requested: Some(asked),
-            delivered,
-            work,
+            delivered: run.error,
+            work: run.work.to_string(),
+            again: Some(run.again),
         });
     };
     for method in METHODS {
-        if let Some((error, work)) = least(method, tolerance, &problem, motion)? {
-            price(method, tolerance, error, work.to_string());
+        if let Some(run) = problem.least(method, tolerance)? {
+            price("", tolerance, run);
         }
     }
     for asked in [1e-3, 1e-6, 1e-12] {
-        let mut best: Option<(&str, f64, Work)> = None;
+        let mut best: Option<Run> = None;
         for method in METHODS {
-            if let Some((error, work)) = least(method, asked, &problem, motion)?
-                && best.is_none_or(|(_, _, b)| work.torques() < b.torques())
+            if let Some(run) = problem.least(method, asked)?
+                && best
+                    .as_ref()
+                    .is_none_or(|best| run.work.torques() < best.work.torques())
             {
-                best = Some((method, error, work));
+                best = Some(run);
             }
         }
-        if let Some((method, error, work)) = best {
-            price(
-                &format!("cheapest: {method}"),
-                asked,
-                error,
-                work.to_string(),
-            );
+        if let Some(best) = best {
+            price("cheapest: ", asked, best);
         }
     }
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok(problem.exact.attitude(part * problem.end))
+    }));
     Ok(())
 }
 
 /// Error of the attitude against torques, for every method.
 pub fn figure(motion: &Motion) -> Result<Figure> {
-    let problem = scene(motion)?;
+    let problem = Problem::new(motion)?;
     let inks = [
         Ink::Velocity,
         Ink::Energy,
@@ -160,7 +196,8 @@ pub fn figure(motion: &Motion) -> Result<Figure> {
     for ((method, name), ink) in METHODS.into_iter().zip(names).zip(inks) {
         let mut points = Vec::new();
         for level in (0..=finest(method)).step_by(2) {
-            let (error, work) = run(method, level, &problem, motion)?;
+            let (state, work) = problem.run(method, level)?;
+            let error = problem.error(&state);
             if error < 0.5 && error > 1e-15 {
                 points.push((work.torques() as f64, error));
             }

@@ -15,6 +15,8 @@ pub struct Delivered<P, const N: usize> {
     /// How far it is from the run before it, which was made with larger steps:
     /// an upper estimate of its error.
     pub estimate: f64,
+    /// The error of a step, as [`Dop853::new`] takes it, with which it was made.
+    pub step_error: f64,
     /// What all runs together cost.
     pub work: Work,
 }
@@ -67,6 +69,7 @@ pub fn simulate_within<const N: usize, S: Phased<N>>(
             return Ok(Delivered {
                 run: fine,
                 estimate,
+                step_error,
                 work,
             });
         }

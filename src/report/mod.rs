@@ -33,6 +33,7 @@
 
 mod claim;
 pub mod cli;
+mod computation;
 pub mod draw;
 mod files;
 mod json;
@@ -41,6 +42,7 @@ mod sections;
 mod table;
 
 pub use claim::{Claim, Oracle, RECIPROCAL, Slip, USUAL_SLIPS, Verdict};
+pub use computation::{ClosedForm, Computation};
 pub use files::Trajectory;
 pub use number::{below, rounded_up, short, supported_digits};
 pub use sections::{EffectEntry, Limit, Price, Report, for_reading};

@@ -1,6 +1,7 @@
 //! The report and what goes into its sections.
 
 use super::claim::Claim;
+use super::computation::{ClosedForm, Computation};
 use super::number::{rounded_up, short, supported_digits};
 use super::table::{Table, check_cell};
 use crate::error::{Error, Result, finite};
@@ -71,7 +72,7 @@ pub struct EffectEntry {
 }
 
 /// A line of the accuracy strip: what was asked for, what came, and its price.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Price {
     /// The method: `"DOP853"`.
     pub method: String,
@@ -81,10 +82,12 @@ pub struct Price {
     pub delivered: f64,
     /// The work, in words: `"1204 torques"`. Deterministic; never a time.
     pub work: String,
+    /// How to compute it again, for those who measure its time.
+    pub again: Option<Computation>,
 }
 
 /// What an example says: title, description, and the sections in their fixed order.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Report {
     title: String,
     description: String,
@@ -93,6 +96,7 @@ pub struct Report {
     limits: Vec<Limit>,
     effects: Vec<EffectEntry>,
     accuracy: Vec<Price>,
+    closed_form: Option<ClosedForm>,
     tables: Vec<Table>,
 }
 
@@ -113,6 +117,7 @@ impl Report {
             limits: Vec::new(),
             effects: Vec::new(),
             accuracy: Vec::new(),
+            closed_form: None,
             tables: Vec::new(),
         })
     }
@@ -160,6 +165,11 @@ impl Report {
         self.accuracy.push(price);
     }
 
+    /// Sets the closed form whose samples are the unit of the strip's times.
+    pub fn set_closed_form(&mut self, closed_form: ClosedForm) {
+        self.closed_form = Some(closed_form);
+    }
+
     /// Adds a table of its own.
     ///
     /// # Errors
@@ -190,6 +200,15 @@ impl Report {
     /// The claim with this key.
     pub fn claim(&self, key: &str) -> Option<&Claim> {
         self.claims.iter().find(|claim| claim.key() == key)
+    }
+
+    /// The accuracy strip, line by line.
+    pub fn prices(&self) -> &[Price] {
+        &self.accuracy
+    }
+    /// The unit of the strip's times, if the scene has a closed form.
+    pub fn closed_form(&self) -> Option<&ClosedForm> {
+        self.closed_form.as_ref()
     }
 
     /// The sections that are not empty, in the order in which they are printed.
