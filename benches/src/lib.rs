@@ -1,3 +1,4 @@
 //! Benchmarks and the accuracy kit.
 
 pub mod kit;
+pub mod timing;

@@ -1,0 +1,230 @@
+//! Times every line of the pages' accuracy strips and writes `benches/record/strips.txt`,
+//! from which the book takes the column "time".
+//!
+//! ```text
+//! cargo run --release -p benches --bin strips -- --date 2026-11-21
+//! ```
+//!
+//! The unit is one sample of the scene's closed form: the mean over times spread evenly
+//! over the motion, measured in the same rounds. The record has the grammar of a report
+//! ([`rotation_dynamics::report`]). A new example: a module below and its line in `record`.
+
+#![allow(
+    clippy::duplicate_mod,
+    reason = "one example may stand on another, and both are timed here"
+)]
+
+#[path = "../../../examples/ch16_2_gyroscope.rs"]
+mod ch16_2_gyroscope;
+#[path = "../../../examples/ch16_2_top_and_wheel.rs"]
+mod ch16_2_top_and_wheel;
+#[path = "../../../examples/ch16_ex6_ladder.rs"]
+mod ch16_ex6_ladder;
+
+use benches::timing::{Measured, Task, interleaved};
+use rotation_dynamics::report::cli::Example;
+use rotation_dynamics::report::{Computation, Report, Table, rounded_up, short};
+use std::error::Error;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+use std::{env, fs};
+
+/// Rounds in which everything is timed once.
+const ROUNDS: usize = 501;
+
+/// Quartiles further apart than this tell of a machine with other things to do.
+const UNQUIET: f64 = 1.2;
+
+/// Samples of the closed form in one timed run.
+const SAMPLES: u32 = 64;
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+fn main() -> ExitCode {
+    match Conditions::read(env::args().skip(1)).and_then(|conditions| record(&conditions)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Under which conditions the times are measured.
+#[derive(Default)]
+struct Conditions {
+    processor: Option<String>,
+    compiler: Option<String>,
+    date: Option<String>,
+}
+
+impl Conditions {
+    fn read(mut arguments: impl Iterator<Item = String>) -> Outcome<Self> {
+        let mut conditions = Self::default();
+        while let Some(flag) = arguments.next() {
+            let field = match flag.as_str() {
+                "--processor" => &mut conditions.processor,
+                "--compiler" => &mut conditions.compiler,
+                "--date" => &mut conditions.date,
+                _ => Err("usage: strips [--date DATE] [--processor NAME] [--compiler NAME]")?,
+            };
+            *field = Some(arguments.next().ok_or(format!("{flag} needs a value"))?);
+        }
+        conditions.processor = match conditions.processor {
+            None => Some(processor().ok_or("name the processor with --processor")?),
+            named => named,
+        };
+        conditions.compiler = match conditions.compiler {
+            None => Some(compiler().ok_or("name the compiler with --compiler")?),
+            named => named,
+        };
+        Ok(conditions)
+    }
+}
+
+fn said_by(command: &str, arguments: &[&str]) -> Option<String> {
+    let said = Command::new(command).args(arguments).output().ok()?;
+    let said = String::from_utf8(said.stdout).ok()?;
+    (!said.trim().is_empty()).then(|| said.trim().to_owned())
+}
+
+/// The processor's model, without marks of trade.
+fn processor() -> Option<String> {
+    let model = match fs::read_to_string("/proc/cpuinfo") {
+        Ok(text) => {
+            let line = text.lines().find(|line| line.starts_with("model name"))?;
+            line.split_once(':')?.1.to_owned()
+        }
+        Err(_) => said_by("sysctl", &["-n", "machdep.cpu.brand_string"])?,
+    };
+    let plain = model.replace("(R)", "").replace("(TM)", "");
+    Some(plain.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+/// `rustc 1.95.0`, without commit and date.
+fn compiler() -> Option<String> {
+    let version = said_by("rustc", &["--version"])?;
+    let mut words = version.split(' ');
+    Some(format!("{} {}", words.next()?, words.next()?))
+}
+
+fn record(conditions: &Conditions) -> Outcome<()> {
+    let mut report = Report::new(
+        "Times of the accuracy strips",
+        format!(
+            "In units of one sample of the scene's closed form; medians of {ROUNDS} rounds, with \
+             their quartiles; measured, not locked. \
+             Measure again: cargo run --release -p benches --bin strips"
+        ),
+    )?;
+    let mut table = Table::new("conditions", ["condition", "value"])?;
+    let all = [
+        ("processor", &conditions.processor),
+        ("compiler", &conditions.compiler),
+        ("date", &conditions.date),
+    ];
+    for (name, value) in all {
+        if let Some(value) = value {
+            table.push([name, value])?;
+        }
+    }
+    report.add_table(table)?;
+    let mut units = Table::new("units", ["stem", "one sample / ns"])?;
+    let strips = [
+        strip(&ch16_2_gyroscope::EXAMPLE, &mut units)?,
+        strip(&ch16_2_top_and_wheel::EXAMPLE, &mut units)?,
+        strip(&ch16_ex6_ladder::EXAMPLE, &mut units)?,
+    ];
+    report.add_table(units)?;
+    for strip in strips {
+        report.add_table(strip)?;
+    }
+    let text = report.text()?;
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/strips.txt");
+    if let Some(directory) = file.parent() {
+        fs::create_dir_all(directory)?;
+    }
+    fs::write(file, &text)?;
+    print!("{text}");
+    Ok(())
+}
+
+/// The times of the strip of one example; its unit goes into `units`.
+fn strip<P: Default>(example: &Example<P>, units: &mut Table) -> Outcome<Table> {
+    let stem = example.stem;
+    let report = (example.report)(&P::default())?;
+    let computations: Vec<&Computation> = report
+        .prices()
+        .iter()
+        .map(|price| {
+            let again = price.again.as_ref();
+            again.ok_or_else(|| format!("{stem}: {} cannot be run again", price.method))
+        })
+        .collect::<Result<_, _>>()?;
+    for (price, computation) in report.prices().iter().zip(&computations) {
+        let error = computation.error()?;
+        if error != price.delivered {
+            let claimed = price.delivered;
+            Err(format!(
+                "{stem}: {} delivers {error:e}, not the {claimed:e} of its strip",
+                price.method
+            ))?;
+        }
+    }
+
+    let closed_form = report
+        .closed_form()
+        .ok_or_else(|| format!("{stem} has no closed form to be the unit"))?;
+    let unit = || (0..SAMPLES).try_for_each(|n| closed_form.sample(middle(n)));
+    let runs: Vec<_> = computations.iter().map(|c| || c.run()).collect();
+    let mut tasks: Vec<Task> = vec![&unit];
+    tasks.extend(runs.iter().map(|run| run as Task));
+    let measured = interleaved(&tasks, ROUNDS)?;
+
+    let samples = f64::from(SAMPLES);
+    units.push([
+        stem.to_owned(),
+        short(1e9 * measured[0].seconds / samples, 2),
+    ])?;
+    let columns = [
+        "method",
+        "requested",
+        "delivered",
+        "work",
+        "time",
+        "quartiles",
+    ];
+    let mut table = Table::new(stem, columns)?;
+    for (
+        price,
+        Measured {
+            ratio, quartiles, ..
+        },
+    ) in report.prices().iter().zip(&measured[1..])
+    {
+        if quartiles[1] > UNQUIET * quartiles[0] {
+            Err(format!(
+                "{stem}: the times of {} scatter from {:.3} to {:.3} of their median, which is \
+                 more than a factor {UNQUIET}; measure on a quieter machine. Nothing is written.",
+                price.method,
+                quartiles[0] / ratio,
+                quartiles[1] / ratio,
+            ))?;
+        }
+        let [lower, upper] = quartiles.map(|quartile| short(samples * quartile, 2));
+        table.push([
+            price.method.clone(),
+            price.requested.map_or("-".into(), rounded_up),
+            rounded_up(price.delivered),
+            price.work.clone(),
+            short(samples * ratio, 2),
+            format!("{lower} to {upper}"),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// The middle of the n-th of equal parts.
+fn middle(n: u32) -> f64 {
+    (f64::from(n) + 0.5) / f64::from(SAMPLES)
+}
