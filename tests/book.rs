@@ -6,7 +6,8 @@
 mod sample;
 
 use rotation_dynamics::math::pow;
-use sample::{Sample, book, read};
+use rotation_dynamics::report::{Table, parse};
+use sample::{RECORD, Sample, book, read};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fs;
@@ -299,6 +300,101 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         built.stderr
     );
     assert!(other.join("sample.rs").is_file());
+}
+
+/// The rows of every strip and of the record, without their times: stem and four cells.
+type Lines = BTreeSet<Vec<String>>;
+
+fn lines(stem: &str, table: &Table) -> Lines {
+    let same = ["method", "requested", "delivered", "work"];
+    assert_eq!(table.columns()[..4], same, "{stem}");
+    let line = |row: &Vec<String>| {
+        let mut line = vec![stem.to_owned()];
+        line.extend_from_slice(&row[..4]);
+        line
+    };
+    table.rows().iter().map(line).collect()
+}
+
+#[test]
+fn every_line_of_a_strip_has_its_time() {
+    let record = parse(&read(&root().join("benches/record/strips.txt"))).expect("a record");
+    let (mut strips, mut times) = (Lines::new(), Lines::new());
+    for stem in names("examples", ".rs") {
+        let locked = read(&root().join(format!("tests/snapshots/{stem}.snap")));
+        let locked = parse(&locked).expect("a report");
+        if let Some(strip) = locked.table("accuracy") {
+            strips.extend(lines(&stem, strip));
+        }
+    }
+    let mut timed = 0;
+    for table in &record.tables {
+        let stem = table.heading().trim_start_matches("table ");
+        if !["conditions", "units"].contains(&stem) {
+            times.extend(lines(stem, table));
+            let at = table.columns().iter().position(|c| c == "time");
+            let at = at.unwrap_or_else(|| panic!("{stem} has no times"));
+            for row in table.rows() {
+                let time: f64 = row[at].parse().expect("a number");
+                assert!(time > 0.0 && time.is_finite(), "{row:?}");
+                timed += 1;
+            }
+        }
+    }
+    let again = "measure: cargo run --release -p benches --bin strips";
+    let missing: Vec<_> = strips.difference(&times).collect();
+    assert!(missing.is_empty(), "without a time: {missing:#?}; {again}");
+    let stale: Vec<_> = times.difference(&strips).collect();
+    assert!(stale.is_empty(), "of no strip: {stale:#?}; {again}");
+    assert_eq!(timed, strips.len());
+    assert!(timed > 0);
+}
+
+#[test]
+fn a_time_is_shown_beside_its_own_line_alone() {
+    let sample = Sample::new("times");
+    let out = sample.root.join("out");
+    let built = || book(&sample.root, &["--out", &out.to_string_lossy()], "");
+    let record = sample.root.join("benches/record/strips.txt");
+    let page = || read(&out.join("one.html"));
+
+    // Without a record there is no column and no note.
+    let bare = built();
+    assert!(bare.ok, "{}", bare.stderr);
+    assert!(!page().contains("<th class=\"n\">time</th>"));
+    assert!(!page().contains("class=\"measured\""));
+
+    fs::create_dir_all(sample.root.join("benches/record")).expect("the copy can be made");
+    fs::write(&record, RECORD).expect("the copy can be written");
+    let timed = built();
+    assert!(timed.ok, "{}", timed.stderr);
+    let html = page();
+    for shown in [
+        "<th class=\"n\">time</th>",
+        // Not the least: that of a rival is not known.
+        "<td class=\"n\">5123</td>",
+        "<td class=\"n\">6789</td>",
+        "<td class=\"n\">–</td>",
+        "one sample of the closed form (75\u{202f}ns), medians measured on Abacus 2, rustc 1.92.0; \
+         not locked.",
+    ] {
+        assert!(html.contains(shown), "{shown}\n{html}");
+    }
+    for hidden in ["271", "999"] {
+        assert!(!html.contains(&format!(">{hidden}<")), "{hidden}");
+    }
+
+    let whole = RECORD.replace("28 steps", "30 steps");
+    fs::write(&record, whole).expect("the copy can be written");
+    let timed = built();
+    assert!(timed.ok, "{}", timed.stderr);
+    assert!(page().contains("<td class=\"n\"><strong>271</strong></td>"));
+
+    fs::write(&record, RECORD.replace("  6789", "")).expect("the copy can be written");
+    let damaged = built();
+    assert!(!damaged.ok, "a damaged record");
+    let message = "benches/record/strips.txt:";
+    assert!(damaged.stderr.contains(message), "{}", damaged.stderr);
 }
 
 /// The JSON that mdbook sends for a chapter of the sample.

@@ -104,6 +104,8 @@ and $\frac{T}{4}$ is a quarter of it, also in a table: | a | $|x|$ |.
 {{check sample}}
 
 {{test sample_tests::it_swings}}
+
+{{table sample:accuracy}}
 ";
 
 const TWO: &str = r"# Two
@@ -128,6 +130,12 @@ limits
 limit        must give  gives   within  because
 theta0 -> 0  2.0061     2.0061  1e-4    small swings take the same time
 
+accuracy
+method  requested  delivered  work       relative time
+RK4     1e-9       7e-10      400 steps  -
+DOP853  1e-9       5e-10      30 steps   -
+Verlet  1e-9       9e-10      900 steps  -
+
 checks
 key     within  meaning
 period  0.001   the period
@@ -135,6 +143,28 @@ period  0.001   the period
 slips
 key     value   hint
 period  1.0032  that is half a swing
+";
+
+/// Times of the strip; the second was measured when it took 28 steps.
+pub const RECORD: &str = "\
+Times of the accuracy strips
+Measured.
+
+table conditions
+condition  value
+processor  Abacus 2
+compiler   rustc 1.92.0
+
+table units
+stem    one sample / ns
+sample  75
+
+table sample
+method  requested  delivered  work       time  quartiles
+RK4     1e-9       7e-10      400 steps  5123  5100 to 5200
+DOP853  1e-9       5e-10      28 steps   271   270 to 280
+Verlet  1e-9       9e-10      900 steps  6789  6700 to 6900
+gone    1e-9       9e-10      900 steps  999   990 to 1100
 ";
 
 const FIGURE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 340 260\" \

@@ -9,7 +9,7 @@
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
 //! | `{{output STEM}}`, `{{output STEM:SECTION}}` | the locked output, or one section of it, with the command |
-//! | `{{table STEM:SECTION}}` | a section of the locked output as a table |
+//! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` with its times |
 //! | `{{check STEM}}` | the answer box |
 //! | `{{test FILE::NAME}}` | a link to the test, which must exist |
 
@@ -20,6 +20,7 @@ use crate::project::{Claim, Project};
 use crate::splice::Splice;
 use crate::table;
 use crate::text::{escape, number_html, number_tex, shortened, unit_html};
+use crate::times;
 use rotation_dynamics::report::for_reading;
 
 /// A directive, read but not resolved.
@@ -341,7 +342,10 @@ pub fn block(
         }
         Directive::Table { stem, section } => {
             page.stems.push(stem.clone());
-            let found = project.table(stem, section)?;
+            let mut found = project.table(stem, section)?;
+            if section == times::SECTION {
+                found = times::of(project, stem, &found)?.table;
+            }
             let text = table::plain(&found);
             let mark = Splice::Table {
                 stem: stem.clone(),

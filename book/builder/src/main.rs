@@ -25,6 +25,7 @@ mod source;
 mod splice;
 mod table;
 mod text;
+mod times;
 mod warnings;
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};

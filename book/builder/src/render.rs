@@ -11,6 +11,7 @@ use crate::source;
 use crate::splice::{self, Splice};
 use crate::table;
 use crate::text::{escape, tag_html};
+use crate::times;
 use crate::warnings;
 use mdbook_html::HtmlHandlebars;
 use mdbook_renderer::errors::{Error, Result};
@@ -64,7 +65,13 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             *number += 1;
             figure::inline(&project.figure(stem, name)?, &format!("f{number}-"))
         }
-        Splice::Table { stem, section } => Ok(table::html(&project.table(stem, section)?)),
+        Splice::Table { stem, section } => {
+            let table = project.table(stem, section)?;
+            match section == times::SECTION {
+                true => Ok(times::of(project, stem, &table)?.html()),
+                false => Ok(table::html(&table)),
+            }
+        }
         Splice::Check { stem } => check::html(project, stem),
     }
 }

@@ -36,6 +36,7 @@ fn sources(project: &Project) -> Vec<(PathBuf, Option<SystemTime>)> {
         "book/src",
         "book/theme",
         "book/book.toml",
+        "benches/record",
         "examples",
         "tests",
     ]

@@ -79,6 +79,11 @@ fn words(cell: &str) -> String {
 
 /// The table as HTML.
 pub fn html(table: &Table) -> String {
+    html_with(table, |_, _| false)
+}
+
+/// The table as HTML; the cells for which `strong` holds, by row and column, stand out.
+pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String {
     let name = table.heading().trim_start_matches("table ");
     let mut html = format!("<table class=\"section {}\"><thead><tr>", escape(name));
     // A column is numeric if most of its cells are; one without content is left out.
@@ -94,7 +99,7 @@ pub fn html(table: &Table) -> String {
         html += &format!("<th{}>{}</th>", class(n), words(&table.columns()[n]));
     }
     html += "</tr></thead><tbody>";
-    for row in table.rows() {
+    for (line, row) in table.rows().iter().enumerate() {
         html += "<tr>";
         for n in (0..numeric.len()).filter(shown) {
             let cell = &row[n];
@@ -106,6 +111,10 @@ pub fn html(table: &Table) -> String {
                 (cell, _) => number_html(cell)
                     .or_else(|| quantity(cell))
                     .unwrap_or_else(|| words(cell)),
+            };
+            let content = match strong(line, n) {
+                true => format!("<strong>{content}</strong>"),
+                false => content,
             };
             html += &format!("<td{}>{content}</td>", class(n));
         }
