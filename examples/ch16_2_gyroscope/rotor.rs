@@ -168,7 +168,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     add(
         "rotor_period",
         "time of one nod",
-        "I1/L_z times 2 pi",
+        "2 pi I1/L_z",
         "s",
         [exact.nutation_period(), period, TAU * i1 / momentum],
         (TAU * i3 / momentum, "that is a turn of the spin"),
@@ -176,7 +176,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     add(
         "rotor_dip",
         "depth of the dip",
-        "sin(theta) times 2 m g l I1/L_z^2",
+        "2 (m g l I1/L_z^2) sin(theta)",
         "rad",
         [
             exact.theta_max() - exact.theta_min(),
