@@ -436,7 +436,7 @@ fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     )?);
     report.add_limit(Limit::new(
         "upright start: W t_release - ln(1/theta0)",
-        "ln 8/(sqrt 6 + sqrt 5): each factor ten nearer to upright costs ln 10/W",
+        "ln(8/(sqrt 6 + sqrt 5)): each factor ten nearer to upright costs ln(10)/W",
         log(8.0 / (6.0_f64.sqrt() + 5.0_f64.sqrt())),
         rate * hair.release_time() - log(1e9),
         1e-13,

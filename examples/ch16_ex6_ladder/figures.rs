@@ -102,7 +102,6 @@ fn strobe(solved: &Solved) -> Result<Figure> {
     .wall((0.0, 0.0), (1.1 * l, 0.0));
     // While both ends are held the ladder stays tangent to the astroid.
     let astroid = times(0.0, FRAC_PI_2, 60).map(|a| (l * pow(sin(a), 3.0), l * pow(cos(a), 3.0)));
-    sketch = sketch.curve(Curve::new(astroid, Ink::Frame).thin().dotted());
     for (t, state) in motion(exact, 12)? {
         let strength = if t == 0.0 { 1.0 } else { 0.45 };
         sketch = sketch.curve(
@@ -111,6 +110,7 @@ fn strobe(solved: &Solved) -> Result<Figure> {
                 .faint(strength),
         );
     }
+    sketch = sketch.curve(Curve::new(astroid, Ink::Frame).dotted());
     let release = exact.release();
     let path = motion(exact, 120)?;
     let simulated = times(0.0, solved.run.end_time(), 12)
