@@ -359,6 +359,10 @@ fn a_failure_leaves_the_old_file_and_nothing_else() {
     let nowhere = scratch.0.join("no").join("rod.csv");
     refused(&[flag, nowhere.as_os_str()]);
     refused(&[flag, scratch.0.as_os_str()]);
+    // Directories made for the figures go again when the file cannot be written.
+    let figures = scratch.0.join("new").join("figures");
+    let svg = "--svg".as_ref();
+    refused(&[flag, nowhere.as_os_str(), svg, figures.as_os_str()]);
     assert_eq!(scratch.names(), ["rod.csv"]);
 }
 

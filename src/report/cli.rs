@@ -5,7 +5,7 @@
 //! same without touching the terminal, for tests. This is the only part of the
 //! library that prints.
 
-use super::files::{Trajectory, failure, write_whole};
+use super::files::{Directories, Trajectory, failure, write_whole};
 use super::{Claim, Figure, Report, Table, Verdict, json, rounded_up};
 use crate::error::{Error, Result};
 use clap::{Arg, ArgAction, ArgMatches, Command, error::ErrorKind, value_parser};
@@ -121,6 +121,9 @@ fn number(text: &str) -> core::result::Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(value) => Err(format!("{value} is not a finite number")),
+        Err(_) if text.contains(',') => {
+            Err("it is not a number: decimals come after a point, thousands are not parted".into())
+        }
         Err(_) => Err("it is not a number".into()),
     }
 }
@@ -148,7 +151,9 @@ fn joined(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
 
 /// `KEY=VALUE`, a reader's answer.
 fn key_and_number(text: &str) -> core::result::Result<(String, f64), String> {
-    let (key, value) = text.split_once('=').ok_or("write KEY=VALUE")?;
+    let (key, value) = (text.split_once('='))
+        .filter(|(key, _)| !key.trim().is_empty())
+        .ok_or("write KEY=VALUE")?;
     Ok((key.trim().into(), number(value.trim())?))
 }
 
@@ -364,6 +369,7 @@ impl<P: Default> Example<P> {
     fn write_files(&self, parameters: &P, matches: &ArgMatches) -> Result<String> {
         let mut files = Vec::new();
         let mut told = String::new();
+        let mut made = Directories::default();
         if let Some(path) = matches.get_one::<PathBuf>("csv") {
             let trajectory = (self.trajectory)(parameters)?;
             told += &format!(
@@ -375,6 +381,7 @@ impl<P: Default> Example<P> {
         }
         if let Some(directory) = matches.get_one::<PathBuf>("svg") {
             let figures = (self.figures)(parameters)?;
+            made = Directories::missing(directory);
             std::fs::create_dir_all(directory).map_err(|e| failure(directory, &e))?;
             told += &format!(
                 "wrote {} figures to {}\n",
@@ -387,6 +394,7 @@ impl<P: Default> Example<P> {
         }
         let files: Vec<(PathBuf, &str)> = files.iter().map(|(p, c)| (p.clone(), &**c)).collect();
         write_whole(&files)?;
+        made.keep();
         Ok(told)
     }
 

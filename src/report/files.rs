@@ -72,6 +72,37 @@ impl Trajectory {
     }
 }
 
+/// The directories on the way to a place that are not there yet, the deepest first.
+/// Unless they are kept, those that are empty are taken away again.
+#[derive(Default)]
+pub(super) struct Directories(Vec<PathBuf>);
+
+impl Directories {
+    pub(super) fn missing(place: &Path) -> Self {
+        let missing = |p: &&Path| !p.as_os_str().is_empty() && !p.exists();
+        Self(
+            place
+                .ancestors()
+                .take_while(missing)
+                .map(Into::into)
+                .collect(),
+        )
+    }
+
+    pub(super) fn keep(mut self) {
+        self.0.clear();
+    }
+}
+
+impl Drop for Directories {
+    fn drop(&mut self) {
+        for directory in &self.0 {
+            // It may never have been made, or hold what others put there.
+            let _ = fs::remove_dir(directory);
+        }
+    }
+}
+
 /// Writes all `files` or none: each goes to a temporary file beside its place
 /// first, and only when all are complete are they renamed.
 pub(super) fn write_whole(files: &[(PathBuf, &str)]) -> Result<()> {
