@@ -19,6 +19,8 @@ pub enum Error {
     },
     /// No motion of a heavy top has this energy.
     NoMotion { energy: f64, minimum: f64 },
+    /// The rates of a motion are too fast, too slow, or too far apart for doubles.
+    RatesTooFarApart { fastest: f64 },
     /// A derivative is NaN or infinite at this time and state.
     DerivativeNotFinite {
         t: f64,
@@ -94,17 +96,17 @@ impl fmt::Display for Error {
                 name,
                 value,
                 allowed,
-            } => write!(f, "{name} = {value} is not allowed: {allowed}"),
+            } => write!(f, "{name} = {} is not allowed: {allowed}", plain(*value)),
             Self::NoMotion { energy, minimum } => {
                 // Six places, or all of them if six do not show the difference.
                 let short = format!("{minimum:.6}");
                 let rounded = short.parse::<f64>().unwrap_or(f64::NAN);
                 let seen = (rounded - minimum).abs() < 0.1 * (minimum - energy);
-                let minimum = if seen { short } else { minimum.to_string() };
+                let minimum = if seen { short } else { plain(*minimum) };
                 // Two places at least: the notes write 0.40.
                 let places = format!("{energy:.2}");
                 let exact = places.parse::<f64>().is_ok_and(|e| e == *energy);
-                let energy = if exact { places } else { energy.to_string() };
+                let energy = if exact { places } else { plain(*energy) };
                 write!(f, "no motion: E~ = {energy} is below U_min = {minimum}")
             }
             Self::Lengths {
@@ -112,6 +114,16 @@ impl fmt::Display for Error {
                 found,
                 expected,
             } => write!(f, "{name}: {found} given where there must be {expected}"),
+            Self::RatesTooFarApart { fastest } => write!(
+                f,
+                "the rates of this motion are too large, too small or too far apart (the fastest \
+                 is {}): from 1e-20 to 1e20, and no two further apart than that, is allowed",
+                if fastest.is_finite() {
+                    plain(*fastest)
+                } else {
+                    "beyond 1e150".into()
+                }
+            ),
             Self::DerivativeNotFinite {
                 t,
                 state,
@@ -164,13 +176,15 @@ impl fmt::Display for Error {
             ),
             Self::AtPole { theta } => write!(
                 f,
-                "theta = {theta}: the body axis is vertical, so precession and spin are about the \
-                 same line and their rates are not defined; theta must not be a multiple of pi"
+                "theta = {}: the body axis is vertical, so precession and spin are about the \
+                 same line and their rates are not defined; theta must not be a multiple of pi",
+                plain(*theta)
             ),
-            Self::TriangleInequality { moments: [a, b, c] } => write!(
+            Self::TriangleInequality { moments } => write!(
                 f,
-                "the moments of inertia ({a}, {b}, {c}) belong to no body: none may exceed the sum \
-                 of the other two"
+                "the moments of inertia ({}) belong to no body: none may exceed the sum \
+                 of the other two",
+                moments.map(plain).join(", ")
             ),
             Self::NotSymmetric { difference } => write!(
                 f,
@@ -192,12 +206,27 @@ impl fmt::Display for Error {
                 "at {rate} rad/s the floor would have to pull to keep the foot down: at this angle \
                  at most {limit} rad/s"
             ),
+            Self::NotDelivered { requested, reached } if !reached.is_finite() => write!(
+                f,
+                "an error of {requested:e} is asked for, and finer and finer runs do not even agree \
+                 on what happens: the start is too near a limit for doubles"
+            ),
             Self::NotDelivered { requested, reached } => write!(
                 f,
                 "an error of {requested:e} is asked for, and {reached:.1e} is the smallest that \
                  shows in doubles"
             ),
         }
+    }
+}
+
+/// `value` as people write it: 0.25 and 45, but 1e308 and not three hundred zeros.
+fn plain(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || (1e-4..1e15).contains(&size) || !value.is_finite() {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }
 

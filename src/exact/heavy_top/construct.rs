@@ -300,10 +300,9 @@ impl HeavyTop {
             Ok(motion)
         } else {
             // Sixth powers of the rates are formed, in pairs of doubles.
-            Err(Error::OutOfRange {
-                name: "the square of the fastest rate",
-                value: (strength + spin.square() + excess.abs()).to_f64(),
-                allowed: "rates from 1e-40 to 1e40, no two of them further apart than that",
+            let square = strength + spin.square() + excess.abs();
+            Err(Error::RatesTooFarApart {
+                fastest: square.to_f64().sqrt(),
             })
         }
     }

@@ -33,7 +33,8 @@ impl ReducedTop {
     /// The top with these parameters: 0 < a <= 2 (no body has I3 > 2 I1), any b and c.
     ///
     /// # Errors
-    /// A parameter that is not finite; a outside (0, 2].
+    /// A parameter that is not finite; a outside (0, 2];
+    /// [`Error::RatesTooFarApart`] for parameters whose squares leave the range of doubles.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self> {
         positive("a", a)?;
         if a > 2.0 {
@@ -49,13 +50,24 @@ impl ReducedTop {
     /// The same equations for any a > 0, whether a body has it or not.
     ///
     /// # Errors
-    /// A parameter that is not finite; a <= 0.
+    /// A parameter that is not finite; a <= 0;
+    /// [`Error::RatesTooFarApart`] for parameters whose squares leave the range of doubles.
     pub fn formal(a: f64, b: f64, c: f64) -> Result<Self> {
-        Ok(Self {
+        let top = Self {
             a: positive("a", a)?,
             b: finite("b", b)?,
             c: finite("c", c)?,
-        })
+        };
+        let (theta, value) = top.minimum();
+        if theta.is_finite() && value.is_finite() {
+            Ok(top)
+        } else {
+            // In units of t': the spin 1/sqrt(a), the precession, the fall.
+            let fastest = (1.0 / a.sqrt()).max(a.sqrt() * (1.0 + b.abs()));
+            Err(Error::RatesTooFarApart {
+                fastest: fastest.max(c.abs().sqrt()),
+            })
+        }
     }
 
     /// a = I3/I1.
