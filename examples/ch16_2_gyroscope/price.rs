@@ -87,7 +87,11 @@ impl Problem {
     /// The least work with which a method delivers the error asked for, if it does.
     fn least(self: &Arc<Self>, method: &'static str, asked: f64) -> Result<Option<Run>> {
         for level in 0..=finest(method) {
-            let (state, work) = self.run(method, level)?;
+            let (state, work) = match self.run(method, level) {
+                // Steps far too long for a fast motion overflow: not delivered.
+                Err(Error::DerivativeNotFinite { .. }) => continue,
+                run => run?,
+            };
             let error = self.error(&state);
             if error <= asked {
                 let (problem, judge) = (Arc::clone(self), Arc::clone(self));
