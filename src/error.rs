@@ -37,6 +37,8 @@ pub enum Error {
     StepUnderflow { t: f64, step: f64, state: Vec<f64> },
     /// A run needs more steps than it was allowed.
     TooManySteps { t: f64, t_end: f64, limit: u64 },
+    /// The stage equations of an implicit step do not contract.
+    NoConvergence { t: f64, h: f64, change: f64 },
     /// A time at which a solution is not known.
     OutsideRun { t: f64, start: f64, end: f64 },
     /// A number and the independent route that should confirm it differ too much.
@@ -140,6 +142,11 @@ impl fmt::Display for Error {
                 f,
                 "at t = {t}, y = {state:?} even a step of {step:e} misses the tolerance: \
                  the system is singular there, or the tolerance too small"
+            ),
+            Self::NoConvergence { t, h, change } => write!(
+                f,
+                "the stages of the step from t = {t} by {h} do not converge (the last sweep \
+                 changed them by {change:e}): take more steps"
             ),
             Self::TooManySteps { t, t_end, limit } => write!(
                 f,

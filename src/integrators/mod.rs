@@ -7,6 +7,7 @@
 //! | method | carries | step |
 //! |---|---|---|
 //! | [`Rk4`] | any [`Ode`] | fixed |
+//! | [`GaussLegendre`] | any [`StageOde`], eight stages side by side | fixed |
 //! | [`Dop853`] | any [`Ode`]; dense output and events by [`Dop853::solve`] | adaptive |
 //! | [`Splitting`] | symmetric bodies under effects that see only the axis, and any [`Separable`] | fixed |
 //!
@@ -20,6 +21,7 @@
 mod compensated;
 pub mod dop853;
 mod explicit;
+pub mod gauss_legendre;
 mod ode;
 mod rk4;
 pub mod scene;
@@ -29,6 +31,7 @@ mod work;
 
 pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
 pub use explicit::{Tableau, Weights};
+pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use ode::Ode;
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;
