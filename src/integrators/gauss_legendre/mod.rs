@@ -14,14 +14,18 @@
 //! Sources: J. C. Butcher, Math. Comp. 18, 50 (1964); E. Hairer, R. I. McLachlan,
 //! A. Razakarivony, BIT 48, 231 (2008) for round-off in implicit methods.
 
-mod coefficients;
+mod bodies;
+pub mod coefficients;
+
+pub use bodies::FreeRotation;
 
 use super::compensated::Compensated;
 use super::explicit::{no_steps, node};
-use super::ode::check_span;
+use super::ode::{check_span, finite_derivative};
 use super::{About, Integrator, Ode, Work};
 use crate::error::{Error, Result};
-use coefficients::{CONTINUATION, NODES, STAGES, WEIGHTS};
+use crate::math::EPS;
+use coefficients::{CONTINUATION, NODES, STAGES, STAGES_REST, WEIGHTS, WEIGHTS_REST};
 
 /// One number for each of the eight stages.
 pub type Lanes = [f64; 8];
@@ -33,9 +37,18 @@ pub type Lanes = [f64; 8];
 pub trait StageOde<const N: usize> {
     /// f(t, y), lane by lane.
     fn derivatives(&self, t: &Lanes, y: &[Lanes; N]) -> [Lanes; N];
+
+    /// The size against which an error in each component counts, as in
+    /// [`Ode::scale`]: asked for at the start of a run. Each must be positive.
+    fn scale(&self, y: &[f64; N]) -> [f64; N] {
+        y.map(|c| c.abs().max(1.0))
+    }
 }
 
-/// Any [`Ode`] as a [`StageOde`], one lane after the other: same bits, less speed.
+/// Any [`Ode`] as a [`StageOde`], one lane after the other: the same bits as a
+/// form written on lanes.
+///
+/// Without branches in its formulas the compiler often finds the lanes itself.
 #[derive(Debug, Clone, Copy)]
 pub struct LaneByLane<O>(pub O);
 
@@ -51,22 +64,57 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
         }
         out
     }
+
+    fn scale(&self, y: &[f64; N]) -> [f64; N] {
+        self.0.scale(y)
+    }
 }
 
 /// The Gauss-Legendre method of order 16 with equal steps.
 ///
-/// The sweeps of a step end when a sweep changes no stage by more than
-/// `precision` of the state's scale, or when they no longer gain.
+/// A step solves Y_i = y + h sum_j a_ij f(t + c_j h, Y_j) by sweeps: all eight
+/// slopes are evaluated at once, new stages are formed, and so on. Each sweep
+/// gains by a factor near h/2 times the Lipschitz constant of f. The sweeps end
+/// when what is still missing (the last change times the last gain) is below
+/// the precision, or when round-off lets nothing be gained.
+///
+/// Accuracy, as measured against the closed forms: a tumbling body ([`FreeRotation`])
+/// after 1000 periods of its rates, and the notes' top (16.2, fig. 3, [`SpinFree`])
+/// after 2000 time units; a sweep is eight derivatives at once:
+///
+/// | tumbling: steps a period | sweeps a step | error (rad) | top: time a step | sweeps a step | error (rad) |
+/// |---|---|---|---|---|---|
+/// | 6 | 17.2 | 1.1e-8 | 2 | 22.5 | 5.2e-8 |
+/// | 7 | 15.8 | 9.7e-10 | 1.33 | 16.2 | 1.1e-10 |
+/// | 8 | 14.8 | 1.2e-10 | 1 | 13.5 | 1.5e-12 |
+/// | 10 | 13.1 | 7.3e-13 | | | |
+///
+/// Over 1e5 steps the energy stays within 3.5e-14, |L| within 2.0e-14 and the length
+/// of the quaternion within 1.6e-14 of their first values; L_Z of the top is kept
+/// exactly. Longer steps than 4 a period do not pay: the sweeps gain too little, and
+/// at 3 a period they diverge ([`Error::NoConvergence`]).
+///
+/// [`SpinFree`]: crate::integrators::SpinFree
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GaussLegendre {
     steps: u64,
     precision: f64,
+    wide: bool,
 }
 
 /// More sweeps than any contracting step needs.
 const MOST_SWEEPS: u32 = 60;
 
+/// Changes below this, relative to the scale, may be nothing but round-off.
+const ROUND_OFF: f64 = 1e-12;
+
 impl GaussLegendre {
+    const ABOUT: About = About {
+        name: "Gauss-Legendre 16",
+        order: 16,
+        source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
+    };
+
     /// The method with this many equal steps over the whole run, stages solved to round-off.
     ///
     /// Errors: no steps.
@@ -74,8 +122,9 @@ impl GaussLegendre {
         Self::with_precision(steps, 0.0)
     }
 
-    /// The same with the stages solved to `precision` (0: to round-off), relative to
-    /// the scale of the state: a run that needs nine digits need not sweep for 16.
+    /// The same with the stages of each step solved to `precision` (0: to
+    /// round-off), relative to the scale of the state: a run that needs nine
+    /// digits need not sweep for 16. What the steps leave adds up over the run.
     ///
     /// Errors: no steps; a precision outside [0, 0.1].
     pub fn with_precision(steps: u64, precision: f64) -> Result<Self> {
@@ -89,7 +138,20 @@ impl GaussLegendre {
                 allowed: "it must lie between 0 and 0.1",
             });
         }
-        Ok(Self { steps, precision })
+        Ok(Self {
+            steps,
+            precision: precision.max(0.5 * EPS),
+            wide: true,
+        })
+    }
+
+    /// The same in the registers that every processor of its kind has: slower,
+    /// and the same bits. For those who want to see that.
+    pub const fn in_narrow_registers(self) -> Self {
+        Self {
+            wide: false,
+            ..self
+        }
     }
 
     /// Every step, in the widest registers that the processor has.
@@ -102,11 +164,11 @@ impl GaussLegendre {
     ) -> Result<([f64; N], Work)> {
         #[cfg(target_arch = "x86_64")]
         {
-            if std::is_x86_feature_detected!("avx512f") {
+            if self.wide && std::is_x86_feature_detected!("avx512f") {
                 // SAFETY: the processor has the feature, as just detected.
                 return unsafe { self.run_avx512(ode, t, start, t_end) };
             }
-            if std::is_x86_feature_detected!("avx2") {
+            if self.wide && std::is_x86_feature_detected!("avx2") {
                 // SAFETY: the processor has the feature, as just detected.
                 return unsafe { self.run_avx2(ode, t, start, t_end) };
             }
@@ -146,45 +208,23 @@ impl GaussLegendre {
         start: &[f64; N],
         t_end: f64,
     ) -> Result<([f64; N], Work)> {
-        let mut work = Work::default();
         let mut y = Compensated::new(*start);
         let h = (t_end - t) / self.steps as f64;
-        let scale = start.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+        // At rest the scale may be the least number there is: no 0 times infinity.
+        let weight = ode.scale(start).map(|s| (h.abs() / s).min(f64::MAX));
         let mut slopes = ode.derivatives(&[t; 8], &start.map(|c| [c; 8]));
-        work.derivatives += 8;
-        let mut begun = false;
-        for k in 0..self.steps {
-            let here = node(t, t_end, k, self.steps);
-            let times = NODES.map(|c| here + c * h);
-            if begun {
-                slopes = slopes.map(|s| combination(&CONTINUATION, &s));
+        finite_derivative(t, start, slopes.map(|s| s[0]))?;
+        let mut work = Work {
+            derivatives: 8,
+            ..Work::default()
+        };
+        for step in 0..self.steps {
+            let here = node(t, t_end, step, self.steps);
+            if step > 0 {
+                slopes = slopes.map(|s| combination(&CONTINUATION, &s, [0.0; 8]));
             }
-            begun = true;
-            let mut before = f64::INFINITY;
-            for sweep in 1.. {
-                let mut stages = [[0.0; 8]; N];
-                for i in 0..N {
-                    let sum = combination(&STAGES, &slopes[i]);
-                    for lane in 0..8 {
-                        stages[i][lane] = y.value[i] + h * sum[lane];
-                    }
-                }
-                let new = ode.derivatives(&times, &stages);
-                work.derivatives += 8;
-                let change = h.abs() * largest_change(&new, &slopes);
-                slopes = new;
-                // A positive condition first: a NaN must not count as converged.
-                if change <= self.precision * scale {
-                    break;
-                }
-                if change >= before && change <= 1e-12 * scale {
-                    break; // round-off: no further sweep gains
-                }
-                if !change.is_finite() || sweep == MOST_SWEEPS {
-                    return Err(Error::NoConvergence { t: here, h, change });
-                }
-                before = change;
-            }
+            let sweeps = self.solve(ode, here, h, &y.value, &weight, &mut slopes)?;
+            work.derivatives += 8 * u64::from(sweeps);
             let mut increment = [0.0; N];
             for i in 0..N {
                 increment[i] = h * weighted_mean(&slopes[i]);
@@ -194,12 +234,60 @@ impl GaussLegendre {
         }
         Ok((y.value, work))
     }
+
+    /// Solves the stages of the step from `y` at `t`; the number of sweeps.
+    #[inline(always)]
+    fn solve<const N: usize, O: StageOde<N>>(
+        &self,
+        ode: &O,
+        t: f64,
+        h: f64,
+        y: &[f64; N],
+        weight: &[f64; N],
+        slopes: &mut [Lanes; N],
+    ) -> Result<u32> {
+        let times = NODES.map(|c| t + c * h);
+        // So small that the slopes the sweeps begin with are good enough for it.
+        let rest = slopes.map(|s| combination(&STAGES_REST, &s, [0.0; 8]));
+        let mut before = f64::INFINITY;
+        for sweep in 1..=MOST_SWEEPS {
+            let mut stages = [[0.0; 8]; N];
+            for i in 0..N {
+                let sum = combination(&STAGES, &slopes[i], rest[i]);
+                for lane in 0..8 {
+                    stages[i][lane] = y[i] + h * sum[lane];
+                }
+            }
+            let new = ode.derivatives(&times, &stages);
+            let change = largest_change(&new, slopes, weight);
+            *slopes = new;
+            // The change is what the old slopes lacked; the new ones lack less, by
+            // the gain. Positive conditions: a NaN must not count as converged.
+            let gain = (change / before).min(1.0);
+            let missing = if sweep > 1 { gain * change } else { change };
+            if missing <= self.precision || (change >= before && change <= ROUND_OFF) {
+                return Ok(sweep);
+            }
+            if !change.is_finite() || (sweep == MOST_SWEEPS && change > ROUND_OFF) {
+                break;
+            }
+            if sweep == MOST_SWEEPS {
+                return Ok(sweep);
+            }
+            before = change;
+        }
+        Err(Error::NoConvergence {
+            t,
+            h,
+            change: before,
+        })
+    }
 }
 
-/// sum_j column_j x_j.
+/// first + sum_j column_j x_j.
 #[inline(always)]
-fn combination(columns: &[Lanes; 8], x: &Lanes) -> Lanes {
-    let mut sum = [0.0; 8];
+fn combination(columns: &[Lanes; 8], x: &Lanes, first: Lanes) -> Lanes {
+    let mut sum = first;
     for (column, factor) in columns.iter().zip(x) {
         for lane in 0..8 {
             sum[lane] += column[lane] * factor;
@@ -208,32 +296,28 @@ fn combination(columns: &[Lanes; 8], x: &Lanes) -> Lanes {
     sum
 }
 
-/// The largest difference between two sets of slopes.
+/// The largest weighted difference between two sets of slopes.
 #[inline(always)]
-fn largest_change<const N: usize>(new: &[Lanes; N], old: &[Lanes; N]) -> f64 {
+fn largest_change<const N: usize>(new: &[Lanes; N], old: &[Lanes; N], weight: &[f64; N]) -> f64 {
+    // Unlike `f64::max` it keeps a NaN, on either side.
+    let larger = |a: f64, b: f64| if a > b || a.is_nan() { a } else { b };
     let mut largest = [0.0_f64; 8];
     for i in 0..N {
         for lane in 0..8 {
-            let change = (new[i][lane] - old[i][lane]).abs();
-            // `max` would drop a NaN.
-            if !(change <= largest[lane]) {
-                largest[lane] = change;
-            }
+            let change = weight[i] * (new[i][lane] - old[i][lane]).abs();
+            largest[lane] = larger(change, largest[lane]);
         }
     }
-    let mut all = 0.0;
-    for change in largest {
-        if !(change <= all) {
-            all = change;
-        }
-    }
-    all
+    largest.into_iter().fold(0.0, |all, c| larger(c, all))
 }
 
 /// sum_j b_j x_j with weights whose sum is 1 exactly: x_0 + sum_j b_j (x_j - x_0).
 #[inline(always)]
 fn weighted_mean(x: &Lanes) -> f64 {
     let mut sum = 0.0;
+    for j in 1..8 {
+        sum += WEIGHTS_REST[j] * (x[j] - x[0]);
+    }
     for j in 1..8 {
         sum += WEIGHTS[j] * (x[j] - x[0]);
     }
@@ -242,11 +326,7 @@ fn weighted_mean(x: &Lanes) -> f64 {
 
 impl<const N: usize, O: StageOde<N>> Integrator<O, [f64; N]> for GaussLegendre {
     fn about(&self) -> About {
-        About {
-            name: "Gauss-Legendre 16",
-            order: 16,
-            source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
-        }
+        Self::ABOUT
     }
 
     fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
