@@ -9,11 +9,12 @@
 //! | [`Rk4`] | any [`Ode`] | fixed |
 //! | [`GaussLegendre`] | any [`StageOde`], eight stages side by side | fixed |
 //! | [`Dop853`] | any [`Ode`]; dense output and events by [`Dop853::solve`] | adaptive |
+//! | [`MuntheKaas4`] | any scene; turns the attitude instead of adding to it | fixed |
 //! | [`Splitting`] | symmetric bodies under effects that see only the axis, and any [`Separable`] | fixed |
 //!
 //! A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
 //! carries its [`State`](crate::body::State)s. [`SpinFree`] takes the spin of a
-//! symmetric body out, for the general methods too.
+//! symmetric body out, for the general methods too. The [`foils`] are there to fail.
 //!
 //! Not for: closed forms (see [`crate::exact`]), and systems with jumps, which
 //! [`crate::planar`] cuts into smooth pieces at located events.
@@ -21,7 +22,9 @@
 mod compensated;
 pub mod dop853;
 mod explicit;
+pub mod foils;
 pub mod gauss_legendre;
+mod munthe_kaas;
 mod ode;
 mod rk4;
 pub mod scene;
@@ -32,6 +35,7 @@ mod work;
 pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
 pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
+pub use munthe_kaas::MuntheKaas4;
 pub use ode::Ode;
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;
