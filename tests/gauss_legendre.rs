@@ -352,6 +352,15 @@ fn too_long_steps_are_refused() {
     assert!(
         matches!(result, Err(Error::NoConvergence { t: 0.0, h: 15.0, change }) if change.is_finite())
     );
+    // Three steps in a period diverge, four do not.
+    let (_, _, exact) = tumbling();
+    let period = exact.rate_period();
+    let result = gauss(30).advance(&free, 0.0, &start, 10.0 * period);
+    assert!(
+        matches!(result, Err(Error::NoConvergence { .. })),
+        "{result:?}"
+    );
+    assert!(gauss(40).advance(&free, 0.0, &start, 10.0 * period).is_ok());
     assert!(matches!(
         GaussLegendre::new(0),
         Err(Error::OutOfRange { name: "steps", .. })
