@@ -145,8 +145,10 @@ impl fmt::Display for Error {
             ),
             Self::NoConvergence { t, h, change } => write!(
                 f,
-                "the stages of the step from t = {t} by {h} do not converge (the last sweep \
-                 changed them by {change:e}): take more steps"
+                "the stages of the step from t = {} by {} do not converge (the last sweep \
+                 changed them by {change:.1e}): take more steps",
+                plain(*t),
+                plain(*h)
             ),
             Self::TooManySteps { t, t_end, limit } => write!(
                 f,

@@ -224,8 +224,8 @@ fn bad_input_and_singularities() {
         message(Dop853::new(f64::NAN)),
         "tolerance = NaN is not a finite number"
     );
-    for bad in [0.0, -1e-9, 1e-16, 0.2] {
-        let expected = format!("tolerance = {bad} is not allowed: from 1e-15 to 0.1");
+    for (bad, written) in [(0.0, "0"), (-1e-9, "-1e-9"), (1e-16, "1e-16"), (0.2, "0.2")] {
+        let expected = format!("tolerance = {written} is not allowed: from 1e-15 to 0.1");
         assert_eq!(message(Dop853::new(bad)), expected);
     }
     let method = Dop853::new(1e-9).expect("valid");
