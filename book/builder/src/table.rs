@@ -25,6 +25,9 @@ const GREEK: [(&str, char); 18] = [
     ("Omega", 'Ω'),
 ];
 
+/// The most characters of a cell that is not broken: "height_ratio_release".
+const LONGEST_SHORT: usize = 20;
+
 /// The text of all cells, for the search index.
 pub fn plain(table: &Table) -> String {
     let rows: Vec<String> = table.rows().iter().map(|row| row.join(" ")).collect();
@@ -150,7 +153,13 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
         })
         .collect();
     let shown = |n: &usize| column(*n).any(|cell| cell != "-");
-    let class = |n: usize| if numeric[n] { " class=\"n\"" } else { "" };
+    // One of short words stays on one line.
+    let short = |n: usize| column(n).all(|cell| cell.len() <= LONGEST_SHORT);
+    let class = |n: usize| match numeric[n] {
+        true => " class=\"n\"",
+        false if short(n) => " class=\"short\"",
+        false => "",
+    };
     for n in (0..numeric.len()).filter(shown) {
         html += &format!("<th{}>{}</th>", class(n), words(&table.columns()[n]));
     }
@@ -189,6 +198,19 @@ fn quantity(cell: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_a_column_of_long_words_is_broken() {
+        let locked = "Sample\n\nlimits\nlimit                  gives  here\n\
+                      a limit of many words  0.5    left out\n";
+        let tables = rotation_dynamics::report::parse(locked)
+            .expect("it is a table")
+            .tables;
+        let html = html(&tables[0]);
+        assert!(html.contains("<td>a limit of many words</td>"), "{html}");
+        assert!(html.contains("<td class=\"short\">left out</td>"), "{html}");
+        assert!(html.contains("<td class=\"n\">0.5</td>"), "{html}");
+    }
 
     #[test]
     fn cells_are_set_like_formulas() {
