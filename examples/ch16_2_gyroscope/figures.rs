@@ -66,14 +66,14 @@ fn setup() -> Result<Figure> {
     .text(SpaceVector::new(sincos(0.4).1, sincos(0.4).0, 0.0) * 0.5, "$\\phi$", Ink::Ink, Side::Below)
     .line([origin, hub], Ink::Body)
     .solid(Solid::turned(hub, axis, &[(-0.04, 0.34), (0.04, 0.34)]), Ink::Body)
-    .arrow(hub + axis * 0.04, axis * 1.34, Ink::Body, "$z$", Side::Right)
+    .arrow(hub + axis * 0.04, axis * 1.34, Ink::Body, "$z$", Side::Left)
     .turn(spin, Ink::Velocity)
     .text(axis * 1.2 - across * 0.26, "$\\zeta$", Ink::Velocity, Side::Left)
     .turn(tilt, Ink::Ink)
     .text(direction(0.5 * theta, phi) * 0.4, "$\\theta$", Ink::Ink, Side::Above)
     .arrow(hub, hub - up * 0.5, Ink::Force, "$mg$", Side::Right)
     .arrow(origin, node * 0.8, Ink::Force, "torque, $x$", Side::Below)
-    .dot(origin, Ink::Ink, "$O$", Side::Left)
+    .dot(origin, Ink::Ink, "$O$", Side::AboveRight)
     .figure()
 }
 
@@ -101,7 +101,7 @@ fn valley(
         let (left, right) = (motion.exact.theta_min(), motion.exact.theta_max());
         let line = Curve::new([(left, motion.energy), (right, motion.energy)], Ink::Ink).thin();
         panel = panel
-            .curve(line.label_at(label, right, motion.energy, Side::Right))
+            .curve(line.label_at(label, right, motion.energy, Side::BelowRight))
             .dot(left, motion.energy, Ink::Ink, "", Side::Left)
             .dot(right, motion.energy, Ink::Ink, "", Side::Right);
     }
