@@ -180,8 +180,12 @@ fn claimed(
     page.stems.push(stem.to_owned());
     let mut claim = page.project.claim(stem, key)?;
     if let Some(digits) = digits {
-        claim.value = shortened(&claim.value, digits)
-            .ok_or_else(|| format!("{stem}:{key} = {} has no {digits} digits", claim.value))?;
+        claim.value = shortened(&claim.value, digits).ok_or_else(|| {
+            format!(
+                "{stem}:{key} = {} cannot be rounded to {digits} digits",
+                claim.value
+            )
+        })?;
     }
     let shown = match unit {
         None => None,
@@ -220,8 +224,14 @@ pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> 
                 Some(_) if claim.bound != "0" => format!("error below {}; ", claim.bound),
                 _ => String::new(),
             };
+            // The bound is that of all digits, which the reader sees by pointing at the number.
+            let all = match digits {
+                Some(_) => format!("{}, ", page.project.claim(stem, key)?.value),
+                None => String::new(),
+            };
             Ok(format!(
-                "<span class=\"num\" title=\"{}checked against {}\">{value}</span>",
+                "<span class=\"num\" title=\"{}{}checked against {}\">{value}</span>",
+                escape(&all),
                 escape(&bound),
                 escape(&claim.oracle)
             ))

@@ -52,11 +52,16 @@ pub fn number_html(cell: &str) -> Option<String> {
     Some(html)
 }
 
-/// A printed number rounded to fewer significant digits; `None` if it has not so many.
+/// A printed number rounded to fewer significant digits. `None` if it has not so many, and if a 5
+/// alone would be dropped: the number was rounded to it, which way is no longer known.
 pub fn shortened(cell: &str, digits: usize) -> Option<String> {
     let (mantissa, exponent) = split_number(cell)?;
     let figures: String = mantissa.chars().filter(char::is_ascii_digit).collect();
     if digits == 0 || figures.trim_start_matches('0').len() < digits {
+        return None;
+    }
+    let dropped = &figures.trim_start_matches('0')[digits..];
+    if dropped.trim_end_matches('0') == "5" {
         return None;
     }
     let value: f64 = mantissa.parse().ok()?;
@@ -86,8 +91,14 @@ pub fn tag_html(tag: &str) -> String {
     }
 }
 
-/// A unit as HTML: `m/s^2` with its exponent raised, in one piece.
+/// A unit as HTML: `m/s^2` with its exponent raised, in one piece. `1/s` becomes a power, as a 1
+/// after a number reads like a digit of it.
 pub fn unit_html(unit: &str) -> String {
+    if let Some(unit) = unit.strip_prefix("1/")
+        && unit.chars().all(char::is_alphabetic)
+    {
+        return unit_html(&format!("{unit}^-1"));
+    }
     raised(&escape(unit)).replace(' ', "\u{202f}")
 }
 
@@ -174,6 +185,10 @@ mod tests {
         // Not more digits than there are, nor zeros in the place of digits.
         assert_eq!(short("0.027", 3), None);
         assert_eq!(short("1430.5", 2), None);
+        // 140.05 may have been 140.0475.
+        assert_eq!(short("140.05", 4), None);
+        assert_eq!(short("140.050", 4), None);
+        assert_eq!(short("140.051", 4).as_deref(), Some("140.1"));
         assert_eq!(short("text", 2), None);
     }
 
@@ -194,6 +209,7 @@ mod tests {
         assert_eq!(number_html("-"), None);
         assert_eq!(number_tex("2.5e-3"), r"{2.5\times 10^{-3}}");
         assert_eq!(unit_html("m/s^2"), "m/s<sup>2</sup>");
+        assert_eq!(unit_html("1/s"), "s<sup>\u{2212}1</sup>");
         assert_eq!(unescape("&#124;&amp;&x"), "|&&x");
     }
 }
