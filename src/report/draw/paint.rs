@@ -152,8 +152,11 @@ impl Panel {
             {
                 let at = frame.px((place, y.0)).0;
                 sheet.draw(&[(at, floor), (at, floor + TICK)], line.clone())?;
+                // The last label moves in rather than over the edge; widths are estimates.
+                let half = 0.55 * Label::new(&label).width(SIZE);
+                let inside = at.min(plot.right + 11.0 - half);
                 let text = Text::new(&label, Ink::Ink, Side::Below, 3.0);
-                sheet.draw(&[(at, floor + TICK)], Paint::Text(text))?;
+                sheet.draw(&[(inside, floor + TICK)], Paint::Text(text))?;
             }
             let text = Text::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
             sheet.draw(
