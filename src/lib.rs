@@ -14,9 +14,11 @@
 //! | [`scene`] | body, effects and initial state together |
 //! | [`exact`] | elliptic functions and closed-form solutions |
 //! | [`integrators`] | one method per file, coefficients as data |
+//! | [`accuracy`] | errors against the exact motion, and what they cost |
 //! | [`planar`] | one-axis scenes with contacts and located events |
 //! | [`report`] | claims, tables, figures and the command line of the examples |
 
+pub mod accuracy;
 pub mod attitude;
 pub mod body;
 pub mod effects;

@@ -1,0 +1,17 @@
+//! What accuracy costs: how far a run ends from the truth, and what it paid.
+//!
+//! | part | what it holds |
+//! |---|---|
+//! | [`Errors`] | how far a state is from the exact one, measured in five ways |
+//! | [`Sweep`] | a method run coarser and finer: what each run cost and delivered |
+//! | [`WorkPrecision`] | such runs in one measure: least work, price of a digit, floor, Pareto front |
+//!
+//! Not for: the exact solutions that errors are measured against
+//! ([`crate::exact`]), and time, which this library never reads; work is counted
+//! ([`Work`](crate::integrators::Work)).
+
+mod measures;
+mod sweep;
+
+pub use measures::{Errors, Measure};
+pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};
