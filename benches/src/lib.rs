@@ -1,4 +1,6 @@
 //! Benchmarks and the accuracy kit.
 
+pub mod conditions;
+pub mod ensemble;
 pub mod kit;
 pub mod timing;

@@ -15,6 +15,8 @@ pub type Task<'a> = &'a dyn Fn() -> Result<()>;
 pub struct Measured {
     /// The median time of one run, s.
     pub seconds: f64,
+    /// The least time of one run, s: what is left on a machine with other things to do.
+    pub least: f64,
     /// The median over all rounds of the time in units of the first task's.
     pub ratio: f64,
     /// The lower and upper quartile of that ratio.
@@ -47,6 +49,7 @@ pub fn interleaved(tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
         let times = sorted(times.iter().copied());
         Measured {
             seconds: quantile(&times, 0.5),
+            least: quantile(&times, 0.0),
             ratio: quantile(&ratios, 0.5),
             quartiles: [quantile(&ratios, 0.25), quantile(&ratios, 0.75)],
         }

@@ -21,12 +21,13 @@ mod ch16_2_top_and_wheel;
 #[path = "../../../examples/ch16_ex6_ladder.rs"]
 mod ch16_ex6_ladder;
 
+use benches::conditions::Conditions;
 use benches::timing::{Measured, Task, interleaved};
 use rotation_dynamics::report::cli::Example;
 use rotation_dynamics::report::{Computation, Report, Table, rounded_up, short};
 use std::error::Error;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::{env, fs};
 
 /// Rounds in which everything is timed once.
@@ -41,71 +42,14 @@ const SAMPLES: u32 = 64;
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 fn main() -> ExitCode {
-    match Conditions::read(env::args().skip(1)).and_then(|conditions| record(&conditions)) {
+    match Conditions::read("strips", env::args().skip(1)).and_then(|conditions| record(&conditions))
+    {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");
             ExitCode::FAILURE
         }
     }
-}
-
-/// Under which conditions the times are measured.
-#[derive(Default)]
-struct Conditions {
-    processor: Option<String>,
-    compiler: Option<String>,
-    date: Option<String>,
-}
-
-impl Conditions {
-    fn read(mut arguments: impl Iterator<Item = String>) -> Outcome<Self> {
-        let mut conditions = Self::default();
-        while let Some(flag) = arguments.next() {
-            let field = match flag.as_str() {
-                "--processor" => &mut conditions.processor,
-                "--compiler" => &mut conditions.compiler,
-                "--date" => &mut conditions.date,
-                _ => Err("usage: strips [--date DATE] [--processor NAME] [--compiler NAME]")?,
-            };
-            *field = Some(arguments.next().ok_or(format!("{flag} needs a value"))?);
-        }
-        conditions.processor = match conditions.processor {
-            None => Some(processor().ok_or("name the processor with --processor")?),
-            named => named,
-        };
-        conditions.compiler = match conditions.compiler {
-            None => Some(compiler().ok_or("name the compiler with --compiler")?),
-            named => named,
-        };
-        Ok(conditions)
-    }
-}
-
-fn said_by(command: &str, arguments: &[&str]) -> Option<String> {
-    let said = Command::new(command).args(arguments).output().ok()?;
-    let said = String::from_utf8(said.stdout).ok()?;
-    (!said.trim().is_empty()).then(|| said.trim().to_owned())
-}
-
-/// The processor's model, without marks of trade.
-fn processor() -> Option<String> {
-    let model = match fs::read_to_string("/proc/cpuinfo") {
-        Ok(text) => {
-            let line = text.lines().find(|line| line.starts_with("model name"))?;
-            line.split_once(':')?.1.to_owned()
-        }
-        Err(_) => said_by("sysctl", &["-n", "machdep.cpu.brand_string"])?,
-    };
-    let plain = model.replace("(R)", "").replace("(TM)", "");
-    Some(plain.split_whitespace().collect::<Vec<_>>().join(" "))
-}
-
-/// `rustc 1.95.0`, without commit and date.
-fn compiler() -> Option<String> {
-    let version = said_by("rustc", &["--version"])?;
-    let mut words = version.split(' ');
-    Some(format!("{} {}", words.next()?, words.next()?))
 }
 
 fn record(conditions: &Conditions) -> Outcome<()> {
@@ -117,18 +61,7 @@ fn record(conditions: &Conditions) -> Outcome<()> {
              Measure again: cargo run --release -p benches --bin strips"
         ),
     )?;
-    let mut table = Table::new("conditions", ["condition", "value"])?;
-    let all = [
-        ("processor", &conditions.processor),
-        ("compiler", &conditions.compiler),
-        ("date", &conditions.date),
-    ];
-    for (name, value) in all {
-        if let Some(value) = value {
-            table.push([name, value])?;
-        }
-    }
-    report.add_table(table)?;
+    report.add_table(conditions.table()?)?;
     let mut units = Table::new("units", ["stem", "one sample / ns"])?;
     let strips = [
         strip(&ch16_2_gyroscope::EXAMPLE, &mut units)?,

@@ -1,0 +1,300 @@
+//! 100 000 gyroscopes and 100 000 tumbling bodies, no two alike, over all cores: how many
+//! a second, how much memory, and how the gyroscopes' axes mix. Writes
+//! `benches/record/ensemble.txt`.
+//!
+//! ```text
+//! cargo run --release -p benches --bin ensemble -- --date 2026-11-21
+//! ```
+//!
+//! Before anything is timed: the closed forms of some bodies are compared with
+//! Gauss-Legendre runs after a thousand periods, the mean axes with one thread and with
+//! several are compared bit by bit, and the memory in use while many times are asked for
+//! with that for few.
+
+mod made;
+
+use benches::conditions::Conditions;
+use benches::ensemble::{Axes, axes, drawn, set_up, states};
+use benches::timing::{Task, interleaved};
+use made::{GYROSCOPE, TUMBLING, accuracy, gyroscope, quantities, tumbling};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::exact::heavy_top::HeavyTop;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::math::exp;
+use rotation_dynamics::report::{Report, Table, short};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::hint::black_box;
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{env, error, fs, thread};
+
+const BODIES: usize = 100_000;
+
+/// Bodies in one timed run, unless it must show what memory costs.
+const TIMED: usize = 8192;
+
+/// Rounds in which everything is timed once.
+const ROUNDS: usize = 51;
+
+pub type Outcome<T> = Result<T, Box<dyn error::Error>>;
+
+/// Counts the bytes in use, and the most there ever were.
+struct Counting;
+
+static IN_USE: AtomicUsize = AtomicUsize::new(0);
+static MOST: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: every request goes to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let now = IN_USE.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
+        MOST.fetch_max(now, Ordering::Relaxed);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        IN_USE.fetch_sub(layout.size(), Ordering::Relaxed);
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// What `work` returns and the most bytes it had in use beyond those before it.
+fn peak<T>(work: impl FnOnce() -> T) -> (T, usize) {
+    let before = IN_USE.load(Ordering::Relaxed);
+    MOST.store(before, Ordering::Relaxed);
+    let result = work();
+    (result, MOST.load(Ordering::Relaxed) - before)
+}
+
+fn main() -> ExitCode {
+    match Conditions::read("ensemble", env::args().skip(1)).and_then(|it| record(&it)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Bytes of each body, and the most in use while its axes are averaged at 8 and 512 times.
+fn memory<B: Send + Sync>(
+    kind: &str,
+    table: &mut Table,
+    make: impl Fn(usize) -> rotation_dynamics::Result<B> + Sync + Send,
+    axis: impl Fn(&B, f64) -> SpaceVector + Sync,
+) -> Outcome<()> {
+    let before = IN_USE.load(Ordering::Relaxed);
+    let bodies = set_up(TIMED, make)?;
+    let each = (IN_USE.load(Ordering::Relaxed) - before) as f64 / TIMED as f64;
+    let used = [8, 512].map(|count| {
+        let times: Vec<f64> = (0..count).map(f64::from).collect();
+        let (sums, peak) = peak(|| axes(&bodies, &times, &axis));
+        peak - size_of_val(sums.as_slice())
+    });
+    // The threads' own queues may take some blocks more or less.
+    if used[1] > used[0] + 16_384 {
+        Err(format!("{kind}: {used:?} bytes for 8 and 512 times"))?;
+    }
+    table.push([
+        kind.to_owned(),
+        short(each, 3),
+        short(used[0] as f64, 2),
+        short(used[1] as f64, 2),
+    ])?;
+    Ok(())
+}
+
+/// How the mean axis of the gyroscopes decays; the last column needs no sample.
+fn mixing(tops: &[HeavyTop]) -> Outcome<Table> {
+    let rates: Vec<f64> = tops
+        .iter()
+        .map(|top| top.precession_per_period() / top.nutation_period())
+        .collect();
+    let count = rates.len() as f64;
+    let mean = rates.iter().sum::<f64>() / count;
+    let variance = rates.iter().map(|r| (r - mean) * (r - mean)).sum::<f64>() / count;
+    let columns = [
+        "precession / turns",
+        "t / s",
+        "mean of cos(theta)",
+        "its spread",
+        "horizontal mean",
+        "if the rates were normal",
+    ];
+    let mut table = Table::new("mixing", columns)?;
+    let turns = [0.0, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 1e3, 1e5];
+    let times = turns.map(|turns| turns * core::f64::consts::TAU / mean);
+    for ((turns, t), at_t) in turns
+        .iter()
+        .zip(times)
+        .zip(axes(tops, &times, HeavyTop::axis))
+    {
+        let tilt = at_t.mean().z();
+        let normal = (1.0 - tilt * tilt).sqrt() * exp(-0.5 * variance * t * t);
+        table.push([
+            turns.to_string(),
+            short(t, 3),
+            format!("{tilt:.4}"),
+            format!("{:.4}", at_t.spread_of_tilt()),
+            format!("{:.4}", at_t.horizontal()),
+            format!("{normal:.4}"),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// One row per number of threads, for `items` bodies or states a run.
+fn throughput<'a>(
+    work: &str,
+    items: usize,
+    table: &mut Table,
+    pools: &'a [ThreadPool],
+    run: impl Fn() -> rotation_dynamics::Result<()> + Sync + 'a,
+) -> Outcome<()> {
+    let run = &run;
+    let runs: Vec<_> = pools.iter().map(|pool| move || pool.install(run)).collect();
+    let tasks: Vec<Task> = runs.iter().map(|run| run as Task).collect();
+    let measured = interleaved(&tasks, ROUNDS)?;
+    for (pool, here) in pools.iter().zip(&measured) {
+        let [lower, upper] = here.quartiles.map(|ratio| short(1.0 / ratio, 2));
+        table.push([
+            work.to_owned(),
+            pool.current_num_threads().to_string(),
+            short(items as f64 / here.least, 2),
+            short(1e9 * here.least / items as f64, 2),
+            short(measured[0].least / here.least, 2),
+            short(1.0 / here.ratio, 2),
+            format!("{upper} to {lower}"),
+        ])?;
+    }
+    Ok(())
+}
+
+/// What each kind of work takes, for one kind of body.
+fn works<B: Send + Sync>(
+    kind: &str,
+    table: &mut Table,
+    pools: &[ThreadPool],
+    make: impl Fn(usize) -> rotation_dynamics::Result<B> + Sync + Send + Copy,
+    state: impl Fn(&B, f64) -> (Attitude, BodyVector) + Sync + Copy,
+    axis: impl Fn(&B, f64) -> SpaceVector + Sync + Copy,
+) -> Outcome<()> {
+    throughput(&format!("{kind}: set-up"), TIMED, table, pools, || {
+        set_up(TIMED, make).map(|made| drop(black_box(made)))
+    })?;
+    let both = format!("{kind}: set-up and one state");
+    throughput(&both, TIMED, table, pools, || {
+        set_up(TIMED, |body| Ok(state(&make(body)?, LATE))).map(|made| drop(black_box(made)))
+    })?;
+    let bodies = set_up(BODIES, make)?;
+    let rest = (Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0));
+    let once = format!("{kind}: state at one time");
+    throughput(&once, BODIES, table, pools, || {
+        let mut out = vec![rest; BODIES];
+        states(&bodies, &mut out, |body| state(body, LATE));
+        drop(black_box(out));
+        Ok(())
+    })?;
+    let times: Vec<f64> = (0..128).map(|n| LATE + f64::from(n)).collect();
+    let often = format!("{kind}: axis at 128 times");
+    throughput(&often, TIMED * times.len(), table, pools, || {
+        black_box(axes(&bodies[..TIMED], &times, axis));
+        Ok(())
+    })
+}
+
+/// What the machine gives to more threads, now: arithmetic that shares nothing.
+fn control(body: usize) -> f64 {
+    (0..1000).fold(drawn(body, 0), |x, _| 4.0 * x * (1.0 - x))
+}
+
+/// A time (s) after many periods.
+const LATE: f64 = 1000.0;
+
+fn record(conditions: &Conditions) -> Outcome<()> {
+    let cores = thread::available_parallelism()?.get();
+    let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build();
+    let pools = (1..=cores).map(pool).collect::<Result<Vec<_>, _>>()?;
+    let mut report = Report::new(
+        "Ensembles",
+        format!(
+            "{BODIES} gyroscopes and {BODIES} tumbling bodies in closed form, each quantity within \
+             1 % of its nominal value, over the cores of one machine; best of {ROUNDS} rounds, and \
+             the median of their ratios; the control is what the machine gave to more threads; measured, not locked. \
+             Measure again: cargo run --release -p benches --bin ensemble"
+        ),
+    )?;
+    report.add_table(conditions.table()?)?;
+    report.add_table(accuracy()?)?;
+
+    let made_top = |body| gyroscope(quantities(GYROSCOPE, body));
+    let made_body = |body| tumbling(quantities(TUMBLING, body));
+    let axis_of_body = |body: &FreeBody, t| body.attitude_at(t).axis();
+    let columns = [
+        "bodies",
+        "bytes each",
+        "bytes for 8 times",
+        "bytes for 512 times",
+    ];
+    let mut table = Table::new("memory", columns)?;
+    memory("gyroscopes", &mut table, made_top, HeavyTop::axis)?;
+    memory("tumbling bodies", &mut table, made_body, axis_of_body)?;
+    report.add_table(table)?;
+
+    let tops = set_up(BODIES, made_top)?;
+    let on = |threads: usize| -> Outcome<Vec<Axes>> {
+        Ok(pool(threads)?.install(|| axes(&tops, &[1.0, LATE], HeavyTop::axis)))
+    };
+    let alone = on(1)?;
+    for threads in [2, 3, 7] {
+        if on(threads)? != alone {
+            Err(format!("other sums with {threads} threads than with one"))?;
+        }
+    }
+    report.add_table(mixing(&tops)?)?;
+    drop(tops);
+
+    let columns = [
+        "work",
+        "threads",
+        "per second",
+        "each / ns",
+        "speed-up",
+        "median",
+        "quartiles",
+    ];
+    let mut table = Table::new("throughput", columns)?;
+    throughput("control", TIMED, &mut table, &pools, || {
+        set_up(TIMED, |body| Ok(control(body))).map(|made| drop(black_box(made)))
+    })?;
+    let (top, body) = ("gyroscope", "tumbling body");
+    works(
+        top,
+        &mut table,
+        &pools,
+        made_top,
+        HeavyTop::state,
+        HeavyTop::axis,
+    )?;
+    works(
+        body,
+        &mut table,
+        &pools,
+        made_body,
+        FreeBody::state_at,
+        axis_of_body,
+    )?;
+    report.add_table(table)?;
+
+    let text = report.text()?;
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/ensemble.txt");
+    fs::write(file, &text)?;
+    print!("{text}");
+    Ok(())
+}
