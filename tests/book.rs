@@ -100,7 +100,7 @@ fn every_stem_is_complete() {
     assert_eq!(examples, figures, "examples and locked figures");
     let stems: BTreeSet<String> = pages
         .into_iter()
-        .filter(|name| name.starts_with("ch1"))
+        .filter(|name| !["SUMMARY", "index"].contains(&name.as_str()))
         .collect();
     assert_eq!(examples, stems, "examples and pages");
 }

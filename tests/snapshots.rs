@@ -12,6 +12,8 @@
     reason = "one example may stand on another, and both are locked here"
 )]
 
+#[path = "../examples/accuracy.rs"]
+mod accuracy;
 #[path = "../examples/ch16_2_gyroscope.rs"]
 mod ch16_2_gyroscope;
 #[path = "../examples/ch16_2_top_and_wheel.rs"]
@@ -36,14 +38,15 @@ struct Locked {
 }
 
 /// How many examples there are, and how many figures they draw.
-const EXAMPLES: usize = 3;
-const FIGURES: usize = 34;
+const EXAMPLES: usize = 4;
+const FIGURES: usize = 45;
 
 /// Every example, run once for all tests of this file.
 fn all() -> &'static [Locked] {
     static ALL: OnceLock<Vec<Locked>> = OnceLock::new();
     ALL.get_or_init(|| {
         vec![
+            locked(&accuracy::EXAMPLE),
             locked(&ch16_2_gyroscope::EXAMPLE),
             locked(&ch16_2_top_and_wheel::EXAMPLE),
             locked(&ch16_ex6_ladder::EXAMPLE),

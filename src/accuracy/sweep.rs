@@ -133,9 +133,18 @@ pub struct DigitPrice {
     pub scatter: f64,
     /// How many runs were fitted.
     pub runs: usize,
+    /// The fitted line's work at the error 1, which no run need have.
+    pub at_one: f64,
 }
 
 impl DigitPrice {
+    /// The work at which the fitted line reaches this error.
+    ///
+    /// Errors: an error that is not positive and finite.
+    pub fn work_for(&self, error: f64) -> Result<f64> {
+        Ok(self.at_one * pow(positive("error", error)?, -1.0 / self.order))
+    }
+
     /// The price by the order alone: 10^(1/order).
     ///
     /// Errors: order 0.
@@ -225,6 +234,7 @@ impl WorkPrecision {
             order,
             scatter: logs.iter().map(off).fold(0.0, f64::max),
             runs: logs.len(),
+            at_one: pow(10.0, mx + my / order),
         })
     }
 }

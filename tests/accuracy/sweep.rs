@@ -30,6 +30,11 @@ fn price_of_a_digit_is_that_of_the_order() {
             .unwrap();
         // Measured: off by 3.4e-16 of the order and 7.2e-15 digits at most.
         assert!((price.order / p - 1.0).abs() < 2e-15, "{p}: {price:?}");
+        // The line reaches 1 at 32 and 1e-6 where c work^-p does.
+        let work = 32.0 * pow(10.0, 6.0 / p);
+        assert!((price.at_one / 32.0 - 1.0).abs() < 1e-13, "{price:?}");
+        assert!((price.work_for(1e-6).unwrap() / work - 1.0).abs() < 1e-13);
+        assert!(price.work_for(0.0).is_err());
         let predicted = DigitPrice::predicted(p as u32).unwrap();
         assert!((price.factor / predicted - 1.0).abs() < 1e-13, "{price:?}");
         assert!(price.scatter < 2e-14 && price.runs >= 4, "{price:?}");

@@ -14,6 +14,8 @@
     reason = "one example may stand on another, and both are timed here"
 )]
 
+#[path = "../../../examples/accuracy.rs"]
+mod accuracy;
 #[path = "../../../examples/ch16_2_gyroscope.rs"]
 mod ch16_2_gyroscope;
 #[path = "../../../examples/ch16_2_top_and_wheel.rs"]
@@ -64,6 +66,7 @@ fn record(conditions: &Conditions) -> Outcome<()> {
     report.add_table(conditions.table()?)?;
     let mut units = Table::new("units", ["stem", "one sample / ns"])?;
     let strips = [
+        strip(&accuracy::EXAMPLE, &mut units)?,
         strip(&ch16_2_gyroscope::EXAMPLE, &mut units)?,
         strip(&ch16_2_top_and_wheel::EXAMPLE, &mut units)?,
         strip(&ch16_ex6_ladder::EXAMPLE, &mut units)?,

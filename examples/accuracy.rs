@@ -1,0 +1,161 @@
+//! What accuracy costs: every method on five motions whose answer is known.
+
+#[path = "accuracy/figures.rs"]
+mod figures;
+#[path = "accuracy/limits.rs"]
+mod limits;
+#[path = "accuracy/measured.rs"]
+pub mod measured;
+#[path = "accuracy/methods.rs"]
+pub mod methods;
+#[path = "accuracy/problems.rs"]
+pub mod problems;
+#[path = "accuracy/strip.rs"]
+mod strip;
+#[path = "accuracy/tables.rs"]
+mod tables;
+
+use problems::{Kind, Problem};
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::{Errors, Measure, Sweep, WorkPrecision};
+use rotation_dynamics::body::State;
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Integrator, Rk4, Work};
+use rotation_dynamics::math::exp2;
+use rotation_dynamics::report::cli::{Example, Flag};
+use rotation_dynamics::report::{Claim, Oracle, Report};
+use rotation_dynamics::scene::Scene;
+
+/// What can be set on the command line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameters {
+    /// Principal moments of the free body, kg m^2.
+    pub moments: [f64; 3],
+    /// Length of the runs, in periods of the motion.
+    pub periods: f64,
+    /// The error asked for in the accuracy strip, rad; `None` for four of them.
+    pub tolerance: Option<f64>,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            moments: [1.0, 2.0, 8.0 / 3.0],
+            periods: 10.0,
+            tolerance: None,
+        }
+    }
+}
+
+impl Parameters {
+    fn moments(&self) -> Result<PrincipalMoments> {
+        let [i1, i2, i3] = self.moments;
+        PrincipalMoments::new(i1, i2, i3)
+    }
+
+    /// Whether these are the page's own.
+    fn are_default(&self) -> bool {
+        let default = Self::default();
+        self.moments == default.moments && self.periods == default.periods
+    }
+}
+
+// ANCHOR: sweep
+/// RK4 on a tumbling body, from 256 steps to 32 768: what it costs, and how far off it ends.
+fn rk4(scene: &Scene<()>, start: &State, exact: &State, end: f64) -> Result<WorkPrecision> {
+    let steps = (16..=30).map(|k| exp2(0.5 * f64::from(k)));
+    let sweep = Sweep::over(steps, |steps| {
+        let (reached, work) = Rk4::new(steps as u64)?.advance(scene, 0.0, start, end)?;
+        Ok((Errors::between(scene, &reached, exact), work))
+    });
+    sweep.curve(Measure::Attitude, Work::torques)
+}
+// ANCHOR_END: sweep
+
+/// Adds what RK4 pays for a digit.
+fn add_rk4(report: &mut Report, free: &Problem) -> Result<()> {
+    let Kind::Free { scene, .. } = &free.kind else {
+        return Ok(());
+    };
+    let curve = rk4(scene, &free.start, &free.answer, free.end)?;
+    let Some(price) = curve.price_of_a_digit(1e-9, 1e-4) else {
+        return Ok(());
+    };
+    report.add_claim(Claim::new(
+        "rk4_order",
+        "order of RK4 on the free body, from the slope of error against work",
+        price.order,
+        "-",
+        0.3,
+        Oracle::new("its order", 4.0),
+    )?)
+}
+
+fn report(p: &Parameters) -> Result<Report> {
+    let all = measured::all(p)?;
+    let mut report = Report::new(
+        "What accuracy costs",
+        "ten methods on five motions with known answers; errors of the attitude in rad",
+    )?;
+    if p.are_default() {
+        add_rk4(&mut report, &all[0].problem)?;
+    }
+    tables::add(&mut report, &all, p.moments()?, p.are_default())?;
+    limits::add(&mut report)?;
+    strip::add(&mut report, &all[1], p.tolerance)?;
+    Ok(report)
+}
+
+/// The example: name, flags and functions.
+pub const EXAMPLE: Example<Parameters> = Example {
+    stem: "accuracy",
+    about: "What accuracy costs: work against error, method by method",
+    flags: &[
+        Flag::number(
+            "i1",
+            "kg m^2",
+            "first principal moment of the free body",
+            |p| Some(p.moments[0]),
+            |p, x| p.moments[0] = x,
+        ),
+        Flag::number(
+            "i2",
+            "kg m^2",
+            "second principal moment",
+            |p| Some(p.moments[1]),
+            |p, x| p.moments[1] = x,
+        ),
+        Flag::number(
+            "i3",
+            "kg m^2",
+            "third principal moment",
+            |p| Some(p.moments[2]),
+            |p, x| p.moments[2] = x,
+        ),
+        Flag::number(
+            "periods",
+            "-",
+            "length of the runs, in periods of the motion",
+            |p| Some(p.periods),
+            |p, x| p.periods = x,
+        ),
+        Flag::number(
+            "tolerance",
+            "rad",
+            "error asked for in the accuracy strip",
+            |p| p.tolerance,
+            |p, x| p.tolerance = Some(x),
+        ),
+    ],
+    report,
+    figures: figures::all,
+    trajectory: measured::trajectory,
+};
+
+#[allow(
+    dead_code,
+    reason = "the tests include this file as a module and call EXAMPLE"
+)]
+fn main() -> std::process::ExitCode {
+    EXAMPLE.main()
+}

@@ -1,0 +1,51 @@
+//! The accuracy strip: the heavy top by every method that delivers.
+
+use super::measured::Measured;
+use super::problems::Kind;
+use super::tables::ASKED;
+use rotation_dynamics::report::{ClosedForm, Computation, Price, Report};
+use rotation_dynamics::{Error, Result};
+use std::sync::Arc;
+
+/// Adds a line for each method that delivers the error asked for: one, or four.
+pub fn add(report: &mut Report, top: &Measured, tolerance: Option<f64>) -> Result<()> {
+    if let Some(value) = tolerance.filter(|t| !(1e-14..=1.0).contains(t)) {
+        return Err(Error::OutOfRange {
+            name: "tolerance",
+            value,
+            allowed: "from 1e-14 to 1 rad: less is lost in round-off",
+        });
+    }
+    let asked = tolerance.map_or(ASKED.to_vec(), |one| vec![one]);
+    for error in asked {
+        for line in &top.lines {
+            let Some(run) = line.least(error) else {
+                continue;
+            };
+            let (method, setting) = (line.method, run.setting);
+            let (problem, judge) = (Arc::clone(&top.problem), Arc::clone(&top.problem));
+            let again = Computation::new(
+                move || {
+                    let run = method.run(&problem, setting);
+                    run.unwrap_or(Ok((problem.start, Default::default())))
+                },
+                move |(reached, _)| Ok(judge.errors(reached).attitude),
+            );
+            report.add_price(Price {
+                method: method.name.into(),
+                requested: Some(error),
+                delivered: run.errors.attitude,
+                work: run.work.to_string(),
+                again: Some(again),
+            });
+        }
+    }
+    let problem = Arc::clone(&top.problem);
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok(match &problem.kind {
+            Kind::Free { exact, .. } => exact.attitude_at(part * problem.end),
+            Kind::Top { exact, .. } => exact.attitude(part * problem.end),
+        })
+    }));
+    Ok(())
+}

@@ -1,0 +1,278 @@
+//! What the sweeps say: prices, floors, and what to choose.
+
+use super::measured::{Line, Measured, evaluations};
+use super::methods::METHODS;
+use super::problems;
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::{DigitPrice, Measure};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::math::{EPS, pow};
+use rotation_dynamics::report::{Claim, Oracle, Report, Table, rounded_up, short};
+
+/// The errors asked for in the table of choices, in rad.
+pub const ASKED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// What a digit costs by this line: fitted where the steps are short and round-off is far.
+pub fn price(line: &Line) -> Option<DigitPrice> {
+    let floor = line.attitude.floor()?.error;
+    line.attitude.price_of_a_digit(30.0 * floor, 1e-3)
+}
+
+fn count(evaluations: f64) -> String {
+    format!("{evaluations:.0}")
+}
+
+/// Adds the tables, and the claims that have a second route.
+pub fn add(
+    report: &mut Report,
+    all: &[Measured],
+    moments: PrincipalMoments,
+    claims: bool,
+) -> Result<()> {
+    report.add_table(choices(all)?)?;
+    report.add_table(conditions(report_conditions(all)?)?)?;
+    report.add_table(floors(all)?)?;
+    report.add_table(prices(all)?)?;
+    report.add_table(long(moments)?)?;
+    if claims {
+        add_claims(report, all)?;
+    }
+    Ok(())
+}
+
+/// For each problem and error the method with the fewest evaluations, and how many.
+fn choices(all: &[Measured]) -> Result<Table> {
+    let asked = ASKED.map(|e| format!("{} rad", rounded_up(e)));
+    let columns = core::iter::once("problem".to_owned()).chain(asked);
+    let mut table = Table::new("choices", columns)?;
+    for measured in all {
+        let mut row = vec![measured.problem.name.to_owned()];
+        for error in ASKED {
+            let delivering = measured.lines.iter().filter_map(|line| {
+                let least = line.attitude.least_work(error)?;
+                Some((least.work, line.method.name))
+            });
+            let best = delivering.min_by(|a, b| a.0.total_cmp(&b.0));
+            row.push(best.map_or("-".into(), |(work, name)| {
+                format!("{name}: {}", count(work))
+            }));
+        }
+        table.push(row)?;
+    }
+    Ok(table)
+}
+
+/// A problem's condition: of its start, and the largest on the path with its time.
+struct Condition<'m> {
+    measured: &'m Measured,
+    start: f64,
+    path: (f64, f64),
+}
+
+/// A disturbance so small that nothing bends, and so large that round-off is small in it.
+const SIZE: f64 = 1e-11;
+
+fn report_conditions(all: &[Measured]) -> Result<Vec<Condition<'_>>> {
+    (all.iter())
+        .map(|measured| {
+            Ok(Condition {
+                measured,
+                start: measured.problem.condition(0.0, SIZE)?,
+                path: measured.problem.path_condition(SIZE)?,
+            })
+        })
+        .collect()
+}
+
+/// What the problem itself does to errors, and the smallest error that any method reached.
+fn conditions(all: Vec<Condition<'_>>) -> Result<Table> {
+    let mut table = Table::new(
+        "conditions",
+        [
+            "problem",
+            "from the start",
+            "from the worst point",
+            "eps times that / rad",
+            "smallest error reached / rad",
+            "by",
+        ],
+    )?;
+    for condition in all {
+        let floors = condition.measured.lines.iter().filter_map(|line| {
+            let floor = line.attitude.floor()?;
+            Some((floor.error, line.method.name))
+        });
+        let best = floors.min_by(|a, b| a.0.total_cmp(&b.0));
+        table.push([
+            condition.measured.problem.name.to_owned(),
+            short(condition.start, 2),
+            short(condition.path.1, 2),
+            short(EPS * condition.path.1, 2),
+            best.map_or("-".into(), |b| short(b.0, 2)),
+            best.map_or("-".into(), |b| b.1.to_owned()),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// The smallest error of each method, in three measures.
+fn floors(all: &[Measured]) -> Result<Table> {
+    let mut table = Table::new(
+        "floors",
+        [
+            "problem",
+            "method",
+            "attitude / rad",
+            "rates",
+            "invariants",
+            "evaluations",
+        ],
+    )?;
+    for measured in all {
+        for line in &measured.lines {
+            let Some(floor) = line.attitude.floor() else {
+                continue;
+            };
+            let other = |measure| -> Result<String> {
+                let curve = line.sweep.curve(measure, evaluations)?;
+                Ok(curve.floor().map_or("-".into(), |p| short(p.error, 2)))
+            };
+            table.push([
+                measured.problem.name.to_owned(),
+                line.method.name.to_owned(),
+                short(floor.error, 2),
+                other(Measure::Rates)?,
+                other(Measure::Invariants)?,
+                count(floor.work),
+            ])?;
+        }
+    }
+    Ok(table)
+}
+
+/// The factor in evaluations for one more digit, on each problem.
+fn prices(all: &[Measured]) -> Result<Table> {
+    let names = all.iter().map(|m| m.problem.name.to_owned());
+    let columns = ["method".to_owned(), "by the order".to_owned()].into_iter();
+    let mut table = Table::new("prices", columns.chain(names))?;
+    for method in METHODS {
+        let mut row = vec![
+            method.name.to_owned(),
+            short(DigitPrice::predicted(method.order)?, 3),
+        ];
+        for measured in all {
+            let price = measured.line(method.key).and_then(price);
+            row.push(price.map_or("-".into(), |p| short(p.factor, 3)));
+        }
+        if row[2..].iter().any(|cell| cell != "-") {
+            table.push(row)?;
+        }
+    }
+    Ok(table)
+}
+
+/// The free body for longer and longer: evaluations for an error of 1e-9 rad.
+fn long(moments: PrincipalMoments) -> Result<Table> {
+    let columns = ["periods", "DOP853", "Gauss-Legendre 16", "closed form"];
+    let mut table = Table::new("long", columns)?;
+    for periods in [10.0, 100.0, 1000.0] {
+        let problem = problems::generic(moments, periods)?;
+        let mut row = vec![count(periods)];
+        for (key, settings) in [
+            (
+                "dop853",
+                (16..=28).map(|k| pow(10.0, -0.5 * f64::from(k))).collect(),
+            ),
+            (
+                "gauss",
+                (8..=20)
+                    .map(|k| 0.5 * f64::from(k) * periods)
+                    .collect::<Vec<f64>>(),
+            ),
+        ] {
+            let least = METHODS.iter().find(|m| m.key == key).and_then(|method| {
+                let sweep = method.sweep_over(&problem, settings)?;
+                let curve = sweep.curve(Measure::Attitude, evaluations).ok()?;
+                curve.least_work(1e-9)
+            });
+            row.push(least.map_or("-".into(), |p| count(p.work)));
+        }
+        row.push("one sample".into());
+        table.push(row)?;
+    }
+    Ok(table)
+}
+
+/// Numbers that a second route confirms.
+fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
+    let named = |key: &str| all.iter().find(|m| m.problem.key == key);
+    for (problem, method, bound) in [
+        ("top", "strang", 0.01),
+        ("top", "rk4", 0.01),
+        ("top", "mk4", 0.1),
+        ("top", "srkn6", 0.1),
+        ("top", "srkn14", 0.1),
+        ("top", "dop853", 0.1),
+    ] {
+        let Some(line) = named(problem).and_then(|m| m.line(method)) else {
+            continue;
+        };
+        let Some(price) = price(line) else { continue };
+        report.add_claim(Claim::new(
+            format!("{problem}_{method}_digit"),
+            format!("{}: factor in work for one more digit", line.method.name),
+            price.factor,
+            "-",
+            bound,
+            Oracle::new(
+                format!("10^(1/{})", line.method.order),
+                DigitPrice::predicted(line.method.order)?,
+            ),
+        )?)?;
+    }
+    for (problem, dear, cheap) in [
+        ("top", "rk4", "dop853"),
+        ("top", "rk4", "srkn14"),
+        ("pole", "angles", "dop853"),
+    ] {
+        let lines = named(problem).and_then(|m| Some([m.line(dear)?, m.line(cheap)?]));
+        let Some([dear, cheap]) = lines else { continue };
+        let least = |line: &Line| line.attitude.least_work(1e-9).map(|p| p.work);
+        let (Some(a), Some(b), Some(c), Some(d)) =
+            (least(dear), least(cheap), price(dear), price(cheap))
+        else {
+            continue;
+        };
+        let ratio = a / b;
+        report.add_claim(Claim::new(
+            format!("{problem}_{}_over_{}", dear.method.key, cheap.method.key),
+            format!(
+                "work of {} over that of {} for 1e-9 rad",
+                dear.method.name, cheap.method.name
+            ),
+            ratio,
+            "-",
+            1.0,
+            Oracle::new("the fitted lines", c.work_for(1e-9)? / d.work_for(1e-9)?),
+        )?)?;
+    }
+    for condition in report_conditions(all)? {
+        let problem = &condition.measured.problem;
+        let (t, path) = condition.path;
+        let second = problem.condition(t, 8.0 * SIZE)?;
+        report.add_claim(Claim::new(
+            format!("{}_condition", problem.key),
+            format!("{}: what the path magnifies an error by", problem.name),
+            path,
+            "-",
+            // On the way through a flip even this disturbance bends the path a little.
+            if problem.key == "flips" {
+                0.05 * path
+            } else {
+                0.005 * path
+            },
+            Oracle::new("a disturbance 8 times as large", second),
+        )?)?;
+    }
+    Ok(())
+}
