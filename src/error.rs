@@ -83,6 +83,12 @@ pub enum Error {
     },
     /// The error asked for at the end cannot be reached with doubles.
     NotDelivered { requested: f64, reached: f64 },
+    /// The inputs, as doubles, do not determine the end as closely as is asked for.
+    BeyondCondition {
+        requested: f64,
+        attainable: f64,
+        condition: f64,
+    },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -219,6 +225,16 @@ impl fmt::Display for Error {
                 f,
                 "an error of {requested:e} is asked for, and finer and finer runs do not even agree \
                  on what happens: the start is too near a limit for doubles"
+            ),
+            Self::BeyondCondition {
+                requested,
+                attainable,
+                condition,
+            } => write!(
+                f,
+                "an error of {requested:e} rad is asked for, and doubles allow {attainable:.1e} \
+                 at best: a small relative change of the start is {condition:.1e} times as large \
+                 (in rad) at the end"
             ),
             Self::NotDelivered { requested, reached } => write!(
                 f,

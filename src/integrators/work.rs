@@ -16,6 +16,8 @@ pub struct Work {
     pub flows: u64,
     /// Kicks, each with one evaluation of the torque.
     pub kicks: u64,
+    /// Motions in closed form, set up and evaluated.
+    pub samples: u64,
 }
 
 impl Work {
@@ -34,6 +36,7 @@ impl Add for Work {
             rejected: self.rejected + other.rejected,
             flows: self.flows + other.flows,
             kicks: self.kicks + other.kicks,
+            samples: self.samples + other.samples,
         }
     }
 }
@@ -53,6 +56,7 @@ impl fmt::Display for Work {
             (self.derivatives, "derivatives"),
             (self.flows, "exact flows"),
             (self.kicks, "kicks"),
+            (self.samples, "closed forms"),
         ];
         let mut empty = true;
         for (count, name) in counts {

@@ -36,6 +36,7 @@ impl<const N: usize> Solution<N> {
                 rejected: 0,
                 flows: 0,
                 kicks: 0,
+                samples: 0,
             },
         }
     }
