@@ -4,14 +4,17 @@
 //! |---|---|
 //! | [`Errors`] | how far a state is from the exact one, measured in five ways |
 //! | [`Sweep`] | a method run coarser and finer: what each run cost and delivered |
+//! | [`dial`] | [`Scene::solve`](crate::scene::Scene::solve): an error asked for at the end, delivered or refused |
 //! | [`WorkPrecision`] | such runs in one measure: least work, price of a digit, floor, Pareto front |
 //!
 //! Not for: the exact solutions that errors are measured against
 //! ([`crate::exact`]), and time, which this library never reads; work is counted
 //! ([`Work`](crate::integrators::Work)).
 
+pub mod dial;
 mod measures;
 mod sweep;
 
+pub use dial::{ExactMotion, Solvable, Solved};
 pub use measures::{Errors, Measure};
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};

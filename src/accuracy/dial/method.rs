@@ -1,0 +1,231 @@
+//! The methods the dial chooses from, each with one knob.
+//!
+//! The knob is the *level*: one level up, the error is 40 times smaller. A method of
+//! order p then takes 40^(1/p) times as many steps, an adaptive one is given a 40 times
+//! smaller error of a step. So methods of any order are refined alike and compared at
+//! the same error.
+
+use super::Solvable;
+use super::problem::Problem;
+use crate::body::State;
+use crate::error::{Error, Result};
+use crate::integrators::gauss_legendre::FreeRotation;
+use crate::integrators::{Dop853, GaussLegendre, Integrator, Scheme, SpinFree, Splitting, Work};
+use crate::math::{exp, log};
+use crate::scene::Scene;
+
+/// ln 40: a level is a factor of 40 in the error.
+pub(super) const LEVEL: f64 = 3.688_879_454_113_936;
+
+/// More steps than this are no longer taken.
+const MOST_STEPS: f64 = 1e8;
+
+/// A method, and the variables it steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Method {
+    /// Gauss-Legendre 16 on a body without torque, on its own axes.
+    FreeGauss,
+    /// Gauss-Legendre 16 on attitude and momentum.
+    Gauss,
+    /// Gauss-Legendre 16 without the spin.
+    SpinFreeGauss,
+    /// Splitting of order 4.
+    Split4,
+    /// Splitting of order 6.
+    Split6,
+    /// DOP853 on attitude and momentum.
+    Adaptive,
+    /// DOP853 without the spin.
+    SpinFreeAdaptive,
+}
+
+use Method::{Adaptive, FreeGauss, Gauss, SpinFreeAdaptive, SpinFreeGauss, Split4, Split6};
+
+impl Method {
+    /// Those that can step this problem.
+    pub fn candidates<E: Solvable>(problem: &Problem<E>) -> &'static [Self] {
+        if E::TORQUE_FREE {
+            &[FreeGauss, Adaptive]
+        } else if E::ANALYTIC && E::AXIS_ONLY && problem.body.moments().is_symmetric() {
+            &[Split6, Split4, SpinFreeGauss, SpinFreeAdaptive]
+        } else if E::ANALYTIC {
+            &[Gauss, Adaptive]
+        } else {
+            &[Adaptive]
+        }
+    }
+
+    /// The name that is printed.
+    pub const fn name(self) -> &'static str {
+        match self {
+            FreeGauss | Gauss => "Gauss-Legendre 16",
+            SpinFreeGauss => "Gauss-Legendre 16, spin-free",
+            Split4 => Scheme::SRKN6.name,
+            Split6 => Scheme::SRKN14.name,
+            Adaptive => "DOP853",
+            SpinFreeAdaptive => "DOP853, spin-free",
+        }
+    }
+
+    /// The order p.
+    const fn order(self) -> f64 {
+        match self {
+            FreeGauss | Gauss | SpinFreeGauss => 16.0,
+            Split4 => 4.0,
+            Split6 => 6.0,
+            Adaptive | SpinFreeAdaptive => 8.0,
+        }
+    }
+
+    /// The part of its order that is trusted without having been seen. The error of
+    /// order 16 falls less smoothly, and trusting it less costs next to nothing.
+    pub const fn trust(self) -> f64 {
+        match self {
+            FreeGauss | Gauss | SpinFreeGauss => 0.25,
+            Adaptive | SpinFreeAdaptive => 0.33,
+            Split4 | Split6 => 0.5,
+        }
+    }
+
+    /// The smallest error that it reaches, in units of eps (1 + condition).
+    pub const fn floor(self) -> f64 {
+        match self {
+            Gauss | Adaptive | SpinFreeAdaptive => 24.0,
+            FreeGauss | SpinFreeGauss | Split4 | Split6 => 8.0,
+        }
+    }
+
+    /// True if it chooses its steps itself, and so answers a small change of the start
+    /// with a small jump.
+    pub const fn is_adaptive(self) -> bool {
+        matches!(self, Adaptive | SpinFreeAdaptive)
+    }
+
+    /// The coarsest level that is tried: beyond it Gauss-Legendre's sweeps do not
+    /// converge, and the others are no longer in their order.
+    pub const fn coarsest(self) -> f64 {
+        match self {
+            FreeGauss | Gauss | SpinFreeGauss => -2.0,
+            _ => -0.5,
+        }
+    }
+
+    /// The level beyond which there is nothing but round-off, whatever the scene.
+    pub const fn finest(self) -> f64 {
+        match self {
+            Adaptive | SpinFreeAdaptive => 7.4,
+            _ => 12.0,
+        }
+    }
+
+    /// The angle (rad) that the fastest rotation makes in a step at level 0.
+    const fn angle(self) -> f64 {
+        match self {
+            FreeGauss | Gauss => 1.6,
+            SpinFreeGauss => 2.5,
+            _ => 4.0,
+        }
+    }
+
+    /// What a run costs, in units of one derivative of DOP853.
+    pub const fn cost(self, work: &Work) -> f64 {
+        let weight = match self {
+            FreeGauss => 0.2,
+            Gauss | SpinFreeGauss => 0.35,
+            Split4 | Split6 => 1.5,
+            Adaptive | SpinFreeAdaptive => 1.0,
+        };
+        weight * work.torques() as f64
+    }
+
+    /// By what factor the cost grows when the level is raised by so much.
+    pub fn dearer(self, levels: f64) -> f64 {
+        exp(levels * LEVEL / self.order())
+    }
+
+    /// A bound on the rates (rad/s) that this method has to follow.
+    pub fn rate<E: Solvable>(self, problem: &Problem<E>) -> f64 {
+        let moments = problem.body.moments();
+        let torque = problem.effects.torque_scale();
+        match self {
+            SpinFreeGauss | Split4 | Split6 | SpinFreeAdaptive => {
+                // The axis turns with L/I1; falling sets free up to 2 m g l.
+                let i1 = moments.i1();
+                problem.start.angular_momentum.norm() / i1 + 2.0 * (torque / i1).sqrt()
+            }
+            FreeGauss | Gauss | Adaptive => {
+                let [i1, i2, i3] = moments.to_array();
+                let energy = problem.body.kinetic_energy(&problem.start);
+                ((2.0 * energy + 4.0 * torque) / i1.min(i2).min(i3)).sqrt()
+            }
+        }
+    }
+
+    /// The angle (rad) turned until `t_end`, on which the number of steps rests; 1 at
+    /// least, so that a finer level takes more steps of whatever seems at rest.
+    pub fn turned<E: Solvable>(self, problem: &Problem<E>, t_end: f64) -> f64 {
+        (self.rate(problem) * t_end.abs()).max(1.0)
+    }
+
+    /// The steps of this level until `t_end` (not for adaptive methods).
+    pub fn steps<E: Solvable>(self, problem: &Problem<E>, t_end: f64, level: f64) -> f64 {
+        self.turned(problem, t_end) / self.angle() * self.dearer(level)
+    }
+
+    /// The level at which this many steps are taken (not for adaptive methods).
+    pub fn level_of<E: Solvable>(self, problem: &Problem<E>, t_end: f64, steps: f64) -> f64 {
+        let base = self.turned(problem, t_end) / self.angle();
+        log(steps / base) * self.order() / LEVEL
+    }
+
+    /// The state at `t_end` that follows from `start` at `t`, by steps of this level
+    /// and at least so many. `precision`: to which the stages of
+    /// Gauss-Legendre are solved, 0 for round-off.
+    pub fn run<E: Solvable>(
+        self,
+        problem: &Problem<E>,
+        [t, t_end]: [f64; 2],
+        start: &State,
+        level: f64,
+        fewest: u64,
+        precision: f64,
+    ) -> Result<(State, Work)> {
+        if self.is_adaptive() {
+            let tolerance = (1e-3 * exp(-LEVEL * level))
+                .clamp(Dop853::SMALLEST_TOLERANCE, Dop853::LARGEST_TOLERANCE);
+            let method = Dop853::new(tolerance)?
+                .with_longest_step((t_end - t).abs() / fewest as f64)?
+                .with_step_limit(MOST_STEPS as u64)?;
+            let scene = problem.scene();
+            return if self == Adaptive {
+                method.advance(&scene, t, start, t_end)
+            } else {
+                method.advance(&SpinFree::new(&scene)?, t, start, t_end)
+            };
+        }
+        let steps = self.steps(problem, t_end - t, level);
+        if steps.is_nan() || steps > MOST_STEPS {
+            return Err(Error::TooManySteps {
+                t,
+                t_end,
+                limit: MOST_STEPS as u64,
+            });
+        }
+        let steps = (steps.ceil() as u64).max(fewest);
+        let gauss = GaussLegendre::with_precision(steps, precision)?;
+        match self {
+            FreeGauss => {
+                let free = FreeRotation::new(&Scene::new(problem.body));
+                gauss.advance(&free, t, start, t_end)
+            }
+            SpinFreeGauss => gauss.advance(&SpinFree::new(&problem.scene())?, t, start, t_end),
+            Split4 => {
+                Splitting::new(Scheme::SRKN6, steps)?.advance(&problem.scene(), t, start, t_end)
+            }
+            Split6 => {
+                Splitting::new(Scheme::SRKN14, steps)?.advance(&problem.scene(), t, start, t_end)
+            }
+            Gauss | Adaptive | SpinFreeAdaptive => gauss.advance(&problem.scene(), t, start, t_end),
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! The dial: ask for an error at the end, get it or be told why not, see the price.
+//!
+//! | part | what it holds |
+//! |---|---|
+//! | [`Solvable`] | what the dial must know of an effect; an effect of your own needs no line |
+//! | [`ExactMotion`] | a closed form, picked when the scene's type is known |
+//! | `problem` | every input a little changed: the condition |
+//! | `method` | the methods, each with one knob |
+//! | `stepping` | choose, refine, verify |
+//!
+//! Not for: scenes with contacts, which have a dial of their own
+//! ([`simulate_within`](crate::planar::simulate_within)).
+
+mod method;
+mod problem;
+mod solvable;
+mod stepping;
+
+pub use solvable::{ExactMotion, Solvable};
+
+use crate::body::State;
+use crate::error::{Error, Result, finite};
+use crate::integrators::Work;
+use crate::math::EPS;
+use crate::scene::Scene;
+use problem::{ALL_ROWS, Feeler, Problem};
+use stepping::Stepping;
+
+/// The error of a closed form, in units of eps (1 + condition). Measured over the reference
+/// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
+const CLOSED_FORM: f64 = 8.0;
+
+/// A state whose error was asked for, and what it cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solved {
+    /// The state at the end.
+    pub state: State,
+    /// The method that was chosen.
+    pub method: &'static str,
+    /// What the run cost that this state is from.
+    pub run: Work,
+    /// What all runs together cost: those that chose, those that verified, those that
+    /// felt the condition.
+    pub work: Work,
+    /// An upper estimate of the angle (rad) between this attitude and the true one.
+    pub estimate: f64,
+    /// The angle (rad) by which the end changes per relative change of the inputs.
+    pub condition: f64,
+}
+
+impl<E: Solvable> Scene<E> {
+    /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
+    /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
+    ///
+    /// Where the scene has a closed form, that is taken: which one is settled when its
+    /// type is. Every other scene is stepped. Each method that applies is tried on the
+    /// first turns of the motion; the one predicted cheapest for the error asked for
+    /// carries the whole span, coarser and finer, until the runs differ as their order
+    /// says they must and what that leaves is within the tolerance. Nothing is returned
+    /// unverified.
+    ///
+    /// The *condition* is the change of the attitude at the end (rad) per relative
+    /// change of the inputs: the root of the sum of squares over three turns of the
+    /// start (per rad), three pushes (per |L|), the strength of the torque, three
+    /// moments of inertia, and the time. Doubles hold inputs to eps; no method can
+    /// promise less than a few eps (1 + condition).
+    ///
+    /// ```
+    /// use rotation_dynamics::attitude::Attitude;
+    /// use rotation_dynamics::body::RigidBody;
+    /// use rotation_dynamics::effects::GravityAtLever;
+    /// use rotation_dynamics::frame::BodyVector;
+    /// use rotation_dynamics::inertia::PrincipalMoments;
+    /// use rotation_dynamics::scene::Scene;
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// // Three different moments: no closed form.
+    /// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+    /// let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?);
+    /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+    /// let solved = scene.solve(&start, 20.0, 1e-9)?;
+    /// assert!(solved.estimate <= 1e-9);
+    /// let better = scene.solve(&start, 20.0, 1e-11)?;
+    /// assert!(better.state.attitude.angle_to(&solved.state.attitude) <= 1e-9);
+    /// assert!(scene.solve(&start, 20.0, 1e-15).is_err());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Accuracy, as measured on 6000 random scenes at eleven tolerances (`tests/dial` runs
+    /// 600): bodies with and without gravity, needles, separatrices, poles, upright and
+    /// hanging tops, a torque that damps and drives. Delivered over requested, when
+    /// everything is stepped:
+    ///
+    /// | requested | median | quartiles | largest | refused |
+    /// |---|---|---|---|---|
+    /// | 1e-3 | 3e-4 | 5e-5 to 1e-3 | 0.70 | 0.1 % |
+    /// | 1e-4 | 5e-4 | 9e-5 to 2e-3 | 0.39 | 0.2 % |
+    /// | 1e-5 | 9e-4 | 2e-4 to 3e-3 | 0.19 | 0.3 % |
+    /// | 1e-6 | 1e-3 | 3e-4 to 3e-3 | 0.44 | 0.5 % |
+    /// | 1e-7 | 1e-3 | 3e-4 to 4e-3 | 0.89 | 0.7 % |
+    /// | 1e-8 | 1e-3 | 3e-4 to 3e-3 | 0.33 | 1.1 % |
+    /// | 1e-9 | 1e-3 | 4e-4 to 3e-3 | 0.70 | 1.5 % |
+    /// | 1e-10 | 1e-3 | 5e-4 to 4e-3 | 0.64 | 2.6 % |
+    /// | 1e-11 | 2e-3 | 7e-4 to 4e-3 | 0.52 | 6.5 % |
+    /// | 1e-12 | 5e-3 | 2e-3 to 1e-2 | 0.63 | 13.4 % |
+    /// | 1e-13 | 2e-2 | 8e-3 to 4e-2 | 0.46 | 46.0 % |
+    ///
+    /// # Errors
+    /// A tolerance outside its range, anything not finite;
+    /// [`Error::BeyondCondition`] if the inputs, as doubles, do not determine the end so
+    /// closely; [`Error::NotDelivered`] if no method converges to it.
+    pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
+        let problem = self.checked(start, t_end, tolerance)?;
+        match self.effects().exact_motion(1.0, self.body(), start) {
+            Some(motion) => by_closed_form(&problem, &motion, tolerance),
+            None => self.solve_by_stepping(start, t_end, tolerance),
+        }
+    }
+
+    /// As [`Scene::solve`], but by stepping, whether there is a closed form or not: so a
+    /// closed form can judge what the dial delivers.
+    ///
+    /// # Errors
+    /// As [`Scene::solve`].
+    pub fn solve_by_stepping(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
+        let problem = self.checked(start, t_end, tolerance)?;
+        if t_end == 0.0 {
+            return Ok(Solved {
+                state: *start,
+                method: "nothing to do",
+                run: Work::default(),
+                work: Work::default(),
+                estimate: 0.0,
+                condition: problem.condition(&Feeler::EXACT, |by| {
+                    let changed = (0..ALL_ROWS).map(|row| Ok(problem.changed(row, by)?.start));
+                    Ok((*start, changed.collect::<Result<_>>()?))
+                })?,
+            });
+        }
+        Stepping::new(&problem, tolerance).solve()
+    }
+
+    fn checked(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Problem<'_, E>> {
+        finite("tolerance", tolerance)?;
+        if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
+            return Err(Error::OutOfRange {
+                name: "tolerance",
+                value: tolerance,
+                allowed: "above 0 and at most pi",
+            });
+        }
+        finite("end time", t_end)?;
+        State::new(start.attitude, start.angular_momentum)?;
+        Ok(Problem::new(self, start, t_end))
+    }
+}
+
+/// The state of a closed form, if its error is small enough.
+fn by_closed_form<E: Solvable>(
+    problem: &Problem<E>,
+    motion: &ExactMotion,
+    tolerance: f64,
+) -> Result<Solved> {
+    let state = motion.at(problem.t_end)?;
+    let mut work = Work {
+        samples: 1,
+        ..Work::default()
+    };
+    let run = work;
+    let neighbour = |row, by| {
+        let changed = problem.changed(row, by)?;
+        let motion =
+            (changed.effects).exact_motion(changed.strength, &changed.body, &changed.start);
+        // A neighbour without a closed form: the edge of what it can do.
+        let motion = motion.ok_or(Error::NotDelivered {
+            requested: tolerance,
+            reached: f64::INFINITY,
+        })?;
+        motion.at(changed.t_end)
+    };
+    let condition = problem.condition(&Feeler::EXACT, |by| {
+        work.samples += ALL_ROWS as u64;
+        let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
+        Ok((state, changed.collect::<Result<_>>()?))
+    })?;
+    let estimate = CLOSED_FORM * EPS * (1.0 + condition);
+    if estimate.is_nan() || estimate > tolerance {
+        return Err(Error::BeyondCondition {
+            requested: tolerance,
+            attainable: estimate,
+            condition,
+        });
+    }
+    Ok(Solved {
+        state,
+        method: motion.name(),
+        run,
+        work,
+        estimate,
+        condition,
+    })
+}
