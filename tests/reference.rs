@@ -8,6 +8,8 @@
 mod case;
 #[path = "reference/free_body.rs"]
 mod free_body;
+#[path = "reference/heavy_asymmetric.rs"]
+mod heavy_asymmetric;
 #[path = "hard_cases/heavy_top.rs"]
 mod heavy_top;
 #[path = "reference/integrators.rs"]

@@ -68,7 +68,7 @@ pub trait Effect {
 /// An effect that sees nothing of the body but the direction of its axis e3,
 /// and has no torque about that axis.
 ///
-/// On a symmetric body it leaves the spin to itself, and splittings apply.
+/// Splittings apply; on a symmetric body it leaves the spin to itself.
 pub trait AxisEffect: Effect {
     /// The torque on a body whose axis has this direction, on the fixed axes
     /// (N m). It is perpendicular to the axis.

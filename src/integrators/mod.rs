@@ -10,7 +10,7 @@
 //! | [`GaussLegendre`] | any [`StageOde`], eight stages side by side | fixed |
 //! | [`Dop853`] | any [`Ode`]; dense output and events by [`Dop853::solve`] | adaptive |
 //! | [`MuntheKaas4`] | any scene; turns the attitude instead of adding to it | fixed |
-//! | [`Splitting`] | symmetric bodies under effects that see only the axis, and any [`Separable`] | fixed |
+//! | [`Splitting`] | any body under effects that see only its axis, and any [`Separable`] | fixed |
 //!
 //! A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
 //! carries its [`State`](crate::body::State)s. [`SpinFree`] takes the spin of a

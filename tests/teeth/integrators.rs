@@ -5,7 +5,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::integrators::splitting::{Outer, TopPoint};
+use rotation_dynamics::integrators::splitting::{BodyPoint, Outer};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Scheme, Separable, Splitting};
 
 const T: f64 = 20.0;
@@ -34,13 +34,13 @@ struct DamagedTop(HeavyTop, Damage);
 
 impl Separable for DamagedTop {
     type State = State;
-    type Point = TopPoint;
+    type Point = BodyPoint;
 
-    fn enter(&self, state: &State) -> Result<TopPoint> {
+    fn enter(&self, state: &State) -> Result<BodyPoint> {
         self.0.enter(state)
     }
 
-    fn leave(&self, point: &TopPoint, elapsed: f64) -> Result<State> {
+    fn leave(&self, point: &BodyPoint, elapsed: f64) -> Result<State> {
         let factor = match self.1 {
             Damage::SpinForgotten => 0.0,
             Damage::SpinOfTheWrongSign => -1.0,
@@ -49,12 +49,12 @@ impl Separable for DamagedTop {
         self.0.leave(point, factor * elapsed)
     }
 
-    fn flow(&self, point: &mut TopPoint, dt: f64) {
+    fn flow(&self, point: &mut BodyPoint, dt: f64) {
         let more = f64::from(u8::from(self.1 == Damage::FlowALittleLong));
         self.0.flow(point, dt * (1.0 + 1e-12 * more));
     }
 
-    fn kick(&self, point: &mut TopPoint, dt: f64) {
+    fn kick(&self, point: &mut BodyPoint, dt: f64) {
         let factor = match self.1 {
             Damage::KickOfTheWrongSign => -1.0,
             Damage::KickALittleStrong => 1.0 + 1e-12,
@@ -63,7 +63,7 @@ impl Separable for DamagedTop {
         self.0.kick(point, factor * dt);
     }
 
-    fn settle(&self, point: &mut TopPoint) {
+    fn settle(&self, point: &mut BodyPoint) {
         if self.1 != Damage::NeverSettled {
             self.0.settle(point);
         }

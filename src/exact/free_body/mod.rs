@@ -26,11 +26,13 @@ use crate::math::DoubleDouble as Dd;
 
 mod asymmetric;
 mod batch;
+mod flow;
 mod series;
 mod symmetric;
 
 use asymmetric::Asymmetric;
 use batch::Batch;
+pub use flow::FreeFlow;
 use symmetric::Symmetric;
 
 /// A rigid body on which nothing acts: the whole motion, at any time.

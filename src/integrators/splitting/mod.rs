@@ -1,16 +1,17 @@
 //! Splittings: exact flow and exact kick in turn.
 //!
 //! A problem that splits into two parts, each solvable exactly, is carried by
-//! steps of one and the other. For a symmetric body in a potential the parts
-//! are free rotation and the kick of the torque. Each part keeps the geometry
-//! (unit quaternion, L_Z, L_z, symplecticity, reversibility), so every
-//! composition does; the coefficients only choose the order.
+//! steps of one and the other. For a body in a potential the parts are free
+//! rotation (of any body, exact: [`FreeFlow`](crate::exact::free_body::FreeFlow)) and
+//! the kick of the torque. Each part keeps the geometry (unit quaternion, L_Z, for
+//! a symmetric body L_z, symplecticity, reversibility), so every composition
+//! does; the coefficients only choose the order.
 
+mod body;
 mod scheme;
-mod top;
 
+pub use body::BodyPoint;
 pub use scheme::{Outer, Scheme};
-pub use top::TopPoint;
 
 use super::explicit::no_steps;
 use super::{About, Integrator, Work};

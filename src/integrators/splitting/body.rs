@@ -1,0 +1,134 @@
+//! Any body under effects that see only its axis.
+//!
+//! The parts are the free rotation, exact, and the kick of the torque. From a
+//! symmetric body the spin is taken out, as in
+//! [`SpinFree`](crate::integrators::SpinFree), and applied once at the end; what is
+//! left of the free rotation is a turn about L. Any other body turns by
+//! [`FreeFlow`]. An effect that sees more than the axis (a drag, a torque about the
+//! axis) is refused by its type.
+
+use super::Separable;
+use crate::attitude::Attitude;
+use crate::body::State;
+use crate::effects::AxisEffect;
+use crate::error::Result;
+use crate::exact::free_body::FreeFlow;
+use crate::frame::SpaceVector;
+use crate::integrators::compensated::Compensated;
+use crate::integrators::spin_free::{spin_rate, spun};
+use crate::math::sincos;
+use crate::scene::Scene;
+
+/// The attitude (without the spin, if the body is symmetric) and the momentum in
+/// space, both with compensated sums.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyPoint {
+    quaternion: Compensated<4>,
+    momentum: Compensated<3>,
+    free: Free,
+}
+
+/// The free rotation of the body.
+#[derive(Debug, Clone, Copy)]
+enum Free {
+    /// Two equal moments: a turn about L, and a steady spin about the axis (rad/s).
+    Symmetric { spin: f64 },
+    /// Three different moments.
+    Asymmetric(FreeFlow),
+}
+
+impl BodyPoint {
+    /// The quaternion as it is carried, of unit length but for round-off.
+    pub const fn quaternion(&self) -> [f64; 4] {
+        self.quaternion.value
+    }
+}
+
+impl<E: AxisEffect> Separable for Scene<E> {
+    type State = State;
+    type Point = BodyPoint;
+
+    fn enter(&self, state: &State) -> Result<BodyPoint> {
+        let free = if self.body().moments().is_symmetric() {
+            Free::Symmetric {
+                spin: spin_rate(self.body(), state),
+            }
+        } else {
+            Free::Asymmetric(FreeFlow::new(self.body().moments()))
+        };
+        Ok(BodyPoint {
+            quaternion: Compensated::new(state.attitude.quaternion()),
+            momentum: Compensated::new(state.angular_momentum.to_array()),
+            free,
+        })
+    }
+
+    fn leave(&self, point: &BodyPoint, elapsed: f64) -> Result<State> {
+        let spin = match point.free {
+            Free::Symmetric { spin } => spin * elapsed,
+            Free::Asymmetric(_) => 0.0,
+        };
+        spun(point.quaternion.value, spin, point.momentum.value)
+    }
+
+    fn flow(&self, point: &mut BodyPoint, dt: f64) {
+        let quaternion = point.quaternion.value;
+        let momentum = point.momentum.value;
+        let increment = match &point.free {
+            Free::Symmetric { .. } => {
+                turned_about(momentum, dt / self.body().moments().i1(), quaternion)
+            }
+            Free::Asymmetric(flow) => {
+                let attitude = Attitude::from_unit(quaternion);
+                let momentum = attitude.to_body(SpaceVector::from_array(momentum));
+                let [w, x, y, z] = quaternion;
+                let [less, a, b, c] = flow.increment(momentum.to_array(), dt);
+                [
+                    less * w - (a * x + b * y + c * z),
+                    less * x + (a * w + c * y - b * z),
+                    less * y + (b * w + a * z - c * x),
+                    less * z + (c * w + b * x - a * y),
+                ]
+            }
+        };
+        point.quaternion = point.quaternion.plus(&increment);
+    }
+
+    /// The momentum changes by the torque times dt; nothing moves.
+    fn kick(&self, point: &mut BodyPoint, dt: f64) {
+        let axis = Attitude::from_unit(point.quaternion.value).axis();
+        let torque = self.effects().axis_torque(axis).to_array();
+        point.momentum = point.momentum.plus(&torque.map(|m| dt * m));
+    }
+
+    /// The quaternion is brought back to unit length: along itself, so that the
+    /// attitude and what its rounding has left out are not touched.
+    fn settle(&self, point: &mut BodyPoint) {
+        let q = point.quaternion.value;
+        let excess = q.iter().map(|c| c * c).sum::<f64>() - 1.0;
+        point.quaternion = point.quaternion.plus(&q.map(|c| -0.5 * excess * c));
+    }
+}
+
+/// What a turn about L, by the angle |L| `per_moment`, adds to q.
+fn turned_about(momentum: [f64; 3], per_moment: f64, [w, x, y, z]: [f64; 4]) -> [f64; 4] {
+    let [a, b, c] = momentum.map(|l| 0.5 * per_moment * l);
+    let angle = (a * a + b * b + c * c).sqrt();
+    // What is added to q is q (cos - 1) + sin (n q): small for small angles,
+    // so that its rounding is too. From half the angle: cos - 1 = -2 sin^2.
+    let (s, co) = sincos(0.5 * angle);
+    let less = -2.0 * s * s;
+    // sin(angle)/angle; a vanishing momentum turns nothing.
+    let rate = if angle > 0.0 {
+        2.0 * s * co / angle
+    } else {
+        1.0
+    };
+    let (a, b, c) = (rate * a, rate * b, rate * c);
+    [
+        less * w - (a * x + b * y + c * z),
+        less * x + (a * w + b * z - c * y),
+        less * y + (b * w + c * x - a * z),
+        less * z + (c * w + a * y - b * x),
+    ]
+}
