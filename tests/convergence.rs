@@ -23,3 +23,5 @@ mod splitting;
 mod top;
 #[path = "convergence/trees.rs"]
 mod trees;
+#[path = "convergence/words.rs"]
+mod words;

@@ -1,4 +1,4 @@
-//! The splittings are of orders 2, 4 and 6, reversible, and cost what they say.
+//! The splittings are of orders 2, 4, 6 and 8, reversible, and cost what they say.
 
 use crate::closed_form::at;
 use crate::slope::fitted;
@@ -57,10 +57,14 @@ fn damaged(scheme: Scheme) -> Scheme {
 }
 
 /// Step counts whose errors lie above round-off, 2e-15.
-const CASES: [(Scheme, &[u64]); 3] = [
+const CASES: [(Scheme, &[u64]); 7] = [
     (Scheme::STRANG, &[400, 800, 1600, 3200, 6400]),
     (Scheme::SRKN6, &[100, 140, 200, 280, 400]),
     (Scheme::SRKN14, &[40, 50, 60, 70, 80, 100]),
+    (Scheme::KAHAN_LI17, &[44, 48, 52, 56, 60, 68]),
+    (Scheme::ABA82, &[400, 800, 1600, 3200, 6400]),
+    (Scheme::ABA104, &[200, 280, 400, 560, 800]),
+    (Scheme::ABA1064, &[200, 280, 400, 560]),
 ];
 
 #[test]
@@ -68,13 +72,14 @@ fn slopes() {
     let mut ran = 0;
     for (scheme, steps) in CASES {
         let (slope, off) = fitted(&errors(scheme, steps));
-        // Measured: 2.0001, 3.998, 6.035; off the line by at most 0.0043.
+        // Measured: 2.0001, 3.998, 6.034, 7.996, 2.0000, 4.001, 3.990; off the line by
+        // at most 0.0044.
         let order = f64::from(scheme.order);
         assert!((slope - order).abs() < 0.05, "{} {slope}", scheme.name);
         assert!(off < 0.005, "{} {off}", scheme.name);
         ran += 1;
     }
-    assert_eq!(ran, 3);
+    assert_eq!(ran, CASES.len());
     // A coefficient off by 1e-6 leaves order 2: measured 1.987 and 2.021.
     for (scheme, steps) in [
         (Scheme::SRKN6, &[400, 560, 800, 1120][..]),
@@ -104,11 +109,11 @@ fn the_way_back_is_the_way_there() {
     let mut ran = 0;
     for (scheme, steps) in CASES {
         let off = round_trip(&Splitting::new(scheme, steps[0]).expect("some steps"));
-        // Measured: 3.1e-16, 1.9e-15, 5.0e-16, whatever the step: it is round-off.
+        // Measured: 1.9e-15 (SRKN 6b), the others at most 8.7e-16, whatever the step: it is round-off.
         assert!(off <= 2e-15, "{} {off:e}", scheme.name);
         ran += 1;
     }
-    assert_eq!(ran, 3);
+    assert_eq!(ran, CASES.len());
     // RK4 does not come back: measured 5.1e-7 with 400 steps.
     assert!(round_trip(&Rk4::new(400).expect("some steps")) > 1e-7);
 }
@@ -177,10 +182,11 @@ fn slopes_on_an_asymmetric_body() {
         let finer: Vec<u64> = steps.iter().map(|n| n * 2).collect();
         let points = errors(scheme, &finer);
         let (slope, off) = fitted(&points);
-        // Measured: 2.0001, 4.0009, 5.94; off the line by at most 0.015.
+        // Measured: 2.0001, 4.0009, 5.942, 8.043, 2.0000, 3.997, 3.999; off the line
+        // by at most 0.0143.
         let order = f64::from(scheme.order);
-        assert!((slope - order).abs() < 0.1, "{} {slope}", scheme.name);
-        assert!(off < 0.02, "{} {off}", scheme.name);
+        assert!((slope - order).abs() < 0.06, "{} {slope}", scheme.name);
+        assert!(off < 0.015, "{} {off}", scheme.name);
         ran += 1;
     }
     assert_eq!(ran, CASES.len());

@@ -44,7 +44,7 @@ pub trait Separable {
     fn settle(&self, point: &mut Self::Point);
 }
 
-/// A symmetric splitting with fixed step, of order 2, 4 or 6.
+/// A symmetric splitting with fixed step, of order 2, 4, 6 or 8.
 ///
 /// Which scheme: at a given order the one with the smallest error for the same
 /// number of kicks, measured on the notes' top (a = 2, b = 1.2, c = 0.2,
@@ -55,6 +55,10 @@ pub trait Separable {
 /// | 2 | Strang, flow outside | 8.3e-5 | Strang, kick outside | 2.1e-4 |
 /// | 4 | SRKN 6b | 1.8e-8 | Chin 4A with gradient, S6, Suzuki, Forest-Ruth | 6.3e-8, 4.5e-7, 1.5e-6, 3.5e-6 |
 /// | 6 | SRKN 14a | 2.0e-9 | SRKN 11b, S10, Kahan-Li, Yoshida A | 4.0e-9, 1.3e-8, 2.1e-7, 9.7e-7 |
+/// | 8 | Kahan-Li 17b | 6.8e-9 | Kahan-Li 17a, Suzuki-Umeno 15 | 7.3e-9, 9.9e-9 |
+/// | (10, 6, 4) | ABA | 8.2e-9 | (8, 6, 4) | 6.7e-9 |
+/// | (10, 4) | ABA | 2.1e-7 | (8, 4) | 1.4e-6 |
+/// | (8, 2) | ABA | 4.0e-5 | | |
 ///
 /// Accuracy: on the reference cases of the tops at 0.08 rad a step, SRKN 14a is off
 /// by K <= 2 in units of eps (|value| + condition), as a closed form would be (7.8 on

@@ -12,9 +12,13 @@ pub enum Outer {
 /// A symmetric splitting: a step is flows and kicks in turn, each over a
 /// fraction of the step, the same read backwards.
 ///
-/// Strang's has its order for any flow and kick. Those by Blanes and Moan need an
-/// energy of motion quadratic in the momentum and a kick that depends on the
-/// position only (Runge-Kutta-Nyström), as a body in a potential has them.
+/// Those by Blanes and Moan need an energy of motion quadratic in the momentum and a
+/// kick that depends on the position only (Runge-Kutta-Nyström), as a body in a
+/// potential has them; the others have their order for any flow and kick.
+///
+/// The methods (10, 6, 4), (10, 4) and (8, 2) are for weak kicks: with a torque of
+/// relative size e the error of the first is of the size e h^10 + e^2 h^6 + e^3 h^4.
+/// Their order is the last number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scheme {
     /// The name the literature uses.
@@ -95,6 +99,110 @@ impl Scheme {
             inner_parts: &[
                 B[0], B[1], B[2], B[3], B[4], B[5], B7, B7, B[5], B[4], B[3], B[2], B[1], B[0],
             ],
+        }
+    };
+
+    /// Order 8, seventeen kicks a step.
+    pub const KAHAN_LI17: Self = {
+        const G: [f64; 8] = [
+            0.127_136_927_734_878_58,
+            0.561_702_537_988_802_7,
+            -0.382_534_719_948_830_2,
+            0.160_076_056_294_647_43,
+            -0.401_816_374_326_806_97,
+            0.187_366_716_542_278_5,
+            0.260_708_709_207_792_4,
+            0.290_397_388_125_161_6,
+        ];
+        const G9: f64 = 1.0 - 2.0 * (G[0] + G[1] + G[2] + G[3] + G[4] + G[5] + G[6] + G[7]);
+        const GAMMA: [f64; 17] = [
+            G[0], G[1], G[2], G[3], G[4], G[5], G[6], G[7], G9, G[7], G[6], G[5], G[4], G[3], G[2],
+            G[1], G[0],
+        ];
+        // Strang's steps of these lengths; the half flows between two are one.
+        const FLOWS: [f64; 18] = {
+            let mut flows = [0.5 * GAMMA[0]; 18];
+            let mut i = 1;
+            while i < 17 {
+                flows[i] = 0.5 * (GAMMA[i - 1] + GAMMA[i]);
+                i += 1;
+            }
+            flows
+        };
+        Self {
+            name: "Kahan-Li 17b",
+            order: 8,
+            source: "W. Kahan, R.-C. Li, Math. Comput. 66, 1089 (1997), s17odr8b",
+            outer: Outer::Flow,
+            outer_parts: &FLOWS,
+            inner_parts: &GAMMA,
+        }
+    };
+
+    /// For weak kicks, orders (8, 2), four kicks a step: Gauss's quadrature.
+    pub const ABA82: Self = {
+        const A: [f64; 2] = [0.069_431_844_202_973_71, 0.260_577_634_004_598_16];
+        const A3: f64 = 1.0 - 2.0 * (A[0] + A[1]);
+        const B: f64 = 0.173_927_422_568_726_93;
+        Self {
+            name: "McLachlan ABA(8,2)",
+            order: 2,
+            source: "R. I. McLachlan, BIT 35, 258 (1995); \
+                     J. Laskar, P. Robutel, Celest. Mech. 80, 39 (2001), SABA4",
+            outer: Outer::Flow,
+            outer_parts: &[A[0], A[1], A3, A[1], A[0]],
+            inner_parts: &[B, 0.5 - B, 0.5 - B, B],
+        }
+    };
+
+    /// For weak kicks, orders (10, 4), seven kicks a step.
+    pub const ABA104: Self = {
+        const A: [f64; 3] = [
+            0.047_067_100_645_972_506,
+            0.184_756_935_417_088_1,
+            0.282_706_005_679_836_2,
+        ];
+        const A4: f64 = 0.5 - (A[0] + A[1] + A[2]);
+        const B: [f64; 3] = [
+            0.118_881_917_368_197_02,
+            0.241_050_460_551_501_57,
+            -0.273_286_666_705_323_8,
+        ];
+        const B4: f64 = 1.0 - 2.0 * (B[0] + B[1] + B[2]);
+        Self {
+            name: "Blanes et al. ABA(10,4)",
+            order: 4,
+            source: "S. Blanes, F. Casas, A. Farrés, J. Laskar, J. Makazaga, A. Murua, \
+                     Appl. Numer. Math. 68, 58 (2013)",
+            outer: Outer::Flow,
+            outer_parts: &[A[0], A[1], A[2], A4, A4, A[2], A[1], A[0]],
+            inner_parts: &[B[0], B[1], B[2], B4, B[2], B[1], B[0]],
+        }
+    };
+
+    /// For weak kicks, orders (10, 6, 4), eight kicks a step.
+    pub const ABA1064: Self = {
+        const A: [f64; 4] = [
+            0.038_094_497_422_412_195,
+            0.145_298_716_116_913_75,
+            0.207_627_695_725_541_25,
+            0.435_909_703_651_526_16,
+        ];
+        const A5: f64 = 1.0 - 2.0 * (A[0] + A[1] + A[2] + A[3]);
+        const B: [f64; 3] = [
+            0.095_858_880_837_075_21,
+            0.204_446_153_142_998_78,
+            0.217_070_347_978_991_1,
+        ];
+        const B4: f64 = 0.5 - (B[0] + B[1] + B[2]);
+        Self {
+            name: "Blanes et al. ABA(10,6,4)",
+            order: 4,
+            source: "S. Blanes, F. Casas, A. Farrés, J. Laskar, J. Makazaga, A. Murua, \
+                     Appl. Numer. Math. 68, 58 (2013)",
+            outer: Outer::Flow,
+            outer_parts: &[A[0], A[1], A[2], A[3], A5, A[3], A[2], A[1], A[0]],
+            inner_parts: &[B[0], B[1], B[2], B4, B4, B[2], B[1], B[0]],
         }
     };
 
