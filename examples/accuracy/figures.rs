@@ -2,10 +2,11 @@
 
 use super::Parameters;
 use super::measured::{self, Line, Measured, evaluations};
+use super::methods::FLOW;
 use super::tables::price;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Measure, WorkPrecision, front};
-use rotation_dynamics::math::pow;
+use rotation_dynamics::math::{EPS, pow};
 use rotation_dynamics::report::Figure;
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side};
 
@@ -32,6 +33,7 @@ fn styled(curve: Curve, key: &str) -> Curve {
     match key {
         "euler" | "semi" => curve.dashed(),
         "angles" | "mk4" => curve.dashed(),
+        FLOW => curve.dotted(),
         _ => curve,
     }
 }
@@ -42,7 +44,7 @@ fn ink(key: &str) -> Ink {
         "rk4" | "mk4" => Ink::Energy,
         "strang" => Ink::Force,
         "srkn6" => Ink::Momentum,
-        "srkn14" => Ink::Body,
+        "srkn14" | FLOW => Ink::Body,
         "gauss" => Ink::Ink,
         _ => Ink::Velocity,
     }
@@ -81,6 +83,9 @@ fn work(measured: &Measured) -> Result<Figure> {
         .size(340, 340)
         .x(Axis::log("evaluations").range(30.0, 3e5))
         .y(Axis::log("error of the attitude / rad").range(1e-15, 1.0));
+    // What round-off alone may do; shown where it is inside the picture.
+    let floor = EPS * measured.problem.path_condition(1e-11)?.1;
+    panel = panel.level(floor, Ink::Frame, "");
     for line in &measured.lines {
         let points = drawn(line, Measure::Attitude);
         if points.len() < 3 {
@@ -88,10 +93,12 @@ fn work(measured: &Measured) -> Result<Figure> {
         }
         let key = line.method.key;
         let (x, y) = points[points.len() - 1];
+        let (x0, y0) = points[points.len() / 4];
         let curve = Curve::new(points, ink(key));
         panel = panel.curve(match key {
             // The two foils run side by side and share a name.
             "euler" => styled(curve, key),
+            FLOW => styled(curve.label_at(label(line), x0, y0, Side::Above), key),
             "semi" => styled(curve.label_at(label(line), x, y, Side::Below), key),
             _ => styled(curve.label(label(line)), key),
         });
@@ -126,7 +133,8 @@ fn in_measure(top: &Measured, measure: Measure, name: &str, axis: &str) -> Resul
 
 /// Every method as a faint line, and the runs that nothing beats as dots on a full one.
 fn best(measured: &Measured) -> Result<Figure> {
-    let curves: Vec<WorkPrecision> = measured.lines.iter().map(|l| l.attitude.clone()).collect();
+    let lines: Vec<&Line> = measured.contestants().collect();
+    let curves: Vec<WorkPrecision> = lines.iter().map(|l| l.attitude.clone()).collect();
     let front = front(&curves);
     let name = format!("front_{}", measured.problem.key);
     let alt = format!(
@@ -138,7 +146,7 @@ fn best(measured: &Measured) -> Result<Figure> {
         .size(340, 300)
         .x(Axis::log("evaluations").range(30.0, 3e5))
         .y(Axis::log("error of the attitude / rad").range(1e-15, 1.0));
-    for line in &measured.lines {
+    for line in &lines {
         let all = Curve::new(drawn(line, Measure::Attitude), ink(line.method.key));
         panel = panel.curve(styled(all.thin().faint(0.5), line.method.key));
     }
@@ -148,7 +156,7 @@ fn best(measured: &Measured) -> Result<Figure> {
         .collect();
     let stretches: Vec<&[(usize, (f64, f64))]> = shown.chunk_by(|a, b| a.0 == b.0).collect();
     for stretch in &stretches {
-        let line = &measured.lines[stretch[0].0];
+        let line = lines[stretch[0].0];
         let points = stretch.iter().map(|(_, p)| *p);
         let curve = Curve::new(points, ink(line.method.key)).with_dots();
         // A method is named once, on its longest stretch.

@@ -1,10 +1,11 @@
 //! Every method on every problem, coarser and finer.
 
 use super::Parameters;
-use super::methods::{METHODS, Method};
+use super::methods::{Dial, FLOW, METHODS, Method};
 use super::problems::{self, Problem};
-use rotation_dynamics::accuracy::{Measure, Run, Sweep, WorkPrecision};
+use rotation_dynamics::accuracy::{Measure, Point, Run, Sweep, WorkPrecision};
 use rotation_dynamics::integrators::Work;
+use rotation_dynamics::math::exp2;
 use rotation_dynamics::report::Trajectory;
 use rotation_dynamics::{Error, Result};
 use std::sync::Arc;
@@ -18,6 +19,21 @@ pub struct Line {
 }
 
 impl Line {
+    /// The floor, if the method has come to it: the last doubling of the work gained less
+    /// than half the digits that the order promises.
+    pub fn reached(&self, measure: Measure) -> Result<Option<Point>> {
+        let curve = self.sweep.curve(measure, evaluations)?;
+        let half = 0.5 * curve.points().last().map_or(0.0, |p| p.work);
+        let least = |dear: bool| {
+            let points = curve.points().iter().filter(|p| (p.work > half) == dear);
+            points.map(|p| p.error).fold(f64::INFINITY, f64::min)
+        };
+        let gain = exp2(0.5 * f64::from(self.method.order));
+        let gaining =
+            matches!(self.method.dial, Dial::Steps(_)) && gain * least(true) < least(false);
+        Ok(if gaining { None } else { curve.floor() })
+    }
+
     /// The cheapest run that delivers the error asked for, not by luck alone.
     pub fn least(&self, asked: f64) -> Option<&Run> {
         let least = self.attitude.least_work(asked)?;
@@ -70,6 +86,11 @@ impl Measured {
             problem: Arc::new(problem),
             lines,
         })
+    }
+
+    /// The methods that can be compared.
+    pub fn contestants(&self) -> impl Iterator<Item = &Line> {
+        self.lines.iter().filter(|line| line.method.key != FLOW)
     }
 
     /// The line of a method, by its key.

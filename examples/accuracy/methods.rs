@@ -81,6 +81,10 @@ where
     run.by(Splitting::new(scheme, n as u64)?)
 }
 
+/// Without torque a splitting is nothing but its exact flow: no truncation, and the
+/// closed form under another name. It competes with nobody.
+pub const FLOW: &str = "flow";
+
 // ANCHOR: methods
 /// From the simplest to the most accurate.
 #[rustfmt::skip]
@@ -93,6 +97,8 @@ pub const METHODS: &[Method] = &[
         free: Some(|p, n| p.by(Rk4::new(n as u64)?)), top: Some(|p, n| p.spinless(Rk4::new(n as u64)?)) },
     Method { key: "mk4", name: "Munthe-Kaas 4", order: 4, dial: Dial::Steps(4.0),
         free: Some(|p, n| p.by(MuntheKaas4::new(n as u64)?)), top: Some(|p, n| p.by(MuntheKaas4::new(n as u64)?)) },
+    Method { key: FLOW, name: "exact flow", order: 2, dial: Dial::Steps(1.0),
+        free: Some(|p, n| split(p, Scheme::STRANG, n)), top: None },
     Method { key: "strang", name: "Strang", order: 2, dial: Dial::Steps(1.0),
         free: None, top: Some(|p, n| split(p, Scheme::STRANG, n)) },
     Method { key: "srkn6", name: "SRKN 6b", order: 4, dial: Dial::Steps(6.0),

@@ -40,7 +40,9 @@ pub struct Problem {
     pub name: &'static str,
     pub kind: Kind,
     pub start: State,
+    /// The end, in time and in periods.
     pub end: f64,
+    pub periods: f64,
     /// The exact state at the end.
     pub answer: State,
 }
@@ -124,7 +126,7 @@ impl Problem {
             scene,
             exact: Box::new(exact),
         };
-        Self::new(key, name, kind, start, periods * period)
+        Self::new(key, name, kind, start, [periods * period, periods])
     }
 
     fn top(
@@ -138,13 +140,14 @@ impl Problem {
         let scene = Scene::new(body).with(GravityAtLever::new(top.c(), 1.0)?);
         let (attitude, rates) = exact.state(0.0);
         let start = body.state(attitude, rates)?;
-        let end = (periods + THIRD) * exact.nutation_period();
+        let periods = periods + THIRD;
+        let end = periods * exact.nutation_period();
         let kind = Kind::Top {
             scene,
             exact: Box::new(exact),
             reduced: top,
         };
-        Self::new(key, name, kind, start, end)
+        Self::new(key, name, kind, start, [end, periods])
     }
 
     fn new(
@@ -152,7 +155,7 @@ impl Problem {
         name: &'static str,
         kind: Kind,
         start: State,
-        end: f64,
+        [end, periods]: [f64; 2],
     ) -> Result<Self> {
         let mut problem = Self {
             key,
@@ -160,6 +163,7 @@ impl Problem {
             kind,
             start,
             end,
+            periods,
             answer: start,
         };
         problem.answer = problem.exact(end)?;

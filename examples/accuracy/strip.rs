@@ -7,8 +7,8 @@ use rotation_dynamics::report::{ClosedForm, Computation, Price, Report};
 use rotation_dynamics::{Error, Result};
 use std::sync::Arc;
 
-/// Adds a line for each method that delivers the error asked for: one, or four.
-pub fn add(report: &mut Report, top: &Measured, tolerance: Option<f64>) -> Result<()> {
+/// Refuses a tolerance that no method delivers.
+pub fn check(tolerance: Option<f64>) -> Result<()> {
     if let Some(value) = tolerance.filter(|t| !(1e-14..=1.0).contains(t)) {
         return Err(Error::OutOfRange {
             name: "tolerance",
@@ -16,6 +16,11 @@ pub fn add(report: &mut Report, top: &Measured, tolerance: Option<f64>) -> Resul
             allowed: "from 1e-14 to 1 rad: less is lost in round-off",
         });
     }
+    Ok(())
+}
+
+/// Adds a line for each method that delivers the error asked for: one, or four.
+pub fn add(report: &mut Report, top: &Measured, tolerance: Option<f64>) -> Result<()> {
     let asked = tolerance.map_or(ASKED.to_vec(), |one| vec![one]);
     for error in asked {
         for line in &top.lines {
