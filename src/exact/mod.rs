@@ -22,6 +22,7 @@ pub mod jacobi;
 pub mod ladder;
 pub mod legendre;
 mod modulus;
+mod nome;
 pub mod pendulum;
 mod phase;
 pub mod plank;

@@ -56,12 +56,14 @@ impl HeavyTop {
         zeta0: f64,
     ) -> Result<Self> {
         finite("energy", energy)?;
-        let (_, minimum, size) = top.minimum_dd();
-        if energy < (minimum - ReducedTop::energy_slack(size)).to_f64() {
-            return Err(Error::NoMotion {
-                energy,
-                minimum: minimum.to_f64(),
-            });
+        if !top.is_well_above_minimum(energy) {
+            let (_, minimum, size) = top.minimum_dd();
+            if energy < (minimum - ReducedTop::energy_slack(size)).to_f64() {
+                return Err(Error::NoMotion {
+                    energy,
+                    minimum: minimum.to_f64(),
+                });
+            }
         }
         let excess = Dd::from(energy).scaled(2.0);
         Self::reduced_problem(top, Beginning::Turning { excess, start }, phi0, zeta0)
@@ -317,7 +319,14 @@ impl HeavyTop {
         let regular = start.0.quaternion().iter().all(|c| c.is_finite())
             && start.1.is_finite()
             && self.theta_rate(0.0).is_finite()
-            && (self.theta_min() + self.theta_max()).is_finite();
+            && [
+                motion.roots.x1,
+                motion.roots.x2,
+                motion.roots.y1,
+                motion.roots.y2,
+            ]
+            .iter()
+            .all(|c| c.is_finite());
         let phases = turns.iter().all(|turn| {
             [turn.rate, turn.lag, turn.start]
                 .iter()

@@ -17,7 +17,7 @@
 //! | `reduced` | the parameters a, b, c and the effective potential |
 //! | `body` | the dimensional body |
 //! | `roots` | the turning points and the gaps between the roots |
-//! | `series`, `waves` | the theta functions: evaluation and set-up |
+//! | `series`, `waves`, `ripples` | the theta functions: evaluation and set-up |
 //! | `motion` | the phases in time |
 //! | `queries`, `whole` | what can be asked at a time and of the motion as a whole |
 //!
@@ -33,6 +33,7 @@ mod construct;
 mod motion;
 mod queries;
 mod reduced;
+mod ripples;
 mod roots;
 mod series;
 mod waves;
@@ -78,7 +79,7 @@ pub enum Start {
 /// points, period, m and U_min are within 2 eps of themselves, m within 8 eps where it
 /// is below 1e-16; an advance of phi per period within 1 eps or 1e-31 rad.
 ///
-/// Cost: about 800 sine-cosine pairs for the set-up, 8 for an attitude, 11 for
+/// Cost: about 350 sine-cosine pairs for the set-up, 8 for an attitude, 11 for
 /// attitude and angular velocity, whatever the time.
 #[derive(Debug, Clone)]
 pub struct HeavyTop {

@@ -8,8 +8,7 @@
 
 use super::roots::{Conserved, Origin, Roots};
 use super::series::{Pair, Series};
-use super::waves::{Periods, Zero};
-use crate::exact::extended::{carlson_rf, complete_first_kind};
+use super::waves::{Periods, Place as ZeroPlace, Zero};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
 
@@ -71,30 +70,16 @@ impl Motion {
         let span = roots.span();
         let p = span.sqrt().scaled(0.5);
         let (m, m1) = (roots.parameter(), roots.complementary_parameter());
-        let quarter = complete_first_kind(m1);
-        let quarter_prime = complete_first_kind(m);
-        let periods = Periods {
-            quarter,
-            quarter_prime,
-            hyperbolic: m > 0.5,
-        };
+        let periods = Periods::new(m, m1);
+        let quarter = periods.quarter;
         let homoclinic = !quarter.is_finite();
-        let [a, b] = zeros(conserved, &roots, quarter_prime);
-        let matched = Series::matched(
-            &periods,
-            &a,
-            &b,
-            roots.y2.sqrt(),
-            roots.x1.sqrt(),
-            m1.sqrt().sqrt(),
-        );
-        let (base, step) = if periods.hyperbolic {
-            let step = |zero: &Zero| Dd::FRAC_PI_2 * zero.eta / quarter_prime * zero.sign;
-            (quarter_prime, [step(&a), step(&b)])
-        } else {
-            (quarter, [Dd::ZERO; 2])
-        };
-        let rate = Dd::FRAC_PI_2 * p / base;
+        let [a, b] = zeros(conserved, &roots, &periods);
+        let matched = Series::matched(&periods.nome, &a, &b, roots.y2.sqrt(), roots.x1.sqrt());
+        let step = [&a, &b].map(|zero| match zero.place {
+            ZeroPlace::Along(angle) => angle.z * zero.sign,
+            ZeroPlace::Across { .. } => Dd::ZERO,
+        });
+        let rate = Dd::FRAC_PI_2 * p / periods.nome.quarter;
         // The phase rates are matched where they do not cancel: that of a at the upper
         // turning point, (A+B)/2(1+v2), that of b at the lower one, (A-B)/2(1-v1).
         let channel = |zero: &Zero, turning: Dd, slope: Dd, step: Dd, reached: bool| Channel {
@@ -121,7 +106,7 @@ impl Motion {
                 conserved.difference == 0.0 && roots.x2 == 0.0,
             ),
         ];
-        let (first, offset) = time_from_turning_point(origin, &roots, m1, p);
+        let (first, offset) = time_from_turning_point(origin, &roots, &periods, m1, p);
         let half_period = if homoclinic { quarter } else { quarter / p };
         let mut motion = Self {
             roots,
@@ -236,59 +221,38 @@ pub(super) fn nearest(x: f64) -> f64 {
 }
 
 /// The zeros of both parameters: sc^2(eta_a|m1) = (1+v1)/(v2-v1) and
-/// sc^2(eta_b|m1) = (1-v2)(v3-v1)/((v2-v1)(v3-1)), as Carlson integrals in which the
-/// gap v2 - v1 cancels analytically where it must.
-fn zeros(conserved: &Conserved, roots: &Roots, quarter_prime: Dd) -> [Zero; 2] {
+/// sc^2(eta_b|m1) = (1-v2)(v3-v1)/((v2-v1)(v3-1)); from the other side, K' - eta, they are
+/// 1/(m sc^2(eta|m1)), in which the gap v2 - v1 cancels.
+fn zeros(conserved: &Conserved, roots: &Roots, periods: &Periods) -> [Zero; 2] {
     let span = roots.span();
     let kappa = roots.gravity / span;
-    let far = (roots.outer + roots.gravity.scaled(2.0)) / span;
     let near = roots.outer / span;
-    let m1 = roots.complementary_parameter();
-    let Roots {
-        x2, y1, y2, gap, ..
-    } = *roots;
-    let infinite = Dd::from(f64::INFINITY);
+    let Roots { x2, y1, gap, .. } = *roots;
     let sign = |value: Dd| if value < 0.0 { -1.0 } else { 1.0 };
-
-    let eta = |size: Dd, x: Dd, y: Dd, z: Dd| {
-        if size == 0.0 {
-            Dd::ZERO
-        } else if gap == 0.0 {
-            infinite
-        } else {
-            size.sqrt() * carlson_rf(x, y, z)
-        }
-    };
-    let a = Zero {
-        sign: sign(conserved.sum),
-        eta: eta(y1, gap, gap * far, y2),
-        rest: if kappa == 0.0 {
-            infinite
-        } else if y1 == 0.0 {
-            quarter_prime
-        } else {
-            carlson_rf(kappa * y1, kappa * y2, far)
-        },
-    };
-    let to_two = x2 + gap * near;
-    let b = Zero {
-        sign: sign(conserved.difference),
-        eta: eta(x2, gap * near, gap * m1, to_two),
-        rest: if kappa == 0.0 {
-            infinite
-        } else if x2 == 0.0 {
-            quarter_prime
-        } else if near == 0.0 {
-            Dd::ZERO
-        } else {
-            near.sqrt() * carlson_rf(kappa * x2, kappa * to_two, m1)
-        },
-    };
-    [a, b]
+    [
+        Zero::new(
+            sign(conserved.sum),
+            (y1, gap),
+            (Dd::ONE, kappa * y1),
+            periods,
+        ),
+        Zero::new(
+            sign(conserved.difference),
+            (x2, gap * near),
+            (near, kappa * x2),
+            periods,
+        ),
+    ]
 }
 
 /// The number of a turning point (even: v1, odd: v2) and the time since.
-fn time_from_turning_point(origin: &Origin, roots: &Roots, m1: Dd, p: Dd) -> (i64, Dd) {
+fn time_from_turning_point(
+    origin: &Origin,
+    roots: &Roots,
+    periods: &Periods,
+    m1: Dd,
+    p: Dd,
+) -> (i64, Dd) {
     let (below, above) = roots.start;
     let state = match origin {
         Origin::Lower => return (0, Dd::ZERO),
@@ -304,12 +268,10 @@ fn time_from_turning_point(origin: &Origin, roots: &Roots, m1: Dd, p: Dd) -> (i6
         return (if leaving { -1 } else { 1 }, Dd::ZERO);
     }
     let rising = if state.rate < 0.0 { -1.0 } else { 1.0 };
-    if below <= above || m1 == 0.0 {
-        let tau = below.sqrt() * carlson_rf(above, above + m1 * below, roots.gap);
-        (0, tau / p * rising)
+    // From the nearer turning point: half-way, sc^2 = 1/sqrt(1-m).
+    if below.hi() * m1.hi().sqrt() <= above.hi() {
+        (0, periods.argument(below, above) / p * rising)
     } else {
-        let (n, g) = (m1 * below, roots.gap);
-        let tau = above.sqrt() * carlson_rf(n, m1 * g, n + above);
-        (1, -(tau / p) * rising)
+        (1, -(periods.argument(above, m1 * below) / p) * rising)
     }
 }

@@ -58,6 +58,10 @@ impl ReducedTop {
             b: finite("b", b)?,
             c: finite("c", c)?,
         };
+        let moderate = |x: f64| x == 0.0 || (1e-40..1e40).contains(&x.abs());
+        if [a, b - 1.0, b + 1.0, c].into_iter().all(moderate) {
+            return Ok(top);
+        }
         let (theta, value) = top.minimum();
         if theta.is_finite() && value.is_finite() {
             Ok(top)
@@ -149,6 +153,32 @@ impl ReducedTop {
         self.minimum()
     }
 
+    /// True if E~ is above U_min by more than rounding in `f64` can pretend: without
+    /// finding the minimum to its last digit.
+    pub(super) fn is_well_above_minimum(&self, energy: f64) -> bool {
+        let eighth = 0.125 * self.a;
+        let (left, right) = if self.c >= 0.0 {
+            (self.b - 1.0, self.b + 1.0)
+        } else {
+            (self.b + 1.0, self.b - 1.0)
+        };
+        let (p, q) = (eighth * left * left, eighth * right * right);
+        let r = 2.0 * self.c.abs();
+        let place = convex_minimum_guess(p, q, r);
+        // U at any place is at least U_min.
+        let t = place.sqrt();
+        let (left, right) = (left / t, right * t);
+        let rotational = eighth * (left + right) * (left + right);
+        let fall = place * r / (place + 1.0);
+        let here = if self.c >= 0.0 {
+            rotational - fall
+        } else {
+            rotational + (r - fall)
+        };
+        let size = eighth * (left.abs() + right.abs()) * (left.abs() + right.abs()) + r;
+        energy - here > 64.0 * EPS * size
+    }
+
     /// Angle and value of the minimum, and the size of the terms that make the value.
     pub(super) fn minimum_dd(&self) -> (Dd, Dd, f64) {
         let a = Dd::from(self.a);
@@ -227,23 +257,40 @@ fn convex_minimum(p: Dd, q: Dd, r: f64) -> Option<Dd> {
     if p == 0.0 || r == 0.0 {
         return Some(start);
     }
-    // f = q - p/T^2 - r/(1+T)^2 is increasing and concave, f(start) <= 0: Newton's
-    // steps never pass the root.
-    let slope = |t: f64| 2.0 * (p.hi() / (t * t * t) + r / ((1.0 + t) * (1.0 + t) * (1.0 + t)));
-    let mut t = start.hi();
+    let mut t = Dd::from(newton_from_left(p.hi(), q.hi(), r, start.hi()));
+    for _ in 0..4 {
+        let f = q - p / t.square() - Dd::from(r) / (t + 1.0).square();
+        t = t - f / slope(p.hi(), r, t.hi());
+    }
+    Some(t)
+}
+
+/// The same in plain `f64`, and no worse than that: 0 or infinite where it has no minimum.
+fn convex_minimum_guess(p: f64, q: f64, r: f64) -> f64 {
+    let start = (p / q).sqrt().max((r / q).sqrt() - 1.0);
+    if p == 0.0 || r == 0.0 {
+        return start;
+    }
+    newton_from_left(p, q, r, start)
+}
+
+/// f = q - p/T^2 - r/(1+T)^2 is increasing and concave, f(start) <= 0: Newton's steps
+/// never pass the root.
+fn newton_from_left(p: f64, q: f64, r: f64, start: f64) -> f64 {
+    let mut t = start;
     for _ in 0..200 {
-        let f = q.hi() - p.hi() / (t * t) - r / ((1.0 + t) * (1.0 + t));
-        let next = t - f / slope(t);
+        let f = q - p / (t * t) - r / ((1.0 + t) * (1.0 + t));
+        let next = t - f / slope(p, r, t);
         if next > t {
             t = next;
         } else {
             break;
         }
     }
-    let mut t = Dd::from(t);
-    for _ in 0..4 {
-        let f = q - p / t.square() - Dd::from(r) / (t + 1.0).square();
-        t = t - f / slope(t.hi());
-    }
-    Some(t)
+    t
+}
+
+/// f'(T).
+fn slope(p: f64, r: f64, t: f64) -> f64 {
+    2.0 * (p / (t * t * t) + r / ((1.0 + t) * (1.0 + t) * (1.0 + t)))
 }

@@ -4,29 +4,111 @@
 //! The Fourier terms of `super::series` are summed as polynomials: sin(2n+1)z/sin z,
 //! cos(2n+1)z/cos z and cos 2nz are polynomials in k = 2 cos 2z.
 
+use super::ripples::Ripple;
 use super::series::{Factor, Series};
+use crate::exact::nome::{Angle, Nome};
 use crate::math::DoubleDouble as Dd;
+use core::ops::{Add, Sub};
 
-/// The zero i eta of one Cayley-Klein parameter, off the real axis.
+/// The zero i eta of one Cayley-Klein parameter, off the real axis, 0 <= eta <= K'.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Zero {
     /// The sense in which the phase runs past it: +1 or -1.
     pub sign: f64,
-    /// eta >= 0; infinite for a steady motion.
-    pub eta: Dd,
-    /// K' - eta, without cancellation; infinite if K' is.
-    pub rest: Dd,
+    pub place: Place,
+}
+
+/// Where a zero is, in the terms of the series that converges.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Place {
+    /// e^{-2y}, 1 - e^{-2y} and q e^{2y}, y = pi eta/2K.
+    Across { decay: Dd, fall: Dd, rest: Dd },
+    /// y' = pi eta/2K'.
+    Along(Angle),
+}
+
+impl Zero {
+    /// From sc^2(eta|m1) and sc^2(K' - eta|m1), each as a quotient.
+    pub fn new(sign: f64, eta: (Dd, Dd), rest: (Dd, Dd), periods: &Periods) -> Self {
+        let nome = &periods.nome;
+        let nearer = eta.0 * rest.1 <= rest.0 * eta.1;
+        let (num, den) = if nearer { eta } else { rest };
+        let place = if periods.hyperbolic {
+            let Angle { z, sin, cos } = nome.angle(num, den);
+            Place::Along(if nearer {
+                Angle { z, sin, cos }
+            } else {
+                Angle {
+                    z: Dd::FRAC_PI_2 - z,
+                    sin: cos,
+                    cos: sin,
+                }
+            })
+        } else {
+            let depth = nome.depth(num, den);
+            // No q -> 0 times e^y -> infinity.
+            let other = if nome.q == 0.0 {
+                Dd::ZERO
+            } else {
+                nome.q / depth.decay
+            };
+            if nearer {
+                Place::Across {
+                    decay: depth.decay,
+                    fall: depth.fall,
+                    rest: other,
+                }
+            } else {
+                Place::Across {
+                    decay: other,
+                    fall: 1.0 - other,
+                    rest: depth.decay,
+                }
+            }
+        };
+        Self { sign, place }
+    }
 }
 
 /// Periods and nome.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Periods {
     /// K.
     pub quarter: Dd,
-    /// K'.
-    pub quarter_prime: Dd,
-    /// m > 1/2.
+    /// m > 1/2: `nome` is q', that of 1 - m, and else q.
     pub hyperbolic: bool,
+    pub nome: Nome,
+}
+
+impl Periods {
+    /// For the parameter m and 1 - m.
+    pub fn new(m: Dd, m1: Dd) -> Self {
+        let hyperbolic = m > 0.5;
+        if hyperbolic {
+            let nome = Nome::new(m1, m);
+            Self {
+                quarter: nome.conjugate(),
+                hyperbolic,
+                nome,
+            }
+        } else {
+            let nome = Nome::new(m, m1);
+            Self {
+                quarter: nome.quarter,
+                hyperbolic,
+                nome,
+            }
+        }
+    }
+
+    /// The argument u <= K/2 with sc^2(u|m) = `num`/`den`.
+    pub fn argument(&self, num: Dd, den: Dd) -> Dd {
+        self.nome.argument(if self.hyperbolic {
+            self.nome.depth(num, den).y
+        } else {
+            self.nome.angle(num, den).z
+        })
+    }
 }
 
 /// What the set-up learns besides the series: the phase rates d arg/dz that the two
@@ -39,38 +121,28 @@ pub(super) struct Matched {
     pub slope_b: Dd,
 }
 
-/// Terms kept in the set-up: the next would weigh q^36 < 1e-48.
-const TERMS: usize = 6;
-
-/// The powers of the nome up to the last term's.
-type Powers = [Dd; (TERMS - 1) * (TERMS - 1) + 1];
-
 impl Series {
     /// `a` and `b` are the zeros; at the upper turning point |a| is `size_a`, at the lower
-    /// one |b| is `size_b`; `root_m1` is (1-m)^(1/4).
-    pub fn matched(
-        periods: &Periods,
-        a: &Zero,
-        b: &Zero,
-        size_a: Dd,
-        size_b: Dd,
-        root_m1: Dd,
-    ) -> Matched {
-        if periods.hyperbolic {
-            Self::hyperbolic(periods, a, b, size_a, size_b)
-        } else {
-            Self::trigonometric(periods, a, b, size_a, size_b * root_m1)
+    /// one |b| is `size_b`.
+    pub fn matched(nome: &Nome, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
+        match [a.place, b.place] {
+            [Place::Along(angle_a), Place::Along(angle_b)] => {
+                let waves = [(a.sign, angle_a), (b.sign, angle_b)]
+                    .map(|(sign, angle)| Ripple::new(sign, angle, nome));
+                Self::hyperbolic(nome, &waves, size_a, size_b)
+            }
+            _ => {
+                let waves = [a, b].map(|zero| Wave::new(zero, nome));
+                Self::trigonometric(nome, &waves, size_a, size_b * nome.root_k1)
+            }
         }
     }
 
-    fn trigonometric(periods: &Periods, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
-        let nome = nome(periods.quarter_prime, periods.quarter);
-        let powers: Powers = powers(nome);
-        let waves = [a, b].map(|zero| Wave::new(zero, &powers, periods.quarter));
+    fn trigonometric(nome: &Nome, waves: &[Wave; 2], size_a: Dd, size_b: Dd) -> Matched {
         let [scale_a, scale_b] = [size_a / waves[0].at_zero(), size_b / waves[1].at_zero()];
         let series = Self {
             hyperbolic: false,
-            nome: nome.to_f64(),
+            nome: nome.q.to_f64(),
             sides: [
                 [waves[0].h(scale_a), waves[1].h1(scale_b)],
                 [waves[1].h(-scale_b), waves[0].h1(scale_a)],
@@ -83,24 +155,13 @@ impl Series {
         }
     }
 
-    fn hyperbolic(periods: &Periods, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
-        let nome = nome(periods.quarter, periods.quarter_prime);
-        let powers: Powers = powers(nome);
-        let waves = [a, b].map(|zero| Ripple::new(zero, &powers, periods.quarter_prime));
-        // theta_3(0) and theta_2(0)/(2 q'^(1/4)) at nome q'.
-        let (mut theta3, mut theta2) = (Dd::ONE, Dd::ONE);
-        for n in 1..TERMS {
-            theta3 += powers[n * n].scaled(2.0);
-            if n * (n + 1) < powers.len() {
-                theta2 += powers[n * (n + 1)];
-            }
-        }
-        let scale_a = size_a * theta3 / waves[0].at_zero();
-        let scale_b = size_b * theta2 / waves[1].at_zero();
-        let scale_upper = scale_b * nome.sqrt().scaled(4.0);
+    fn hyperbolic(nome: &Nome, waves: &[Ripple; 2], size_a: Dd, size_b: Dd) -> Matched {
+        let scale_a = size_a * nome.theta3() / waves[0].at_zero;
+        let scale_b = size_b * nome.theta2() / waves[1].at_zero;
+        let scale_upper = scale_b * nome.q.sqrt().scaled(4.0);
         let series = Self {
             hyperbolic: true,
-            nome: nome.to_f64(),
+            nome: nome.q.to_f64(),
             sides: [
                 [waves[0].h(scale_a), waves[1].h1(scale_b)],
                 [waves[1].h(-scale_upper), waves[0].h1(scale_a)],
@@ -108,208 +169,142 @@ impl Series {
         };
         Matched {
             series,
-            slope_a: waves[0].slope(),
-            slope_b: waves[1].slope(),
+            slope_a: waves[0].slope,
+            slope_b: waves[1].slope,
         }
     }
 }
 
-/// exp(-pi K'/K), zero if K' is infinite.
-fn nome(quarter_prime: Dd, quarter: Dd) -> Dd {
-    if quarter.is_finite() && quarter_prime.is_finite() {
-        (-(Dd::PI * quarter_prime / quarter)).exp()
-    } else {
-        Dd::ZERO
-    }
-}
-
-/// 1, x, x^2, ...
-fn powers<const N: usize>(x: Dd) -> [Dd; N] {
-    let mut powers = [Dd::ONE; N];
-    for n in 1..N {
-        powers[n] = powers[n - 1] * x;
-    }
-    powers
-}
+/// Terms that are formed in double-double; the others weigh less than q^9 < 1e-12.
+const LEADING: usize = 3;
 
 /// The series of H and H1 in q, divided by q^(1/4) e^y, y = pi eta/2K:
 /// weights q^(n^2) (q e^{2y})^n of cosh and sinh((2n+1) y), times 2 e^{-(2n+1)y}.
 struct Wave {
     sign: f64,
-    cosh: [Dd; TERMS],
-    sinh: [Dd; TERMS],
+    cosh: [Dd; LEADING],
+    sinh: [Dd; LEADING],
+    /// The terms after these.
+    more_cosh: [f64; LEADING],
+    more_sinh: [f64; LEADING],
 }
 
 impl Wave {
-    fn new(zero: &Zero, nome: &Powers, quarter: Dd) -> Self {
-        let rest = if zero.rest.is_finite() {
-            // q e^{2y} from K' - eta: no q -> 0 times e^y -> infinity.
-            (-(Dd::PI * zero.rest / quarter)).exp()
-        } else {
-            Dd::ZERO
+    fn new(zero: &Zero, nome: &Nome) -> Self {
+        let (decay, fall, rest) = match zero.place {
+            Place::Across { decay, fall, rest } => (decay, fall, rest),
+            Place::Along(_) => (Dd::ZERO, Dd::ONE, Dd::ZERO),
         };
-        let rest: [Dd; TERMS] = powers(rest);
-        // e^{-(2n+1) 2y} - 1 from n = 0 on: the terms of x + y + x y agree in sign.
-        let mut fall = if zero.eta.is_finite() {
-            (-(Dd::PI * zero.eta / quarter)).exp_m1()
-        } else {
-            -Dd::ONE
-        };
-        let two = fall.scaled(2.0) + fall.square();
-        let (mut cosh, mut sinh) = ([Dd::ZERO; TERMS], [Dd::ZERO; TERMS]);
-        for n in 0..TERMS {
-            let weight = nome[n * n] * rest[n];
-            cosh[n] = weight * (fall + 2.0);
-            sinh[n] = -weight * fall;
-            fall = fall + two + fall * two;
+        // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}), E = e^{-2y}.
+        let square = decay.square();
+        let third = decay + square + 1.0;
+        let fifth = third + square * (decay + square);
+        let falls = [fall, fall * third, fall * fifth];
+        let first = nome.q * rest;
+        let weights = [Dd::ONE, first, nome.q4 * rest.square()];
+        let cosh = core::array::from_fn(|n| weights[n] * (2.0 - falls[n]));
+        let sinh = core::array::from_fn(|n| weights[n] * falls[n]);
+        let (e, two, q2) = (decay.hi(), square.hi(), nome.q.hi() * nome.q.hi());
+        let [mut more_cosh, mut more_sinh] = [[0.0; LEADING]; 2];
+        let mut power = two * two * two * e;
+        // q^(2n+1) and q^(n^2) (q e^{2y})^n for n = 3.
+        let mut odd = q2 * q2 * q2 * nome.q.hi();
+        let mut weight = nome.q9.hi() * rest.hi() * rest.hi() * rest.hi();
+        for (cosh, sinh) in more_cosh.iter_mut().zip(&mut more_sinh) {
+            *cosh = weight * (1.0 + power);
+            *sinh = weight * (1.0 - power);
+            weight *= odd * rest.hi();
+            odd *= q2;
+            power *= two;
         }
         Self {
             sign: zero.sign,
             cosh,
             sinh,
+            more_cosh,
+            more_sinh,
         }
     }
 
     /// H1(-i eta).
     fn at_zero(&self) -> Dd {
-        self.cosh.iter().fold(Dd::ZERO, |sum, c| sum + *c)
+        let [a, b, c] = self.cosh;
+        let small: f64 = self.more_cosh.iter().rev().sum();
+        a + b + (c + small)
     }
 
     /// d arg H1(x - i eta)/dz at x = 0.
     fn slope(&self) -> Dd {
-        let sum = self
-            .sinh
-            .iter()
-            .enumerate()
-            .fold(Dd::ZERO, |sum, (n, s)| sum + *s * (2 * n + 1) as f64);
+        let [a, b, c] = self.sinh;
+        let [d, e, f] = self.more_sinh;
+        let sum = a + b * 3.0 + (c * 5.0 + (7.0 * d + (9.0 * e + 11.0 * f)));
         sum / self.at_zero() * self.sign
     }
 
     /// H(x - i eta) = sum (-1)^n [sin(2n+1)z cosh(2n+1)y - i cos(2n+1)z sinh(2n+1)y].
     fn h(&self, scale: Dd) -> Factor {
-        let alternating = |n: usize| if n.is_multiple_of(2) { scale } else { -scale };
-        let re = core::array::from_fn(|n| self.cosh[n] * alternating(n));
-        let im = core::array::from_fn(|n| self.sinh[n] * alternating(n) * -self.sign);
+        let (re, im) = self.scaled(scale, scale * -self.sign, -1.0);
         Factor {
-            re: odd_polynomial(re).map(Dd::to_f64),
-            im: even_polynomial(im).map(Dd::to_f64),
+            re: with_leading(re, odd_polynomial),
+            im: with_leading(im, even_polynomial),
         }
     }
 
     /// H1(x - i eta) = sum [cos(2n+1)z cosh(2n+1)y + i sin(2n+1)z sinh(2n+1)y].
     fn h1(&self, scale: Dd) -> Factor {
-        let re = core::array::from_fn(|n| self.cosh[n] * scale);
-        let im = core::array::from_fn(|n| self.sinh[n] * scale * self.sign);
+        let (re, im) = self.scaled(scale, scale * self.sign, 1.0);
         Factor {
-            re: even_polynomial(re).map(Dd::to_f64),
-            im: odd_polynomial(im).map(Dd::to_f64),
-        }
-    }
-}
-
-/// The same after Jacobi's imaginary transformation: H as theta_1(y' + iw | q') divided
-/// by 2 q'^(1/4) i, H1 as theta_4(y' + iw | q'), y' = pi eta/2K'.
-struct Ripple<'a> {
-    sign: f64,
-    nome: &'a Powers,
-    /// sin and cos of j y', j = 0, 1, ...
-    harmonics: [(Dd, Dd); 2 * TERMS],
-}
-
-impl<'a> Ripple<'a> {
-    fn new(zero: &Zero, nome: &'a Powers, quarter_prime: Dd) -> Self {
-        let (sin, cos) = (Dd::FRAC_PI_2 * zero.eta / quarter_prime).sin_cos();
-        let mut harmonics = [(Dd::ZERO, Dd::ONE); 2 * TERMS];
-        for j in 1..harmonics.len() {
-            let (s, c) = harmonics[j - 1];
-            harmonics[j] = (s * cos + c * sin, c * cos - s * sin);
-        }
-        Self {
-            sign: zero.sign,
-            nome,
-            harmonics,
+            re: with_leading(re, even_polynomial),
+            im: with_leading(im, odd_polynomial),
         }
     }
 
-    /// (-1)^n times a power of q'.
-    fn weight(&self, exponent: usize, n: usize) -> Dd {
-        let weight = self.nome[exponent];
-        if n.is_multiple_of(2) { weight } else { -weight }
-    }
-
-    /// theta_4(y').
-    fn at_zero(&self) -> Dd {
-        (1..TERMS).fold(Dd::ONE, |sum, n| {
-            sum + self.weight(n * n, n).scaled(2.0) * self.harmonics[2 * n].1
-        })
-    }
-
-    /// d arg theta_4(y' + iw)/dw at w = 0.
-    fn slope(&self) -> Dd {
-        let sum = (1..TERMS).fold(Dd::ZERO, |sum, n| {
-            sum - self.weight(n * n, n) * self.harmonics[2 * n].0 * (4 * n) as f64
-        });
-        sum / self.at_zero() * self.sign
-    }
-
-    /// sum (-1)^n q'^(n(n+1)) [cos(2n+1)y' sinh(2n+1)w - i sin(2n+1)y' cosh(2n+1)w],
-    /// in powers of q' 2 cosh 2w.
-    fn h(&self, scale: Dd) -> Factor {
-        let term = |n: usize, j: usize, wave: Dd| {
-            // q'^(n(n+1) - j) belongs to the power j <= n of the variable.
-            self.weight(n * (n + 1) - j, n) * wave * scale
+    /// The first four terms of cosh and sinh times these and the powers of `alternate`: the
+    /// first in double-double.
+    fn scaled(&self, cosh: Dd, sinh: Dd, alternate: f64) -> (Leading, Leading) {
+        let terms = |terms: &[Dd; LEADING], small: f64, scale: Dd| {
+            let factor = scale.hi();
+            let [first, b, c] = *terms;
+            let rest = [b.hi() * alternate, c.hi(), small * alternate];
+            (first * scale, rest.map(|term| term * factor))
         };
-        let by_power = |polynomial: fn([Dd; 4]) -> [Dd; 4], wave: &dyn Fn(usize) -> Dd| {
-            core::array::from_fn(|j| {
-                let terms =
-                    core::array::from_fn(|n| if n < j { Dd::ZERO } else { term(n, j, wave(n)) });
-                polynomial(terms)[j].to_f64()
-            })
-        };
-        Factor {
-            re: by_power(odd_polynomial, &|n| self.harmonics[2 * n + 1].1),
-            im: by_power(even_polynomial, &|n| {
-                self.harmonics[2 * n + 1].0 * -self.sign
-            }),
-        }
-    }
-
-    /// 1 + 2 sum (-1)^n q'^(n^2) [cos 2ny' cosh 2nw - i sin 2ny' sinh 2nw].
-    fn h1(&self, scale: Dd) -> Factor {
-        let re = |n: usize, j: usize| self.weight(n * n - j, n) * self.harmonics[2 * n].1;
-        let im =
-            |n: usize, j: usize| -self.weight(n * n - j, n) * self.harmonics[2 * n].0 * self.sign;
-        // 2 cosh 4w = k^2 - 2, 2 cosh 6w = k^3 - 3k; sinh 4w = k sinh 2w,
-        // sinh 6w = (k^2 - 1) sinh 2w.
-        let re = [
-            Dd::ONE - re(2, 0).scaled(2.0),
-            re(1, 1) - re(3, 1) * 3.0,
-            re(2, 2),
-            re(3, 3),
-        ];
-        let im = [im(1, 1) - im(3, 1), im(2, 2), im(3, 3), Dd::ZERO];
-        Factor {
-            re: re.map(|c| (c * scale).to_f64()),
-            im: im.map(|c| (c * scale).to_f64()),
-        }
+        (
+            terms(&self.cosh, self.more_cosh[0], cosh),
+            terms(&self.sinh, self.more_sinh[0], sinh),
+        )
     }
 }
+
+/// The first of four coefficients, and the others, which are small beside it.
+type Leading = (Dd, [f64; 3]);
+
+/// The polynomial of four terms, its constant rounded once.
+fn with_leading((first, [b, c, d]): Leading, polynomial: fn([f64; 4]) -> [f64; 4]) -> [f64; 4] {
+    let mut polynomial = polynomial([0.0, b, c, d]);
+    polynomial[0] = (first + polynomial[0]).to_f64();
+    polynomial
+}
+
+/// A double or a pair of them.
+pub(super) trait Coefficient: Copy + Add<Output = Self> + Sub<Output = Self> {}
+impl Coefficient for f64 {}
+impl Coefficient for Dd {}
 
 /// sum c_n sin((2n+1)z)/sin z in powers of k = 2 cos 2z.
-fn odd_polynomial(c: [Dd; 4]) -> [Dd; 4] {
+pub(super) fn odd_polynomial<C: Coefficient>(c: [C; 4]) -> [C; 4] {
     [
         c[0] + c[1] - c[2] - c[3],
-        c[1] + c[2] - c[3].scaled(2.0),
+        c[1] + c[2] - (c[3] + c[3]),
         c[2] + c[3],
         c[3],
     ]
 }
 
 /// sum c_n cos((2n+1)z)/cos z in powers of k = 2 cos 2z.
-fn even_polynomial(c: [Dd; 4]) -> [Dd; 4] {
+pub(super) fn even_polynomial<C: Coefficient>(c: [C; 4]) -> [C; 4] {
     [
         c[0] - c[1] - c[2] + c[3],
-        c[1] - c[2] - c[3].scaled(2.0),
+        c[1] - c[2] - (c[3] + c[3]),
         c[2] - c[3],
         c[3],
     ]
