@@ -1,7 +1,15 @@
 //! What accuracy costs: every method on five motions whose answer is known.
 
+#[path = "accuracy/dial.rs"]
+mod dial;
 #[path = "accuracy/figures.rs"]
 mod figures;
+#[path = "accuracy/honesty.rs"]
+#[allow(
+    dead_code,
+    reason = "the tests of the dial ask more of each case than this page"
+)]
+mod honesty;
 #[path = "accuracy/limits.rs"]
 mod limits;
 #[path = "accuracy/measured.rs"]
@@ -17,7 +25,7 @@ mod tables;
 
 use problems::{Free, Kind, Problem};
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Errors, Measure, Sweep, WorkPrecision};
+use rotation_dynamics::accuracy::{Errors, Measure, Solved, Sweep, WorkPrecision};
 use rotation_dynamics::body::State;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Integrator, Rk4, Work};
@@ -71,6 +79,18 @@ fn rk4(scene: &Free, start: &State, exact: &State, end: f64) -> Result<WorkPreci
 }
 // ANCHOR_END: sweep
 
+// ANCHOR: dial
+/// The end of a motion, with an error of `tolerance` or less: by stepping, though there is
+/// a closed form, so that the closed form can judge.
+fn solved(problem: &Problem, tolerance: f64) -> Result<Solved> {
+    let (start, end) = (&problem.start, problem.end);
+    match &problem.kind {
+        Kind::Free { scene, .. } => scene.solve_by_stepping(start, end, tolerance),
+        Kind::Top { scene, .. } => scene.solve_by_stepping(start, end, tolerance),
+    }
+}
+// ANCHOR_END: dial
+
 /// Adds what RK4 pays for a digit.
 fn add_rk4(report: &mut Report, free: &Problem) -> Result<()> {
     let Kind::Free { scene, .. } = &free.kind else {
@@ -104,6 +124,7 @@ fn report(p: &Parameters) -> Result<Report> {
         add_rk4(&mut report, &all[0].problem)?;
     }
     tables::add(&mut report, &all, p.moments()?, p.are_default())?;
+    dial::add(&mut report, &all)?;
     limits::add(&mut report)?;
     strip::add(&mut report, &all[1], p.tolerance)?;
     Ok(report)

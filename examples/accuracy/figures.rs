@@ -25,6 +25,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
         figures.push(best(&measured[0])?);
     }
     figures.push(digit(&measured)?);
+    figures.push(super::dial::figure()?);
     Ok(figures)
 }
 
@@ -84,7 +85,7 @@ fn work(measured: &Measured) -> Result<Figure> {
         .x(Axis::log("evaluations").range(30.0, 3e5))
         .y(Axis::log("error of the attitude / rad").range(1e-15, 1.0));
     // What round-off alone may do; shown where it is inside the picture.
-    let floor = EPS * measured.problem.path_condition(1e-11)?.1;
+    let floor = EPS * measured.path_condition.1;
     panel = panel.level(floor, Ink::Frame, "");
     for line in &measured.lines {
         let points = drawn(line, Measure::Attitude);

@@ -46,8 +46,14 @@ impl Line {
 /// A problem with all methods that apply to it.
 pub struct Measured {
     pub problem: Arc<Problem>,
+    /// The condition of the start, and the largest on the path with its time.
+    pub start_condition: f64,
+    pub path_condition: (f64, f64),
     pub lines: Vec<Line>,
 }
+
+/// A disturbance so small that nothing bends, and so large that round-off is small in it.
+pub const SIZE: f64 = 1e-11;
 
 /// What is counted: evaluations of the derivative or the kick, each with one torque.
 pub fn evaluations(work: &Work) -> u64 {
@@ -83,6 +89,8 @@ impl Measured {
             });
         }
         Ok(Self {
+            start_condition: problem.condition(0.0, SIZE)?,
+            path_condition: problem.path_condition(SIZE)?,
             problem: Arc::new(problem),
             lines,
         })

@@ -117,8 +117,8 @@ pub const METHODS: &[Method] = &[
 /// Evaluations that a run may cost, in powers of two: from, to, and to for the foils,
 /// which are slow and gain nothing more.
 const FROM: f64 = 5.0;
-const TO: f64 = 18.0;
-const TO_FOILS: f64 = 15.0;
+const TO: f64 = 17.0;
+const TO_FOILS: f64 = 14.0;
 
 impl Method {
     /// The settings of a sweep, from coarse to fine.

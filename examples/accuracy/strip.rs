@@ -19,10 +19,31 @@ pub fn check(tolerance: Option<f64>) -> Result<()> {
     Ok(())
 }
 
+/// Adds what the dial takes, all its runs counted, unless it refuses.
+fn add_dial(report: &mut Report, top: &Measured, tolerance: f64) -> Result<()> {
+    let solved = match super::solved(&top.problem, tolerance) {
+        Err(Error::BeyondCondition { .. }) => return Ok(()),
+        solved => solved?,
+    };
+    let (problem, judge) = (Arc::clone(&top.problem), Arc::clone(&top.problem));
+    report.add_price(Price {
+        method: format!("dial: {}", solved.method),
+        requested: Some(tolerance),
+        delivered: top.problem.errors(&solved.state).attitude,
+        work: solved.work.to_string(),
+        again: Some(Computation::new(
+            move || super::solved(&problem, tolerance),
+            move |solved| Ok(judge.errors(&solved.state).attitude),
+        )),
+    });
+    Ok(())
+}
+
 /// Adds a line for each method that delivers the error asked for: one, or four.
 pub fn add(report: &mut Report, top: &Measured, tolerance: Option<f64>) -> Result<()> {
     let asked = tolerance.map_or(ASKED.to_vec(), |one| vec![one]);
     for error in asked {
+        add_dial(report, top, error)?;
         for line in &top.lines {
             let Some(run) = line.least(error) else {
                 continue;

@@ -1,6 +1,6 @@
 //! What the sweeps say: prices, floors, and what to choose.
 
-use super::measured::{Line, Measured, evaluations};
+use super::measured::{Line, Measured, SIZE, evaluations};
 use super::methods::METHODS;
 use super::problems;
 use rotation_dynamics::Result;
@@ -30,7 +30,7 @@ pub fn add(
     claims: bool,
 ) -> Result<()> {
     report.add_table(choices(all)?)?;
-    report.add_table(conditions(report_conditions(all)?)?)?;
+    report.add_table(conditions(all)?)?;
     report.add_table(floors(all, "floors", Measure::Attitude)?)?;
     report.add_table(floors(all, "floors_of_rates", Measure::Rates)?)?;
     report.add_table(floors(all, "floors_of_invariants", Measure::Invariants)?)?;
@@ -65,28 +65,6 @@ fn choices(all: &[Measured]) -> Result<Table> {
     Ok(table)
 }
 
-/// A problem's condition: of its start, and the largest on the path with its time.
-struct Condition<'m> {
-    measured: &'m Measured,
-    start: f64,
-    path: (f64, f64),
-}
-
-/// A disturbance so small that nothing bends, and so large that round-off is small in it.
-const SIZE: f64 = 1e-11;
-
-fn report_conditions(all: &[Measured]) -> Result<Vec<Condition<'_>>> {
-    (all.iter())
-        .map(|measured| {
-            Ok(Condition {
-                measured,
-                start: measured.problem.condition(0.0, SIZE)?,
-                path: measured.problem.path_condition(SIZE)?,
-            })
-        })
-        .collect()
-}
-
 /// Two digits, as a power of ten from ten thousand on.
 fn rounded(condition: f64) -> String {
     if condition < 1e4 {
@@ -97,20 +75,20 @@ fn rounded(condition: f64) -> String {
 }
 
 /// What the problem itself does to errors, and the smallest error that any method reached.
-fn conditions(all: Vec<Condition<'_>>) -> Result<Table> {
+fn conditions(all: &[Measured]) -> Result<Table> {
     let columns = ["motion", "start", "path", "eps x path", "reached", "by"];
     let mut table = Table::new("conditions", columns)?;
-    for condition in all {
-        let floors = condition.measured.contestants().filter_map(|line| {
+    for measured in all {
+        let floors = measured.contestants().filter_map(|line| {
             let floor = line.attitude.floor()?;
             Some((floor.error, line.method.name))
         });
         let best = floors.min_by(|a, b| a.0.total_cmp(&b.0));
         table.push([
-            condition.measured.problem.name.to_owned(),
-            rounded(condition.start),
-            rounded(condition.path.1),
-            short(EPS * condition.path.1, 2),
+            measured.problem.name.to_owned(),
+            rounded(measured.start_condition),
+            rounded(measured.path_condition.1),
+            short(EPS * measured.path_condition.1, 2),
             best.map_or("-".into(), |b| short(b.0, 2)),
             best.map_or("-".into(), |b| b.1.to_owned()),
         ])?;
@@ -167,17 +145,12 @@ fn long(moments: PrincipalMoments) -> Result<Table> {
     for periods in [10.0, 100.0, 1000.0] {
         let problem = problems::generic(moments, periods)?;
         let mut row = vec![count(periods)];
+        // From coarse to fine, around the setting that delivers.
+        let tolerances = (9..=14).map(|k| pow(10.0, -f64::from(k)));
+        let steps = (9..=16).map(|k| 0.5 * f64::from(k) * periods);
         for (key, settings) in [
-            (
-                "dop853",
-                (16..=28).map(|k| pow(10.0, -0.5 * f64::from(k))).collect(),
-            ),
-            (
-                "gauss",
-                (8..=20)
-                    .map(|k| 0.5 * f64::from(k) * periods)
-                    .collect::<Vec<f64>>(),
-            ),
+            ("dop853", tolerances.collect()),
+            ("gauss", steps.collect::<Vec<f64>>()),
         ] {
             let least = METHODS.iter().find(|m| m.key == key).and_then(|method| {
                 let sweep = method.sweep_over(&problem, settings)?;
@@ -309,9 +282,9 @@ fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
             .judged_within(0.2),
         )?;
     }
-    for condition in report_conditions(all)? {
-        let problem = &condition.measured.problem;
-        let (t, path) = condition.path;
+    for measured in all {
+        let problem = &measured.problem;
+        let (t, path) = measured.path_condition;
         let second = problem.condition(t, 8.0 * SIZE)?;
         report.add_claim(
             Claim::new(
