@@ -8,6 +8,7 @@
 pub mod double_double;
 pub mod lane;
 mod turns;
+mod versine;
 
 pub use double_double::DoubleDouble;
 pub use lane::Lane;
@@ -16,6 +17,7 @@ pub use libm::{
     ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
 pub use turns::{round_even, sincos_turns};
+pub(crate) use versine::sinc_versine;
 
 /// The unit round-off of `f64`, 2^-53: half the distance from 1 to the next number.
 pub const EPS: f64 = 1.110_223_024_625_156_5e-16;

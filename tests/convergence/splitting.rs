@@ -109,8 +109,8 @@ fn the_way_back_is_the_way_there() {
     let mut ran = 0;
     for (scheme, steps) in CASES {
         let off = round_trip(&Splitting::new(scheme, steps[0]).expect("some steps"));
-        // Measured: 1.9e-15 (SRKN 6b), the others at most 8.7e-16, whatever the step: it is round-off.
-        assert!(off <= 2e-15, "{} {off:e}", scheme.name);
+        // Measured: 2.6e-15 (SRKN 14a) and less, whatever the step: it is round-off.
+        assert!(off <= 2.6e-15, "{} {off:e}", scheme.name);
         ran += 1;
     }
     assert_eq!(ran, CASES.len());
@@ -179,14 +179,19 @@ fn slopes_on_an_asymmetric_body() {
     };
     let mut ran = 0;
     for (scheme, steps) in CASES {
-        let finer: Vec<u64> = steps.iter().map(|n| n * 2).collect();
+        // Round-off is 2e-13 here, so order 6 has the shorter range.
+        let finer: Vec<u64> = if scheme.order == 6 {
+            vec![80, 88, 96, 104, 112]
+        } else {
+            steps.iter().map(|n| n * 2).collect()
+        };
         let points = errors(scheme, &finer);
         let (slope, off) = fitted(&points);
-        // Measured: 2.0001, 4.0009, 5.942, 8.043, 2.0000, 3.997, 3.999; off the line
-        // by at most 0.0143.
+        // Measured: 2.0001, 4.0011, 6.031, 8.045, 2.0000, 3.997, 3.999; off the line
+        // by at most 0.0072.
         let order = f64::from(scheme.order);
         assert!((slope - order).abs() < 0.06, "{} {slope}", scheme.name);
-        assert!(off < 0.015, "{} {off}", scheme.name);
+        assert!(off < 0.0075, "{} {off}", scheme.name);
         ran += 1;
     }
     assert_eq!(ran, CASES.len());

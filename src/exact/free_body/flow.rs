@@ -28,7 +28,7 @@ use super::FreeBody;
 use crate::attitude::Attitude;
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
-use crate::math::{DoubleDouble, sincos};
+use crate::math::{DoubleDouble, sinc_versine};
 
 /// The longest (a_max - a_min) dt in one piece: the series then end below eps.
 const PIECE: f64 = 0.6;
@@ -149,15 +149,15 @@ impl FreeFlow {
         let eps2 = (e23 - e12) * THIRD;
         let eps3 = (e31 - e23) * THIRD;
         let poles = weierstrass(eps1, eps2, eps3);
-        let sum = ((poles[9] + poles[8]) + (poles[7] + poles[6]))
-            + ((poles[5] + poles[4]) + (poles[3] + poles[2]));
+        let sum =
+            (poles[8] + (poles[7] + poles[6])) + ((poles[5] + poles[4]) + (poles[3] + poles[2]));
         let (s1, s2, s3) = (1.0 + (sum - eps1), 1.0 + (sum - eps2), 1.0 + (sum - eps3));
         let (e1, e2, e3) = (s1.sqrt(), s2.sqrt(), s3.sqrt());
         // From here on t and nu are angles.
         let (t1, t2, t3) = (t1 * per_length, t2 * per_length, t3 * per_length);
         let nu = (a1 * squares1 + a2 * squares2 + a3 * squares3) * per_length;
         let rest = t1 * t2 * t3 * third_kind(&poles, t2 * t3 - eps1);
-        let (sin, cos) = sincos(nu - rest);
+        let (sin, cos) = turned_back(nu, rest);
         let (e23, e31, e12) = (e2 * e3, e3 * e1, e1 * e2);
         let all = e1 * e23;
         // One division for the two common denominators and the three e.
@@ -187,11 +187,10 @@ const THIRD: f64 = 1.0 / 3.0;
 /// h^2 P(h) = 1 + c_2 + c_3 + ..., from the three roots times h^2, whose sum is 0.
 /// The first two places are for the 1 and the missing h^2.
 #[inline]
-fn weierstrass(e1: f64, e2: f64, e3: f64) -> [f64; 10] {
+fn weierstrass(e1: f64, e2: f64, e3: f64) -> [f64; 9] {
     let c2 = (e1 * e1 + e2 * e2 + e3 * e3) * (1.0 / 10.0);
     let c3 = e1 * e2 * e3 * (1.0 / 7.0);
     let (c22, c33) = (c2 * c2, c3 * c3);
-    let c222 = c22 * c2;
     [
         1.0,
         0.0,
@@ -199,42 +198,66 @@ fn weierstrass(e1: f64, e2: f64, e3: f64) -> [f64; 10] {
         c3,
         c22 * (1.0 / 3.0),
         c2 * c3 * (3.0 / 11.0),
-        (2.0 * c222 + 3.0 * c33) * (1.0 / 39.0),
+        (2.0 * c22 * c2 + 3.0 * c33) * (1.0 / 39.0),
         c22 * c3 * (2.0 / 33.0),
-        c2 * (11.0 * c222 + 36.0 * c33) * (5.0 / 7293.0),
-        c3 * (29.0 * c222 + 11.0 * c33) * (1.0 / 2717.0),
+        c2 * (11.0 * c22 * c2 + 36.0 * c33) * (5.0 / 7293.0),
     ]
 }
 
-/// int_0^1 du u^2 / (1 + k u^2 + c_2 u^4 + c_3 u^6 + ...): the reciprocal series, term
-/// by term.
+/// (sin, cos) of nu less a small angle, which may come later.
 #[inline]
-fn third_kind(c: &[f64; 10], k: f64) -> f64 {
-    let mut series = [1.0; 10];
+fn turned_back(nu: f64, rest: f64) -> (f64, f64) {
+    let (sinc, versine) = sinc_versine(nu * nu);
+    let (sin, cos) = (nu * sinc, 1.0 - nu * nu * versine);
+    // |rest| < 0.01: what is dropped is below eps^2.
+    let square = rest * rest;
+    let s = rest - rest * square * (1.0 / 6.0 - square * (1.0 / 120.0));
+    let less = square * (0.5 - square * (1.0 / 24.0));
+    (sin - (cos * s + sin * less), cos + (sin * s - cos * less))
+}
+
+/// int_0^1 du u^2 / (1 + k u^2 + c_2 u^4 + c_3 u^6 + ...), by Gauss's rule of nine
+/// nodes, of which four are needed: exact to u^17.
+#[inline]
+fn third_kind(c: &[f64; 9], k: f64) -> f64 {
     let mut sum = 0.0;
-    for order in 1..10 {
-        // The newest term last: the others do not wait for it.
-        let mut term = c[order] * series[0];
-        for j in (2..order).rev() {
-            term += c[j] * series[order - j];
-        }
-        series[order] = -(term + k * series[order - 1]);
-    }
-    for order in (0..10).rev() {
-        sum += series[order] * ODD[order];
+    for (powers, weight) in POWERS.iter().zip(&WEIGHTS) {
+        let low = (c[2] * powers[2] + c[3] * powers[3]) + (c[4] * powers[4] + c[5] * powers[5]);
+        let high = c[6] * powers[6] + c[7] * powers[7];
+        sum += weight / (1.0 + (k * powers[1] + (low + high)));
     }
     sum
 }
 
-/// 1/3, 1/5, 1/7, ...
-const ODD: [f64; 10] = {
-    let mut odd = [0.0; 10];
-    let mut order = 0;
-    while order < 10 {
-        odd[order] = 1.0 / (2 * order + 3) as f64;
-        order += 1;
+/// The squares of the positive nodes.
+const SQUARES: [f64; 4] = [
+    0.105_140_282_589_089_78,
+    0.376_224_514_453_174_9,
+    0.698_948_012_417_800_8,
+    0.937_334_249_363_463_9,
+];
+
+/// The weights times the squares.
+const WEIGHTS: [f64; 4] = [
+    0.032_840_259_945_862_094,
+    0.098_048_132_715_498_17,
+    0.126_263_672_864_602_08,
+    0.076_181_267_807_371,
+];
+
+/// The powers of the squares.
+const POWERS: [[f64; 8]; 4] = {
+    let mut powers = [[1.0; 8]; 4];
+    let mut i = 0;
+    while i < 4 {
+        let mut n = 1;
+        while n < 8 {
+            powers[i][n] = powers[i][n - 1] * SQUARES[i];
+            n += 1;
+        }
+        i += 1;
     }
-    odd
+    powers
 };
 
 /// The quaternion product.

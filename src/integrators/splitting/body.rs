@@ -16,7 +16,7 @@ use crate::exact::free_body::FreeFlow;
 use crate::frame::SpaceVector;
 use crate::integrators::compensated::Compensated;
 use crate::integrators::spin_free::{spin_rate, spun};
-use crate::math::sincos;
+use crate::math::sinc_versine;
 use crate::scene::Scene;
 
 /// The attitude (without the spin, if the body is symmetric) and the momentum in
@@ -113,17 +113,11 @@ impl<E: AxisEffect> Separable for Scene<E> {
 /// What a turn about L, by the angle |L| `per_moment`, adds to q.
 fn turned_about(momentum: [f64; 3], per_moment: f64, [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     let [a, b, c] = momentum.map(|l| 0.5 * per_moment * l);
-    let angle = (a * a + b * b + c * c).sqrt();
+    let square = a * a + b * b + c * c;
     // What is added to q is q (cos - 1) + sin (n q): small for small angles,
-    // so that its rounding is too. From half the angle: cos - 1 = -2 sin^2.
-    let (s, co) = sincos(0.5 * angle);
-    let less = -2.0 * s * s;
-    // sin(angle)/angle; a vanishing momentum turns nothing.
-    let rate = if angle > 0.0 {
-        2.0 * s * co / angle
-    } else {
-        1.0
-    };
+    // so that its rounding is too.
+    let (rate, versine) = sinc_versine(square);
+    let less = -square * versine;
     let (a, b, c) = (rate * a, rate * b, rate * c);
     [
         less * w - (a * x + b * y + c * z),
