@@ -4,6 +4,7 @@ use super::{AxisEffect, Effect, Keeps};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
+use crate::math::Lane;
 
 /// Gravity on a body whose centre of mass lies on its axis e3, at a distance
 /// from the fixed point.
@@ -90,5 +91,11 @@ impl AxisEffect for GravityAtLever {
     fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
         let moment = self.moment();
         SpaceVector::new(-moment * axis.y(), moment * axis.x(), 0.0)
+    }
+
+    #[inline(always)]
+    fn axis_torques<L: Lane>(&self, [x, y, _]: [L; 3]) -> [L; 3] {
+        let moment = self.moment();
+        [y * -moment, x * moment, L::of(0.0)]
     }
 }

@@ -17,6 +17,8 @@ pub use gravity::GravityAtLever;
 
 use crate::body::{RigidBody, State};
 use crate::frame::SpaceVector;
+use crate::math::Lane;
+use crate::math::lane::WIDEST;
 
 /// Which quantities of a motion an effect leaves alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,6 +75,29 @@ pub trait AxisEffect: Effect {
     /// The torque on a body whose axis has this direction, on the fixed axes
     /// (N m). It is perpendicular to the axis.
     fn axis_torque(&self, axis: SpaceVector) -> SpaceVector;
+
+    /// The same for several directions side by side, with the same bits.
+    ///
+    /// This form takes one after the other. An effect that writes its own, over
+    /// [`Lane`] and marked `#[inline(always)]`, lets [`GaussLegendre`] fill its
+    /// registers.
+    ///
+    /// [`GaussLegendre`]: crate::integrators::GaussLegendre
+    #[inline(always)]
+    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+        let (mut from, mut to) = ([[0.0; WIDEST]; 3], [[0.0; WIDEST]; 3]);
+        for i in 0..3 {
+            axis[i].store(&mut from[i]);
+        }
+        for lane in 0..L::WIDTH {
+            let axis = SpaceVector::new(from[0][lane], from[1][lane], from[2][lane]);
+            let torque = self.axis_torque(axis).to_array();
+            for i in 0..3 {
+                to[i][lane] = torque[i];
+            }
+        }
+        [L::load(&to[0]), L::load(&to[1]), L::load(&to[2])]
+    }
 }
 
 /// No effect.
@@ -100,6 +125,11 @@ impl AxisEffect for () {
     fn axis_torque(&self, _axis: SpaceVector) -> SpaceVector {
         SpaceVector::zero()
     }
+
+    #[inline(always)]
+    fn axis_torques<L: Lane>(&self, _axis: [L; 3]) -> [L; 3] {
+        [L::of(0.0); 3]
+    }
 }
 
 /// Two effects together.
@@ -126,5 +156,12 @@ impl<A: AxisEffect, B: AxisEffect> AxisEffect for (A, B) {
     #[inline]
     fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
         self.0.axis_torque(axis) + self.1.axis_torque(axis)
+    }
+
+    #[inline(always)]
+    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+        let [a, b, c] = self.0.axis_torques(axis);
+        let [d, e, f] = self.1.axis_torques(axis);
+        [a + d, b + e, c + f]
     }
 }

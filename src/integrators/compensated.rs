@@ -11,7 +11,7 @@ use crate::math::double_double::two_sum;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Compensated<const N: usize> {
     pub value: [f64; N],
-    carry: [f64; N],
+    pub carry: [f64; N],
 }
 
 impl<const N: usize> Compensated<N> {
@@ -30,5 +30,15 @@ impl<const N: usize> Compensated<N> {
             (*value, *carry) = two_sum(*value, more + *carry);
         }
         sum
+    }
+
+    /// Adds an increment and its own, much smaller rest to component `i`: nothing is
+    /// rounded away but in the carry.
+    #[inline(always)]
+    pub fn add(&mut self, i: usize, more: f64, rest: f64) {
+        let (sum, lost) = two_sum(more, self.carry[i]);
+        let (value, carry) = two_sum(self.value[i], sum);
+        self.value[i] = value;
+        self.carry[i] = carry + (lost + rest);
     }
 }

@@ -66,6 +66,11 @@ impl<'s, E: AxisEffect> SpinFree<'s, E> {
         Ok(Self { scene })
     }
 
+    /// The scene, with the spin.
+    pub const fn scene(&self) -> &'s Scene<E> {
+        self.scene
+    }
+
     /// The rate Omega_S of the spin in this state (rad/s).
     ///
     /// Accuracy: a few eps |L|/I3, that of the axial momentum in a [`State`].

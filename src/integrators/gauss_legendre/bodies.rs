@@ -1,15 +1,18 @@
-//! What the method carries of a body: states of any scene, symmetric bodies
-//! without their spin, and the free body on its own axes.
+//! What the method carries of a body under effects: any scene, symmetric bodies
+//! without their spin, and any body on its own axes.
 
-use super::{GaussLegendre, LaneByLane, Lanes, StageOde};
+use super::free_rotation::{inverse_moments, rates};
+use super::{GaussLegendre, LaneByLane, StageOde};
 use crate::attitude::Attitude;
-use crate::body::{RigidBody, State};
+use crate::body::State;
 use crate::effects::{AxisEffect, Effect};
 use crate::error::Result;
-use crate::frame::SpaceVector;
+use crate::frame::BodyVector;
+use crate::integrators::compensated::Compensated;
+use crate::integrators::ode::check_span;
 use crate::integrators::scene::{components, state};
 use crate::integrators::{About, Integrator, Ode, SpinFree, Work};
-use crate::math::DoubleDouble;
+use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
 impl<E: Effect> Integrator<Scene<E>, State> for GaussLegendre {
@@ -29,6 +32,60 @@ impl<E: Effect> Integrator<Scene<E>, State> for GaussLegendre {
     }
 }
 
+/// S and m = L/(2 I1): S' = (0, m) S, m' = torque/(2 I1). With six components m_Z is kept.
+///
+/// The torque is that of an axis of length |S|^2; Gauss's methods keep that length.
+struct Precession<'s, E> {
+    effects: &'s E,
+    half: f64,
+    vertical: f64,
+    scale: [f64; 7],
+}
+
+impl<E: AxisEffect> Precession<'_, E> {
+    #[inline(always)]
+    fn rates<L: Lane>(&self, [w, x, y, z]: [L; 4], [p, q, r]: [L; 3]) -> ([L; 4], [L; 3]) {
+        let axis = [
+            (x * z + w * y) * 2.0,
+            (y * z - w * x) * 2.0,
+            (w * w + z * z) - (x * x + y * y),
+        ];
+        let [a, b, c] = self.effects.axis_torques(axis);
+        let turn = [
+            -(p * x + q * y + r * z),
+            p * w + q * z - r * y,
+            q * w + r * x - p * z,
+            r * w + p * y - q * x,
+        ];
+        (turn, [a * self.half, b * self.half, c * self.half])
+    }
+}
+
+impl<E: AxisEffect> StageOde<6> for Precession<'_, E> {
+    #[inline(always)]
+    fn derivatives<L: Lane>(&self, _t: L, &[w, x, y, z, p, q]: &[L; 6]) -> [L; 6] {
+        let (turn, torque) = self.rates([w, x, y, z], [p, q, L::of(self.vertical)]);
+        [turn[0], turn[1], turn[2], turn[3], torque[0], torque[1]]
+    }
+
+    fn scale(&self, _: &[f64; 6]) -> [f64; 6] {
+        let [w, x, y, z, p, q, _] = self.scale;
+        [w, x, y, z, p, q]
+    }
+}
+
+impl<E: AxisEffect> StageOde<7> for Precession<'_, E> {
+    #[inline(always)]
+    fn derivatives<L: Lane>(&self, _t: L, &[w, x, y, z, p, q, r]: &[L; 7]) -> [L; 7] {
+        let ([w, x, y, z], [p, q, r]) = self.rates([w, x, y, z], [p, q, r]);
+        [w, x, y, z, p, q, r]
+    }
+
+    fn scale(&self, _: &[f64; 7]) -> [f64; 7] {
+        self.scale
+    }
+}
+
 impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
     fn about(&self) -> About {
         Self::ABOUT
@@ -41,149 +98,162 @@ impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
         start: &State,
         t_end: f64,
     ) -> Result<(State, Work)> {
-        let (end, work) = self.advance(&LaneByLane(problem), t, &components(start), t_end)?;
+        let y = components(start);
+        check_span(t, &y, t_end)?;
+        if t == t_end {
+            return Ok((*start, Work::default()));
+        }
+        let twice = 2.0 * problem.scene().body().moments().i1();
+        let [w, x, y1, z, ..] = y;
+        let [p, q, r] = start
+            .angular_momentum
+            .to_array()
+            .map(|l| DoubleDouble::from(l) / twice);
+        let scale = Ode::scale(problem, &y);
+        let precession = Precession {
+            effects: problem.scene().effects(),
+            half: 1.0 / twice,
+            vertical: r.hi(),
+            scale: core::array::from_fn(|i| if i < 4 { scale[i] } else { scale[i] / twice }),
+        };
+        let [_, _, vertical] = start.angular_momentum.to_array();
+        let ([w, x, y, z], [lx, ly, lz], work) = if E::KEEPS.momentum[2] {
+            let from = Compensated {
+                value: [w, x, y1, z, p.hi(), q.hi()],
+                carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo()],
+            };
+            let ([w, x, y, z, p, q], work) = self.run(&precession, t, from, t_end, &mut ())?;
+            ([w, x, y, z], [p * twice, q * twice, vertical], work)
+        } else {
+            let from = Compensated {
+                value: [w, x, y1, z, p.hi(), q.hi(), r.hi()],
+                carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo(), r.lo()],
+            };
+            let ([w, x, y, z, p, q, r], work) = self.run(&precession, t, from, t_end, &mut ())?;
+            ([w, x, y, z], [p * twice, q * twice, r * twice], work)
+        };
         let spin = problem.spin_rate(start) * (t_end - t);
-        Ok((problem.state(&end, spin)?, work))
+        Ok((problem.state(&[w, x, y, z, lx, ly, lz], spin)?, work))
     }
 }
 
-/// A scene without torque, by attitude and momentum on the body's own axes:
+/// The scene of any body under effects that see its axis only, by attitude and
+/// momentum on the body's own axes:
 ///
 /// ```text
-/// q' = q (0, omega) / 2,   l' = l x omega,   omega = I^-1 l.
+/// q' = q (0, omega) / 2,   l' = l x omega + R^T torque(e3),   omega = I^-1 l.
 /// ```
 ///
-/// Energy and |L| are quadratic in l, and Gauss's methods keep what is quadratic:
-/// the error grows with the time, not with its square as it does in the variables
-/// of [`Scene`]. No formula has a branch, so the eight stages fill vector registers.
+/// The kinetic energy is quadratic in l, and so is the potential of gravity in q:
+/// Gauss's methods keep the energy of a heavy body but for round-off, and the error
+/// grows with the time, not with its square as it does in the variables of [`Scene`].
 ///
 /// ```
-/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::attitude::{Attitude, EulerAngles};
 /// use rotation_dynamics::body::RigidBody;
-/// use rotation_dynamics::exact::free_body::FreeBody;
+/// use rotation_dynamics::effects::GravityAtLever;
 /// use rotation_dynamics::frame::BodyVector;
 /// use rotation_dynamics::inertia::PrincipalMoments;
-/// use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
+/// use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
 /// use rotation_dynamics::integrators::{GaussLegendre, Integrator};
 /// use rotation_dynamics::scene::Scene;
 /// # fn main() -> rotation_dynamics::Result<()> {
-/// let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
-/// let rates = BodyVector::new(0.8, 0.4, 0.3375);
-/// let scene = Scene::new(RigidBody::new(moments));
-/// let start = scene.body().state(Attitude::IDENTITY, rates)?;
-/// let method = GaussLegendre::new(60)?;
-/// let (end, _) = method.advance(&FreeRotation::new(&scene), 0.0, &start, 60.0)?;
-/// let exact = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
-/// assert!(end.attitude.angle_to(&exact.attitude_at(60.0)) < 1e-13);
+/// // A top that is not round: there is no closed form.
+/// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.2, 2.0)?);
+/// let scene = Scene::new(body).with(GravityAtLever::new(0.2, 1.0)?);
+/// let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: 0.4, zeta: 0.0 })?;
+/// let start = body.state(tilted, BodyVector::new(0.1, 0.5, 0.7))?;
+/// let problem = BodyAxes::new(&scene);
+/// let (end, _) = GaussLegendre::new(1000)?.advance(&problem, 0.0, &start, 1000.0)?;
+/// assert!((scene.energy(&end) / scene.energy(&start) - 1.0).abs() < 1e-14);
 /// # Ok(())
 /// # }
 /// ```
 ///
-/// Source: notes 15.4, 15.5; for the quadratic invariants E. Hairer, C. Lubich,
-/// G. Wanner, *Geometric Numerical Integration*, IV.2.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FreeRotation {
-    body: RigidBody,
-    /// 1/I and what its rounding leaves out: rounded alone it would turn the body
-    /// by eps too much per radian, always to the same side.
+/// Source: L. Euler's equations with a torque, notes 15.5; L. D. Landau, E. M. Lifshitz,
+/// *Mechanics*, 36.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyAxes<'s, E> {
+    scene: &'s Scene<E>,
     inverse: [[f64; 2]; 3],
 }
 
-impl FreeRotation {
-    /// The scene's free rotation.
-    pub fn new(scene: &Scene<()>) -> Self {
-        let inverse = scene.body().moments().to_array().map(|i| {
-            let inverse = DoubleDouble::from(1.0) / DoubleDouble::from(i);
-            [inverse.hi(), inverse.lo()]
-        });
-        Self {
-            body: *scene.body(),
-            inverse,
-        }
+impl<'s, E: AxisEffect> BodyAxes<'s, E> {
+    /// The scene on the axes of its body.
+    pub fn new(scene: &'s Scene<E>) -> Self {
+        let inverse = inverse_moments(scene.body());
+        Self { scene, inverse }
     }
 
     /// The state as it is carried: w, x, y, z and the momentum on the body axes.
     pub fn components(&self, state: &State) -> [f64; 7] {
         let [w, x, y, z] = state.attitude.quaternion();
-        let [l1, l2, l3] = self.body.angular_momentum(state).to_array();
+        let [l1, l2, l3] = self.scene.body().angular_momentum(state).to_array();
         [w, x, y, z, l1, l2, l3]
     }
 
-    /// The derivatives of the seven components, in their order.
+    /// The state that these components stand for; the quaternion is normalised.
     ///
-    /// Bare numbers in and out: the compiler turns a loop over this into vector
-    /// instructions, which arrays would prevent.
+    /// Errors: a component that is not finite; a quaternion of length 0.
+    pub fn state(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> Result<State> {
+        let attitude = Attitude::from_quaternion([w, x, y, z])?;
+        State::new(attitude, attitude.to_space(BodyVector::new(l1, l2, l3)))
+    }
+
     #[inline(always)]
-    fn rates(&self, (w, x, y, z): Four, (l1, l2, l3): Three) -> (Four, Three) {
-        let [[a, a_rest], [b, b_rest], [c, c_rest]] = self.inverse;
-        let (p, q, r) = (
-            l1 * a + l1 * a_rest,
-            l2 * b + l2 * b_rest,
-            l3 * c + l3 * c_rest,
-        );
-        let turn = (l2 * r - l3 * q, l3 * p - l1 * r, l1 * q - l2 * p);
-        let (p, q, r) = (0.5 * p, 0.5 * q, 0.5 * r);
-        let rate = (
-            -(x * p + y * q + z * r),
-            w * p + y * r - z * q,
-            w * q + z * p - x * r,
-            w * r + x * q - y * p,
-        );
-        (rate, turn)
+    fn rates<L: Lane>(&self, y7: &[L; 7]) -> [L; 7] {
+        let [w, x, y, z, ..] = *y7;
+        let [xx, yy, zz, ww] = [x * x, y * y, z * z, w * w];
+        let axis = [
+            (x * z + w * y) * 2.0,
+            (y * z - w * x) * 2.0,
+            (ww + zz) - (xx + yy),
+        ];
+        let [a, b, c] = self.scene.effects().axis_torques(axis);
+        let [w1, x1, y1, z1, l1, l2, l3] = rates(&self.inverse, y7);
+        // The columns of R; the torque has no component along the third, e3.
+        let first = a * ((ww + xx) - (yy + zz)) + (b * (x * y + w * z) + c * (x * z - w * y)) * 2.0;
+        let second =
+            b * ((ww + yy) - (xx + zz)) + (a * (x * y - w * z) + c * (y * z + w * x)) * 2.0;
+        [w1, x1, y1, z1, l1 + first, l2 + second, l3]
     }
 }
 
-type Four = (f64, f64, f64, f64);
-type Three = (f64, f64, f64);
-
-impl Ode<7> for FreeRotation {
-    #[inline]
-    fn derivative(&self, _t: f64, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
-        let ((w, x, y, z), (l1, l2, l3)) = self.rates((w, x, y, z), (l1, l2, l3));
-        [w, x, y, z, l1, l2, l3]
+impl<E: AxisEffect> Ode<7> for BodyAxes<'_, E> {
+    fn derivative(&self, _t: f64, y: &[f64; 7]) -> [f64; 7] {
+        self.rates(y)
     }
 
-    /// The length of the quaternion and that of the momentum.
-    fn scale(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
-        let q = (w * w + x * x + y * y + z * z).sqrt();
-        let l = SpaceVector::new(l1, l2, l3).norm().max(f64::MIN_POSITIVE);
-        [q, q, q, q, l, l, l]
+    /// As for the scene itself.
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        Ode::scale(self.scene, y)
     }
 }
 
-impl StageOde<7> for FreeRotation {
+impl<E: AxisEffect> StageOde<7> for BodyAxes<'_, E> {
     #[inline(always)]
-    fn derivatives(&self, _t: &Lanes, [w, x, y, z, l1, l2, l3]: &[Lanes; 7]) -> [Lanes; 7] {
-        let mut out = [[0.0; 8]; 7];
-        for i in 0..8 {
-            let (four, three) = self.rates((w[i], x[i], y[i], z[i]), (l1[i], l2[i], l3[i]));
-            (out[0][i], out[1][i], out[2][i], out[3][i]) = four;
-            (out[4][i], out[5][i], out[6][i]) = three;
-        }
-        out
+    fn derivatives<L: Lane>(&self, _t: L, y: &[L; 7]) -> [L; 7] {
+        self.rates(y)
     }
 
     fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
-        Ode::scale(self, y)
+        Ode::scale(self.scene, y)
     }
 }
 
-/// The attitude moves; the momentum in space is that of the start.
-impl Integrator<FreeRotation, State> for GaussLegendre {
+impl<'s, E: AxisEffect> Integrator<BodyAxes<'s, E>, State> for GaussLegendre {
     fn about(&self) -> About {
         Self::ABOUT
     }
 
     fn advance(
         &self,
-        problem: &FreeRotation,
+        problem: &BodyAxes<'s, E>,
         t: f64,
         start: &State,
         t_end: f64,
     ) -> Result<(State, Work)> {
-        let start_components = problem.components(start);
-        let ([w, x, y, z, ..], work) = self.advance(problem, t, &start_components, t_end)?;
-        let attitude = Attitude::from_quaternion([w, x, y, z])?;
-        Ok((State { attitude, ..*start }, work))
+        let (end, work) = self.advance(problem, t, &problem.components(start), t_end)?;
+        Ok((problem.state(&end)?, work))
     }
 }

@@ -1,0 +1,233 @@
+//! The steps of the method, and the sweeps that solve the stages of each.
+//!
+//! Written once over the kinds of [`registers`](super::registers). What is inside a
+//! sweep must be inlined, or it is compiled for registers that are not there: plain
+//! loops, no closures.
+
+use super::coefficients::{CONTINUATION, NODES, STAGES, STAGES_REST, WEIGHTS, WEIGHTS_REST};
+use super::registers::{Common, Octet, Registers};
+use super::{GaussLegendre, Lanes, StageOde};
+use crate::error::{Error, Result};
+use crate::integrators::Work;
+use crate::integrators::compensated::Compensated;
+use crate::integrators::explicit::node;
+use crate::integrators::ode::finite_derivative;
+use crate::math::{DoubleDouble, ilogb, ldexp};
+use core::hint::black_box;
+
+/// More sweeps than any contracting step needs.
+const MOST_SWEEPS: u32 = 60;
+
+/// Changes below this, relative to the scale, may be nothing but round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+/// What is done with each step once its stages are known: a quadrature along the way.
+pub(super) trait Companion<const N: usize> {
+    /// The step by `h` (in two parts) led from one state through the stages to another.
+    fn follow<L: Octet>(&mut self, h: [f64; 2], from: &[f64; N], stages: &[L; N], to: &[f64; N]);
+}
+
+/// Nothing is done.
+impl<const N: usize> Companion<N> for () {
+    #[inline(always)]
+    fn follow<L: Octet>(&mut self, _: [f64; 2], _: &[f64; N], _: &[L; N], _: &[f64; N]) {}
+}
+
+/// Rows of eight numbers, placed so that none lies across two lines of the cache.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Rows<const N: usize>([Lanes; N]);
+
+/// The stages' coefficients times the step, in two parts.
+struct Tableau {
+    stages: Rows<8>,
+    rest: Rows<8>,
+}
+
+impl Tableau {
+    fn new(h: DoubleDouble) -> Self {
+        let (mut stages, mut rest) = (Rows([[0.0; 8]; 8]), Rows([[0.0; 8]; 8]));
+        // Between 1 and 2, where splitting a product cannot overflow.
+        let unit = ldexp(1.0, ilogb(h.hi()));
+        let step = h.hi() / unit;
+        for j in 0..8 {
+            for i in 0..8 {
+                let product = DoubleDouble::product(step, STAGES[j][i]).scaled(unit);
+                stages.0[j][i] = product.hi();
+                rest.0[j][i] = h.hi() * STAGES_REST[j][i] + h.lo() * STAGES[j][i] + product.lo();
+            }
+        }
+        Self { stages, rest }
+    }
+}
+
+impl GaussLegendre {
+    /// Every step, in the widest registers that the processor has and the method may use.
+    pub(super) fn run<const N: usize, O: StageOde<N>, C: Companion<N>>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: Compensated<N>,
+        t_end: f64,
+        companion: &mut C,
+    ) -> Result<([f64; N], Work)> {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if self.registers >= Registers::Avx512 && std::is_x86_feature_detected!("avx512f") {
+                // SAFETY: the processor has the feature, as just detected.
+                return unsafe { self.run_avx512(ode, t, start, t_end, companion) };
+            }
+            if self.registers >= Registers::Avx2 && std::is_x86_feature_detected!("avx2") {
+                // SAFETY: the processor has the feature, as just detected.
+                return unsafe { self.run_avx2(ode, t, start, t_end, companion) };
+            }
+        }
+        self.run_in::<Common, N, _, _>(ode, t, start, t_end, companion)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f")]
+    fn run_avx512<const N: usize, O: StageOde<N>, C: Companion<N>>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: Compensated<N>,
+        t_end: f64,
+        companion: &mut C,
+    ) -> Result<([f64; N], Work)> {
+        self.run_in::<super::registers::Avx512, N, _, _>(ode, t, start, t_end, companion)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn run_avx2<const N: usize, O: StageOde<N>, C: Companion<N>>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: Compensated<N>,
+        t_end: f64,
+        companion: &mut C,
+    ) -> Result<([f64; N], Work)> {
+        self.run_in::<super::registers::Avx2, N, _, _>(ode, t, start, t_end, companion)
+    }
+
+    #[inline(always)]
+    fn run_in<L: Octet, const N: usize, O: StageOde<N>, C: Companion<N>>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: Compensated<N>,
+        t_end: f64,
+        companion: &mut C,
+    ) -> Result<([f64; N], Work)> {
+        let mut y = start;
+        // The step in two parts: its rounding would stretch the time, always to one side.
+        let step = DoubleDouble::sum(t_end, -t) / self.steps as f64;
+        let (h, h_rest) = (step.hi(), step.lo());
+        // At rest the scale may be the least number there is: no 0 times infinity.
+        let weight = ode.scale(&y.value).map(|s| (h.abs() / s).min(f64::MAX));
+        let mut slopes = Rows([[0.0; 8]; N]);
+        let mut stages = [L::of(0.0); N];
+        for (stage, value) in stages.iter_mut().zip(&y.value) {
+            *stage = L::of(*value);
+        }
+        let first = ode.derivatives(L::of(t), &stages);
+        for (first, slopes) in first.iter().zip(&mut slopes.0) {
+            first.store(slopes);
+        }
+        finite_derivative(t, &y.value, slopes.0.map(|s| s[0]))?;
+        let tableau = Tableau::new(step);
+        let mut work = Work {
+            derivatives: 8,
+            ..Work::default()
+        };
+        for step in 0..self.steps {
+            let here = node(t, t_end, step, self.steps);
+            if step > 0 {
+                for i in 0..N {
+                    combination(&CONTINUATION, &slopes.0[i], L::of(0.0)).store(&mut slopes.0[i]);
+                }
+            }
+            let times = L::load(&NODES) * h + here;
+            let mut before = f64::INFINITY;
+            let mut sweeps = 0;
+            // What is carried, and with what the coefficients' rounding leaves out: so small
+            // that the slopes the sweeps begin with are good enough for it.
+            let (mut first, mut rest) = ([L::of(0.0); N], [L::of(0.0); N]);
+            for i in 0..N {
+                first[i] = L::of(y.carry[i]);
+                rest[i] = combination(&tableau.rest.0, &slopes.0[i], first[i]);
+            }
+            loop {
+                // Each slope is multiplied by a column, in all lanes: loaded from memory
+                // that costs nothing, taken out of a register it costs more than the
+                // product. The compiler would take it out of the register.
+                black_box(&mut slopes);
+                for i in 0..N {
+                    stages[i] = combination(&tableau.stages.0, &slopes.0[i], first[i]) + y.value[i];
+                }
+                let new = ode.derivatives(times, &stages);
+                let mut changes = (new[0] - L::load(&slopes.0[0])).abs() * weight[0];
+                for i in 1..N {
+                    changes = changes + (new[i] - L::load(&slopes.0[i])).abs() * weight[i];
+                }
+                for (new, slopes) in new.iter().zip(&mut slopes.0) {
+                    new.store(slopes);
+                }
+                first = rest;
+                sweeps += 1;
+                // A sum, so that a NaN anywhere makes it NaN.
+                let change = changes.sum();
+                // The change is what the old slopes lacked; the new ones lack less, by
+                // the gain. Positive conditions: a NaN must not count as converged.
+                let gain = (change / before).min(1.0);
+                let missing = if sweeps > 1 { gain * change } else { change };
+                if missing <= self.precision || (change >= before && change <= ROUND_OFF) {
+                    break;
+                }
+                if !change.is_finite() || (sweeps == MOST_SWEEPS && change > ROUND_OFF) {
+                    return Err(Error::NoConvergence {
+                        t: here,
+                        h,
+                        change: before,
+                    });
+                }
+                if sweeps == MOST_SWEEPS {
+                    break;
+                }
+                before = change;
+            }
+            work.derivatives += 8 * u64::from(sweeps);
+            let from = y.value;
+            for i in 0..N {
+                let mean = weighted_mean::<L>(&slopes.0[i]);
+                y.add(i, h * mean, h_rest * mean);
+            }
+            companion.follow([h, h_rest], &from, &stages, &y.value);
+            work.steps += 1;
+        }
+        Ok((y.value, work))
+    }
+}
+
+/// first + sum_j column_j x_j, as a tree: its depth is what a sweep waits for.
+#[inline(always)]
+fn combination<L: Octet>(columns: &[Lanes; 8], x: &Lanes, first: L) -> L {
+    let early = ((first + term::<L>(columns, x, 0)) + term::<L>(columns, x, 1))
+        + (term::<L>(columns, x, 2) + term::<L>(columns, x, 3));
+    let late = (term::<L>(columns, x, 4) + term::<L>(columns, x, 5))
+        + (term::<L>(columns, x, 6) + term::<L>(columns, x, 7));
+    early + late
+}
+
+#[inline(always)]
+fn term<L: Octet>(columns: &[Lanes; 8], x: &Lanes, j: usize) -> L {
+    L::load(&columns[j]) * x[j]
+}
+
+/// sum_j b_j x_j with weights whose sum is 1 exactly: x_0 + sum_j b_j (x_j - x_0).
+#[inline(always)]
+pub(super) fn weighted_mean<L: Octet>(x: &Lanes) -> f64 {
+    let off = L::load(x) - x[0];
+    x[0] + ((off * L::load(&WEIGHTS_REST)).sum() + (off * L::load(&WEIGHTS)).sum())
+}
