@@ -118,7 +118,10 @@ fn report(p: &Parameters) -> Result<Report> {
     let all = measured::all(p)?;
     let mut report = Report::new(
         "What accuracy costs",
-        "ten methods on five motions with known answers; errors of the attitude in rad",
+        format!(
+            "{} methods on five motions with known answers; errors of the attitude in rad",
+            methods::METHODS.len()
+        ),
     )?;
     if p.are_default() {
         add_rk4(&mut report, &all[0].problem)?;

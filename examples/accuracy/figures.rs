@@ -29,11 +29,20 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     Ok(figures)
 }
 
+/// Which methods are drawn: those that the text of the page speaks of.
+fn shown(problem: &str, key: &str) -> bool {
+    match problem {
+        "fast" => !["angles", "srkn6", "kl17", "aba82", "aba1064"].contains(&key),
+        "pole" => !["mk4", "srkn6", "kl17", "aba82", "aba104", "aba1064"].contains(&key),
+        _ => !["aba82", "aba104", "aba1064"].contains(&key),
+    }
+}
+
 /// A family of methods has a colour, and a line says its own name.
 fn styled(curve: Curve, key: &str) -> Curve {
     match key {
         "euler" | "semi" => curve.dashed(),
-        "angles" | "mk4" => curve.dashed(),
+        "angles" | "mk4" | "kl17" | "aba104" => curve.dashed(),
         FLOW => curve.dotted(),
         _ => curve,
     }
@@ -43,9 +52,9 @@ fn ink(key: &str) -> Ink {
     match key {
         "euler" | "semi" => Ink::Wrong,
         "rk4" | "mk4" => Ink::Energy,
-        "strang" => Ink::Force,
-        "srkn6" => Ink::Momentum,
-        "srkn14" | FLOW => Ink::Body,
+        "strang" | "aba82" | "aba1064" => Ink::Force,
+        "srkn6" | "aba104" => Ink::Momentum,
+        "srkn14" | "kl17" | FLOW => Ink::Body,
         "gauss" => Ink::Ink,
         _ => Ink::Velocity,
     }
@@ -59,6 +68,8 @@ fn label(line: &Line) -> &'static str {
         "gauss" => "Gauss 16",
         "srkn6" => "order 4",
         "srkn14" => "order 6",
+        "kl17" => "order 8",
+        "aba104" => "weak kicks",
         _ => line.method.name,
     }
 }
@@ -89,7 +100,7 @@ fn work(measured: &Measured) -> Result<Figure> {
     panel = panel.level(floor, Ink::Frame, "");
     for line in &measured.lines {
         let points = drawn(line, Measure::Attitude);
-        if points.len() < 3 {
+        if points.len() < 3 || !shown(measured.problem.key, line.method.key) {
             continue;
         }
         let key = line.method.key;
@@ -188,10 +199,10 @@ fn digit(all: &[Measured]) -> Result<Figure> {
     .y(Axis::linear("work for one more digit, factor").range(1.0, 4.0))
     .curve(Curve::new(by_order.filter(|(_, y)| *y <= 4.0), Ink::Ink).label_at("$10^{1/p}$", 2.7, 2.35, Side::AboveRight));
     let mut labels: Vec<(u32, &str)> = vec![
-        (2, "Strang"),
-        (4, "RK4 and others"),
+        (2, "Strang, ABA(8,2)"),
+        (4, "RK4 and five others"),
         (6, "SRKN 14a"),
-        (8, "DOP853"),
+        (8, "DOP853, Kahan-Li"),
         (16, "Gauss 16"),
     ];
     for measured in all {
