@@ -12,7 +12,7 @@
 //! | [`MuntheKaas4`] | any scene; turns the attitude instead of adding to it | fixed |
 //! | [`Splitting`] | any body under effects that see only its axis, and any [`Separable`] | fixed |
 //!
-//! A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
+//! [`Projected`] keeps energy and momenta in long runs of any of them. A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
 //! carries its [`State`](crate::body::State)s. [`SpinFree`] takes the spin of a
 //! symmetric body out, for the general methods too. The [`foils`] are there to fail.
 //!
@@ -26,6 +26,7 @@ pub mod foils;
 pub mod gauss_legendre;
 mod munthe_kaas;
 mod ode;
+mod projected;
 mod rk4;
 pub mod scene;
 mod spin_free;
@@ -37,6 +38,7 @@ pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use munthe_kaas::MuntheKaas4;
 pub use ode::Ode;
+pub use projected::{Kept, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;
 pub use splitting::{Scheme, Separable, Splitting};

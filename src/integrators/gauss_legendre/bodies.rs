@@ -185,6 +185,11 @@ impl<'s, E: AxisEffect> BodyAxes<'s, E> {
         Self { scene, inverse }
     }
 
+    /// The scene.
+    pub const fn scene(&self) -> &'s Scene<E> {
+        self.scene
+    }
+
     /// The state as it is carried: w, x, y, z and the momentum on the body axes.
     pub fn components(&self, state: &State) -> [f64; 7] {
         let [w, x, y, z] = state.attitude.quaternion();

@@ -74,6 +74,11 @@ impl FreeRotation {
         }
     }
 
+    /// The body.
+    pub const fn body(&self) -> &RigidBody {
+        &self.body
+    }
+
     /// The state as an [`Ode`] carries it: w, x, y, z and the momentum on the body axes.
     pub fn components(&self, state: &State) -> [f64; 7] {
         let [w, x, y, z] = state.attitude.quaternion();
