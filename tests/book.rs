@@ -106,7 +106,7 @@ fn every_stem_is_complete() {
 }
 
 /// Each damage: the file, what is replaced by what, and how the message begins.
-const DAMAGES: [(&str, &str, &str, &str); 20] = [
+const DAMAGES: [(&str, &str, &str, &str); 23] = [
     (
         "book/src/one.md",
         "sample:period",
@@ -172,6 +172,24 @@ const DAMAGES: [(&str, &str, &str, &str); 20] = [
         "sample:limits",
         "sample:limit",
         "book/src/one.md:25: the output of sample has no section 'limit'",
+    ),
+    (
+        "book/src/one.md",
+        "measured races:ratios",
+        "measured race:ratios",
+        "book/src/one.md:33: there is no benches/record/race.txt; recorded are: races",
+    ),
+    (
+        "book/src/one.md",
+        "measured races:ratios",
+        "measured races:ratio",
+        "book/src/one.md:33: benches/record/races.txt has no table 'ratio'; it has: conditions, ratios",
+    ),
+    (
+        "benches/record/races.txt",
+        "processor  Abacus 2",
+        "abacus     2",
+        "book/src/one.md:33: benches/record/races.txt does not say on what it was measured",
     ),
     (
         "book/src/one.md",
@@ -259,7 +277,7 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         assert!(!sample.root.join("out.new").exists());
         found += 1;
     }
-    assert_eq!(found, 20);
+    assert_eq!(found, 23);
 
     // Orphans: files that nothing shows.
     let orphans = [
@@ -300,6 +318,21 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         built.stderr
     );
     assert!(other.join("sample.rs").is_file());
+}
+
+#[test]
+fn a_record_is_shown_with_what_it_was_measured_on() {
+    let sample = Sample::new("measured");
+    let out = sample.root.join("out");
+    let built = book(&sample.root, &["--out", &out.to_string_lossy()], "");
+    assert!(built.ok, "{}", built.stderr);
+    let html = read(&out.join("one.html"));
+    for shown in [
+        "<td class=\"n\">17.5</td>",
+        "Medians measured on Abacus 2, rustc 1.92.0, 1823-06-14; not locked.",
+    ] {
+        assert!(html.contains(shown), "{shown}\n{html}");
+    }
 }
 
 /// The rows of every strip and of the record, without their times: stem and four cells.
@@ -362,7 +395,7 @@ fn a_time_is_shown_beside_its_own_line_alone() {
     let bare = built();
     assert!(bare.ok, "{}", bare.stderr);
     assert!(!page().contains("<th class=\"n\">time</th>"));
-    assert!(!page().contains("class=\"measured\""));
+    assert!(!page().contains("one sample of the closed form"));
 
     fs::create_dir_all(sample.root.join("benches/record")).expect("the copy can be made");
     fs::write(&record, RECORD).expect("the copy can be written");

@@ -106,6 +106,8 @@ and $\frac{T}{4}$ is a quarter of it, also in a table: | a | $|x|$ |.
 {{test sample_tests::it_swings}}
 
 {{table sample:accuracy}}
+
+{{measured races:ratios}}
 ";
 
 const TWO: &str = r"# Two
@@ -167,6 +169,22 @@ Verlet  1e-9       9e-10      900 steps  6789  6700 to 6900
 gone    1e-9       9e-10      900 steps  999   990 to 1100
 ";
 
+/// Who was how fast.
+const RACES: &str = "\
+Races
+Measured.
+
+table conditions
+condition  value
+processor  Abacus 2
+compiler   rustc 1.92.0
+date       1823-06-14
+
+table ratios
+problem  peer      faster
+swing    hourglass  17.5
+";
+
 const FIGURE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 340 260\" \
     width=\"340\" height=\"260\" role=\"img\" aria-label=\"A curve that swings\">\n\
     <desc>A curve that swings</desc>\n<path d=\"M0,0L9,9\"/>\n</svg>\n";
@@ -198,6 +216,7 @@ impl Sample {
             ("examples/sample.rs", EXAMPLE),
             ("tests/snapshots/sample.snap", OUTPUT),
             ("tests/snapshots/figures/sample__swing.snap.svg", FIGURE),
+            ("benches/record/races.txt", RACES),
             ("tests/sample_tests.rs", "#[test]\nfn it_swings() {}\n"),
         ];
         for (file, text) in files {

@@ -10,12 +10,14 @@
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
 //! | `{{output STEM}}`, `{{output STEM:SECTION}}` | the locked output, or one section of it, with the command |
 //! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` with its times |
+//! | `{{measured RECORD:TABLE}}` | a table of `benches/record/RECORD.txt`, and under it on what it was measured |
 //! | `{{check STEM}}` | the answer box |
 //! | `{{test FILE::NAME}}` | a link to the test, which must exist |
 
 use crate::check;
 use crate::expand::Page;
 use crate::figure;
+use crate::measured;
 use crate::project::{Claim, Project};
 use crate::splice::Splice;
 use crate::table;
@@ -46,6 +48,8 @@ pub enum Directive {
     },
     /// A section as a table.
     Table { stem: String, section: String },
+    /// A table of a record of measurements.
+    Measured { record: String, table: String },
     /// The answer box.
     Check { stem: String },
     /// A link to a test.
@@ -132,6 +136,11 @@ impl Directive {
                 Ok(Self::Table { stem, section })
             }
             ("table", _) => Err(wrong("table STEM:SECTION")),
+            ("measured", [word]) => {
+                let (record, table) = pair(word).ok_or_else(|| wrong("measured RECORD:TABLE"))?;
+                Ok(Self::Measured { record, table })
+            }
+            ("measured", _) => Err(wrong("measured RECORD:TABLE")),
             ("check", [stem]) if is_name(stem) => Ok(Self::Check {
                 stem: (*stem).to_owned(),
             }),
@@ -153,7 +162,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, given, figure, listing, output, \
-                 table, check, test"
+                 table, measured, check, test"
             )),
         }
     }
@@ -364,6 +373,15 @@ pub fn block(
             .mark(&text);
             Ok(format!("{indent}<div class=\"scroll\">{mark}</div>\n\n"))
         }
+        Directive::Measured { record, table } => {
+            let (found, _) = measured::of(project, record, table)?;
+            let mark = Splice::Measured {
+                record: record.clone(),
+                table: table.clone(),
+            }
+            .mark(&table::plain(&found));
+            Ok(format!("{indent}<div class=\"scroll\">{mark}</div>\n\n"))
+        }
         Directive::Check { stem } => {
             page.stems.push(stem.clone());
             check::html(project, stem)?;
@@ -418,6 +436,13 @@ mod tests {
             ]))
         );
         assert_eq!(
+            Directive::read("measured peers:ratios"),
+            Ok(Directive::Measured {
+                record: "peers".into(),
+                table: "ratios".into()
+            })
+        );
+        assert_eq!(
             Directive::read("test src/exact/ladder.rs::tests::at_release"),
             Ok(Directive::Test {
                 file: "src/exact/ladder.rs".into(),
@@ -433,6 +458,8 @@ mod tests {
             "figure",
             "listing a",
             "check a:b",
+            "measured peers",
+            "measured ../peers:ratios",
             "test ../x::y",
             "given pi",
             "#include a.md",

@@ -15,6 +15,7 @@ mod figure;
 mod fonts;
 mod lint;
 mod maths;
+mod measured;
 mod pages;
 mod preprocess;
 mod problem;

@@ -5,6 +5,7 @@ use crate::check;
 use crate::figure;
 use crate::fonts;
 use crate::maths;
+use crate::measured;
 use crate::pages;
 use crate::project::Project;
 use crate::source;
@@ -72,6 +73,7 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
                 false => Ok(table::html(&table)),
             }
         }
+        Splice::Measured { record, table } => measured::html(project, record, table),
         Splice::Check { stem } => check::html(project, stem),
     }
 }

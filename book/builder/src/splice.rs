@@ -23,6 +23,8 @@ pub enum Splice {
     Figure { stem: String, name: String },
     /// A section of the locked output.
     Table { stem: String, section: String },
+    /// A table of a record of measurements.
+    Measured { record: String, table: String },
     /// The answer box.
     Check { stem: String },
 }
@@ -50,6 +52,9 @@ impl Splice {
             ],
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
+            Self::Measured { record, table } => {
+                vec!["measured".into(), record.clone(), table.clone()]
+            }
             Self::Check { stem } => vec!["check".into(), stem.clone()],
         }
     }
@@ -72,6 +77,10 @@ impl Splice {
             ["table", stem, section] => Self::Table {
                 stem: stem.into(),
                 section: section.into(),
+            },
+            ["measured", record, table] => Self::Measured {
+                record: record.into(),
+                table: table.into(),
             },
             ["check", stem] => Self::Check { stem: stem.into() },
             _ => return None,
@@ -166,6 +175,10 @@ mod tests {
                 stem: "a".into(),
                 section: "limits".into(),
             },
+            Splice::Measured {
+                record: "peers".into(),
+                table: "ratios".into(),
+            },
             Splice::Check { stem: "a".into() },
         ];
         let mut page = String::from("<p>");
@@ -177,7 +190,7 @@ mod tests {
             seen.push(splice.clone());
             Ok("!".into())
         });
-        assert_eq!(filled.as_deref(), Ok("<p>!!!!!"));
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!"));
         assert_eq!(seen, splices);
         // The damaged twin: a broken mark is an error, not text.
         assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());

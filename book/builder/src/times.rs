@@ -5,6 +5,7 @@
 //! strips`. A time is shown only beside the very computation that was timed; if
 //! anything in the line has changed since, its place stays empty.
 
+use crate::measured;
 use crate::project::Project;
 use crate::table;
 use crate::text::escape;
@@ -132,11 +133,8 @@ fn note(record: &Parsed, stem: &str, marked: bool) -> String {
         note += &format!(" ({unit}\u{202f}ns)");
     }
     note += ", medians measured";
-    if let Some(processor) = find("table conditions", "processor") {
-        note += &format!(" on {processor}");
-    }
-    if let Some(compiler) = find("table conditions", "compiler") {
-        note += &format!(", {compiler}");
+    if let Some(conditions) = measured::conditions(record) {
+        note += &format!(" {conditions}");
     }
     note += "; not locked.";
     if marked {

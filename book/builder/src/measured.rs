@@ -1,0 +1,79 @@
+//! Tables of what was measured: `benches/record/NAME.txt`.
+//!
+//! A record is written by a command that it names, on a machine that it names. It is
+//! measured, not locked, so a page shows it as what it is: with a line under it that
+//! says on what, with what and when.
+
+use crate::project::Project;
+use crate::table;
+use crate::text::escape;
+use rotation_dynamics::report::{Parsed, Table, parse};
+
+/// Where the records are, relative to the project's root.
+const RECORDS: &str = "benches/record";
+
+/// The record `name`.
+///
+/// # Errors
+/// That there is none, and which there are; or why it cannot be read.
+fn record(project: &Project, name: &str) -> Result<Parsed, String> {
+    let file = format!("{RECORDS}/{name}.txt");
+    if !project.path(&file).is_file() {
+        let known = project.names(RECORDS, ".txt").join(", ");
+        return Err(format!("there is no {file}; recorded are: {known}"));
+    }
+    parse(&project.read(&file)?).map_err(|e| format!("{file}: {e}"))
+}
+
+/// A table of a record, and the line under it.
+///
+/// # Errors
+/// What is missing, and what there is instead.
+pub fn of(project: &Project, name: &str, section: &str) -> Result<(Table, String), String> {
+    let record = record(project, name)?;
+    let Some(found) = record.table(&format!("table {section}")) else {
+        let headings = record.tables.iter().map(Table::heading);
+        let known: Vec<&str> = headings.map(|h| h.trim_start_matches("table ")).collect();
+        return Err(format!(
+            "{RECORDS}/{name}.txt has no table '{section}'; it has: {}",
+            known.join(", ")
+        ));
+    };
+    let conditions = conditions(&record).ok_or(format!(
+        "{RECORDS}/{name}.txt does not say on what it was measured: it needs a table \
+         'conditions' with processor and compiler"
+    ))?;
+    Ok((
+        found.clone(),
+        format!("Medians measured {conditions}; not locked."),
+    ))
+}
+
+/// A table of a record as HTML.
+///
+/// # Errors
+/// As [`of`].
+pub fn html(project: &Project, name: &str, section: &str) -> Result<String, String> {
+    let (found, note) = of(project, name, section)?;
+    Ok(format!(
+        "{}<p class=\"measured\">{}</p>",
+        table::html(&found),
+        escape(&note)
+    ))
+}
+
+/// On what, with what and, if it says so, when a record was made: `on Abacus 2, rustc 1.92.0`.
+pub fn conditions(record: &Parsed) -> Option<String> {
+    let conditions = record.table("table conditions")?;
+    let value = |name: &str| {
+        let row = conditions.rows().iter().find(|row| row[0] == name)?;
+        Some(row.get(1)?.as_str())
+    };
+    let date = value("date").map(|date| format!(", {date}"));
+    Some(format!(
+        "on {}, {}{}",
+        value("processor")?,
+        value("compiler")?,
+        date.unwrap_or_default()
+    ))
+}
