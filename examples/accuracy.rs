@@ -2,6 +2,9 @@
 
 #[path = "accuracy/dial.rs"]
 mod dial;
+#[path = "accuracy/drift.rs"]
+#[allow(dead_code, reason = "the tests of long runs ask for the free body too")]
+mod drift;
 #[path = "accuracy/figures.rs"]
 mod figures;
 #[path = "accuracy/honesty.rs"]
@@ -12,6 +15,8 @@ mod figures;
 mod honesty;
 #[path = "accuracy/limits.rs"]
 mod limits;
+#[path = "accuracy/long.rs"]
+mod long;
 #[path = "accuracy/measured.rs"]
 pub mod measured;
 #[path = "accuracy/methods.rs"]
@@ -127,6 +132,7 @@ fn report(p: &Parameters) -> Result<Report> {
         add_rk4(&mut report, &all[0].problem)?;
     }
     tables::add(&mut report, &all, p.moments()?, p.are_default())?;
+    long::add(&mut report)?;
     dial::add(&mut report, &all)?;
     limits::add(&mut report)?;
     strip::add(&mut report, &all[1], p.tolerance)?;

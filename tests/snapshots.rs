@@ -39,7 +39,7 @@ struct Locked {
 
 /// How many examples there are, and how many figures they draw.
 const EXAMPLES: usize = 4;
-const FIGURES: usize = 46;
+const FIGURES: usize = 48;
 
 /// Every example, run once for all tests of this file.
 fn all() -> &'static [Locked] {

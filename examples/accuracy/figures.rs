@@ -25,6 +25,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
         figures.push(best(&measured[0])?);
     }
     figures.push(digit(&measured)?);
+    figures.extend(super::long::figures()?);
     figures.push(super::dial::figure()?);
     Ok(figures)
 }
