@@ -1,6 +1,7 @@
-//! What accuracy costs here: five methods against the closed form.
+//! What accuracy costs here: the dial, and what it chose from, against the closed form.
 
 use super::motions::Motion;
+use rotation_dynamics::accuracy::Solved;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
@@ -129,52 +130,72 @@ fn finest(method: &str) -> u32 {
     }
 }
 
-/// Adds the accuracy strip for the motion that nods (or the only one).
+// ANCHOR: dial
+/// Adds the accuracy strip for the motion that nods (or the only one): the dial, then
+/// the least work of each method, known with hindsight.
 pub fn add(report: &mut Report, motions: &[Motion], tolerance: f64) -> Result<()> {
-    if !(1e-13..=1.0).contains(&tolerance) {
-        return Err(Error::OutOfRange {
-            name: "tolerance",
-            value: tolerance,
-            allowed: "from 1e-13 to 1 rad: less is lost in round-off",
-        });
-    }
     let motion = motions.get(1).unwrap_or(&motions[0]);
     if motion.top.c() == 0.0 || !motion.clear_of_poles() {
         return Ok(());
     }
     let problem = Arc::new(Problem::new(motion)?);
-    let mut price = |label: &str, asked: f64, run: Run| {
-        report.add_price(Price {
-            method: format!("{label}{}", run.method),
-            requested: Some(asked),
-            delivered: run.error,
-            work: run.work.to_string(),
-            again: Some(run.again),
-        });
-    };
+    // A closed form where the scene has one; without it, everything is stepped.
+    add_dial(report, &problem, "dial: ", tolerance, |p, error| {
+        p.scene.solve(&p.start, p.end / p.unit, error)
+    })?;
+    for error in [tolerance, 1e-3, 1e-6, 1e-12] {
+        add_dial(report, &problem, "dial, stepping: ", error, |p, error| {
+            p.scene.solve_by_stepping(&p.start, p.end / p.unit, error)
+        })?;
+    }
+    // ANCHOR_END: dial
     for method in METHODS {
         if let Some(run) = problem.least(method, tolerance)? {
-            price("", tolerance, run);
-        }
-    }
-    for asked in [1e-3, 1e-6, 1e-12] {
-        let mut best: Option<Run> = None;
-        for method in METHODS {
-            if let Some(run) = problem.least(method, asked)?
-                && best
-                    .as_ref()
-                    .is_none_or(|best| run.work.torques() < best.work.torques())
-            {
-                best = Some(run);
-            }
-        }
-        if let Some(best) = best {
-            price("cheapest: ", asked, best);
+            report.add_price(Price {
+                method: format!("least: {}", run.method),
+                requested: Some(tolerance),
+                delivered: run.error,
+                work: run.work.to_string(),
+                again: Some(run.again),
+            });
         }
     }
     report.set_closed_form(ClosedForm::new(move |part| {
         Ok(problem.exact.attitude(part * problem.end))
     }));
+    Ok(())
+}
+
+/// Adds what the dial delivers, or that it refuses and the least it could.
+fn add_dial(
+    report: &mut Report,
+    problem: &Arc<Problem>,
+    label: &str,
+    requested: f64,
+    solve: fn(&Problem, f64) -> Result<Solved>,
+) -> Result<()> {
+    let (method, delivered, work, again) = match solve(problem, requested) {
+        Ok(solved) => {
+            let (run, judge) = (Arc::clone(problem), Arc::clone(problem));
+            let again = Computation::new(
+                move || solve(&run, requested),
+                move |solved| Ok(judge.error(&solved.state)),
+            );
+            let error = problem.error(&solved.state);
+            (solved.method, error, solved.work.to_string(), Some(again))
+        }
+        Err(Error::BeyondCondition { attainable, .. }) if label != "dial: " => {
+            ("-", attainable, "refused".into(), None)
+        }
+        Err(other) => return Err(other),
+    };
+    report.add_price(Price {
+        method: format!("{label}{method}"),
+        requested: Some(requested),
+        delivered,
+        work,
+        again,
+    });
     Ok(())
 }
 

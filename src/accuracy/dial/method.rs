@@ -48,6 +48,8 @@ impl Method {
             &[FreeGauss, Adaptive]
         } else if E::ANALYTIC && E::AXIS_ONLY && problem.body.moments().is_symmetric() {
             &[Split6, Split4, SpinFreeGauss, SpinFreeAdaptive]
+        } else if E::ANALYTIC && E::AXIS_ONLY {
+            &[Gauss, Split6, Split4, Adaptive]
         } else if E::ANALYTIC {
             &[Gauss, Adaptive]
         } else {

@@ -131,7 +131,7 @@ impl Solvable for GravityAtLever {
             return None;
         }
         let (weight, lever) = (strength * self.weight(), self.lever());
-        let top = SymmetricTop::new(moments.i1(), moments.i3(), weight, lever).ok()?;
+        let top = SymmetricTop::formal(moments.i1(), moments.i3(), weight, lever).ok()?;
         let rates = body.angular_velocity(start);
         let motion = HeavyTop::from_body(top, start.attitude.euler_angles(), rates).ok()?;
         let body = *body;

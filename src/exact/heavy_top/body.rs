@@ -39,7 +39,28 @@ impl SymmetricTop {
         Self::checked(i1, i3, mass * gravity, lever, moment)
     }
 
+    /// The same equations for any positive moments, whether a body has them or not: the
+    /// notes' disc, I3 = 2 I1, with its weight off the pivot.
+    ///
+    /// # Errors
+    /// As [`Self::new`], but for the moments.
+    pub fn formal(i1: f64, i3: f64, weight: f64, lever: f64) -> Result<Self> {
+        Self::of(i1, i3, weight, lever, Dd::product(weight, lever))
+    }
+
     fn checked(i1: f64, i3: f64, weight: f64, lever: f64, moment: Dd) -> Result<Self> {
+        let top = Self::of(i1, i3, weight, lever, moment)?;
+        if i3 > 2.0 * i1 || (i3 == 2.0 * i1 && lever != 0.0) {
+            return Err(Error::OutOfRange {
+                name: "I3/I1",
+                value: i3 / i1,
+                allowed: "I3 <= 2 I1 for every body, and I3 < 2 I1 if the centre of mass is off the pivot",
+            });
+        }
+        Ok(top)
+    }
+
+    fn of(i1: f64, i3: f64, weight: f64, lever: f64, moment: Dd) -> Result<Self> {
         positive("I1", i1)?;
         positive("I3", i3)?;
         finite("m g", weight)?;
@@ -50,13 +71,6 @@ impl SymmetricTop {
                 name: "m g",
                 value: weight,
                 allowed: "a weight is 0 or more; let the lever carry the sign",
-            });
-        }
-        if i3 > 2.0 * i1 || (i3 == 2.0 * i1 && lever != 0.0) {
-            return Err(Error::OutOfRange {
-                name: "I3/I1",
-                value: i3 / i1,
-                allowed: "I3 <= 2 I1 for every body, and I3 < 2 I1 if the centre of mass is off the pivot",
             });
         }
         Ok(Self {
