@@ -80,7 +80,7 @@ pub struct Parameters {
     pub start: &'static str,
     /// I1, I3, mass, gravity, length, theta, spin, precession, nutation, in SI units.
     pub body: [Option<f64>; 9],
-    /// The global error asked of the numerical methods in the accuracy table, rad.
+    /// The error of the attitude at the end that the dial is asked for, rad.
     pub tolerance: f64,
 }
 
@@ -251,7 +251,7 @@ pub const EXAMPLE: Example<Parameters> = Example {
         Flag::number(
             "tolerance",
             "rad",
-            "error asked of the numerical methods",
+            "error asked of the attitude at the end: above 0, at most pi",
             |p| Some(p.tolerance),
             |p, x| p.tolerance = x,
         ),

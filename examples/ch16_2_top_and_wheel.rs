@@ -92,7 +92,7 @@ pub struct Parameters {
     /// Mass, length, I1 about the centre of mass, I3, gravity, tilt, spin, precession
     /// and nutation at the start, in SI units.
     pub given: [Option<f64>; 9],
-    /// The global error asked of the numerical methods in the accuracy table, rad.
+    /// The error of the attitude at the end that the dial is asked for, rad.
     pub tolerance: f64,
 }
 
@@ -225,7 +225,7 @@ pub const EXAMPLE: Example<Parameters> = Example {
         Flag::number(
             "tolerance",
             "rad",
-            "error asked of the numerical methods",
+            "error asked of the attitude at the end: above 0, at most pi",
             |p| Some(p.tolerance),
             |p, x| p.tolerance = x,
         ),

@@ -233,8 +233,13 @@ impl fmt::Display for Error {
             } => write!(
                 f,
                 "an error of {requested:e} rad is asked for, and doubles allow {attainable:.1e} \
-                 at best: a small relative change of the start is {condition:.1e} times as large \
-                 (in rad) at the end"
+                 at best: a small relative change of the inputs is {} times as much (in rad) at \
+                 the end",
+                if *condition < 1e4 {
+                    format!("{condition:.0}")
+                } else {
+                    format!("{condition:.1e}")
+                }
             ),
             Self::NotDelivered { requested, reached } => write!(
                 f,

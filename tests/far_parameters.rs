@@ -38,7 +38,10 @@ const REFUSED: &[(&str, &str)] = &[
     ("--b=1e308", "too far apart"),
     ("--energy=1e308", "too far apart"),
     ("--a=1e308", "a = 1e308 is not allowed"),
-    ("--tolerance=1e-300", "tolerance = 1e-300 is not allowed"),
+    (
+        "--tolerance=1e-300",
+        "1e-300 rad is asked for, and doubles allow",
+    ),
     ("--spin=0", "the axis must spin"),
     (
         "--energy=0.40",

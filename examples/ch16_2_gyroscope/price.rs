@@ -8,7 +8,9 @@ use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::splitting::Scheme;
-use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, Splitting, Work};
+use rotation_dynamics::integrators::{
+    Dop853, GaussLegendre, Integrator, Rk4, SpinFree, Splitting, Work,
+};
 use rotation_dynamics::math::{exp2, sincos};
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel};
 use rotation_dynamics::report::{ClosedForm, Computation, Figure, Price, Report};
@@ -41,6 +43,9 @@ const METHODS: [&str; 5] = [
     "SRKN 14a splitting",
     "DOP853",
 ];
+
+/// Too long a step to be drawn among the others, and too good to be left out.
+const GAUSS: &str = "Gauss-Legendre 16";
 
 /// The motion as the methods are given it, and its exact answer.
 struct Problem {
@@ -75,6 +80,10 @@ impl Problem {
             "Strang splitting" => by(Scheme::STRANG),
             "SRKN 6b splitting" => by(Scheme::SRKN6),
             "SRKN 14a splitting" => by(Scheme::SRKN14),
+            GAUSS => {
+                let steps = (6.0 * exp2(f64::from(level) / 16.0)) as u64;
+                GaussLegendre::new(steps)?.advance(&SpinFree::new(scene)?, 0.0, start, end)
+            }
             _ => Dop853::new((0.1 * exp2(-f64::from(level))).max(1e-15))?
                 .advance(scene, 0.0, start, end),
         }
@@ -89,8 +98,9 @@ impl Problem {
     fn least(self: &Arc<Self>, method: &'static str, asked: f64) -> Result<Option<Run>> {
         for level in 0..=finest(method) {
             let (state, work) = match self.run(method, level) {
-                // Steps far too long for a fast motion overflow: not delivered.
-                Err(Error::DerivativeNotFinite { .. }) => continue,
+                // Steps far too long for a fast motion overflow, or their stages have no
+                // solution: not delivered.
+                Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => continue,
                 run => run?,
             };
             let error = self.error(&state);
@@ -126,6 +136,7 @@ fn finest(method: &str) -> u32 {
         "DOP853" => 46,
         "SRKN 14a splitting" => 48,
         "SRKN 6b splitting" => 52,
+        GAUSS => 96,
         _ => 56,
     }
 }
@@ -149,7 +160,7 @@ pub fn add(report: &mut Report, motions: &[Motion], tolerance: f64) -> Result<()
         })?;
     }
     // ANCHOR_END: dial
-    for method in METHODS {
+    for method in METHODS.into_iter().chain([GAUSS]) {
         if let Some(run) = problem.least(method, tolerance)? {
             report.add_price(Price {
                 method: format!("least: {}", run.method),

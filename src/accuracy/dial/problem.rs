@@ -74,6 +74,9 @@ fn signs(row: usize) -> [f64; INPUTS] {
     })
 }
 
+/// The torque over the kinetic energy, below which a body is fast.
+const FAST: f64 = 0.05;
+
 /// The most legs in which a stepped motion is moved on its way.
 pub(super) const LEGS: usize = 512;
 
@@ -119,6 +122,13 @@ impl<'e, E: Solvable> Problem<'e, E> {
             effects: self.effects,
             strength: self.strength,
         })
+    }
+
+    /// True if the torque changes little of the momentum in the time of a turn: then
+    /// splittings for weak kicks are worth a try.
+    pub fn is_fast(&self) -> bool {
+        let turning = self.body.kinetic_energy(&self.start);
+        self.effects.torque_scale() < FAST * turning
     }
 
     /// The size against which a change of the momentum counts: its length, or what the

@@ -199,8 +199,8 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         let whole = self.problem.t_end;
         let part = (STRETCH / (slowest * whole.abs())).min(1.0);
         let tried = methods
-            .iter()
-            .filter_map(|&method| self.tried(method, part * whole, part))
+            .into_iter()
+            .filter_map(|method| self.tried(method, part * whole, part))
             .collect();
         (tried, part)
     }
@@ -219,7 +219,7 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
                         method,
                         level: coarse.level,
                         error,
-                        cost: method.cost(&coarse.work),
+                        cost: method.cost(self.problem, &coarse.work),
                     });
                 }
             }
