@@ -468,7 +468,7 @@ fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
 fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let (exact, scene) = (solved.exact, solved.scene);
     let (start, end) = (scene.at_rest(p.angle), 2.0 * exact.landing_time());
-    for requested in [p.tolerance].into_iter().chain(REQUESTED) {
+    for requested in asked(p.tolerance, &REQUESTED) {
         let run = move || simulate_within(&scene, requested, Wall::Touches, start, end);
         let (delivered, work, again) = match run() {
             Ok(done) => (
@@ -505,6 +505,12 @@ fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     Ok(())
 }
 // ANCHOR_END: strip
+
+/// The error asked for, and then the others.
+fn asked(first: f64, others: &[f64]) -> Vec<f64> {
+    let others = others.iter().copied().filter(|error| *error != first);
+    core::iter::once(first).chain(others).collect()
+}
 
 const REQUESTED: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
 

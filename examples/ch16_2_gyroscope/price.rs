@@ -154,7 +154,10 @@ pub fn add(report: &mut Report, motions: &[Motion], tolerance: f64) -> Result<()
     add_dial(report, &problem, "dial: ", tolerance, |p, error| {
         p.scene.solve(&p.start, p.end / p.unit, error)
     })?;
-    for error in [tolerance, 1e-3, 1e-6, 1e-12] {
+    let others = [1e-3, 1e-6, 1e-12]
+        .into_iter()
+        .filter(|error| *error != tolerance);
+    for error in [tolerance].into_iter().chain(others) {
         add_dial(report, &problem, "dial, stepping: ", error, |p, error| {
             p.scene.solve_by_stepping(&p.start, p.end / p.unit, error)
         })?;
