@@ -77,9 +77,6 @@ fn signs(row: usize) -> [f64; INPUTS] {
 /// The torque over the kinetic energy, below which a body is fast.
 const FAST: f64 = 0.05;
 
-/// The most legs in which a stepped motion is moved on its way.
-pub(super) const LEGS: usize = 512;
-
 /// All rows: the sum of squares itself.
 pub(super) const ALL_ROWS: usize = 12;
 

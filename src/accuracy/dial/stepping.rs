@@ -1,7 +1,7 @@
 //! The dial of what must be stepped: choose, refine, verify.
 
 use super::method::{LEVEL, Method};
-use super::problem::{Feeler, LEGS, Problem};
+use super::problem::{Feeler, Problem};
 use super::{Solvable, Solved};
 use crate::body::State;
 use crate::error::{Error, Result};
@@ -17,8 +17,12 @@ const APART: f64 = 0.5;
 /// Rows of the design for the condition: so few estimate what all twelve give.
 const ROWS: usize = 2;
 
-/// And so many where the floor comes near to the tolerance.
+/// Legs, at most, before each of which the state is moved.
+const LEGS: usize = 64;
+
+/// And so many of both where the floor comes near to the tolerance.
 const MORE_ROWS: usize = 5;
+const MORE_LEGS: usize = 512;
 
 /// Nearer than by this factor.
 const NEAR: f64 = 1e3;
@@ -99,9 +103,9 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         let lowest = (candidates.iter())
             .map(|candidate| candidate.method.floor())
             .fold(f64::INFINITY, f64::min);
-        let mut condition = self.condition(&candidates, FELT * part, ROWS)?;
+        let mut condition = self.condition(&candidates, FELT * part, ROWS, LEGS)?;
         if NEAR * lowest * EPS * (1.0 + condition) > self.tolerance {
-            condition = self.condition(&candidates, FELT_WELL * part, MORE_ROWS)?;
+            condition = self.condition(&candidates, FELT_WELL * part, MORE_ROWS, MORE_LEGS)?;
         }
         let floor = lowest * EPS * (1.0 + condition);
         if floor.is_nan() || floor >= self.tolerance {
@@ -284,7 +288,13 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
     }
 
     /// The condition, felt by the method that is cheapest where it is felt.
-    fn condition(&mut self, candidates: &[Candidate], felt: f64, rows: usize) -> Result<f64> {
+    fn condition(
+        &mut self,
+        candidates: &[Candidate],
+        felt: f64,
+        rows: usize,
+        most_legs: usize,
+    ) -> Result<f64> {
         let problem = self.problem;
         let cheapest = candidates
             .iter()
@@ -306,7 +316,7 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         };
         // Every two radians at most: what passes a saddle must be moved on its way there.
         let legs = 0.5 * method.turned(problem, problem.t_end);
-        let legs = legs.clamp(1.0, LEGS as f64) as usize;
+        let legs = legs.clamp(1.0, most_legs as f64) as usize;
         let mut work = Work::default();
         let condition = problem.condition(&Feeler::STEPPED, |by| {
             // What the sweeps leave must not be mistaken for a change.
