@@ -56,7 +56,7 @@ fn no_error_exceeds_its_request() {
     );
 }
 
-/// What the dial says of its error holds in all but a few of a thousand, and never by
+/// What the dial says of its error holds in all but one of a thousand, and never by
 /// more than the tolerance.
 #[test]
 fn estimates_hold() {
@@ -83,7 +83,7 @@ fn estimates_hold() {
         }
     }
     println!("{held} held, {broken} broken");
-    // Measured: 2.6 of a thousand.
-    assert!(broken * 200 <= held, "{broken} of {}", held + broken);
+    // Measured: none of 3087.
+    assert!(broken * 1000 <= held, "{broken} of {}", held + broken);
     assert!(held > 2500);
 }

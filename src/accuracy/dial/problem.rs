@@ -6,7 +6,7 @@ use crate::effects::{AxisEffect, Effect, Keeps};
 use crate::error::Result;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
-use crate::math::hypot;
+use crate::math::{Lane, hypot};
 use crate::scene::Scene;
 
 /// A scene, its start and the end asked for.
@@ -48,7 +48,12 @@ impl<E: Solvable> Effect for Strengthened<'_, E> {
 impl<E: Solvable> AxisEffect for Strengthened<'_, E> {
     #[inline]
     fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
-        self.effects.torque_on_axis(axis) * self.strength
+        SpaceVector::from_array(self.axis_torques(axis.to_array()))
+    }
+
+    #[inline(always)]
+    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+        self.effects.torque_on_axis(axis).map(|m| m * self.strength)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::effects::{AxisEffect, Effect, GravityAtLever};
 use crate::error::Result;
 use crate::exact::free_body::FreeBody;
 use crate::exact::heavy_top::{HeavyTop, SymmetricTop};
-use crate::frame::SpaceVector;
+use crate::math::Lane;
 
 /// A motion known at any time without stepping: its name, and the state at a time (s).
 pub struct ExactMotion {
@@ -56,10 +56,10 @@ pub trait Solvable: Effect {
     /// trusted, which shortens its steps where something jumps.
     const ANALYTIC: bool = false;
 
-    /// The torque on a body whose axis has this direction, on the fixed axes (N m), if
-    /// [`Self::AXIS_ONLY`]; never asked for otherwise.
-    fn torque_on_axis(&self, _axis: SpaceVector) -> SpaceVector {
-        SpaceVector::zero()
+    /// [`AxisEffect::axis_torques`], if [`Self::AXIS_ONLY`]; never asked for otherwise.
+    #[inline(always)]
+    fn torque_on_axis<L: Lane>(&self, _axis: [L; 3]) -> [L; 3] {
+        [L::of(0.0); 3]
     }
 
     /// The closed form of this body's motion if nothing else acts, if there is one.
@@ -98,8 +98,11 @@ impl<A: Solvable, B: Solvable> Solvable for (A, B) {
     const AXIS_ONLY: bool = A::AXIS_ONLY && B::AXIS_ONLY;
     const ANALYTIC: bool = A::ANALYTIC && B::ANALYTIC;
 
-    fn torque_on_axis(&self, axis: SpaceVector) -> SpaceVector {
-        self.0.torque_on_axis(axis) + self.1.torque_on_axis(axis)
+    #[inline(always)]
+    fn torque_on_axis<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+        let [a, b, c] = self.0.torque_on_axis(axis);
+        let [d, e, f] = self.1.torque_on_axis(axis);
+        [a + d, b + e, c + f]
     }
 
     fn exact_motion(&self, strength: f64, body: &RigidBody, start: &State) -> Option<ExactMotion> {
@@ -118,8 +121,9 @@ impl Solvable for GravityAtLever {
     const AXIS_ONLY: bool = true;
     const ANALYTIC: bool = true;
 
-    fn torque_on_axis(&self, axis: SpaceVector) -> SpaceVector {
-        self.axis_torque(axis)
+    #[inline(always)]
+    fn torque_on_axis<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+        self.axis_torques(axis)
     }
 
     fn exact_motion(&self, strength: f64, body: &RigidBody, start: &State) -> Option<ExactMotion> {

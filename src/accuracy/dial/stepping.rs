@@ -240,9 +240,14 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         if floor.is_nan() || floor >= self.tolerance {
             return Ok(Outcome::Reached(floor));
         }
-        let budget = self.tolerance - floor;
         // What the sweeps leave of a step grows like any error: it must stay far below.
-        let mut precision = (SWEEPS * budget / (1.0 + condition)).min(1e-6);
+        let mut precision = if method.sweeps() {
+            (SWEEPS * (self.tolerance - floor) / (1.0 + condition)).min(1e-6)
+        } else {
+            0.0
+        };
+        let left = |precision: f64| floor + precision * (1.0 + condition);
+        let mut budget = self.tolerance - left(precision);
         let coarse = (level - 2.0).clamp(method.coarsest(), highest - 2.0);
         let mut runs = vec![self.first(method, coarse, precision)?];
         let mut ahead = (level - 1.0 - runs[0].level).clamp(0.5, 2.0);
@@ -252,6 +257,7 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
             if stuck > 1 && precision > 0.0 {
                 // It may be the sweeps that differ.
                 (precision, stuck) = (0.0, 0);
+                budget = self.tolerance - left(precision);
             } else if last.level + 0.1 >= highest || stuck > 2 {
                 return Ok(Outcome::Reached(best + floor));
             }
@@ -261,7 +267,7 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
             let verdict = Verdict::of(method.trust(), &runs);
             if verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
-                let estimate = verdict.estimate + floor;
+                let estimate = verdict.estimate + left(precision);
                 return Ok(Outcome::Delivered { run, estimate });
             }
             stuck = if verdict.estimate < 0.5 * best {
