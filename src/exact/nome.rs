@@ -16,8 +16,8 @@ use crate::math::{DoubleDouble as Dd, ilogb, ldexp};
 #[derive(Debug, Clone)]
 pub(crate) struct Nome {
     /// m and 1 - m.
-    m: Dd,
-    m1: Dd,
+    pub(crate) m: Dd,
+    pub(crate) m1: Dd,
     /// sqrt(1 - m), and its square root.
     pub(crate) k1: Dd,
     pub(crate) root_k1: Dd,

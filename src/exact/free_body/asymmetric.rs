@@ -2,9 +2,9 @@
 //! arithmetic and the sample in plain f64.
 
 use super::norm3;
+use super::periods::Periods;
 use super::series::{Parts, Series};
 use crate::attitude::Attitude;
-use crate::exact::extended::{carlson_rf, complete_first_kind, first_kind};
 use crate::math::DoubleDouble as Dd;
 use crate::math::double_double::{pair_plus, pair_sum, pair_times};
 use crate::math::{Lane, round_even, sincos_turns};
@@ -83,19 +83,18 @@ impl Asymmetric {
         // Amplitude at t = 0: tan = sn/cn, with sn = -sense w2/A2 and cn = w1/A1.
         let sn = amplitude1 * (sign[1] * omega[two] * -sense);
         let cn = amplitude2 * omega[one];
-        let quarter = complete_first_kind(m1);
-        let tau = first_kind(sn, cn, m1, quarter);
+        let periods = Periods::new(m, m1);
+        let quarter = periods.quarter;
+        let tau = periods.first_kind(sn, cn);
+        // sc^2(eta|m1) = J1 (J3-J2)/(J3 (J2-J1)), a constant of the body, and that of K' - eta,
+        // which is 1/(m sc^2(eta|m1)).
+        let sizes = |num: Dd, den: Dd| (num.abs(), den.abs());
+        let eta = periods.zero(sizes(j1 * j32, j3 * j21), sizes(b * j3, a * j1));
 
-        let eta = {
-            // sc^2(eta|m1) = J1 (J3-J2)/(J3 (J2-J1)), a constant of the body.
-            let t2 = j1 * j32 / (j3 * j21);
-            t2.sqrt() * carlson_rf(Dd::ONE, m * t2 + 1.0, t2 + 1.0)
-        };
         // |beta|/|alpha| at tau = 0, and the phase rate of alpha there.
         let ratio = j1 * amplitude1 / (momentum + j3 * amplitude3);
         let rate = (amplitude3 + a / (j31 * (momentum + j3 * amplitude3))).scaled(0.5);
-        let conjugate = complete_first_kind(m);
-        let (series, argument_rate, winding) = Series::new(quarter, conjugate, eta, p, ratio);
+        let (series, argument_rate, winding) = Series::new(&periods, &eta, p, ratio);
         let local = rate - argument_rate * sense;
         let half_period = (m1 > 0.0).then(|| quarter.scaled(2.0) / p);
         // phi = arg alpha + arg beta; arg theta_1 falls by pi over each half period.

@@ -27,6 +27,7 @@ use crate::math::DoubleDouble as Dd;
 mod asymmetric;
 mod batch;
 mod flow;
+mod periods;
 mod series;
 mod symmetric;
 

@@ -3,6 +3,8 @@
 //! transformation, hyperbolic with the complementary nome. Either nome is at
 //! most exp(-pi) = 0.043, and four terms reach 1e-19.
 
+use super::periods::{Periods, Zero};
+use crate::exact::nome::Nome;
 use crate::math::DoubleDouble as Dd;
 use crate::math::{Lane, exp, expm1, sincos_turns};
 
@@ -35,45 +37,83 @@ pub(super) struct Hyperbolic {
 }
 
 impl Series {
-    /// The series for quarter periods K, K' and zero at i eta, tau = `p` t, with
-    /// |beta|/|alpha| = `ratio` at tau = 0; also the rate of arg theta_4 there, and
-    /// what the linear phase dropped by the hyperbolic form adds over 2K.
-    pub(super) fn new(quarter: Dd, conjugate: Dd, eta: Dd, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
-        if conjugate.scaled(2.0) >= quarter {
-            Self::trigonometric(quarter, conjugate, eta, p, ratio)
-        } else {
-            Self::hyperbolic(quarter, conjugate, eta, p, ratio)
+    /// The series for these periods and this zero, tau = `p` t, with |beta|/|alpha| =
+    /// `ratio` at tau = 0; also the rate of arg theta_4 there, and what the linear phase
+    /// dropped by the hyperbolic form adds over 2K.
+    pub(super) fn new(periods: &Periods, zero: &Zero, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
+        let Periods { quarter, nome, .. } = periods;
+        let (q, mut zero) = (nome.q, *zero);
+        if !periods.complementary {
+            return Self::trigonometric(*quarter, q, &zero, p, ratio);
         }
+        // K' >= K/2, or pi K/K' <= 2 pi.
+        if nome.quarter.scaled(2.0) < *quarter {
+            return Self::hyperbolic(nome, *quarter, zero.angle, p, ratio);
+        }
+        let per_quarter = nome.quarter / *quarter;
+        let q = (-(Dd::PI * per_quarter)).exp();
+        zero.fall = -(-(zero.angle * per_quarter).scaled(2.0)).exp_m1();
+        zero.decay = 1.0 - zero.fall;
+        zero.rest = q / zero.decay;
+        Self::trigonometric(*quarter, q, &zero, p, ratio)
     }
 
-    fn trigonometric(k: Dd, k1: Dd, eta: Dd, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
-        let y = Dd::PI * eta / k.scaled(2.0);
-        let width = Dd::TWO_PI * k1 / k;
-        let nome = (-width).exp();
+    fn trigonometric(k: Dd, q: Dd, zero: &Zero, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
+        let nome = q.square();
         // q^2 e^{+-2y}: the growth of the hyperbolic factors is bound to the nome's decay.
-        let up = (y.scaled(2.0) - width).exp();
-        let down = (-(y.scaled(2.0) + width)).exp();
+        let (up, down) = (q * zero.rest, nome * zero.decay);
+        let second = nome.square();
+        let sixth = second.square() * second;
+        // nome^(n^2-n) up^n and the same of down: three in double-double, three without.
+        let (up2, down2) = (up.square(), down.square());
+        let grown = [up, second * up2, sixth * up2 * up];
+        let decayed = [down, second * down2, sixth * down2 * down];
         let mut sums = [Dd::ONE, Dd::ZERO]; // theta_4(iy) and the sum of its derivative
         let (mut a, mut b) = ([1.0, 0.0, 0.0, 0.0], [0.0; 4]);
-        for n in 1..=8 {
-            let order = f64::from(n);
-            let common = power(nome, n * n - n);
-            let (grown, decayed) = (common * power(up, n), common * power(down, n));
+        let (mut small, mut small_slope) = (0.0, 0.0);
+        let (h, step) = (nome.hi(), second.hi());
+        let (mut weight, mut factor) = (sixth.hi(), step * step * step);
+        let (mut grow, mut decay) = (up2.hi() * up.hi(), down2.hi() * down.hi());
+        for n in 4..=6 {
+            weight *= factor;
+            factor *= step;
+            grow *= up.hi();
+            decay *= down.hi();
+            let sign = alternating(n);
+            small += sign * weight * (grow + decay);
+            small_slope -= 2.0 * sign * f64::from(n) * weight * (grow - decay);
+        }
+        for n in 1..=3 {
+            let (order, i) = (f64::from(n), n as usize);
+            let (grown, decayed) = (grown[i - 1], decayed[i - 1]);
             let sign = alternating(n);
             sums[0] += (grown + decayed) * sign;
             sums[1] += (grown - decayed) * (-2.0 * sign * order);
-            if n <= 3 {
-                a[n as usize] = sign * (grown + decayed).to_f64();
-                b[n as usize] = -sign * (grown - decayed).to_f64();
-            }
+            a[i] = sign * (grown + decayed).to_f64();
+            b[i] = -sign * (grown - decayed).to_f64();
         }
+        sums[0] = sums[0] + small;
+        sums[1] = sums[1] + small_slope;
+        // nome^(n^2) up^n.
+        let weights = [
+            1.0,
+            h * up.hi(),
+            step * step * up2.hi(),
+            sixth.hi() * h * step * up2.hi() * up.hi(),
+        ];
+        let e = zero.decay.hi();
+        let mut geometric = 1.0;
+        let mut power = e;
         let (mut c, mut d) = ([0.0; 4], [0.0; 4]);
         for n in 0..=3 {
-            let common = alternating(n) * (power(nome, n * n) * power(up, n)).to_f64();
-            // 1 -+ e^{-(4n+2)y} without cancellation for a needle, where y -> 0.
-            let decay = expm1(-f64::from(4 * n + 2) * y.to_f64());
-            c[n as usize] = common * (2.0 + decay);
-            d[n as usize] = -common * decay;
+            let common = alternating(n) * weights[n as usize];
+            // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}): no cancellation for a needle, where
+            // y -> 0.
+            let fall = zero.fall.hi() * geometric;
+            geometric += power + power * e;
+            power *= e * e;
+            c[n as usize] = common * (2.0 - fall);
+            d[n as usize] = common * fall;
         }
         let scale = ratio.to_f64() * a.iter().sum::<f64>() / d.iter().sum::<f64>();
         let (c, d) = (c.map(|x| x * scale), d.map(|x| x * scale));
@@ -111,38 +151,40 @@ impl Series {
         (series, rate, Dd::ZERO)
     }
 
-    fn hyperbolic(k: Dd, k1: Dd, eta: Dd, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
-        let y = Dd::PI * eta / k1.scaled(4.0);
+    fn hyperbolic(own: &Nome, k: Dd, angle: Dd, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
+        let k1 = own.quarter;
         let width = if k.is_finite() {
             Dd::PI * k / k1.scaled(2.0)
         } else {
             Dd::from(f64::INFINITY)
         };
-        let nome = if k.is_finite() {
-            (-width).exp()
-        } else {
-            Dd::ZERO
-        };
+        let nome = own.q.sqrt();
+        let (sin, cos) = angle.scaled(0.5).sin_cos();
+        let (sin2, cos2) = ((sin * cos).scaled(2.0), 1.0 - sin.square().scaled(2.0));
+        let (mut sin, mut cos) = (sin, cos);
         let mut sums = [Dd::ZERO; 2];
         let (mut alpha, mut beta) = ([[0.0; 4]; 2], [[0.0; 4]; 2]);
         let (mut alpha0, mut beta0) = (Dd::ZERO, Dd::ZERO);
-        for n in 0..=7 {
+        // q'^(n(n+1)), and q'^(n^2) and the next step for the samples.
+        let (mut weight, mut inner, mut power) = (Dd::ONE, Dd::ONE, nome);
+        for n in 0..=4 {
             let odd = f64::from(2 * n + 1);
-            let (sin, cos) = (y * odd).sin_cos();
-            let weight = power(nome, n * n + n);
             sums[0] += weight * cos;
             sums[1] += weight * sin * odd;
             alpha0 += weight * cos;
             beta0 += weight * sin * alternating(n);
             if n <= 3 {
                 // The sample supplies e^{2nw} q^n; q^(n^2) is left for here.
-                let weight = power(nome, n * n);
                 let i = n as usize;
-                alpha[0][i] = (weight * cos).to_f64();
-                alpha[1][i] = (weight * sin).to_f64();
-                beta[0][i] = (weight * cos).to_f64() * alternating(n);
-                beta[1][i] = (weight * sin).to_f64() * alternating(n);
+                alpha[0][i] = (inner * cos).to_f64();
+                alpha[1][i] = (inner * sin).to_f64();
+                beta[0][i] = (inner * cos).to_f64() * alternating(n);
+                beta[1][i] = (inner * sin).to_f64() * alternating(n);
             }
+            (sin, cos) = (sin * cos2 + cos * sin2, cos * cos2 - sin * sin2);
+            inner = weight * power;
+            weight = inner * power;
+            power = power * nome;
         }
         let scale = (ratio * alpha0 / beta0).to_f64();
         let beta = beta.map(|part| part.map(|x| x * scale));
@@ -153,7 +195,7 @@ impl Series {
             beta,
         });
         let rate = Dd::PI * p / k1.scaled(4.0) * (sums[1] / sums[0]);
-        (series, rate, Dd::PI * eta / k1.scaled(2.0))
+        (series, rate, angle)
     }
 }
 
@@ -210,9 +252,4 @@ fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
 /// (-1)^n.
 fn alternating(n: i32) -> f64 {
     if n % 2 == 0 { 1.0 } else { -1.0 }
-}
-
-/// `base` to a small whole power.
-fn power(base: Dd, n: i32) -> Dd {
-    (0..n).fold(Dd::ONE, |product, _| product * base)
 }
