@@ -163,6 +163,48 @@ fn plain_sums_drift_more() {
     assert!(own < 5.0 && twin > 14.0, "{own} {twin}");
 }
 
+/// The record's rows of a method, up to so many periods.
+fn recorded(table: &str, method: &str, most: f64) -> Vec<[f64; 3]> {
+    include_str!("../benches/record/drift.txt")
+        .lines()
+        .skip_while(|line| *line != format!("table {table}"))
+        .skip(2)
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| {
+            let mut cells = line
+                .split("  ")
+                .map(str::trim)
+                .filter(|cell| !cell.is_empty());
+            (cells.next() == Some(method)).then(|| {
+                let mut next = || cells.next().and_then(|cell| cell.parse().ok());
+                [(); 3].map(|()| next().expect("a number"))
+            })
+        })
+        .filter(|row| row[0] <= most)
+        .collect()
+}
+
+/// The long record is what the methods do now: its first rows, computed again.
+#[test]
+fn the_record_is_of_these_methods() {
+    let mut ran = 0;
+    for (table, kind) in [("top", Kind::Top), ("free", Kind::Free)] {
+        for method in [Method::Gauss, Method::GaussProjected, Method::Dop853] {
+            let again = grown(method, kind, 100.0);
+            for [periods, phase, invariants] in recorded(table, method.names().1, 100.0) {
+                let point = again.points.iter().find(|point| point.periods == periods);
+                let point = point.expect("the same periods");
+                // Rounded up to a digit; round-off that changes with the code is not asked for.
+                for (now, then) in [(point.phase, phase), (point.invariants, invariants)] {
+                    assert!(now < 4.0 * then && then < 4.0 * now, "{table} {point:?}");
+                }
+                ran += 1;
+            }
+        }
+    }
+    assert_eq!(ran, 12);
+}
+
 fn moved(state: &State, by: f64) -> State {
     let turn = SpaceVector::new(0.3, -0.5, 0.8) * by;
     State {

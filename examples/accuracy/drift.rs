@@ -8,8 +8,8 @@
 //!
 //! For a figure: [`curves`] gives, for every method, the root mean square over the starts
 //! at times that grow geometrically, and [`Curve::exponent`] the fitted powers. The
-//! default, 4 starts and 10 000 periods, takes some seconds; longer runs by 8 starts are in
-//! `benches/record/drift.txt` (tables `top`, to a million periods, and `free`; `top_powers`,
+//! default, 4 starts and 10 000 periods, takes some seconds; a million periods by 8 starts are
+//! in `benches/record/drift.txt` (tables `top`, `free`, `top_powers`,
 //! `free_powers`).
 
 use rotation_dynamics::Result;
