@@ -120,6 +120,48 @@ fn lists_of_different_length_are_refused_untouched() -> Result<()> {
     Ok(())
 }
 
+/// As late as numbers go there is an attitude, if not one that means much.
+#[test]
+fn any_finite_time_has_a_unit_quaternion() -> Result<()> {
+    let mut seen = 0;
+    for (i, case) in cases()?.iter().enumerate() {
+        for exponent in 10..=290 {
+            for t in [1.7, -1.3].map(|t| t * 10.0_f64.powi(exponent)) {
+                let (attitude, omega) = case.state_at(t);
+                let norm: f64 = attitude.quaternion().iter().map(|q| q * q).sum();
+                let sound = (norm - 1.0).abs() < 4e-15 && omega.is_finite();
+                assert!(sound, "case {i} at {t}: {attitude:?}, {omega:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert_eq!(seen, 12 * 281 * 2);
+    Ok(())
+}
+
+#[test]
+fn a_time_that_is_no_number_is_refused() -> Result<()> {
+    let mut refused = 0;
+    for case in cases()? {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let told = |error: Option<Error>| {
+                matches!(error, Some(Error::NotFinite { name: "t", value })
+                    if value.to_bits() == bad.to_bits())
+            };
+            assert!(told(case.try_state_at(bad).err()));
+            let before = vec![case.state_at(0.5); 9];
+            let mut states = before.clone();
+            let times = [0.0, 1.0, 2.0, 3.0, 4.0, bad, 6.0, 7.0, 8.0];
+            assert!(told(case.states_at(&times, &mut states).err()));
+            assert_eq!(bits(&states), bits(&before));
+            refused += 1;
+        }
+        assert_eq!(case.try_state_at(2.5), Ok(case.state_at(2.5)));
+    }
+    assert_eq!(refused, 36);
+    Ok(())
+}
+
 /// Teeth: one time moved by an ulp, in one lane, must show.
 #[test]
 fn damaged_a_time_off_by_one_ulp_shows() -> Result<()> {

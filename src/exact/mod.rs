@@ -28,3 +28,25 @@ mod phase;
 pub mod plank;
 
 pub use modulus::{Characteristic, Modulus};
+
+use crate::error::{Error, Result};
+
+/// Refuses `found` places for samples at `times` if they are not as many, or a time that is
+/// not finite.
+fn check_times(name: &'static str, found: usize, times: &[f64]) -> Result<()> {
+    if found != times.len() {
+        return Err(Error::Lengths {
+            name,
+            found,
+            expected: times.len(),
+        });
+    }
+    // Counting goes in vector registers; looking for the first does not.
+    if times.iter().filter(|t| t.is_finite()).count() == found {
+        return Ok(());
+    }
+    match times.iter().find(|t| !t.is_finite()) {
+        Some(&value) => Err(Error::NotFinite { name: "t", value }),
+        None => Ok(()),
+    }
+}

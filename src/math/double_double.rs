@@ -36,7 +36,7 @@ pub struct DoubleDouble {
 
 /// `a + b` exactly, as rounded sum and error; any order of magnitudes (Knuth).
 #[inline(always)]
-pub fn two_sum<L: Lane>(a: L, b: L) -> (L, L) {
+pub fn two_sum<L: Copy + Add<Output = L> + Sub<Output = L>>(a: L, b: L) -> (L, L) {
     let sum = a + b;
     let b_part = sum - a;
     let a_part = sum - b_part;
@@ -126,12 +126,6 @@ impl DoubleDouble {
     pub fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_product(a, b);
         Self { hi, lo }
-    }
-
-    /// Both parts in every lane.
-    #[inline(always)]
-    pub(crate) fn lanes<L: Lane>(self) -> (L, L) {
-        (L::of(self.hi), L::of(self.lo))
     }
 
     /// The leading part: the nearest double.

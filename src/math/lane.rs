@@ -5,9 +5,15 @@
 //! in the same order, none contracted, so the bits are the same. Which registers there
 //! are is asked at run time.
 //!
+//! What a sample does twice alike, as for alpha and beta, it does on a [`Phased::Pair`]:
+//! two registers, or for one number both halves of one.
+//!
 //! Not for: elementary functions of `libm`, or anything with a branch.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+#[cfg(target_arch = "x86_64")]
+mod x86;
 
 /// A number, or several that go through the same arithmetic side by side.
 pub trait Lane:
@@ -33,8 +39,95 @@ pub trait Lane:
     fn sqrt(self) -> Self;
 }
 
+/// A lane that can be asked for a phase, and that goes in pairs.
+pub trait Phased: Lane + Number {
+    /// Two of these.
+    type Pair: Pair<Self>;
+    /// The first `WIDTH` numbers of a list that has them; panics if it has not.
+    fn load_from(values: &[f64]) -> Self;
+}
+
+/// What has the arithmetic of a number, in every lane, and its bits.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+{
+    /// The same number in every lane.
+    fn same(value: f64) -> Self;
+    /// The nearest number of 26 bits; what is left has 26 as well. |this| < 2^1023.
+    fn leading(self) -> Self;
+    /// The negative where the last bit of `whole` is set.
+    fn negative_if_odd(self, whole: Self) -> Self;
+    /// The negative where the last bit but one of `whole` is set.
+    fn negative_if_half(self, whole: Self) -> Self;
+    /// `odd` where the last bit of `whole` is set, this elsewhere.
+    fn or_if_odd(self, odd: Self, whole: Self) -> Self;
+}
+
+/// Two lanes that go through the same arithmetic.
+pub trait Pair<L>: Number {
+    fn new(first: L, second: L) -> Self;
+    /// Two numbers, the same in every lane.
+    fn both(values: &[f64; 2]) -> Self;
+    fn parts(self) -> (L, L);
+    /// The two exchanged.
+    fn swapped(self) -> Self;
+}
+
+/// Two cubics by their coefficients, side by side.
+pub(crate) type Cubics = [[f64; 2]; 4];
+
+/// The coefficients of two cubics, the lowest first, put side by side.
+pub(crate) fn cubics(first: &[f64; 4], second: &[f64; 4]) -> Cubics {
+    core::array::from_fn(|n| [first[n], second[n]])
+}
+
+/// Horner's rule for two cubics at once.
+#[inline(always)]
+pub(crate) fn horner<L: Phased>(p: &Cubics, x: L) -> L::Pair {
+    let [p0, p1, p2, p3] = p;
+    let x = L::Pair::new(x, x);
+    let sum = L::Pair::both(p2) + x * L::Pair::both(p3);
+    L::Pair::both(p0) + x * (L::Pair::both(p1) + x * sum)
+}
+
 /// The most numbers a [`Lane`] holds.
 pub const WIDEST: usize = 8;
+
+const SIGN: u64 = 1 << 63;
+/// All but the last 27 bits, and half of the last that is kept.
+const LEADING: u64 = !0 << 27;
+const HALF: u64 = 1 << 26;
+
+impl Number for f64 {
+    #[inline(always)]
+    fn same(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn leading(self) -> Self {
+        f64::from_bits((self.to_bits() + HALF) & LEADING)
+    }
+    #[inline(always)]
+    fn negative_if_odd(self, whole: Self) -> Self {
+        f64::from_bits(self.to_bits() ^ (whole.to_bits() << 63))
+    }
+    #[inline(always)]
+    fn negative_if_half(self, whole: Self) -> Self {
+        f64::from_bits(self.to_bits() ^ ((whole.to_bits() << 62) & SIGN))
+    }
+    #[inline(always)]
+    fn or_if_odd(self, odd: Self, whole: Self) -> Self {
+        let mask = (whole.to_bits() & 1).wrapping_neg();
+        f64::from_bits((self.to_bits() & !mask) | (odd.to_bits() & mask))
+    }
+}
 
 impl Lane for f64 {
     const WIDTH: usize = 1;
@@ -56,9 +149,106 @@ impl Lane for f64 {
     }
 }
 
+impl Phased for f64 {
+    #[cfg(target_arch = "x86_64")]
+    type Pair = x86::Two;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Pair = Both<f64>;
+    #[inline(always)]
+    fn load_from(values: &[f64]) -> Self {
+        values[0]
+    }
+}
+
+/// Two of a kind, one after the other.
+#[derive(Debug, Clone, Copy)]
+pub struct Both<L>(L, L);
+
+impl<L: Phased> Both<L> {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(L, L) -> L) -> Self {
+        Self(f(self.0, other.0), f(self.1, other.1))
+    }
+}
+
+macro_rules! both {
+    ($($trait:ident $method:ident),*) => {$(
+        impl<L: Phased> $trait for Both<L> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, L::$method)
+            }
+        }
+
+        impl<L: Phased> $trait<f64> for Both<L> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self.zip(Self::same(other), L::$method)
+            }
+        }
+    )*};
+}
+
+both!(Add add, Sub sub, Mul mul);
+
+impl<L: Phased> Neg for Both<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl<L: Phased> Number for Both<L> {
+    #[inline(always)]
+    fn same(value: f64) -> Self {
+        Self(L::of(value), L::of(value))
+    }
+    #[inline(always)]
+    fn leading(self) -> Self {
+        Self(self.0.leading(), self.1.leading())
+    }
+    #[inline(always)]
+    fn negative_if_odd(self, whole: Self) -> Self {
+        self.zip(whole, L::negative_if_odd)
+    }
+    #[inline(always)]
+    fn negative_if_half(self, whole: Self) -> Self {
+        self.zip(whole, L::negative_if_half)
+    }
+    #[inline(always)]
+    fn or_if_odd(self, odd: Self, whole: Self) -> Self {
+        Self(
+            self.0.or_if_odd(odd.0, whole.0),
+            self.1.or_if_odd(odd.1, whole.1),
+        )
+    }
+}
+
+impl<L: Phased> Pair<L> for Both<L> {
+    #[inline(always)]
+    fn new(first: L, second: L) -> Self {
+        Self(first, second)
+    }
+    #[inline(always)]
+    fn both(values: &[f64; 2]) -> Self {
+        Self(L::of(values[0]), L::of(values[1]))
+    }
+    #[inline(always)]
+    fn parts(self) -> (L, L) {
+        (self.0, self.1)
+    }
+    #[inline(always)]
+    fn swapped(self) -> Self {
+        Self(self.1, self.0)
+    }
+}
+
 /// A sample that takes a time to `N` numbers without a branch.
 pub(crate) trait Sampler<const N: usize> {
-    fn sample<L: Lane>(&self, t: L) -> [L; N];
+    fn sample<L: Phased>(&self, t: L) -> [L; N];
 }
 
 /// Hands the sample at each time to `put`, with the widest registers the processor has.
@@ -82,188 +272,48 @@ pub(crate) fn for_each_sample<const N: usize>(
 }
 
 #[inline(always)]
-fn run<L: Lane, const N: usize>(
+fn run<L: Phased, const N: usize>(
     sampler: &impl Sampler<N>,
     times: &[f64],
     mut put: impl FnMut([f64; N]),
 ) {
-    for chunk in times.chunks(L::WIDTH) {
-        // A short last chunk is filled up; what the idle lanes give is dropped.
-        let mut t = [chunk[0]; WIDEST];
-        t[..chunk.len()].copy_from_slice(chunk);
-        let mut rows = [[0.0; WIDEST]; N];
-        for (row, value) in rows.iter_mut().zip(sampler.sample(L::load(&t))) {
-            value.store(row);
+    let mut left = times;
+    while let Some(first) = left.first() {
+        let count = left.len().min(L::WIDTH);
+        let t = if count == L::WIDTH {
+            L::load_from(left)
+        } else {
+            // Filled up; what the idle lanes give is dropped.
+            let mut t = [*first; WIDEST];
+            t[..count].copy_from_slice(left);
+            L::load(&t)
+        };
+        let sample = sampler.sample(t);
+        if count == L::WIDTH {
+            hand_over(&sample, L::WIDTH, &mut put);
+        } else {
+            hand_over(&sample, count, &mut put);
         }
-        (0..chunk.len()).for_each(|lane| put(core::array::from_fn(|i| rows[i][lane])));
+        left = &left[count..];
     }
 }
 
-#[cfg(target_arch = "x86_64")]
-mod x86 {
-    use super::{Add, Div, Lane, Mul, Neg, Sampler, Sub, WIDEST, run};
-    use core::arch::x86_64::*;
-
-    /// Only for a processor that has AVX-512F.
-    #[target_feature(enable = "avx512f")]
-    pub(super) fn avx512<const N: usize>(
-        sampler: &impl Sampler<N>,
-        times: &[f64],
-        put: impl FnMut([f64; N]),
-    ) {
-        run::<Eight, N>(sampler, times, put);
+/// The first `count` lanes, one after the other.
+#[inline(always)]
+fn hand_over<L: Lane, const N: usize>(
+    sample: &[L; N],
+    count: usize,
+    put: &mut impl FnMut([f64; N]),
+) {
+    let mut rows = [[0.0; WIDEST]; N];
+    for (row, value) in rows.iter_mut().zip(sample) {
+        value.store(row);
     }
-
-    /// Only for a processor that has AVX2.
-    #[target_feature(enable = "avx2")]
-    pub(super) fn avx2<const N: usize>(
-        sampler: &impl Sampler<N>,
-        times: &[f64],
-        put: impl FnMut([f64; N]),
-    ) {
-        run::<Four, N>(sampler, times, put);
-    }
-
-    // SAFETY of every block below: the two types are private to this module, and
-    // values of them exist only inside `avx512` and `avx2`, which run where the
-    // instructions exist. Loads and stores stay within `WIDEST` numbers.
-    macro_rules! lanes {
-        ($name:ident, $register:ty, $width:literal, $set:ident, $load:ident, $store:ident,
-         $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident) => {
-            #[derive(Clone, Copy)]
-            struct $name($register);
-
-            impl Lane for $name {
-                const WIDTH: usize = $width;
-                #[inline(always)]
-                fn of(value: f64) -> Self {
-                    Self(unsafe { $set(value) })
-                }
-                #[inline(always)]
-                fn load(values: &[f64; WIDEST]) -> Self {
-                    Self(unsafe { $load(values.as_ptr()) })
-                }
-                #[inline(always)]
-                fn store(self, values: &mut [f64; WIDEST]) {
-                    unsafe { $store(values.as_mut_ptr(), self.0) }
-                }
-                #[inline(always)]
-                fn sqrt(self) -> Self {
-                    Self(unsafe { $sqrt(self.0) })
-                }
-            }
-
-            lanes!(@operator $name, Add, add, $add);
-            lanes!(@operator $name, Sub, sub, $sub);
-            lanes!(@operator $name, Mul, mul, $mul);
-
-            impl Div for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn div(self, other: Self) -> Self {
-                    Self(unsafe { $div(self.0, other.0) })
-                }
-            }
-
-            impl Neg for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn neg(self) -> Self {
-                    // From -0, so that the sign of a zero turns as well.
-                    Self::of(-0.0) - self
-                }
-            }
-        };
-        (@operator $name:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
-            impl $trait for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn $method(self, other: Self) -> Self {
-                    Self(unsafe { $intrinsic(self.0, other.0) })
-                }
-            }
-
-            impl $trait<f64> for $name {
-                type Output = Self;
-                #[inline(always)]
-                fn $method(self, other: f64) -> Self {
-                    self.$method(Self::of(other))
-                }
-            }
-        };
-    }
-
-    lanes!(
-        Eight,
-        __m512d,
-        8,
-        _mm512_set1_pd,
-        _mm512_loadu_pd,
-        _mm512_storeu_pd,
-        _mm512_add_pd,
-        _mm512_sub_pd,
-        _mm512_mul_pd,
-        _mm512_div_pd,
-        _mm512_sqrt_pd
-    );
-    lanes!(
-        Four,
-        __m256d,
-        4,
-        _mm256_set1_pd,
-        _mm256_loadu_pd,
-        _mm256_storeu_pd,
-        _mm256_add_pd,
-        _mm256_sub_pd,
-        _mm256_mul_pd,
-        _mm256_div_pd,
-        _mm256_sqrt_pd
-    );
-
-    #[cfg(test)]
-    mod tests {
-        use super::*;
-        use crate::math::sincos_turns;
-
-        struct Probe;
-        impl Sampler<3> for Probe {
-            fn sample<L: Lane>(&self, t: L) -> [L; 3] {
-                let (sin, cos) = sincos_turns(t);
-                [sin, -cos, (t * t + 1.0).sqrt() / (t - 0.3)]
-            }
+    for lane in 0..count {
+        let mut values = [0.0; N];
+        for (value, row) in values.iter_mut().zip(&rows) {
+            *value = row[lane];
         }
-
-        /// Every width this processor has gives the scalar bits, whatever the length.
-        #[test]
-        fn every_width_gives_the_scalar_bits() {
-            let mut compared = 0;
-            for length in 0..300 {
-                let times: Vec<f64> = (0..length).map(|k| f64::from(k) * 0.37 - 20.0).collect();
-                let expected: Vec<_> = times
-                    .iter()
-                    .map(|t| Probe.sample(*t).map(f64::to_bits))
-                    .collect();
-                let mut check = |found: Vec<[u64; 3]>| {
-                    assert_eq!(found, expected);
-                    compared += found.len();
-                };
-                let mut found = Vec::new();
-                run::<f64, 3>(&Probe, &times, |s| found.push(s.map(f64::to_bits)));
-                check(found);
-                if std::is_x86_feature_detected!("avx2") {
-                    let mut found = Vec::new();
-                    // SAFETY: just detected.
-                    unsafe { avx2(&Probe, &times, |s| found.push(s.map(f64::to_bits))) };
-                    check(found);
-                }
-                if std::is_x86_feature_detected!("avx512f") {
-                    let mut found = Vec::new();
-                    // SAFETY: just detected.
-                    unsafe { avx512(&Probe, &times, |s| found.push(s.map(f64::to_bits))) };
-                    check(found);
-                }
-            }
-            assert!(compared >= 44_850, "only {compared} samples compared");
-        }
+        put(values);
     }
 }

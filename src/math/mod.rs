@@ -16,6 +16,7 @@ pub use libm::{
     acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
     ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
+pub(crate) use turns::{Clock, Reduced, Time, beside, known, sincos_of, unsigned_sincos_of};
 pub use turns::{round_even, sincos_turns};
 pub(crate) use versine::sinc_versine;
 

@@ -1,47 +1,31 @@
-//! Torque-free motion with three different moments: the set-up in double-double
-//! arithmetic and the sample in plain f64.
+//! Torque-free motion with three different moments: the set-up, in double-double
+//! arithmetic.
 
+use super::hyperbolic::Late;
 use super::norm3;
 use super::periods::Periods;
-use super::series::{Parts, Series};
+use super::sample::{Rates, Sampler};
+use super::series::Series;
 use crate::attitude::Attitude;
+use crate::frame::BodyVector;
 use crate::math::DoubleDouble as Dd;
-use crate::math::double_double::{pair_plus, pair_sum, pair_times};
-use crate::math::{Lane, round_even, sincos_turns};
 
 /// Three different moments, on ordered axes: the third keeps the sign of its rate
 /// for ever (it goes as dn), and J1, J2, J3 are monotonic.
 #[derive(Debug, Clone)]
 pub(super) struct Asymmetric {
-    /// L/J on the ordered axes, with the sign; and where each body axis stands in that order.
-    rate: [f64; 3],
-    place: [usize; 3],
-    /// +1 if J3 < J1, else -1: the sense in which the theta functions turn.
-    sense: f64,
-    pub(super) series: Series,
-    /// Time from the turning point of the first component to t = 0.
-    start: Dd,
-    /// 2K in time and its reciprocal; None on the separatrix.
-    pub(super) half_period: Option<(Dd, f64)>,
+    /// 2K in time; None on the separatrix.
+    pub(super) half_period: Option<Dd>,
     /// What the azimuth of the third axis gains in a period of the rates (rad).
     pub(super) precession: f64,
-    /// Turns gained in `half_period` beyond whole ones, and turns per second inside it.
-    advance: Dd,
-    local_rate: f64,
-    /// l3 = c dn, dn^2 = m1 + m (l1/l1max)^2: the small l3 next to the separatrix
-    /// keeps its relative accuracy, which |alpha|^2 - |beta|^2 would lose.
-    c: f64,
-    m1: f64,
-    m_over_l1: f64,
-    /// From the frame along L to space, and from the body to the ordered axes.
-    outer: [f64; 4],
-    inner: [f64; 4],
+    form: Form,
 }
 
-/// Cayley-Klein parameters in the frame along L.
-pub(super) struct Sample<L> {
-    alpha: [L; 2],
-    beta: [L; 2],
+/// In which form the theta functions converge fast.
+#[derive(Debug, Clone)]
+enum Form {
+    Trigonometric(Sampler),
+    Hyperbolic(Late),
 }
 
 impl Asymmetric {
@@ -102,123 +86,93 @@ impl Asymmetric {
         let precession = gained.map_or(f64::INFINITY, |gained| {
             (gained.scaled(4.0) - Dd::TWO_PI * sense).to_f64()
         });
-        let advance = gained.map_or(Dd::ZERO, |gained| {
-            let turns = gained / Dd::TWO_PI;
-            turns - turns.round()
-        });
-
-        let first_max = (j1 * amplitude1 / momentum).to_f64();
-        let mut motion = Self {
+        let first_max = j1 * amplitude1 / momentum;
+        let rates = Rates {
             rate: [0, 1, 2].map(|r| sign[r] * (momentum / j[r]).to_f64()),
             place: invert(order),
-            sense,
-            series,
-            start: tau / p,
-            half_period: half_period.map(|half| (half, half.recip().to_f64())),
-            precession,
-            advance,
-            local_rate: (local / Dd::TWO_PI).to_f64(),
             c: (j3 * amplitude3 / momentum).to_f64(),
             m1: m1.to_f64(),
             m_over_l1: if first_max == 0.0 {
                 0.0
             } else {
-                (m / (j1 * amplitude1 / momentum).square()).to_f64()
+                (m / first_max.square()).to_f64()
             },
-            outer: Attitude::IDENTITY.quaternion(),
-            inner: signed_permutation(order, sign),
         };
-        let begin = Attitude::from_unit(motion.sample(0.0).quaternion())
-            * Attitude::from_unit(motion.inner);
-        motion.outer = (attitude * begin.inverse()).quaternion();
-        motion
-    }
-
-    /// The closed form: reduce the time, sum two short series, turn by the phase.
-    #[inline(always)]
-    pub(super) fn sample(&self, t: f64) -> Sample<f64> {
-        match (&self.series, self.half_period) {
-            (Series::Trigonometric(series), Some((half, per_half))) => {
-                self.periodic_sample(half, per_half, t, |fraction, _| series.sum(fraction))
+        let start = tau / p;
+        let mut form = match series {
+            Series::Trigonometric(series) => {
+                let sampler = Sampler::new(&series, sense, start, quarter / p, local, rates);
+                Form::Trigonometric(sampler)
             }
-            (Series::Hyperbolic(series), Some((half, per_half))) => {
-                self.periodic_sample(half, per_half, t, |_, rest| series.sum(rest))
-            }
-            (Series::Hyperbolic(series), None) => {
-                let rest = (self.start + t).to_f64();
-                self.turned(series.sum(rest), self.local_rate * rest, 1.0)
-            }
-            (Series::Trigonometric(_), None) => unreachable!("the separatrix is hyperbolic"),
+            Series::Hyperbolic(series) => Form::Hyperbolic(Late {
+                series,
+                rates,
+                sense,
+                start,
+                half_period: half_period.map(|half| (half, half.recip().to_f64())),
+                advance: gained.map_or(Dd::ZERO, |gained| {
+                    let turns = gained / Dd::TWO_PI;
+                    turns - turns.round()
+                }),
+                local_rate: local / Dd::TWO_PI,
+                outer: Attitude::IDENTITY.quaternion(),
+                inner: Attitude::IDENTITY.quaternion(),
+            }),
+        };
+        // The ordered axes stand in the body as `inner` says, L in space as it did at t = 0.
+        let inner = signed_permutation(order, sign);
+        let begin = form.state(0.0).0 * Attitude::from_unit(inner);
+        let outer = (attitude * begin.inverse()).quaternion();
+        form = match form {
+            Form::Trigonometric(sampler) => Form::Trigonometric(
+                sampler.seen(|quaternion| product(product(outer, quaternion), inner)),
+            ),
+            Form::Hyperbolic(late) => Form::Hyperbolic(Late {
+                outer,
+                inner,
+                ..late
+            }),
+        };
+        Self {
+            half_period,
+            precession,
+            form,
         }
     }
 
-    /// The sample where there is a period. `sum` is given the time from the turning
-    /// point, as a fraction of 2K and in seconds. No branch.
-    #[inline(always)]
-    pub(super) fn periodic_sample<L: Lane>(
-        &self,
-        half: Dd,
-        per_half: f64,
-        t: L,
-        sum: impl Fn(L, L) -> Parts<L>,
-    ) -> Sample<L> {
-        let since = pair_plus(self.start.lanes(), t);
-        let n = round_even(since.0 * per_half);
-        let (whole, whole_low) = pair_times(half.lanes(), n);
-        let (rest, _) = pair_sum(since, (-whole, -whole_low));
-        let turns = pair_times(self.advance.lanes(), n);
-        let (turns, _) = pair_plus(turns, -round_even(turns.0));
-        // theta_1 changes sign over 2K: -1 for odd n.
-        let odd = n - round_even(n * 0.5 - 0.25) * 2.0;
-        let parity = L::of(1.0) - odd * 2.0;
-        let parts = sum(rest * per_half, rest);
-        self.turned(parts, rest * self.local_rate + turns, parity)
-    }
-
-    /// alpha and beta, normalised, turned by the phase (in turns).
-    #[inline(always)]
-    fn turned<L: Lane>(&self, ([ar, ai], [br, bi]): Parts<L>, phase: L, parity: L) -> Sample<L> {
-        // The constant phase of beta puts l1 > 0 at tau = 0.
-        let flip = parity * -self.sense;
-        let (ai, br, bi) = (ai * self.sense, br * flip, bi * flip * self.sense);
-        let scale = L::of(1.0) / (ar * ar + ai * ai + (br * br + bi * bi)).sqrt();
-        let (sin, cos) = sincos_turns(phase);
-        let (sin, cos) = (sin * scale, cos * scale);
-        Sample {
-            alpha: [ar * cos - ai * sin, ar * sin + ai * cos],
-            beta: [br * cos - bi * sin, br * sin + bi * cos],
+    pub(super) fn attitude(&self, t: f64) -> Attitude {
+        match &self.form {
+            Form::Trigonometric(sampler) => sampler.attitude(t),
+            Form::Hyperbolic(late) => late.state(t).0,
         }
     }
 
-    #[inline(always)]
-    pub(super) fn quaternion<L: Lane>(&self, sample: &Sample<L>) -> [L; 4] {
-        let (outer, inner) = (self.outer.map(L::of), self.inner.map(L::of));
-        product(product(outer, sample.quaternion()), inner)
+    pub(super) fn state(&self, t: f64) -> (Attitude, BodyVector) {
+        self.form.state(t)
     }
 
-    /// The body rates on the body's own axes.
-    #[inline(always)]
-    pub(super) fn rates<L: Lane>(&self, sample: &Sample<L>) -> [L; 3] {
-        // 2 alpha conj(beta) = l2 + i l1.
-        let ([ar, ai], [br, bi]) = (sample.alpha, sample.beta);
-        let l2 = (ar * br + ai * bi) * 2.0;
-        let l1 = (ai * br - ar * bi) * 2.0;
-        let l3 = (l1 * self.m_over_l1 * l1 + self.m1).sqrt() * self.c;
-        let ordered = [l1 * self.rate[0], l2 * self.rate[1], l3 * self.rate[2]];
-        [0, 1, 2].map(|i| ordered[self.place[i]])
+    /// What samples without a branch, if anything does.
+    pub(super) fn sampler(&self) -> Option<&Sampler> {
+        match &self.form {
+            Form::Trigonometric(sampler) => Some(sampler),
+            Form::Hyperbolic(_) => None,
+        }
     }
 }
 
-impl<L: Lane> Sample<L> {
-    #[inline(always)]
-    pub(super) fn quaternion(&self) -> [L; 4] {
-        [self.alpha[0], self.beta[0], self.beta[1], self.alpha[1]]
+impl Form {
+    #[inline]
+    fn state(&self, t: f64) -> (Attitude, BodyVector) {
+        match self {
+            Self::Trigonometric(sampler) => sampler.state(t),
+            Self::Hyperbolic(late) => late.state(t),
+        }
     }
 }
 
 /// The quaternion product; the factors are unit to a few eps, and so is the result.
-#[inline(always)]
-fn product<L: Lane>(p: [L; 4], q: [L; 4]) -> [L; 4] {
+#[inline]
+pub(super) fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {
     let ([pw, px, py, pz], [qw, qx, qy, qz]) = (p, q);
     [
         pw * qw - px * qx - py * qy - pz * qz,

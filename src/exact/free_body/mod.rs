@@ -19,7 +19,8 @@
 //! functions in the rotation matrix; the doubled period is ours.
 
 use crate::attitude::Attitude;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite};
+use crate::exact::check_times;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::math::DoubleDouble as Dd;
@@ -27,12 +28,14 @@ use crate::math::DoubleDouble as Dd;
 mod asymmetric;
 mod batch;
 mod flow;
+mod hyperbolic;
 mod periods;
+mod sample;
 mod series;
 mod symmetric;
 
 use asymmetric::Asymmetric;
-use batch::Batch;
+use batch::Branchless;
 pub use flow::FreeFlow;
 use symmetric::Symmetric;
 
@@ -71,7 +74,7 @@ pub enum Kind {
 
 #[derive(Debug, Clone)]
 enum Motion {
-    Steady,
+    Steady(Symmetric),
     Symmetric(Symmetric),
     Asymmetric(Box<Asymmetric>),
 }
@@ -99,9 +102,9 @@ impl FreeBody {
         }
         let equal = [0, 1, 2].map(|i| moments[(i + 1) % 3] == moments[(i + 2) % 3]);
         let motion = if omega.iter().filter(|w| **w != 0.0).count() <= 1 || (equal[0] && equal[1]) {
-            Motion::Steady
+            Motion::Steady(Symmetric::steady(omega, attitude))
         } else if let Some(axis) = equal.iter().position(|e| *e) {
-            Motion::Symmetric(Symmetric::new(moments, omega, axis))
+            Motion::Symmetric(Symmetric::new(moments, omega, axis, attitude))
         } else {
             Motion::Asymmetric(Box::new(Asymmetric::new(moments, omega, attitude)))
         };
@@ -116,7 +119,7 @@ impl FreeBody {
     /// Which of the solutions applies.
     pub fn kind(&self) -> Kind {
         match &self.motion {
-            Motion::Steady => Kind::Steady,
+            Motion::Steady(_) => Kind::Steady,
             Motion::Symmetric(_) => Kind::Symmetric,
             Motion::Asymmetric(motion) if motion.half_period.is_none() => Kind::Separatrix,
             Motion::Asymmetric(_) => Kind::Asymmetric,
@@ -126,42 +129,40 @@ impl FreeBody {
     /// Attitude at time `t` (s).
     pub fn attitude_at(&self, t: f64) -> Attitude {
         match &self.motion {
-            Motion::Steady => self.attitude * rotation_about(self.angular_velocity.to_array(), t),
-            Motion::Symmetric(motion) => motion.attitude_at(t, self.attitude),
-            Motion::Asymmetric(motion) => Attitude::from_unit(motion.quaternion(&motion.sample(t))),
+            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.state(t).0,
+            Motion::Asymmetric(motion) => motion.attitude(t),
         }
     }
 
     /// Angular velocity on the body axes at time `t` (rad/s).
     pub fn angular_velocity_at(&self, t: f64) -> BodyVector {
+        self.state_at(t).1
+    }
+
+    /// Attitude and body rates at time `t` (s), for the price of one.
+    ///
+    /// A time that is not finite gives NaN; [`FreeBody::try_state_at`] refuses it.
+    pub fn state_at(&self, t: f64) -> (Attitude, BodyVector) {
         match &self.motion {
-            Motion::Steady => self.angular_velocity,
-            Motion::Symmetric(motion) => motion.angular_velocity_at(t),
-            Motion::Asymmetric(motion) => BodyVector::from_array(motion.rates(&motion.sample(t))),
+            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.state(t),
+            Motion::Asymmetric(motion) => motion.state(t),
         }
     }
 
-    /// Attitude and body rates at time `t`, for the price of one.
-    pub fn state_at(&self, t: f64) -> (Attitude, BodyVector) {
-        match &self.motion {
-            Motion::Asymmetric(motion) => {
-                let sample = motion.sample(t);
-                (
-                    Attitude::from_unit(motion.quaternion(&sample)),
-                    BodyVector::from_array(motion.rates(&sample)),
-                )
-            }
-            _ => (self.attitude_at(t), self.angular_velocity_at(t)),
-        }
+    /// The same as [`FreeBody::state_at`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite.
+    pub fn try_state_at(&self, t: f64) -> Result<(Attitude, BodyVector)> {
+        Ok(self.state_at(finite("t", t)?))
     }
 
     /// Attitude and body rates at many times (s): the bits of [`FreeBody::state_at`],
-    /// in vector registers where the processor has them and the series is periodic
-    /// (three different moments, m up to about 0.97); elsewhere one by one.
+    /// in vector registers where the processor has them; near the separatrix (m above
+    /// about 0.97) one by one.
     ///
-    /// Nothing is allocated. Cost of a sample: 1.8 sine-cosine pairs of `libm` with
-    /// AVX-512, 2.1 with AVX2, against 8.2 one by one (`benches`, binary `batch`; 17, 20
-    /// and 76 ns where a pair takes 9.3).
+    /// Nothing is allocated. Cost of a sample: 1.0 sine-cosine pairs of `libm` with
+    /// AVX-512 against 3.3 one by one (`benches`, binary `batch`).
     ///
     /// ```
     /// # use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
@@ -177,27 +178,37 @@ impl FreeBody {
     /// ```
     ///
     /// # Errors
-    /// `Lengths` if there are not as many states as times; no state is touched then.
+    /// `Lengths` if there are not as many states as times; `NotFinite` for a time that is
+    /// not finite. No state is touched then.
     pub fn states_at(&self, times: &[f64], states: &mut [(Attitude, BodyVector)]) -> Result<()> {
-        if states.len() != times.len() {
-            return Err(Error::Lengths {
-                name: "states",
-                found: states.len(),
-                expected: times.len(),
-            });
+        check_times("states", states.len(), times)?;
+        match &self.motion {
+            Motion::Steady(motion) | Motion::Symmetric(motion) => {
+                self.fill(Some(motion), times, states);
+            }
+            Motion::Asymmetric(motion) => self.fill(motion.sampler(), times, states),
         }
-        let batch = match &self.motion {
-            Motion::Asymmetric(motion) => Batch::new(motion),
-            _ => None,
+        Ok(())
+    }
+
+    /// In lanes if there is a motion that samples without a branch, and far enough.
+    fn fill(
+        &self,
+        motion: Option<&impl Branchless>,
+        times: &[f64],
+        states: &mut [(Attitude, BodyVector)],
+    ) {
+        let reached = |motion: &&_| {
+            let until = Branchless::until(*motion);
+            times.iter().filter(|t| t.abs() > until).count() == 0
         };
-        if let Some(batch) = batch {
-            batch.fill(times, states);
+        if let Some(motion) = motion.filter(reached) {
+            batch::fill(motion, times, states);
         } else {
             for (t, state) in times.iter().zip(states) {
                 *state = self.state_at(*t);
             }
         }
-        Ok(())
     }
 
     /// The angular momentum (kg m^2/s), the same at all times.
@@ -216,11 +227,11 @@ impl FreeBody {
     /// The period of the body rates (s); infinite on the separatrix and for steady rotation.
     pub fn rate_period(&self) -> f64 {
         match &self.motion {
-            Motion::Steady => f64::INFINITY,
-            Motion::Symmetric(motion) => core::f64::consts::TAU / motion.body_rate.to_f64().abs(),
+            Motion::Steady(_) => f64::INFINITY,
+            Motion::Symmetric(motion) => core::f64::consts::TAU / motion.body_rate.abs(),
             Motion::Asymmetric(motion) => motion
                 .half_period
-                .map_or(f64::INFINITY, |(half, _)| 2.0 * half.to_f64()),
+                .map_or(f64::INFINITY, |half| 2.0 * half.to_f64()),
         }
     }
 
@@ -229,8 +240,8 @@ impl FreeBody {
     /// moments it is counted on the axis whose rate keeps its sign.
     pub fn precession_per_period(&self) -> f64 {
         match &self.motion {
-            Motion::Steady => f64::INFINITY,
-            Motion::Symmetric(motion) => motion.precession_rate() * self.rate_period(),
+            Motion::Steady(_) => f64::INFINITY,
+            Motion::Symmetric(motion) => motion.precession_rate * self.rate_period(),
             Motion::Asymmetric(motion) => motion.precession,
         }
     }
@@ -240,17 +251,6 @@ impl FreeBody {
         let [i1, i2, i3] = self.moments;
         BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
     }
-}
-
-/// The rotation exp(t [w]x), its angle formed in double-double.
-fn rotation_about(omega: [f64; 3], t: f64) -> Attitude {
-    let norm = norm3(omega.map(Dd::from));
-    if norm == 0.0 {
-        return Attitude::IDENTITY;
-    }
-    let (sin, cos) = (norm * t).scaled(0.5).sin_cos();
-    let [x, y, z] = omega.map(|w| (sin * (Dd::from(w) / norm)).to_f64());
-    Attitude::from_unit([cos.to_f64(), x, y, z])
 }
 
 fn norm3(v: [Dd; 3]) -> Dd {

@@ -6,10 +6,10 @@
 use super::periods::{Periods, Zero};
 use crate::exact::nome::Nome;
 use crate::math::DoubleDouble as Dd;
-use crate::math::{Lane, exp, expm1, sincos_turns};
+use crate::math::{exp, expm1};
 
 /// Real and imaginary parts of alpha and of beta.
-pub(super) type Parts<L> = ([L; 2], [L; 2]);
+pub(super) type Parts = ([f64; 2], [f64; 2]);
 
 /// theta_4(z + iy) and `ratio` theta_1(z + iy), up to a common real factor and a
 /// phase linear in time.
@@ -22,8 +22,8 @@ pub(super) enum Series {
 /// Polynomials in sin^2 z.
 #[derive(Debug, Clone)]
 pub(super) struct Trigonometric {
-    alpha: [[f64; 4]; 2],
-    beta: [[f64; 4]; 2],
+    pub alpha: [[f64; 4]; 2],
+    pub beta: [[f64; 4]; 2],
 }
 
 /// cos and sin of (2n+1) y', each with its power of the nome; w = `rate` t.
@@ -199,23 +199,10 @@ impl Series {
     }
 }
 
-impl Trigonometric {
-    /// The sums at this fraction of 2K from the turning point, -1/2 to 1/2.
-    #[inline(always)]
-    pub(super) fn sum<L: Lane>(&self, fraction: L) -> Parts<L> {
-        let (sin, cos) = sincos_turns(fraction * 0.5);
-        let x = sin * sin;
-        (
-            [poly(&self.alpha[0], x), sin * cos * poly(&self.alpha[1], x)],
-            [sin * poly(&self.beta[0], x), cos * poly(&self.beta[1], x)],
-        )
-    }
-}
-
 impl Hyperbolic {
     /// The sums at time `t` from the turning point, within half a period.
     #[inline]
-    pub(super) fn sum(&self, t: f64) -> Parts<f64> {
+    pub(super) fn sum(&self, t: f64) -> Parts {
         let w = (self.rate * t).abs();
         // All scaled by e^{-w}: cosh -> 1 + e^{-2w}, sinh -> 1 - e^{-2w}.
         let minus = -expm1(-2.0 * w);
@@ -237,11 +224,6 @@ impl Hyperbolic {
             [sign * dot(&self.beta[0], &odd), dot(&self.beta[1], &even)],
         )
     }
-}
-
-#[inline(always)]
-fn poly<L: Lane>(c: &[f64; 4], x: L) -> L {
-    x * (x * (x * c[3] + c[2]) + c[1]) + c[0]
 }
 
 #[inline]

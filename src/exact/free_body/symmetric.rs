@@ -1,61 +1,135 @@
-//! Torque-free motion with two equal moments: two steady rotations.
+//! Torque-free motion with two equal moments: two steady rotations. A steady rotation
+//! is the first of them alone.
 
+use super::asymmetric::product;
+use super::batch::Branchless;
 use super::norm3;
+use super::sample::combined;
 use crate::attitude::Attitude;
 use crate::frame::BodyVector;
-use crate::math::DoubleDouble as Dd;
+use crate::math::lane::{Pair, Phased};
+use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, beside, sincos_of};
 
-/// Two equal moments: R(t) = exp(t L/I1) R0 exp(t Omega_S e), notes 15.5 (9), (10).
+/// R(t) = exp(t L/I1) R0 exp(t Omega_S e), notes 15.5 (9), (10).
 #[derive(Debug, Clone)]
 pub(super) struct Symmetric {
+    /// Omega_P = L/I1 (rad/s).
+    pub(super) precession_rate: f64,
+    /// The rate at which the transverse rate turns in the body, -Omega_S.
+    pub(super) body_rate: f64,
+    /// Half of either angle, in quarter turns.
+    clocks: Clock<[f64; 2]>,
+    /// What cos cos, sin cos, cos sin and sin sin of the half angles add to the
+    /// quaternion, the precession's first.
+    columns: [[f64; 4]; 4],
     axis: usize,
     omega: [f64; 3],
-    /// L/I1 on the body axes at t = 0.
-    precession: [Dd; 3],
-    /// Omega_S = (1 - I3/I1) w3, at which the body turns about its axis.
-    spin: Dd,
-    /// The rate at which the transverse rate turns in the body, -Omega_S.
-    pub(super) body_rate: Dd,
+    /// The greatest |t|.
+    until: f64,
 }
 
 impl Symmetric {
-    pub(super) fn new(moments: [f64; 3], omega: [f64; 3], axis: usize) -> Self {
+    /// Two equal moments, the third about `axis`.
+    pub(super) fn new(moments: [f64; 3], omega: [f64; 3], axis: usize, attitude: Attitude) -> Self {
         let transverse = moments[(axis + 1) % 3];
         let spin = Dd::sum(transverse, -moments[axis]) * omega[axis] / transverse;
         let precession = [0, 1, 2].map(|i| Dd::product(moments[i], omega[i]) / transverse);
+        Self::turning(precession, spin, omega, axis, attitude)
+    }
+
+    /// A rotation that stays as it is.
+    pub(super) fn steady(omega: [f64; 3], attitude: Attitude) -> Self {
+        Self::turning(omega.map(Dd::from), Dd::ZERO, omega, 2, attitude)
+    }
+
+    /// L/I1 on the body axes at t = 0, and Omega_S = (1 - I3/I1) w3, at which the body
+    /// turns about its axis.
+    fn turning(
+        precession: [Dd; 3],
+        spin: Dd,
+        omega: [f64; 3],
+        axis: usize,
+        attitude: Attitude,
+    ) -> Self {
+        let rate = norm3(precession);
+        let direction = if rate == 0.0 {
+            [0.0; 3]
+        } else {
+            precession.map(|c| (c / rate).to_f64())
+        };
+        // exp(t L/I1) acts in space; moved to the right of R0 it acts on body components.
+        let start = attitude.quaternion();
+        let about_momentum = product(start, [0.0, direction[0], direction[1], direction[2]]);
+        let mut own = [0.0; 4];
+        own[1 + axis] = 1.0;
+        let columns = [
+            start,
+            about_momentum,
+            product(start, own),
+            product(about_momentum, own),
+        ];
+        let clocks = [rate, spin].map(|rate| Clock::new(rate / Dd::PI, Dd::ZERO));
         Self {
+            precession_rate: rate.to_f64(),
+            body_rate: -spin.to_f64(),
+            until: clocks[0].until().min(clocks[1].until()),
+            clocks: clocks[0].beside(&clocks[1]),
+            columns,
             axis,
             omega,
-            precession,
-            spin,
-            body_rate: -spin,
         }
     }
 
-    /// Omega_P = L/I1 (rad/s), notes 15.5 (9).
-    pub(super) fn precession_rate(&self) -> f64 {
-        norm3(self.precession).to_f64()
-    }
-
-    pub(super) fn attitude_at(&self, t: f64, start: Attitude) -> Attitude {
-        // exp(t L/I1) acts in space; moved to the right of R0 it acts on body components.
-        let rate = norm3(self.precession);
-        let (sin, cos) = (rate * t).scaled(0.5).sin_cos();
-        let [x, y, z] = self.precession.map(|c| (sin * (c / rate)).to_f64());
-        let about_momentum = Attitude::from_unit([cos.to_f64(), x, y, z]);
-        let (sin, cos) = (self.spin * t).scaled(0.5).sin_cos();
-        let mut spin = [cos.to_f64(), 0.0, 0.0, 0.0];
-        spin[1 + self.axis] = sin.to_f64();
-        start * about_momentum * Attitude::from_unit(spin)
-    }
-
-    pub(super) fn angular_velocity_at(&self, t: f64) -> BodyVector {
-        let (sin, cos) = (self.spin * t).sin_cos();
-        let (sin, cos) = (sin.to_f64(), cos.to_f64());
+    /// The unit quaternion and the body rates.
+    #[inline(always)]
+    fn sample<L: Phased>(&self, clocks: Reduced<L::Pair>) -> ([L; 4], [L; 3]) {
+        let (sin, cos) = sincos_of(clocks);
+        let (first, second) = (sin * sin + cos * cos).parts();
+        let ((sin_p, sin_s), (cos_p, cos_s)) = (sin.parts(), cos.parts());
+        let scale = L::of(1.0) / (first * second).sqrt();
+        let (sin_p, cos_p) = (sin_p * scale, cos_p * scale);
+        let parts = [cos_p * cos_s, sin_p * cos_s, cos_p * sin_s, sin_p * sin_s];
+        let quaternion = combined(&self.columns, parts);
+        // The transverse rate turns by the whole angle, the other way.
+        let sin = sin_s * cos_s * 2.0;
+        let cos = L::of(1.0) - sin_s * sin_s * 2.0;
         let (i, j) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
-        let mut omega = self.omega;
-        omega[i] = self.omega[i] * cos + self.omega[j] * sin;
-        omega[j] = -self.omega[i] * sin + self.omega[j] * cos;
-        BodyVector::from_array(omega)
+        let (p, q) = (self.omega[i], self.omega[j]);
+        let mut omega = [L::of(self.omega[self.axis]); 3];
+        omega[i] = cos * p + sin * q;
+        omega[j] = cos * q - sin * p;
+        (quaternion, omega)
+    }
+
+    pub(super) fn state(&self, t: f64) -> (Attitude, BodyVector) {
+        let clocks = if t.abs() <= self.until {
+            self.clocks.read(Pair::both, &Time::new(t).twice())
+        } else {
+            self.far(t)
+        };
+        let (quaternion, omega) = self.sample::<f64>(clocks);
+        (
+            Attitude::from_unit(quaternion),
+            BodyVector::from_array(omega),
+        )
+    }
+
+    #[cold]
+    fn far(&self, t: f64) -> Reduced<<f64 as Phased>::Pair> {
+        beside(
+            self.clocks.one(0).read_far(t),
+            self.clocks.one(1).read_far(t),
+        )
+    }
+}
+
+impl Branchless for Symmetric {
+    fn until(&self) -> f64 {
+        self.until
+    }
+
+    #[inline(always)]
+    fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
+        self.sample(self.clocks.read(L::Pair::both, &Time::new(t).twice()))
     }
 }

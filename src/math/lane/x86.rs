@@ -1,0 +1,297 @@
+//! The vector registers of x86-64.
+
+use super::{
+    Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, Pair, Phased, Sampler, Sub, WIDEST, run,
+};
+use core::arch::x86_64::*;
+
+/// Only for a processor that has AVX-512F.
+#[target_feature(enable = "avx512f")]
+pub(super) fn avx512<const N: usize>(
+    sampler: &impl Sampler<N>,
+    times: &[f64],
+    put: impl FnMut([f64; N]),
+) {
+    run::<Eight, N>(sampler, times, put);
+}
+
+/// Only for a processor that has AVX2.
+#[target_feature(enable = "avx2")]
+pub(super) fn avx2<const N: usize>(
+    sampler: &impl Sampler<N>,
+    times: &[f64],
+    put: impl FnMut([f64; N]),
+) {
+    run::<Four, N>(sampler, times, put);
+}
+
+// SAFETY of every block below: `Two` needs SSE2, which every x86-64 has. `Four` and
+// `Eight` are private to this module, and values of them exist only inside `avx2` and
+// `avx512`, which run where the instructions exist. Loads and stores stay within the
+// lists they are given.
+macro_rules! number {
+    ($name:ident, $register:ty, $set:ident, $add:ident, $sub:ident, $mul:ident,
+     $integer:ident, $from_integer:ident, $whole:ident, $plus:ident, $and:ident, $xor:ident, $shift:ident,
+     $or_if_odd:expr) => {
+        impl Number for $name {
+            #[inline(always)]
+            fn same(value: f64) -> Self {
+                Self(unsafe { $set(value) })
+            }
+            #[inline(always)]
+            fn leading(self) -> Self {
+                Self(unsafe {
+                    let rounded = $plus($integer(self.0), $whole(HALF as i64));
+                    $from_integer($and(rounded, $whole(LEADING as i64)))
+                })
+            }
+            #[inline(always)]
+            fn negative_if_odd(self, whole: Self) -> Self {
+                Self(unsafe {
+                    $from_integer($xor($integer(self.0), $shift::<63>($integer(whole.0))))
+                })
+            }
+            #[inline(always)]
+            fn negative_if_half(self, whole: Self) -> Self {
+                Self(unsafe {
+                    let sign = $and($shift::<62>($integer(whole.0)), $whole(i64::MIN));
+                    $from_integer($xor($integer(self.0), sign))
+                })
+            }
+            #[inline(always)]
+            fn or_if_odd(self, odd: Self, whole: Self) -> Self {
+                Self(unsafe { $or_if_odd(self.0, odd.0, $integer(whole.0)) })
+            }
+        }
+
+        number!(@operator $name, Add, add, $add);
+        number!(@operator $name, Sub, sub, $sub);
+        number!(@operator $name, Mul, mul, $mul);
+
+        impl Neg for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                // From -0, so that the sign of a zero turns as well.
+                Self::same(-0.0) - self
+            }
+        }
+    };
+    (@operator $name:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
+        impl $trait for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+
+        impl $trait<f64> for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self.$method(Self::same(other))
+            }
+        }
+    };
+}
+
+macro_rules! lane {
+    ($name:ident, $width:literal, $load:ident, $store:ident, $div:ident, $sqrt:ident) => {
+        impl Lane for $name {
+            const WIDTH: usize = $width;
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                Self::same(value)
+            }
+            #[inline(always)]
+            fn load(values: &[f64; WIDEST]) -> Self {
+                Self(unsafe { $load(values.as_ptr()) })
+            }
+            #[inline(always)]
+            fn store(self, values: &mut [f64; WIDEST]) {
+                unsafe { $store(values.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(unsafe { $sqrt(self.0) })
+            }
+        }
+
+        impl Phased for $name {
+            type Pair = Both<Self>;
+            #[inline(always)]
+            fn load_from(values: &[f64]) -> Self {
+                assert!(values.len() >= $width);
+                Self(unsafe { $load(values.as_ptr()) })
+            }
+        }
+
+        impl Div for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                Self(unsafe { $div(self.0, other.0) })
+            }
+        }
+    };
+}
+
+/// Eight numbers in a register of AVX-512.
+#[derive(Clone, Copy)]
+struct Eight(__m512d);
+
+number!(
+    Eight,
+    __m512d,
+    _mm512_set1_pd,
+    _mm512_add_pd,
+    _mm512_sub_pd,
+    _mm512_mul_pd,
+    _mm512_castpd_si512,
+    _mm512_castsi512_pd,
+    _mm512_set1_epi64,
+    _mm512_add_epi64,
+    _mm512_and_si512,
+    _mm512_xor_si512,
+    _mm512_slli_epi64,
+    |even, odd, whole| {
+        let mask = _mm512_test_epi64_mask(whole, _mm512_set1_epi64(1));
+        _mm512_mask_blend_pd(mask, even, odd)
+    }
+);
+lane!(
+    Eight,
+    8,
+    _mm512_loadu_pd,
+    _mm512_storeu_pd,
+    _mm512_div_pd,
+    _mm512_sqrt_pd
+);
+
+/// Four numbers in a register of AVX.
+#[derive(Clone, Copy)]
+struct Four(__m256d);
+
+number!(
+    Four,
+    __m256d,
+    _mm256_set1_pd,
+    _mm256_add_pd,
+    _mm256_sub_pd,
+    _mm256_mul_pd,
+    _mm256_castpd_si256,
+    _mm256_castsi256_pd,
+    _mm256_set1_epi64x,
+    _mm256_add_epi64,
+    _mm256_and_si256,
+    _mm256_xor_si256,
+    _mm256_slli_epi64,
+    |even, odd, whole| {
+        // The blend looks at the sign alone.
+        let sign = _mm256_castsi256_pd(_mm256_slli_epi64::<63>(whole));
+        _mm256_blendv_pd(even, odd, sign)
+    }
+);
+lane!(
+    Four,
+    4,
+    _mm256_loadu_pd,
+    _mm256_storeu_pd,
+    _mm256_div_pd,
+    _mm256_sqrt_pd
+);
+
+/// Two numbers in a register of SSE2: a pair of single ones.
+#[derive(Clone, Copy)]
+pub struct Two(__m128d);
+
+number!(
+    Two,
+    __m128d,
+    _mm_set1_pd,
+    _mm_add_pd,
+    _mm_sub_pd,
+    _mm_mul_pd,
+    _mm_castpd_si128,
+    _mm_castsi128_pd,
+    _mm_set1_epi64x,
+    _mm_add_epi64,
+    _mm_and_si128,
+    _mm_xor_si128,
+    _mm_slli_epi64,
+    |even, odd, whole| {
+        let bit = _mm_and_si128(whole, _mm_set1_epi64x(1));
+        let mask = _mm_castsi128_pd(_mm_sub_epi64(_mm_setzero_si128(), bit));
+        _mm_or_pd(_mm_andnot_pd(mask, even), _mm_and_pd(mask, odd))
+    }
+);
+
+impl Pair<f64> for Two {
+    #[inline(always)]
+    fn new(first: f64, second: f64) -> Self {
+        Self(unsafe { _mm_set_pd(second, first) })
+    }
+    #[inline(always)]
+    fn both(values: &[f64; 2]) -> Self {
+        Self(unsafe { _mm_loadu_pd(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn parts(self) -> (f64, f64) {
+        unsafe {
+            let second = _mm_unpackhi_pd(self.0, self.0);
+            (_mm_cvtsd_f64(self.0), _mm_cvtsd_f64(second))
+        }
+    }
+    #[inline(always)]
+    fn swapped(self) -> Self {
+        Self(unsafe { _mm_shuffle_pd::<1>(self.0, self.0) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::sincos_turns;
+
+    struct Probe;
+    impl Sampler<3> for Probe {
+        fn sample<L: Phased>(&self, t: L) -> [L; 3] {
+            let (sin, cos) = sincos_turns(t);
+            [sin, -cos, (t * t + 1.0).sqrt() / (t - 0.3)]
+        }
+    }
+
+    /// Every width this processor has gives the scalar bits, whatever the length.
+    #[test]
+    fn every_width_gives_the_scalar_bits() {
+        let mut compared = 0;
+        for length in 0..300 {
+            let times: Vec<f64> = (0..length).map(|k| f64::from(k) * 0.37 - 20.0).collect();
+            let expected: Vec<_> = times
+                .iter()
+                .map(|t| Probe.sample(*t).map(f64::to_bits))
+                .collect();
+            let mut check = |found: Vec<[u64; 3]>| {
+                assert_eq!(found, expected);
+                compared += found.len();
+            };
+            let mut found = Vec::new();
+            run::<f64, 3>(&Probe, &times, |s| found.push(s.map(f64::to_bits)));
+            check(found);
+            if std::is_x86_feature_detected!("avx2") {
+                let mut found = Vec::new();
+                // SAFETY: just detected.
+                unsafe { avx2(&Probe, &times, |s| found.push(s.map(f64::to_bits))) };
+                check(found);
+            }
+            if std::is_x86_feature_detected!("avx512f") {
+                let mut found = Vec::new();
+                // SAFETY: just detected.
+                unsafe { avx512(&Probe, &times, |s| found.push(s.map(f64::to_bits))) };
+                check(found);
+            }
+        }
+        assert!(compared >= 44_850, "only {compared} samples compared");
+    }
+}
