@@ -197,7 +197,7 @@ fn slope_on_the_free_body_and_the_top() {
     let free = FreeRotation::new(&scene);
     let t_end = 100.0;
     let want = exact.attitude_at(t_end);
-    let points: Vec<(f64, f64)> = [44, 48, 52, 56, 60, 64]
+    let points: Vec<(f64, f64)> = [48, 52, 56, 60, 64]
         .into_iter()
         .map(|n| {
             let (end, _) = gauss(n).advance(&free, 0.0, &start, t_end).expect("smooth");
@@ -205,7 +205,7 @@ fn slope_on_the_free_body_and_the_top() {
         })
         .collect();
     let (slope, off) = slope::fitted(&points);
-    // Measured: 15.58 over errors from 1.4e-11 to 3.9e-14.
+    // Measured: 15.54 over errors from 3.6e-12 to 4.0e-14.
     assert!((slope - 16.0).abs() < 0.5 && off < 0.05, "{slope} {off}");
 
     let (scene, start) = top::figure_3();

@@ -2,6 +2,7 @@
 //! it refuses. Values are compared with 25-digit references in `tests/reference.rs`;
 //! here every check comes from the physics.
 
+mod batch;
 mod laws;
 mod limits;
 mod motions;

@@ -2,6 +2,7 @@
 
 use super::motion::Motion;
 use super::roots::{Conserved, Origin, Roots, State};
+use super::sample::Sampler;
 use super::{Course, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
 use crate::attitude::EulerAngles;
 use crate::error::{Error, Result, finite};
@@ -311,7 +312,7 @@ impl HeavyTop {
 
     /// True if the set-up stayed within the range of double-double arithmetic.
     fn is_representable(&self) -> bool {
-        let Course::Moving { motion, turns } = &self.course else {
+        let Course::Moving { motion, turns, .. } = &self.course else {
             return self.omega3.is_finite();
         };
         let period = motion.half_period.hi();
@@ -353,9 +354,12 @@ impl HeavyTop {
                 start: phase / Dd::TWO_PI,
             }
         });
+        let spin = problem.omega3.to_f64();
+        let sampler = Sampler::new(&motion, &turns, flip, spin).map(Box::new);
         Course::Moving {
             motion: Box::new(motion),
             turns,
+            sampler,
         }
     }
 }

@@ -19,6 +19,8 @@
 //! | `roots` | the turning points and the gaps between the roots |
 //! | `series`, `waves`, `ripples` | the theta functions: evaluation and set-up |
 //! | `motion` | the phases in time |
+//! | `sample`, `rates` | attitude and rates without a branch, and the set-up of the rates |
+//! | `batch` | many times at once |
 //! | `queries`, `whole` | what can be asked at a time and of the motion as a whole |
 //!
 //! Not for: tops with friction or with three different moments; see
@@ -28,13 +30,16 @@
 //! E. T. Whittaker, *Analytical Dynamics*, 71-72. The forms without cancellation are
 //! ours.
 
+mod batch;
 mod body;
 mod construct;
 mod motion;
 mod queries;
+mod rates;
 mod reduced;
 mod ripples;
 mod roots;
+mod sample;
 mod series;
 mod waves;
 mod whole;
@@ -43,8 +48,9 @@ pub use body::SymmetricTop;
 pub use reduced::ReducedTop;
 pub use whole::Regime;
 
-use crate::math::DoubleDouble as Dd;
+use crate::math::{DoubleDouble as Dd, known};
 use motion::{Motion, nearest};
+use sample::Sampler;
 
 /// A turning point at which the motion starts, at rest in theta.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,8 +85,9 @@ pub enum Start {
 /// points, period, m and U_min are within 2 eps of themselves, m within 8 eps where it
 /// is below 1e-16; an advance of phi per period within 1 eps or 1e-31 rad.
 ///
-/// Cost: about 350 sine-cosine pairs for the set-up, 8 for an attitude, 11 for
-/// attitude and angular velocity, whatever the time.
+/// Cost: about 350 sine-cosine pairs of `libm` for the set-up; 2.7 for an attitude, 3.2
+/// with the angular velocity, whatever the time, and below 1 for either in a batch
+/// ([`HeavyTop::states`]). For m > 0.8: 8 and 11. (`benches`, binary `batch`.)
 #[derive(Debug, Clone)]
 pub struct HeavyTop {
     phi0: f64,
@@ -113,6 +120,8 @@ enum Course {
         motion: Box<Motion>,
         /// Turns of alpha and beta: rate, lag per half-period, start.
         turns: [Turns; 2],
+        /// Where the series is trigonometric.
+        sampler: Option<Box<Sampler>>,
     },
 }
 
@@ -128,7 +137,7 @@ impl Turns {
     /// The phase modulo a turn, in radians within (-pi, pi].
     #[inline]
     fn phase(&self, t: f64, count: f64) -> f64 {
-        let turns = self.rate * t - self.lag * count + self.start;
+        let turns = self.rate * known(t) - self.lag * count + self.start;
         let whole = nearest(turns.hi());
         core::f64::consts::TAU * (turns - whole).hi()
     }

@@ -6,8 +6,9 @@
 //! turns in the same way: near t = 0 they are near their initial values however fast
 //! the body spins.
 
+use super::rates::RateWave;
 use super::roots::{Conserved, Origin, Roots};
-use super::series::{Pair, Series};
+use super::series::{Factor, Pair, Series};
 use super::waves::{Periods, Place as ZeroPlace, Zero};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
@@ -25,9 +26,11 @@ pub(super) struct Motion {
     /// The largest |x|: half-way between turning points, and a little for rounding.
     reach: f64,
     /// Time from the turning point number `first` to the start.
-    offset: Dd,
-    first: i64,
+    pub offset: Dd,
+    pub first: i64,
     series: Series,
+    /// The transverse rate, where the series is trigonometric.
+    pub rates: Option<RateWave>,
     /// z or w per time.
     pub rate: f64,
     pub channels: [Channel; 2],
@@ -108,6 +111,15 @@ impl Motion {
         ];
         let (first, offset) = time_from_turning_point(origin, &roots, &periods, m1, p);
         let half_period = if homoclinic { quarter } else { quarter / p };
+        let rates = (!periods.hyperbolic).then(|| {
+            // The transverse rate at the lower turning point, +-(A - B v1)/sin(theta),
+            // times the size sqrt(2 k1) that both series together have there.
+            let far = roots.outer + roots.gravity.scaled(2.0);
+            let spin = conserved.spin * roots.y1.sqrt() * a.sign;
+            let rate = (spin - (far * roots.y2).sqrt()) / roots.x1.sqrt();
+            let size = periods.nome.k1.scaled(2.0).sqrt();
+            RateWave::new(&periods.nome, &a, &b, rate * size)
+        });
         let mut motion = Self {
             roots,
             m,
@@ -119,6 +131,7 @@ impl Motion {
             offset,
             first,
             series: matched.series,
+            rates,
             rate: rate.to_f64(),
             channels,
             start: 0.0,
@@ -143,10 +156,15 @@ impl Motion {
         }
     }
 
+    /// The series of a and b about the lower turning point, where they are trigonometric.
+    pub fn trigonometric(&self) -> Option<&[Factor; 2]> {
+        (!self.series.hyperbolic).then(|| &self.series.sides[0])
+    }
+
     /// Where the time `t` falls.
     #[inline]
     pub fn place(&self, t: f64) -> Place {
-        let since = self.offset + t;
+        let since = self.offset + math::known(t);
         let (count, rest) = if self.homoclinic {
             (0.0, since.hi())
         } else {

@@ -4,6 +4,7 @@ use super::motion::{Motion, Place};
 use super::series::Pair;
 use super::{Course, HeavyTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
+use crate::error::{Result, finite};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
@@ -33,7 +34,7 @@ impl HeavyTop {
                     zeta: self.zeta0 + (self.omega3 * t).to_f64(),
                 };
             }
-            Course::Moving { motion, turns } => (motion, turns),
+            Course::Moving { motion, turns, .. } => (motion, turns),
         };
         let place = motion.place(t);
         let pair = motion.pair(&place);
@@ -58,12 +59,27 @@ impl HeavyTop {
 
     /// The attitude at time `t`; the quaternion is continuous in time.
     ///
+    /// A time that is not finite gives NaN; [`HeavyTop::try_attitude`] refuses it. Beyond
+    /// 1e150 no phase is known, and the attitude is that of the start.
+    ///
     /// Accuracy: K = 1.5 for the elements of the matrix; see [`HeavyTop`].
     pub fn attitude(&self, t: f64) -> Attitude {
         match &self.course {
             Course::Fixed { .. } => self.fixed_attitude(t),
-            Course::Moving { motion, turns } => attitude_of(&self.sample(motion, turns, t)),
+            Course::Moving {
+                sampler: Some(sampler),
+                ..
+            } => sampler.attitude(t),
+            Course::Moving { motion, turns, .. } => attitude_of(&self.sample(motion, turns, t)),
         }
+    }
+
+    /// The same as [`HeavyTop::attitude`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite.
+    pub fn try_attitude(&self, t: f64) -> Result<Attitude> {
+        Ok(self.attitude(finite("t", t)?))
     }
 
     /// cos(theta) at time `t`.
@@ -131,19 +147,33 @@ impl HeavyTop {
     pub fn angular_velocity(&self, t: f64) -> BodyVector {
         match &self.course {
             Course::Fixed { .. } => BodyVector::new(0.0, 0.0, self.omega3.to_f64()),
-            Course::Moving { motion, turns } => self.rates_at(motion, turns, t).1,
+            Course::Moving { .. } => self.state(t).1,
         }
     }
 
     /// Attitude and angular velocity at time `t`, for little more than the price of one.
+    ///
+    /// A time that is not finite gives NaN; [`HeavyTop::try_state`] refuses it.
     pub fn state(&self, t: f64) -> (Attitude, BodyVector) {
         match &self.course {
             Course::Fixed { .. } => (self.fixed_attitude(t), self.angular_velocity(t)),
-            Course::Moving { motion, turns } => {
+            Course::Moving {
+                sampler: Some(sampler),
+                ..
+            } => sampler.state(t),
+            Course::Moving { motion, turns, .. } => {
                 let (sample, omega) = self.rates_at(motion, turns, t);
                 (attitude_of(&sample), omega)
             }
         }
+    }
+
+    /// The same as [`HeavyTop::state`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite.
+    pub fn try_state(&self, t: f64) -> Result<(Attitude, BodyVector)> {
+        Ok(self.state(finite("t", t)?))
     }
 
     /// The angular momentum about the pivot at time `t`, on the fixed axes.
@@ -161,7 +191,7 @@ impl HeavyTop {
 
     fn fixed_attitude(&self, t: f64) -> Attitude {
         let EulerAngles { phi, theta, .. } = self.angles(0.0);
-        let turn = self.omega3 * t / Dd::TWO_PI;
+        let turn = self.omega3 * math::known(t) / Dd::TWO_PI;
         // Twice: beyond 2^53 turns the first leaves the trailing part.
         let turn = turn - turn.round();
         let turn = turn - turn.round();

@@ -10,9 +10,10 @@
 //! tau = K + x, H becomes H1(x) and H1 becomes -H(x), so |x| <= K/2 is enough and
 //! the zeros, where the axis passes near a pole, keep relative accuracy.
 //!
-//! For m <= 1/2 the series runs in q, for m > 1/2, after Jacobi's imaginary
+//! For m <= 0.8 the series runs in q, for m > 0.8, after Jacobi's imaginary
 //! transformation, in q' = exp(-pi K/K') with hyperbolic functions of w = pi x/2K';
-//! q' = 0 is the homoclinic motion. Either nome is at most e^-pi: four terms do.
+//! q' = 0 is the homoclinic motion. Either nome is at most 0.08: four terms do. In q
+//! attitude and rates have a form of their own (`super::sample`).
 //!
 //! Sources: DLMF 20.2, 20.7(viii); F. Klein, A. Sommerfeld, *Theorie des Kreisels*,
 //! VI.

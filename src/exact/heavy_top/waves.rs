@@ -75,7 +75,7 @@ impl Zero {
 pub(super) struct Periods {
     /// K.
     pub quarter: Dd,
-    /// m > 1/2: `nome` is q', that of 1 - m, and else q.
+    /// m > 4/5: `nome` is q', that of 1 - m, and else q, at most 0.08.
     pub hyperbolic: bool,
     pub nome: Nome,
 }
@@ -83,7 +83,7 @@ pub(super) struct Periods {
 impl Periods {
     /// For the parameter m and 1 - m.
     pub fn new(m: Dd, m1: Dd) -> Self {
-        let hyperbolic = m > 0.5;
+        let hyperbolic = m > 0.8;
         if hyperbolic {
             let nome = Nome::new(m1, m);
             Self {
@@ -180,7 +180,7 @@ const LEADING: usize = 3;
 
 /// The series of H and H1 in q, divided by q^(1/4) e^y, y = pi eta/2K:
 /// weights q^(n^2) (q e^{2y})^n of cosh and sinh((2n+1) y), times 2 e^{-(2n+1)y}.
-struct Wave {
+pub(super) struct Wave {
     sign: f64,
     cosh: [Dd; LEADING],
     sinh: [Dd; LEADING],
@@ -190,7 +190,7 @@ struct Wave {
 }
 
 impl Wave {
-    fn new(zero: &Zero, nome: &Nome) -> Self {
+    pub fn new(zero: &Zero, nome: &Nome) -> Self {
         let (decay, fall, rest) = match zero.place {
             Place::Across { decay, fall, rest } => (decay, fall, rest),
             Place::Along(_) => (Dd::ZERO, Dd::ONE, Dd::ZERO),
@@ -227,7 +227,7 @@ impl Wave {
     }
 
     /// H1(-i eta).
-    fn at_zero(&self) -> Dd {
+    pub fn at_zero(&self) -> Dd {
         let [a, b, c] = self.cosh;
         let small: f64 = self.more_cosh.iter().rev().sum();
         a + b + (c + small)
@@ -251,7 +251,7 @@ impl Wave {
     }
 
     /// H1(x - i eta) = sum [cos(2n+1)z cosh(2n+1)y + i sin(2n+1)z sinh(2n+1)y].
-    fn h1(&self, scale: Dd) -> Factor {
+    pub fn h1(&self, scale: Dd) -> Factor {
         let (re, im) = self.scaled(scale, scale * self.sign, 1.0);
         Factor {
             re: with_leading(re, even_polynomial),

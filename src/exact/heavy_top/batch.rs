@@ -1,0 +1,101 @@
+//! Many samples of one motion at once.
+//!
+//! The lanes run the scalar sample's own code, which has no branch where the series
+//! is trigonometric. The hyperbolic one needs `exp` and goes one by one.
+
+use super::sample::Sampler;
+use super::{Course, HeavyTop};
+use crate::attitude::Attitude;
+use crate::error::Result;
+use crate::exact::check_times;
+use crate::frame::BodyVector;
+use crate::math::lane::{self, Phased, for_each_sample};
+
+impl HeavyTop {
+    /// The attitudes at many times: the bits of [`HeavyTop::attitude`], in vector
+    /// registers where the processor has them and m <= 0.8; elsewhere one by one.
+    /// Nothing is allocated.
+    ///
+    /// # Errors
+    /// `Lengths` if there are not as many attitudes as times; `NotFinite` for a time
+    /// that is not finite. No attitude is touched then.
+    pub fn attitudes(&self, times: &[f64], attitudes: &mut [Attitude]) -> Result<()> {
+        check_times("attitudes", attitudes.len(), times)?;
+        if let Some(sampler) = self.in_lanes(times) {
+            let mut attitudes = attitudes.iter_mut();
+            for_each_sample(&Attitudes(sampler), times, |quaternion| {
+                if let Some(attitude) = attitudes.next() {
+                    *attitude = Attitude::from_unit(quaternion);
+                }
+            });
+        } else {
+            for (t, attitude) in times.iter().zip(attitudes) {
+                *attitude = self.attitude(*t);
+            }
+        }
+        Ok(())
+    }
+
+    /// Attitudes and body rates at many times: the bits of [`HeavyTop::state`], as
+    /// [`HeavyTop::attitudes`] does it.
+    ///
+    /// ```
+    /// # use rotation_dynamics::{attitude::Attitude, frame::BodyVector};
+    /// # use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
+    /// let top = ReducedTop::new(2.0, 1.2, 0.2)?;
+    /// let motion = HeavyTop::from_energy(top, 0.55, Start::ThetaMin, 0.0, 0.0)?;
+    /// let times: Vec<f64> = (0..1000).map(|k| 0.01 * f64::from(k)).collect();
+    /// let mut states = vec![motion.state(0.0); times.len()];
+    /// motion.states(&times, &mut states)?;
+    /// assert_eq!(states[999], motion.state(times[999]));
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`HeavyTop::attitudes`].
+    pub fn states(&self, times: &[f64], states: &mut [(Attitude, BodyVector)]) -> Result<()> {
+        check_times("states", states.len(), times)?;
+        if let Some(sampler) = self.in_lanes(times) {
+            let mut states = states.iter_mut();
+            for_each_sample(&States(sampler), times, |[w, x, y, z, p, q, r]| {
+                if let Some(state) = states.next() {
+                    *state = (Attitude::from_unit([w, x, y, z]), BodyVector::new(p, q, r));
+                }
+            });
+        } else {
+            for (t, state) in times.iter().zip(states) {
+                *state = self.state(*t);
+            }
+        }
+        Ok(())
+    }
+
+    /// The sampler, if it is good for all these times.
+    fn in_lanes(&self, times: &[f64]) -> Option<&Sampler> {
+        let Course::Moving { sampler, .. } = &self.course else {
+            return None;
+        };
+        let until = sampler.as_ref()?.until;
+        let beyond = times.iter().filter(|t| t.abs() > until).count();
+        sampler.as_deref().filter(|_| beyond == 0)
+    }
+}
+
+struct Attitudes<'a>(&'a Sampler);
+
+impl lane::Sampler<4> for Attitudes<'_> {
+    #[inline(always)]
+    fn sample<L: Phased>(&self, t: L) -> [L; 4] {
+        self.0.quaternion(t)
+    }
+}
+
+struct States<'a>(&'a Sampler);
+
+impl lane::Sampler<7> for States<'_> {
+    #[inline(always)]
+    fn sample<L: Phased>(&self, t: L) -> [L; 7] {
+        let ([w, x, y, z], [p, q, r]) = self.0.all(t);
+        [w, x, y, z, p, q, r]
+    }
+}

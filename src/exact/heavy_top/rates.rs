@@ -1,0 +1,64 @@
+//! The set-up of the transverse rate's theta series.
+
+use super::series::Factor;
+use super::waves::{Place, Wave, Zero};
+use crate::exact::nome::Nome;
+use crate::math::DoubleDouble as Dd;
+
+/// theta_2(z - i y) e^{i sense z}, up to a real factor: the first as polynomials in
+/// k = 2 cos 2z, times cos z its real part and times sin z its imaginary one.
+#[derive(Debug, Clone)]
+pub(super) struct RateWave {
+    pub sense: f64,
+    pub factor: Factor,
+}
+
+impl RateWave {
+    /// From the zeros of the Cayley-Klein parameters; `size` is the value at z = 0.
+    pub fn new(nome: &Nome, a: &Zero, b: &Zero, size: Dd) -> Self {
+        let (sense, zero) = zero(a, b);
+        let wave = Wave::new(&zero, nome);
+        Self {
+            sense,
+            factor: wave.h1(size / wave.at_zero()),
+        }
+    }
+}
+
+/// The sense and the zero: y = y_b - y_a - `sense` pi K'/2K, as theta_4 times the rate's
+/// series must have the quasi-periods of conj(alpha) beta.
+///
+/// The sense is that of y_b - y_a, so |y| <= pi K'/2K. The quotients may be 0/0 where
+/// q = 0; then q beside them drops them.
+fn zero(a: &Zero, b: &Zero) -> (f64, Zero) {
+    let [(decay_a, rest_a), (decay_b, rest_b)] = [a, b].map(|zero| match zero.place {
+        Place::Across { decay, rest, .. } => (decay, rest),
+        Place::Along(_) => (Dd::ZERO, Dd::ZERO),
+    });
+    let quotient = |part: Dd, whole: Dd| {
+        if whole == 0.0 { Dd::ZERO } else { part / whole }
+    };
+    let (sense, sign, decay, rest);
+    if a.sign == b.sign {
+        let beyond = decay_b <= decay_a;
+        sense = if beyond { b.sign } else { -b.sign };
+        sign = -sense;
+        if beyond {
+            (decay, rest) = (rest_b * decay_a, quotient(decay_b, decay_a));
+        } else {
+            (decay, rest) = (rest_a * decay_b, quotient(decay_a, decay_b));
+        }
+    } else {
+        sense = b.sign;
+        if decay_b <= rest_a {
+            sign = sense;
+            (decay, rest) = (quotient(decay_b, rest_a), rest_a * rest_b);
+        } else {
+            sign = -sense;
+            (decay, rest) = (quotient(rest_a, decay_b), decay_a * decay_b);
+        }
+    }
+    let fall = 1.0 - decay;
+    let place = Place::Across { decay, fall, rest };
+    (sense, Zero { sign, place })
+}
