@@ -8,6 +8,7 @@ use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::error::Result;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
 use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Scheme, Splitting};
 use rotation_dynamics::scene::Scene;
 use std::path::{Path, PathBuf};
@@ -41,10 +42,19 @@ const METHODS: &[Method] = &[
     },
     Method {
         name: "Gauss-Legendre",
-        bound: 14.0,
+        bound: 4.4,
         angle: 0.5,
         run: |scene, start, t, steps| {
             Ok(GaussLegendre::new(steps)?.advance(scene, 0.0, start, t)?.0)
+        },
+    },
+    Method {
+        name: "Gauss-Legendre, body",
+        bound: 2.1,
+        angle: 0.5,
+        run: |scene, start, t, steps| {
+            let method = GaussLegendre::new(steps)?;
+            Ok(method.advance(&BodyAxes::new(scene), 0.0, start, t)?.0)
         },
     },
 ];

@@ -13,7 +13,9 @@ use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::error::Result;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, Scheme, SpinFree, Splitting};
+use rotation_dynamics::integrators::{
+    Dop853, GaussLegendre, Integrator, Rk4, Scheme, SpinFree, Splitting,
+};
 use rotation_dynamics::math::{cos, sin, tan};
 use rotation_dynamics::scene::Scene;
 
@@ -60,6 +62,18 @@ const METHODS: &[Method] = &[
         run: |scene, start, t, steps| {
             let method = Splitting::new(Scheme::SRKN6, steps)?;
             Ok(method.advance(scene, 0.0, start, t)?.0)
+        },
+    },
+    Method {
+        name: "Gauss-Legendre",
+        bound: 8.0,
+        promised: 100.0,
+        angle: 1.0,
+        reach: 8e4,
+        sees_spin: false,
+        run: |scene, start, t, steps| {
+            let method = GaussLegendre::new(steps)?;
+            Ok(method.advance(&SpinFree::new(scene)?, 0.0, start, t)?.0)
         },
     },
     Method {
@@ -258,5 +272,5 @@ fn a_damaged_weight_is_seen() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 70);
+    assert_eq!(ran, 84);
 }

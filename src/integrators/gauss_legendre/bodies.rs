@@ -1,17 +1,18 @@
 //! What the method carries of a body under effects: any scene, symmetric bodies
 //! without their spin, and any body on its own axes.
 
-use super::free_rotation::{inverse_moments, rates};
-use super::{GaussLegendre, LaneByLane, StageOde};
+use super::free_rotation::{inverse_moments, rates, rates_of};
+use super::{GaussLegendre, StageOde};
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::{AxisEffect, Effect};
 use crate::error::Result;
-use crate::frame::BodyVector;
+use crate::frame::{BodyVector, SpaceVector};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::{components, state};
 use crate::integrators::{About, Integrator, Ode, SpinFree, Work};
+use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
@@ -27,9 +28,87 @@ impl<E: Effect> Integrator<Scene<E>, State> for GaussLegendre {
         start: &State,
         t_end: f64,
     ) -> Result<(State, Work)> {
-        let (end, work) = self.advance(&LaneByLane(scene), t, &components(start), t_end)?;
+        let side_by_side = SideBySide {
+            scene,
+            inverse: inverse_moments(scene.body()),
+        };
+        let (end, work) = self.advance(&side_by_side, t, &components(start), t_end)?;
         Ok((state(&end)?, work))
     }
+}
+
+/// A scene in the variables of its [`Ode`], all but the torque on lanes.
+struct SideBySide<'s, E> {
+    scene: &'s Scene<E>,
+    inverse: [[f64; 2]; 3],
+}
+
+impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
+    #[inline(always)]
+    fn derivatives<L: Lane>(&self, t: L, &[w, x, y, z, lx, ly, lz]: &[L; 7]) -> [L; 7] {
+        let square = (w * w + x * x) + (y * y + z * z);
+        let by = L::of(1.0) / square.sqrt();
+        let unit = [w * by, x * by, y * by, z * by];
+        let [a, b, c] = self.torques(t, unit, [lx, ly, lz]);
+        let l = turned_back(unit, [lx, ly, lz]);
+        let [p, q, r] = rates_of(&self.inverse, l);
+        let (p, q, r) = (p * 0.5, q * 0.5, r * 0.5);
+        [
+            -(x * p + y * q + z * r),
+            w * p + y * r - z * q,
+            w * q + z * p - x * r,
+            w * r + x * q - y * p,
+            a,
+            b,
+            c,
+        ]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        self.scene.scale(y)
+    }
+}
+
+impl<E: Effect> SideBySide<'_, E> {
+    /// The torque at each time and state, one after the other.
+    #[inline(always)]
+    fn torques<L: Lane>(&self, t: L, q: [L; 4], l: [L; 3]) -> [L; 3] {
+        let mut times = [0.0; WIDEST];
+        t.store(&mut times);
+        let (mut turned, mut momenta) = ([[0.0; WIDEST]; 4], [[0.0; WIDEST]; 3]);
+        for (from, to) in q.iter().zip(&mut turned) {
+            from.store(to);
+        }
+        for (from, to) in l.iter().zip(&mut momenta) {
+            from.store(to);
+        }
+        let ([w, x, y, z], [lx, ly, lz]) = (&turned, &momenta);
+        let mut torques = [[0.0; WIDEST]; 3];
+        for i in 0..L::WIDTH {
+            let state = State {
+                attitude: Attitude::from_unit([w[i], x[i], y[i], z[i]]),
+                angular_momentum: SpaceVector::new(lx[i], ly[i], lz[i]),
+            };
+            let torque = self.scene.torque(times[i], &state);
+            (torques[0][i], torques[1][i], torques[2][i]) = (torque.x(), torque.y(), torque.z());
+        }
+        [
+            L::load(&torques[0]),
+            L::load(&torques[1]),
+            L::load(&torques[2]),
+        ]
+    }
+}
+
+/// R^T v of the unit quaternion q.
+#[inline(always)]
+fn turned_back<L: Lane>([w, x, y, z]: [L; 4], [a, b, c]: [L; 3]) -> [L; 3] {
+    let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
+    [
+        a * ((ww + xx) - (yy + zz)) + (b * (x * y + w * z) + c * (x * z - w * y)) * 2.0,
+        b * ((ww + yy) - (xx + zz)) + (c * (y * z + w * x) + a * (x * y - w * z)) * 2.0,
+        c * ((ww + zz) - (xx + yy)) + (a * (x * z + w * y) + b * (y * z - w * x)) * 2.0,
+    ]
 }
 
 /// S and m = L/(2 I1): S' = (0, m) S, m' = torque/(2 I1). With six components m_Z is kept.
@@ -208,18 +287,15 @@ impl<'s, E: AxisEffect> BodyAxes<'s, E> {
     #[inline(always)]
     fn rates<L: Lane>(&self, y7: &[L; 7]) -> [L; 7] {
         let [w, x, y, z, ..] = *y7;
-        let [xx, yy, zz, ww] = [x * x, y * y, z * z, w * w];
         let axis = [
             (x * z + w * y) * 2.0,
             (y * z - w * x) * 2.0,
-            (ww + zz) - (xx + yy),
+            (w * w + z * z) - (x * x + y * y),
         ];
         let [a, b, c] = self.scene.effects().axis_torques(axis);
         let [w1, x1, y1, z1, l1, l2, l3] = rates(&self.inverse, y7);
-        // The columns of R; the torque has no component along the third, e3.
-        let first = a * ((ww + xx) - (yy + zz)) + (b * (x * y + w * z) + c * (x * z - w * y)) * 2.0;
-        let second =
-            b * ((ww + yy) - (xx + zz)) + (a * (x * y - w * z) + c * (y * z + w * x)) * 2.0;
+        // The torque has no component along e3.
+        let [first, second, _] = turned_back([w, x, y, z], [a, b, c]);
         [w1, x1, y1, z1, l1 + first, l2 + second, l3]
     }
 }

@@ -98,16 +98,24 @@ fn parts(x: Dd) -> [f64; 2] {
     [x.hi(), x.lo()]
 }
 
-/// q' and l' + torque of a body with these 1/I, all on its own axes.
+/// omega = I^-1 l.
+#[inline(always)]
+pub(super) fn rates_of<L: Lane>(inverse: &[[f64; 2]; 3], [l1, l2, l3]: [L; 3]) -> [L; 3] {
+    let [[a, a_rest], [b, b_rest], [c, c_rest]] = *inverse;
+    [
+        l1 * a + l1 * a_rest,
+        l2 * b + l2 * b_rest,
+        l3 * c + l3 * c_rest,
+    ]
+}
+
+/// q' and l' of a body with these 1/I, all on its own axes.
 #[inline(always)]
 pub(super) fn rates<L: Lane>(
     inverse: &[[f64; 2]; 3],
     &[w, x, y, z, l1, l2, l3]: &[L; 7],
 ) -> [L; 7] {
-    let [[a, a_rest], [b, b_rest], [c, c_rest]] = *inverse;
-    let p = l1 * a + l1 * a_rest;
-    let q = l2 * b + l2 * b_rest;
-    let r = l3 * c + l3 * c_rest;
+    let [p, q, r] = rates_of(inverse, [l1, l2, l3]);
     let turn = [l2 * r - l3 * q, l3 * p - l1 * r, l1 * q - l2 * p];
     let (p, q, r) = (p * 0.5, q * 0.5, r * 0.5);
     [

@@ -110,6 +110,14 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
 ///
 /// Over 1e5 steps the energy of the tumbling body stays within 2.4e-15 of its first
 /// value, that of the top within 1.8e-14; |L|, and L_Z of the top, are kept exactly.
+/// What a step costs in accuracy: with theta = h |L|/I, the angle that a step turns
+/// through (I the smallest moment, or I1 where the spin is taken out), it adds
+/// 6e-22 theta^17 rad on the tumbling body and 3e-20 theta^17 rad on the top. Stages need
+/// not be solved better than that: as [`precision`](Self::with_precision) take the error
+/// allowed for a step, on the free body a thirtieth of it. Over a thousand periods that
+/// saves two fifths of the sweeps for 1e-6 and a quarter for 1e-9 on the top, a third
+/// and an eighth on the free body.
+///
 /// Longer steps than 4 a period do not pay: the sweeps gain too little, and at 3 a
 /// period they diverge ([`Error::NoConvergence`]).
 ///
