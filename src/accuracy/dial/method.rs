@@ -89,7 +89,7 @@ impl Method {
     /// order 16 falls less smoothly, and trusting it less costs next to nothing.
     pub const fn trust(self) -> f64 {
         match self {
-            FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 0.25,
+            FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 0.12,
             Adaptive | SpinFreeAdaptive => 0.33,
             Split(_) => 0.5,
         }
@@ -141,19 +141,20 @@ impl Method {
     }
 
     /// What a run costs, in units of one derivative of DOP853: measured, as times of one
-    /// run of 30 turns after the other, with AVX-512. What it is on another machine
+    /// run of 50 turns after the other, optimised and with AVX-512 (that of the body's own
+    /// axes is an estimate). What it is on another machine
     /// decides which method is chosen where two are near, and no more.
     pub fn cost<E: Solvable>(self, problem: &Problem<E>, work: &Work) -> f64 {
         let weight = match self {
-            FreeGauss => 0.13,
-            Gauss => 0.61,
-            SpinFreeGauss => 0.18,
-            BodyGauss => 0.25,
+            FreeGauss => 0.09,
+            Gauss => 0.84,
+            SpinFreeGauss => 0.07,
+            BodyGauss => 0.12,
             // A kick with its flow.
             Split(_) if problem.body.moments().is_symmetric() => 0.57,
-            Split(_) => 1.40,
+            Split(_) => 1.50,
             Adaptive => 1.0,
-            SpinFreeAdaptive => 0.70,
+            SpinFreeAdaptive => 0.62,
         };
         weight * work.torques() as f64
     }
