@@ -85,8 +85,8 @@ fn rk4(scene: &Free, start: &State, exact: &State, end: f64) -> Result<WorkPreci
 // ANCHOR_END: sweep
 
 // ANCHOR: dial
-/// The end of a motion, with an error of `tolerance` or less: by stepping, though there is
-/// a closed form, so that the closed form can judge.
+/// The end of a motion, off by `tolerance` or less. By stepping, though there is
+/// a closed form: so the closed form can judge.
 fn solved(problem: &Problem, tolerance: f64) -> Result<Solved> {
     let (start, end) = (&problem.start, problem.end);
     match &problem.kind {

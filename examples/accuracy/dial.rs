@@ -29,7 +29,7 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
             let mut row = vec![measured.problem.name.to_owned(), rounded_up(asked)];
             match solved(&measured.problem, asked) {
                 Ok(solved) => row.extend([
-                    solved.method.to_owned(),
+                    short_name(solved.method).to_owned(),
                     rounded_up(measured.problem.errors(&solved.state).attitude),
                     rounded_up(solved.estimate),
                     solved.run.torques().to_string(),
@@ -51,20 +51,18 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
 
     let columns = [
         "requested",
-        "least",
-        "lower quartile",
-        "median",
-        "upper quartile",
+        "a quarter below",
+        "half below",
+        "three quarters",
         "largest",
         "refused",
-        "all runs over the last",
+        "price",
     ];
     let mut table = Table::new("honesty", columns)?;
     for spread in spreads(&cases(SCENES)?)? {
         let at = |part| one_digit(spread.quantile(part));
         table.push([
             rounded_up(spread.tolerance),
-            at(0.0),
             at(0.25),
             at(0.5),
             at(0.75),
@@ -99,6 +97,13 @@ pub fn figure() -> Result<Figure> {
     .curve(Curve::new(line(1.0), Ink::Ink).dashed().label("largest"))
     .note(1e-12, 2e-3, Ink::Momentum, "quartiles", Side::Below)
     .figure()
+}
+
+/// A name as this chapter writes it.
+pub fn short_name(method: &str) -> &str {
+    let names = ["Blanes-Moan ", "Blanes et al. ", "McLachlan "];
+    let name = names.iter().find_map(|name| method.strip_prefix(name));
+    name.unwrap_or(method)
 }
 
 /// One digit and a power of ten.

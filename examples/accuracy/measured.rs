@@ -31,7 +31,9 @@ impl Line {
         let gain = exp2(0.5 * f64::from(self.method.order));
         let gaining =
             matches!(self.method.dial, Dial::Steps(_)) && gain * least(true) < least(false);
-        Ok(if gaining { None } else { curve.floor() })
+        // A method that has not come below a thousandth has not begun.
+        let floor = curve.floor().filter(|p| p.error < 1e-3 && !gaining);
+        Ok(floor)
     }
 
     /// The cheapest run that delivers the error asked for, not by luck alone.

@@ -1,5 +1,6 @@
 //! The accuracy strip: the heavy top by the dial and by six methods.
 
+use super::dial::short_name;
 use super::measured::Measured;
 use super::problems::Kind;
 use super::tables::ASKED;
@@ -30,7 +31,7 @@ fn add_dial(report: &mut Report, top: &Measured, tolerance: f64) -> Result<()> {
     };
     let (problem, judge) = (Arc::clone(&top.problem), Arc::clone(&top.problem));
     report.add_price(Price {
-        method: format!("dial: {}", solved.method),
+        method: format!("dial: {}", short_name(solved.method)),
         requested: Some(tolerance),
         delivered: top.problem.errors(&solved.state).attitude,
         work: solved.work.to_string(),

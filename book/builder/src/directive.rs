@@ -7,6 +7,7 @@
 //! | `{{num STEM:KEY@4 rad/s}}` | the same to 4 significant digits, where prose wants no more |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
+//! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
 //! | `{{output STEM}}`, `{{output STEM:SECTION}}` | the locked output, or one section of it, with the command |
 //! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` with its times |

@@ -20,6 +20,7 @@ mod pages;
 mod preprocess;
 mod problem;
 mod project;
+mod race;
 mod render;
 mod serve;
 mod source;

@@ -1,5 +1,6 @@
 //! The files that pages include: examples, snapshots, figures, tests.
 
+use crate::race;
 use rotation_dynamics::report::{Parsed, Table, parse};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -130,8 +131,11 @@ impl Project {
         format!("tests/snapshots/figures/{stem}__{name}.snap.svg")
     }
 
-    /// A locked figure.
+    /// A locked figure, or one drawn from a record of measurements.
     pub fn figure(&self, stem: &str, name: &str) -> Result<String, String> {
+        if stem == race::STEM {
+            return race::svg(self, name);
+        }
         let file = Self::figure_file(stem, name);
         if !self.path(&file).is_file() {
             let prefix = format!("{stem}__");
