@@ -5,7 +5,31 @@
 //! round after round, and each round gives a ratio; their median is the answer.
 
 use rotation_dynamics::Result;
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
+
+/// What is read before and after a task.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clock {
+    /// The clock on the wall: for tasks that use several cores.
+    Wall,
+    /// The time that this thread had a processor: other programs in the queue do not
+    /// count. Where the system does not tell, the clock on the wall.
+    Thread,
+}
+
+impl Clock {
+    /// Seconds since some moment in the past.
+    pub fn now(self) -> f64 {
+        #[cfg(unix)]
+        if self == Self::Thread {
+            let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+            return time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64;
+        }
+        static START: OnceLock<Instant> = OnceLock::new();
+        START.get_or_init(Instant::now).elapsed().as_secs_f64()
+    }
+}
 
 /// Something to be timed.
 pub type Task<'a> = &'a dyn Fn() -> Result<()>;
@@ -32,14 +56,22 @@ const BATCH: Duration = Duration::from_micros(200);
 /// # Errors
 /// The first error of a task.
 pub fn interleaved(tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
+    interleaved_by(Clock::Wall, tasks, rounds)
+}
+
+/// [`interleaved`] by another clock.
+///
+/// # Errors
+/// The first error of a task.
+pub fn interleaved_by(clock: Clock, tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
     let sizes: Vec<u32> = tasks
         .iter()
-        .map(|task| batch(task))
+        .map(|task| batch(clock, task))
         .collect::<Result<_>>()?;
     let mut times = vec![Vec::new(); tasks.len()];
     for _ in 0..rounds.max(3) {
         for ((task, &size), times) in tasks.iter().zip(&sizes).zip(&mut times) {
-            times.push(time(task, size)? / f64::from(size));
+            times.push(time(clock, task, size)? / f64::from(size));
         }
     }
     let unit = &times[0];
@@ -58,20 +90,20 @@ pub fn interleaved(tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
 }
 
 /// How many runs take as long as a batch should; this also warms up.
-fn batch(task: Task) -> Result<u32> {
+fn batch(clock: Clock, task: Task) -> Result<u32> {
     let mut size = 1_u32;
-    while time(task, size)? < BATCH.as_secs_f64() && size < 1 << 24 {
+    while time(clock, task, size)? < BATCH.as_secs_f64() && size < 1 << 24 {
         size *= 2;
     }
     Ok(size)
 }
 
-fn time(task: Task, size: u32) -> Result<f64> {
-    let start = Instant::now();
+fn time(clock: Clock, task: Task, size: u32) -> Result<f64> {
+    let start = clock.now();
     for _ in 0..size {
         task()?;
     }
-    Ok(start.elapsed().as_secs_f64())
+    Ok(clock.now() - start)
 }
 
 fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
@@ -97,6 +129,14 @@ mod tests {
             [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| quantile(&values, part)),
             [1.0, 2.0, 3.0, 4.0, 5.0]
         );
+    }
+
+    #[test]
+    fn clocks_do_not_go_back() {
+        for clock in [Clock::Wall, Clock::Thread] {
+            let times: Vec<f64> = (0..100).map(|_| clock.now()).collect();
+            assert!(times.is_sorted(), "{clock:?}");
+        }
     }
 
     #[test]
