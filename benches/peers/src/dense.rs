@@ -208,20 +208,18 @@ pub fn samplers(problem: &'static Problem) -> rotation_dynamics::Result<Vec<Samp
             Ok(())
         },
     )?];
+    all.push(exact(
+        "closed form, batch",
+        problem,
+        (Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0)),
+        |state| state.0,
+        |exact, times, out| match exact {
+            Exact::Free(body) => body.states_at(times, out).map_err(in_words),
+            Exact::Top(top) => top.states(times, out).map_err(in_words),
+        },
+    )?);
     match problem.motion {
-        Motion::Free { .. } => {
-            all.push(exact(
-                "closed form, batch",
-                problem,
-                (Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0)),
-                |state| state.0,
-                |exact, times, out| match exact {
-                    Exact::Free(body) => body.states_at(times, out).map_err(in_words),
-                    Exact::Top(_) => Err("not a free body".into()),
-                },
-            )?);
-            all.extend(peers(FreeMomentum::new(problem)?, problem)?);
-        }
+        Motion::Free { .. } => all.extend(peers(FreeMomentum::new(problem)?, problem)?),
         Motion::Top { .. } => {
             all.extend(peers(TopWithoutSpin::new(problem)?, problem)?);
             all.extend(peers(TopMomentum::new(problem)?, problem)?);

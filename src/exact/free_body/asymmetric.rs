@@ -2,10 +2,10 @@
 //! arithmetic.
 
 use super::hyperbolic::Late;
-use super::norm3;
 use super::periods::Periods;
 use super::sample::{Rates, Sampler};
 use super::series::Series;
+use super::{near_one, norm3};
 use crate::attitude::Attitude;
 use crate::frame::BodyVector;
 use crate::math::DoubleDouble as Dd;
@@ -30,6 +30,10 @@ enum Form {
 
 impl Asymmetric {
     pub(super) fn new(moments: [f64; 3], omega: [f64; 3], attitude: Attitude) -> Self {
+        // Only ratios of the moments count, and the rates set the unit of time: with both
+        // brought near one by powers of two, no square leaves the range of doubles.
+        let (moments, _) = near_one(moments);
+        let (omega, unit) = near_one(omega);
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
         let [lo, mid, hi] = order;
@@ -59,7 +63,7 @@ impl Asymmetric {
         let amplitude1 = (a / (j1 * j31)).sqrt();
         let amplitude2 = (a / (j2 * j32)).sqrt();
         let amplitude3 = (b / (j3 * j31)).sqrt();
-        let p = (j32 * b / (j1 * j2 * j3)).sqrt();
+        let p = (j32 * b / (j1 * j2 * j3)).sqrt().scaled(unit);
         let m = j21 * a / (j32 * b);
         let m1 = (j31 * side / (j32 * b)).abs();
         let sense = if j[2] < j[0] { 1.0 } else { -1.0 };
@@ -77,7 +81,7 @@ impl Asymmetric {
 
         // |beta|/|alpha| at tau = 0, and the phase rate of alpha there.
         let ratio = j1 * amplitude1 / (momentum + j3 * amplitude3);
-        let rate = (amplitude3 + a / (j31 * (momentum + j3 * amplitude3))).scaled(0.5);
+        let rate = (amplitude3 + a / (j31 * (momentum + j3 * amplitude3))).scaled(0.5 * unit);
         let (series, argument_rate, winding) = Series::new(&periods, &eta, p, ratio);
         let local = rate - argument_rate * sense;
         let half_period = (m1 > 0.0).then(|| quarter.scaled(2.0) / p);
@@ -88,7 +92,7 @@ impl Asymmetric {
         });
         let first_max = j1 * amplitude1 / momentum;
         let rates = Rates {
-            rate: [0, 1, 2].map(|r| sign[r] * (momentum / j[r]).to_f64()),
+            rate: [0, 1, 2].map(|r| sign[r] * unit * (momentum / j[r]).to_f64()),
             place: invert(order),
             c: (j3 * amplitude3 / momentum).to_f64(),
             m1: m1.to_f64(),

@@ -253,6 +253,17 @@ impl FreeBody {
     }
 }
 
+/// The numbers in units of a power of two, such that the largest is between one and two,
+/// and that unit.
+fn near_one(values: [f64; 3]) -> ([f64; 3], f64) {
+    const EXPONENT: u64 = 0x7ff << 52;
+    let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let unit = f64::from_bits(largest.to_bits() & EXPONENT).max(f64::MIN_POSITIVE);
+    (values.map(|x| x / unit), unit)
+}
+
 fn norm3(v: [Dd; 3]) -> Dd {
-    (v[0].square() + v[1].square() + v[2].square()).sqrt()
+    let (_, unit) = near_one(v.map(|x| x.hi()));
+    let [x, y, z] = v.map(|x| x.scaled(1.0 / unit));
+    (x.square() + y.square() + z.square()).sqrt().scaled(unit)
 }
