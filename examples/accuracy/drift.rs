@@ -181,8 +181,7 @@ impl Method {
     /// The most periods for which it is worth running: the others are lost before.
     pub const fn most_periods(self) -> f64 {
         match self {
-            Self::Gauss | Self::GaussProjected => 1e6,
-            Self::Splitting => 1e5,
+            Self::Gauss | Self::GaussProjected | Self::Splitting => 1e6,
             Self::Rk4 | Self::Dop853 => 1e4,
         }
     }
