@@ -209,6 +209,24 @@ impl Outcome {
             self.worst = what.to_owned();
         }
     }
+
+    /// Adds every component of a field at `t`, against the largest of them and the
+    /// field's condition.
+    pub fn compare_field(
+        &mut self,
+        sample: &Sample,
+        field: &str,
+        t: f64,
+        got: &[f64],
+        want: &[DoubleDouble],
+    ) {
+        assert_eq!(want.len(), got.len(), "{field} at {t}");
+        let largest = want.iter().fold(0.0_f64, |m, w| m.max(w.to_f64().abs()));
+        let scale = largest + sample.condition(field);
+        for (i, (got, want)) in got.iter().zip(want).enumerate() {
+            self.compare(&format!("{field}[{i}] at {t}"), *got, *want, scale);
+        }
+    }
 }
 
 /// A decimal string as a double-double: all 25 digits count.

@@ -52,12 +52,7 @@ pub fn closed_form_with_rate(case: &Case, damage: f64) -> Outcome {
         ];
         for (field, got) in fields {
             let want = sample.values(field);
-            assert_eq!(want.len(), got.len(), "{}: {field}", case.id);
-            let largest = want.iter().fold(0.0_f64, |m, w| m.max(w.to_f64().abs()));
-            let scale = largest + sample.condition(field);
-            for (got, want) in got.iter().zip(&want) {
-                outcome.compare(&format!("{field} at {}", sample.t()), *got, *want, scale);
-            }
+            outcome.compare_field(&sample, field, sample.t(), &got, &want);
         }
     }
     outcome

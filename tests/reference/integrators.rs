@@ -200,12 +200,7 @@ fn judge(case: &Case, method: &Method, damage: f64) -> core::result::Result<Outc
                 assert!(case.kind == "top_nd", "{}: no {field}", case.id);
                 continue;
             }
-            assert_eq!(want.len(), got.len(), "{}: {field}", case.id);
-            let largest = want.iter().fold(0.0_f64, |m, w| m.max(w.to_f64().abs()));
-            let scale = largest + sample.condition(field);
-            for (got, want) in got.iter().zip(&want) {
-                outcome.compare(&format!("{field} at {t}"), *got, *want, scale);
-            }
+            outcome.compare_field(&sample, field, t, &got, &want);
         }
     }
     Ok(outcome)

@@ -135,10 +135,8 @@ pub fn compare(case: &Case, motion: &HeavyTop) -> Outcome {
         ];
         for (field, got) in vectors {
             let want = sample.values(field);
-            let largest = want.iter().fold(0.0, |m: f64, w| m.max(w.abs().to_f64()));
-            let scale = largest + sample.condition(field);
-            for (i, want) in want.into_iter().enumerate() {
-                outcome.compare(&format!("{field}[{i}] at {t}"), got[i], want, scale);
+            if !want.is_empty() {
+                outcome.compare_field(&sample, field, t, &got, &want);
             }
         }
     }
