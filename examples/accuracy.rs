@@ -35,40 +35,34 @@ use rotation_dynamics::body::State;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Integrator, Rk4, Work};
 use rotation_dynamics::math::exp2;
-use rotation_dynamics::report::cli::{Example, Flag};
-use rotation_dynamics::report::{Claim, Oracle, Report};
+use rotation_dynamics::report::{Claim, Example, Oracle, Report};
 
-/// What can be set on the command line.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Parameters {
-    /// Principal moments of the free body, kg m^2.
-    pub moments: [f64; 3],
-    /// Length of the runs, in periods of the motion.
-    pub periods: f64,
-    /// The error asked for in the accuracy strip, rad; `None` for four of them.
-    pub tolerance: Option<f64>,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            moments: [1.0, 2.0, 8.0 / 3.0],
-            periods: 10.0,
-            tolerance: None,
-        }
+rotation_dynamics::parameters! {
+    /// The free body that is raced, and how long.
+    pub struct Parameters {
+        /// first principal moment of the free body
+        i1: number(1.0, "kg m^2", above(0.0));
+        /// second principal moment
+        i2: number(2.0, "kg m^2", above(0.0));
+        /// third principal moment
+        i3: number(8.0 / 3.0, "kg m^2", above(0.0));
+        /// length of the runs, in periods of the motion
+        periods: number(10.0, "-", any());
+        /// error asked for in the accuracy strip
+        tolerance: optional("rad", any());
     }
 }
 
 impl Parameters {
     fn moments(&self) -> Result<PrincipalMoments> {
-        let [i1, i2, i3] = self.moments;
-        PrincipalMoments::new(i1, i2, i3)
+        PrincipalMoments::new(self.i1, self.i2, self.i3)
     }
 
     /// Whether these are the page's own.
     fn are_default(&self) -> bool {
         let default = Self::default();
-        self.moments == default.moments && self.periods == default.periods
+        [self.i1, self.i2, self.i3, self.periods]
+            == [default.i1, default.i2, default.i3, default.periods]
     }
 }
 
@@ -143,52 +137,12 @@ fn report(p: &Parameters) -> Result<Report> {
 pub const EXAMPLE: Example<Parameters> = Example {
     stem: "accuracy",
     about: "What accuracy costs: work against error, method by method",
-    flags: &[
-        Flag::number(
-            "i1",
-            "kg m^2",
-            "first principal moment of the free body",
-            |p| Some(p.moments[0]),
-            |p, x| p.moments[0] = x,
-        ),
-        Flag::number(
-            "i2",
-            "kg m^2",
-            "second principal moment",
-            |p| Some(p.moments[1]),
-            |p, x| p.moments[1] = x,
-        ),
-        Flag::number(
-            "i3",
-            "kg m^2",
-            "third principal moment",
-            |p| Some(p.moments[2]),
-            |p, x| p.moments[2] = x,
-        ),
-        Flag::number(
-            "periods",
-            "-",
-            "length of the runs, in periods of the motion",
-            |p| Some(p.periods),
-            |p, x| p.periods = x,
-        ),
-        Flag::number(
-            "tolerance",
-            "rad",
-            "error asked for in the accuracy strip",
-            |p| p.tolerance,
-            |p, x| p.tolerance = Some(x),
-        ),
-    ],
     report,
     figures: figures::all,
     trajectory: measured::trajectory,
+    moving_picture: None,
 };
 
-#[allow(
-    dead_code,
-    reason = "the tests include this file as a module and call EXAMPLE"
-)]
 fn main() -> std::process::ExitCode {
     EXAMPLE.main()
 }

@@ -24,8 +24,7 @@ use motions::Motion;
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::cli::{Example, Flag};
-use rotation_dynamics::report::{Report, Trajectory};
+use rotation_dynamics::report::{Example, Report, Trajectory};
 use rotation_dynamics::{Error, Result};
 
 // ANCHOR: equations
@@ -71,51 +70,77 @@ pub fn of_the_notes() -> Result<Vec<Motion>> {
     // ANCHOR_END: motions
 }
 
-/// What can be set on the command line; `None` where the notes' value is meant.
-#[derive(Debug, Clone)]
-pub struct Parameters {
-    /// I3/I1, L_Z/L_z, m g l I3/L_z^2, and E~: the notes' dimensionless numbers.
-    pub reduced: [Option<f64>; 4],
-    /// `theta_min` or `theta_max`: the turning point at which the motion starts.
-    pub start: &'static str,
-    /// I1, I3, mass, gravity, length, theta, spin, precession, nutation, in SI units.
-    pub body: [Option<f64>; 9],
-    /// The error of the attitude at the end that the dial is asked for, rad.
-    pub tolerance: f64,
+rotation_dynamics::parameters! {
+    /// The notes' motions, unless something is set: then the motion asked for.
+    pub struct Parameters {
+        /// I3/I1, the shape: above 0, at most 2
+        a: optional("-", any().usually(0.1, 2.0));
+        /// L_Z/L_z, vertical over axial angular momentum
+        b: optional("-", any());
+        /// m g l I3/L_z^2, weight against spin
+        c: optional("-", any());
+        /// E~, at least the minimum of U_eff
+        energy: optional("-", any());
+        /// turning point at t' = 0
+        start: choice("theta_min", "theta_max");
+        /// moment of inertia across the axis, about the pivot
+        i1: optional("kg m^2", any());
+        /// moment of inertia about the axis
+        i3: optional("kg m^2", any());
+        /// mass
+        mass: optional("kg", above(0.0));
+        /// acceleration of gravity
+        gravity: optional("m/s^2", any());
+        /// from the pivot to the centre of mass
+        length: optional("m", any());
+        /// tilt of the axis at the start
+        theta: optional("rad", any());
+        /// angular velocity along the axis
+        spin: optional("rad/s", any());
+        /// rate of phi at the start
+        precession: optional("rad/s", any());
+        /// rate of theta at the start
+        nutation: optional("rad/s", any());
+        /// error asked of the attitude at the end: above 0, at most pi
+        tolerance: number(1e-9, "rad", any());
+    }
 }
 
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            reduced: [None; 4],
-            start: "theta_min",
-            body: [None; 9],
-            tolerance: 1e-9,
-        }
+impl Parameters {
+    /// I1, I3, mass, gravity, length, theta, spin, precession, nutation, in SI units.
+    fn body(&self) -> [Option<f64>; 9] {
+        [
+            self.i1,
+            self.i3,
+            self.mass,
+            self.gravity,
+            self.length,
+            self.theta,
+            self.spin,
+            self.precession,
+            self.nutation,
+        ]
     }
 }
 
 /// The motions that these parameters ask for.
 fn motions(p: &Parameters) -> Result<Vec<Motion>> {
-    let reduced = p.reduced.iter().any(Option::is_some) || p.start != "theta_min";
-    let body = p.body.iter().any(Option::is_some);
+    let reduced = [p.a, p.b, p.c, p.energy].iter().any(Option::is_some) || p.start != "theta_min";
+    let body = p.body().iter().any(Option::is_some);
     match (reduced, body) {
         (true, true) => Err(Error::Text {
             text: "dimensionless and SI flags together".into(),
             allowed: "give either --a, --b, --c, --energy, --start \
                       or --i1, --i3, --mass, --gravity, --length, --theta, --spin, --precession, --nutation",
         }),
-        (true, false) => {
-            let [a, b, c, energy] = p.reduced;
-            Ok(vec![Motion::reduced(
-                a.unwrap_or(2.0),
-                b.unwrap_or(1.2),
-                c.unwrap_or(0.2),
-                energy.unwrap_or(0.55),
-                p.start,
-            )?])
-        }
-        (false, true) => Ok(vec![rotor::motion(&p.body)?]),
+        (true, false) => Ok(vec![Motion::reduced(
+            p.a.unwrap_or(2.0),
+            p.b.unwrap_or(1.2),
+            p.c.unwrap_or(0.2),
+            p.energy.unwrap_or(0.55),
+            p.start,
+        )?]),
+        (false, true) => Ok(vec![rotor::motion(&p.body())?]),
         (false, false) => of_the_notes(),
     }
 }
@@ -149,122 +174,12 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub const EXAMPLE: Example<Parameters> = Example {
     stem: "ch16_2_gyroscope",
     about: "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)",
-    flags: &[
-        Flag::number(
-            "a",
-            "-",
-            "I3/I1, the shape: above 0, at most 2",
-            |p| p.reduced[0],
-            |p, x| p.reduced[0] = Some(x),
-        ),
-        Flag::number(
-            "b",
-            "-",
-            "L_Z/L_z, vertical over axial angular momentum",
-            |p| p.reduced[1],
-            |p, x| p.reduced[1] = Some(x),
-        ),
-        Flag::number(
-            "c",
-            "-",
-            "m g l I3/L_z^2, weight against spin",
-            |p| p.reduced[2],
-            |p, x| p.reduced[2] = Some(x),
-        ),
-        Flag::number(
-            "energy",
-            "-",
-            "E~, at least the minimum of U_eff",
-            |p| p.reduced[3],
-            |p, x| p.reduced[3] = Some(x),
-        ),
-        Flag::choice(
-            "start",
-            "turning point at t' = 0",
-            &["theta_min", "theta_max"],
-            |p| p.start,
-            |p, x| p.start = x,
-        ),
-        Flag::number(
-            "i1",
-            "kg m^2",
-            "moment of inertia across the axis, about the pivot",
-            |p| p.body[0],
-            |p, x| p.body[0] = Some(x),
-        ),
-        Flag::number(
-            "i3",
-            "kg m^2",
-            "moment of inertia about the axis",
-            |p| p.body[1],
-            |p, x| p.body[1] = Some(x),
-        ),
-        Flag::number(
-            "mass",
-            "kg",
-            "mass",
-            |p| p.body[2],
-            |p, x| p.body[2] = Some(x),
-        ),
-        Flag::number(
-            "gravity",
-            "m/s^2",
-            "acceleration of gravity",
-            |p| p.body[3],
-            |p, x| p.body[3] = Some(x),
-        ),
-        Flag::number(
-            "length",
-            "m",
-            "from the pivot to the centre of mass",
-            |p| p.body[4],
-            |p, x| p.body[4] = Some(x),
-        ),
-        Flag::number(
-            "theta",
-            "rad",
-            "tilt of the axis at the start",
-            |p| p.body[5],
-            |p, x| p.body[5] = Some(x),
-        ),
-        Flag::number(
-            "spin",
-            "rad/s",
-            "angular velocity along the axis",
-            |p| p.body[6],
-            |p, x| p.body[6] = Some(x),
-        ),
-        Flag::number(
-            "precession",
-            "rad/s",
-            "rate of phi at the start",
-            |p| p.body[7],
-            |p, x| p.body[7] = Some(x),
-        ),
-        Flag::number(
-            "nutation",
-            "rad/s",
-            "rate of theta at the start",
-            |p| p.body[8],
-            |p, x| p.body[8] = Some(x),
-        ),
-        Flag::number(
-            "tolerance",
-            "rad",
-            "error asked of the attitude at the end: above 0, at most pi",
-            |p| Some(p.tolerance),
-            |p, x| p.tolerance = x,
-        ),
-    ],
     report,
     figures: figures::all,
     trajectory,
+    moving_picture: None,
 };
 
-#[allow(
-    dead_code,
-    reason = "the tests include this file as a module and call EXAMPLE"
-)]
 fn main() -> std::process::ExitCode {
     EXAMPLE.main()
 }

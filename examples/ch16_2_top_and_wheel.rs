@@ -8,6 +8,7 @@
 mod bodies;
 #[path = "ch16_2_top_and_wheel/figures.rs"]
 mod figures;
+#[allow(dead_code, reason = "only its motions and prices are used here")]
 #[path = "ch16_2_gyroscope.rs"]
 mod gyroscope;
 #[path = "ch16_2_top_and_wheel/left_out.rs"]
@@ -18,8 +19,7 @@ mod sleeping;
 use gyroscope::motions::{self, Motion};
 use gyroscope::price;
 use rotation_dynamics::Result;
-use rotation_dynamics::report::cli::{Example, Flag};
-use rotation_dynamics::report::{Report, Trajectory};
+use rotation_dynamics::report::{Example, Report, Trajectory};
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -84,35 +84,59 @@ pub fn critical_spin(body: &Body) -> f64 {
 }
 // ANCHOR_END: fixed_point
 
-/// What can be set on the command line; `None` where the body's own value is meant.
-#[derive(Debug, Clone)]
-pub struct Parameters {
-    /// `both`, `top` or `wheel`.
-    pub body: &'static str,
-    /// Mass, length, I1 about the centre of mass, I3, gravity, tilt, spin, precession
-    /// and nutation at the start, in SI units.
-    pub given: [Option<f64>; 9],
-    /// The error of the attitude at the end that the dial is asked for, rad.
-    pub tolerance: f64,
+rotation_dynamics::parameters! {
+    /// Both bodies, unless something is set: then that body as it is asked for.
+    pub struct Parameters {
+        /// which body; the other flags change this one (both: the top)
+        body: choice("both", "top", "wheel");
+        /// mass
+        mass: optional("kg", above(0.0));
+        /// from the fixed point to the centre of mass
+        length: optional("m", any());
+        /// moment of inertia across the axis, about the centre of mass
+        i1: optional("kg m^2", any());
+        /// moment of inertia about the axis
+        i3: optional("kg m^2", any());
+        /// acceleration of gravity
+        gravity: optional("m/s^2", any());
+        /// tilt of the axis at the start
+        theta: optional("rad", any());
+        /// angular velocity along the axis
+        spin: optional("rad/s", any());
+        /// rate of phi at the start
+        precession: optional("rad/s", any());
+        /// rate of theta at the start
+        nutation: optional("rad/s", any());
+        /// error asked of the attitude at the end: above 0, at most pi
+        tolerance: number(1e-9, "rad", any());
+    }
 }
 
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            body: "both",
-            given: [None; 9],
-            tolerance: 1e-9,
-        }
+impl Parameters {
+    /// Mass, length, I1 about the centre of mass, I3, gravity, tilt, spin, precession
+    /// and nutation at the start, in SI units.
+    fn given(&self) -> [Option<f64>; 9] {
+        [
+            self.mass,
+            self.length,
+            self.i1,
+            self.i3,
+            self.gravity,
+            self.theta,
+            self.spin,
+            self.precession,
+            self.nutation,
+        ]
     }
 }
 
 /// The bodies asked for, with their names.
 fn bodies(p: &Parameters) -> Vec<(&'static str, Body)> {
-    let with = |body: Body| body.with(&p.given);
+    let with = |body: Body| body.with(&p.given());
     match p.body {
         "wheel" => vec![("wheel", with(WHEEL))],
         "top" => vec![("top", with(TOP))],
-        _ if p.given.iter().any(Option::is_some) => vec![("top", with(TOP))],
+        _ if p.given().iter().any(Option::is_some) => vec![("top", with(TOP))],
         _ => vec![("top", TOP), ("wheel", WHEEL)],
     }
 }
@@ -151,94 +175,12 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub const EXAMPLE: Example<Parameters> = Example {
     stem: "ch16_2_top_and_wheel",
     about: "The top on its tip and the bicycle wheel hung by its axle",
-    flags: &[
-        Flag::choice(
-            "body",
-            "which body; the other flags change this one (both: the top)",
-            &["both", "top", "wheel"],
-            |p| p.body,
-            |p, x| p.body = x,
-        ),
-        Flag::number(
-            "mass",
-            "kg",
-            "mass",
-            |p| p.given[0],
-            |p, x| p.given[0] = Some(x),
-        ),
-        Flag::number(
-            "length",
-            "m",
-            "from the fixed point to the centre of mass",
-            |p| p.given[1],
-            |p, x| p.given[1] = Some(x),
-        ),
-        Flag::number(
-            "i1",
-            "kg m^2",
-            "moment of inertia across the axis, about the centre of mass",
-            |p| p.given[2],
-            |p, x| p.given[2] = Some(x),
-        ),
-        Flag::number(
-            "i3",
-            "kg m^2",
-            "moment of inertia about the axis",
-            |p| p.given[3],
-            |p, x| p.given[3] = Some(x),
-        ),
-        Flag::number(
-            "gravity",
-            "m/s^2",
-            "acceleration of gravity",
-            |p| p.given[4],
-            |p, x| p.given[4] = Some(x),
-        ),
-        Flag::number(
-            "theta",
-            "rad",
-            "tilt of the axis at the start",
-            |p| p.given[5],
-            |p, x| p.given[5] = Some(x),
-        ),
-        Flag::number(
-            "spin",
-            "rad/s",
-            "angular velocity along the axis",
-            |p| p.given[6],
-            |p, x| p.given[6] = Some(x),
-        ),
-        Flag::number(
-            "precession",
-            "rad/s",
-            "rate of phi at the start",
-            |p| p.given[7],
-            |p, x| p.given[7] = Some(x),
-        ),
-        Flag::number(
-            "nutation",
-            "rad/s",
-            "rate of theta at the start",
-            |p| p.given[8],
-            |p, x| p.given[8] = Some(x),
-        ),
-        Flag::number(
-            "tolerance",
-            "rad",
-            "error asked of the attitude at the end: above 0, at most pi",
-            |p| Some(p.tolerance),
-            |p, x| p.tolerance = x,
-        ),
-    ],
     report,
     figures: figures::all,
     trajectory,
+    moving_picture: None,
 };
 
-#[allow(
-    dead_code,
-    reason = "the tests include this file as a module and call EXAMPLE"
-)]
 fn main() -> std::process::ExitCode {
     EXAMPLE.main()
 }

@@ -18,35 +18,24 @@ use rotation_dynamics::math::{EPS, acos, acosh, cos, log, sin, sincos, tan};
 use rotation_dynamics::planar::{
     Bilateral, Condition, Next, Phased, Run, simulate, simulate_within,
 };
-use rotation_dynamics::report::cli::{Example, Flag};
 use rotation_dynamics::report::{
-    Claim, ClosedForm, Computation, Limit, Oracle, Price, Report, Trajectory,
+    Claim, ClosedForm, Computation, Example, Limit, Oracle, Price, Report, Trajectory,
 };
 use rotation_dynamics::{Error, Result};
 use std::process::ExitCode;
 
 // ANCHOR: parameters
-/// The ladder of the exercise; the notes leave all three numbers open.
-#[derive(Debug, Clone)]
-pub struct Parameters {
-    /// Length, m.
-    pub length: f64,
-    /// Acceleration of gravity, m/s^2.
-    pub gravity: f64,
-    /// Angle between ladder and wall at the release from rest, rad.
-    pub angle: f64,
-    /// Relative error asked of the simulation.
-    pub tolerance: f64,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            length: 3.0,
-            gravity: 9.80665,
-            angle: 0.25,
-            tolerance: 1e-12,
-        }
+rotation_dynamics::parameters! {
+    /// The ladder of the exercise; the notes leave all three numbers open.
+    pub struct Parameters {
+        /// length of the ladder
+        length: number(3.0, "m", above(0.0).usually(1.0, 6.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// angle from the wall at the start
+        angle: number(0.25, "rad", between(0.0, FRAC_PI_2).usually(0.01, 1.5));
+        /// relative error asked for, at every event: from 3.2e-14 to 0.1
+        tolerance: number(1e-12, "-", from_to(3.2e-14, 0.1));
     }
 }
 // ANCHOR_END: parameters
@@ -571,42 +560,12 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub const EXAMPLE: Example<Parameters> = Example {
     stem: "ch16_ex6_ladder",
     about: "Exercise 16.6: a ladder slides down a smooth wall and leaves it",
-    flags: &[
-        Flag::number(
-            "length",
-            "m",
-            "length of the ladder",
-            |p| Some(p.length),
-            |p, x| p.length = x,
-        ),
-        Flag::number(
-            "gravity",
-            "m/s^2",
-            "acceleration of gravity",
-            |p| Some(p.gravity),
-            |p, x| p.gravity = x,
-        ),
-        Flag::number(
-            "angle",
-            "rad",
-            "angle from the wall at the start",
-            |p| Some(p.angle),
-            |p, x| p.angle = x,
-        ),
-        Flag::number(
-            "tolerance",
-            "-",
-            "relative error asked for, at every event: from 3.2e-14 to 0.1",
-            |p| Some(p.tolerance),
-            |p, x| p.tolerance = x,
-        ),
-    ],
     report,
     figures: figures::figures,
     trajectory,
+    moving_picture: None,
 };
 
-#[allow(dead_code, reason = "tests include this file for its EXAMPLE alone")]
 fn main() -> ExitCode {
     EXAMPLE.main()
 }

@@ -3,6 +3,7 @@
 //! Every variant carries the numbers that offend and says what is allowed, so
 //! that a message can be acted on without reading code.
 
+use crate::interval::Interval;
 use core::fmt;
 
 /// What can go wrong, with the numbers that went wrong.
@@ -19,6 +20,12 @@ pub enum Error {
     },
     /// No motion of a heavy top has this energy.
     NoMotion { energy: f64, minimum: f64 },
+    /// A parameter of an example is outside what is allowed.
+    Parameter {
+        name: &'static str,
+        value: f64,
+        allowed: Interval,
+    },
     /// The rates of a motion are too fast, too slow, or too far apart for doubles.
     RatesTooFarApart { fastest: f64 },
     /// A derivative is NaN or infinite at this time and state.
@@ -101,6 +108,11 @@ impl fmt::Display for Error {
                 write!(f, "{name} = {value} is not a finite number")
             }
             Self::OutOfRange {
+                name,
+                value,
+                allowed,
+            } => write!(f, "{name} = {} is not allowed: {allowed}", plain(*value)),
+            Self::Parameter {
                 name,
                 value,
                 allowed,

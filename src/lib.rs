@@ -5,6 +5,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`math`] | the only door to elementary functions (`libm`), and double-double arithmetic |
+//! | [`interval`] | which values a parameter may take |
 //! | [`error`] | one error type; every variant carries the offending numbers |
 //! | [`frame`] | space-fixed and body-fixed vectors as types |
 //! | [`attitude`] | unit quaternion, Euler angles z-x'-z'', rotation vector |
@@ -16,7 +17,7 @@
 //! | [`integrators`] | one method per file, coefficients as data |
 //! | [`accuracy`] | errors against the exact motion, and what they cost |
 //! | [`planar`] | one-axis scenes with contacts and located events |
-//! | [`report`] | claims, tables, figures and the command line of the examples |
+//! | [`report`] | claims, tables, figures and the command line of the examples (features `report` and `cli`) |
 
 pub mod accuracy;
 pub mod attitude;
@@ -27,8 +28,10 @@ pub mod exact;
 pub mod frame;
 pub mod inertia;
 pub mod integrators;
+pub mod interval;
 pub mod math;
 pub mod planar;
+#[cfg(feature = "report")]
 pub mod report;
 pub mod scene;
 

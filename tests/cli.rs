@@ -1,40 +1,28 @@
 //! The command line that all examples share, driven in process with an example of
 //! its own: a rod on a pivot. Nothing here depends on what the book's examples compute.
 
-use rotation_dynamics::report::cli::{Example, Flag, Outcome};
+use rotation_dynamics::Result;
+use rotation_dynamics::report::cli::Outcome;
 use rotation_dynamics::report::draw::{Curve, Ink, Panel};
-use rotation_dynamics::report::{Claim, Figure, Oracle, Report, Trajectory, parse};
-use rotation_dynamics::{Error, Result};
+use rotation_dynamics::report::{Claim, Example, Figure, Oracle, Page, Report, Trajectory, parse};
 use std::fs;
 use std::path::PathBuf;
 
-#[derive(Clone)]
-struct Parameters {
-    length: f64,
-    offset: f64,
-    mass: Option<f64>,
-    start: &'static str,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            length: 3.0,
-            offset: 0.0,
-            mass: None,
-            start: "rest",
-        }
+rotation_dynamics::parameters! {
+    /// A rod, not yet told where its pivot is.
+    pub struct Parameters {
+        /// length of the rod
+        length: number(3.0, "m", above(0.0));
+        /// pivot from the middle
+        offset: number(0.0, "m", any());
+        /// mass, if it matters
+        mass: optional("kg", any());
+        /// how it starts
+        start: choice("rest", "turning", "broken");
     }
 }
 
 fn report(p: &Parameters) -> Result<Report> {
-    if p.length <= 0.0 {
-        return Err(Error::OutOfRange {
-            name: "length",
-            value: p.length,
-            allowed: "it must be greater than 0",
-        });
-    }
     let mut report = Report::new(
         "A rod on a pivot",
         "a thin rod turns about a point of itself",
@@ -86,39 +74,10 @@ fn figures(p: &Parameters) -> Result<Vec<Figure>> {
 const EXAMPLE: Example<Parameters> = Example {
     stem: "rod",
     about: "A rod on a pivot",
-    flags: &[
-        Flag::number(
-            "length",
-            "m",
-            "length of the rod",
-            |p| Some(p.length),
-            |p, x| p.length = x,
-        ),
-        Flag::number(
-            "offset",
-            "m",
-            "pivot from the middle",
-            |p| Some(p.offset),
-            |p, x| p.offset = x,
-        ),
-        Flag::number(
-            "mass",
-            "kg",
-            "mass, if it matters",
-            |p| p.mass,
-            |p, x| p.mass = Some(x),
-        ),
-        Flag::choice(
-            "start",
-            "how it starts",
-            &["rest", "turning", "broken"],
-            |p| p.start,
-            |p, w| p.start = w,
-        ),
-    ],
     report,
     figures,
     trajectory,
+    moving_picture: None,
 };
 
 fn answer(arguments: &str) -> Outcome {
@@ -162,7 +121,8 @@ fn the_default_output_reads_back_as_written() {
     let outcome = answer("");
     assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
     // What is locked holds the answer box's data too; what is printed does not.
-    let (locked, _) = EXAMPLE.locked().expect("the example is sound");
+    let report = Page::report(&EXAMPLE).expect("the example is sound");
+    let locked = report.text().expect("it can be printed");
     assert!(locked.starts_with(&outcome.stdout) && !outcome.stdout.contains("\nchecks\n"));
     let parsed = parse(&locked).expect("the text follows its grammar");
     assert_eq!(parsed.title, "A rod on a pivot");

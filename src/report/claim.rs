@@ -57,6 +57,7 @@ pub struct Claim {
     oracle: Oracle,
     judged_within: f64,
     slips: Vec<Slip>,
+    group: Option<String>,
 }
 
 impl Claim {
@@ -86,6 +87,7 @@ impl Claim {
             oracle,
             judged_within: 1e-3,
             slips: Vec::new(),
+            group: None,
         };
         let key_is_plain = !claim.key.is_empty()
             && claim
@@ -134,6 +136,13 @@ impl Claim {
         self
     }
 
+    /// Offers it in the page's answer box, under the heading `group`.
+    #[must_use]
+    pub fn answer(mut self, group: impl Into<String>) -> Self {
+        self.group = Some(group.into());
+        self
+    }
+
     /// The key, unique in its report.
     pub fn key(&self) -> &str {
         &self.key
@@ -169,6 +178,11 @@ impl Claim {
     /// The wrong answers that are recognised by name.
     pub fn slips(&self) -> &[Slip] {
         &self.slips
+    }
+
+    /// The heading under which the answer box offers it, if it does.
+    pub fn group(&self) -> Option<&str> {
+        self.group.as_deref()
     }
 
     /// The value with the digits that its bound supports.

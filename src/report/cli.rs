@@ -1,12 +1,11 @@
 //! The command line of the examples, the same for all.
 //!
-//! An example is an [`Example`]: a stem, a title, flags, and three functions of
-//! its parameters. [`Example::main`] is its `main`; [`Example::answer`] does the
+//! [`Example::main`] is the `main` of an [`Example`]; [`Example::answer`] does the
 //! same without touching the terminal, for tests. This is the only part of the
 //! library that prints.
 
-use super::files::{Directories, Trajectory, failure, write_whole};
-use super::{Claim, Figure, Report, Table, Verdict, json, rounded_up};
+use super::files::{Directories, failure, write_whole};
+use super::{Claim, Example, Flag, ParameterSet, Report, Verdict, rounded_up};
 use crate::error::{Error, Result};
 use clap::{Arg, ArgAction, ArgMatches, Command, error::ErrorKind, value_parser};
 use std::ffi::OsString;
@@ -14,106 +13,33 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// A parameter that can be set on the command line.
-pub struct Flag<P: 'static> {
-    name: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    kind: Kind<P>,
+fn arg<P: ParameterSet>(flag: &Flag<P>, defaults: &P) -> Arg {
+    let default = flag.printed(defaults);
+    let unit = match (flag.unit(), default) {
+        ("-", None) => String::new(),
+        ("-", Some(default)) => format!(" [{default}]"),
+        (unit, None) => format!(", in {unit}"),
+        (unit, Some(default)) => format!(" [{default} {unit}]"),
+    };
+    let name = flag.name();
+    let arg = Arg::new(name.clone())
+        .long(name)
+        .help(format!("{}{unit}", flag.meaning()));
+    if flag.words().is_empty() {
+        arg.value_name("NUMBER").value_parser(number)
+    } else {
+        arg.value_name("WORD")
+            .value_parser(clap::builder::PossibleValuesParser::new(flag.words()))
+    }
 }
 
-enum Kind<P: 'static> {
-    Number {
-        get: fn(&P) -> Option<f64>,
-        set: fn(&mut P, f64),
-    },
-    Choice {
-        among: &'static [&'static str],
-        get: fn(&P) -> &'static str,
-        set: fn(&mut P, &'static str),
-    },
-}
-
-impl<P> Flag<P> {
-    /// `--name NUMBER`, in `unit` (`"-"` if it has none). `get` returns `None` for a
-    /// parameter that is not set. NaN and infinities never reach `set`; any other
-    /// check belongs to the example's `report`.
-    pub const fn number(
-        name: &'static str,
-        unit: &'static str,
-        meaning: &'static str,
-        get: fn(&P) -> Option<f64>,
-        set: fn(&mut P, f64),
-    ) -> Self {
-        Self {
-            name,
-            unit,
-            meaning,
-            kind: Kind::Number { get, set },
+fn apply<P: ParameterSet>(flag: &Flag<P>, matches: &ArgMatches, parameters: &mut P) {
+    if flag.words().is_empty() {
+        if let Some(&value) = matches.get_one::<f64>(&flag.name()) {
+            flag.set_number(parameters, value);
         }
-    }
-
-    /// `--name WORD`, one of the words in `among`.
-    pub const fn choice(
-        name: &'static str,
-        meaning: &'static str,
-        among: &'static [&'static str],
-        get: fn(&P) -> &'static str,
-        set: fn(&mut P, &'static str),
-    ) -> Self {
-        Self {
-            name,
-            unit: "-",
-            meaning,
-            kind: Kind::Choice { among, get, set },
-        }
-    }
-
-    /// The name, without the dashes.
-    pub fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn printed(&self, parameters: &P) -> String {
-        match &self.kind {
-            Kind::Number { get, .. } => get(parameters).map_or("-".into(), super::number::exactly),
-            Kind::Choice { get, .. } => get(parameters).into(),
-        }
-    }
-
-    fn arg(&self, defaults: &P) -> Arg {
-        let default = self.printed(defaults);
-        let unit = match (self.unit, default.as_str()) {
-            ("-", "-") => String::new(),
-            ("-", _) => format!(" [{default}]"),
-            (unit, "-") => format!(", in {unit}"),
-            (unit, _) => format!(" [{default} {unit}]"),
-        };
-        let arg = Arg::new(self.name)
-            .long(self.name)
-            .help(format!("{}{unit}", self.meaning));
-        match &self.kind {
-            Kind::Number { .. } => arg.value_name("NUMBER").value_parser(number),
-            Kind::Choice { among, .. } => arg
-                .value_name("WORD")
-                .value_parser(clap::builder::PossibleValuesParser::new(*among)),
-        }
-    }
-
-    fn apply(&self, matches: &ArgMatches, parameters: &mut P) {
-        match &self.kind {
-            Kind::Number { set, .. } => {
-                if let Some(&value) = matches.get_one::<f64>(self.name) {
-                    set(parameters, value);
-                }
-            }
-            Kind::Choice { among, set, .. } => {
-                let word = matches.get_one::<String>(self.name);
-                if let Some(word) = among.iter().find(|w| word.is_some_and(|given| given == *w)) {
-                    set(parameters, word);
-                }
-            }
-        }
+    } else if let Some(word) = matches.get_one::<String>(&flag.name()) {
+        flag.set_word(parameters, word);
     }
 }
 
@@ -157,54 +83,6 @@ fn key_and_number(text: &str) -> core::result::Result<(String, f64), String> {
     Ok((key.trim().into(), number(value.trim())?))
 }
 
-/// An example: its name everywhere, what it can be told, and what it computes.
-///
-/// ```
-/// use rotation_dynamics::report::{cli::{Example, Flag}, Claim, Oracle, Report, Trajectory};
-/// use rotation_dynamics::{Error, Result};
-///
-/// #[derive(Clone)]
-/// struct Parameters { length: f64 }
-/// impl Default for Parameters {
-///     fn default() -> Self { Self { length: 3.0 } }
-/// }
-/// fn report(p: &Parameters) -> Result<Report> {
-///     if p.length <= 0.0 {
-///         return Err(Error::OutOfRange { name: "length", value: p.length, allowed: "it must be greater than 0" });
-///     }
-///     let mut report = Report::new("A rod", "a thin rod about its middle")?;
-///     let i = p.length * p.length / 12.0;
-///     report.add_claim(Claim::new("inertia", "moment of inertia over mass", i, "m^2", 1e-15,
-///         Oracle::new("end, moved to the middle", p.length * p.length / 3.0 - p.length * p.length / 4.0))?)?;
-///     Ok(report)
-/// }
-/// const EXAMPLE: Example<Parameters> = Example {
-///     stem: "rod",
-///     about: "A thin rod about its middle",
-///     flags: &[Flag::number("length", "m", "length of the rod", |p| Some(p.length), |p, x| p.length = x)],
-///     report,
-///     figures: |_| Ok(Vec::new()),
-///     trajectory: |_| Trajectory::new(["t [s]"]),
-/// };
-/// let outcome = EXAMPLE.answer(["--length", "6", "--check", "inertia=3.0"]);
-/// assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "right: inertia = 3.00000000000000 m^2\n"));
-/// assert_eq!(EXAMPLE.answer(["--length", "-6"]).code, 2);
-/// ```
-pub struct Example<P: 'static> {
-    /// The stem that names the page, the example and the snapshot.
-    pub stem: &'static str,
-    /// One line for `--help`.
-    pub about: &'static str,
-    /// The parameters that can be set, in the order in which they are listed.
-    pub flags: &'static [Flag<P>],
-    /// The numbers. Checks the parameters: it runs before anything else.
-    pub report: fn(&P) -> Result<Report>,
-    /// The drawings.
-    pub figures: fn(&P) -> Result<Vec<Figure>>,
-    /// The motion, for `--csv`.
-    pub trajectory: fn(&P) -> Result<Trajectory>,
-}
-
 /// What a run would print and return.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
@@ -226,7 +104,7 @@ impl Outcome {
     }
 }
 
-impl<P: Default> Example<P> {
+impl<P: ParameterSet> Example<P> {
     /// Runs the example with the arguments of the process.
     pub fn main(&self) -> ExitCode {
         let outcome = self.answer(std::env::args_os().skip(1));
@@ -235,16 +113,6 @@ impl<P: Default> Example<P> {
         let _ = std::io::stdout().flush();
         let _ = std::io::stderr().write_all(outcome.stderr.as_bytes());
         ExitCode::from(outcome.code)
-    }
-
-    /// The default output and the answer box's data, which the snapshot locks, and the figures.
-    ///
-    /// # Errors
-    /// Those of the example's functions; none for a sound example.
-    pub fn locked(&self) -> Result<(String, Vec<Figure>)> {
-        let parameters = P::default();
-        let text = self.report_with_parameters(&parameters)?.text()?;
-        Ok((text, (self.figures)(&parameters)?))
     }
 
     /// What the example prints for these arguments (without the program's name).
@@ -273,8 +141,8 @@ impl<P: Default> Example<P> {
             }
         };
         let mut parameters = P::default();
-        for flag in self.flags {
-            flag.apply(&matches, &mut parameters);
+        for flag in P::FLAGS {
+            apply(flag, &matches, &mut parameters);
         }
         self.run(&parameters, &matches)
             .unwrap_or_else(Outcome::refused)
@@ -287,8 +155,8 @@ impl<P: Default> Example<P> {
             .about(self.about)
             .disable_version_flag(true)
             .next_help_heading("Parameters");
-        for flag in self.flags {
-            command = command.arg(flag.arg(&defaults));
+        for flag in P::FLAGS {
+            command = command.arg(arg(flag, &defaults));
         }
         command
             .next_help_heading("Output")
@@ -323,28 +191,8 @@ impl<P: Default> Example<P> {
             )
     }
 
-    fn report_with_parameters(&self, parameters: &P) -> Result<Report> {
-        let mut report = (self.report)(parameters)?;
-        let mut table = Table::headed("parameters", ["flag", "value", "unit", "meaning"])?;
-        for flag in self.flags {
-            // What is not set has no place among the numbers of this run; --help lists it.
-            let value = flag.printed(parameters);
-            if value == "-" {
-                continue;
-            }
-            table.push([
-                format!("--{}", flag.name),
-                value,
-                flag.unit.into(),
-                flag.meaning.into(),
-            ])?;
-        }
-        report.set_parameters(table);
-        Ok(report)
-    }
-
     fn run(&self, parameters: &P, matches: &ArgMatches) -> Result<Outcome> {
-        let report = self.report_with_parameters(parameters)?;
+        let report = self.report(parameters)?;
         let mut outcome = Outcome {
             stdout: String::new(),
             stderr: String::new(),
@@ -357,7 +205,7 @@ impl<P: Default> Example<P> {
                 outcome.code |= u8::from(!right);
             }
         } else if matches.get_flag("json") {
-            outcome.stdout = json::claims(self.stem, &report);
+            outcome.stdout = report.json(self.stem);
         } else {
             outcome.stdout = report.output()?;
         }
@@ -380,7 +228,7 @@ impl<P: Default> Example<P> {
             files.push((path.clone(), trajectory.csv()));
         }
         if let Some(directory) = matches.get_one::<PathBuf>("svg") {
-            let figures = (self.figures)(parameters)?;
+            let figures = self.figures(parameters)?;
             made = Directories::missing(directory);
             std::fs::create_dir_all(directory).map_err(|e| failure(directory, &e))?;
             told += &format!(

@@ -1,76 +1,9 @@
-//! Trajectories as CSV, and files that are written whole or not at all.
+//! Files that are written whole or not at all.
 
 use crate::error::{Error, Result};
-use core::fmt::Write as _;
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-
-/// Samples of a motion: named columns, one row per instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Trajectory {
-    columns: Vec<String>,
-    rows: Vec<Vec<f64>>,
-}
-
-impl Trajectory {
-    /// An empty trajectory; a column is named with its unit, as in `"t [s]"`.
-    ///
-    /// # Errors
-    /// [`Error::Text`] if there is no column, or a name holds a comma or a quote.
-    pub fn new<S: Into<String>>(columns: impl IntoIterator<Item = S>) -> Result<Self> {
-        let columns: Vec<String> = columns.into_iter().map(Into::into).collect();
-        let plain = |c: &String| !c.is_empty() && !c.contains([',', '"', '\n', '\r']);
-        if columns.is_empty() || !columns.iter().all(plain) {
-            return Err(Error::Text {
-                text: columns.join(","),
-                allowed: "a trajectory has columns, named without commas and quotes",
-            });
-        }
-        Ok(Self {
-            columns,
-            rows: Vec::new(),
-        })
-    }
-
-    /// Appends the sample `row`.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`] for a NaN or an infinity, [`Error::Text`] for a wrong length.
-    pub fn push(&mut self, row: impl Into<Vec<f64>>) -> Result<()> {
-        let row = row.into();
-        for &value in &row {
-            crate::error::finite("sample", value)?;
-        }
-        if row.len() != self.columns.len() {
-            return Err(Error::Text {
-                text: format!("{row:?}"),
-                allowed: "a sample has as many numbers as the trajectory has columns",
-            });
-        }
-        self.rows.push(row);
-        Ok(())
-    }
-
-    /// The samples.
-    pub fn rows(&self) -> &[Vec<f64>] {
-        &self.rows
-    }
-
-    /// The file: a line of names, then the samples, each number with as many
-    /// digits as it takes to read the same bits back.
-    pub fn csv(&self) -> String {
-        let mut text = self.columns.join(",") + "\n";
-        for row in &self.rows {
-            for (i, value) in row.iter().enumerate() {
-                // Writing to a string cannot fail.
-                let _ = write!(text, "{}{value:?}", if i == 0 { "" } else { "," });
-            }
-            text.push('\n');
-        }
-        text
-    }
-}
 
 /// The directories on the way to a place that are not there yet, the deepest first.
 /// Unless they are kept, those that are empty are taken away again.

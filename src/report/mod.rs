@@ -3,7 +3,12 @@
 //! A [`Report`] is what an example says: claims that an independent route
 //! confirms, limits, the effects in and out, what accuracy costs. Its text is the
 //! locked snapshot and the source of every number on the example's page; the
-//! example prints it, all but what the answer box needs. This module does no physics.
+//! example prints it, all but what the answer box needs. This module does no physics,
+//! and but for [`cli`] (feature `cli`) it reads and writes nothing.
+//!
+//! What an example is made of: [`parameters!`](crate::parameters), [`Example`], lines for
+//! [`Report::add`] by [`claim`], [`limit`] and [`effect`], figures by [`draw`],
+//! a [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion.
 //!
 //! # The text of a report
 //! ```text
@@ -24,7 +29,7 @@
 //! | `limits` | `limit`, `must give`, `gives`, `within`, `because` |
 //! | `effects` | `effect`, `number`, `value`, `error if left out`, `here` |
 //! | `accuracy` | `method`, `requested`, `delivered`, `work`, `relative time` |
-//! | `checks` | `key`, `within`, `meaning` |
+//! | `checks` | `key`, `within`, `meaning`, `group` |
 //! | `slips` | `key`, `value`, `hint` |
 //!
 //! A claim's value shows only the digits its bound supports ([`supported_digits`]).
@@ -32,21 +37,34 @@
 //! also the rule of the page's answer box.
 
 mod claim;
+#[cfg(feature = "cli")]
 pub mod cli;
 mod computation;
 pub mod draw;
+mod entries;
+mod example;
+#[cfg(feature = "cli")]
 mod files;
 mod json;
+mod moving;
 mod number;
+mod parameters;
+mod sampling;
 mod sections;
 mod table;
+mod trajectory;
 
 pub use claim::{Claim, Oracle, RECIPROCAL, Slip, USUAL_SLIPS, Verdict};
 pub use computation::{ClosedForm, Computation};
-pub use files::Trajectory;
+pub use entries::{ClaimEntry, EffectLine, Entry, LimitEntry, claim, effect, limit};
+pub use example::{Example, Page};
+pub use moving::MovingPicture;
 pub use number::{below, rounded_up, short, supported_digits};
+pub use parameters::{Flag, ParameterSet};
+pub use sampling::{sampled, times};
 pub use sections::{EffectEntry, Limit, Price, Report, for_reading};
 pub use table::{Parsed, Table, parse};
+pub use trajectory::Trajectory;
 
 /// A finished drawing.
 #[derive(Debug, Clone, PartialEq)]

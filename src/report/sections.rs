@@ -2,10 +2,14 @@
 
 use super::claim::Claim;
 use super::computation::{ClosedForm, Computation};
+use super::entries::Entry;
 use super::number::{rounded_up, short, supported_digits};
 use super::table::{Table, check_cell};
 use crate::error::{Error, Result, finite};
 use core::fmt;
+
+/// The heading of the section that lists the parameters.
+pub(super) const PARAMETERS: &str = "parameters";
 
 /// A limit in which the answer is known: what must come out, and what does.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,6 +75,16 @@ pub struct EffectEntry {
     pub included: bool,
 }
 
+impl EffectEntry {
+    pub(super) fn check(&self) -> Result<()> {
+        finite("the number of an effect", self.value)?;
+        finite("the error of leaving out an effect", self.error)?;
+        [&self.effect, &self.number, &self.unit]
+            .into_iter()
+            .try_for_each(|cell| check_cell(cell))
+    }
+}
+
 /// A line of the accuracy strip: what was asked for, what came, and its price.
 #[derive(Debug, Clone)]
 pub struct Price {
@@ -120,6 +134,14 @@ impl Report {
             closed_form: None,
             tables: Vec::new(),
         })
+    }
+
+    /// Adds a line or a table: a claim, a limit, an effect, a price.
+    ///
+    /// # Errors
+    /// Those of the entry; see [`Entry`].
+    pub fn add(&mut self, entry: impl Entry) -> Result<()> {
+        entry.enter(self)
     }
 
     /// Adds a claim.
@@ -250,8 +272,7 @@ impl Report {
         let columns = ["effect", "number", "value", "error if left out", "here"];
         let mut table = Table::headed("effects", columns)?;
         for e in &self.effects {
-            finite("the number of an effect", e.value)?;
-            finite("the error of leaving out an effect", e.error)?;
+            e.check()?;
             let unit = if e.unit == "-" {
                 String::new()
             } else {
@@ -284,13 +305,14 @@ impl Report {
 
         all.extend(self.tables.iter().cloned());
 
-        let mut checks = Table::headed("checks", ["key", "within", "meaning"])?;
+        let mut checks = Table::headed("checks", ["key", "within", "meaning", "group"])?;
         let mut slips = Table::headed("slips", ["key", "value", "hint"])?;
         for c in &self.claims {
             checks.push([
                 c.key().into(),
                 rounded_up(c.tolerance()),
                 c.meaning().into(),
+                c.group().unwrap_or("-").into(),
             ])?;
             for slip in c.slips() {
                 slips.push([
@@ -318,6 +340,12 @@ impl Report {
             let _ = write!(text, "\n{section}");
         }
         Ok(text)
+    }
+
+    /// The claims as JSON: key, meaning, value, unit, bound, oracle; numbers read back to
+    /// the same bits.
+    pub fn json(&self, stem: &str) -> String {
+        super::json::claims(stem, self)
     }
 
     /// What an example prints: the text without its last two sections, which are

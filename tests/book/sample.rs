@@ -119,7 +119,7 @@ See [the period](one.md#the-period).
 
 const OUTPUT: &str = "\
 ---
-source: tests/snapshots.rs
+source: tests/pages/snapshots.rs
 ---
 Sample
 A pendulum.

@@ -7,26 +7,11 @@
 //!
 //! The unit is one sample of the scene's closed form: the mean over times spread evenly
 //! over the motion, measured in the same rounds. The record has the grammar of a report
-//! ([`rotation_dynamics::report`]). A new example: a module below and its line in `record`.
-
-#![allow(
-    clippy::duplicate_mod,
-    reason = "one example may stand on another, and both are timed here"
-)]
-
-#[path = "../../../examples/accuracy.rs"]
-mod accuracy;
-#[path = "../../../examples/ch16_2_gyroscope.rs"]
-mod ch16_2_gyroscope;
-#[path = "../../../examples/ch16_2_top_and_wheel.rs"]
-mod ch16_2_top_and_wheel;
-#[path = "../../../examples/ch16_ex6_ladder.rs"]
-mod ch16_ex6_ladder;
+//! ([`rotation_dynamics::report`]).
 
 use benches::conditions::Conditions;
 use benches::timing::{Measured, Task, interleaved};
-use rotation_dynamics::report::cli::Example;
-use rotation_dynamics::report::{Computation, Report, Table, rounded_up, short};
+use rotation_dynamics::report::{Computation, Page, Report, Table, rounded_up, short};
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
@@ -65,12 +50,10 @@ fn record(conditions: &Conditions) -> Outcome<()> {
     )?;
     report.add_table(conditions.table()?)?;
     let mut units = Table::new("units", ["stem", "one sample / ns"])?;
-    let strips = [
-        strip(&accuracy::EXAMPLE, &mut units)?,
-        strip(&ch16_2_gyroscope::EXAMPLE, &mut units)?,
-        strip(&ch16_2_top_and_wheel::EXAMPLE, &mut units)?,
-        strip(&ch16_ex6_ladder::EXAMPLE, &mut units)?,
-    ];
+    let strips: Vec<Table> = pages::ALL
+        .iter()
+        .map(|page| strip(*page, &mut units))
+        .collect::<Outcome<_>>()?;
     report.add_table(units)?;
     for strip in strips {
         report.add_table(strip)?;
@@ -86,9 +69,9 @@ fn record(conditions: &Conditions) -> Outcome<()> {
 }
 
 /// The times of the strip of one example; its unit goes into `units`.
-fn strip<P: Default>(example: &Example<P>, units: &mut Table) -> Outcome<Table> {
-    let stem = example.stem;
-    let report = (example.report)(&P::default())?;
+fn strip(page: &dyn Page, units: &mut Table) -> Outcome<Table> {
+    let stem = page.stem();
+    let report = page.report()?;
     let computations: Vec<&Computation> = report
         .prices()
         .iter()

@@ -208,6 +208,7 @@ impl Project {
             format!("tests/{file}"),
             format!("tests/{file}.rs"),
             format!("tests/{file}/main.rs"),
+            format!("tests/pages/{file}.rs"),
         ];
         let found = candidates.iter().find(|f| self.path(f).is_file());
         let file = found.ok_or(format!("there is no test file '{file}'"))?;

@@ -1,16 +1,7 @@
 //! The command lines of the gyroscope and of the top and wheel: any motion asked
 //! for is either confirmed by a second route or refused in words.
 
-#![allow(
-    clippy::duplicate_mod,
-    reason = "the top and wheel's example stands on the gyroscope's"
-)]
-
-#[path = "../examples/ch16_2_gyroscope.rs"]
-mod gyroscope;
-#[path = "../examples/ch16_2_top_and_wheel.rs"]
-mod top_and_wheel;
-
+use pages::{ch16_2_gyroscope as gyroscope, ch16_2_top_and_wheel as top_and_wheel};
 use rotation_dynamics::report::cli::Outcome;
 
 fn gyroscope(flags: &str) -> Outcome {

@@ -3,12 +3,7 @@
 //! Each line once made a bound that did not follow the conditioning refuse a right
 //! number, or a route lose more digits than it said.
 
-#[path = "../examples/ch16_2_gyroscope.rs"]
-#[allow(
-    dead_code,
-    reason = "main and the functions of other tests are not called here"
-)]
-mod gyroscope;
+use pages::ch16_2_gyroscope as gyroscope;
 
 const SOUND: &[&str] = &[
     // Close passages by the poles.

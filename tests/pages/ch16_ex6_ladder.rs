@@ -1,11 +1,9 @@
 //! Exercise 16.6, the ladder.
 
-#[allow(dead_code, reason = "only the scene of the example is used here")]
-#[path = "../examples/ch16_ex6_ladder.rs"]
-mod example;
-
 use core::f64::consts::FRAC_PI_2;
-use example::{Sliding, Wall};
+use pages::ch16_ex6_ladder as example;
+use pages::ch16_ex6_ladder::{Sliding, Wall};
+use rotation_dynamics::report::Page;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::ladder::{Ladder, Phase};
 use rotation_dynamics::integrators::Dop853;
@@ -273,7 +271,7 @@ fn the_top_never_comes_back_and_the_floor_always_carries() {
 }
 
 fn printed() -> Parsed {
-    let (text, _) = example::EXAMPLE.locked().unwrap();
+    let text = Page::report(&example::EXAMPLE).unwrap().text().unwrap();
     parse(&text).unwrap()
 }
 

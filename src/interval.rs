@@ -1,0 +1,103 @@
+//! Which values a parameter may take.
+
+use core::fmt;
+
+/// An interval of real numbers; infinite ends are never included.
+///
+/// Its text says what is allowed, for error messages and `--help`.
+///
+/// ```
+/// use rotation_dynamics::interval::{above, from_to};
+/// assert!(above(0.0).contains(1e-300) && !above(0.0).contains(0.0));
+/// assert!(!from_to(0.0, 1.0).contains(f64::NAN));
+/// assert_eq!(from_to(0.0, 1.0).to_string(), "it must be from 0 to 1");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    low: f64,
+    high: f64,
+    closed: [bool; 2],
+    usual: Option<[f64; 2]>,
+}
+
+const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
+    Interval {
+        low,
+        high,
+        closed,
+        usual: None,
+    }
+}
+
+/// Any finite number.
+pub const fn any() -> Interval {
+    interval(f64::NEG_INFINITY, f64::INFINITY, [false; 2])
+}
+
+/// Greater than `low`.
+pub const fn above(low: f64) -> Interval {
+    interval(low, f64::INFINITY, [false; 2])
+}
+
+/// `low` or greater.
+pub const fn at_least(low: f64) -> Interval {
+    interval(low, f64::INFINITY, [true, false])
+}
+
+/// Greater than `low` and less than `high`.
+pub const fn between(low: f64, high: f64) -> Interval {
+    interval(low, high, [false; 2])
+}
+
+/// From `low` to `high`, both included.
+pub const fn from_to(low: f64, high: f64) -> Interval {
+    interval(low, high, [true; 2])
+}
+
+/// Greater than `low`, at most `high`.
+pub const fn above_to(low: f64, high: f64) -> Interval {
+    interval(low, high, [false, true])
+}
+
+impl Interval {
+    /// Sets the part in which a reader will want to move a slider.
+    #[must_use]
+    pub const fn usually(mut self, low: f64, high: f64) -> Self {
+        self.usual = Some([low, high]);
+        self
+    }
+
+    /// The part in which a reader will want to move, if it is narrower than the interval.
+    pub fn usual(&self) -> Option<[f64; 2]> {
+        self.usual
+    }
+
+    /// True if `value` is finite and lies in the interval.
+    pub fn contains(&self, value: f64) -> bool {
+        let [low, high] = self.closed;
+        let above = value > self.low || (low && value == self.low);
+        let below = value < self.high || (high && value == self.high);
+        above && below && value.is_finite()
+    }
+}
+
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { low, high, .. } = self;
+        match (low.is_finite(), high.is_finite(), self.closed) {
+            (false, false, _) => write!(f, "it must be finite"),
+            (true, false, [false, _]) => write!(f, "it must be greater than {low}"),
+            (true, false, [true, _]) => write!(f, "it must be at least {low}"),
+            (false, true, [_, false]) => write!(f, "it must be less than {high}"),
+            (false, true, [_, true]) => write!(f, "it must be at most {high}"),
+            (true, true, [true, true]) => write!(f, "it must be from {low} to {high}"),
+            (true, true, [false, true]) => {
+                write!(f, "it must be greater than {low} and at most {high}")
+            }
+            (true, true, [true, false]) => {
+                write!(f, "it must be at least {low} and less than {high}")
+            }
+            (true, true, [false, false]) => write!(f, "it must lie between {low} and {high}"),
+        }
+    }
+}

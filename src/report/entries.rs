@@ -1,0 +1,224 @@
+//! The lines of a report, one builder each: `report.add(claim(…).within(…).against(…))?`.
+
+use super::claim::{Claim, Oracle, Slip};
+use super::sections::{EffectEntry, Limit, Price, Report};
+use super::table::Table;
+use crate::error::Result;
+
+/// Something that a report can hold; added by [`Report::add`], which checks it.
+pub trait Entry {
+    /// Puts it into `report`.
+    ///
+    /// # Errors
+    /// What is wrong with it: a contradicted number, a text that does not fit, a key
+    /// that is taken.
+    fn enter(self, report: &mut Report) -> Result<()>;
+}
+
+/// The claim that `meaning` is `value`, in `unit` (`"-"` if it has none). It needs
+/// [`within`](ClaimEntry::within) and [`against`](ClaimEntry::against).
+pub fn claim(
+    key: impl Into<String>,
+    meaning: impl Into<String>,
+    value: f64,
+    unit: impl Into<String>,
+) -> ClaimEntry {
+    ClaimEntry {
+        key: key.into(),
+        meaning: meaning.into(),
+        value,
+        unit: unit.into(),
+        bound: f64::NAN,
+        oracle: Oracle::new("nothing", f64::NAN),
+        judged_within: None,
+        slips: Vec::new(),
+        group: None,
+    }
+}
+
+/// A claim to be added; without a bound or an oracle it is refused.
+#[derive(Debug, Clone)]
+#[must_use = "it is added by Report::add"]
+pub struct ClaimEntry {
+    key: String,
+    meaning: String,
+    value: f64,
+    unit: String,
+    bound: f64,
+    oracle: Oracle,
+    judged_within: Option<f64>,
+    slips: Vec<Slip>,
+    group: Option<String>,
+}
+
+impl ClaimEntry {
+    /// The bound on its absolute error.
+    pub fn within(mut self, bound: f64) -> Self {
+        self.bound = bound;
+        self
+    }
+    /// The independent route called `oracle`, and what it gives.
+    pub fn against(mut self, oracle: &str, value: f64) -> Self {
+        self.oracle = Oracle::new(oracle, value);
+        self
+    }
+    /// A wrong answer that people give, and a hint that does not give the right one away.
+    pub fn slip(mut self, value: f64, hint: impl Into<String>) -> Self {
+        let hint = hint.into();
+        self.slips.push(Slip { value, hint });
+        self
+    }
+    /// The relative error within which a reader's answer counts as right (0.001 if never set).
+    pub fn judged_within(mut self, relative: f64) -> Self {
+        self.judged_within = Some(relative);
+        self
+    }
+    /// Offers it in the page's answer box, under this heading: something a student would compute.
+    pub fn answer(mut self, group: impl Into<String>) -> Self {
+        self.group = Some(group.into());
+        self
+    }
+}
+
+impl Entry for ClaimEntry {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        let mut claim = Claim::new(
+            self.key,
+            self.meaning,
+            self.value,
+            self.unit,
+            self.bound,
+            self.oracle,
+        )?;
+        if let Some(relative) = self.judged_within {
+            claim = claim.judged_within(relative);
+        }
+        if let Some(group) = self.group {
+            claim = claim.answer(group);
+        }
+        for Slip { value, hint } in self.slips {
+            claim = claim.slip(value, hint);
+        }
+        claim.enter(report)
+    }
+}
+
+impl Entry for Claim {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        report.add_claim(self)
+    }
+}
+
+/// In the limit `limit` the result must be `must_give`, and it `gives` this. It needs
+/// [`within`](LimitEntry::within) and [`because`](LimitEntry::because).
+pub fn limit(limit: impl Into<String>, must_give: f64, gives: f64) -> LimitEntry {
+    LimitEntry {
+        limit: limit.into(),
+        because: String::new(),
+        must_give,
+        gives,
+        within: f64::NAN,
+    }
+}
+
+/// A limit to be added; without a bound and a reason it is refused.
+#[derive(Debug, Clone)]
+#[must_use = "it is added by Report::add"]
+pub struct LimitEntry {
+    limit: String,
+    because: String,
+    must_give: f64,
+    gives: f64,
+    within: f64,
+}
+
+impl LimitEntry {
+    /// By how much the two may differ.
+    pub fn within(mut self, bound: f64) -> Self {
+        self.within = bound;
+        self
+    }
+    /// Why this must come out, in a few words.
+    pub fn because(mut self, reason: impl Into<String>) -> Self {
+        self.because = reason.into();
+        self
+    }
+}
+
+impl Entry for LimitEntry {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        report.add_limit(Limit::new(
+            self.limit,
+            self.because,
+            self.must_give,
+            self.gives,
+            self.within,
+        )?);
+        Ok(())
+    }
+}
+
+/// A line of the card of effects: an effect that is left out, unless
+/// [`included`](EffectLine::included). It needs [`number`](EffectLine::number) and
+/// [`costs`](EffectLine::costs).
+pub fn effect(effect: impl Into<String>) -> EffectLine {
+    EffectLine(EffectEntry {
+        effect: effect.into(),
+        number: String::new(),
+        value: f64::NAN,
+        error: f64::NAN,
+        unit: "-".into(),
+        included: false,
+    })
+}
+
+/// An effect to be added; without its number and the error it is refused.
+#[derive(Debug, Clone)]
+#[must_use = "it is added by Report::add"]
+pub struct EffectLine(EffectEntry);
+
+impl EffectLine {
+    /// The dimensionless number that measures it, as a formula, and its value.
+    pub fn number(mut self, formula: impl Into<String>, value: f64) -> Self {
+        (self.0.number, self.0.value) = (formula.into(), value);
+        self
+    }
+    /// The error of leaving it out, with its unit or what it is an error of.
+    pub fn costs(mut self, error: f64, unit: impl Into<String>) -> Self {
+        (self.0.error, self.0.unit) = (error, unit.into());
+        self
+    }
+    /// The scene includes it.
+    pub fn included(mut self) -> Self {
+        self.0.included = true;
+        self
+    }
+}
+
+impl Entry for EffectLine {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        self.0.check()?;
+        report.add_effect(self.0);
+        Ok(())
+    }
+}
+
+impl Entry for Table {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        report.add_table(self)
+    }
+}
+
+impl Entry for Price {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        report.add_price(self);
+        Ok(())
+    }
+}
+
+/// Several of a kind.
+impl<E: Entry> Entry for Vec<E> {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        self.into_iter().try_for_each(|entry| entry.enter(report))
+    }
+}

@@ -1,0 +1,143 @@
+//! An example: its name everywhere, what it can be told, what it computes and draws.
+
+use super::{Figure, MovingPicture, ParameterSet, Report, Trajectory};
+use crate::error::Result;
+
+/// What stands behind a page: the functions of an example and their parameters.
+///
+/// Nothing in them reads a clock or a file or starts a thread, so they run anywhere.
+///
+/// ```
+/// use rotation_dynamics::Result;
+/// use rotation_dynamics::report::{Example, Report, Trajectory, claim};
+///
+/// rotation_dynamics::parameters! {
+///     /// A thin rod.
+///     pub struct Parameters {
+///         /// length of the rod
+///         length: number(3.0, "m", above(0.0));
+///     }
+/// }
+/// fn report(p: &Parameters) -> Result<Report> {
+///     let mut report = Report::new("A rod", "a thin rod about its middle")?;
+///     let (l, i) = (p.length, p.length * p.length / 12.0);
+///     report.add(claim("inertia", "moment of inertia over mass", i, "m^2").within(1e-15)
+///         .against("end, moved to the middle", l * l / 3.0 - l * l / 4.0))?;
+///     Ok(report)
+/// }
+/// const EXAMPLE: Example<Parameters> = Example {
+///     stem: "rod",
+///     about: "A thin rod about its middle",
+///     report,
+///     figures: |_| Ok(Vec::new()),
+///     trajectory: |_| Trajectory::new(["t [s]"]),
+///     moving_picture: None,
+/// };
+/// # #[cfg(feature = "cli")] {
+/// let outcome = EXAMPLE.answer(["--length", "6", "--check", "inertia=3.0"]);
+/// assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "right: inertia = 3.00000000000000 m^2\n"));
+/// assert_eq!(EXAMPLE.answer(["--length", "-6"]).code, 2);
+/// # }
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub struct Example<P: 'static> {
+    /// The stem that names the page, the example and the snapshot.
+    pub stem: &'static str,
+    /// One line for `--help`.
+    pub about: &'static str,
+    /// The numbers.
+    pub report: fn(&P) -> Result<Report>,
+    /// The drawings.
+    pub figures: fn(&P) -> Result<Vec<Figure>>,
+    /// The motion, for `--csv`.
+    pub trajectory: fn(&P) -> Result<Trajectory>,
+    /// The drawing that moves, if something does.
+    pub moving_picture: Option<fn(&P) -> Result<MovingPicture>>,
+}
+
+impl<P: ParameterSet> Example<P> {
+    /// The numbers for these parameters, which are listed first.
+    ///
+    /// # Errors
+    /// [`crate::Error::Parameter`] if a parameter may not have its value; those of the example.
+    pub fn report(&self, parameters: &P) -> Result<Report> {
+        parameters.check()?;
+        let mut report = (self.report)(parameters)?;
+        report.set_parameters(parameters.table()?);
+        Ok(report)
+    }
+
+    /// The drawings, and the stills of the one that moves.
+    ///
+    /// # Errors
+    /// As [`Example::report`].
+    pub fn figures(&self, parameters: &P) -> Result<Vec<Figure>> {
+        parameters.check()?;
+        let mut figures = (self.figures)(parameters)?;
+        if let Some(picture) = self.moving_picture {
+            figures.extend(picture(parameters)?.stills()?);
+        }
+        Ok(figures)
+    }
+
+    /// The moving picture at `t`; prepares everything anew: to draw many, keep the picture.
+    ///
+    /// # Errors
+    /// As [`Example::report`], and [`crate::Error::OutsideRun`]; `None` if nothing moves.
+    pub fn frame(&self, parameters: &P, t: f64) -> Result<Option<Figure>> {
+        parameters.check()?;
+        let Some(picture) = self.moving_picture else {
+            return Ok(None);
+        };
+        picture(parameters)?.frame(t).map(Some)
+    }
+}
+
+/// An example whose parameters have their defaults: what the tests lock and the book shows.
+pub trait Page: Sync {
+    /// The stem.
+    fn stem(&self) -> &'static str;
+    /// The names of the flags.
+    fn flags(&self) -> Vec<String>;
+    /// The numbers.
+    ///
+    /// # Errors
+    /// Those of the example; none for a sound one.
+    fn report(&self) -> Result<Report>;
+    /// The drawings, with the stills.
+    ///
+    /// # Errors
+    /// As [`Page::report`].
+    fn figures(&self) -> Result<Vec<Figure>>;
+    /// The moving picture, if there is one.
+    ///
+    /// # Errors
+    /// As [`Page::report`].
+    fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+    /// What it prints for these arguments, parted by spaces.
+    #[cfg(feature = "cli")]
+    fn answer(&self, arguments: &str) -> super::cli::Outcome;
+}
+
+impl<P: ParameterSet> Page for Example<P> {
+    fn stem(&self) -> &'static str {
+        self.stem
+    }
+    fn flags(&self) -> Vec<String> {
+        P::FLAGS.iter().map(super::Flag::name).collect()
+    }
+    fn report(&self) -> Result<Report> {
+        Example::report(self, &P::default())
+    }
+    fn figures(&self) -> Result<Vec<Figure>> {
+        Example::figures(self, &P::default())
+    }
+    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
+        let picture = self.moving_picture;
+        picture.map(|picture| picture(&P::default())).transpose()
+    }
+    #[cfg(feature = "cli")]
+    fn answer(&self, arguments: &str) -> super::cli::Outcome {
+        Example::answer(self, arguments.split_whitespace())
+    }
+}

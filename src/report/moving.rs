@@ -1,0 +1,98 @@
+//! A drawing that moves.
+
+use super::Figure;
+use crate::error::{Error, Result, finite};
+use core::ops::RangeInclusive;
+
+/// A drawing at any time of a motion, in the language of the figures.
+///
+/// What all frames share (a closed form, a solved trajectory) is prepared once and kept
+/// in the function that draws, so that a frame costs milliseconds. Some frames are locked
+/// like every figure: the stills.
+///
+/// ```
+/// use rotation_dynamics::report::MovingPicture;
+/// use rotation_dynamics::report::draw::{Ink, Side, Sketch};
+/// let hand = |t: f64| {
+///     Sketch::new("clock", "the hand of a clock turns once an hour")
+///         .window((-1.0, 1.0), (-1.0, 1.0))
+///         .arrow((0.0, 0.0), (t.sin(), t.cos()), Ink::Body, "", Side::Right)
+///         .figure()
+/// };
+/// let picture = MovingPicture::new(0.0..=6.28, [0.0, 1.57, 3.14], hand)?;
+/// assert_eq!(picture.stills()?[2].name, "frame_3");
+/// assert!(picture.frame(7.0).is_err());
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub struct MovingPicture {
+    span: RangeInclusive<f64>,
+    stills: Vec<f64>,
+    draw: Box<dyn Fn(f64) -> Result<Figure> + Send + Sync>,
+}
+
+impl MovingPicture {
+    /// What `draw` draws at a time of `span`; `stills` are the times of the frames that
+    /// stand on paper.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a span that is not finite, [`Error::OutsideRun`] for a still outside it.
+    pub fn new(
+        span: RangeInclusive<f64>,
+        stills: impl Into<Vec<f64>>,
+        draw: impl Fn(f64) -> Result<Figure> + Send + Sync + 'static,
+    ) -> Result<Self> {
+        finite("start of a moving picture", *span.start())?;
+        finite("end of a moving picture", *span.end())?;
+        let picture = Self {
+            span,
+            stills: stills.into(),
+            draw: Box::new(draw),
+        };
+        for &t in &picture.stills {
+            picture.check(t)?;
+        }
+        Ok(picture)
+    }
+
+    fn check(&self, t: f64) -> Result<()> {
+        if self.span.contains(&t) {
+            return Ok(());
+        }
+        Err(Error::OutsideRun {
+            t,
+            start: *self.span.start(),
+            end: *self.span.end(),
+        })
+    }
+
+    /// From when to when it moves.
+    pub fn span(&self) -> RangeInclusive<f64> {
+        self.span.clone()
+    }
+
+    /// The drawing at `t`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideRun`] for a time outside the span; those of the drawing.
+    pub fn frame(&self, t: f64) -> Result<Figure> {
+        self.check(t)?;
+        (self.draw)(t)
+    }
+
+    /// The frames that stand on paper, named `frame_1`, `frame_2`, …
+    ///
+    /// # Errors
+    /// Those of the drawing.
+    pub fn stills(&self) -> Result<Vec<Figure>> {
+        (1..)
+            .zip(&self.stills)
+            .map(|(n, &t)| {
+                let name = format!("frame_{n}");
+                Ok(Figure {
+                    name,
+                    ..self.frame(t)?
+                })
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,242 @@
+//! Parameters, declared once: the struct, its defaults, the flags, `--help`, what is
+//! allowed, and what a page calls them.
+
+use super::number::exactly;
+use super::{Table, sections::PARAMETERS};
+use crate::error::{Error, Result};
+use crate::interval::Interval;
+
+/// Declares the parameters of an example: a struct with named public fields, its
+/// [`Default`], and its [`ParameterSet`].
+///
+/// Each field has its meaning as a doc comment and one of
+/// - `number(DEFAULT, UNIT, ALLOWED)`: an `f64`; `ALLOWED` is an [`Interval`] by one of the
+///   functions of [`crate::interval`];
+/// - `optional(UNIT, ALLOWED)`: an `Option<f64>`, `None` unless it is set;
+/// - `choice(DEFAULT, OTHERS…)`: one of these words, a `&'static str`.
+///
+/// ```
+/// use rotation_dynamics::report::ParameterSet;
+/// rotation_dynamics::parameters! {
+///     /// A rod that hangs from one end.
+///     pub struct Parameters {
+///         /// length of the rod
+///         length: number(3.0, "m", above(0.0).usually(0.5, 5.0));
+///         /// mass, if it matters
+///         mass: optional("kg", above(0.0));
+///         /// how it starts
+///         start: choice("rest", "turning");
+///     }
+/// }
+/// let p = Parameters { length: -3.0, ..Parameters::default() };
+/// assert_eq!(p.check().unwrap_err().to_string(), "length = -3 is not allowed: it must be greater than 0");
+/// assert_eq!((p.mass, p.start, Parameters::FLAGS[1].name()), (None, "rest", "mass"));
+/// ```
+#[macro_export]
+macro_rules! parameters {
+    (@type number) => { f64 };
+    (@type optional) => { Option<f64> };
+    (@type choice) => { &'static str };
+    (@default number $default:expr, $unit:literal, $allowed:expr) => { $default };
+    (@default optional $unit:literal, $allowed:expr) => { None };
+    (@default choice $default:literal $(, $other:literal)*) => { $default };
+    (@allowed $allowed:expr) => {{
+        #[allow(unused_imports, reason = "most intervals need one of these")]
+        use $crate::interval::{above, above_to, any, at_least, between, from_to};
+        $allowed
+    }};
+    (@flag number $name:expr, $meaning:expr, $field:ident; $default:expr, $unit:literal, $allowed:expr) => {
+        $crate::report::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
+            |p| Some(p.$field), |p, x| p.$field = x)
+    };
+    (@flag optional $name:expr, $meaning:expr, $field:ident; $unit:literal, $allowed:expr) => {
+        $crate::report::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
+            |p| p.$field, |p, x| p.$field = Some(x))
+    };
+    (@flag choice $name:expr, $meaning:expr, $field:ident; $($word:literal),+) => {
+        $crate::report::Flag::choice($name, $meaning, &[$($word),+], |p| p.$field, |p, w| p.$field = w)
+    };
+    (
+        $(#[$about:meta])*
+        $visibility:vis struct $set:ident {
+            $( $(#[doc = $meaning:literal])+ $field:ident : $kind:ident ( $($setting:tt)* ); )*
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, PartialEq)]
+        $visibility struct $set {
+            $( $(#[doc = $meaning])+ pub $field: $crate::parameters!(@type $kind), )*
+        }
+        impl Default for $set {
+            fn default() -> Self {
+                Self { $( $field: $crate::parameters!(@default $kind $($setting)*), )* }
+            }
+        }
+        impl $crate::report::ParameterSet for $set {
+            const FLAGS: &'static [$crate::report::Flag<Self>] = &[
+                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),+), $field; $($setting)*), )*
+            ];
+        }
+    };
+}
+
+/// The parameters of an example; made by [`parameters!`](crate::parameters).
+pub trait ParameterSet: Default + Clone + 'static {
+    /// Every parameter, in the order in which they are listed.
+    const FLAGS: &'static [Flag<Self>];
+
+    /// Confirms that each parameter that is set may have its value.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] with the first that may not.
+    fn check(&self) -> Result<()> {
+        Self::FLAGS.iter().try_for_each(|flag| flag.check(self))
+    }
+
+    /// The section `parameters` of a report: what is set, with units and meanings.
+    ///
+    /// # Errors
+    /// [`Error::Text`] if a unit or a meaning does not fit in a table.
+    fn table(&self) -> Result<Table> {
+        let mut table = Table::headed(PARAMETERS, ["flag", "value", "unit", "meaning"])?;
+        for flag in Self::FLAGS {
+            // What is not set has no place among the numbers of this run; --help lists it.
+            let Some(value) = flag.printed(self) else {
+                continue;
+            };
+            table.push([
+                format!("--{}", flag.name()),
+                value,
+                flag.unit.into(),
+                flag.meaning().into(),
+            ])?;
+        }
+        Ok(table)
+    }
+}
+
+/// A parameter: what it is called, means and may be, and how it is read and set.
+pub struct Flag<P: 'static> {
+    field: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    kind: Kind<P>,
+}
+
+enum Kind<P: 'static> {
+    Number {
+        allowed: Interval,
+        get: fn(&P) -> Option<f64>,
+        set: fn(&mut P, f64),
+    },
+    Choice {
+        among: &'static [&'static str],
+        get: fn(&P) -> &'static str,
+        set: fn(&mut P, &'static str),
+    },
+}
+
+impl<P> Flag<P> {
+    /// A number, in `unit` (`"-"` if it has none). `get` returns `None` for a parameter
+    /// that is not set.
+    pub const fn number(
+        field: &'static str,
+        unit: &'static str,
+        meaning: &'static str,
+        allowed: Interval,
+        get: fn(&P) -> Option<f64>,
+        set: fn(&mut P, f64),
+    ) -> Self {
+        Self {
+            field,
+            unit,
+            meaning,
+            kind: Kind::Number { allowed, get, set },
+        }
+    }
+
+    /// One of the words in `among`.
+    pub const fn choice(
+        field: &'static str,
+        meaning: &'static str,
+        among: &'static [&'static str],
+        get: fn(&P) -> &'static str,
+        set: fn(&mut P, &'static str),
+    ) -> Self {
+        Self {
+            field,
+            unit: "-",
+            meaning,
+            kind: Kind::Choice { among, get, set },
+        }
+    }
+
+    /// The name: that of the field, without the dashes of the command line.
+    pub fn name(&self) -> String {
+        self.field.replace('_', "-")
+    }
+
+    /// The unit, `"-"` if there is none.
+    pub fn unit(&self) -> &'static str {
+        self.unit
+    }
+
+    /// What it is, in a few words.
+    pub fn meaning(&self) -> &'static str {
+        self.meaning.trim()
+    }
+
+    /// What the number may be; `None` for a choice.
+    pub fn allowed(&self) -> Option<Interval> {
+        match self.kind {
+            Kind::Number { allowed, .. } => Some(allowed),
+            Kind::Choice { .. } => None,
+        }
+    }
+
+    /// The words to choose from; none for a number.
+    pub fn words(&self) -> &'static [&'static str] {
+        match self.kind {
+            Kind::Number { .. } => &[],
+            Kind::Choice { among, .. } => among,
+        }
+    }
+
+    /// The value as it is typed; `None` if it is not set.
+    pub fn printed(&self, parameters: &P) -> Option<String> {
+        match &self.kind {
+            Kind::Number { get, .. } => get(parameters).map(exactly),
+            Kind::Choice { get, .. } => Some(get(parameters).into()),
+        }
+    }
+
+    /// Sets the number; a choice stays as it is.
+    pub fn set_number(&self, parameters: &mut P, value: f64) {
+        if let Kind::Number { set, .. } = &self.kind {
+            set(parameters, value);
+        }
+    }
+
+    /// Sets the choice if `word` is among its words.
+    pub fn set_word(&self, parameters: &mut P, word: &str) {
+        if let Kind::Choice { among, set, .. } = &self.kind
+            && let Some(word) = among.iter().find(|w| **w == word)
+        {
+            set(parameters, word);
+        }
+    }
+
+    fn check(&self, parameters: &P) -> Result<()> {
+        let Kind::Number { allowed, get, .. } = &self.kind else {
+            return Ok(());
+        };
+        match get(parameters) {
+            Some(value) if !allowed.contains(value) => Err(Error::Parameter {
+                name: self.field,
+                value,
+                allowed: *allowed,
+            }),
+            _ => Ok(()),
+        }
+    }
+}

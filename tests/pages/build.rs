@@ -1,0 +1,49 @@
+//! Finds the examples and their tests in their directories: a new page is a new file.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+/// The stems of the Rust files in `directory`, sorted.
+fn stems(directory: &Path) -> Vec<String> {
+    println!("cargo::rerun-if-changed={}", directory.display());
+    let files = fs::read_dir(directory).expect("the directory can be read");
+    let paths = files.map(|file| file.expect("an entry").path());
+    let rust = paths.filter(|path| path.extension().is_some_and(|e| e == "rs"));
+    let mut stems: Vec<String> = rust
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect();
+    stems.sort();
+    stems
+}
+
+/// `mod STEM;` for each file of `directory`.
+fn modules(directory: &Path, stems: &[String], public: &str) -> String {
+    let module = |stem: &String| {
+        let file = directory.join(format!("{stem}.rs"));
+        format!("#[path = {file:?}]\n{public}mod {stem};\n")
+    };
+    stems.iter().map(module).collect()
+}
+
+fn main() {
+    let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("set by cargo"));
+    let examples = here.join("../../examples");
+    let pages = stems(&examples);
+    let list: String = pages
+        .iter()
+        .map(|stem| format!("&{stem}::EXAMPLE, "))
+        .collect();
+    let library = format!(
+        "{}\n/// Every example, in the order of the stems.\npub const ALL: &[&dyn Page] = &[{list}];\n",
+        modules(&examples, &pages, "pub ")
+    );
+    fs::write(out.join("examples.rs"), library).expect("the output can be written");
+
+    // A test file named for no example belongs to all pages.
+    let tests: Vec<String> = stems(&here)
+        .into_iter()
+        .filter(|stem| !["build", "lib", "tests"].contains(&stem.as_str()))
+        .collect();
+    fs::write(out.join("tests.rs"), modules(&here, &tests, "")).expect("the output can be written");
+}
