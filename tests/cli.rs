@@ -326,6 +326,77 @@ fn a_failure_leaves_the_old_file_and_nothing_else() {
     assert_eq!(scratch.names(), ["rod.csv"]);
 }
 
+#[cfg(unix)]
+#[test]
+fn links_and_pipes_are_written_through_and_devices_refused() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let scratch = Scratch::new("links");
+    let (file, link, dangling) = (
+        scratch.0.join("rod.csv"),
+        scratch.0.join("link.csv"),
+        scratch.0.join("dangling.csv"),
+    );
+    let csv = |path: &std::path::Path| EXAMPLE.answer(["--csv".as_ref(), path.as_os_str()]);
+    fs::write(&file, "old\n").expect("writable");
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).expect("ours");
+    symlink("rod.csv", &link).expect("a link");
+    let outcome = csv(&link);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert!(
+        outcome
+            .stderr
+            .contains("1 of these files were there before")
+    );
+    assert!(link.is_symlink(), "the link stays a link");
+    let text = fs::read_to_string(&file).expect("written through");
+    assert!(text.starts_with("t [s]"), "{text}");
+    let mode = fs::metadata(&file).expect("there").permissions().mode();
+    assert_eq!(mode & 0o777, 0o640, "permissions are kept");
+
+    symlink("new.csv", &dangling).expect("a link");
+    let outcome = csv(&dangling);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert!(!outcome.stderr.contains("before"), "{}", outcome.stderr);
+    assert!(scratch.0.join("new.csv").is_file() && dangling.is_symlink());
+
+    // A link to itself, a device, a file that is protected: nothing is written.
+    let circle = scratch.0.join("circle.csv");
+    symlink("circle.csv", &circle).expect("a link");
+    let mut refused = 0;
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o440)).expect("ours");
+    for (path, reason) in [
+        (circle.as_path(), "circle"),
+        ("/dev/null".as_ref(), "it is a device"),
+        ("/dev/full".as_ref(), "it is a device"),
+        (file.as_path(), "it is write-protected"),
+    ] {
+        let outcome = csv(path);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{path:?}");
+        let told = &outcome.stderr;
+        assert!(told.contains(reason) || !path.exists(), "{path:?}: {told}");
+        refused += 1;
+    }
+    assert_eq!(refused, 4);
+    assert_eq!(fs::read_to_string(&file).expect("there"), text);
+
+    // A pipe gets the whole, and stays a pipe.
+    let pipe = scratch.0.join("pipe");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.is_ok_and(|status| status.success()));
+    let reader = {
+        let pipe = pipe.clone();
+        std::thread::spawn(move || fs::read_to_string(pipe))
+    };
+    assert_eq!(csv(&pipe).code, 0);
+    let read = reader.join().expect("no panic").expect("readable");
+    assert_eq!(read, text);
+    let names = scratch.names();
+    assert!(
+        names.iter().all(|name| !name.ends_with(".tmp")),
+        "{names:?}"
+    );
+}
+
 /// Once for real, as a reader types it: the ladder, with its output going to a pipe
 /// that nobody reads, and to one that is read.
 #[test]

@@ -83,7 +83,8 @@ fn sound() -> Report {
         .add_claim(
             claim(1.25, 1.25, 1e-3)
                 .expect("sound")
-                .slip(2.0, "that is twice"),
+                .slip(2.0, "that is twice")
+                .answer("rates"),
         )
         .expect("sound");
     report.add_limit(Limit::new("slow", "nothing moves", 0.0, 1e-16, 1e-15).expect("sound"));
@@ -124,7 +125,7 @@ fn a_report_has_its_sections_in_order_and_reads_back() {
          accuracy\nmethod  requested  delivered  work         relative time\n\
          RK4     -          4e-9       400 torques  -\n\n\
          table masses\nm   t\n1  -2\n\n\
-         checks\nkey   within  meaning\nrate  1e-3    rate of turning\n\n\
+         checks\nkey   within  meaning          group\nrate  1e-3    rate of turning  rates\n\n\
          slips\nkey   value  hint\nrate  2.000  that is twice\n"
     );
     let parsed = parse(&text).expect("it follows its grammar");
@@ -196,4 +197,117 @@ fn answers_are_judged_by_the_stated_rules() {
     let zero = claim(0.0, 0.0, 1e-12).expect("sound");
     assert_eq!(zero.verdict(5e-4), Verdict::Right);
     assert_eq!(zero.verdict(0.1), Verdict::Wrong);
+}
+
+/// The one-line builders give the same report, and what they lack is refused.
+#[test]
+fn lines_of_a_report_are_builders() {
+    use rotation_dynamics::report::{claim, effect, limit};
+    let rate = || claim("rate", "rate of turning", 1.25, "rad/s");
+    let mut report = Report::new("A title", "What the scene is.").expect("sound");
+    let built = [
+        report.add(
+            rate()
+                .within(1e-3)
+                .against("oracle", 1.25)
+                .slip(2.0, "that is twice")
+                .answer("rates"),
+        ),
+        report.add(
+            limit("slow", 0.0, 1e-16)
+                .within(1e-15)
+                .because("nothing moves"),
+        ),
+        report.add(
+            effect("air drag")
+                .number("rho C A l / m", 0.0123)
+                .costs(4.56e-7, "rad"),
+        ),
+    ];
+    assert!(built.iter().all(Result::is_ok), "{built:?}");
+    let sections = report.sections().expect("sound");
+    let expected = sound().sections().expect("sound");
+    for heading in ["claims", "limits", "effects", "checks", "slips"] {
+        let find = |all: &[Table]| all.iter().find(|t| t.heading() == heading).cloned();
+        assert_eq!(find(&sections), find(&expected), "{heading}");
+        assert!(find(&sections).is_some(), "{heading}");
+    }
+    let mut refused = 0;
+    for outcome in [
+        report.add(rate().within(1e-3).against("oracle", 1.25)), // the key is taken
+        report.add(claim("new", "no bound", 1.0, "-").against("oracle", 1.0)),
+        report.add(claim("new", "no oracle", 1.0, "-").within(1.0)),
+        report.add(limit("slow", 0.0, 0.0).because("no bound")),
+        report.add(limit("slow", 0.0, 0.0).within(1e-15)), // no reason
+        report.add(effect("wind").number("no error", 1.0)),
+        report.add(effect("wind").costs(1.0, "-")), // no number
+    ] {
+        assert!(outcome.is_err());
+        refused += 1;
+    }
+    assert_eq!(refused, 7);
+}
+
+rotation_dynamics::parameters! {
+    /// One of each kind.
+    pub struct Kinds {
+        /// how far
+        far_off: number(2.0, "m", between(0.0, 3.0));
+        /// a share
+        part: optional("-", above_to(0.0, 1.0));
+        /// which one
+        which: choice("first", "second");
+    }
+}
+
+#[test]
+fn parameters_are_declared_once_and_checked() {
+    use rotation_dynamics::report::ParameterSet;
+    let default = Kinds::default();
+    assert_eq!(
+        (default.far_off, default.part, default.which),
+        (2.0, None, "first")
+    );
+    assert!(default.check().is_ok());
+    let names: Vec<String> = Kinds::FLAGS.iter().map(|flag| flag.name()).collect();
+    assert_eq!(names, ["far-off", "part", "which"]);
+    let rows = |p: &Kinds| p.table().expect("sound").rows().len();
+    assert_eq!(rows(&default), 2, "what is not set is not listed");
+    let mut refused = 0;
+    for (far_off, part, message) in [
+        (
+            0.0,
+            None,
+            "far_off = 0 is not allowed: it must lie between 0 and 3",
+        ),
+        (
+            3.0,
+            None,
+            "far_off = 3 is not allowed: it must lie between 0 and 3",
+        ),
+        (
+            2.0,
+            Some(1.5),
+            "part = 1.5 is not allowed: it must be greater than 0 and at most 1",
+        ),
+        (
+            f64::NAN,
+            Some(1.0),
+            "far_off = NaN is not allowed: it must lie between 0 and 3",
+        ),
+    ] {
+        let kinds = Kinds {
+            far_off,
+            part,
+            ..Kinds::default()
+        };
+        assert_eq!(kinds.check().expect_err("refused").to_string(), message);
+        refused += 1;
+    }
+    assert_eq!(refused, 4);
+    let sound = Kinds {
+        part: Some(1.0),
+        ..Kinds::default()
+    };
+    assert!(sound.check().is_ok() && rows(&sound) == 3);
 }

@@ -108,11 +108,8 @@ impl<P: ParameterSet> Example<P> {
     /// Runs the example with the arguments of the process.
     pub fn main(&self) -> ExitCode {
         let outcome = self.answer(std::env::args_os().skip(1));
-        // A reader that has gone away (`| head`) is no failure of ours.
-        let _ = std::io::stdout().write_all(outcome.stdout.as_bytes());
-        let _ = std::io::stdout().flush();
-        let _ = std::io::stderr().write_all(outcome.stderr.as_bytes());
-        ExitCode::from(outcome.code)
+        let code = delivered(&outcome, &mut std::io::stdout(), &mut std::io::stderr());
+        ExitCode::from(code)
     }
 
     /// What the example prints for these arguments (without the program's name).
@@ -241,14 +238,33 @@ impl<P: ParameterSet> Example<P> {
             }
         }
         let files: Vec<(PathBuf, &str)> = files.iter().map(|(p, c)| (p.clone(), &**c)).collect();
-        write_whole(&files)?;
+        let replaced = write_whole(&files)?;
         made.keep();
+        if replaced > 0 {
+            told += &format!("{replaced} of these files were there before and are replaced\n");
+        }
         Ok(told)
     }
 
     /// `DIR/STEM__NAME.svg`, as in the locked figures.
     fn figure_path(&self, directory: &Path, name: &str) -> PathBuf {
         directory.join(format!("{}__{name}.svg", self.stem))
+    }
+}
+
+/// Writes what there is to say; the exit code. A reader that has gone away (`| head`) is
+/// no failure of ours, a full disk is.
+fn delivered(outcome: &Outcome, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
+    let written = out.write_all(outcome.stdout.as_bytes());
+    let written = written.and_then(|()| out.flush());
+    // Nothing can be told where the errors cannot be written.
+    let _ = err.write_all(outcome.stderr.as_bytes());
+    match written {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            let _ = writeln!(err, "error: the output cannot be written: {e}");
+            2
+        }
+        _ => outcome.code,
     }
 }
 
@@ -277,4 +293,40 @@ fn judged(report: &Report, key: &str, answer: f64) -> Result<(String, bool)> {
         Verdict::Slip(hint) => (format!("not yet: your {key} is not right: {hint}\n"), false),
         Verdict::Wrong => (format!("not yet: your {key} is not right\n"), false),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Error, ErrorKind};
+
+    struct Failing(ErrorKind);
+
+    impl Write for Failing {
+        fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+            Err(Error::from(self.0))
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error_and_a_reader_gone_is_none() {
+        let outcome = Outcome {
+            stdout: "a report".into(),
+            stderr: "a word\n".into(),
+            code: 0,
+        };
+        let told = |kind| {
+            let mut err = Vec::new();
+            let code = delivered(&outcome, &mut Failing(kind), &mut err);
+            (code, String::from_utf8(err).unwrap_or_default())
+        };
+        assert_eq!(told(ErrorKind::BrokenPipe), (0, "a word\n".into()));
+        let (code, err) = told(ErrorKind::StorageFull);
+        assert_eq!(code, 2);
+        assert!(err.contains("the output cannot be written"), "{err}");
+        assert_eq!(delivered(&outcome, &mut Vec::new(), &mut Vec::new()), 0);
+    }
 }

@@ -1,7 +1,7 @@
 //! Files that are written whole or not at all.
 
 use crate::error::{Error, Result};
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, FileType, Metadata, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -36,67 +36,143 @@ impl Drop for Directories {
     }
 }
 
-/// Writes all `files` or none: each goes to a temporary file beside its place
-/// first, and only when all are complete are they renamed.
-pub(super) fn write_whole(files: &[(PathBuf, &str)]) -> Result<()> {
-    let mut staged: Vec<(PathBuf, &Path)> = Vec::new();
-    let mut outcome = Ok(());
-    for (path, content) in files {
-        match stage(path, content) {
-            Ok(temporary) => staged.push((temporary, path)),
-            Err(error) => {
-                outcome = Err(error);
-                break;
-            }
-        }
-    }
-    if outcome.is_ok() {
-        for (temporary, path) in &staged {
-            if let Err(e) = fs::rename(temporary, path) {
-                outcome = Err(failure(path, &e));
-                break;
-            }
-        }
-    }
-    if outcome.is_err() {
-        for (temporary, _) in &staged {
-            // Already renamed or already gone: nothing is left to clean.
-            let _ = fs::remove_file(temporary);
-        }
-    }
-    outcome
+/// Where the content of a file goes.
+enum Place {
+    /// A file: the new one takes its name when it is whole.
+    File {
+        path: PathBuf,
+        replaced: Option<Metadata>,
+    },
+    /// A pipe: what is written cannot be taken back.
+    Pipe(PathBuf),
 }
 
-fn stage(path: &Path, content: &str) -> Result<PathBuf> {
-    let name = path.file_name().ok_or_else(|| Error::File {
-        path: path.display().to_string(),
-        reason: "it does not name a file".into(),
-    })?;
-    if path.is_dir() {
-        return Err(Error::File {
-            path: path.display().to_string(),
-            reason: "it is a directory".into(),
-        });
+impl Place {
+    /// What `path` leads to, through links.
+    fn at(path: &Path) -> Result<Self> {
+        Self::through(path, 40)
     }
+
+    /// The same through at most so many links to what is not there.
+    fn through(path: &Path, links: u32) -> Result<Self> {
+        let refused = |reason: &str| {
+            Err(Error::File {
+                path: path.display().to_string(),
+                reason: reason.into(),
+            })
+        };
+        let Ok(found) = fs::metadata(path) else {
+            // A link to nothing yet is written through; it may lead to another.
+            return match fs::read_link(path) {
+                Ok(_) if links == 0 => refused("its links lead round in a circle"),
+                Ok(to) => Self::through(&path.with_file_name(to), links - 1),
+                Err(_) if path.file_name().is_none() => refused("it does not name a file"),
+                Err(_) => Ok(Self::File {
+                    path: path.into(),
+                    replaced: None,
+                }),
+            };
+        };
+        if found.is_dir() {
+            return refused("it is a directory");
+        }
+        if is_pipe(found.file_type()) {
+            return Ok(Self::Pipe(path.into()));
+        }
+        if !found.is_file() {
+            return refused("it is a device; give a file or a pipe");
+        }
+        if found.permissions().readonly() {
+            return refused("it is write-protected");
+        }
+        if is_standard_output(&found) {
+            return refused("the report goes there; give another file");
+        }
+        Ok(Self::File {
+            path: fs::canonicalize(path).map_err(|e| failure(path, &e))?,
+            replaced: Some(found),
+        })
+    }
+}
+
+#[cfg(unix)]
+fn is_pipe(kind: FileType) -> bool {
+    std::os::unix::fs::FileTypeExt::is_fifo(&kind)
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: FileType) -> bool {
+    false
+}
+
+/// True if it is the file that standard output has been redirected to.
+#[cfg(unix)]
+fn is_standard_output(found: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let same = |out: Metadata| (out.dev(), out.ino()) == (found.dev(), found.ino());
+    fs::metadata("/dev/stdout").is_ok_and(same)
+}
+
+#[cfg(not(unix))]
+fn is_standard_output(_: &Metadata) -> bool {
+    false
+}
+
+/// Writes all `files` or none, through links: each goes to a temporary file beside its
+/// place first, and only when all are complete do they take their names. What goes to a
+/// pipe goes last. Returns how many files were there before.
+pub(super) fn write_whole(files: &[(PathBuf, &str)]) -> Result<usize> {
+    let mut staged = Vec::new();
+    let mut outcome = files.iter().try_for_each(|(path, content)| {
+        match Place::at(path)? {
+            Place::File { path, replaced } => {
+                staged.push((stage(&path, content, &replaced)?, path, replaced))
+            }
+            Place::Pipe(_) => {}
+        }
+        Ok(())
+    });
+    for (temporary, path, _) in &staged {
+        if outcome.is_ok() {
+            outcome = fs::rename(temporary, path).map_err(|e| failure(path, &e));
+        }
+    }
+    for (temporary, ..) in &staged {
+        // Renamed and gone, unless something failed.
+        let _ = fs::remove_file(temporary);
+    }
+    outcome?;
+    for (path, content) in files {
+        if let Place::Pipe(path) = Place::at(path)? {
+            let pipe = OpenOptions::new().write(true).open(&path);
+            pipe.and_then(|mut pipe| pipe.write_all(content.as_bytes()))
+                .map_err(|e| failure(&path, &e))?;
+        }
+    }
+    Ok(staged.iter().filter(|(.., was)| was.is_some()).count())
+}
+
+/// A temporary file beside `path` with this content, on the disk.
+fn stage(path: &Path, content: &str, replaced: &Option<Metadata>) -> Result<PathBuf> {
     let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
+    hidden.push(path.file_name().unwrap_or_default());
     hidden.push(format!(".{}.tmp", std::process::id()));
     let temporary = path.with_file_name(hidden);
-    let written = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(&temporary)
-        .map_err(|e| failure(path, &e))
-        .and_then(|file: File| {
-            (&file)
-                .write_all(content.as_bytes())
-                .and_then(|()| file.sync_all())
-                .map_err(|e| {
-                    let _ = fs::remove_file(&temporary);
-                    failure(path, &e)
-                })
-        });
-    written.map(|()| temporary)
+    let write = |mut file: File| {
+        file.write_all(content.as_bytes())?;
+        if let Some(was) = replaced {
+            file.set_permissions(was.permissions())?;
+        }
+        file.sync_all()
+    };
+    let mut new = OpenOptions::new();
+    let file = new.write(true).create_new(true).open(&temporary);
+    let file = file.map_err(|e| failure(path, &e))?;
+    write(file).map_err(|e| {
+        let _ = fs::remove_file(&temporary);
+        failure(path, &e)
+    })?;
+    Ok(temporary)
 }
 
 pub(super) fn failure(path: &Path, error: &std::io::Error) -> Error {
