@@ -78,6 +78,28 @@ pub enum Error {
     },
     /// A scene changes its phase again and again without getting on.
     TooManyPhases { t: f64, limit: usize },
+    /// A contact whose gap is negative or closing at the start.
+    CannotHold {
+        contact: &'static str,
+        t: f64,
+        gap: f64,
+        speed: f64,
+    },
+    /// Dry friction and one-sided contacts allow no motion from here (Painlevé).
+    NoContactForces {
+        t: f64,
+        state: Vec<f64>,
+        tried: usize,
+    },
+    /// Dry friction and one-sided contacts allow more than one motion from here (Painlevé).
+    SeveralMotions {
+        t: f64,
+        state: Vec<f64>,
+        first: String,
+        second: String,
+    },
+    /// An impact with restitution and friction that would end with more energy.
+    ImpactGainsEnergy { t: f64, before: f64, after: f64 },
     /// A change of phase was waited for and did not come.
     NotReached { name: &'static str, until: f64 },
     /// A start so fast that a body would leave the floor at once.
@@ -224,6 +246,39 @@ impl fmt::Display for Error {
             Self::TooManyPhases { t, limit } => write!(
                 f,
                 "after {limit} changes of phase the scene has only come to t = {t}"
+            ),
+            Self::CannotHold {
+                contact,
+                t,
+                gap,
+                speed,
+            } => write!(
+                f,
+                "\"{contact}\" cannot hold at t = {t}: its gap is {} and opens at {} a second; \
+                 neither may be negative (a joint needs both to be 0, a force that presses \
+                 must not be negative)",
+                plain(*gap),
+                plain(*speed)
+            ),
+            Self::NoContactForces { t, state, tried } => write!(
+                f,
+                "at t = {t}, coordinates and velocities {state:?}, no contact forces obey the laws \
+                 of dry friction (Painlev\u{e9}): {tried} sets of modes were tried; less friction helps"
+            ),
+            Self::SeveralMotions {
+                t,
+                state,
+                first,
+                second,
+            } => write!(
+                f,
+                "at t = {t}, coordinates and velocities {state:?}, dry friction allows two motions \
+                 (Painlev\u{e9}): {first}; or {second}"
+            ),
+            Self::ImpactGainsEnergy { t, before, after } => write!(
+                f,
+                "the impact at t = {t} would raise the kinetic energy from {before} to {after}: \
+                 Newton's restitution contradicts this friction; take a smaller one of the two"
             ),
             Self::NotReached { name, until } => {
                 write!(f, "\"{name}\" does not happen until t = {until}")

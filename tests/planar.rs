@@ -1,9 +1,24 @@
 //! Scenes in phases: impacts, stops, contacts that let go, and what is refused.
 
+#[path = "planar/block.rs"]
+mod block;
+#[path = "planar/ladder.rs"]
+mod ladder;
+#[path = "planar/rolling.rs"]
+mod rolling;
+
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::EPS;
 use rotation_dynamics::planar::{Bilateral, Condition, Next, Phased, simulate, simulate_within};
+
+/// Acceleration of gravity, m/s^2.
+const G: f64 = 9.80665;
+
+/// The relative difference of two numbers; NaN if one is.
+fn relative(got: f64, want: f64) -> f64 {
+    ((got - want) / want).abs()
+}
 
 /// A ball above a floor that returns `restitution` of its speed; g = 10 m/s^2.
 struct Ball {

@@ -86,27 +86,32 @@ fn distance<const N: usize, S: Phased<N>>(
     b: &Run<S::Phase, N>,
 ) -> f64 {
     let (events_a, events_b) = (a.transitions(), b.transitions());
+    // Of conditions that fail together either may be met first: what counts is what follows.
     let same = events_a.len() == events_b.len()
-        && events_a
-            .iter()
-            .zip(events_b)
-            .all(|(x, y)| x.name == y.name && x.to == y.to);
+        && events_a.iter().zip(events_b).all(|(x, y)| {
+            let changes = x.to.is_some_and(|to| to != x.from);
+            x.to == y.to && (changes || x.name == y.name)
+        });
     if !same {
         return f64::INFINITY;
     }
     let span = b.end_time();
     let apart = |x: &[f64; N], y: &[f64; N]| {
         let size = scene.scale(y);
-        (0..N).fold(0.0_f64, |most, i| most.max((x[i] - y[i]).abs() / size[i]))
+        (0..N).fold(0.0, |most, i| larger(most, (x[i] - y[i]).abs() / size[i]))
     };
     let mut most = (a.end_time() - span).abs() / span;
     for (x, y) in events_a.iter().zip(events_b) {
-        most = most
-            .max((x.t - y.t).abs() / span)
-            .max(apart(&x.before, &y.before));
+        most = larger(most, (x.t - y.t).abs() / span);
+        most = larger(most, apart(&x.before, &y.before));
     }
     match (a.end_state(), b.end_state()) {
-        (Some(x), Some(y)) => most.max(apart(x, y)),
+        (Some(x), Some(y)) => larger(most, apart(x, y)),
         _ => most,
     }
+}
+
+/// The larger of two numbers; not a number if one of them is not (`f64::max` drops it).
+pub(super) const fn larger(a: f64, b: f64) -> f64 {
+    if a >= b || a.is_nan() { a } else { b }
 }

@@ -16,12 +16,17 @@
 //! | [`simulate_within`] | the same with a bound on the error at the end |
 //! | [`Bilateral`] | the same scene with contacts that may pull: the usual mistake |
 //!
-//! Not for: rotation in three dimensions ([`crate::scene`]), and many contacts at
-//! once, where which of them act is itself a problem to be solved.
+//! Where several contacts act at once and rub, which of them do what is itself a problem to
+//! be solved: [`contact`].
+//!
+//! Not for: rotation in three dimensions ([`crate::scene`]).
 
 mod bilateral;
+pub mod contact;
 mod dial;
 mod run;
+
+use crate::error::Result;
 
 pub use bilateral::Bilateral;
 pub use dial::{Delivered, simulate_within};
@@ -91,6 +96,8 @@ pub struct Condition<'s, P, const N: usize> {
     kind: Kind,
     margin: Margin<'s, N>,
     next: Next<'s, P, N>,
+    /// The size of the margin, where the scene itself decides whether it holds at entry.
+    size: Option<Margin<'s, N>>,
 }
 
 /// A function of the state.
@@ -149,6 +156,16 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
             kind,
             margin: Box::new(margin),
             next,
+            size: None,
+        }
+    }
+
+    /// The scene has decided that the condition holds at entry: there its sign is round-off,
+    /// which is what is small beside `size`.
+    fn decided(self, size: impl Fn(&[f64; N]) -> f64 + 's) -> Self {
+        Self {
+            size: Some(Box::new(size)),
+            ..self
         }
     }
 
@@ -164,9 +181,15 @@ pub enum Next<'s, P, const N: usize> {
     Enter(P),
     /// This phase, with the state that an impact leaves.
     Jump(P, Impact<'s, N>),
+    /// What the scene decides on from time and state: phase and state after.
+    Decide(Decision<'s, P, N>),
     /// Nothing: the scene ends.
     End,
 }
+
+/// Phase and state that follow, from the time and the state before.
+pub type Decision<'s, P, const N: usize> =
+    Box<dyn Fn(f64, &[f64; N]) -> Result<(P, [f64; N])> + 's>;
 
 /// The state after an impact as a function of the state before.
 pub type Impact<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> [f64; N] + 's>;
@@ -175,5 +198,10 @@ impl<'s, P, const N: usize> Next<'s, P, N> {
     /// The phase `phase` after an impact that changes the state by `impact`.
     pub fn jump(phase: P, impact: impl Fn(&[f64; N]) -> [f64; N] + 's) -> Self {
         Self::Jump(phase, Box::new(impact))
+    }
+
+    /// The phase and the state that `decision` finds.
+    pub fn decide(decision: impl Fn(f64, &[f64; N]) -> Result<(P, [f64; N])> + 's) -> Self {
+        Self::Decide(Box::new(decision))
     }
 }

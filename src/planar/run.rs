@@ -103,6 +103,10 @@ pub fn simulate<const N: usize, S: Phased<N>>(
         let (to, after) = match &conditions[index].next {
             Next::Enter(to) => (Some(*to), before),
             Next::Jump(to, impact) => (Some(*to), impact(&before)),
+            Next::Decide(decide) => {
+                let (to, after) = decide(when, &before)?;
+                (Some(to), after)
+            }
             Next::End => (None, before),
         };
         run.transitions.push(Transition {
@@ -164,8 +168,10 @@ fn failed_unseen<P, const N: usize>(
     for (_, condition) in (0..).zip(conditions).filter(|(i, _)| Some(*i) != stopped) {
         let (mut lowest, mut highest, mut first) = (0.0_f64, 0.0_f64, None);
         for t in solution.step_times() {
-            let margin = (condition.margin)(&solution.at(t)?);
-            highest = highest.max(margin);
+            let state = solution.at(t)?;
+            let margin = (condition.margin)(&state);
+            let size = condition.size.as_ref().map_or(0.0, |size| size(&state));
+            highest = highest.max(margin).max(size);
             lowest = lowest.min(margin);
             if margin < 0.0 {
                 first = first.or(Some(t));
@@ -185,7 +191,8 @@ fn check_entry<P, const N: usize>(
     t: f64,
     state: &[f64; N],
 ) -> Result<()> {
-    for condition in conditions.iter().filter(|c| c.kind != Kind::Opening) {
+    let must_hold = |c: &&Condition<'_, P, N>| c.kind != Kind::Opening && c.size.is_none();
+    for condition in conditions.iter().filter(must_hold) {
         let value = (condition.margin)(state);
         // Not `value < 0`: what is not a number does not hold either.
         if !matches!(value, v if v >= 0.0) {

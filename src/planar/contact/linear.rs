@@ -1,0 +1,117 @@
+//! Linear equations, also where they do not determine everything.
+
+/// The most unknowns.
+pub(super) const SIZE: usize = 16;
+/// A pivot below this, after scaling, is round-off: 2^-46.
+const NO_PIVOT: f64 = 1.5e-14;
+/// A remainder below this part of what was subtracted is round-off.
+const REMAINDER: f64 = 1e-10;
+
+/// `n` equations for `n` unknowns.
+pub(super) struct Equations {
+    pub rows: [[f64; SIZE]; SIZE],
+    pub right: [f64; SIZE],
+    n: usize,
+}
+
+/// A solution, and the direction in which there are others if there is one.
+pub(super) struct Root {
+    pub x: [f64; SIZE],
+    pub freedom: Option<[f64; SIZE]>,
+}
+
+impl Equations {
+    pub const fn new(n: usize) -> Self {
+        Self {
+            rows: [[0.0; SIZE]; SIZE],
+            right: [0.0; SIZE],
+            n,
+        }
+    }
+
+    /// The solution by Gauss-Jordan elimination with complete pivoting after scaling;
+    /// unknowns that are not determined are 0. `None` if the equations contradict each other.
+    pub fn solve(mut self) -> Option<Root> {
+        let n = self.n;
+        let scale = self.scale();
+        let mut columns: [usize; SIZE] = core::array::from_fn(|j| j);
+        // What each right side is made of: the measure of its round-off.
+        let mut made_of = self.right.map(f64::abs);
+        let mut rank = 0;
+        while rank < n {
+            let (row, place, pivot) = self.largest(rank, &columns);
+            if pivot <= NO_PIVOT {
+                break;
+            }
+            self.rows.swap(rank, row);
+            self.right.swap(rank, row);
+            made_of.swap(rank, row);
+            columns.swap(rank, place);
+            let (pivot_row, right, made) = (self.rows[rank], self.right[rank], made_of[rank]);
+            let column = columns[rank];
+            for i in (0..n).filter(|&i| i != rank) {
+                let factor = self.rows[i][column] / pivot_row[column];
+                if factor != 0.0 {
+                    for (a, b) in self.rows[i][..n].iter_mut().zip(&pivot_row) {
+                        *a -= factor * b;
+                    }
+                    self.rows[i][column] = 0.0;
+                    self.right[i] -= factor * right;
+                    made_of[i] += factor.abs() * made;
+                }
+            }
+            rank += 1;
+        }
+        // Written so that NaN is a contradiction.
+        if !(rank..n).all(|i| self.right[i].abs() <= REMAINDER * made_of[i]) {
+            return None;
+        }
+        let (mut x, mut freedom) = ([0.0; SIZE], [0.0; SIZE]);
+        for k in 0..rank {
+            let column = columns[k];
+            let pivot = self.rows[k][column];
+            x[column] = scale[column] * (self.right[k] / pivot);
+            if rank + 1 == n {
+                freedom[column] = -scale[column] * (self.rows[k][columns[rank]] / pivot);
+            }
+        }
+        if rank + 1 == n {
+            freedom[columns[rank]] = scale[columns[rank]];
+        }
+        Some(Root {
+            x,
+            freedom: (rank + 1 == n).then_some(freedom),
+        })
+    }
+
+    /// Brings the largest coefficient of each row, then of each column, near 1; returns the
+    /// scales of the unknowns.
+    fn scale(&mut self) -> [f64; SIZE] {
+        let n = self.n;
+        let part = |largest: f64| if largest > 0.0 { 1.0 / largest } else { 1.0 };
+        for (row, right) in self.rows[..n].iter_mut().zip(&mut self.right) {
+            let factor = part(row.iter().fold(0.0, |m: f64, a| m.max(a.abs())));
+            row.iter_mut().for_each(|a| *a *= factor);
+            *right *= factor;
+        }
+        core::array::from_fn(|j| {
+            let factor = part(self.rows.iter().fold(0.0, |m: f64, r| m.max(r[j].abs())));
+            self.rows.iter_mut().for_each(|r| r[j] *= factor);
+            factor
+        })
+    }
+
+    /// Row, place among the columns, and size of the largest coefficient left.
+    fn largest(&self, from: usize, columns: &[usize; SIZE]) -> (usize, usize, f64) {
+        let mut found = (from, from, 0.0);
+        for i in from..self.n {
+            for (place, &j) in columns[..self.n].iter().enumerate().skip(from) {
+                let size = self.rows[i][j].abs();
+                if size > found.2 {
+                    found = (i, place, size);
+                }
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,101 @@
+//! Several contacts with dry friction: which of them push, stick, slip or let go.
+//!
+//! A [`Mechanism`] says its mass matrix, its forces and its [`Contact`]s: the gap of each,
+//! its friction, its restitution. What each contact does at a time is its [`Mode`]. The
+//! solver finds the modes by trying all of them: the motion that a set of modes gives must
+//! agree with what they claim (normal forces push, friction holds within its cone or
+//! opposes the slip, open gaps do not close). Where a mode stops agreeing is an event,
+//! located by real steps like every event of [`planar`](super).
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Mechanism`], [`State`] | masses, forces, contacts; coordinates and velocities |
+//! | [`Contact`], [`Friction`], [`Surface`] | one contact at one instant |
+//! | [`Mode`], [`Sense`] | open, smooth, stick, slip |
+//! | [`motion`], [`motion_within`], [`Motion`] | the motion, its events, the forces at any time |
+//! | [`Modal`], [`entry`] | the same as a [`Phased`](super::Phased) scene, with the phase it starts in |
+//!
+//! Laws: a normal force N >= 0 where the gap is shut, none where it is open (Signorini);
+//! |T| <= mu N, with T against the slip where there is one (Coulomb); at an impact the same
+//! laws between impulses, and normal velocities reversed times the restitution (Newton).
+//! A solution need not exist and need not be the only one (Painlevé): either is an error that
+//! carries the state.
+//!
+//! Not for: many contacts ([`MOST_CONTACTS`]), and bodies that deform. Where forces are not determined
+//! (a box on three feet) the motion still is, and one of the possible sets of forces is given.
+//!
+//! Source: F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 5 and 8.
+
+mod declare;
+mod linear;
+mod modal;
+mod motion;
+mod resolve;
+mod response;
+
+pub use declare::{Contact, Friction, Mode, Row, Sense, State, Surface};
+pub use modal::{Modal, entry};
+pub use motion::{Event, Motion, kept_within, motion, motion_within};
+pub use response::Force;
+
+/// The most contacts that one mechanism may have: all sets of their modes are tried.
+pub const MOST_CONTACTS: usize = 4;
+
+/// The mode of each contact.
+pub type Modes<const C: usize> = [Mode; C];
+
+/// Bodies with `N` coordinates and `C` contacts; a state has `S = 2 N` numbers.
+///
+/// ```
+/// use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+///
+/// /// A ball of radius 0.1 m that is set down spinning: m = 1, I = (2/5) m R^2, mu = 0.2.
+/// struct Ball;
+/// impl Mechanism<3, 6, 1> for Ball {
+///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
+///     }
+///     fn force(&self, _: &State<3>) -> [f64; 3] {
+///         [0.0, -9.81, 0.0]
+///     }
+///     fn contacts(&self, ball: &State<3>) -> [Contact<3>; 1] {
+///         [Contact::rim("floor", ball, 0.1, Surface::FLOOR).friction(0.2)]
+///     }
+/// }
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let start = State { q: [0.0, 0.1, 0.0], v: [0.0, 0.0, -70.0] };
+/// let motion = motion_within(&Ball, 1e-12, start, 2.0)?;
+/// // It slips until (2/7) R Omega / (mu g), then rolls at (2/7) R Omega.
+/// let rolls = motion.event("floor sticks")?;
+/// assert!((rolls.t - 2.0 / (0.2 * 9.81)).abs() < 1e-12);
+/// assert!((motion.at(2.0)?.v[0] - 2.0).abs() < 1e-12);
+/// # Ok(())
+/// # }
+/// ```
+pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
+    /// The mass matrix M(q), symmetric and positive definite.
+    fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
+
+    /// The generalized forces f in M(q) q'' = f + contacts, with the velocity terms of the
+    /// left side brought over.
+    fn force(&self, state: &State<N>) -> [f64; N];
+
+    /// The contacts in this state, always in the same order.
+    fn contacts(&self, state: &State<N>) -> [Contact<N>; C];
+
+    /// What ends the scene: a name, and a margin that is positive until then.
+    fn end(&self, _state: &State<N>) -> Option<(&'static str, f64)> {
+        None
+    }
+
+    /// The size against which errors count, as [`super::Phased::scale`]: coordinates first.
+    ///
+    /// A gap or a slip smaller than 1e-12 of what this makes of it is none.
+    fn scale(&self, state: &State<N>) -> State<N> {
+        let size = |c: f64| c.abs().max(1.0);
+        State {
+            q: state.q.map(size),
+            v: state.v.map(size),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! A mechanism as a scene in phases: the phase is the mode of each contact.
+
+use super::declare::{Contact, Mode, Press, Sense, State};
+use super::resolve::{Trigger, enter};
+use super::response::{Problem, Response, total};
+use super::{Force, Mechanism, Modes};
+use crate::error::Result;
+use crate::planar::{Condition, Next, Phased};
+use core::fmt;
+
+/// Round-off of a normal force, in parts of all contact forces: 4 eps.
+const FORCE_NOISE: f64 = 4.5e-16;
+
+/// A [`Mechanism`] as a [`Phased`] scene.
+pub struct Modal<'m, M, const N: usize, const S: usize, const C: usize>(pub &'m M);
+
+impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Modal<'_, M, N, S, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Modal<{N}, {S}, {C}>")
+    }
+}
+
+impl<M, const N: usize, const S: usize, const C: usize> Clone for Modal<'_, M, N, S, C> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<M, const N: usize, const S: usize, const C: usize> Copy for Modal<'_, M, N, S, C> {}
+
+/// The modes in which `mechanism` starts from `state`, and the numbers of the state.
+///
+/// # Errors
+/// [`crate::Error::CannotHold`] for a contact whose gap is negative or closing at the start,
+/// [`crate::Error::NoContactForces`], [`crate::Error::SeveralMotions`], [`crate::Error::OutOfRange`] and
+/// [`crate::Error::NotFinite`] for coefficients.
+pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: &M,
+    state: State<N>,
+) -> Result<(Modes<C>, [f64; S])> {
+    enter(&Modal(mechanism), 0.0, None, &join(&state))
+}
+
+/// Coordinates, then velocities.
+pub(super) fn join<const N: usize, const S: usize>(state: &State<N>) -> [f64; S] {
+    const { assert!(S == 2 * N, "a state has two numbers for each coordinate") };
+    core::array::from_fn(|k| if k < N { state.q[k] } else { state.v[k - N] })
+}
+
+pub(super) fn split<const N: usize, const S: usize>(state: &[f64; S]) -> State<N> {
+    State {
+        q: core::array::from_fn(|j| state[j]),
+        v: core::array::from_fn(|j| state[N + j]),
+    }
+}
+
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Modal<'_, M, N, S, C> {
+    /// Accelerations and forces in these modes; `None` if they contradict each other.
+    pub(super) fn respond(&self, modes: &Modes<C>, state: &State<N>) -> Option<Response<N, C>> {
+        let contacts = self.0.contacts(state);
+        self.newton(state, &self.0.mass(&state.q), &contacts)
+            .respond(modes)
+    }
+
+    /// Newton's laws with the contacts.
+    pub(super) fn newton<'a>(
+        &self,
+        state: &State<N>,
+        mass: &'a [[f64; N]; N],
+        contacts: &'a [Contact<N>; C],
+    ) -> Problem<'a, N, C> {
+        Problem {
+            mass,
+            load: self.0.force(state),
+            contacts,
+            aim: contacts.map(|c| [-c.normal.bias, -c.tangent.bias]),
+            impact: false,
+        }
+    }
+
+    /// The forces of the contacts; NaN where the modes have none.
+    pub(super) fn forces(&self, modes: &Modes<C>, state: &[f64; S]) -> [Force; C] {
+        let none = Force {
+            normal: f64::NAN,
+            tangential: f64::NAN,
+        };
+        self.respond(modes, &split(state))
+            .map_or([none; C], |response| response.force)
+    }
+
+    fn contact(&self, i: usize, state: &[f64; S]) -> Contact<N> {
+        self.0.contacts(&split(state))[i]
+    }
+
+    /// What the gap of contact `i` is measured by.
+    pub(super) fn gap_size(&self, i: usize, state: &State<N>) -> f64 {
+        let row = self.0.contacts(state)[i].normal;
+        row.size(&self.0.scale(state).q)
+    }
+
+    /// What its normal speed is measured by.
+    pub(super) fn normal_size(&self, i: usize, state: &State<N>) -> f64 {
+        let row = self.0.contacts(state)[i].normal;
+        row.size(&self.0.scale(state).v) + row.surface.abs()
+    }
+
+    /// What its slip speed is measured by.
+    pub(super) fn slip_size(&self, i: usize, state: &State<N>) -> f64 {
+        let row = self.0.contacts(state)[i].tangent;
+        row.size(&self.0.scale(state).v) + row.surface.abs()
+    }
+}
+
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phased<S>
+    for Modal<'_, M, N, S, C>
+{
+    type Phase = Modes<C>;
+
+    fn derivative(&self, modes: Modes<C>, state: &[f64; S]) -> [f64; S] {
+        let state = split(state);
+        let rate = self
+            .respond(&modes, &state)
+            .map_or([f64::NAN; N], |response| response.rate);
+        join(&State {
+            q: state.v,
+            v: rate,
+        })
+    }
+
+    fn conditions(&self, modes: Modes<C>) -> Vec<Condition<'_, Modes<C>, S>> {
+        let nowhere = State::rest([0.0; N]);
+        let mut conditions = Vec::new();
+        if let Some((name, _)) = self.0.end(&nowhere) {
+            let margin = |y: &[f64; S]| self.0.end(&split(y)).map_or(f64::NAN, |(_, m)| m);
+            conditions.push(Condition::gap(name, margin, Next::End));
+        }
+        // Name and kind of a contact are the same in every state.
+        for (i, contact) in self.0.contacts(&nowhere).into_iter().enumerate() {
+            let decide = |trigger| {
+                let before = Some((modes, trigger));
+                Next::decide(move |t, y: &[f64; S]| enter(self, t, before, y))
+            };
+            let one_sided = contact.press == Press::OneSided;
+            if one_sided && modes[i] == Mode::Open {
+                let gap = move |y: &[f64; S]| self.contact(i, y).gap;
+                let size = move |y: &[f64; S]| self.gap_size(i, &split(y));
+                let next = decide(Trigger::Gap(i));
+                conditions.push(Condition::gap(contact.name, gap, next).decided(size));
+            }
+            let all = move |y: &[f64; S]| total(&self.forces(&modes, y));
+            if one_sided && modes[i] != Mode::Open {
+                let push = move |y: &[f64; S]| {
+                    let forces = self.forces(&modes, y);
+                    let normal = forces[i].normal;
+                    // A contact that neither pushes nor pulls does not flicker.
+                    let none = normal.abs() <= FORCE_NOISE * total(&forces);
+                    if none { 0.0 } else { normal }
+                };
+                let next = decide(Trigger::Force(i));
+                conditions.push(Condition::contact(contact.name, push, next).decided(all));
+            }
+            if modes[i] == Mode::Stick {
+                for sense in [Sense::Forward, Sense::Backward] {
+                    // Friction against the slip that begins: T = -sign mu N.
+                    let left = move |y: &[f64; S]| {
+                        let Force { normal, tangential } = self.forces(&modes, y)[i];
+                        let holding = self.contact(i, y).friction.holding;
+                        holding * normal + sense.sign() * tangential
+                    };
+                    let next = decide(Trigger::Cone(i, sense));
+                    conditions.push(Condition::gap(contact.name, left, next).decided(all));
+                }
+            }
+            if let Mode::Slip(sense) = modes[i] {
+                let slip = move |y: &[f64; S]| {
+                    sense.sign() * self.contact(i, y).tangent.speed(&split(y).v)
+                };
+                let size = move |y: &[f64; S]| self.slip_size(i, &split(y));
+                let next = decide(Trigger::Slip(i));
+                conditions.push(Condition::gap(contact.name, slip, next).decided(size));
+            }
+        }
+        conditions
+    }
+
+    fn scale(&self, state: &[f64; S]) -> [f64; S] {
+        join(&self.0.scale(&split(state)))
+    }
+}

@@ -1,0 +1,225 @@
+//! The motion of a mechanism, with the events and forces of its contacts.
+
+use super::declare::{Mode, State};
+use super::modal::{Modal, entry, split};
+use super::{Force, Mechanism, Modes};
+use crate::error::{Error, Result};
+use crate::integrators::{Dop853, Work};
+use crate::planar::dial::larger;
+use crate::planar::{Bilateral, Run, Transition, simulate, simulate_within};
+use core::fmt;
+
+/// Something that happened to a contact, or the end of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event<const N: usize, const C: usize> {
+    /// The name of the contact and what it did: "floor touches", "floor bounces",
+    /// "floor sticks", "floor slips", "floor reverses", "floor lets go"; or that of the end.
+    pub name: String,
+    /// When.
+    pub t: f64,
+    /// Just before.
+    pub before: State<N>,
+    /// Just after; other velocities if there was an impact.
+    pub after: State<N>,
+    /// The forces just before.
+    pub force: [Force; C],
+}
+
+/// A motion through modes.
+pub struct Motion<'m, M, const N: usize, const S: usize, const C: usize> {
+    scene: Modal<'m, M, N, S, C>,
+    run: Run<Modes<C>, S>,
+    events: Vec<Event<N, C>>,
+    estimate: Option<f64>,
+    work: Work,
+}
+
+impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<'_, M, N, S, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("end_time", &self.run.end_time())
+            .field("events", &self.events)
+            .finish_non_exhaustive()
+    }
+}
+
+/// The motion of `mechanism` from `start` at time 0 to `t_end`, by `method`.
+///
+/// # Errors
+/// Those of [`entry`], at the start or where the modes change, and of [`simulate`].
+pub fn motion<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: &'m M,
+    method: &Dop853,
+    start: State<N>,
+    t_end: f64,
+) -> Result<Motion<'m, M, N, S, C>> {
+    let scene = Modal(mechanism);
+    let (modes, state) = entry(mechanism, start)?;
+    let run = simulate(&scene, method, modes, state, t_end)?;
+    let work = run.work();
+    Ok(Motion::new(scene, run, None, work))
+}
+
+/// The same with an error of at most `tolerance` at every event and at the end, as
+/// [`simulate_within`] measures it.
+///
+/// # Errors
+/// Those of [`motion`] and of [`simulate_within`].
+pub fn motion_within<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: &'m M,
+    tolerance: f64,
+    start: State<N>,
+    t_end: f64,
+) -> Result<Motion<'m, M, N, S, C>> {
+    let scene = Modal(mechanism);
+    let (modes, state) = entry(mechanism, start)?;
+    let done = simulate_within(&scene, tolerance, modes, state, t_end)?;
+    Ok(Motion::new(scene, done.run, Some(done.estimate), done.work))
+}
+
+/// The same with contacts that never let go and pull instead: the usual mistake.
+///
+/// # Errors
+/// Those of [`motion_within`].
+pub fn kept_within<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: &'m M,
+    tolerance: f64,
+    start: State<N>,
+    t_end: f64,
+) -> Result<Motion<'m, M, N, S, C>> {
+    let scene = Modal(mechanism);
+    let (modes, state) = entry(mechanism, start)?;
+    let done = simulate_within(&Bilateral(scene), tolerance, modes, state, t_end)?;
+    Ok(Motion::new(scene, done.run, Some(done.estimate), done.work))
+}
+
+impl<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
+    Motion<'m, M, N, S, C>
+{
+    fn new(
+        scene: Modal<'m, M, N, S, C>,
+        run: Run<Modes<C>, S>,
+        estimate: Option<f64>,
+        work: Work,
+    ) -> Self {
+        let events = run.transitions().iter().flat_map(|at| events(&scene, at));
+        Self {
+            events: events.collect(),
+            scene,
+            run,
+            estimate,
+            work,
+        }
+    }
+
+    /// What happened, in order.
+    pub fn events(&self) -> &[Event<N, C>] {
+        &self.events
+    }
+
+    /// The first event with this name.
+    ///
+    /// # Errors
+    /// [`Error::NotReached`] if there was none.
+    pub fn event(&self, name: &'static str) -> Result<&Event<N, C>> {
+        let until = self.end_time();
+        let found = self.events.iter().find(|event| event.name == name);
+        found.ok_or(Error::NotReached { name, until })
+    }
+
+    /// When the run ended.
+    pub fn end_time(&self) -> f64 {
+        self.run.end_time()
+    }
+
+    /// The state at `t`; at an event, that before it.
+    ///
+    /// # Errors
+    /// [`Error::OutsideRun`] for a time before the start or after the end.
+    pub fn at(&self, t: f64) -> Result<State<N>> {
+        Ok(split(&self.run.at(t)?.1))
+    }
+
+    /// What each contact does at `t`; at an event, what it did before.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    pub fn modes(&self, t: f64) -> Result<Modes<C>> {
+        Ok(self.run.at(t)?.0)
+    }
+
+    /// The force of each contact at `t`; at an event, that before it.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    pub fn forces(&self, t: f64) -> Result<[Force; C]> {
+        let (modes, state) = self.run.at(t)?;
+        Ok(self.scene.forces(&modes, &state))
+    }
+
+    /// How far the integration has drifted off the contacts, at most, at the ends of its steps: the
+    /// largest gap of a shut contact and the largest slip speed of a sticking one.
+    ///
+    /// # Errors
+    /// None that the run has not met before.
+    pub fn drift(&self) -> Result<(f64, f64)> {
+        let (mut gap, mut slip) = (0.0, 0.0);
+        for leg in self.run.legs() {
+            for t in leg.solution.step_times() {
+                let state: State<N> = split(&leg.solution.at(t)?);
+                let contacts = self.scene.0.contacts(&state);
+                for (contact, mode) in contacts.iter().zip(leg.phase) {
+                    if mode != Mode::Open {
+                        gap = larger(gap, contact.gap.abs());
+                    }
+                    if mode == Mode::Stick {
+                        slip = larger(slip, contact.tangent.speed(&state.v).abs());
+                    }
+                }
+            }
+        }
+        Ok((gap, slip))
+    }
+
+    /// The estimate of the error, where one was asked for.
+    pub fn estimate(&self) -> Option<f64> {
+        self.estimate
+    }
+
+    /// What all of it cost.
+    pub fn work(&self) -> Work {
+        self.work
+    }
+}
+
+/// What happened to the contacts at a change of modes.
+fn events<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<'_, M, N, S, C>,
+    at: &Transition<Modes<C>, S>,
+) -> Vec<Event<N, C>> {
+    let event = |name| Event {
+        name,
+        t: at.t,
+        before: split(&at.before),
+        after: split(&at.after),
+        force: scene.forces(&at.from, &at.before),
+    };
+    let Some(to) = at.to else {
+        return vec![event(at.name.into())];
+    };
+    let contacts = scene.0.contacts(&split(&at.after));
+    let did = (0..C).filter_map(|i| {
+        let name = contacts[i].name;
+        let what = match (at.from[i], to[i]) {
+            (Mode::Open, Mode::Open) if at.name == name => "bounces",
+            (a, b) if a == b => return None,
+            (Mode::Open, _) => "touches",
+            (_, Mode::Open) => "lets go",
+            (_, Mode::Stick) => "sticks",
+            (Mode::Stick, _) => "slips",
+            _ => "reverses",
+        };
+        Some(event(format!("{name} {what}")))
+    });
+    did.collect()
+}

@@ -1,0 +1,312 @@
+//! Which modes follow: at the start, where a contact lets go or touches, where a slip ends.
+
+use super::declare::{Contact, Mode, Press, Sense, State};
+use super::modal::{Modal, join, split};
+use super::response::{Choices, Problem, Response, Unsolved, ZERO};
+use super::{Mechanism, Modes};
+use crate::error::{Error, Result, finite};
+
+/// Corrections of coordinates that are brought back onto their contacts, at most.
+const CORRECTIONS: usize = 3;
+
+/// What ended the modes before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Trigger {
+    /// A normal force came down to 0.
+    Force(usize),
+    /// A sticking contact is about to slip.
+    Cone(usize, Sense),
+    /// A slip came to an end.
+    Slip(usize),
+    /// A gap closed.
+    Gap(usize),
+}
+
+/// Where the modes before ended: they, and why.
+type Before<const C: usize> = Option<(Modes<C>, Trigger)>;
+
+/// The modes that follow, and the state put onto their contacts, after impacts.
+pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<'_, M, N, S, C>,
+    t: f64,
+    before: Before<C>,
+    state: &[f64; S],
+) -> Result<(Modes<C>, [f64; S])> {
+    const { assert!(C <= super::MOST_CONTACTS && N + 2 * C <= super::linear::SIZE) };
+    let mut state = split(state);
+    if let Some((modes, _)) = &before {
+        put_on(scene, modes, &mut state);
+    } else {
+        check_start(scene, t, &state)?;
+    }
+    let shut = shut(scene, &before, &state);
+    let hit = impact(scene, t, &shut, &mut state)?;
+    let contacts = scene.0.contacts(&state);
+    let trigger = before.map(|(_, trigger)| trigger).filter(|_| !hit);
+    let choices = core::array::from_fn(|i| {
+        let contact = &contacts[i];
+        let rubs = contact.friction.holding > 0.0;
+        let leaves = contact.normal.speed(&state.v) > ZERO * scene.normal_size(i, &state);
+        match contact.press {
+            Press::TwoSided => return Choices::only(Mode::Smooth),
+            Press::OneSided if !shut[i] || leaves => return Choices::only(Mode::Open),
+            _ => {}
+        }
+        let slip = contact.tangent.speed(&state.v);
+        let stopped = trigger == Some(Trigger::Slip(i));
+        let may_open = contact.press == Press::OneSided;
+        let choices = if rubs && !stopped && slip.abs() > ZERO * scene.slip_size(i, &state) {
+            let sense = if slip > 0.0 {
+                Sense::Forward
+            } else {
+                Sense::Backward
+            };
+            let modes = [Mode::Slip(sense), Mode::Open];
+            Choices::of(&modes[..1 + usize::from(may_open)], false)
+        } else {
+            Choices::shut(rubs, may_open)
+        };
+        match trigger {
+            Some(Trigger::Force(k)) if k == i => choices.retain(|m| m == Mode::Open),
+            Some(Trigger::Cone(k, sense)) if k == i => {
+                choices.retain(|m| matches!(m, Mode::Open) || m == Mode::Slip(sense))
+            }
+            _ => choices,
+        }
+    });
+    let mass = scene.0.mass(&state.q);
+    let problem = scene.newton(&state, &mass, &contacts);
+    let (modes, _) = problem
+        .search(&choices)
+        .map_err(|unsolved| named(unsolved, t, &contacts, &state))?;
+    put_on(scene, &modes, &mut state);
+    Ok((modes, join(&state)))
+}
+
+/// Which contacts can act: those that did, that has just closed, or whose gap is round-off.
+fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<'_, M, N, S, C>,
+    before: &Before<C>,
+    state: &State<N>,
+) -> [bool; C] {
+    let contacts = scene.0.contacts(state);
+    core::array::from_fn(|i| {
+        let acted = before
+            .is_some_and(|(modes, trigger)| modes[i] != Mode::Open || trigger == Trigger::Gap(i));
+        acted
+            || contacts[i].press != Press::OneSided
+            || contacts[i].gap <= ZERO * scene.gap_size(i, state)
+    })
+}
+
+/// Changes the velocities by the impulses of contacts that are shut and still closing;
+/// whether there were any.
+fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<'_, M, N, S, C>,
+    t: f64,
+    shut: &[bool; C],
+    state: &mut State<N>,
+) -> Result<bool> {
+    let contacts = scene.0.contacts(state);
+    let speed = contacts.map(|c| c.normal.speed(&state.v));
+    let hits = |i: usize| {
+        let pushes = contacts[i].press == Press::OneSided;
+        pushes && shut[i] && speed[i] < -ZERO * scene.normal_size(i, state)
+    };
+    if !(0..C).any(hits) {
+        return Ok(false);
+    }
+    let mass = scene.0.mass(&state.q);
+    let problem = Problem {
+        mass: &mass,
+        load: momentum(&mass, &state.v),
+        contacts: &contacts,
+        aim: core::array::from_fn(|i| {
+            let returned = if hits(i) {
+                -contacts[i].restitution * speed[i]
+            } else {
+                0.0
+            };
+            let surface = [contacts[i].normal.surface, contacts[i].tangent.surface];
+            [surface[0] + returned, surface[1]]
+        }),
+        impact: true,
+    };
+    let choices = core::array::from_fn(|i| match contacts[i].press {
+        Press::TwoSided => Choices::only(Mode::Smooth),
+        Press::OneSided if shut[i] => Choices::shut(contacts[i].friction.kinetic > 0.0, true),
+        _ => Choices::only(Mode::Open),
+    });
+    let (_, Response { rate, .. }) = problem
+        .search(&choices)
+        .map_err(|unsolved| named(unsolved, t, &contacts, state))?;
+    let energy = |v: &[f64; N]| 0.5 * super::declare::dot(v, &momentum(&mass, v));
+    let (before, after) = (energy(&state.v), energy(&rate));
+    let moved = contacts
+        .iter()
+        .any(|c| c.normal.surface != 0.0 || c.tangent.surface != 0.0);
+    if !moved && after > before * (1.0 + 1e3 * ZERO) {
+        return Err(Error::ImpactGainsEnergy { t, before, after });
+    }
+    state.v = rate;
+    Ok(true)
+}
+
+fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
+    core::array::from_fn(|j| super::declare::dot(&mass[j], v))
+}
+
+/// Moves coordinates and velocities onto the contacts that act, by least action on the
+/// masses: what the integration has drifted away.
+fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<'_, M, N, S, C>,
+    modes: &Modes<C>,
+    state: &mut State<N>,
+) {
+    let correct = |state: &mut State<N>, of_coordinates: bool| {
+        let contacts = scene.0.contacts(state);
+        let mass = scene.0.mass(&state.q);
+        let modes = core::array::from_fn(|i| match (contacts[i].press, modes[i]) {
+            (_, Mode::Open) => Mode::Open,
+            (_, Mode::Stick) if !of_coordinates => Mode::Stick,
+            (Press::Given(_), _) => Mode::Open,
+            _ => Mode::Smooth,
+        });
+        let aim = core::array::from_fn(|i| {
+            let contact = &contacts[i];
+            if of_coordinates {
+                [-contact.gap, 0.0]
+            } else {
+                [
+                    -contact.normal.speed(&state.v),
+                    -contact.tangent.speed(&state.v),
+                ]
+            }
+        });
+        let problem = Problem {
+            mass: &mass,
+            load: [0.0; N],
+            contacts: &contacts,
+            aim,
+            impact: true,
+        };
+        // Contacts that cannot be met together are left as they are.
+        if let Some(response) = problem.respond(&modes) {
+            let moved = if of_coordinates {
+                &mut state.q
+            } else {
+                &mut state.v
+            };
+            for (c, more) in moved.iter_mut().zip(response.rate) {
+                *c += more;
+            }
+        }
+    };
+    for _ in 0..CORRECTIONS {
+        correct(state, true);
+    }
+    correct(state, false);
+}
+
+/// Refuses contacts that cannot hold at the start, and coefficients that mean nothing.
+fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<'_, M, N, S, C>,
+    t: f64,
+    state: &State<N>,
+) -> Result<()> {
+    for (i, contact) in scene.0.contacts(state).iter().enumerate() {
+        let Contact {
+            gap,
+            friction,
+            restitution,
+            ..
+        } = *contact;
+        for (name, value, good, allowed) in [
+            (
+                "friction",
+                friction.kinetic,
+                friction.kinetic >= 0.0,
+                "it must not be negative",
+            ),
+            (
+                "friction that holds",
+                friction.holding,
+                friction.holding >= friction.kinetic,
+                "it must be at least that of slipping",
+            ),
+            (
+                "restitution",
+                restitution,
+                (0.0..=1.0).contains(&restitution),
+                "from 0 to 1",
+            ),
+        ] {
+            finite(name, value)?;
+            if !good {
+                return Err(Error::OutOfRange {
+                    name,
+                    value,
+                    allowed,
+                });
+            }
+        }
+        let speed = contact.normal.speed(&state.v);
+        let (no_gap, no_speed) = (
+            ZERO * scene.gap_size(i, state),
+            ZERO * scene.normal_size(i, state),
+        );
+        // Written so that NaN does not hold.
+        let holds = match contact.press {
+            Press::OneSided => gap > no_gap || (gap >= -no_gap && speed >= -no_speed),
+            Press::TwoSided => gap.abs() <= no_gap && speed.abs() <= no_speed,
+            Press::Given(force) => {
+                finite("force that presses", force)?;
+                force >= 0.0
+            }
+        };
+        if !holds {
+            return Err(Error::CannotHold {
+                contact: contact.name,
+                t,
+                gap,
+                speed,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn named<const N: usize, const C: usize>(
+    unsolved: Unsolved<C>,
+    t: f64,
+    contacts: &[Contact<N>; C],
+    state: &State<N>,
+) -> Error {
+    let say = |modes: &Modes<C>| {
+        let each: Vec<_> = contacts
+            .iter()
+            .zip(modes)
+            .map(|(contact, mode)| {
+                let does = match mode {
+                    Mode::Open => "opens",
+                    Mode::Smooth => "pushes",
+                    Mode::Stick => "sticks",
+                    Mode::Slip(Sense::Forward) => "slips forward",
+                    Mode::Slip(Sense::Backward) => "slips backward",
+                };
+                format!("{} {does}", contact.name)
+            })
+            .collect();
+        each.join(", ")
+    };
+    let state = [state.q, state.v].concat();
+    match unsolved {
+        Unsolved::None { tried } => Error::NoContactForces { t, state, tried },
+        Unsolved::Several(first, second) => Error::SeveralMotions {
+            t,
+            state,
+            first: say(&first),
+            second: say(&second),
+        },
+    }
+}

@@ -1,0 +1,132 @@
+//! The ladder of exercise 16.6 with the contact solver, against the closed form and against
+//! forces eliminated by hand.
+
+use super::{G, relative};
+use core::f64::consts::FRAC_PI_2;
+use rotation_dynamics::exact::ladder::Ladder as Exact;
+use rotation_dynamics::math::{cos, sin, sincos, tan};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, Motion, State, Surface, kept_within, motion_within,
+};
+
+/// A uniform ladder of length 3 m, per unit mass: centre, and angle from the wall.
+pub struct Ladder {
+    pub mu: f64,
+}
+
+const LENGTH: f64 = 3.0;
+
+impl Ladder {
+    fn at_rest(angle: f64) -> State<3> {
+        let half = 0.5 * LENGTH;
+        State::rest([half * sin(angle), half * cos(angle), angle])
+    }
+}
+
+impl Mechanism<3, 6, 2> for Ladder {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let inertia = LENGTH * LENGTH / 12.0;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
+    }
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0, -G, 0.0]
+    }
+    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
+        let (s, c) = sincos(ladder.q[2]);
+        let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
+        [
+            Contact::corner("wall", ladder, [-s, c], Surface::WALL).friction(self.mu),
+            Contact::corner("foot", ladder, [s, -c], Surface::FLOOR).friction(self.mu),
+        ]
+    }
+    fn end(&self, ladder: &State<3>) -> Option<(&'static str, f64)> {
+        Some(("lands", FRAC_PI_2 - ladder.q[2]))
+    }
+    fn scale(&self, ladder: &State<3>) -> State<3> {
+        let rate = (1.5 * G / LENGTH).sqrt();
+        let q = [ladder.q[0].abs(), LENGTH, ladder.q[2].abs()];
+        State {
+            q,
+            v: q.map(|size| rate * size),
+        }
+    }
+}
+
+fn slide(ladder: &Ladder, angle: f64) -> Motion<'_, Ladder, 3, 6, 2> {
+    motion_within(ladder, 1e-12, Ladder::at_rest(angle), 100.0).unwrap()
+}
+
+/// Smooth: the closed form, at both events and between, from every angle.
+#[test]
+fn the_smooth_ladder_is_the_exact_one() {
+    let (mut ran, mut worst) = (0, 0.0);
+    for angle in [1e-6, 1e-3, 0.1, 0.25, 0.7, 1.2, 1.5] {
+        let exact = Exact::new(LENGTH, G, angle).unwrap();
+        let ladder = Ladder { mu: 0.0 };
+        let motion = slide(&ladder, angle);
+        let names: Vec<_> = motion.events().iter().map(|e| e.name.as_str()).collect();
+        assert_eq!(names, ["wall lets go", "lands"]);
+        let lets_go = &motion.events()[0];
+        worst = f64::max(worst, relative(lets_go.t, exact.release_time()));
+        worst = worst.max(relative(motion.end_time(), exact.landing_time()));
+        let rate = (1.5 * G / LENGTH).sqrt();
+        let end = exact.landing_time().min(motion.end_time());
+        for i in 0..=40 {
+            let t = end * f64::from(i) / 40.0;
+            let (got, want) = (motion.at(t).unwrap(), exact.at(t).unwrap());
+            let [wall, floor] = motion.forces(t).unwrap();
+            for (got, want, size) in [
+                (got.q[2], want.theta, want.theta),
+                (got.v[2], want.omega, rate * want.theta),
+                (got.q[0], want.x_cm, want.x_cm),
+                (got.v[0], want.vx_cm, rate * want.x_cm),
+                (wall.normal / G, want.wall_force, 1.0),
+                (floor.normal / G, want.floor_force, 1.0),
+            ] {
+                worst = worst.max((got - want).abs() / size);
+                ran += 1;
+            }
+        }
+    }
+    assert_eq!(ran, 7 * 41 * 6);
+    assert!(worst <= 8.0e-14, "{worst:e}");
+}
+
+/// Rubbing: the numbers of an elimination by hand.
+#[test]
+fn the_rubbing_ladder_is_that_by_hand() {
+    for (part, ratio, release, floor) in [
+        (0.1, 0.6590317, 0.9151741, 1.2145145),
+        (0.3, 0.6426844, 1.0106738, 1.3037824),
+        (0.6, 0.6150703, 1.2330002, 1.5156875),
+        (0.9, 0.5829537, 1.8197871, 2.0905185),
+    ] {
+        let ladder = Ladder {
+            mu: part * tan(0.125),
+        };
+        let motion = slide(&ladder, 0.25);
+        println!(
+            "{part} {:?}",
+            motion
+                .events()
+                .iter()
+                .map(|e| (&e.name, e.t))
+                .collect::<Vec<_>>()
+        );
+        let lets_go = motion.event("wall lets go").unwrap();
+        assert!((cos(lets_go.before.q[2]) / cos(0.25) - ratio).abs() <= 1e-7);
+        assert!((lets_go.t - release).abs() <= 1e-7);
+        assert!((motion.event("lands").unwrap().t - floor).abs() <= 1e-7);
+    }
+}
+
+#[test]
+fn a_kept_wall_pulls() {
+    let ladder = Ladder { mu: 0.0 };
+    let exact = Exact::new(LENGTH, G, 0.25).unwrap();
+    let kept = kept_within(&ladder, 1e-9, Ladder::at_rest(0.25), 100.0).unwrap();
+    assert_eq!(kept.events().len(), 1);
+    let flat = kept.event("lands").unwrap();
+    assert!(relative(flat.t, exact.held_landing_time()) <= 1e-9);
+    assert!((flat.force[0].normal / G + 1.5 * cos(0.25)).abs() <= 1e-7);
+}
