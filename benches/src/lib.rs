@@ -3,4 +3,5 @@
 pub mod conditions;
 pub mod ensemble;
 pub mod kit;
+pub mod readme;
 pub mod timing;

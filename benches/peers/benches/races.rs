@@ -3,10 +3,11 @@
 //! A bench is not timed before the error that it claims is shown to be reached. The
 //! record itself is measured by the binary of this crate, in rounds.
 
+use benches::readme::{RECORD, path};
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
 use peers::contest::contestants;
 use peers::problem::PROBLEMS;
-use peers::record::{FILE, claims, path};
+use peers::record::claims;
 use rotation_dynamics::report::parse;
 use std::fs;
 use std::time::Duration;
@@ -14,7 +15,7 @@ use std::time::Duration;
 const CLAIMED: f64 = 1e-9;
 
 fn races(c: &mut Criterion) {
-    let text = fs::read_to_string(path(FILE)).expect("there is a record");
+    let text = fs::read_to_string(path(RECORD)).expect("there is a record");
     let record = parse(&text).expect("a record is a report");
     let claims = claims(&record).expect("the runs can be read");
     for problem in &PROBLEMS {

@@ -2,14 +2,15 @@
 //! take their tables.
 //!
 //! ```text
-//! cargo run --release -p peers -- --date 2026-11-21
+//! cargo run --release --manifest-path benches/peers/Cargo.toml -- --date 2026-11-21
 //! ```
 
 use benches::conditions::Conditions;
 use benches::timing::{Clock, Task, interleaved_by};
 use peers::problem::{PROBLEMS, Problem};
 use peers::race::{along_the_way, to_the_end};
-use peers::record::{DENSE, FILE, Races, path, readme, text, with_tables};
+use benches::readme::{RECORD, path, tables, with_tables};
+use peers::record::{DENSE, Races, text};
 use rotation_dynamics::report::parse;
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -42,11 +43,11 @@ fn run() -> Result<(), String> {
         races.dense.push(along_the_way(problem)?);
     }
     let text = text(&conditions, &races)?;
-    write(FILE, &text)?;
+    write(RECORD, &text)?;
     print!("{text}");
     let parsed = parse(&text).map_err(|e| e.to_string())?;
     let old = fs::read_to_string(path("README.md")).map_err(|e| e.to_string())?;
-    write("README.md", &with_tables(&old, &readme(&parsed)?)?)
+    write("README.md", &with_tables(&old, &tables(&parsed)?)?)
 }
 
 fn write(file: &str, text: &str) -> Result<(), String> {

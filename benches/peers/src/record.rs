@@ -1,4 +1,5 @@
-//! What is written down of the races, and the README's table made of it.
+//! What is written down of the races. The README's table is made of it by
+//! [`benches::readme`].
 //!
 //! The record has the grammar of a report ([`rotation_dynamics::report`]):
 //! `conditions`, a table of times per problem, `dense_…`, `ratios`, `targets`, and
@@ -10,15 +11,14 @@ use crate::problem::{PROBLEMS, Problem};
 use crate::race::{Line, Race, TARGETS};
 use benches::conditions::Conditions;
 use rotation_dynamics::report::{Parsed, Report, Table, rounded_up, short};
-use std::path::PathBuf;
 
 /// The command that writes the record.
-pub const COMMAND: &str = "cargo run --release -p peers";
+pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Cargo.toml";
 
 /// The problems of which dense output is asked.
 pub const DENSE: [&str; 2] = ["free_body", "heavy_top"];
 
-/// The peers, as the workspace's lock file names them.
+/// The peers, as this crate's lock file names them.
 const PEERS: [&str; 6] = [
     "numeris",
     "ode_solvers",
@@ -28,18 +28,9 @@ const PEERS: [&str; 6] = [
     "rapier3d",
 ];
 
-/// A path in the project.
-pub fn path(relative: &str) -> PathBuf {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    PathBuf::from(root).join(relative)
-}
-
-/// The record, relative to the project's root.
-pub const FILE: &str = "benches/record/peers.txt";
-
-/// The version of a crate in the workspace's lock file.
+/// The version of a crate in the lock file.
 fn version(name: &str) -> Option<&'static str> {
-    const LOCK: &str = include_str!("../../../Cargo.lock");
+    const LOCK: &str = include_str!("../Cargo.lock");
     let entry = format!("name = \"{name}\"\nversion = \"");
     let (_, rest) = LOCK.split_once(&entry)?;
     rest.split('"').next()
@@ -432,70 +423,4 @@ pub fn again(key: &str, claims: &[Claim]) -> Outcome<Vec<(f64, Claim)>> {
         }
     }
     Ok(delivered)
-}
-
-/// The lines between which the README's table stands.
-pub const MARKS: [&str; 2] = ["<!-- races: from the record -->", "<!-- /races -->"];
-
-/// The README's tables, from the record.
-///
-/// # Errors
-/// A record without the tables that it takes.
-pub fn readme(record: &Parsed) -> Outcome<String> {
-    let ratios = record.table("table ratios").ok_or("no table of ratios")?;
-    let mut text = String::from(
-        "| problem | error | fastest peer | ms | our stepping | ms | times faster | closed form, ms | times faster |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
-    );
-    let dash = |cell: &String| match cell.as_str() {
-        "-" => "–".to_owned(),
-        cell => cell.to_owned(),
-    };
-    for row in ratios.rows() {
-        if !["1e-6", "1e-9"].contains(&row[1].as_str()) {
-            continue;
-        }
-        let title = row[0].replace('_', " ");
-        let cells: Vec<String> = row[1..].iter().map(dash).collect();
-        text += &format!("| {title} | {} |\n", cells.join(" | "));
-    }
-    let targets = record.table("table targets").ok_or("no table of targets")?;
-    let missed: Vec<String> = targets
-        .rows()
-        .iter()
-        .filter(|row| row[3] == "missed")
-        .map(|row| format!("- {}: {} where {} was wanted\n", row[0], row[2], row[1]))
-        .collect();
-    text += &match missed.is_empty() {
-        true => "\nOf what we set out to reach, all was reached.\n".into(),
-        false => format!(
-            "\nWhat we set out to reach and did not:\n\n{}",
-            missed.concat()
-        ),
-    };
-    let conditions = record.table("table conditions").ok_or("no conditions")?;
-    let value = |name: &str| {
-        let row = conditions.rows().iter().find(|row| row[0] == name);
-        row.map_or("?", |row| row[1].as_str())
-    };
-    let peers: Vec<String> = PEERS.iter().map(|p| format!("{p} {}", value(p))).collect();
-    text += &format!(
-        "\nMedians on {}, {}, {}; {}.\n",
-        value("processor"),
-        value("compiler"),
-        value("date"),
-        peers.join(", ")
-    );
-    Ok(text)
-}
-
-/// `text` with what stands between the [`MARKS`] replaced.
-///
-/// # Errors
-/// A text without the marks.
-pub fn with_tables(text: &str, tables: &str) -> Outcome<String> {
-    let [open, close] = MARKS;
-    let (before, rest) = text.split_once(open).ok_or(format!("no {open}"))?;
-    let (_, after) = rest.split_once(close).ok_or(format!("no {close}"))?;
-    Ok(format!("{before}{open}\n\n{tables}\n{close}{after}"))
 }

@@ -1,14 +1,15 @@
 //! Every line of `benches/record/peers.txt` claims an error: each is run again here, and
 //! must reach it. Nothing is timed.
 
+use benches::readme::{RECORD, path};
 use peers::contest::Setting;
 use peers::problem::PROBLEMS;
-use peers::record::{Claim, DENSE, FILE, again, claims, path, readme, with_tables};
+use peers::record::{Claim, DENSE, again, claims};
 use rotation_dynamics::report::{Parsed, parse};
 use std::fs;
 
 fn record() -> Parsed {
-    let text = fs::read_to_string(path(FILE)).expect("there is a record");
+    let text = fs::read_to_string(path(RECORD)).expect("there is a record");
     parse(&text).expect("a record is a report")
 }
 
@@ -93,19 +94,4 @@ fn settings_are_read_as_they_are_written() {
     for damaged in ["", "17", "17 step", "tolerance", "tolerance x", "- -"] {
         assert!(damaged.parse::<Setting>().is_err(), "{damaged}");
     }
-}
-
-#[test]
-fn the_readme_shows_the_record() {
-    let text = fs::read_to_string(path("README.md")).expect("there is a README");
-    let tables = readme(&record()).expect("the record has the tables");
-    assert!(tables.lines().count() > 10);
-    assert!(
-        with_tables(&text, &tables) == Ok(text.clone()),
-        "the README shows another record; write it: {}",
-        peers::record::COMMAND
-    );
-    // The damaged twin: a digit changed by hand.
-    let damaged = text.replacen("| 1e-9 |", "| 1e-8 |", 1);
-    assert!(damaged != text && with_tables(&damaged, &tables) != Ok(damaged.clone()));
 }
