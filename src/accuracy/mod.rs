@@ -2,6 +2,8 @@
 //!
 //! | part | what it holds |
 //! |---|---|
+//! | [`Problem`] | a motion with a start, an end and the exact answer: what a method is judged by |
+//! | [`Carrier`] | a method made as fine as it is to run, and what it carries of a scene |
 //! | [`Errors`] | how far a state is from the exact one, measured in five ways |
 //! | [`Sweep`] | a method run coarser and finer: what each run cost and delivered |
 //! | [`dial`] | [`Scene::solve`](crate::scene::Scene::solve): an error asked for at the end, delivered or refused |
@@ -11,10 +13,14 @@
 //! ([`crate::exact`]), and time, which this library never reads; work is counted
 //! ([`Work`](crate::integrators::Work)).
 
+mod carry;
 pub mod dial;
 mod measures;
+mod problem;
 mod sweep;
 
+pub use carry::{Carrier, Fineness, Variables, applies};
 pub use dial::{ExactMotion, Solvable, Solved};
 pub use measures::{Errors, Measure};
+pub use problem::Problem;
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};

@@ -5,7 +5,7 @@
 
 use super::explicit::{no_steps, node};
 use super::scene::components;
-use super::{About, Integrator, Work, ode::check_span};
+use super::{Integrator, Work, ode::check_span};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::State;
 use crate::effects::Effect;
@@ -100,14 +100,6 @@ fn euler_work(steps: u64) -> Work {
 }
 
 impl<E: Effect> Integrator<Scene<E>, State> for EulerOnAngles {
-    fn about(&self) -> About {
-        About {
-            name: "foil: Euler on Euler angles",
-            order: 1,
-            source: "L. Euler, Institutionum calculi integralis I, ch. 7 (1768)",
-        }
-    }
-
     fn advance(
         &self,
         scene: &Scene<E>,
@@ -140,14 +132,6 @@ impl<E: Effect> Integrator<Scene<E>, State> for EulerOnAngles {
 }
 
 impl<E: Effect> Integrator<Scene<E>, State> for SemiImplicitEuler {
-    fn about(&self) -> About {
-        About {
-            name: "foil: semi-implicit Euler",
-            order: 1,
-            source: "the stepping of rigid bodies in game engines",
-        }
-    }
-
     fn advance(
         &self,
         scene: &Scene<E>,

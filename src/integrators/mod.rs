@@ -1,8 +1,8 @@
 //! Integrators: one method per file, coefficients as data.
 //!
-//! A method is a value that says what it is ([`Integrator::about`]), carries a
-//! state from one time to another ([`Integrator::advance`]) and reports what
-//! that cost ([`Work`]). What it can carry is in the type:
+//! A method is a value that carries a state from one time to another
+//! ([`Integrator::advance`]) and reports what that cost ([`Work`]). What each is, keeps and
+//! comes from is listed in [`Method`]; what it can carry is in the type:
 //!
 //! | method | carries | step |
 //! |---|---|---|
@@ -24,6 +24,7 @@ pub mod dop853;
 mod explicit;
 pub mod foils;
 pub mod gauss_legendre;
+mod method;
 mod munthe_kaas;
 mod ode;
 mod projected;
@@ -36,6 +37,7 @@ mod work;
 pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
 pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
+pub use method::{About, Method};
 pub use munthe_kaas::MuntheKaas4;
 pub use ode::Ode;
 pub use projected::{Kept, Projected};
@@ -45,17 +47,6 @@ pub use splitting::{Scheme, Separable, Splitting};
 pub use work::Work;
 
 use crate::error::Result;
-
-/// What a method is: its name, its order and where it comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct About {
-    /// The name the literature uses.
-    pub name: &'static str,
-    /// The error at a fixed time shrinks as this power of the step.
-    pub order: u32,
-    /// Paper or book, with the place in it.
-    pub source: &'static str,
-}
 
 /// A method that carries states `Y` of the problem `P` through time.
 ///
@@ -80,9 +71,6 @@ pub struct About {
 /// # }
 /// ```
 pub trait Integrator<P: ?Sized, Y> {
-    /// Name, order and source of this method.
-    fn about(&self) -> About;
-
     /// The state at `t_end` that follows from `start` at `t`, and the work done.
     ///
     /// `t_end` may lie before `t`. With `t_end == t` the start is returned and

@@ -16,7 +16,7 @@ use super::compensated::Compensated;
 use super::explicit::{increment, mean_increment, no_steps, node};
 use super::ode::{check_span, finite_derivative};
 use super::scene::{components, state};
-use super::{About, Integrator, Rk4, Work};
+use super::{Integrator, Rk4, Work};
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::Effect;
@@ -85,14 +85,6 @@ fn sum(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
 }
 
 impl<E: Effect> Integrator<Scene<E>, State> for MuntheKaas4 {
-    fn about(&self) -> About {
-        About {
-            name: "Runge-Kutta-Munthe-Kaas 4",
-            order: 4,
-            source: "H. Munthe-Kaas, Appl. Numer. Math. 29, 115 (1999)",
-        }
-    }
-
     fn advance(
         &self,
         scene: &Scene<E>,

@@ -16,7 +16,7 @@ use super::explicit::no_steps;
 use super::gauss_legendre::FreeRotation;
 use super::ode::check_span;
 use super::scene::components;
-use super::{About, Integrator, SpinFree, Work};
+use super::{Integrator, SpinFree, Work};
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::{AxisEffect, Effect};
@@ -81,14 +81,6 @@ impl<M> Projected<M> {
 }
 
 impl<P: Kept, M: Integrator<P, State>> Integrator<P, State> for Projected<M> {
-    fn about(&self) -> About {
-        About {
-            name: "projected onto what is kept",
-            source: "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, IV.4",
-            ..self.method.about()
-        }
-    }
-
     fn advance(&self, problem: &P, t: f64, start: &State, t_end: f64) -> Result<(State, Work)> {
         check_span(t, &components(start), t_end)?;
         let mut work = Work::default();

@@ -1,7 +1,7 @@
 //! The classical Runge-Kutta method of order 4.
 
 use super::explicit::{Tableau, no_steps};
-use super::{About, Integrator, Ode, Work};
+use super::{Integrator, Ode, Work};
 use crate::error::Result;
 
 /// The classical Runge-Kutta method: order 4, four derivatives a step, fixed step.
@@ -45,14 +45,6 @@ impl Rk4 {
 }
 
 impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Rk4 {
-    fn about(&self) -> About {
-        About {
-            name: "Runge-Kutta 4",
-            order: 4,
-            source: "W. Kutta, Z. Math. Phys. 46, 435 (1901)",
-        }
-    }
-
     fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
         Self::TABLEAU.advance(ode, t, start, t_end, self.steps)
     }

@@ -12,7 +12,7 @@
 //! corrected on the way (which would break steps and interpolants), and is
 //! divided out once, when the state is read.
 
-use super::{About, Dop853, Integrator, Ode, Rk4, Work};
+use super::{Dop853, Integrator, Ode, Rk4, Work};
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::Effect;
@@ -73,10 +73,6 @@ impl<E: Effect> Ode<7> for Scene<E> {
 macro_rules! carries_states {
     ($method:ty) => {
         impl<E: Effect> Integrator<Scene<E>, State> for $method {
-            fn about(&self) -> About {
-                Integrator::<Scene<E>, [f64; 7]>::about(self)
-            }
-
             fn advance(
                 &self,
                 scene: &Scene<E>,

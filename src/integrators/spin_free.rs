@@ -13,7 +13,7 @@
 //! However fast the spin is, it costs no steps and no accuracy.
 
 use super::scene::components;
-use super::{About, Dop853, Integrator, Ode, Rk4, Work};
+use super::{Dop853, Integrator, Ode, Rk4, Work};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::effects::AxisEffect;
@@ -146,10 +146,6 @@ impl<E: AxisEffect> Ode<7> for SpinFree<'_, E> {
 macro_rules! carries_states {
     ($method:ty) => {
         impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for $method {
-            fn about(&self) -> About {
-                Integrator::<SpinFree<'s, E>, [f64; 7]>::about(self)
-            }
-
             fn advance(
                 &self,
                 problem: &SpinFree<'s, E>,

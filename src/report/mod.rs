@@ -51,6 +51,7 @@ mod number;
 mod parameters;
 mod sampling;
 mod sections;
+mod strip;
 mod table;
 mod trajectory;
 

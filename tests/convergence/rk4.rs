@@ -97,22 +97,15 @@ fn nothing_to_do_and_bad_input() {
 
 #[test]
 fn methods_say_what_they_are_and_what_they_cost() {
-    use crate::top::HeavyTop;
-    use rotation_dynamics::body::State;
-    use rotation_dynamics::integrators::{About, Dop853, Scheme, Splitting};
-    let about = |m: &dyn Integrator<HeavyTop, State>| -> About { m.about() };
-    let split = |scheme| Splitting::new(scheme, 1).expect("a step");
-    let all = [
-        about(&Rk4::new(1).expect("a step")),
-        about(&Dop853::new(1e-9).expect("valid")),
-        about(&split(Scheme::STRANG)),
-        about(&split(Scheme::SRKN6)),
-        about(&split(Scheme::SRKN14)),
-    ];
-    assert_eq!(all.map(|a| a.order), [4, 8, 2, 4, 6]);
+    use rotation_dynamics::integrators::Method;
+    let all = Method::ALL.map(Method::about);
+    assert_eq!(
+        all.map(|a| a.order),
+        [1, 1, 4, 4, 2, 4, 6, 8, 2, 4, 4, 8, 16]
+    );
     for (i, a) in all.iter().enumerate() {
-        assert!(!a.source.is_empty());
-        assert!(all[..i].iter().all(|b| b.name != a.name));
+        assert!(!a.source.is_empty() && !a.idea.is_empty());
+        assert!(all[..i].iter().all(|b| b.name != a.name && b.key != a.key));
     }
     let work = Work {
         derivatives: 480,

@@ -7,12 +7,11 @@
 
 use super::Solvable;
 use super::problem::Problem;
+use crate::accuracy::{Carrier, Fineness, Variables};
 use crate::body::State;
 use crate::error::{Error, Result};
-use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};
-use crate::integrators::{Dop853, GaussLegendre, Integrator, Scheme, SpinFree, Splitting, Work};
+use crate::integrators::{Dop853, Method as Named, Work};
 use crate::math::{exp, log};
-use crate::scene::Scene;
 
 /// ln 40: a level is a factor of 40 in the error.
 pub(super) const LEVEL: f64 = 3.688_879_454_113_936;
@@ -32,7 +31,7 @@ pub(super) enum Method {
     /// Gauss-Legendre 16 on the axes of a body under effects that see e3 only.
     BodyGauss,
     /// A splitting: without the spin, if the body is symmetric.
-    Split(Scheme),
+    Split(Named),
     /// DOP853 on attitude and momentum.
     Adaptive,
     /// DOP853 without the spin.
@@ -53,9 +52,9 @@ impl Method {
         if !E::AXIS_ONLY {
             return vec![Gauss, Adaptive];
         }
-        let mut all = vec![Split(Scheme::SRKN6), Split(Scheme::SRKN14)];
+        let mut all = vec![Split(Named::Srkn6), Split(Named::Srkn14)];
         if problem.is_fast() {
-            all.extend([Split(Scheme::ABA104), Split(Scheme::ABA1064)]);
+            all.extend([Split(Named::Aba104), Split(Named::Aba1064)]);
         }
         all.extend(if problem.body.moments().is_symmetric() {
             [SpinFreeGauss, SpinFreeAdaptive]
@@ -68,21 +67,33 @@ impl Method {
     /// The name that is printed.
     pub const fn name(self) -> &'static str {
         match self {
-            FreeGauss | Gauss | BodyGauss => "Gauss-Legendre 16",
             SpinFreeGauss => "Gauss-Legendre 16, spin-free",
-            Split(scheme) => scheme.name,
-            Adaptive => "DOP853",
             SpinFreeAdaptive => "DOP853, spin-free",
+            _ => self.method().name(),
+        }
+    }
+
+    /// The method, whatever it carries.
+    const fn method(self) -> Named {
+        match self {
+            FreeGauss | Gauss | SpinFreeGauss | BodyGauss => Named::GaussLegendre16,
+            Split(method) => method,
+            Adaptive | SpinFreeAdaptive => Named::Dop853,
+        }
+    }
+
+    /// What it carries.
+    const fn variables(self) -> Variables {
+        match self {
+            FreeGauss | BodyGauss => Variables::Body,
+            SpinFreeGauss | SpinFreeAdaptive => Variables::SpinFree,
+            Gauss | Split(_) | Adaptive => Variables::Space,
         }
     }
 
     /// The order p.
     const fn order(self) -> f64 {
-        match self {
-            FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 16.0,
-            Split(scheme) => scheme.order as f64,
-            Adaptive | SpinFreeAdaptive => 8.0,
-        }
+        self.method().order() as f64
     }
 
     /// The part of its order that is trusted without having been seen. The error of
@@ -211,40 +222,26 @@ impl Method {
         fewest: u64,
         precision: f64,
     ) -> Result<(State, Work)> {
-        if self.is_adaptive() {
+        let scene = problem.scene();
+        let carrier = if self.is_adaptive() {
             let tolerance = (1e-3 * exp(-LEVEL * level))
                 .clamp(Dop853::SMALLEST_TOLERANCE, Dop853::LARGEST_TOLERANCE);
             let method = Dop853::new(tolerance)?
                 .with_longest_step((t_end - t).abs() / fewest as f64)?
                 .with_step_limit(MOST_STEPS as u64)?;
-            let scene = problem.scene();
-            return if self == Adaptive {
-                method.advance(&scene, t, start, t_end)
-            } else {
-                method.advance(&SpinFree::new(&scene)?, t, start, t_end)
-            };
-        }
-        let steps = self.steps(problem, t_end - t, level);
-        if steps.is_nan() || steps > MOST_STEPS {
-            return Err(Error::TooManySteps {
-                t,
-                t_end,
-                limit: MOST_STEPS as u64,
-            });
-        }
-        let steps = (steps.ceil() as u64).max(fewest);
-        let gauss = GaussLegendre::with_precision(steps, precision)?;
-        match self {
-            FreeGauss => {
-                let free = FreeRotation::new(&Scene::new(problem.body));
-                gauss.advance(&free, t, start, t_end)
+            Carrier::Dop853(method)
+        } else {
+            let steps = self.steps(problem, t_end - t, level);
+            if steps.is_nan() || steps > MOST_STEPS {
+                return Err(Error::TooManySteps {
+                    t,
+                    t_end,
+                    limit: MOST_STEPS as u64,
+                });
             }
-            BodyGauss => gauss.advance(&BodyAxes::new(&problem.scene()), t, start, t_end),
-            SpinFreeGauss => gauss.advance(&SpinFree::new(&problem.scene())?, t, start, t_end),
-            Split(scheme) => {
-                Splitting::new(scheme, steps)?.advance(&problem.scene(), t, start, t_end)
-            }
-            Gauss | Adaptive | SpinFreeAdaptive => gauss.advance(&problem.scene(), t, start, t_end),
-        }
+            let steps = (steps.ceil() as u64).max(fewest);
+            Carrier::new(self.method(), Fineness::Stages(steps, precision))?
+        };
+        carrier.advance(&scene, self.variables(), [t, t_end], start)
     }
 }

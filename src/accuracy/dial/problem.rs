@@ -2,7 +2,7 @@
 
 use super::Solvable;
 use crate::body::{RigidBody, State};
-use crate::effects::{AxisEffect, Effect, Keeps};
+use crate::effects::{Effect, Keeps};
 use crate::error::Result;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
@@ -44,15 +44,13 @@ impl<E: Solvable> Effect for Strengthened<'_, E> {
     }
 }
 
-/// Only used where the effect is [`Solvable::AXIS_ONLY`].
-impl<E: Solvable> AxisEffect for Strengthened<'_, E> {
-    #[inline]
-    fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
-        SpaceVector::from_array(self.axis_torques(axis.to_array()))
-    }
+impl<E: Solvable> Solvable for Strengthened<'_, E> {
+    const TORQUE_FREE: bool = E::TORQUE_FREE;
+    const AXIS_ONLY: bool = E::AXIS_ONLY;
+    const ANALYTIC: bool = E::ANALYTIC;
 
     #[inline(always)]
-    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+    fn torque_on_axis<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
         self.effects.torque_on_axis(axis).map(|m| m * self.strength)
     }
 }

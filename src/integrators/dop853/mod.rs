@@ -15,7 +15,7 @@ pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
 
 use super::ode::check_span;
-use super::{About, Integrator, Ode, Work};
+use super::{Integrator, Ode, Work};
 use crate::error::{Error, Result, finite, positive};
 use core::ops::ControlFlow;
 
@@ -175,14 +175,6 @@ impl Dop853 {
 }
 
 impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
-    fn about(&self) -> About {
-        About {
-            name: "DOP853",
-            order: 8,
-            source: "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5",
-        }
-    }
-
     fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
         self.drive(ode, t, start, t_end, |_, _, _| {
             Ok(ControlFlow::Continue(()))

@@ -11,16 +11,12 @@ use crate::frame::{BodyVector, SpaceVector};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::{components, state};
-use crate::integrators::{About, Integrator, Ode, SpinFree, Work};
+use crate::integrators::{Integrator, Ode, SpinFree, Work};
 use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
 impl<E: Effect> Integrator<Scene<E>, State> for GaussLegendre {
-    fn about(&self) -> About {
-        Self::ABOUT
-    }
-
     fn advance(
         &self,
         scene: &Scene<E>,
@@ -166,10 +162,6 @@ impl<E: AxisEffect> StageOde<7> for Precession<'_, E> {
 }
 
 impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
-    fn about(&self) -> About {
-        Self::ABOUT
-    }
-
     fn advance(
         &self,
         problem: &SpinFree<'s, E>,
@@ -323,10 +315,6 @@ impl<E: AxisEffect> StageOde<7> for BodyAxes<'_, E> {
 }
 
 impl<'s, E: AxisEffect> Integrator<BodyAxes<'s, E>, State> for GaussLegendre {
-    fn about(&self) -> About {
-        Self::ABOUT
-    }
-
     fn advance(
         &self,
         problem: &BodyAxes<'s, E>,

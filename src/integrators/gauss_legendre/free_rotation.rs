@@ -14,7 +14,7 @@ use crate::frame::{BodyVector, SpaceVector};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::components;
-use crate::integrators::{About, Integrator, Ode, Work};
+use crate::integrators::{Integrator, Ode, Work};
 use crate::math::{DoubleDouble as Dd, Lane, ilogb, ldexp, sincos_turns};
 use crate::scene::Scene;
 
@@ -400,10 +400,6 @@ fn unit_quaternion([w, x, y, z]: Quaternion) -> Quaternion {
 
 /// The attitude moves; the momentum in space is that of the start.
 impl Integrator<FreeRotation, State> for GaussLegendre {
-    fn about(&self) -> About {
-        Self::ABOUT
-    }
-
     fn advance(
         &self,
         problem: &FreeRotation,

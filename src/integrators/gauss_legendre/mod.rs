@@ -27,7 +27,7 @@ pub use registers::Registers;
 use super::compensated::Compensated;
 use super::explicit::no_steps;
 use super::ode::check_span;
-use super::{About, Integrator, Ode, Work};
+use super::{Integrator, Ode, Work};
 use crate::error::{Error, Result};
 use crate::math::lane::WIDEST;
 use crate::math::{EPS, Lane};
@@ -130,12 +130,6 @@ pub struct GaussLegendre {
 }
 
 impl GaussLegendre {
-    const ABOUT: About = About {
-        name: "Gauss-Legendre 16",
-        order: 16,
-        source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
-    };
-
     /// The method with this many equal steps over the whole run, stages solved to round-off.
     ///
     /// Errors: no steps.
@@ -174,10 +168,6 @@ impl GaussLegendre {
 }
 
 impl<const N: usize, O: StageOde<N>> Integrator<O, [f64; N]> for GaussLegendre {
-    fn about(&self) -> About {
-        Self::ABOUT
-    }
-
     fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
         check_span(t, start, t_end)?;
         if t == t_end {

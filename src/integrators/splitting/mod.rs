@@ -14,7 +14,7 @@ pub use body::BodyPoint;
 pub use scheme::{Outer, Scheme};
 
 use super::explicit::no_steps;
-use super::{About, Integrator, Work};
+use super::{Integrator, Work};
 use crate::error::{Result, finite};
 
 /// A problem made of two parts that can each be solved exactly.
@@ -114,14 +114,6 @@ impl Splitting {
 }
 
 impl<P: Separable> Integrator<P, P::State> for Splitting {
-    fn about(&self) -> About {
-        About {
-            name: self.scheme.name,
-            order: self.scheme.order,
-            source: self.scheme.source,
-        }
-    }
-
     fn advance(
         &self,
         problem: &P,

@@ -57,7 +57,7 @@ impl Scheme {
         const A: [f64; 2] = [0.245_298_957_184_271, 0.604_872_665_711_080];
         const A3: f64 = 0.5 - (A[0] + A[1]);
         Self {
-            name: "Blanes-Moan SRKN 6b",
+            name: "SRKN 6b",
             order: 4,
             source: "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142, 313 (2002), table 3",
             outer: Outer::Kick,
@@ -88,7 +88,7 @@ impl Scheme {
         ];
         const B7: f64 = 0.5 - (B[0] + B[1] + B[2] + B[3] + B[4] + B[5]);
         Self {
-            name: "Blanes-Moan SRKN 14a",
+            name: "SRKN 14a",
             order: 6,
             source: "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142, 313 (2002), table 3",
             outer: Outer::Flow,
@@ -145,7 +145,7 @@ impl Scheme {
         const A3: f64 = 1.0 - 2.0 * (A[0] + A[1]);
         const B: f64 = 0.173_927_422_568_726_93;
         Self {
-            name: "McLachlan ABA(8,2)",
+            name: "ABA(8,2)",
             order: 2,
             source: "R. I. McLachlan, BIT 35, 258 (1995); \
                      J. Laskar, P. Robutel, Celest. Mech. 80, 39 (2001), SABA4",
@@ -170,7 +170,7 @@ impl Scheme {
         ];
         const B4: f64 = 1.0 - 2.0 * (B[0] + B[1] + B[2]);
         Self {
-            name: "Blanes et al. ABA(10,4)",
+            name: "ABA(10,4)",
             order: 4,
             source: "S. Blanes, F. Casas, A. Farrés, J. Laskar, J. Makazaga, A. Murua, \
                      Appl. Numer. Math. 68, 58 (2013)",
@@ -196,7 +196,7 @@ impl Scheme {
         ];
         const B4: f64 = 0.5 - (B[0] + B[1] + B[2]);
         Self {
-            name: "Blanes et al. ABA(10,6,4)",
+            name: "ABA(10,6,4)",
             order: 4,
             source: "S. Blanes, F. Casas, A. Farrés, J. Laskar, J. Makazaga, A. Murua, \
                      Appl. Numer. Math. 68, 58 (2013)",

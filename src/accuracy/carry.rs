@@ -1,0 +1,208 @@
+//! A method made ready to run, and what it carries of a scene.
+
+use super::Solvable;
+use crate::body::{RigidBody, State};
+use crate::effects::{AxisEffect, Effect, Keeps};
+use crate::error::{Error, Result};
+use crate::frame::SpaceVector;
+use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
+use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};
+use crate::integrators::{
+    Dop853, GaussLegendre, Integrator, Method, MuntheKaas4, Rk4, SpinFree, Splitting, Work,
+};
+use crate::math::Lane;
+use crate::scene::Scene;
+
+/// How fine a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fineness {
+    /// So many equal steps.
+    Steps(u64),
+    /// The same, the equations of each step solved to a precision: Gauss-Legendre only.
+    Stages(u64, f64),
+    /// Steps with an estimated error below this: DOP853 only.
+    Tolerance(f64),
+}
+
+impl Fineness {
+    /// What a number means to a method: a tolerance to DOP853, steps to the others.
+    pub const fn of(method: Method, setting: f64) -> Self {
+        match method {
+            Method::Dop853 => Self::Tolerance(setting),
+            _ => Self::Steps(setting as u64),
+        }
+    }
+}
+
+/// What is carried through time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variables {
+    /// Attitude and momentum in space: any scene.
+    Space,
+    /// The same without the spin of a symmetric body under effects that see its axis only.
+    SpinFree,
+    /// Attitude and momentum on the body's axes, by Gauss-Legendre: a body without torque,
+    /// or under effects that see its axis only.
+    Body,
+}
+
+impl Variables {
+    /// The variables in which `method` carries this scene in the fewest steps.
+    pub fn best<E: Solvable>(method: Method, scene: &Scene<E>) -> Self {
+        let symmetric = scene.body().moments().is_symmetric();
+        match method {
+            Method::GaussLegendre16 if E::TORQUE_FREE => Self::Body,
+            Method::Rk4 | Method::Dop853 | Method::GaussLegendre16
+                if E::AXIS_ONLY && symmetric && !E::TORQUE_FREE =>
+            {
+                Self::SpinFree
+            }
+            Method::GaussLegendre16 if E::AXIS_ONLY => Self::Body,
+            _ => Self::Space,
+        }
+    }
+}
+
+/// A method, made as fine as it is to run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Carrier {
+    /// [`Method::EulerOnAngles`].
+    EulerOnAngles(EulerOnAngles),
+    /// [`Method::SemiImplicitEuler`].
+    SemiImplicitEuler(SemiImplicitEuler),
+    /// [`Method::Rk4`].
+    Rk4(Rk4),
+    /// [`Method::MuntheKaas4`].
+    MuntheKaas4(MuntheKaas4),
+    /// Any splitting.
+    Splitting(Splitting),
+    /// [`Method::Dop853`].
+    Dop853(Dop853),
+    /// [`Method::GaussLegendre16`].
+    GaussLegendre(GaussLegendre),
+}
+
+impl Carrier {
+    /// The method, so fine.
+    ///
+    /// # Errors
+    /// Steps for DOP853, a tolerance for any other; no steps; what the method refuses.
+    pub fn new(method: Method, fineness: Fineness) -> Result<Self> {
+        let steps = match fineness {
+            Fineness::Steps(steps) | Fineness::Stages(steps, _) => steps,
+            Fineness::Tolerance(tolerance) if method == Method::Dop853 => {
+                return Ok(Self::Dop853(Dop853::new(tolerance)?));
+            }
+            Fineness::Tolerance(_) => 0,
+        };
+        Ok(match (method, fineness) {
+            (Method::EulerOnAngles, _) => Self::EulerOnAngles(EulerOnAngles::new(steps)?),
+            (Method::SemiImplicitEuler, _) => {
+                Self::SemiImplicitEuler(SemiImplicitEuler::new(steps)?)
+            }
+            (Method::Rk4, _) => Self::Rk4(Rk4::new(steps)?),
+            (Method::MuntheKaas4, _) => Self::MuntheKaas4(MuntheKaas4::new(steps)?),
+            (Method::GaussLegendre16, Fineness::Stages(_, precision)) => {
+                Self::GaussLegendre(GaussLegendre::with_precision(steps, precision)?)
+            }
+            (Method::GaussLegendre16, _) => Self::GaussLegendre(GaussLegendre::new(steps)?),
+            _ => {
+                let scheme = method.scheme().ok_or(Error::OutOfRange {
+                    name: "steps of DOP853",
+                    value: steps as f64,
+                    allowed: "none: it chooses its steps itself, by a tolerance",
+                })?;
+                Self::Splitting(Splitting::new(scheme, steps)?)
+            }
+        })
+    }
+
+    /// The state at `t_end` that follows from `start` at `t`, and the work done.
+    ///
+    /// # Errors
+    /// Variables that the method or the scene does not have; what the method refuses.
+    pub fn advance<E: Solvable>(
+        &self,
+        scene: &Scene<E>,
+        variables: Variables,
+        [t, t_end]: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        let seen = Scene::new(*scene.body()).with(AxisOnly(scene.effects()));
+        match (self, variables) {
+            (Self::EulerOnAngles(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::SemiImplicitEuler(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::MuntheKaas4(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::GaussLegendre(m), Variables::Body) if E::TORQUE_FREE => {
+                let free = FreeRotation::new(&Scene::new(*scene.body()));
+                m.advance(&free, t, start, t_end)
+            }
+            // What follows sees the axis alone.
+            _ if !E::AXIS_ONLY => Err(Error::OutOfRange {
+                name: "effects that see more than the body's axis",
+                value: 1.0,
+                allowed: "0: splittings, and variables other than those in space, see the axis only",
+            }),
+            (Self::Splitting(m), Variables::Space) => m.advance(&seen, t, start, t_end),
+            (Self::GaussLegendre(m), Variables::Body) => {
+                m.advance(&BodyAxes::new(&seen), t, start, t_end)
+            }
+            (Self::GaussLegendre(m), Variables::SpinFree) => {
+                m.advance(&SpinFree::new(&seen)?, t, start, t_end)
+            }
+            (Self::Rk4(m), Variables::SpinFree) => {
+                m.advance(&SpinFree::new(&seen)?, t, start, t_end)
+            }
+            (Self::Dop853(m), Variables::SpinFree) => {
+                m.advance(&SpinFree::new(&seen)?, t, start, t_end)
+            }
+            _ => Err(Error::OutOfRange {
+                name: "variables on the body's axes or without the spin",
+                value: 1.0,
+                allowed: "0 with this method: it has its own, or those in space",
+            }),
+        }
+    }
+}
+
+/// Whether `method` applies to a scene of this type.
+pub const fn applies<E: Solvable>(method: Method) -> bool {
+    method.scheme().is_none() || (E::AXIS_ONLY && !E::TORQUE_FREE)
+}
+
+/// Effects of which it is known that they see the body's axis only.
+struct AxisOnly<'e, E>(&'e E);
+
+impl<E: Effect> Effect for AxisOnly<'_, E> {
+    const KEEPS: Keeps = E::KEEPS;
+
+    #[inline]
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    #[inline]
+    fn potential_energy(&self, state: &State) -> f64 {
+        self.0.potential_energy(state)
+    }
+
+    #[inline]
+    fn torque_scale(&self) -> f64 {
+        self.0.torque_scale()
+    }
+}
+
+impl<E: Solvable> AxisEffect for AxisOnly<'_, E> {
+    #[inline]
+    fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
+        SpaceVector::from_array(self.axis_torques(axis.to_array()))
+    }
+
+    #[inline(always)]
+    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
+        self.0.torque_on_axis(axis)
+    }
+}

@@ -1,0 +1,177 @@
+//! A problem: a motion from a start to an end whose answer is known.
+
+use super::{Carrier, Errors, Fineness, Run, Solvable, Sweep, Variables};
+use crate::attitude::Attitude;
+use crate::body::State;
+use crate::error::{Error, Result, positive};
+use crate::integrators::{Method, Work};
+use crate::math::exp2;
+use crate::scene::Scene;
+use std::sync::Arc;
+
+type ClosedForm = Arc<dyn Fn(f64) -> Attitude + Send + Sync>;
+
+/// A scene, its start, a time and the exact state then: what a method is judged by.
+///
+/// ```
+/// use rotation_dynamics::accuracy::Problem;
+/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::body::{RigidBody, State};
+/// use rotation_dynamics::exact::free_body::FreeBody;
+/// use rotation_dynamics::frame::BodyVector;
+/// use rotation_dynamics::inertia::PrincipalMoments;
+/// use rotation_dynamics::integrators::Method;
+/// use rotation_dynamics::scene::Scene;
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
+/// let rates = BodyVector::new(0.8, 0.4, 0.3375);
+/// let scene = Scene::new(RigidBody::new(moments));
+/// let start = scene.body().state(Attitude::IDENTITY, rates)?;
+/// let motion = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
+/// let exact = State::new(motion.attitude_at(10.0), start.angular_momentum)?;
+/// let problem = Problem::new(scene, start, 10.0, exact);
+///
+/// let rk4 = problem.least(Method::Rk4, 1e-9)?.expect("RK4 gets there");
+/// let gauss = problem.least(Method::GaussLegendre16, 1e-9)?.expect("and so does this");
+/// assert!(rk4.errors.attitude <= 1e-9 && gauss.errors.attitude <= 1e-9);
+/// assert!(rk4.work.steps > 100 * gauss.work.steps);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct Problem<E> {
+    /// What moves.
+    pub scene: Scene<E>,
+    /// Its state at t = 0.
+    pub start: State,
+    /// The time (s) at which the answer is asked for.
+    pub end: f64,
+    /// The exact state then.
+    pub exact: State,
+    closed_form: Option<ClosedForm>,
+}
+
+impl<E: Solvable> Problem<E> {
+    /// The motion of `scene` from `start` at t = 0 to `end` (s), where it is at `exact`.
+    pub const fn new(scene: Scene<E>, start: State, end: f64, exact: State) -> Self {
+        Self {
+            scene,
+            start,
+            end,
+            exact,
+            closed_form: None,
+        }
+    }
+
+    /// The same with its closed form, the attitude at a time (s): one sample of it is the
+    /// unit in which times are measured.
+    #[must_use]
+    pub fn in_closed_form(
+        mut self,
+        attitude: impl Fn(f64) -> Attitude + Send + Sync + 'static,
+    ) -> Self {
+        self.closed_form = Some(Arc::new(attitude));
+        self
+    }
+
+    /// The closed form, if there is one.
+    pub const fn closed_form(&self) -> Option<&ClosedForm> {
+        self.closed_form.as_ref()
+    }
+
+    /// The angle (rad) between the attitude of `reached` and the exact one.
+    pub fn error(&self, reached: &State) -> f64 {
+        self.exact.attitude.angle_to(&reached.attitude)
+    }
+
+    /// All errors of `reached`.
+    pub fn errors(&self, reached: &State) -> Errors {
+        Errors::between(&self.scene, reached, &self.exact)
+    }
+
+    /// A run of a method, from the start to the end.
+    ///
+    /// # Errors
+    /// What the method refuses.
+    pub fn run(
+        &self,
+        method: Method,
+        variables: Variables,
+        fineness: Fineness,
+    ) -> Result<(State, Work)> {
+        let carrier = Carrier::new(method, fineness)?;
+        carrier.advance(&self.scene, variables, [0.0, self.end], &self.start)
+    }
+
+    /// A method with each setting ([`Fineness::of`]), in the order given.
+    pub fn sweep(
+        &self,
+        method: Method,
+        variables: Variables,
+        settings: impl IntoIterator<Item = f64>,
+    ) -> Sweep {
+        Sweep::over(settings, |setting| {
+            let (reached, work) = self.run(method, variables, Fineness::of(method, setting))?;
+            Ok((self.errors(&reached), work))
+        })
+    }
+
+    /// The least work with which a method delivers an attitude within `tolerance` (rad),
+    /// as hindsight knows it; `None` if it does not, with half a million torques.
+    ///
+    /// Steps grow by factors of 2^(1/4) (2^(1/16) for Gauss-Legendre, which carries the
+    /// scene in its best variables); all others carry attitude and momentum in space.
+    ///
+    /// # Errors
+    /// A tolerance that is not positive; a method that does not apply.
+    pub fn least(&self, method: Method, tolerance: f64) -> Result<Option<Run>> {
+        positive("tolerance", tolerance)?;
+        let variables = self.usual(method);
+        for level in 0..=finest(method) {
+            let setting = at(method, level);
+            let run = self.run(method, variables, Fineness::of(method, setting));
+            let (reached, work) = match run {
+                // Steps far too long for a fast motion overflow, or their stages have no
+                // solution: not delivered.
+                Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => continue,
+                run => run?,
+            };
+            if self.error(&reached) <= tolerance {
+                return Ok(Some(Run {
+                    setting,
+                    work,
+                    errors: self.errors(&reached),
+                }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The variables of [`Problem::least`].
+    pub fn usual(&self, method: Method) -> Variables {
+        match method {
+            Method::GaussLegendre16 => Variables::best(method, &self.scene),
+            _ => Variables::Space,
+        }
+    }
+}
+
+/// A rung of the ladder that [`Problem::least`] climbs.
+fn at(method: Method, level: u32) -> f64 {
+    match method {
+        Method::Dop853 => (0.1 * exp2(-f64::from(level))).max(1e-15),
+        Method::GaussLegendre16 => (6.0 * exp2(f64::from(level) / 16.0)).floor(),
+        _ => (8.0 * exp2(0.25 * f64::from(level))).floor(),
+    }
+}
+
+/// The last rung worth trying: beyond it a run costs more than half a million torques.
+fn finest(method: Method) -> u32 {
+    match method {
+        Method::Dop853 => 46,
+        Method::Srkn14 | Method::KahanLi17 => 48,
+        Method::GaussLegendre16 => 96,
+        Method::Rk4 | Method::MuntheKaas4 | Method::Strang => 56,
+        _ => 52,
+    }
+}

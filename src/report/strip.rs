@@ -1,0 +1,120 @@
+//! The accuracy strip: what the dial delivers and pays, and what each method would.
+
+use super::{ClosedForm, Computation, Price, Report};
+use crate::accuracy::{Fineness, Problem, Solvable, Solved, applies};
+use crate::error::{Error, Result};
+use crate::integrators::Method;
+
+/// The methods whose least work is shown, where they apply.
+const SHOWN: [Method; 6] = [
+    Method::Rk4,
+    Method::Strang,
+    Method::Srkn6,
+    Method::Srkn14,
+    Method::Dop853,
+    Method::GaussLegendre16,
+];
+
+type Solve<E> = fn(&Problem<E>, f64) -> Result<Solved>;
+
+impl Report {
+    /// Adds the accuracy strip of a problem, from the largest error to the smallest.
+    ///
+    /// For each of `tolerances` (rad) a line for the dial, stepping, with all its runs. For
+    /// the first, which is the page's own, also the dial as it is, where that takes the
+    /// closed form, and the least work of each method, as hindsight knows it. Every line can
+    /// be run again by those who measure time; the unit is a sample of the closed form.
+    ///
+    /// # Errors
+    /// A tolerance out of range, one for which the first lines are refused, or what a
+    /// method refuses.
+    pub fn strip<E>(&mut self, problem: &Problem<E>, tolerances: &[f64]) -> Result<()>
+    where
+        E: Solvable + Clone + Send + Sync + 'static,
+    {
+        let Some(&own) = tolerances.first() else {
+            return Ok(());
+        };
+        let mut sorted = tolerances.to_vec();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        sorted.dedup();
+        let solve: Solve<E> = |p, error| p.scene.solve(&p.start, p.end, error);
+        let step: Solve<E> = |p, error| p.scene.solve_by_stepping(&p.start, p.end, error);
+        for tolerance in sorted {
+            if tolerance == own && problem.closed_form().is_some() {
+                self.add_dial(problem, "dial", tolerance, solve)?;
+            }
+            self.add_dial(problem, "dial, stepping", tolerance, step)?;
+            if tolerance == own {
+                for method in SHOWN.into_iter().filter(|method| applies::<E>(*method)) {
+                    self.add_least(problem, method, tolerance)?;
+                }
+            }
+        }
+        if let Some(attitude) = problem.closed_form().cloned() {
+            let end = problem.end;
+            self.set_closed_form(ClosedForm::new(move |part| Ok(attitude(part * end))));
+        }
+        Ok(())
+    }
+
+    /// Adds what the dial delivers, or that it refuses and the least it could.
+    fn add_dial<E>(
+        &mut self,
+        problem: &Problem<E>,
+        label: &str,
+        requested: f64,
+        solve: Solve<E>,
+    ) -> Result<()>
+    where
+        E: Solvable + Clone + Send + Sync + 'static,
+    {
+        let (method, delivered, work, again) = match solve(problem, requested) {
+            Ok(solved) => {
+                let (run, judge) = (problem.clone(), problem.clone());
+                let again = Computation::new(
+                    move || solve(&run, requested),
+                    move |solved| Ok(judge.error(&solved.state)),
+                );
+                let error = problem.error(&solved.state);
+                (solved.method, error, solved.work.to_string(), Some(again))
+            }
+            Err(Error::BeyondCondition { attainable, .. }) => {
+                ("-", attainable, "refused".into(), None)
+            }
+            Err(other) => return Err(other),
+        };
+        self.add_price(Price {
+            method: format!("{label}: {method}"),
+            requested: Some(requested),
+            delivered,
+            work,
+            again,
+        });
+        Ok(())
+    }
+
+    /// Adds the least work with which a method delivers, if it does.
+    fn add_least<E>(&mut self, problem: &Problem<E>, method: Method, requested: f64) -> Result<()>
+    where
+        E: Solvable + Clone + Send + Sync + 'static,
+    {
+        let Some(run) = problem.least(method, requested)? else {
+            return Ok(());
+        };
+        let (runner, judge) = (problem.clone(), problem.clone());
+        let (variables, setting) = (problem.usual(method), run.setting);
+        let again = Computation::new(
+            move || runner.run(method, variables, Fineness::of(method, setting)),
+            move |(reached, _)| Ok(judge.error(reached)),
+        );
+        self.add_price(Price {
+            method: format!("least: {}", method.name()),
+            requested: Some(requested),
+            delivered: run.errors.attitude,
+            work: run.work.to_string(),
+            again: Some(again),
+        });
+        Ok(())
+    }
+}
