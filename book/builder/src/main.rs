@@ -9,6 +9,7 @@
 
 mod build;
 mod check;
+mod coverage;
 mod directive;
 mod expand;
 mod figure;

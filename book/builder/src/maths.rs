@@ -200,7 +200,7 @@ fn accents(mathml: &str) -> String {
 }
 
 /// The slanted letter that a browser shows for a single one in `<mi>`.
-fn italic(c: char) -> char {
+pub fn italic(c: char) -> char {
     let at = |first: u32, letter: char| char::from_u32(first + u32::from(c) - u32::from(letter));
     let slanted = match c {
         'h' => Some('\u{210e}'),

@@ -1,5 +1,6 @@
 //! The lint of finished pages: nothing left over, nothing pointing nowhere, nothing from outside.
 
+use crate::coverage::{self, Missing};
 use crate::problem::{Problem, Problems};
 use crate::text::unescape;
 use std::collections::{BTreeMap, BTreeSet};
@@ -190,6 +191,16 @@ pub fn check(
                     );
                 }
             }
+        }
+        for Missing { c, family, line } in coverage::missing(&pages[*address]) {
+            let code = u32::from(c);
+            problem(
+                line,
+                &c.to_string(),
+                format!(
+                    "the book's font {family:?} has no '{c}' (U+{code:04X}); see book/builder/fonts/subset.py"
+                ),
+            );
         }
         for tag in tags {
             if tag.name == "svg" && tag.get("role") == Some("img") {

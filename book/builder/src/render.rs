@@ -123,11 +123,12 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     warnings::none()?;
 
     let mut written = BTreeMap::new();
+    let fonts = first_fonts(fresh)?;
     for path in files(fresh)? {
         if path.extension().is_some_and(|e| e == "html") {
             let address = address(fresh, &path);
             let html = fs::read_to_string(&path)?;
-            let html = finish(project, &html, &address)
+            let html = finish(project, &html, &address, &fonts)
                 .map_err(|e| Error::msg(format!("{address}: {e}")))?;
             fs::write(&path, &html)?;
             written.insert(address, html);
@@ -141,11 +142,6 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
         fs::write(&path, &html)?;
         written.insert(address, html);
     }
-    for (name, bytes) in fonts::files().map_err(Error::msg)? {
-        let path = fresh.join("fonts").join(name);
-        fs::create_dir_all(fresh.join("fonts"))?;
-        fs::write(path, bytes)?;
-    }
     let all: Vec<String> = files(fresh)?.iter().map(|p| address(fresh, p)).collect();
     let source = |address: &str| {
         let file = format!("book/src/{}.md", address.strip_suffix(".html")?);
@@ -154,18 +150,37 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     pages::check(&written, &all, source).map_err(Error::new)
 }
 
+/// The addresses of the fonts to be loaded first: mdBook puts a hash behind their names.
+fn first_fonts(fresh: &Path) -> Result<Vec<String>> {
+    let all: Vec<String> = files(fresh)?.iter().map(|p| address(fresh, p)).collect();
+    let font = |name: &&str| {
+        all.iter().find(|file| {
+            let hash = file.strip_prefix(&format!("fonts/{name}-"));
+            let hash = hash.and_then(|rest| rest.strip_suffix(".woff2"));
+            hash.is_some_and(|hash| !hash.contains('-') && hash.len() == 8)
+        })
+    };
+    Ok(fonts::FIRST.iter().filter_map(font).cloned().collect())
+}
+
 /// A page with its marks filled and the theme's colours in place.
-fn finish(project: &Project, html: &str, address: &str) -> Result<String, String> {
+fn finish(
+    project: &Project,
+    html: &str,
+    address: &str,
+    fonts: &[String],
+) -> Result<String, String> {
     let mut number = 0;
     let html = splice::fill(html, |splice| html_of(project, splice, &mut number))?;
-    // The fonts of the first screen, so that nothing moves when they arrive.
     let up = "../".repeat(address.matches('/').count());
-    let preload = |name: &str| {
-        format!(
-            "<link rel=\"preload\" as=\"font\" type=\"font/otf\" crossorigin href=\"{up}fonts/{name}.otf\">"
-        )
-    };
-    let preload = preload("LibertinusSerif-Regular") + &preload("NewCMMath-Book");
+    let preload: String = fonts
+        .iter()
+        .map(|font| {
+            format!(
+                "<link rel=\"preload\" as=\"font\" type=\"font/woff2\" crossorigin href=\"{up}{font}\">"
+            )
+        })
+        .collect();
     let colours = format!(
         "{preload}<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
         light = css_variables(false).replace('\n', ""),
