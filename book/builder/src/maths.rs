@@ -155,19 +155,44 @@ pub fn parts(tex: &str) -> Vec<&str> {
 /// Works around what browsers do not take from a mathematics font.
 ///
 /// - Primes: the variants for superscripts are ignored; they get a class for the style sheet.
+/// - Greek: one shape of each letter, in formulas as in text and figures.
+/// - Roots: the sign is as low as its content; a strut makes all of one line equally high.
 /// - Accents: the point of attachment is ignored, so a dot over a slanted letter sits
-///   too far left; it is moved by what the font says.
+///   too far left; it is moved by what the font says, and a dot lifted off its letter.
+/// - Powers of an accented letter are raised by the accent; they belong where the letter's are.
 /// - Fences: a stretchy one gets the width of its largest variant; around content
 ///   that is one line high it need not stretch.
 fn mend(mathml: &str) -> String {
-    let mut mended = mathml.to_owned();
+    let mut mended = mathml.replace('ϕ', "φ").replace('ϵ', "ε");
     for prime in ['\u{2032}', '\u{2033}', '\u{2034}'] {
         mended = mended.replace(
             &format!("<mo>{prime}</mo>"),
             &format!("<mo class=\"prime\">{prime}</mo>"),
         );
     }
-    accents(&fences(&mended))
+    let mended = mended.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
+    powers(&dots(&accents(&fences(&mended))))
+}
+
+/// As high as a capital and as deep as a letter with a foot.
+const STRUT: &str = "<mspace width=\"0\" height=\".76em\" depth=\".2em\"/>";
+
+/// How far a dot is lifted, in em: at the font's own height it touches a theta.
+const LIFT: f64 = 0.09;
+
+/// Where the element ends with whose start tag `html` begins, called `tag`.
+fn element_end(html: &str, tag: &str) -> Option<usize> {
+    let (open, close) = (format!("<{tag}"), format!("</{tag}>"));
+    let (mut depth, mut at) = (0, 0);
+    loop {
+        let next = html[at..].find(&close)?;
+        depth += html[at..at + next].matches(&open).count();
+        at += next + close.len();
+        depth -= 1;
+        if depth == 0 {
+            return Some(at);
+        }
+    }
 }
 
 fn accents(mathml: &str) -> String {
@@ -191,12 +216,44 @@ fn accents(mathml: &str) -> String {
             let skew = fonts::skew(c).filter(|skew| skew.abs() > 0.005);
             done.push_str(&format!("{attributes}>{letter}</mi><mo"));
             if let Some(skew) = skew {
-                done.push_str(&format!(" style=\"transform:translateX({skew:.3}em)\""));
+                done.push_str(&format!(" style=\"transform:translate({skew:.3}em)\""));
             }
             rest = accent;
         }
     }
     done + rest
+}
+
+/// Lifts the dots, those that are moved already and the others.
+fn dots(mathml: &str) -> String {
+    let mut done = mathml.to_owned();
+    for dot in ['˙', '¨'] {
+        let plain = format!("<mo>{dot}</mo></mover>");
+        let lifted = format!("<mo style=\"transform:translate(0,-{LIFT}em)\">{dot}</mo></mover>");
+        let moved = format!("em)\">{dot}</mo></mover>");
+        let both = format!("em,-{LIFT}em)\">{dot}</mo></mover>");
+        done = done.replace(&moved, &both).replace(&plain, &lifted);
+    }
+    done
+}
+
+/// Takes the accent out of the height that decides where a power stands.
+fn powers(mathml: &str) -> String {
+    let mut done = mathml.to_owned();
+    for script in ["<msup>", "<msubsup>"] {
+        let accented = format!("{script}<mover accent=\"true\">");
+        let mut from = 0;
+        while let Some(at) = done[from..].find(&accented) {
+            let base = from + at + script.len();
+            let Some(end) = element_end(&done[base..], "mover") else {
+                break;
+            };
+            done.insert_str(base + end, "</mpadded>");
+            done.insert_str(base, "<mpadded height=\".7em\">");
+            from = base;
+        }
+    }
+    done
 }
 
 /// The slanted letter that a browser shows for a single one in `<mi>`.
@@ -223,20 +280,13 @@ fn fences(mathml: &str) -> String {
     let mut done = mathml.to_owned();
     let mut from = 0;
     while let Some(at) = done[from..].find("<mrow><mo>") {
-        let open = from + at + "<mrow>".len();
+        let row = from + at;
+        let open = row + "<mrow>".len();
         from = open;
-        let mut depth = 1;
-        let mut end = open;
-        while depth > 0 {
-            let next = done[end..].find("mrow>").map(|n| end + n);
-            let Some(next) = next else {
-                return done;
-            };
-            depth += if done[..next].ends_with('/') { -1 } else { 1 };
-            end = next + "mrow>".len();
-        }
-        let close = end - "</mrow>".len();
-        let content = &done[open..close];
+        let Some(length) = element_end(&done[row..], "mrow") else {
+            return done;
+        };
+        let content = &done[open..row + length - "</mrow>".len()];
         let last = content.rfind("<mo>");
         let fenced = content.ends_with("</mo>") && last.is_some_and(|last| last > 0);
         if let Some(last) = last
@@ -301,13 +351,29 @@ mod tests {
         // The font attaches an accent of a slanted theta 0.0755 em right of its middle.
         let theta = html(r"\dot\theta");
         assert!(
-            theta.contains("<mi>θ</mi><mo style=\"transform:translateX(0.07"),
+            theta.contains("<mi>θ</mi><mo style=\"transform:translate(0.07"),
             "{theta}"
         );
         let bold = html(r"\dot{\boldsymbol\omega}");
-        assert!(bold.contains("translateX(0.039em)"), "{bold}");
+        assert!(bold.contains("translate(0.039em,-0.09em)"), "{bold}");
         let omega = html(r"\dot\Omega");
-        assert!(!omega.contains("translateX"), "{omega}");
+        assert!(omega.contains("translate(0,-0.09em)"), "{omega}");
+        let hat = html(r"\hat\Omega");
+        assert!(!hat.contains("translate"), "{hat}");
+        for tex in [r"\dot\theta^2", r"\dot{\vec L}_1^2"] {
+            let power = html(tex);
+            let padded = "<mpadded height=\".7em\"><mover accent=\"true\">";
+            assert!(
+                power.contains(padded) && power.contains("</mover></mpadded>"),
+                "{power}"
+            );
+        }
+        assert!(!html(r"\dot\theta + x^2").contains("mpadded"));
+        let root = html(r"\sqrt{\phi}");
+        assert!(
+            root.contains(&format!("<msqrt>{STRUT}<mi>φ</mi>")),
+            "{root}"
+        );
         let low = html(r"\left(b - \left[c\right]\right)^2");
         assert_eq!(low.matches("<mo stretchy=\"false\">").count(), 4, "{low}");
         let tall = html(r"\left(\frac{b}{c}\right)");
