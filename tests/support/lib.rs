@@ -1,0 +1,42 @@
+//! Errors as the tests judge them: a NaN is kept, cases are counted, and what is
+//! written down is what is measured.
+//!
+//! Bits are equal on every machine, so an error has one value. A test writes it down
+//! to a few digits, and fails when the error grows and when it shrinks:
+//!
+//! ```ignore
+//! assert_error!(got, want, 3.1 eps); // one value: |got - want|/|want|, as printed
+//! assert_error!(defect, 2.4e-17); // one error, however it was measured
+//!
+//! let mut errors = Errors::in_units_of(EPS, "length of a turned vector");
+//! for case in cases {
+//!     errors.add(got, want, scale); // |got - want|/scale
+//! }
+//! errors.attain(4.1..=4.2, 3000); // of 3000 errors the largest is in this range
+//! ```
+//!
+//! Damaged twins of all of this are in `tests/teeth/errors.rs`.
+
+mod collected;
+mod single;
+
+pub use collected::Errors;
+pub use single::attained;
+
+/// The unit round-off, 2^-53.
+pub const EPS: f64 = 0.5 * f64::EPSILON;
+
+/// |got - want|/scale, where no difference is no error whatever the scale.
+///
+/// NaN if anything is NaN, if the scale is negative or infinite, or if both values
+/// are the same infinity: no such comparison says anything.
+pub fn relative(got: f64, want: f64, scale: f64) -> f64 {
+    let difference = (got - want).abs();
+    if !(0.0..f64::INFINITY).contains(&scale) {
+        f64::NAN
+    } else if difference == 0.0 {
+        0.0
+    } else {
+        difference / scale
+    }
+}
