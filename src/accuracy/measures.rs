@@ -49,7 +49,7 @@ use crate::scene::{Invariant, Scene};
 ///
 /// Accuracy: two exact states of the same motion differ by no more than 5 eps in the
 /// attitude, 11 eps in rates and momentum and 18 eps in the energy (measured in
-/// `tests/accuracy.rs`); an error smaller than that is round-off of the states.
+/// `tests/accuracy/measures.rs`); an error smaller than that is round-off of the states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
     /// The angle between the attitudes (rad).

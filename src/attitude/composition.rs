@@ -22,7 +22,7 @@ impl Attitude {
     /// [0, pi] (rad).
     ///
     /// Accuracy: correctly rounded, from neighbouring quaternions (1e-16) to
-    /// pi, in all 140 references of `tests/attitude`.
+    /// pi, in all 140 references of `tests/bodies/attitude`.
     pub fn angle_to(&self, other: &Self) -> f64 {
         let q = self.quaternion();
         let mut other = other.quaternion();

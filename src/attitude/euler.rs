@@ -43,7 +43,7 @@ impl Attitude {
     ///
     /// Errors: an angle that is not finite.
     /// Accuracy: rotation error 3.2 eps; components within 1.9 eps of themselves
-    /// for angles up to 1e15 rad, measured in `tests/attitude`.
+    /// for angles up to 1e15 rad, measured in `tests/bodies/attitude`.
     /// Source: notes 15.1.
     pub fn from_euler(angles: EulerAngles) -> Result<Self> {
         let phi = finite("phi", angles.phi)?;
@@ -83,7 +83,7 @@ impl Attitude {
     /// These are the figures of the exact angles rounded to doubles (at 0 and pi
     /// better: one angle is rounded, not two). No attitude does worse than 4.5:
     /// half an ulp of pi in phi and in zeta, and of theta. Over 32 000 random
-    /// attitudes the largest is 2.7 (`tests/attitude`).
+    /// attitudes the largest is 2.7 (`tests/bodies/attitude`).
     ///
     /// Cost: three arc tangents to 100 bits, about 40 times [`Attitude::from_euler`]
     /// and 200 compositions. It is for output, not for the inside of a step.
@@ -160,7 +160,7 @@ impl EulerAngles {
     /// w2 = -theta' sin zeta + phi' sin theta cos zeta, w3 = zeta' + phi' cos theta.
     ///
     /// Accuracy: 1.6 eps of |phi'| + |theta'| + |zeta'|, measured in
-    /// `tests/attitude`. Source: notes 15.2 (5).
+    /// `tests/bodies/attitude`. Source: notes 15.2 (5).
     pub fn angular_velocity(&self, rates: EulerRates) -> BodyVector {
         let [along_node, across, along_axis] = self.nodal_angular_velocity(rates);
         let (sin_zeta, cos_zeta) = math::sincos(self.zeta);
@@ -181,7 +181,7 @@ impl EulerAngles {
     /// and cannot be told apart; angles or components that are not finite;
     /// rates beyond the range of `f64`.
     /// Accuracy: 2.3 eps/sin theta, the condition of the problem, for rates up to
-    /// 1 rad/s; measured in `tests/attitude`.
+    /// 1 rad/s; measured in `tests/bodies/attitude`.
     /// Source: notes 15.2 (6), inverted.
     pub fn rates(&self, angular_velocity: BodyVector) -> Result<EulerRates> {
         finite("theta", self.theta)?;

@@ -13,7 +13,7 @@ impl Attitude {
     /// axes on the fixed axes.
     ///
     /// Accuracy: 2.0 eps absolute in every element, measured in
-    /// `tests/attitude`. Source: notes 15.1.
+    /// `tests/bodies/attitude`. Source: notes 15.1.
     pub fn matrix(&self) -> [[f64; 3]; 3] {
         let [w, x, y, z] = self.quaternion();
         let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
@@ -41,7 +41,7 @@ impl Attitude {
     /// Errors: an element that is not finite; [`Error::NotRotation`] if R^T R
     /// is off 1 by more than 1e-12, or if R is a reflection.
     /// Accuracy: rotation error 1.7 eps for matrices rounded from exact
-    /// ones, measured in `tests/attitude`.
+    /// ones, measured in `tests/bodies/attitude`.
     /// Source: S. W. Shepperd, J. Guidance and Control 1, 223 (1978): of four
     /// forms the one that divides by the largest component.
     pub fn from_matrix(matrix: [[f64; 3]; 3]) -> Result<Self> {

@@ -60,7 +60,7 @@ impl Attitude {
     /// unit to 4 eps already is kept bit for bit.
     ///
     /// Errors: a component that is not finite; all components zero.
-    /// Accuracy: correctly rounded, in all 100 references of `tests/attitude`.
+    /// Accuracy: correctly rounded, in all 100 references of `tests/bodies/attitude`.
     pub fn from_quaternion(quaternion: [f64; 4]) -> Result<Self> {
         for (name, value) in ["w", "x", "y", "z"].into_iter().zip(quaternion) {
             finite(name, value)?;
@@ -98,7 +98,7 @@ impl Attitude {
 
     /// Components on the fixed axes of a vector given on the body's axes: R v.
     ///
-    /// Accuracy: 6.0 eps of the vector's length, measured in `tests/attitude`.
+    /// Accuracy: 6.0 eps of the vector's length, measured in `tests/bodies/attitude`.
     #[inline]
     pub fn to_space(&self, v: BodyVector) -> SpaceVector {
         let [w, x, y, z] = self.quaternion;

@@ -14,7 +14,7 @@ impl Attitude {
     ///
     /// Errors: a component, or the length, that is not finite.
     /// Accuracy: each component of the quaternion within 2.4 eps of itself, from
-    /// vectors of 1e-300 to those of 1e15 rad, measured in `tests/attitude`.
+    /// vectors of 1e-300 to those of 1e15 rad, measured in `tests/bodies/attitude`.
     pub fn from_rotation_vector(vector: SpaceVector) -> Result<Self> {
         exponential(vector.to_array())
     }

@@ -70,7 +70,7 @@ impl MassProperties {
     /// Errors: no points; a mass that is not positive and finite; a position
     /// that is not finite.
     /// Accuracy: elements within 0.7 eps of the largest moment, measured in
-    /// `tests/inertia`: positions are taken relative to the centre of mass
+    /// `tests/bodies/inertia`: positions are taken relative to the centre of mass
     /// before they are squared, so a distant origin costs nothing but the
     /// rounding of the positions themselves.
     /// Source: notes 15.3.

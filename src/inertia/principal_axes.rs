@@ -10,7 +10,7 @@ use crate::math::{self, EPS};
 /// axes, a right-handed triad.
 ///
 /// Accuracy: moments within 2.7 eps of the largest, axes orthonormal to
-/// 6.8 eps, measured in `tests/inertia`. Where moments coincide the axes
+/// 6.8 eps, measured in `tests/bodies/inertia`. Where moments coincide the axes
 /// in their plane are a choice: those of the given tensor if it is diagonal.
 ///
 /// Source: C. G. J. Jacobi, J. reine angew. Math. 30, 51 (1846), in the cyclic

@@ -3,7 +3,7 @@
 //! Every solid has its centre of mass at the origin and its symmetry axis along
 //! e3. Masses in kg, lengths in m; every one must be positive and finite. The
 //! moments are closed forms of at most five roundings, within 8.2 eps of sums over
-//! slices (`tests/inertia`; most of that is the sums').
+//! slices (`tests/bodies/inertia`; most of that is the sums').
 
 use super::{InertiaTensor, MassProperties};
 use crate::error::{Error, Result, positive};

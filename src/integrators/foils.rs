@@ -1,7 +1,7 @@
 //! Foils: the methods that everyone writes first, kept here to be measured.
 //!
 //! Not for use. They show what the other methods are for: one fails at the pole of
-//! the Euler angles, both gain energy without bound, and both are of order 1. `tests/foils.rs` measures how they fail.
+//! the Euler angles, both gain energy without bound, and both are of order 1. `tests/integrators/foils.rs` measures how they fail.
 
 use super::explicit::{no_steps, node};
 use super::scene::components;

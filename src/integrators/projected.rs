@@ -40,7 +40,7 @@ pub trait Kept {
 /// torques, does not count, and short enough that little has gone wrong in it: some
 /// hundred steps.
 ///
-/// Accuracy, as measured with Gauss-Legendre 16 on eight heavy tops (`tests/drift.rs`):
+/// Accuracy, as measured with Gauss-Legendre 16 on eight heavy tops (`tests/accuracy/drift.rs`):
 /// after 5600 nods energy and momenta are off by 8 eps instead of 18, and stay there. Longer
 /// runs are in `benches/record/drift.txt`.
 ///

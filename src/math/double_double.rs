@@ -18,7 +18,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// An unevaluated sum `hi + lo` of two doubles, 106 bits.
 ///
-/// Largest relative errors measured in `tests/double_double.rs`, in units of
+/// Largest relative errors measured in `tests/exact/double_double.rs`, in units of
 /// 2^-106: `+ * /` and `sqrt` 1.0, `exp` 0.9, `exp_m1` 4, `ln` 7, `ln_1p` 5,
 /// `sinh` 4, `atan2` 0.7; `sin` and `cos` 0.3 of the value plus one.
 ///

@@ -20,7 +20,7 @@ pub fn round_even<L: Lane>(x: L) -> L {
 /// (sin 2 pi t, cos 2 pi t) of `t` turns, |t| < 2^48.
 ///
 /// Error: at most 1.64 eps of the value for the sine and 1.63 eps for the cosine,
-/// over 40 000 arguments against 106-bit values (`tests/turns.rs`).
+/// over 40 000 arguments against 106-bit values (`tests/exact/turns.rs`).
 ///
 /// ```
 /// use rotation_dynamics::math::sincos_turns;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes attitude.txt, the references of tests/attitude. Needs mpmath; fixed seed.
+"""Writes attitude.txt, the references of tests/bodies/attitude. Needs mpmath; fixed seed.
 
 Inputs are doubles, taken as exact. A reference is computed with 700 digits (so that
 angles of 1e-300 keep their meaning) and rounded once: to the nearest double, or, where

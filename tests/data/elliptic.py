@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the references of tests/elliptic.rs: `elliptic.py elliptic.json`.
+"""Writes the references of tests/exact/elliptic.rs: `elliptic.py elliptic.json`.
 
 Needs mpmath and python-flint (Arb). Jacobi: descending arithmetic-geometric mean
 at 700 digits; Carlson and Legendre: Arb's R_F and R_J at 3000 bits with 1-m and

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the references of tests/free_flow.rs: `free_flow.py free_flow.txt`.
+"""Writes the references of tests/exact/free_flow.rs: `free_flow.py free_flow.txt`.
 
 Needs mpmath. A line is: kind, I1 I2 I3, l1 l2 l3, dt, then the quaternion of the
 free rotation over dt less 1, 25 digits. Taylor series of the body's own equations,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes inertia.txt, the references of tests/inertia. Needs mpmath; fixed seed.
+"""Writes inertia.txt, the references of tests/bodies/inertia. Needs mpmath; fixed seed.
 
 Rows: a kind, the six elements xx yy zz xy xz yz (doubles, taken as exact) of a tensor of
 inertia, and its principal moments, ascending, as pairs of doubles (leading part, rest)."""

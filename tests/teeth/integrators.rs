@@ -10,7 +10,7 @@ use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Scheme, Separable,
 
 const T: f64 = 20.0;
 
-/// What two good methods agree to (measured 7.3e-15 in `tests/convergence`).
+/// What two good methods agree to (measured 7.3e-15 in `tests/integrators/convergence`).
 const BOUND: f64 = 8e-15;
 
 fn good() -> State {

@@ -61,6 +61,19 @@ impl Project {
         names
     }
 
+    /// The directories in `directory`, each with a slash at its end, sorted.
+    fn groups(&self, directory: &str) -> Vec<String> {
+        let entries = fs::read_dir(self.path(directory)).into_iter().flatten();
+        let mut groups: Vec<String> = entries
+            .flatten()
+            .filter(|entry| entry.path().is_dir())
+            .filter_map(|entry| entry.file_name().into_string().ok())
+            .map(|name| name + "/")
+            .collect();
+        groups.sort();
+        groups
+    }
+
     /// The locked output of an example: what stands after insta's header.
     pub fn output(&self, stem: &str) -> Result<String, String> {
         let file = format!("tests/snapshots/{stem}.snap");
@@ -200,16 +213,15 @@ impl Project {
         Ok((dedented.join("\n").trim_matches('\n').to_owned(), start + 2))
     }
 
-    /// The function `name` in `file`, which may be given without `tests/` and `.rs`.
+    /// The function `name` in `file`, which may be given without `tests/`, without the
+    /// directory of its group, and without `.rs`.
     pub fn test(&self, file: &str, name: &str) -> Result<TestSource, String> {
-        let candidates = [
-            file.to_owned(),
-            format!("{file}.rs"),
-            format!("tests/{file}"),
-            format!("tests/{file}.rs"),
-            format!("tests/{file}/main.rs"),
-            format!("tests/pages/{file}.rs"),
-        ];
+        let mut candidates = vec![file.to_owned(), format!("{file}.rs")];
+        for group in core::iter::once(String::new()).chain(self.groups("tests")) {
+            for end in ["", ".rs", "/main.rs", "/mod.rs"] {
+                candidates.push(format!("tests/{group}{file}{end}"));
+            }
+        }
         let found = candidates.iter().find(|f| self.path(f).is_file());
         let file = found.ok_or(format!("there is no test file '{file}'"))?;
         let text = self.read(file)?;

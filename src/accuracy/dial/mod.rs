@@ -86,7 +86,7 @@ impl<E: Solvable> Scene<E> {
     /// # }
     /// ```
     ///
-    /// Accuracy, as measured on 6000 random scenes at eleven tolerances (`tests/dial` runs
+    /// Accuracy, as measured on 6000 random scenes at eleven tolerances (`tests/accuracy/dial` runs
     /// 600): bodies with and without gravity, needles, separatrices, poles, upright and
     /// hanging tops, a torque that damps and drives. Delivered over requested, when
     /// everything is stepped:

@@ -82,7 +82,7 @@ impl FreeFlow {
     /// `turn.to_body(l)`. `dt` may be negative; a momentum below 1e-154 turns nothing.
     ///
     /// Accuracy: up to a turn of a few rad the quaternion is off by at most 8.8 eps of
-    /// its distance from 1 (78 cases of `tests/free_flow.rs`, needles, discs, spheres,
+    /// its distance from 1 (78 cases of `tests/exact/free_flow.rs`, needles, discs, spheres,
     /// axes and the separatrix among them); longer, by 9 eps a radian at most.
     ///
     /// Cost: that of 1.3 derivatives of a [`Scene`](crate::scene::Scene) up to 0.6 rad of

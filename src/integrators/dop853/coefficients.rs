@@ -2,7 +2,7 @@
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential
 //! Equations I*, 2nd ed. (1993), II.5 and II.6, and the code `dop853.f` of the same
-//! authors. `tests/convergence.rs` checks all 200 order conditions, the two
+//! authors. `tests/integrators/convergence` checks all 200 order conditions, the two
 //! error estimators and the interpolant.
 #![expect(
     clippy::excessive_precision,

@@ -35,7 +35,7 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 /// Accuracy: the state at the located time satisfies the event to its rounding
 /// (3.1e-15 measured on speeds of order 1), and the time is as good as the run:
 /// 6.3e-11 at tolerance 1e-12 where the run itself is off by 6.7e-11, 4.7e-14 at
-/// 1e-15 (`tests/convergence/events.rs`).
+/// 1e-15 (`tests/integrators/convergence/events.rs`).
 pub struct Event<'f, const N: usize> {
     name: &'static str,
     function: Box<Function<'f, N>>,

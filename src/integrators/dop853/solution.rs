@@ -9,7 +9,7 @@ use crate::integrators::Work;
 ///
 /// Accuracy: between steps no worse than at the end of the run, measured at 500
 /// times over ten Kepler orbits of eccentricity 0.5, for tolerances from 1e-4 to
-/// 1e-15 (`tests/convergence/dop853.rs`).
+/// 1e-15 (`tests/integrators/convergence/dop853.rs`).
 #[derive(Debug, Clone)]
 pub struct Solution<const N: usize> {
     start_time: f64,

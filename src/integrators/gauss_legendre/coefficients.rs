@@ -2,7 +2,7 @@
 //!
 //! Nodes and weights of Gauss's quadrature on [0, 1]; the weights of stage i are
 //! the integrals of Lagrange's polynomials from 0 to c_i. Formed with 60 digits
-//! and rounded once; `tests/gauss_legendre.rs` checks that polynomials up to
+//! and rounded once; `tests/integrators/gauss_legendre.rs` checks that polynomials up to
 //! degree 15 are integrated exactly.
 //!
 //! Source: J. C. Butcher, Math. Comp. 18, 50 (1964); E. Hairer, S. P. Norsett,

@@ -77,7 +77,7 @@ pub trait Separable {
 /// The asymmetric bodies are the cases random-0, weak-2, weak-4 and spin-2 of
 /// `tests/data/heavy_asymmetric.json`; ABA(8,2) needs the fewest kicks at 1e-6 in some
 /// of them (spin-2: 72 against 91). Errors at equal price are locked in
-/// `tests/convergence/splitting.rs`.
+/// `tests/integrators/convergence/splitting.rs`.
 ///
 /// Accuracy: on the reference cases of the tops at 0.08 rad a step, SRKN 14a is off
 /// by K <= 2 in units of eps (|value| + condition), as a closed form would be (7.8 on

@@ -1,0 +1,14 @@
+//! The closed forms and the functions under them: against references with many digits,
+//! against laws and limits, and against plain formulas that look right.
+//!
+//! Errors are in eps = 2^-53 unless a test says otherwise.
+
+mod batch;
+mod double_double;
+mod elliptic;
+mod free_body;
+mod free_flow;
+mod heavy_top;
+mod pendulum;
+mod plank;
+mod turns;

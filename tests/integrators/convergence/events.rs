@@ -1,0 +1,166 @@
+//! Events are located as well as the run itself knows where it is.
+
+use super::kepler::{Kepler, distance, exact};
+use core::f64::consts::PI;
+use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode};
+use rotation_dynamics::math::{cos, sin};
+
+#[test]
+fn crossings_of_the_axis() {
+    let mut ran = 0;
+    // Each no later than the run's own error says: that at the end is beside it.
+    for (tolerance, bound, at_end) in [
+        (1e-6, 1.3e-4, 1.2e-4),
+        (1e-9, 7.9e-8, 8.2e-8),
+        (1e-12, 6.3e-11, 6.7e-11),
+        (1e-15, 4.7e-14, 4.8e-14),
+    ] {
+        let method = Dop853::new(tolerance).expect("valid");
+        let axis = Event::crossing("axis", |_t, y: &[f64; 4]| y[1]);
+        let run = method
+            .solve(&Kepler, 0.0, &exact(0.0), 20.0, &[axis])
+            .expect("smooth");
+        assert_eq!(run.events().len(), 6);
+        let mut worst: f64 = 0.0;
+        let mut residue: f64 = 0.0;
+        for (i, event) in run.events().iter().enumerate() {
+            let expected = PI * (i + 1) as f64;
+            worst = worst.max((event.t - expected).abs());
+            residue = residue.max(event.state[1].abs());
+            assert_eq!(event.rising, i % 2 == 1);
+            assert_eq!((event.index, event.name), (0, "axis"));
+        }
+        let (end, t) = (run.end_state(), run.end_time());
+        assert!(worst <= bound && worst > 0.9 * bound, "{worst:e}");
+        let off = distance(end, &exact(t));
+        assert!(off <= at_end && off > 0.9 * at_end, "{off:e}");
+        // Measured: 3.1e-15, the speed times the rounding of the time.
+        assert!(residue <= 4e-15, "{residue:e}");
+        ran += 1;
+    }
+    assert_eq!(ran, 4);
+}
+
+struct Clock;
+impl Ode<1> for Clock {
+    fn derivative(&self, t: f64, _y: &[f64; 1]) -> [f64; 1] {
+        [cos(t)]
+    }
+}
+
+#[test]
+fn directions_order_and_terminal() {
+    let method = Dop853::new(1e-12).expect("valid");
+    let events = || {
+        [
+            Event::falling("down through 0.5", |_t, y: &[f64; 1]| y[0] - 0.5),
+            Event::rising("up through 0.5", |_t, y: &[f64; 1]| y[0] - 0.5),
+            Event::new("zero", Direction::Either, |_t, y: &[f64; 1]| y[0]),
+            Event::rising("late", |t, _y: &[f64; 1]| t - 6.0),
+        ]
+    };
+    let run = method
+        .solve(&Clock, 0.0, &[0.0], 10.0, &events())
+        .expect("smooth");
+    let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
+    let expected = [
+        ("up through 0.5", PI / 6.0),
+        ("down through 0.5", 5.0 * PI / 6.0),
+        ("zero", PI),
+        ("late", 6.0),
+        ("zero", 2.0 * PI),
+        ("up through 0.5", 13.0 * PI / 6.0),
+        ("down through 0.5", 17.0 * PI / 6.0),
+        ("zero", 3.0 * PI),
+    ];
+    assert_eq!(met.len(), expected.len());
+    for ((name, t), (want, when)) in met.iter().zip(expected) {
+        assert_eq!(*name, want);
+        // Measured: 1.7e-14 at t = 6.3, with a tolerance of 1e-12.
+        assert!((t - when).abs() < 2e-14, "{name}: {t} {when}");
+    }
+    // Terminal: nothing after it, and the run ends there.
+    let mut stopping = Vec::from(events());
+    let zero = stopping.remove(2).terminal();
+    stopping.insert(2, zero);
+    let run = method
+        .solve(&Clock, 0.0, &[0.0], 10.0, &stopping)
+        .expect("smooth");
+    assert_eq!(run.events().len(), 3);
+    let last = run.stopped_by().expect("stopped");
+    assert_eq!((last.name, last.t), ("zero", run.end_time()));
+    assert_eq!(run.at(run.end_time()).expect("the end"), *run.end_state());
+    assert!((run.end_time() - PI).abs() < 1e-12);
+    assert!((run.at(3.0).expect("within")[0] - sin(3.0)).abs() < 1e-12);
+    // Backwards, rising is what the run meets as rising.
+    let run = method
+        .solve(&Clock, 0.0, &[0.0], -10.0, &events())
+        .expect("smooth");
+    let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
+    assert_eq!(met[0].0, "zero");
+    assert!((met[0].1 + PI).abs() < 1e-12, "{met:?}");
+}
+
+#[test]
+fn events_in_one_step_come_in_order() {
+    // A single step of a straight line, and three marks on it.
+    struct Line;
+    impl Ode<1> for Line {
+        fn derivative(&self, _t: f64, _y: &[f64; 1]) -> [f64; 1] {
+            [1.0]
+        }
+    }
+    let method = Dop853::new(1e-9).expect("valid");
+    let marks = [
+        Event::rising("third", |_t, y: &[f64; 1]| y[0] - 0.75),
+        Event::rising("first", |_t, y: &[f64; 1]| y[0] - 0.25),
+        Event::rising("second", |_t, y: &[f64; 1]| y[0] - 0.5),
+    ];
+    let run = method
+        .solve(&Line, 0.0, &[0.0], 1.0, &marks)
+        .expect("straight");
+    let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
+    assert_eq!(met, [("first", 0.25), ("second", 0.5), ("third", 0.75)]);
+}
+
+#[test]
+fn grazing_and_an_event_at_the_start() {
+    let method = Dop853::new(1e-12).expect("valid");
+    // sin t - 1 touches zero at pi/2 without crossing: met as two crossings, as one
+    // touch or not at all, never as an error.
+    let graze = Event::crossing("graze", |_t, y: &[f64; 1]| y[0] - 1.0);
+    let run = method
+        .solve(&Clock, 0.0, &[0.0], 3.0, &[graze])
+        .expect("smooth");
+    assert!(run.events().len() <= 2);
+    for event in run.events() {
+        // Where a parabola meets zero, a rounding of it is its root: 1e-6.
+        assert!((event.t - PI / 2.0).abs() < 1e-6);
+    }
+    // Zero at the very start is no event; a rounding below zero is one, at once.
+    for (start, met) in [(0.0, 0), (-1e-300, 1)] {
+        let zero = Event::rising("zero", |_t, y: &[f64; 1]| y[0]).terminal();
+        let run = method
+            .solve(&Clock, 0.0, &[start], 3.0, &[zero])
+            .expect("smooth");
+        assert_eq!(run.events().len(), met);
+        assert_eq!(run.stopped_by().is_some(), met == 1);
+        let end = run.end_time();
+        assert_eq!(run.at(end).expect("the end"), *run.end_state());
+        assert!(run.at(end).expect("the end")[0].is_finite());
+    }
+}
+
+#[test]
+fn an_event_must_be_a_number() {
+    let method = Dop853::new(1e-9).expect("valid");
+    let bad = Event::rising("root", |_t, y: &[f64; 1]| (0.5 - y[0]).sqrt());
+    let error = method
+        .solve(&Clock, 0.0, &[0.0], 2.0, &[bad])
+        .expect_err("refused");
+    let message = error.to_string();
+    assert!(
+        message.starts_with("the function of the event \"root\" is NaN at t = "),
+        "{message}"
+    );
+}

@@ -1,0 +1,10 @@
+//! The integrators: their order, their price, what they keep, and how the methods that
+//! everyone writes first fail.
+
+mod convergence;
+mod foils;
+mod gauss_legendre;
+mod invariants;
+mod munthe_kaas;
+mod slope;
+mod top;
