@@ -9,21 +9,15 @@
 mod figures;
 #[path = "ch16_2_gyroscope/limits.rs"]
 mod limits;
-#[path = "ch16_2_gyroscope/motions.rs"]
-pub mod motions;
-#[path = "ch16_2_gyroscope/picture.rs"]
-pub mod picture;
 #[path = "ch16_2_gyroscope/price.rs"]
-pub mod price;
+mod price;
 #[path = "ch16_2_gyroscope/rotor.rs"]
 mod rotor;
-#[path = "ch16_2_gyroscope/routes.rs"]
-pub mod routes;
 
-use motions::Motion;
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
+use rotation_dynamics::report::heavy_top::{self, Motion};
 use rotation_dynamics::report::{Example, Report, Trajectory};
 use rotation_dynamics::{Error, Result};
 
@@ -52,6 +46,18 @@ impl Ode<4> for Equations {
     }
 }
 // ANCHOR_END: equations
+
+impl Equations {
+    /// The equations of this top, without friction.
+    pub fn of(top: &ReducedTop) -> Self {
+        Self {
+            a: top.a(),
+            b: top.b(),
+            c: top.c(),
+            friction: 0.0,
+        }
+    }
+}
 
 /// The five motions of figures 3 and 4: at the bottom of the valley and above
 /// it for b > 1; loops, cusps and waves for b < 1.
@@ -133,13 +139,15 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
             allowed: "give either --a, --b, --c, --energy, --start \
                       or --i1, --i3, --mass, --gravity, --length, --theta, --spin, --precession, --nutation",
         }),
-        (true, false) => Ok(vec![Motion::reduced(
-            p.a.unwrap_or(2.0),
-            p.b.unwrap_or(1.2),
-            p.c.unwrap_or(0.2),
-            p.energy.unwrap_or(0.55),
-            p.start,
-        )?]),
+        (true, false) => {
+            let top = ReducedTop::new(p.a.unwrap_or(2.0), p.b.unwrap_or(1.2), p.c.unwrap_or(0.2))?;
+            let start = match p.start {
+                "theta_max" => Start::ThetaMax,
+                _ => Start::ThetaMin,
+            };
+            let energy = p.energy.unwrap_or(0.55);
+            Ok(vec![Motion::with_energy("", top, energy, start)?])
+        }
         (false, true) => Ok(vec![rotor::motion(&p.body())?]),
         (false, false) => of_the_notes(),
     }
@@ -156,18 +164,22 @@ fn report(p: &Parameters) -> Result<Report> {
         },
     )?;
     for motion in &motions {
-        motion.add_claims(&mut report)?;
+        report.add(motion.claims(&Equations::of(&motion.top))?)?;
     }
     if motions.len() > 1 {
         limits::add(&mut report)?;
         rotor::add(&mut report)?;
     }
-    price::add(&mut report, &motions, p.tolerance)?;
+    // The motion that nods, or the only one.
+    motions
+        .get(1)
+        .unwrap_or(&motions[0])
+        .strip(&mut report, p.tolerance)?;
     Ok(report)
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    motions::trajectory(&motions(p)?)
+    heavy_top::trajectory(&motions(p)?)
 }
 
 /// The example: name, flags and functions.

@@ -8,17 +8,13 @@
 mod bodies;
 #[path = "ch16_2_top_and_wheel/figures.rs"]
 mod figures;
-#[allow(dead_code, reason = "only its motions and prices are used here")]
-#[path = "ch16_2_gyroscope.rs"]
-mod gyroscope;
 #[path = "ch16_2_top_and_wheel/left_out.rs"]
 mod left_out;
 #[path = "ch16_2_top_and_wheel/sleeping.rs"]
 mod sleeping;
 
-use gyroscope::motions::{self, Motion};
-use gyroscope::price;
 use rotation_dynamics::Result;
+use rotation_dynamics::report::heavy_top::{self, Motion};
 use rotation_dynamics::report::{Example, Report, Trajectory};
 
 use core::f64::consts::FRAC_PI_2;
@@ -156,19 +152,19 @@ fn report(p: &Parameters) -> Result<Report> {
     let mut report = Report::new("The top and the bicycle wheel", description)?;
     for ((name, body), motion) in named.iter().zip(&motions) {
         body.add_moment(name, &mut report)?;
-        motion.add_claims(&mut report)?;
+        report.add(motion.claims(&motion.top)?)?;
     }
     if motions.len() > 1 {
         sleeping::add(&mut report)?;
         bodies::add_limits(&mut report)?;
         left_out::add(&mut report);
     }
-    price::add(&mut report, &motions[..1], p.tolerance)?;
+    motions[0].strip(&mut report, p.tolerance)?;
     Ok(report)
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    motions::trajectory(&motions(p)?)
+    heavy_top::trajectory(&motions(p)?)
 }
 
 /// The example: name, flags and functions.

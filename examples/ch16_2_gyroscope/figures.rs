@@ -1,15 +1,14 @@
 //! The figures of the page.
 
 use super::limits::{FRICTION, beyond_leading_order, damped};
-use super::motions::Motion;
-use super::picture::{angles, camera, direction, trace};
-use super::{Parameters, price};
+use super::{Equations, Parameters, price};
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::ReducedTop;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow, sincos};
 use rotation_dynamics::report::Figure;
 use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
+use rotation_dynamics::report::heavy_top::{Motion, direction};
 
 /// All of them for the motions of the notes; for one motion, its own.
 pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
@@ -20,8 +19,8 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
         figures.extend(valleys(&motions)?);
     }
     for motion in &motions {
-        figures.push(angles(motion)?);
-        figures.push(trace(motion)?);
+        figures.push(motion.angles(&Equations::of(&motion.top))?);
+        figures.push(motion.trace()?);
     }
     if motions.len() > 1 {
         figures.push(fast()?);
@@ -220,7 +219,7 @@ fn damped_trace() -> Result<Figure> {
         "damped_trace",
         "The path of the axis on the sphere with friction: cusps that soften into waves and then into a circle",
     )
-    .camera(camera())
+    .camera(Camera::new(-0.45, 0.7))
     .sphere()
     .latitude(top.minimum().0)
     .turn(path[1500..1520].to_vec(), Ink::Body)

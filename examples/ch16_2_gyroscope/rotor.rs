@@ -1,13 +1,12 @@
 //! A gyroscope one can hold: a 0.5 kg disc of 6 cm radius at 3000 turns a minute,
 //! 10 cm from its pivot. In SI units, and with the effects the notes leave out.
 
-use super::motions::Motion;
-use super::routes::Nod;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::{cos, pow, sin, sincos};
+use rotation_dynamics::report::heavy_top::{Motion, Nod};
 use rotation_dynamics::report::{Claim, EffectEntry, Oracle, Report, Table, supported_digits};
 use rotation_dynamics::{Error, Result};
 
@@ -55,7 +54,7 @@ pub fn motion(given: &[Option<f64>; 9]) -> Result<Motion> {
         zeta: 0.0,
     };
     let omega = BodyVector::new(nutation, precession * sin(theta), spin);
-    Motion::of_body("", HeavyTop::from_body(body, start, omega)?)
+    Motion::new("", HeavyTop::from_body(body, start, omega)?)
 }
 // ANCHOR_END: body
 
@@ -127,7 +126,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let [i1, i3, mass, gravity, length, theta, spin, ..] = ROTOR;
     let (weight, momentum, s) = (mass * gravity * length, i3 * spin, sin(theta));
     let (exact, ratio) = (&rotor.exact, weight * i1 / (momentum * momentum));
-    let nod = Nod::by_quadrature(&rotor.top, rotor.energy)?;
+    let nod = Nod::by_quadrature(&rotor.top, rotor.energy);
     let period = nod.period * rotor.unit;
     let mut table = Table::new(
         "rotor",

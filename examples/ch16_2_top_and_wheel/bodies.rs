@@ -1,12 +1,12 @@
 //! From a body to its motion, and the limits in which the answer is known.
 
-use super::gyroscope::motions::Motion;
 use super::{Body, WHEEL};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties};
 use rotation_dynamics::math::sin;
+use rotation_dynamics::report::heavy_top::Motion;
 use rotation_dynamics::report::{Claim, Limit, Oracle, Report};
 use rotation_dynamics::{Error, Result};
 
@@ -53,7 +53,7 @@ impl Body {
             zeta: 0.0,
         };
         let omega = BodyVector::new(self.nutation, self.precession * sin(self.theta), self.spin);
-        Motion::of_body(name, HeavyTop::from_body(self.symmetric()?, start, omega)?)
+        Motion::new(name, HeavyTop::from_body(self.symmetric()?, start, omega)?)
     }
 
     /// The slow steady precession when the axis is horizontal, rad/s.

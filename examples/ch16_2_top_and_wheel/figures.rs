@@ -2,13 +2,13 @@
 
 use super::Parameters;
 use super::TOP;
-use super::gyroscope::picture::{angles, direction, trace};
 use super::sleeping::{kicked, reach};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::report::Figure;
 use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
+use rotation_dynamics::report::heavy_top::direction;
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -20,8 +20,8 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
         figures.extend([top()?, wheel()?, tilt_reached()?, falls()?]);
     }
     for motion in &motions {
-        figures.push(angles(motion)?);
-        figures.push(trace(motion)?);
+        figures.push(motion.angles(&motion.top)?);
+        figures.push(motion.trace()?);
     }
     Ok(figures)
 }

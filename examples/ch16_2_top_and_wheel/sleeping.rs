@@ -1,11 +1,11 @@
 //! The sleeping top: upright, spinning, and stable only above a critical spin.
 
-use super::gyroscope::routes::Vectors;
 use super::{Body, TOP, critical_spin};
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{acos, hypot, log};
+use rotation_dynamics::report::heavy_top::Newton;
 use rotation_dynamics::report::{Claim, Oracle, Report};
 
 use core::f64::consts::{LN_10, PI};
@@ -79,7 +79,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     )?)?;
 
     // Small tilts grow as sinh(rate t): measured between 1.2 and 1.6 s on the vectors.
-    let vectors = Vectors {
+    let vectors = Newton {
         i1: TOP.moment(),
         weight_moment: TOP.weight_moment(),
     };

@@ -8,7 +8,8 @@
 //!
 //! What an example is made of: [`parameters!`](crate::parameters), [`Example`], lines for
 //! [`Report::add`] by [`claim`], [`limit`] and [`effect`], figures by [`draw`],
-//! a [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion.
+//! a [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion. What the pages on
+//! the heavy top share is in [`heavy_top`].
 //!
 //! # The text of a report
 //! ```text
@@ -45,6 +46,7 @@ mod entries;
 mod example;
 #[cfg(feature = "cli")]
 mod files;
+pub mod heavy_top;
 mod json;
 mod moving;
 mod number;
