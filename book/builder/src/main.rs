@@ -17,6 +17,7 @@ mod fonts;
 mod lint;
 mod maths;
 mod measured;
+mod notation;
 mod pages;
 mod preprocess;
 mod problem;

@@ -78,6 +78,7 @@ pub fn shortened(cell: &str, digits: usize) -> Option<String> {
 /// A printed number as TeX.
 pub fn number_tex(cell: &str) -> String {
     match split_number(cell) {
+        Some(("1", Some(exponent))) => format!("{{10^{{{exponent}}}}}"),
         Some((digits, Some(exponent))) => format!("{{{digits}\\times 10^{{{exponent}}}}}"),
         _ => format!("{{{cell}}}"),
     }
@@ -208,6 +209,7 @@ mod tests {
         assert_eq!(number_html("closed form"), None);
         assert_eq!(number_html("-"), None);
         assert_eq!(number_tex("2.5e-3"), r"{2.5\times 10^{-3}}");
+        assert_eq!(number_tex("1e-3"), r"{10^{-3}}");
         assert_eq!(unit_html("m/s^2"), "m/s<sup>2</sup>");
         assert_eq!(unit_html("1/s"), "s<sup>\u{2212}1</sup>");
         assert_eq!(unescape("&#124;&amp;&x"), "|&&x");

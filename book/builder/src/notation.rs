@@ -1,0 +1,423 @@
+//! Formulas in the cells of tables: what a report prints in plain letters, `m g l/L_z^2` or
+//! `sqrt(a)`, is set as a formula on the page.
+//!
+//! A symbol is a Greek letter by its name (`theta`), a letter that stands alone (but not the
+//! article `a` nor `s`, the second), either with an index (`I1`, `t_release`), primes or a tilde
+//! (`E~`), a differential (`dphi`), or a function (`sin`, `sqrt`). A formula is the longest row of
+//! symbols, numbers, signs and closed brackets that holds a symbol; the rest is prose.
+
+use crate::maths;
+use crate::text::{escape, number_html, number_tex};
+
+/// Greek letters as reports spell them; TeX spells them alike.
+const GREEK: [(&str, char); 23] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("phi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("pi", 'π'),
+    ("Delta", 'Δ'),
+    ("Omega", 'Ω'),
+];
+
+const FUNCTIONS: [&str; 9] = [
+    "sin", "cos", "tan", "ln", "exp", "arcsin", "arccos", "arctan", "sqrt",
+];
+
+/// Signs of more than one character, and `x` between spaces, with their shape and their TeX.
+const SIGNS: [(&str, &str, &str); 4] = [
+    ("->", "→", "\\to "),
+    ("<=", "≤", "\\le "),
+    (">=", "≥", "\\ge "),
+    ("x ", "× ", "\\times "),
+];
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Symbol,
+    Function,
+    Number,
+    Sign,
+    Open,
+    Close,
+    Space,
+    Prose,
+}
+
+/// A piece of a cell: as it stands in a formula and as it stands in prose.
+struct Token {
+    kind: Kind,
+    tex: String,
+    html: String,
+}
+
+/// A cell of words as HTML, its formulas as MathML.
+pub fn words(cell: &str) -> String {
+    let tokens = tokens(cell, Kind::Space);
+    let mut html = String::new();
+    let mut at = 0;
+    while at < tokens.len() {
+        let end = formula_end(&tokens[at..]);
+        let tex: String = tokens[at..at + end]
+            .iter()
+            .map(|t| t.tex.as_str())
+            .collect();
+        match maths::mathml(tex.trim(), false) {
+            Ok(mathml) if end > 0 => {
+                at += end;
+                // A browser would break the line between a formula and a comma.
+                let comma = tokens.get(at).filter(|t| ",:;.".contains(&t.tex));
+                html += &match comma {
+                    Some(comma) => format!("<span class=\"glued\">{mathml}{}</span>", comma.html),
+                    None => mathml,
+                };
+                at += usize::from(comma.is_some());
+            }
+            _ => {
+                html += &tokens[at].html;
+                at += 1;
+            }
+        }
+    }
+    html
+}
+
+/// How many tokens from the first on are a formula; 0 if none.
+fn formula_end(tokens: &[Token]) -> usize {
+    let starts = |token: &Token| match token.kind {
+        Kind::Symbol | Kind::Function | Kind::Number | Kind::Open => true,
+        Kind::Sign => token.tex == "-" && tokens.get(1).is_some_and(|t| t.kind == Kind::Symbol),
+        _ => false,
+    };
+    if !tokens.first().is_some_and(starts) {
+        return 0;
+    }
+    let (mut depth, mut symbols, mut end) = (0, 0, 0);
+    for (n, token) in tokens.iter().enumerate() {
+        match token.kind {
+            Kind::Open => depth += 1,
+            Kind::Close if depth == 0 => break,
+            Kind::Close => depth -= 1,
+            Kind::Prose if token.tex != "," || depth == 0 => break,
+            Kind::Symbol | Kind::Function => symbols += 1,
+            _ => {}
+        }
+        let whole = matches!(token.kind, Kind::Symbol | Kind::Number | Kind::Close);
+        if whole && depth == 0 && symbols > 0 {
+            end = n + 1;
+        }
+    }
+    end
+}
+
+/// The tokens of a cell; `first` is what stands before it.
+fn tokens(cell: &str, first: Kind) -> Vec<Token> {
+    let mut tokens: Vec<Token> = Vec::new();
+    let mut rest = cell;
+    while let Some(c) = rest.chars().next() {
+        let before = tokens.last().map_or(first, |token| token.kind);
+        let sign = SIGNS.iter().find(|(sign, ..)| {
+            rest.starts_with(sign)
+                && (c != 'x'
+                    || before == Kind::Space
+                        && !tokens.is_empty()
+                        && rest[1..].trim_start().starts_with(char::is_alphabetic))
+        });
+        let (token, length) = if let Some((sign, html, tex)) = sign {
+            (token(Kind::Sign, tex, (*html).into()), sign.len())
+        } else if c.is_ascii_digit() {
+            number(rest)
+        } else if c.is_alphabetic() {
+            name(rest, before)
+        } else {
+            let opens = matches!(before, Kind::Space | Kind::Open | Kind::Sign);
+            let (kind, html) = match c {
+                ' ' => (Kind::Space, " ".into()),
+                '(' => (Kind::Open, "(".into()),
+                ')' => (Kind::Close, ")".into()),
+                '-' if opens => (Kind::Sign, "\u{2212}".into()),
+                '^' => (Kind::Sign, String::new()),
+                '+' | '-' | '=' | '<' | '>' | '/' => (Kind::Sign, escape(&c.to_string())),
+                '\'' => (Kind::Prose, "\u{2019}".into()),
+                c => (Kind::Prose, escape(&c.to_string())),
+            };
+            (token(kind, &c.to_string(), html), c.len_utf8())
+        };
+        tokens.push(token);
+        rest = &rest[length..];
+    }
+    // In prose a power is raised, and a line does not end with a sign.
+    for n in 1..tokens.len() {
+        let after = &tokens[n - 1];
+        tokens[n].html = match tokens[n].kind {
+            Kind::Number if after.tex == "^" => format!("<sup>{}</sup>", tokens[n].html),
+            Kind::Space if after.kind == Kind::Sign => "\u{a0}".into(),
+            _ => continue,
+        };
+    }
+    tokens
+}
+
+fn token(kind: Kind, tex: &str, html: String) -> Token {
+    Token {
+        kind,
+        tex: tex.to_owned(),
+        html,
+    }
+}
+
+/// The number with which `text` begins: `0.25`, `1e-6`; not the `e` of `2 e`. With a letter behind
+/// it, it is a word: `14a`.
+fn number(text: &str) -> (Token, usize) {
+    let digits = |from: usize| {
+        let tail = &text[from..];
+        from + tail.len() - tail.trim_start_matches(|c: char| c.is_ascii_digit()).len()
+    };
+    let mut end = digits(0);
+    if text[end..].starts_with('.') && digits(end + 1) > end + 1 {
+        end = digits(end + 1);
+    }
+    if let Some(exponent) = text[end..].strip_prefix('e') {
+        let from = end + 1 + usize::from(exponent.starts_with('-'));
+        if digits(from) > from {
+            end = digits(from);
+        }
+    }
+    let letters = text[end..].find(|c: char| !c.is_alphanumeric());
+    let letters = letters.unwrap_or(text.len() - end);
+    let word = &text[..end + letters];
+    if letters > 0 {
+        return (token(Kind::Prose, word, escape(word)), word.len());
+    }
+    let html = number_html(word).unwrap_or_else(|| escape(word));
+    (token(Kind::Number, &number_tex(word), html), end)
+}
+
+/// The word with which `text` begins, and what belongs to it.
+fn name(text: &str, before: Kind) -> (Token, usize) {
+    let letters = text
+        .find(|c: char| !c.is_alphabetic())
+        .unwrap_or(text.len());
+    let (word, after) = text.split_at(letters);
+    if FUNCTIONS.contains(&word) {
+        return function(word, after);
+    }
+    let Some(letter) = letter(word, after, before) else {
+        // A word keeps its hyphens, digits and strokes: `spin-free`, `RK4`, `heavy_top`, `kg/m`.
+        let joined = |(n, c): (usize, char)| {
+            let more = after[n + c.len_utf8()..].starts_with(char::is_alphabetic);
+            !(c.is_alphanumeric() || c == '_' || matches!(c, '-' | '/' | '\'') && more)
+        };
+        let end = after.char_indices().find(|&at| joined(at));
+        let end = letters + end.map_or(after.len(), |(n, _)| n);
+        let word = &text[..end];
+        let html = escape(word).replace('\'', "\u{2019}");
+        return (token(Kind::Prose, word, html), end);
+    };
+    let mut tex = letter;
+    let mut rest = after;
+    if let Some(after) = rest.strip_prefix('~') {
+        tex = format!("\\widetilde{{{tex}}}");
+        rest = after;
+    }
+    let index = rest.strip_prefix('_').unwrap_or(rest);
+    let end = match index.len() < rest.len() {
+        true => index.find(|c: char| !c.is_alphanumeric()),
+        false => index.find(|c: char| !c.is_ascii_digit()),
+    };
+    let (index, after) = index.split_at(end.unwrap_or(index.len()));
+    if !index.is_empty() {
+        tex += &match index.chars().count() {
+            1 => format!("_{index}"),
+            _ => format!("_{{\\mathrm{{{index}}}}}"),
+        };
+        rest = after;
+    }
+    let primes = rest.len() - rest.trim_start_matches('\'').len();
+    tex += &"'".repeat(primes);
+    let length = text.len() - rest.len() + primes;
+    // The space ends a command before the next letter.
+    let html = escape(&text[..length]);
+    (token(Kind::Symbol, &format!("{tex} "), html), length)
+}
+
+/// Whether `word` is the name of a Greek letter.
+pub fn is_greek(word: &str) -> bool {
+    GREEK.iter().any(|(name, _)| *name == word)
+}
+
+/// The TeX of a word that is a letter: Greek, a differential, or one that stands alone.
+fn letter(word: &str, after: &str, before: Kind) -> Option<String> {
+    let greek = |word: &str| {
+        let is = |(name, c): &&(&str, char)| *name == word || c.to_string() == word;
+        GREEK.iter().find(is).map(|(name, _)| format!("\\{name}"))
+    };
+    let letters = word.chars().count();
+    let differential = || match word.strip_prefix('d')? {
+        "t" => Some("\\mathrm{d}t".to_owned()),
+        letter => Some(format!("\\mathrm{{d}}{}", greek(letter)?)),
+    };
+    let sign = |c: char| "=/<>+^)".contains(c);
+    let beside = matches!(before, Kind::Sign | Kind::Open)
+        || after.trim_start().starts_with(sign)
+        || after.starts_with(['_', '\'']);
+    let alone = match word {
+        // The second, and the article.
+        "s" => false,
+        "a" | "A" => beside,
+        _ => letters == 1 && word.is_ascii(),
+    };
+    greek(word)
+        .or_else(differential)
+        .or_else(|| alone.then(|| word.to_owned()))
+}
+
+/// A function's name, a root with what is under it.
+fn function(word: &str, after: &str) -> (Token, usize) {
+    let tex = format!("\\{word}");
+    if word != "sqrt" {
+        let html = word.to_owned();
+        return (token(Kind::Function, &tex, html), word.len());
+    }
+    let (inside, length) = match after.strip_prefix('(') {
+        Some(inside) => match closing(inside) {
+            Some(end) => (&inside[..end], end + 2),
+            None => ("", 0),
+        },
+        None => {
+            let inside = after.trim_start();
+            let end = inside.find(|c: char| !c.is_alphanumeric());
+            let inside = &inside[..end.unwrap_or(inside.len())];
+            (
+                inside,
+                after.len() - after.trim_start().len() + inside.len(),
+            )
+        }
+    };
+    let under: String = tokens(inside, Kind::Open)
+        .iter()
+        .map(|token| match token.kind {
+            Kind::Prose => format!("\\text{{{}}}", token.tex),
+            _ => token.tex.clone(),
+        })
+        .collect();
+    let html = format!("√{}", escape(inside));
+    let tex = format!("\\sqrt{{{under}}}");
+    (token(Kind::Symbol, &tex, html), word.len() + length)
+}
+
+/// Where the bracket is closed in which `text` begins.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 1;
+    text.char_indices().find_map(|(n, c)| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        (depth == 0).then_some(n)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The formulas of a cell as TeX between bars, the prose as it is.
+    fn read(cell: &str) -> String {
+        let tokens = tokens(cell, Kind::Space);
+        let (mut read, mut at) = (String::new(), 0);
+        while at < tokens.len() {
+            let end = formula_end(&tokens[at..]);
+            let tex = |token: &Token| token.tex.replace(['{', '}', ' '], "");
+            let formula: String = tokens[at..at + end].iter().map(tex).collect();
+            read += &match end {
+                0 => tokens[at].html.replace('\u{a0}', " "),
+                _ => format!("|{}|", formula),
+            };
+            at += end.max(1);
+        }
+        read
+    }
+
+    #[test]
+    fn formulas_are_told_from_prose() {
+        let cases = [
+            ("m g l/L_z", "|mgl/L_z|"),
+            (
+                "level at 1e4 rad/s: m g l/L_z",
+                "level at 10<sup>4</sup> rad/s: |mgl/L_z|",
+            ),
+            ("t_release/s", "|t_\\mathrmrelease|/s"),
+            (
+                "c/a = 1e-6: over c/sqrt(a)",
+                "|c/a=10^-6|: over |c/\\sqrta|",
+            ),
+            ("a thin disc, a = 2: a nod", "a thin disc, |a=2|: a nod"),
+            ("theta0 -> 0, a < b^2", "|\\theta_0\\to0|, |a<b^2|"),
+            ("b to -b, one-sided, U''", "|b| to |-b|, one-sided, |U''|"),
+            ("(b - cos(theta))/c", "|(b-\\cos(\\theta))/c|"),
+            (
+                "I_fork / I1 sin^2 theta",
+                "|I_\\mathrmfork/I_1\\sin^2\\theta|",
+            ),
+            ("torque x turn / L_z", "torque × turn / |L_z|"),
+            ("mu m g l x turn", "|\\mumgl| × turn"),
+            ("pull / (m g) at the floor", "pull / |(mg)| at the floor"),
+            (
+                "ln(8/(sqrt 6 + sqrt 5)): each",
+                "|\\ln(8/(\\sqrt6+\\sqrt5))|: each",
+            ),
+            (
+                "W t_floor / sqrt(elevation)",
+                "|Wt_\\mathrmfloor/\\sqrt\\textelevation|",
+            ),
+            (
+                "Omega_E / (dphi/dt)",
+                "|\\Omega_E/(\\mathrmd\\phi/\\mathrmdt)|",
+            ),
+            ("E~ - U_eff in φ", "|\\widetildeE-U_\\mathrmeff| in |\\phi|"),
+            ("arccos(2/3), whatever", "|\\arccos(2/3)|, whatever"),
+            (
+                "the step's phase lacks (angle/2)^5/120",
+                "the step’s phase lacks (angle/2)<sup>5</sup>/120",
+            ),
+            (
+                "SRKN 14a, RK4, ABA(10,4), spin-free",
+                "SRKN 14a, RK4, ABA(10,4), spin-free",
+            ),
+            ("4 kg/m, 100 s, 1.0 to -2", "4 kg/m, 100 s, 1.0 to −2"),
+            ("at the end 2. Then (b", "at the end 2. Then (|b|"),
+            ("heavy_top: x < 5", "heavy_top: |x<5|"),
+        ];
+        for (cell, expected) in cases {
+            assert_eq!(read(cell), expected, "{cell}");
+        }
+    }
+
+    #[test]
+    fn formulas_of_cells_are_understood() {
+        let html = words("no weight: over c/sqrt(a), sin^2(theta) of 1e6");
+        assert!(
+            html.starts_with("no weight: over <span class=\"glued\"><math>"),
+            "{html}"
+        );
+        assert!(
+            html.contains("<msqrt>") && html.contains("θ</mi>"),
+            "{html}"
+        );
+        assert!(html.ends_with("</math> of 10<sup>6</sup>"), "{html}");
+    }
+}
