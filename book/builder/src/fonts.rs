@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
-use ttf_parser::{Face, RawFaceTables};
+use ttf_parser::{Face, GlyphId, RawFaceTables};
 
 macro_rules! shipped {
     ($($name:literal),*) => {
@@ -144,13 +144,25 @@ fn unpacked(file: &[u8]) -> Option<Tables> {
 
 /// How far right of a letter's middle the mathematics font attaches accents, in em.
 pub fn skew(letter: char) -> Option<f64> {
-    let (_, face) = FACES.iter().find(|(name, _)| *name == "maths")?;
-    let face = face.as_ref()?;
-    let glyph = face.glyph_index(letter)?;
+    let (face, glyph) = glyph(letter)?;
     let glyphs = face.tables().math?.glyph_info?;
     let attached = glyphs.top_accent_attachments?.get(glyph)?.value;
     let middle = f64::from(face.glyph_hor_advance(glyph)?) / 2.0;
     Some((f64::from(attached) - middle) / f64::from(face.units_per_em()))
+}
+
+/// How far a slanted letter of the mathematics font leans out of its width, in em.
+pub fn overhang(letter: char) -> Option<f64> {
+    let (face, glyph) = glyph(letter)?;
+    let glyphs = face.tables().math?.glyph_info?;
+    let corrected = glyphs.italic_corrections?.get(glyph)?.value;
+    Some(f64::from(corrected) / f64::from(face.units_per_em()))
+}
+
+fn glyph(letter: char) -> Option<(&'static Face<'static>, GlyphId)> {
+    let (_, face) = FACES.iter().find(|(name, _)| *name == "maths")?;
+    let face = face.as_ref()?;
+    Some((face, face.glyph_index(letter)?))
 }
 
 #[cfg(test)]

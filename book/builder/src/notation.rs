@@ -48,6 +48,9 @@ const SIGNS: [(&str, &str, &str); 4] = [
     ("x ", "× ", "\\times "),
 ];
 
+/// A stroke in prose and the space behind it, where the line is not broken.
+const SIGNED: &str = "/\u{a0}";
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
     Symbol,
@@ -81,13 +84,16 @@ pub fn words(cell: &str) -> String {
         match maths::mathml(tex.trim(), false) {
             Ok(mathml) if end > 0 => {
                 at += end;
-                // A browser would break the line between a formula and a comma.
+                // A browser would break the line before a formula and before a comma.
                 let comma = tokens.get(at).filter(|t| ",:;.".contains(&t.tex));
-                html += &match comma {
-                    Some(comma) => format!("<span class=\"glued\">{mathml}{}</span>", comma.html),
-                    None => mathml,
+                let comma = comma.map_or("", |comma| &comma.html);
+                at += usize::from(!comma.is_empty());
+                let sign = if html.ends_with(SIGNED) { SIGNED } else { "" };
+                html.truncate(html.len() - sign.len());
+                html += &match sign.len() + comma.len() {
+                    0 => mathml,
+                    _ => format!("<span class=\"glued\">{sign}{mathml}{comma}</span>"),
                 };
-                at += usize::from(comma.is_some());
             }
             _ => {
                 html += &tokens[at].html;
@@ -162,12 +168,12 @@ fn tokens(cell: &str, first: Kind) -> Vec<Token> {
         tokens.push(token);
         rest = &rest[length..];
     }
-    // In prose a power is raised, and a line does not end with a sign.
+    // In prose a power is raised, and a line does not end with a stroke.
     for n in 1..tokens.len() {
         let after = &tokens[n - 1];
         tokens[n].html = match tokens[n].kind {
             Kind::Number if after.tex == "^" => format!("<sup>{}</sup>", tokens[n].html),
-            Kind::Space if after.kind == Kind::Sign => "\u{a0}".into(),
+            Kind::Space if after.tex == "/" => "\u{a0}".into(),
             _ => continue,
         };
     }
@@ -419,5 +425,10 @@ mod tests {
             "{html}"
         );
         assert!(html.ends_with("</math> of 10<sup>6</sup>"), "{html}");
+        let html = words("torque / m g l");
+        assert!(
+            html.starts_with("torque <span class=\"glued\">/\u{a0}<math>"),
+            "{html}"
+        );
     }
 }
