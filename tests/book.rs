@@ -106,7 +106,7 @@ fn every_stem_is_complete() {
 }
 
 /// Each damage: the file, what is replaced by what, and how the message begins.
-const DAMAGES: [(&str, &str, &str, &str); 23] = [
+const DAMAGES: [(&str, &str, &str, &str); 26] = [
     (
         "book/src/one.md",
         "sample:period",
@@ -148,6 +148,25 @@ const DAMAGES: [(&str, &str, &str, &str); 23] = [
         "\\frac{T}{4}",
         "\\frac{T}{4",
         "book/src/one.md:",
+    ),
+    (
+        "book/src/one.md",
+        "\\frac{T}{4}",
+        "\\frac{dT}{4}",
+        "book/src/one.md:14: the d of a differential stands upright",
+    ),
+    // Each character must be in the font of its place: text, formula, code.
+    (
+        "book/src/one.md",
+        "is a quarter",
+        "is \u{6f22} a quarter",
+        "book/src/one.md:14: the book's font Serif has no '\u{6f22}'",
+    ),
+    (
+        "examples/sample.rs",
+        "9.8;",
+        "9.8; // \u{6f22}",
+        "the book's font Mono has no '\u{6f22}'",
     ),
     (
         "book/src/one.md",
@@ -277,7 +296,7 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         assert!(!sample.root.join("out.new").exists());
         found += 1;
     }
-    assert_eq!(found, 23);
+    assert_eq!(found, 26);
 
     // Orphans: files that nothing shows.
     let orphans = [
@@ -583,6 +602,7 @@ fn nothing_in_the_theme_comes_from_outside() {
     let mut read_files = 0;
     for file in [
         "book/theme/book.css",
+        "book/theme/formulas.css",
         "book/theme/check.js",
         "book/theme/fonts/fonts.css",
     ] {
@@ -593,5 +613,39 @@ fn nothing_in_the_theme_comes_from_outside() {
         );
         read_files += 1;
     }
-    assert_eq!(read_files, 3);
+    assert_eq!(read_files, 4);
+}
+
+#[test]
+fn the_style_sheets_name_the_fonts_whose_characters_are_checked() {
+    let css = |name: &str| read(&root().join("book/theme").join(name));
+    let fonts = css("fonts/fonts.css");
+    let mut named = BTreeSet::new();
+    for face in fonts.split("@font-face").skip(1) {
+        let file = face
+            .split("resource \"")
+            .nth(1)
+            .and_then(|rest| rest.split('"').next());
+        let file = file.expect("a font has a file");
+        assert!(root().join("book/theme").join(file).is_file(), "{file}");
+        assert!(face.contains("font-display: swap"), "{file}");
+        named.insert(
+            file.trim_start_matches("fonts/")
+                .trim_end_matches(".woff2")
+                .to_owned(),
+        );
+    }
+    assert_eq!(named, names("book/theme/fonts", ".woff2"));
+    assert_eq!(named.len(), 6);
+    let book = css("book.css");
+    for stack in [
+        "--serif: \"Book Serif\", \"Book Maths\",",
+        "--mono-font: \"Book Mono\", \"Book Maths\",",
+        "sans-serif, \"Book Serif\", \"Book Maths\";",
+    ] {
+        assert!(book.contains(stack), "{stack}");
+    }
+    let formulas = css("formulas.css");
+    assert!(formulas.contains("math { font-family: \"Book Maths\", math;"));
+    assert!(formulas.contains("math mtext { font-family: var(--serif); }"));
 }

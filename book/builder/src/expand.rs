@@ -283,6 +283,12 @@ impl<'a> Page<'a> {
                 ),
             );
         }
+        if let Some(d) = lint::slanted_differential(tex) {
+            self.problem(
+                line,
+                format!("the d of a differential stands upright: \\mathrm{{d}}, not {d}"),
+            );
+        }
         let mut done = String::new();
         let mut rest = tex;
         while let Some(at) = rest.find("{{") {

@@ -116,40 +116,101 @@ pub fn mathml(tex: &str, display: bool) -> Result<String, Refused> {
     Ok(mend(&converted.mathml))
 }
 
+/// Where outside of all groups something stands that `found` knows the length of, and that length.
+fn outside_of_groups(tex: &str, found: impl Fn(&str) -> Option<usize>) -> Vec<(usize, usize)> {
+    let mut places = Vec::new();
+    let (mut depth, mut at) = (0_i32, 0);
+    while at < tex.len() {
+        let rest = &tex[at..];
+        let length = if depth == 0 { found(rest) } else { None };
+        let is = |command: &str, other: &str| rest.starts_with(command) && !rest.starts_with(other);
+        if rest.starts_with('{') || rest.starts_with("\\begin{") || is("\\left", "\\leftarrow") {
+            depth += 1;
+        } else if rest.starts_with('}')
+            || rest.starts_with("\\end{")
+            || is("\\right", "\\rightarrow")
+        {
+            depth -= 1;
+        }
+        if let Some(length) = length {
+            places.push((at, length));
+            at += length;
+            continue;
+        }
+        // A command is read as a whole, an escaped brace is no group.
+        let letters = rest[1.min(rest.len())..].find(|c: char| !c.is_ascii_alphabetic());
+        at += match rest.strip_prefix('\\') {
+            None => rest.chars().next().map_or(1, char::len_utf8),
+            Some(after) => match letters.unwrap_or(after.len()) {
+                0 => 1 + after.chars().next().map_or(0, char::len_utf8),
+                // What \begin and \end open and close is counted above.
+                letters if rest.starts_with("\\begin{") || rest.starts_with("\\end{") => {
+                    rest.find('}').map_or(1 + letters, |end| end + 1)
+                }
+                letters => 1 + letters,
+            },
+        };
+    }
+    places
+}
+
+/// Whether `rest` begins with the command `name` and not with a longer one.
+fn is_command(rest: &str, name: &str) -> bool {
+    let after = rest
+        .strip_prefix('\\')
+        .and_then(|rest| rest.strip_prefix(name));
+    after.is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
+}
+
 /// The parts of a display formula that `\qquad` separates outside of all groups: set
 /// side by side where there is room, below each other where there is not.
 pub fn parts(tex: &str) -> Vec<&str> {
+    let separators = outside_of_groups(tex, |rest| is_command(rest, "qquad").then_some(6));
     let mut parts = Vec::new();
-    let (mut depth, mut start, mut at) = (0_i32, 0, 0);
-    while let Some(next) = tex[at..].find(['\\', '{', '}']) {
-        at += next;
-        let rest = &tex[at..];
-        if rest.starts_with('{') {
-            depth += 1;
-        } else if rest.starts_with('}') {
-            depth -= 1;
-        } else if rest.starts_with("\\left") && !rest.starts_with("\\leftarrow")
-            || rest.starts_with("\\begin{")
-        {
-            depth += 1;
-        } else if rest.starts_with("\\right") && !rest.starts_with("\\rightarrow")
-            || rest.starts_with("\\end{")
-        {
-            depth -= 1;
-        } else if rest.starts_with("\\qquad") && depth == 0 {
-            parts.push(&tex[start..at]);
-            start = at + "\\qquad".len();
-        } else if rest.len() > 1 && !rest[1..].starts_with(|c: char| c.is_ascii_alphabetic()) {
-            // An escaped brace is no group.
-            at += 1;
-        }
-        at += tex[at..].chars().next().map_or(1, char::len_utf8);
+    let mut start = 0;
+    for (at, length) in separators {
+        parts.push(&tex[start..at]);
+        start = at + length;
     }
     parts.push(&tex[start..]);
     if parts.iter().any(|part| part.trim().is_empty()) {
         return vec![tex];
     }
     parts
+}
+
+/// The most characters of a formula in a line that is kept in one piece.
+const LONG: usize = 14;
+
+/// The pieces of a long formula in a line, each but the last ended by a relation: behind it the
+/// line may be broken, as TeX does it. Browsers break no line within a formula.
+pub fn pieces(tex: &str) -> Vec<&str> {
+    const RELATIONS: [&str; 12] = [
+        "approx", "le", "ge", "ll", "gg", "equiv", "to", "propto", "sim", "simeq", "ne", "neq",
+    ];
+    let whole = mathml(tex, false).map(|mathml| plain(&mathml).chars().count());
+    if whole.unwrap_or(0) <= LONG {
+        return vec![tex];
+    }
+    let relations = outside_of_groups(tex, |rest| {
+        let command = RELATIONS.iter().find(|name| is_command(rest, name));
+        let sign = rest.starts_with(['=', '<', '>']).then_some(1);
+        sign.or(command.map(|name| 1 + name.len()))
+    });
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    for (at, length) in relations {
+        // A relation at the very start, or behind another, ends nothing.
+        if !tex[start..at].trim().is_empty() {
+            pieces.push(&tex[start..at + length]);
+            start = at + length;
+        }
+    }
+    if tex[start..].trim().is_empty() {
+        return vec![tex];
+    }
+    pieces.push(&tex[start..]);
+    pieces
 }
 
 /// Works around what browsers do not take from a mathematics font.
@@ -363,6 +424,32 @@ mod tests {
         ];
         for (tex, count) in cases {
             assert_eq!(parts(tex).len(), count, "{tex}: {:?}", parts(tex));
+        }
+    }
+
+    #[test]
+    fn a_long_formula_may_be_broken_behind_a_relation() {
+        let cases = [
+            (r"a = b", vec![r"a = b"]),
+            (
+                r"a(b-u)(1-bu) = c(1-u^2)^2 \le d",
+                vec![r"a(b-u)(1-bu) =", r" c(1-u^2)^2 \le", " d"],
+            ),
+            (
+                r"\left(a = b\right)^2 - f(x, y, z, t, u)",
+                vec![r"\left(a = b\right)^2 - f(x, y, z, t, u)"],
+            ),
+            (
+                r"= \sqrt{x = 1} + \leftarrow aaaaaaaaaaaa",
+                vec![r"= \sqrt{x = 1} + \leftarrow aaaaaaaaaaaa"],
+            ),
+            (
+                r"a \le b + c + d + e + f + g + h =",
+                vec![r"a \le b + c + d + e + f + g + h ="],
+            ),
+        ];
+        for (tex, expected) in cases {
+            assert_eq!(pieces(tex), expected, "{tex}");
         }
     }
 

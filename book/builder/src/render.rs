@@ -34,7 +34,20 @@ pub const NAME: &str = "pages";
 /// Whatever is missing by now.
 pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result<String, String> {
     match splice {
-        Splice::Inline { tex } => maths::mathml(tex, false).map_err(|e| e.reason),
+        Splice::Inline { tex } => {
+            let pieces = maths::pieces(tex);
+            // The empty group keeps the space behind the relation.
+            let piece = |n: usize| match n + 1 < pieces.len() {
+                true => format!("{}{{}}", pieces[n]),
+                false => pieces[n].to_owned(),
+            };
+            let set = |n: usize| maths::mathml(&piece(n), false).map_err(|e| e.reason);
+            let set: Result<String, String> = (0..pieces.len()).map(set).collect();
+            Ok(match pieces.len() {
+                1 => set?,
+                _ => format!("<span class=\"pieces\">{}</span>", set?),
+            })
+        }
         Splice::Display {
             tex,
             tag,
