@@ -76,6 +76,8 @@ pub struct Figure {
     pub name: String,
     /// The whole SVG document; deterministic to the byte.
     pub svg: String,
-    /// What is to be seen, for those who do not see it (also in the SVG, as `<desc>`).
+    /// What is to be seen, for those who do not see it (also in the SVG, as its label).
     pub alt: String,
+    /// What the SVG writes down, for painters of another kind.
+    pub display: draw::Display,
 }

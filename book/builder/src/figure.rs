@@ -5,23 +5,19 @@
 
 use std::collections::BTreeSet;
 
-/// The text of the first element called `name`.
-fn element<'a>(svg: &'a str, name: &str) -> Option<&'a str> {
-    let open = svg.find(&format!("<{name}>"))? + name.len() + 2;
-    Some(svg[open..open + svg[open..].find(&format!("</{name}>"))?].trim())
-}
-
 /// What a figure shows, in words.
 ///
 /// # Errors
-/// If it does not say so (`<desc>`), or has no `viewBox`: then it could not be scaled.
+/// If it does not say so (`aria-label`), or has no `viewBox`: then it could not be scaled.
 pub fn alternative(svg: &str) -> Result<&str, String> {
     if !svg.contains(" viewBox=\"") {
         return Err("the figure has no viewBox".into());
     }
-    element(svg, "desc")
+    svg.split_once(" aria-label=\"")
+        .and_then(|(_, rest)| rest.split_once('"'))
+        .map(|(alt, _)| alt.trim())
         .filter(|alt| !alt.is_empty())
-        .ok_or("the figure does not say what is to be seen (<desc>)".into())
+        .ok_or("the figure does not say what is to be seen (aria-label)".into())
 }
 
 /// The figure as part of a page; its identifiers begin with `prefix`, so that two
@@ -86,15 +82,15 @@ pub fn row(marks: &[String], caption: &str, indent: &str, id: &str) -> String {
 mod tests {
     use super::*;
 
-    const SVG: &str = "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 340 260\">\
-        <desc>A line that falls</desc><clipPath id=\"c\"/><path clip-path=\"url(#c)\"/></svg>\n";
+    const SVG: &str = "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 340 260\" aria-label=\"A line that falls\">\
+        <clipPath id=\"c\"/><path clip-path=\"url(#c)\"/></svg>\n";
 
     #[test]
     fn a_figure_keeps_to_itself() {
         assert_eq!(
             inline(SVG, "f1-").as_deref(),
             Ok(
-                "<svg viewBox=\"0 0 340 260\"><desc>A line that falls</desc>\
+                "<svg viewBox=\"0 0 340 260\" aria-label=\"A line that falls\">\
                 <clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\"/></svg>"
             )
         );

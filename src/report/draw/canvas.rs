@@ -1,137 +1,19 @@
-//! What the kinds of figures share: marks, drawn through plotters' coordinates.
+//! A sheet of paper: marks in the coordinates of a figure become a display list.
 
+use super::display::{Dash, Display, Place, Shape, Stroke, Text, UNITS, thinned};
 use super::ink::Ink;
-use super::label::{Label, SIZE};
-use super::svg::{Anchor, Dash, Stroke, Svg, UNITS};
+use super::label::SIZE;
+use super::map::Map;
+use super::method::Marker;
+use super::words::{Rect, Words};
 use crate::error::{Error, Result, finite};
 use crate::math::{atan2, hypot, sincos};
 use crate::report::Figure;
-use core::convert::Infallible;
-use plotters::coord::{Shift, types::RangedCoordf64};
-use plotters::element::{Drawable, PointCollection};
-use plotters::prelude::{Cartesian2d, DrawingArea, IntoDrawingArea};
-use plotters_backend::{BackendCoord, DrawingErrorKind};
+use core::cell::RefCell;
+use core::f64::consts::PI;
 
 /// A point in the coordinates of its figure.
 pub(super) type Point = (f64, f64);
-
-/// A rectangle in px; `top < bottom`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rect {
-    pub left: f64,
-    pub right: f64,
-    pub top: f64,
-    pub bottom: f64,
-}
-
-impl Rect {
-    pub(super) fn overlaps(&self, other: &Self) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
-    }
-
-    pub(super) fn contains(&self, (x, y): Point) -> bool {
-        (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
-    }
-
-    /// The distance of a point; 0 inside.
-    pub(super) fn distance(&self, (x, y): Point) -> f64 {
-        let outside = |low: f64, value: f64, high: f64| (low - value).max(value - high).max(0.0);
-        hypot(
-            outside(self.left, x, self.right),
-            outside(self.top, y, self.bottom),
-        )
-    }
-
-    pub(super) fn grown(&self, by: f64) -> Self {
-        Self {
-            left: self.left - by,
-            right: self.right + by,
-            top: self.top - by,
-            bottom: self.bottom + by,
-        }
-    }
-}
-
-/// On which side of its point a label lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Above it, centred.
-    Above,
-    /// Below it, centred.
-    Below,
-    /// To its left.
-    Left,
-    /// To its right.
-    Right,
-    /// Above and to the left.
-    AboveLeft,
-    /// Above and to the right.
-    AboveRight,
-    /// Below and to the left.
-    BelowLeft,
-    /// Below and to the right.
-    BelowRight,
-    /// On it.
-    Centre,
-}
-
-/// A text with its place: the box it fills is known before it is drawn.
-#[derive(Debug, Clone)]
-pub(super) struct Text {
-    pub label: Label,
-    pub size: f64,
-    pub ink: Ink,
-    anchor: Anchor,
-    shift: Point,
-}
-
-impl Text {
-    /// `text` on this side of its point, `gap` px away from it.
-    pub(super) fn new(text: &str, ink: Ink, side: Side, gap: f64) -> Self {
-        let size = SIZE;
-        // Letters reach about 0.72 above and 0.22 below the baseline.
-        let (above, middle, below) = (-gap - 0.12 * size, 0.34 * size, gap + 0.74 * size);
-        let (anchor, dx, dy) = match side {
-            Side::Above => (Anchor::Middle, 0.0, above),
-            Side::Below => (Anchor::Middle, 0.0, below),
-            Side::Left => (Anchor::End, -gap, middle),
-            Side::Right => (Anchor::Start, gap, middle),
-            Side::AboveLeft => (Anchor::End, -0.7 * gap, above + 0.3 * gap),
-            Side::AboveRight => (Anchor::Start, 0.7 * gap, above + 0.3 * gap),
-            Side::BelowLeft => (Anchor::End, -0.7 * gap, below - 0.3 * gap),
-            Side::BelowRight => (Anchor::Start, 0.7 * gap, below - 0.3 * gap),
-            Side::Centre => (Anchor::Middle, 0.0, middle),
-        };
-        Self {
-            label: Label::new(text),
-            size,
-            ink,
-            anchor,
-            shift: (dx, dy),
-        }
-    }
-
-    /// The box it fills when drawn at `at` (px).
-    pub(super) fn rect(&self, at: Point) -> Rect {
-        let width = self.label.width(self.size);
-        let x = at.0 + self.shift.0;
-        let left = match self.anchor {
-            Anchor::Start => x,
-            Anchor::Middle => x - width / 2.0,
-            Anchor::End => x - width,
-        };
-        let baseline = at.1 + self.shift.1;
-        Rect {
-            left,
-            right: left + width,
-            top: baseline - 0.78 * self.size,
-            bottom: baseline + 0.26 * self.size,
-        }
-    }
-}
 
 /// What a mark is made of.
 #[derive(Debug, Clone)]
@@ -139,11 +21,12 @@ pub(super) enum Paint {
     Line(Stroke),
     Loop(Stroke),
     Fill(Ink, f64),
-    /// An opaque face: so many percent of ink on paper.
+    /// An opaque face with so many percent of light.
     Face(Ink, u32),
     /// Radius in px, and whether only its rim is drawn.
     Dot(Ink, f64, bool),
-    Text(Text),
+    Mark(Ink, Marker),
+    Text(Words),
     /// A line that ends in a head of this length (px); open or solid.
     Arrow(Stroke, f64, bool),
     /// Only the head, of this length (px), of an arrow along the line.
@@ -152,65 +35,96 @@ pub(super) enum Paint {
     Dimension(Stroke),
 }
 
-/// A drawing element: points in the figure's coordinates, and what to make of them.
-#[derive(Debug, Clone)]
-pub(super) struct Mark {
-    pub points: Vec<Point>,
-    pub paint: Paint,
-}
-
-impl<'a> PointCollection<'a, Point> for &'a Mark {
-    type Point = &'a Point;
-    type IntoIter = core::slice::Iter<'a, Point>;
-    fn point_iter(self) -> Self::IntoIter {
-        self.points.iter()
+impl Display {
+    fn line(&mut self, points: &[Place], closed: bool, stroke: Stroke) {
+        if points.len() >= 2 {
+            self.shapes
+                .push(Shape::Line(thinned(points), closed, stroke));
+        }
     }
-}
 
-impl Drawable<Svg<'_>> for Mark {
-    fn draw<I: Iterator<Item = BackendCoord>>(
-        &self,
-        points: I,
-        svg: &mut Svg<'_>,
-        _: (u32, u32),
-    ) -> core::result::Result<(), DrawingErrorKind<Infallible>> {
-        let mut points: Vec<BackendCoord> = points.collect();
-        match &self.paint {
-            Paint::Line(stroke) => svg.line(&points, *stroke, false),
-            Paint::Loop(stroke) => svg.line(&points, *stroke, true),
-            Paint::Fill(ink, alpha) => svg.fill(&points, *ink, *alpha),
-            Paint::Face(ink, percent) => svg.face(&points, *ink, *percent),
+    fn area(&mut self, points: &[Place], ink: Ink, opacity: f64) {
+        if points.len() >= 3 {
+            self.shapes.push(Shape::Area(thinned(points), ink, opacity));
+        }
+    }
+
+    fn mark(&mut self, mut points: Vec<Place>, paint: &Paint) {
+        match paint {
+            Paint::Line(stroke) => self.line(&points, false, *stroke),
+            Paint::Loop(stroke) => self.line(&points, true, *stroke),
+            Paint::Fill(ink, alpha) => self.area(&points, *ink, *alpha),
+            Paint::Face(ink, light) => {
+                self.shapes
+                    .push(Shape::Face(thinned(&points), *ink, *light));
+            }
             Paint::Dot(ink, radius, ring) => {
-                for &point in &points {
-                    svg.dot(point, *radius, *ink, *ring);
+                let dots = points.iter().map(|&p| Shape::Dot(p, *radius, *ink, *ring));
+                self.shapes.extend(dots);
+            }
+            Paint::Mark(ink, marker) => {
+                for at in points {
+                    self.marker(at, *ink, *marker);
                 }
             }
-            Paint::Text(text) if text.label.is_empty() => {}
-            Paint::Text(text) => {
-                for &(x, y) in &points {
-                    let at = (x + units(text.shift.0), y + units(text.shift.1));
-                    svg.text(at, &text.label, text.size, text.anchor, text.ink);
-                }
+            Paint::Text(words) if words.label.is_empty() => {}
+            Paint::Text(words) => {
+                let text = |&(x, y): &Place| Text {
+                    at: (x + units(words.shift.0), y + units(words.shift.1)),
+                    anchor: words.anchor,
+                    ink: words.ink,
+                    halo: words.halo,
+                    runs: words.label.runs(SIZE),
+                };
+                self.texts.extend(points.iter().map(text));
             }
             Paint::Arrow(stroke, head, open) => {
                 let tip = head_at_end(&mut points, *head, *open);
-                svg.line(&points, *stroke, false);
-                draw_head(svg, &tip, *stroke, *open);
+                self.line(&points, false, *stroke);
+                self.head(&tip, *stroke, *open);
             }
             Paint::Head(ink, length) => {
                 let head = head_at_end(&mut points, *length, false);
-                draw_head(svg, &head, Stroke::new(*ink, 1.0), false);
+                self.head(&head, Stroke::new(*ink, 1.0), false);
             }
             Paint::Dimension(stroke) => {
                 let end = head_at_end(&mut points, 8.0, false);
                 points.reverse();
                 let start = head_at_end(&mut points, 8.0, false);
-                svg.line(&points, *stroke, false);
-                draw_head(svg, &end, *stroke, false);
-                draw_head(svg, &start, *stroke, false);
+                self.line(&points, false, *stroke);
+                self.head(&end, *stroke, false);
+                self.head(&start, *stroke, false);
             }
         }
-        Ok(())
+    }
+
+    /// All markers cover about the same area.
+    fn marker(&mut self, at: Place, ink: Ink, marker: Marker) {
+        let (radius, corners, turn) = match marker {
+            Marker::Disc => return self.shapes.push(Shape::Dot(at, 2.6, ink, false)),
+            Marker::Ring => return self.shapes.push(Shape::Dot(at, 2.4, ink, true)),
+            Marker::Square => (3.3, 4, PI / 4.0),
+            Marker::Diamond => (3.5, 4, 0.0),
+            Marker::Triangle => (3.9, 3, -PI / 2.0),
+        };
+        let corner = |i: u32| {
+            let (s, c) = sincos(turn + 2.0 * PI * f64::from(i) / f64::from(corners));
+            (at.0 + units(radius * c), at.1 + units(radius * s))
+        };
+        let outline: Vec<Place> = (0..corners).map(corner).collect();
+        self.area(&outline, ink, 1.0);
+    }
+
+    fn head(&mut self, head: &[Place], stroke: Stroke, open: bool) {
+        if open {
+            let solid = Stroke {
+                dash: Dash::Solid,
+                ..stroke
+            };
+            self.line(head, false, solid);
+        } else {
+            self.area(head, stroke.ink, stroke.opacity);
+        }
     }
 }
 
@@ -220,12 +134,11 @@ fn units(px: f64) -> i32 {
 
 /// The head of an arrow along the end of `points`: barb, tip, barb. A solid head
 /// shortens the line, so that its end does not blunt the tip.
-fn head_at_end(points: &mut [BackendCoord], length: f64, open: bool) -> Vec<BackendCoord> {
+fn head_at_end(points: &mut [Place], length: f64, open: bool) -> Vec<Place> {
     let Some((&tip, before)) = points.split_last() else {
         return Vec::new();
     };
-    let far =
-        |p: &&BackendCoord| hypot(f64::from(p.0 - tip.0), f64::from(p.1 - tip.1)) >= length * UNITS;
+    let far = |p: &&Place| hypot(f64::from(p.0 - tip.0), f64::from(p.1 - tip.1)) >= length * UNITS;
     // The direction is taken over the length of the head, so that it follows a curve.
     let Some(&from) = before.iter().rev().find(far).or(before.first()) else {
         return Vec::new();
@@ -254,37 +167,19 @@ fn head_at_end(points: &mut [BackendCoord], length: f64, open: bool) -> Vec<Back
     head
 }
 
-fn draw_head(svg: &mut Svg<'_>, head: &[BackendCoord], stroke: Stroke, open: bool) {
-    if open {
-        let solid = Stroke {
-            dash: Dash::Solid,
-            ..stroke
-        };
-        svg.line(head, solid, false);
-    } else {
-        svg.fill(head, stroke.ink, stroke.opacity);
-    }
-}
-
 /// A part of the canvas with its own coordinates.
 pub(super) struct Frame<'a> {
-    area: DrawingArea<Svg<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
+    display: &'a RefCell<Display>,
+    map: Map,
     x: Point,
     y: Point,
 }
 
 impl Frame<'_> {
     /// Draws `paint` at `points`.
-    pub(super) fn draw(&self, points: &[Point], paint: Paint) -> Result<()> {
-        self.mark(&Mark {
-            points: points.to_vec(),
-            paint,
-        })
-    }
-
-    pub(super) fn mark(&self, mark: &Mark) -> Result<()> {
-        for &(x, y) in &mark.points {
-            // Far outside the sheet the backend's integers would overflow.
+    pub(super) fn draw(&self, points: &[Point], paint: &Paint) -> Result<()> {
+        for &(x, y) in points {
+            // Far outside the sheet the whole numbers would overflow.
             for (name, value, (from, to)) in
                 [("x in a figure", x, self.x), ("y in a figure", y, self.y)]
             {
@@ -298,53 +193,51 @@ impl Frame<'_> {
                 }
             }
         }
-        self.area.draw(mark).map_err(|e| Error::Text {
-            text: e.to_string(),
-            allowed: "drawing cannot fail",
-        })
+        let places = points.iter().map(|&p| self.map.place(p)).collect();
+        self.display.borrow_mut().mark(places, paint);
+        Ok(())
     }
 
     /// Where `point` comes to lie, in px.
     pub(super) fn px(&self, point: Point) -> Point {
-        let (x, y) = self.area.map_coordinate(&point);
+        let (x, y) = self.map.place(point);
         (f64::from(x) / UNITS, f64::from(y) / UNITS)
     }
 }
 
 /// A sheet of paper.
-pub(super) struct Canvas<'a> {
-    area: DrawingArea<Svg<'a>, Shift>,
-    width: f64,
-    height: f64,
+pub(super) struct Canvas {
+    display: RefCell<Display>,
 }
 
-impl<'a> Canvas<'a> {
+impl Canvas {
     /// Coordinates in which `x` and `y`, from first to second, fill `rect` from left
     /// to right and from bottom to top.
-    pub(super) fn frame(&self, x: Point, y: Point, rect: Rect) -> Frame<'a> {
-        let across = units(rect.left)..units(rect.right);
-        let up = units(rect.bottom)..units(rect.top);
-        let spec =
-            Cartesian2d::<RangedCoordf64, RangedCoordf64>::new(x.0..x.1, y.0..y.1, (across, up));
+    pub(super) fn frame(&self, x: Point, y: Point, rect: Rect) -> Frame<'_> {
+        let across = (units(rect.left), units(rect.right));
+        let up = (units(rect.bottom), units(rect.top));
         Frame {
-            area: self.area.apply_coord_spec(spec),
+            display: &self.display,
+            map: Map::new(x, y, across, up),
             x,
             y,
         }
     }
 
     /// Coordinates in px, from the upper left corner.
-    pub(super) fn sheet(&self) -> Frame<'a> {
-        self.frame((0.0, self.width), (self.height, 0.0), self.rect())
+    pub(super) fn sheet(&self) -> Frame<'_> {
+        let rect = self.rect();
+        self.frame((0.0, rect.right), (rect.bottom, 0.0), rect)
     }
 
     /// The whole sheet.
     pub(super) fn rect(&self) -> Rect {
+        let (width, height) = self.display.borrow().size;
         Rect {
             left: 0.0,
-            right: self.width,
+            right: f64::from(width),
             top: 0.0,
-            bottom: self.height,
+            bottom: f64::from(height),
         }
     }
 }
@@ -354,7 +247,7 @@ pub(super) fn figure(
     name: &str,
     alt: &str,
     size: (u32, u32),
-    draw: impl FnOnce(&Canvas<'_>) -> Result<()>,
+    draw: impl FnOnce(&Canvas) -> Result<()>,
 ) -> Result<Figure> {
     let plain = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_';
     if name.is_empty() || !name.bytes().all(plain) {
@@ -369,21 +262,18 @@ pub(super) fn figure(
             allowed: "the alternative text of a figure says in a sentence what is to be seen",
         });
     }
-    let mut svg = String::new();
-    let canvas = Canvas {
-        area: Svg::open(&mut svg, size, alt).into_drawing_area(),
-        width: f64::from(size.0),
-        height: f64::from(size.1),
-    };
+    let display = RefCell::new(Display {
+        size,
+        shapes: Vec::new(),
+        texts: Vec::new(),
+    });
+    let canvas = Canvas { display };
     draw(&canvas)?;
-    canvas.area.present().map_err(|e| Error::Text {
-        text: e.to_string(),
-        allowed: "drawing cannot fail",
-    })?;
-    drop(canvas);
+    let display = canvas.display.into_inner();
     Ok(Figure {
         name: name.into(),
-        svg,
+        svg: super::svg::document(&display, alt),
         alt: alt.into(),
+        display,
     })
 }

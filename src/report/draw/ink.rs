@@ -22,6 +22,17 @@ pub enum Ink {
     Energy,
     /// A naive method or an erratum; draw it dashed and say so in its label.
     Wrong,
+    /// Runge-Kutta methods of order 4. The methods' inks are [`super::Method`]'s: a
+    /// method has its ink, dash and marker from there, the same on every page.
+    RungeKutta,
+    /// Runge-Kutta of high order with a step of its own choice.
+    Adaptive,
+    /// Splittings into the exact flow and kicks.
+    Splitting,
+    /// Splittings for weak kicks.
+    WeakKicks,
+    /// Gauss-Legendre collocation.
+    Gauss,
 }
 
 /// One colour in both themes. Lines keep a contrast of 3 to 1 against the theme's
@@ -53,9 +64,10 @@ const fn colour(ink: Ink, name: &'static str, light: [u32; 2], dark: [u32; 2]) -
     }
 }
 
-/// Every ink. After Okabe and Ito; the orange's lines and the text of most are
-/// darker than theirs, which do not reach the contrast on white.
-pub const PALETTE: [Colour; 9] = [
+/// Every ink. The quantities after Okabe and Ito; the orange's lines and the text of most
+/// are darker than theirs, which do not reach the contrast on white. The methods' five are
+/// chosen to be told apart by those who see no red or no green.
+pub const PALETTE: [Colour; 14] = [
     colour(Ink::Ink, "fig-ink", [0x1F2328; 2], [0xE6E3DD; 2]),
     colour(
         Ink::Frame,
@@ -85,7 +97,54 @@ pub const PALETTE: [Colour; 9] = [
         [0xF0B030; 2],
     ),
     colour(Ink::Wrong, "fig-wrong", [0xD55E00, 0xB84E00], [0xF08A45; 2]),
+    colour(
+        Ink::RungeKutta,
+        "fig-runge-kutta",
+        [0x85502A; 2],
+        [0xC49A6C; 2],
+    ),
+    colour(Ink::Adaptive, "fig-adaptive", [0x8C1D4F; 2], [0xE6508A; 2]),
+    colour(
+        Ink::Splitting,
+        "fig-splitting",
+        [0x6E7A00; 2],
+        [0xD2DD60; 2],
+    ),
+    colour(
+        Ink::WeakKicks,
+        "fig-weak-kicks",
+        [0x00757D; 2],
+        [0x5CCBD2; 2],
+    ),
+    colour(Ink::Gauss, "fig-gauss", [0x5A3FC0; 2], [0xA08CFF; 2]),
 ];
+
+/// `percent` of `a` with the rest `b`, channel by channel.
+fn mixture(a: u32, b: u32, percent: u32) -> u32 {
+    let percent = percent.min(100);
+    [16, 8, 0].into_iter().fold(0, |rgb, shift| {
+        let channel = |c: u32| (c >> shift) & 255;
+        rgb << 8 | ((channel(a) * percent + channel(b) * (100 - percent) + 50) / 100)
+    })
+}
+
+impl Colour {
+    /// A body of this colour in full light and in the shade, light theme or dark. In both
+    /// themes what is lit is the lighter.
+    fn body(&self, dark: bool) -> [u32; 2] {
+        if dark {
+            [
+                mixture(self.dark_line, 0xFFFFFF, 86),
+                mixture(self.dark_line, 0x000000, 30),
+            ]
+        } else {
+            [
+                mixture(self.line, 0xFFFFFF, 14),
+                mixture(self.line, 0x000000, 82),
+            ]
+        }
+    }
+}
 
 impl Ink {
     /// Its entry in [`PALETTE`].
@@ -99,15 +158,21 @@ impl Ink {
         format!("var(--{},#{:06X})", c.name, c.line)
     }
 
-    /// So many percent of it on light paper, for readers that do not know `color-mix`.
-    pub(super) fn mixed(self, percent: u32) -> String {
-        let percent = percent.min(100);
-        let (ink, paper) = (self.colour().line, Ink::Paper.colour().line);
-        let channel = |shift: u32| {
-            let (a, b) = ((ink >> shift) & 255, (paper >> shift) & 255);
-            (a * percent + b * (100 - percent) + 50) / 100
-        };
-        format!("#{:02X}{:02X}{:02X}", channel(16), channel(8), channel(0))
+    /// The colour of a face with so many percent of light, in the light theme: for readers
+    /// that do not know `color-mix`.
+    pub(super) fn lit(self, light: u32) -> String {
+        let [lit, shade] = self.colour().body(false);
+        format!("#{:06X}", mixture(lit, shade, light))
+    }
+
+    /// The CSS colour of a face with so many percent of light.
+    pub(super) fn lit_css(self, light: u32) -> String {
+        let c = self.colour();
+        let [lit, shade] = c.body(false);
+        format!(
+            "color-mix(in srgb,var(--{0}-lit,#{lit:06X}) {light}%,var(--{0}-shade,#{shade:06X}))",
+            c.name
+        )
     }
 
     /// The CSS colour of its text.
@@ -128,7 +193,12 @@ pub fn css_variables(dark: bool) -> String {
             } else {
                 (c.line, c.text)
             };
-            format!("--{0}: #{line:06X};\n--{0}-text: #{text:06X};\n", c.name)
+            let [lit, shade] = c.body(dark);
+            format!(
+                "--{0}: #{line:06X};\n--{0}-text: #{text:06X};\n\
+                 --{0}-lit: #{lit:06X};\n--{0}-shade: #{shade:06X};\n",
+                c.name
+            )
         })
         .collect()
 }
@@ -138,19 +208,25 @@ mod tests {
     use super::*;
     use crate::math::pow;
 
+    /// Red, green and blue as amounts of light, 0 to 1.
+    fn linear(rgb: u32) -> [f64; 3] {
+        [16, 8, 0].map(|shift| {
+            let c = f64::from((rgb >> shift) & 255) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                pow((c + 0.055) / 1.055, 2.4)
+            }
+        })
+    }
+
+    fn luminance(rgb: u32) -> f64 {
+        let [r, g, b] = linear(rgb);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
     /// Contrast of two colours after WCAG 2.1, 1 to 21.
     fn contrast(a: u32, b: u32) -> f64 {
-        let luminance = |rgb: u32| -> f64 {
-            let channel = |shift: u32| {
-                let c = f64::from((rgb >> shift) & 255) / 255.0;
-                if c <= 0.04045 {
-                    c / 12.92
-                } else {
-                    pow((c + 0.055) / 1.055, 2.4)
-                }
-            };
-            0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0)
-        };
         let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
         if a > b { a / b } else { b / a }
     }
@@ -179,5 +255,95 @@ mod tests {
         assert!((4.5..4.9).contains(&texts), "weakest text {texts}");
         // The damaged twin: the orange as Okabe and Ito have it fails as a line.
         assert!(contrast(0xE69F00, paper.line) < 2.3);
+    }
+
+    #[test]
+    fn a_lit_face_is_lighter_than_one_in_the_shade_in_both_themes() {
+        let mut seen = 0;
+        for c in PALETTE.iter().filter(|c| c.ink != Ink::Paper) {
+            for dark in [false, true] {
+                let [lit, shade] = c.body(dark);
+                assert!(contrast(lit, shade) > 1.6, "{} {dark}", c.name);
+                assert!(luminance(lit) > luminance(shade), "{} {dark}", c.name);
+                seen += 1;
+            }
+        }
+        assert_eq!(seen, 26);
+    }
+
+    /// The colour as seen without red cones or without green ones (Machado, Oliveira and
+    /// Fernandes, 2009), in CIE Lab.
+    fn seen(rgb: u32, cones: [[f64; 3]; 3]) -> [f64; 3] {
+        let light = linear(rgb);
+        let [r, g, b] = cones.map(|row| {
+            (0..3)
+                .map(|i| row[i] * light[i])
+                .sum::<f64>()
+                .clamp(0.0, 1.0)
+        });
+        let f = |t: f64| {
+            if t > 0.008856 {
+                libm::cbrt(t)
+            } else {
+                7.787 * t + 16.0 / 116.0
+            }
+        };
+        let x = f((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047);
+        let y = f(0.2126 * r + 0.7152 * g + 0.0722 * b);
+        let z = f((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.08883);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    const FULL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    const NO_RED: [[f64; 3]; 3] = [
+        [0.152286, 1.052583, -0.204868],
+        [0.114503, 0.786281, 0.099216],
+        [-0.003882, -0.048116, 1.051998],
+    ];
+    const NO_GREEN: [[f64; 3]; 3] = [
+        [0.367322, 0.860646, -0.227968],
+        [0.280085, 0.672501, 0.047413],
+        [-0.011820, 0.042940, 0.968881],
+    ];
+
+    fn apart(a: u32, b: u32) -> f64 {
+        let distance = |cones| {
+            let (a, b) = (seen(a, cones), seen(b, cones));
+            (0..3)
+                .map(|i| (a[i] - b[i]) * (a[i] - b[i]))
+                .sum::<f64>()
+                .sqrt()
+        };
+        [FULL, NO_RED, NO_GREEN]
+            .map(distance)
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Measured: the least distance of two inks of methods is 18.
+    #[test]
+    fn methods_are_told_apart_without_red_or_green() {
+        let inks = [
+            Ink::Ink,
+            Ink::RungeKutta,
+            Ink::Adaptive,
+            Ink::Splitting,
+            Ink::WeakKicks,
+            Ink::Gauss,
+        ];
+        let (mut least, mut pairs) = (f64::INFINITY, 0);
+        for (i, a) in inks.iter().enumerate() {
+            for b in &inks[..i] {
+                let (a, b) = (a.colour(), b.colour());
+                least = least
+                    .min(apart(a.line, b.line))
+                    .min(apart(a.dark_line, b.dark_line));
+                pairs += 1;
+            }
+        }
+        assert_eq!(pairs, 15);
+        assert!((15.0..25.0).contains(&least), "{least}");
+        // The damaged twin: the inks of quantities could not serve, orange and olive are one.
+        assert!(apart(0xC27C00, 0x7F8A00) < 2.0);
     }
 }

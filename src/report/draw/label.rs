@@ -5,7 +5,7 @@
 //! `\dot\phi`, `\mathrm{d}`, `\times`, `\cdot`, `\cos`, thin space `\,`. Outside,
 //! text is text.
 
-use core::fmt::Write;
+use super::display::Run;
 
 /// Size of the text of labels, in px.
 pub(super) const SIZE: f64 = 14.0;
@@ -192,6 +192,8 @@ impl Label {
                 '-' => "\u{2212}".into(),
                 '\'' => "′".into(),
                 ',' => ",\u{2009}".into(),
+                // A slanted letter leans on a slash that follows closely.
+                '/' if self.spans.last().is_some_and(|s| s.slanted) => "\u{200a}/".into(),
                 ' ' if !upright => continue,
                 '=' | '<' | '>' | '+' if level == Level::Base => format!("\u{2009}{c}\u{2009}"),
                 c => c.to_string(),
@@ -222,57 +224,31 @@ impl Label {
             .sum()
     }
 
-    /// The content of an SVG `<text>` element.
-    pub(super) fn svg(&self, size: f64) -> String {
-        let mut out = String::new();
-        let mut raised = 0.0;
-        for span in &self.spans {
-            let target = match span.level {
-                Level::Base => 0.0,
-                Level::Sub => 0.24 * size,
-                Level::Sup => -0.36 * size,
-            };
-            let mut attributes = String::new();
-            // Writing to a string cannot fail.
-            if target != raised {
-                let _ = write!(attributes, " dy=\"{:.1}\"", target - raised);
-                raised = target;
-            }
-            let scale = if span.level == Level::Base {
-                1.0
-            } else {
-                SMALL
+    /// What is drawn, in text of this size.
+    pub(super) fn runs(&self, size: f64) -> Vec<Run> {
+        let run = |span: &Span| {
+            let (scale, drop) = match span.level {
+                Level::Base => (1.0, 0.0),
+                Level::Sub => (SMALL, 0.24 * size),
+                Level::Sup => (SMALL, -0.36 * size),
             };
             let scale = if span.slanted { SLANTED * scale } else { scale };
-            if scale != 1.0 {
-                let _ = write!(attributes, " font-size=\"{:.1}\"", scale * size);
+            Run {
+                text: span.text.clone(),
+                slanted: span.slanted,
+                size: scale * size,
+                drop,
             }
-            if span.slanted {
-                attributes.push_str(" class=\"v\"");
-            }
-            let text = escaped(&span.text);
-            if attributes.is_empty() {
-                out.push_str(&text);
-            } else {
-                let _ = write!(out, "<tspan{attributes}>{text}</tspan>");
-            }
-        }
-        out
+        };
+        self.spans.iter().map(run).collect()
     }
-}
-
-/// `text` with the characters that XML reserves replaced.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 fn glyph_width(c: char) -> f64 {
     match c {
         '\u{300}'..='\u{36f}' => 0.0,
         '\u{2009}' => 0.17,
+        '\u{200a}' => 0.1,
         'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' | '′' => 0.25,
         'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '/' | ' ' | '-' | '·' => 0.31,
         'm' | 'w' | 'M' | 'W' => 0.84,
@@ -307,17 +283,7 @@ mod tests {
         assert_eq!(plain(r"$t'$"), "t′");
         assert_eq!(plain("a - b"), "a - b");
         assert_eq!(plain(r"$\cos\theta=b$"), "cos\u{2009}θ\u{2009}=\u{2009}b");
-        assert!(Label::new(r"$\sin(x)$").svg(14.0).starts_with("sin(<tspan"));
-    }
-
-    #[test]
-    fn only_variables_are_slanted_and_the_baseline_returns() {
-        let svg = Label::new(r"$x_1=2$ m").svg(14.0);
-        assert_eq!(
-            svg,
-            "<tspan font-size=\"15.1\" class=\"v\">x</tspan><tspan dy=\"3.4\" font-size=\"11.1\">1</tspan>\
-             <tspan dy=\"-3.4\">\u{2009}=\u{2009}2 m</tspan>"
-        );
+        assert_eq!(plain(r"$\ell/2$"), "ℓ\u{200a}/2");
     }
 
     #[test]

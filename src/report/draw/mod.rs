@@ -3,32 +3,47 @@
 //! | figure | for |
 //! |---|---|
 //! | [`Panel`] | curves over two axes: time series, potentials, phase portraits, work against error |
-//! | [`Stack`] | several panels over one time axis |
-//! | [`Sketch`] | set-ups: lines, arrows, arcs, hatched walls, labels; strobe drawings |
-//! | [`View`] | three dimensions: the sphere with a trace, arrows, solids |
+//! | [`Sketch`] | set-ups and mechanisms: lines, arrows, springs, rollers, hatched walls, labels |
+//! | [`View`] | three dimensions: the sphere with a trace, arrows, solids that hide each other |
+//! | [`Stack`] | scenes above panels over one time axis; with [`Panel::now`] one moment of a motion |
 //!
-//! Colours have meanings ([`Ink`]), lines are labelled directly, labels speak a
-//! little TeX (`"$U_{eff}$"`), coordinates are finer than pixels, and the same
-//! input gives the same bytes on every machine. The drawing is plotters' through
-//! a backend of our own; this module is not a general plotting library.
+//! Colours have meanings ([`Ink`]), methods of integration look the same everywhere
+//! ([`Method`]), lines are labelled directly, labels speak a little TeX (`"$U_{eff}$"`),
+//! coordinates are finer than pixels, and the same input gives the same bytes on every
+//! machine. A figure is a list ([`Display`]) of strokes, areas, faces, dots and texts;
+//! its SVG is one way to write that down. This module is not a general plotting library.
 
 mod axis;
+mod bodies;
 mod canvas;
+mod clip;
+mod curve;
+mod depth;
+mod display;
 mod ink;
 mod label;
+mod map;
+mod mechanism;
+mod method;
 mod paint;
 mod panel;
 mod place;
+mod scene;
 mod sketch;
 mod solid;
+mod stack;
 mod svg;
 mod view;
+mod words;
 
 pub use axis::Axis;
-pub use canvas::Side;
+pub use curve::Curve;
+pub use display::{Anchor, Dash, Display, Place, Run, Shape, Stroke, Text};
 pub use ink::{Colour, Ink, PALETTE, css_variables};
-pub use panel::{Curve, Panel, Stack};
+pub use method::{Marker, Method};
+pub use panel::Panel;
 pub use sketch::Sketch;
 pub use solid::{Camera, Solid};
-pub use svg::Dash;
+pub use stack::{Scene, Stack};
 pub use view::View;
+pub use words::Side;

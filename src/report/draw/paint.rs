@@ -1,11 +1,14 @@
 //! How a panel is painted: margins, axes, contents, labels.
 
-use super::canvas::{Canvas, Frame, Paint, Point, Rect, Side, Text};
+use super::canvas::{Canvas, Frame, Paint, Point};
+use super::clip::{clipped, clipped_polygon};
+use super::curve::{AXIS, Curve, LabelPlace};
+use super::display::Stroke;
 use super::ink::Ink;
 use super::label::{Label, SIZE};
-use super::panel::{AXIS, Curve, LabelPlace, Panel, Rule};
-use super::place::{GAP, Obstacles, clipped, clipped_polygon, spread};
-use super::svg::Stroke;
+use super::panel::{Panel, Rule};
+use super::place::{GAP, Obstacles, spread};
+use super::words::{Rect, Side, Words};
 use crate::error::Result;
 
 /// Length of ticks, and distance of the axes from the data.
@@ -99,7 +102,7 @@ impl Panel {
     /// Draws it into `outer` (px), with a left margin and extents that may be shared.
     pub(super) fn paint(
         &self,
-        canvas: &Canvas<'_>,
+        canvas: &Canvas,
         outer: Rect,
         left: f64,
         x: Point,
@@ -120,13 +123,13 @@ impl Panel {
         let frame = canvas.frame(x, y, plot);
         for (outline, ink, alpha) in &self.areas {
             let cut = clipped_polygon(&self.places(outline)?, x, y);
-            frame.draw(&cut, Paint::Fill(*ink, *alpha))?;
+            frame.draw(&cut, &Paint::Fill(*ink, *alpha))?;
         }
         let mut obstacles = Obstacles::new(Rect {
             left: plot.left,
             right: outer.right - 2.0,
             top: outer.top + 2.0,
-            bottom: plot.bottom,
+            bottom: plot.bottom + 3.0,
         });
         self.paint_axes(&sheet, &frame, plot, (x, y), labelled_x, &mut obstacles)?;
         self.paint_contents(&sheet, &frame, (x, y), plot, &mut obstacles)
@@ -143,37 +146,39 @@ impl Panel {
     ) -> Result<()> {
         let line = Paint::Line(Stroke::new(Ink::Ink, AXIS));
         let (floor, wall) = (plot.bottom + OFFSET, plot.left - OFFSET);
-        sheet.draw(&[(wall, plot.top), (wall, plot.bottom)], line.clone())?;
+        let upright = [(wall, plot.top), (wall, plot.bottom)];
+        sheet.draw(&upright, &line)?;
+        obstacles.add_line(Obstacles::NOBODY, &upright);
         if labelled_x {
-            sheet.draw(&[(plot.left, floor), (plot.right, floor)], line.clone())?;
+            sheet.draw(&[(plot.left, floor), (plot.right, floor)], &line)?;
             for (place, label) in self
                 .x
                 .marks(x, ((plot.right - plot.left) / 48.0) as usize)?
             {
                 let at = frame.px((place, y.0)).0;
-                sheet.draw(&[(at, floor), (at, floor + TICK)], line.clone())?;
+                sheet.draw(&[(at, floor), (at, floor + TICK)], &line)?;
                 // The last label moves in rather than over the edge; widths are estimates.
                 let half = 0.55 * Label::new(&label).width(SIZE);
                 let inside = at.min(plot.right + 11.0 - half);
-                let text = Text::new(&label, Ink::Ink, Side::Below, 3.0);
-                sheet.draw(&[(inside, floor + TICK)], Paint::Text(text))?;
+                let text = Words::new(&label, Ink::Ink, Side::Below, 3.0);
+                sheet.draw(&[(inside, floor + TICK)], &Paint::Text(text.bare()))?;
             }
-            let text = Text::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
+            let text = Words::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
             sheet.draw(
                 &[(plot.right, floor + TICK + LINE + 2.0)],
-                Paint::Text(text),
+                &Paint::Text(text),
             )?;
         }
         for (place, label) in self.y_ticks(y, plot.bottom - plot.top)? {
             let at = frame.px((x.0, place)).1;
-            sheet.draw(&[(wall, at), (wall - TICK, at)], line.clone())?;
-            let text = Text::new(&label, Ink::Ink, Side::Left, 4.0);
-            sheet.draw(&[(wall - TICK, at)], Paint::Text(text))?;
+            sheet.draw(&[(wall, at), (wall - TICK, at)], &line)?;
+            let text = Words::new(&label, Ink::Ink, Side::Left, 4.0);
+            sheet.draw(&[(wall - TICK, at)], &Paint::Text(text.bare()))?;
         }
-        let text = Text::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0);
+        let text = Words::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0);
         let at = (wall - TICK, plot.top - 8.0);
         obstacles.take(text.rect(at));
-        sheet.draw(&[at], Paint::Text(text))
+        sheet.draw(&[at], &Paint::Text(text.bare()))
     }
 
     fn paint_contents(
@@ -209,23 +214,50 @@ impl Panel {
             curves.push(curve);
         }
         let lines: Vec<Vec<Vec<Point>>> = curves.iter().map(|c| clipped(&c.points, x, y)).collect();
+        let now = self.now.map(|now| self.x.place(now)).transpose()?;
         for (i, (curve, parts)) in curves.iter().zip(&lines).enumerate() {
-            curve.paint(frame, parts, x, y)?;
+            match now {
+                Some(now) if curve.runs_on() && i >= self.rules.len() => {
+                    let before = clipped(&curve.points, (x.0, now), y);
+                    let after = clipped(&curve.points, (now, x.1), y);
+                    curve
+                        .clone()
+                        .faint(0.3 * curve.opacity)
+                        .paint(frame, &after, (now, x.1), y)?;
+                    curve.paint(frame, &before, (x.0, now), y)?;
+                }
+                _ => curve.paint(frame, parts, x, y)?,
+            }
             for part in parts {
                 let px: Vec<Point> = part.iter().map(|&p| frame.px(p)).collect();
                 obstacles.add_line(i, &px);
             }
         }
+        if let Some(now) = now {
+            self.paint_now(frame, &curves[self.rules.len()..], (now, y))?;
+        }
         for note in &self.notes {
             let at = self.place(note.at)?;
             if let Some(ring) = note.dot {
-                frame.draw(&[at], Paint::Dot(note.ink, 3.5, ring))?;
+                frame.draw(&[at], &Paint::Dot(note.ink, 3.5, ring))?;
+                let (px, py) = frame.px(at);
+                obstacles.take(Rect::about((px, py), 3.5));
             }
-            let text = Text::new(&note.text, note.ink, note.side, GAP + 2.0);
-            obstacles.take(text.rect(frame.px(at)));
-            frame.draw(&[at], Paint::Text(text))?;
         }
         self.paint_labels(sheet, frame, &curves, &lines, plot, obstacles)
+    }
+
+    /// The thin line at the present, and a dot on each curve that runs through it.
+    fn paint_now(&self, frame: &Frame<'_>, curves: &[Curve], (now, y): (f64, Point)) -> Result<()> {
+        let line = Stroke::new(Ink::Frame, AXIS);
+        frame.draw(&[(now, y.0), (now, y.1)], &Paint::Line(line))?;
+        for curve in curves.iter().filter(|c| c.line && c.runs_on()) {
+            let at = clipped(&curve.points, (now, now), y);
+            if let Some(&at) = at.first().and_then(|part| part.first()) {
+                frame.draw(&[at], &Paint::Dot(curve.ink, 3.5, false))?;
+            }
+        }
+        Ok(())
     }
 
     fn paint_labels(
@@ -238,16 +270,24 @@ impl Panel {
         obstacles: &mut Obstacles,
     ) -> Result<()> {
         let mut ends: Vec<(usize, f64)> = Vec::new();
+        let at_points = curves.iter().filter_map(|curve| match &curve.label {
+            Some((text, LabelPlace::At(at, side))) => Some((*at, text, curve.ink, *side, GAP)),
+            _ => None,
+        });
+        let notes = self.notes.iter();
+        let notes = notes.map(|note| (note.at, &note.text, note.ink, note.side, GAP + 2.0));
+        for (at, text, ink, side, gap) in at_points.chain(notes).filter(|n| !n.1.is_empty()) {
+            let at = frame.px(self.place(at)?);
+            let words = |side, gap| Words::new(text, ink, side, gap);
+            if let Some(placed) = obstacles.place_at(at, side, gap, words) {
+                placed.paint(sheet)?;
+            }
+        }
         for (i, curve) in curves.iter().enumerate() {
-            match (&curve.label, lines[i].last().and_then(|part| part.last())) {
-                (Some((_, LabelPlace::End)), Some(&last)) => ends.push((i, frame.px(last).1)),
-                (Some((text, LabelPlace::At(at, side))), _) => {
-                    let at = self.place(*at)?;
-                    let text = Text::new(text, curve.ink, *side, GAP);
-                    obstacles.take(text.rect(frame.px(at)));
-                    frame.draw(&[at], Paint::Text(text))?;
-                }
-                _ => {}
+            if let (Some((_, LabelPlace::End)), Some(&last)) =
+                (&curve.label, lines[i].last().and_then(|part| part.last()))
+            {
+                ends.push((i, frame.px(last).1));
             }
         }
         spread(&mut ends, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
@@ -258,10 +298,10 @@ impl Panel {
             ) else {
                 continue;
             };
-            let text = Text::new(text, curves[i].ink, Side::Right, GAP + 2.0);
+            let words = Words::new(text, curves[i].ink, Side::Right, GAP + 2.0);
             let at = (frame.px(last).0, at);
-            obstacles.take(text.rect(at));
-            sheet.draw(&[at], Paint::Text(text))?;
+            obstacles.take(words.rect(at));
+            sheet.draw(&[at], &Paint::Text(words))?;
         }
         let found = curves
             .iter()
@@ -278,9 +318,9 @@ impl Panel {
                 continue;
             };
             let px: Vec<Point> = longest.iter().map(|&p| frame.px(p)).collect();
-            let make = |side, gap| Text::new(text, ink, side, gap);
-            if let Some((at, text)) = obstacles.place(i, &px, make) {
-                sheet.draw(&[at], Paint::Text(text))?;
+            let words = |side, gap| Words::new(text, ink, side, gap);
+            if let Some(placed) = obstacles.place(i, &px, words) {
+                placed.paint(sheet)?;
             }
         }
         Ok(())
@@ -301,6 +341,11 @@ fn equal_units(plot: Rect, x: Point, y: Point) -> Rect {
 }
 
 impl Curve {
+    /// Whether it runs from left to right, as what depends on time does.
+    fn runs_on(&self) -> bool {
+        self.points.windows(2).all(|w| w[0].0 <= w[1].0)
+    }
+
     /// Draws its parts that lie within `x` and `y`.
     fn paint(&self, frame: &Frame<'_>, parts: &[Vec<Point>], x: Point, y: Point) -> Result<()> {
         let inside = |p: &&Point| (x.0..=x.1).contains(&p.0) && (y.0..=y.1).contains(&p.1);
@@ -311,19 +356,19 @@ impl Curve {
         };
         if self.line {
             for part in parts {
-                frame.draw(part, Paint::Line(stroke))?;
+                frame.draw(part, &Paint::Line(stroke))?;
             }
         }
         if self.dots {
             let seen: Vec<Point> = self.points.iter().filter(inside).copied().collect();
-            frame.draw(&seen, Paint::Dot(self.ink, 2.6, false))?;
+            frame.draw(&seen, &Paint::Mark(self.ink, self.marker))?;
         }
         for &at in &self.arrows {
             let count = at.clamp(0.0, 1.0) * self.points.len() as f64;
             let run = self.points.iter().take(count as usize).filter(inside);
             frame.draw(
                 &run.copied().collect::<Vec<_>>(),
-                Paint::Head(self.ink, 8.0),
+                &Paint::Head(self.ink, 8.0),
             )?;
         }
         Ok(())

@@ -1,6 +1,9 @@
-//! Where labels go, and how curves are cut at the edge of a panel.
+//! Where labels go: beside their line, clear of lines, ticks and each other.
 
-use super::canvas::{Point, Rect, Side, Text};
+use super::canvas::{Frame, Paint, Point};
+use super::display::Stroke;
+use super::words::{Rect, Side, Words};
+use crate::error::Result;
 use crate::math::hypot;
 
 /// The sides tried for a label, the most wanted first.
@@ -18,6 +21,40 @@ const SIDES: [Side; 8] = [
 /// Distance of a label from its curve, in px.
 pub(super) const GAP: f64 = 5.0;
 
+/// The distances tried for a label, and what each costs.
+const DISTANCES: [(f64, f64); 6] = [
+    (GAP, 0.0),
+    (9.0, 2.0),
+    (14.0, 5.0),
+    (22.0, 14.0),
+    (34.0, 18.0),
+    (50.0, 24.0),
+];
+
+/// What a label keeps between its box and lines: its halo and a little.
+const HALO: f64 = 3.0;
+
+/// From this distance on a thin line leads from a label to what it names.
+const LEADER: f64 = 20.0;
+
+/// A label with its place: the point it belongs to, and the line that leads there.
+pub(super) struct Placed {
+    at: Point,
+    words: Words,
+    leader: Option<[Point; 2]>,
+}
+
+impl Placed {
+    /// Draws it on a sheet (px).
+    pub(super) fn paint(self, sheet: &Frame<'_>) -> Result<()> {
+        if let Some(leader) = self.leader {
+            let stroke = Stroke::new(self.words.ink, 0.8).faint(0.7);
+            sheet.draw(&leader, &Paint::Line(stroke))?;
+        }
+        sheet.draw(&[self.at], &Paint::Text(self.words))
+    }
+}
+
 /// What labels must keep clear of: curves as dense points, and boxes already taken.
 pub(super) struct Obstacles {
     /// Points at most 3 px apart, each with the number of its curve.
@@ -27,6 +64,9 @@ pub(super) struct Obstacles {
 }
 
 impl Obstacles {
+    /// The owner of lines that have no label: axes, ticks, outlines.
+    pub(super) const NOBODY: usize = usize::MAX;
+
     /// Nothing yet, in a room (px) that labels must not leave.
     pub(super) fn new(room: Rect) -> Self {
         Self {
@@ -54,59 +94,133 @@ impl Obstacles {
         self.taken.push(rect);
     }
 
-    /// The best place for the label `text(side, gap)` of curve number `curve` along `line`
-    /// (px): its point and the text. The place is taken.
+    /// The best place for the label `words(side, gap)` of curve number `curve` along `line`
+    /// (px). The place is taken.
     pub(super) fn place(
         &mut self,
         curve: usize,
         line: &[Point],
-        text: impl Fn(Side, f64) -> Text,
-    ) -> Option<(Point, Text)> {
-        let mut best: Option<(f64, Point, Text, Rect)> = None;
+        words: impl Fn(Side, f64) -> Words,
+    ) -> Option<Placed> {
+        let mut wanted = Vec::new();
         for (position, at) in stations(line) {
-            for (rank, &side) in SIDES.iter().enumerate() {
-                for (far, gap) in [GAP, 2.0 * GAP, 3.0 * GAP].into_iter().enumerate() {
-                    let text = text(side, gap);
-                    let rect = text.rect(at);
-                    // A slight preference for the end, for the first sides, for being near.
-                    let taste = 2.0 * (1.0 - position) + 0.3 * rank as f64 + 4.0 * far as f64;
-                    let cost = taste + self.cost(curve, &rect);
-                    if best.as_ref().is_none_or(|b| cost < b.0) {
-                        best = Some((cost, at, text, rect));
-                    }
+            for (rank, side) in SIDES.into_iter().enumerate() {
+                // A slight preference for the end, and for the first sides.
+                wanted.push((at, side, 2.0 * (1.0 - position) + 0.3 * rank as f64));
+            }
+        }
+        self.best(Some(curve), &wanted, 0.0, words)
+    }
+
+    /// The best place for a label of the point `at` (px), on this side if it is free there.
+    /// The place is taken.
+    pub(super) fn place_at(
+        &mut self,
+        at: Point,
+        side: Side,
+        closest: f64,
+        words: impl Fn(Side, f64) -> Words,
+    ) -> Option<Placed> {
+        if side == Side::Centre {
+            let words = words(side, closest);
+            self.take(words.rect(at));
+            let leader = None;
+            return Some(Placed { at, words, leader });
+        }
+        let mut wanted = vec![(at, side, 0.0)];
+        let others = SIDES.into_iter().filter(|&s| s != side);
+        wanted.extend(
+            others
+                .enumerate()
+                .map(|(rank, s)| (at, s, 15.0 + rank as f64)),
+        );
+        self.best(None, &wanted, closest - GAP, words)
+    }
+
+    fn best(
+        &mut self,
+        curve: Option<usize>,
+        wanted: &[(Point, Side, f64)],
+        further: f64,
+        words: impl Fn(Side, f64) -> Words,
+    ) -> Option<Placed> {
+        let mut best: Option<(f64, Placed, Rect)> = None;
+        for &(at, side, taste) in wanted {
+            for (gap, far) in DISTANCES {
+                let least = best.as_ref().map_or(f64::INFINITY, |b| b.0);
+                if taste + far >= least {
+                    continue;
+                }
+                let words = words(side, gap + further);
+                let rect = words.rect(at);
+                let leader = (gap >= LEADER).then(|| leader(at, &rect));
+                let cost = taste + far + self.cost(curve, &rect, leader, least - taste - far);
+                if cost < least {
+                    best = Some((cost, Placed { at, words, leader }, rect));
                 }
             }
         }
-        best.map(|(_, at, text, rect)| {
+        best.map(|(_, placed, rect)| {
             self.take(rect);
-            (at, text)
+            placed
         })
     }
 
-    fn cost(&self, curve: usize, rect: &Rect) -> f64 {
+    /// What is wrong with a box; counted no further than `enough`.
+    fn cost(
+        &self,
+        curve: Option<usize>,
+        rect: &Rect,
+        leader: Option<[Point; 2]>,
+        enough: f64,
+    ) -> f64 {
         let corners = [(rect.left, rect.top), (rect.right, rect.bottom)];
         let outside = !corners.iter().all(|&c| self.room.contains(c));
-        let taken = self
-            .taken
-            .iter()
-            .filter(|t| t.grown(2.0).overlaps(rect))
-            .count();
-        let tight = rect.grown(1.0);
+        let taken = |t: &&Rect| {
+            let crossed = leader.is_some_and(|[a, b]| {
+                (0..=8).any(|i| {
+                    let s = f64::from(i) / 8.0;
+                    t.contains((a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1)))
+                })
+            });
+            crossed || t.grown(2.0).overlaps(rect)
+        };
+        let taken = self.taken.iter().filter(taken).count();
         let mut cost = if outside { 1e4 } else { 0.0 } + 500.0 * taken as f64;
+        if cost >= enough {
+            return cost;
+        }
+        let tight = rect.grown(HALO);
         let (mut own, mut other) = (f64::INFINITY, f64::INFINITY);
         for &(owner, p) in &self.points {
-            if tight.contains(p) {
+            let distance = rect.squared_distance(p);
+            if distance < HALO * HALO * 2.0 && tight.contains(p) {
                 cost += 10.0;
             }
-            let nearest = if owner == curve { &mut own } else { &mut other };
-            *nearest = nearest.min(rect.distance(p));
+            let nearest = if Some(owner) == curve {
+                &mut own
+            } else {
+                &mut other
+            };
+            if owner != Self::NOBODY {
+                *nearest = nearest.min(distance);
+            }
         }
-        // Much nearer to another curve it would be read as that curve's label.
-        if other < 0.7 * own {
-            cost += 12.0;
+        // Nearer to another curve it would be read as that curve's label.
+        if curve.is_some() && leader.is_none() && other < 1.4 * own {
+            cost += if other < own { 24.0 } else { 8.0 };
         }
         cost
     }
+}
+
+/// The line that leads from a label to the point it names, without touching either.
+fn leader(at: Point, rect: &Rect) -> [Point; 2] {
+    let from = rect.nearest(at);
+    let (dx, dy) = (at.0 - from.0, at.1 - from.1);
+    let length = hypot(dx, dy).max(1.0);
+    let step = |from: Point, by: f64| (from.0 + by * dx / length, from.1 + by * dy / length);
+    [step(from, 1.0), step(at, -2.0)]
 }
 
 /// Points along a line at which a label is tried, with their position from 0 to 1.
@@ -157,102 +271,9 @@ pub(super) fn spread(centres: &mut [(usize, f64)], height: f64, top: f64, bottom
     }
 }
 
-/// The parts of a line that lie within `x` and `y` (Liang and Barsky, 1984).
-pub(super) fn clipped(line: &[Point], x: Point, y: Point) -> Vec<Vec<Point>> {
-    let mut parts: Vec<Vec<Point>> = Vec::new();
-    for pair in line.windows(2) {
-        let Some((a, b)) = clipped_segment(pair[0], pair[1], x, y) else {
-            continue;
-        };
-        match parts.last_mut() {
-            Some(part) if part.last() == Some(&a) => part.push(b),
-            _ => parts.push(vec![a, b]),
-        }
-    }
-    parts
-}
-
-fn clipped_segment(a: Point, b: Point, x: Point, y: Point) -> Option<(Point, Point)> {
-    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (step, room) in [
-        (-dx, a.0 - x.0),
-        (dx, x.1 - a.0),
-        (-dy, a.1 - y.0),
-        (dy, y.1 - a.1),
-    ] {
-        if step == 0.0 {
-            if room < 0.0 {
-                return None;
-            }
-        } else if step < 0.0 {
-            enter = enter.max(room / step);
-        } else {
-            leave = leave.min(room / step);
-        }
-    }
-    // The end points themselves are kept bit for bit, so that parts join.
-    let at = |s: f64| match s {
-        0.0 => a,
-        1.0 => b,
-        s => (a.0 + s * dx, a.1 + s * dy),
-    };
-    (enter <= leave).then(|| (at(enter), at(leave)))
-}
-
-/// A polygon cut to within `x` and `y` (Sutherland and Hodgman, 1974).
-pub(super) fn clipped_polygon(polygon: &[Point], x: Point, y: Point) -> Vec<Point> {
-    let mut polygon = polygon.to_vec();
-    let edges: [fn(Point, Point, Point) -> f64; 4] = [
-        |p, x, _| p.0 - x.0,
-        |p, x, _| x.1 - p.0,
-        |p, _, y| p.1 - y.0,
-        |p, _, y| y.1 - p.1,
-    ];
-    for inside in edges {
-        let mut next = Vec::with_capacity(polygon.len() + 4);
-        for (i, &b) in polygon.iter().enumerate() {
-            let a = polygon[(i + polygon.len() - 1) % polygon.len()];
-            let (da, db) = (inside(a, x, y), inside(b, x, y));
-            if (da < 0.0) != (db < 0.0) {
-                let s = da / (da - db);
-                next.push((a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1)));
-            }
-            if db >= 0.0 {
-                next.push(b);
-            }
-        }
-        polygon = next;
-    }
-    polygon
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_line_is_cut_at_the_edge_and_joins_inside() {
-        let line = [(-1.0, 0.5), (0.5, 0.5), (0.5, 2.0), (0.75, 0.5)];
-        let parts = clipped(&line, (0.0, 1.0), (0.0, 1.0));
-        assert_eq!(parts.len(), 2);
-        assert_eq!(parts[0], [(0.0, 0.5), (0.5, 0.5), (0.5, 1.0)]);
-        assert_eq!(parts[1][1], (0.75, 0.5));
-        assert!(clipped(&[(2.0, 2.0), (3.0, 3.0)], (0.0, 1.0), (0.0, 1.0)).is_empty());
-    }
-
-    #[test]
-    fn a_polygon_is_cut_at_the_edge() {
-        let square = [(-1.0, -1.0), (0.5, -1.0), (0.5, 0.5), (-1.0, 0.5)];
-        let cut = clipped_polygon(&square, (0.0, 1.0), (0.0, 1.0));
-        let area: f64 = (0..cut.len())
-            .map(|i| {
-                let (a, b) = (cut[i], cut[(i + 1) % cut.len()]);
-                (a.0 * b.1 - b.0 * a.1) / 2.0
-            })
-            .sum();
-        assert_eq!(area, 0.25);
-    }
 
     #[test]
     fn labels_are_spread_and_stay_inside() {
@@ -290,11 +311,11 @@ mod tests {
         };
         let mut rects: Vec<Rect> = Vec::new();
         for k in 0..4 {
-            let text = |side, gap| Text::new("wave number", Ink::Ink, side, gap);
-            let (at, text) = obstacles
-                .place(k, &wave(k), text)
+            let words = |side, gap| Words::new("wave number", Ink::Ink, side, gap);
+            let placed = obstacles
+                .place(k, &wave(k), words)
                 .expect("a line has places");
-            let rect = text.rect(at);
+            let rect = placed.words.rect(placed.at);
             assert_eq!(crossed(&rect, &obstacles), 0, "label {k}");
             assert!(rects.iter().all(|r| !r.overlaps(&rect)), "label {k}");
             assert!(
@@ -304,7 +325,7 @@ mod tests {
         }
         assert_eq!(rects.len(), 4);
         // The damaged twin: at the middle of its curve the label is crossed.
-        let blind = Text::new("wave number", Ink::Ink, Side::Right, GAP).rect(wave(0)[50]);
+        let blind = Words::new("wave number", Ink::Ink, Side::Right, GAP).rect(wave(0)[50]);
         assert!(crossed(&blind, &obstacles) > 0);
     }
 }

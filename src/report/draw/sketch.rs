@@ -1,22 +1,25 @@
 //! Drawings of set-ups, and strobe pictures.
 
-use super::canvas::{Canvas, Frame, Paint, Point, Rect, Side, Text, figure};
+use super::canvas::{Canvas, Frame, Paint, Point, figure};
+use super::curve::{AXIS, CURVE, Curve, LabelPlace};
+use super::display::Stroke;
 use super::ink::Ink;
-use super::panel::{CURVE, Curve, LabelPlace};
 use super::place::{GAP, Obstacles};
-use super::svg::Stroke;
+use super::words::{Rect, Side, Words};
 use crate::error::{Error, Result};
 use crate::math::{hypot, sincos};
 use crate::report::Figure;
 
 #[derive(Debug, Clone)]
-enum Element {
+pub(super) enum Element {
     Curve(Curve),
     Arrow(Vec<Point>, Ink),
     Dimension(Point, Point),
     Wall(Point, Point),
     Solid(Vec<Point>, Ink, f64),
     Dot(Point, Ink, bool),
+    /// Faint copies: all of these, with so much of their ink.
+    Ghost(Vec<Self>, f64),
 }
 
 /// A drawing in its own units, equal on both axes: `x` to the right, `y` up.
@@ -41,10 +44,10 @@ pub struct Sketch {
     name: String,
     alt: String,
     width: u32,
-    x: Point,
+    pub(super) x: Point,
     y: Point,
-    elements: Vec<Element>,
-    texts: Vec<(Point, String, Ink, Side, f64)>,
+    pub(super) elements: Vec<Element>,
+    pub(super) texts: Vec<(Point, String, Ink, Side, f64)>,
 }
 
 impl Sketch {
@@ -188,6 +191,15 @@ impl Sketch {
     /// times its width) or a point far outside it, [`Error::NotFinite`] for NaN and
     /// infinities, [`Error::Text`] for a bad name or a missing alternative text.
     pub fn figure(&self) -> Result<Figure> {
+        let width = f64::from(self.width);
+        let size = (self.width, self.height(width)? as u32);
+        figure(&self.name, &self.alt, size, |canvas| {
+            self.paint_into(canvas, canvas.rect())
+        })
+    }
+
+    /// Its height when it is so wide, in px.
+    pub(super) fn height(&self, width: f64) -> Result<f64> {
         let (across, up) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
         let aspect = up / across;
         if !(across > 0.0 && aspect > 0.0 && aspect <= 3.0) {
@@ -197,31 +209,40 @@ impl Sketch {
                 allowed: "it must be greater than 0 and at most 3",
             });
         }
-        let height = libm::round(f64::from(self.width) * aspect).max(20.0) as u32;
-        figure(&self.name, &self.alt, (self.width, height), |canvas| {
-            let frame = canvas.frame(self.x, self.y, canvas.rect());
-            for element in &self.elements {
-                self.paint(&frame, element)?;
-            }
-            self.paint_labels(canvas, &frame)
-        })
+        Ok(libm::round(width * aspect).max(20.0))
     }
 
-    fn paint(&self, frame: &Frame<'_>, element: &Element) -> Result<()> {
-        let ink_line = |width| Stroke::new(Ink::Ink, width);
+    /// One px of the figure, in its own units.
+    pub(super) fn px(&self) -> f64 {
+        (self.x.1 - self.x.0) / f64::from(self.width)
+    }
+
+    pub(super) fn paint_into(&self, canvas: &Canvas, rect: Rect) -> Result<()> {
+        let frame = canvas.frame(self.x, self.y, rect);
+        for element in &self.elements {
+            self.paint(&frame, element, 1.0)?;
+        }
+        self.paint_labels(canvas, &frame, rect)
+    }
+
+    fn paint(&self, frame: &Frame<'_>, element: &Element, opacity: f64) -> Result<()> {
+        let line = |ink, width| Stroke::new(ink, width).faint(opacity);
         match element {
-            Element::Curve(curve) => curve.paint_whole(frame),
+            Element::Curve(curve) if opacity == 1.0 => curve.paint_whole(frame),
+            Element::Curve(curve) => curve
+                .clone()
+                .faint(opacity * curve.opacity)
+                .paint_whole(frame),
             Element::Arrow(points, ink) => {
-                let (stroke, open) = (Stroke::new(*ink, CURVE), *ink == Ink::Force);
-                frame.draw(points, Paint::Arrow(stroke, 9.0, open))
+                let open = *ink == Ink::Force;
+                frame.draw(points, &Paint::Arrow(line(*ink, CURVE), 9.0, open))
             }
             Element::Dimension(from, to) => {
-                frame.draw(&[*from, *to], Paint::Dimension(ink_line(1.0)))
+                frame.draw(&[*from, *to], &Paint::Dimension(line(Ink::Ink, AXIS)))
             }
             Element::Wall(from, to) => {
                 let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-                let length = hypot(dx, dy);
-                let px = (self.x.1 - self.x.0) / f64::from(self.width);
+                let (length, px) = (hypot(dx, dy), self.px());
                 let (ex, ey) = (dx / length, dy / length);
                 let strokes = (length / (8.0 * px)) as usize;
                 for i in 0..strokes {
@@ -229,62 +250,74 @@ impl Sketch {
                     let on = (from.0 + s * ex, from.1 + s * ey);
                     let back = 7.0 * px;
                     let off = (on.0 + back * (ey - ex), on.1 + back * (-ex - ey));
-                    frame.draw(&[on, off], Paint::Line(Stroke::new(Ink::Frame, 0.8)))?;
+                    frame.draw(&[on, off], &Paint::Line(line(Ink::Frame, 0.8)))?;
                 }
-                frame.draw(&[*from, *to], Paint::Line(ink_line(1.4)))
+                frame.draw(&[*from, *to], &Paint::Line(line(Ink::Ink, 1.4)))
             }
             Element::Solid(outline, ink, fill) => {
-                frame.draw(outline, Paint::Fill(*ink, *fill))?;
-                frame.draw(outline, Paint::Loop(Stroke::new(*ink, 1.4)))
+                // What is behind a body does not show through it.
+                if opacity == 1.0 {
+                    frame.draw(outline, &Paint::Fill(Ink::Paper, 1.0))?;
+                }
+                frame.draw(outline, &Paint::Fill(*ink, fill * opacity))?;
+                frame.draw(outline, &Paint::Loop(line(*ink, 1.4)))
             }
-            Element::Dot(at, ink, ring) => frame.draw(&[*at], Paint::Dot(*ink, 3.5, *ring)),
+            Element::Dot(at, ink, ring) => frame.draw(&[*at], &Paint::Dot(*ink, 3.5, *ring)),
+            Element::Ghost(elements, much) => {
+                for element in elements {
+                    self.paint(frame, element, opacity * much)?;
+                }
+                Ok(())
+            }
         }
     }
 
-    fn paint_labels(&self, canvas: &Canvas<'_>, frame: &Frame<'_>) -> Result<()> {
+    fn paint_labels(&self, canvas: &Canvas, frame: &Frame<'_>, rect: Rect) -> Result<()> {
         let sheet = canvas.sheet();
-        let room = canvas.rect();
         let mut obstacles = Obstacles::new(Rect {
-            left: room.left + 2.0,
-            right: room.right - 2.0,
-            ..room
+            left: rect.left + 2.0,
+            right: rect.right - 2.0,
+            ..rect
         });
         let mut wanted = Vec::new();
         for (i, element) in self.elements.iter().enumerate() {
-            let points = match element {
-                Element::Curve(curve) => &curve.points,
-                Element::Arrow(points, _) | Element::Solid(points, ..) => points,
-                _ => continue,
+            let points: Vec<Point> = match element {
+                Element::Curve(curve) => curve.points.clone(),
+                Element::Arrow(points, _) => points.clone(),
+                Element::Solid(points, ..) => {
+                    points.iter().chain(points.first()).copied().collect()
+                }
+                Element::Dimension(from, to) | Element::Wall(from, to) => vec![*from, *to],
+                Element::Dot(at, ..) => {
+                    obstacles.take(Rect::about(frame.px(*at), 3.5));
+                    continue;
+                }
+                Element::Ghost(..) => continue,
             };
             let px: Vec<Point> = points.iter().map(|&p| frame.px(p)).collect();
             obstacles.add_line(i, &px);
-            if let Element::Curve(Curve {
-                label: Some((text, place)),
-                ink,
-                ..
-            }) = element
+            if let Element::Curve(curve) = element
+                && let Some((text, place)) = &curve.label
             {
-                wanted.push((i, px, text, place, *ink));
+                wanted.push((i, px, text, place, curve.ink));
             }
         }
         for (at, text, ink, side, gap) in &self.texts {
-            let text = Text::new(text, *ink, *side, *gap);
-            obstacles.take(text.rect(frame.px(*at)));
-            frame.draw(&[*at], Paint::Text(text))?;
+            let words = |side, gap| Words::new(text, *ink, side, gap);
+            if let Some(placed) = obstacles.place_at(frame.px(*at), *side, *gap, words) {
+                placed.paint(&sheet)?;
+            }
         }
         for (i, px, text, place, ink) in wanted {
-            let make = |side, gap| Text::new(text, ink, side, gap);
-            match place {
-                LabelPlace::At(at, side) => frame.draw(&[*at], Paint::Text(make(*side, GAP)))?,
-                LabelPlace::End => {
-                    let last = px.last().copied().unwrap_or_default();
-                    sheet.draw(&[last], Paint::Text(make(Side::Right, GAP)))?;
-                }
-                LabelPlace::Found => {
-                    if let Some((at, text)) = obstacles.place(i, &px, make) {
-                        sheet.draw(&[at], Paint::Text(text))?;
-                    }
-                }
+            let words = |side, gap| Words::new(text, ink, side, gap);
+            let last = px.last().copied().unwrap_or_default();
+            let placed = match place {
+                LabelPlace::At(at, side) => obstacles.place_at(frame.px(*at), *side, GAP, words),
+                LabelPlace::End => obstacles.place_at(last, Side::Right, GAP, words),
+                LabelPlace::Found => obstacles.place(i, &px, words),
+            };
+            if let Some(placed) = placed {
+                placed.paint(&sheet)?;
             }
         }
         Ok(())

@@ -35,19 +35,27 @@ impl Camera {
 }
 
 impl Default for Camera {
-    /// The book's camera: X towards the reader and to the left, seen from a little above.
+    /// The book's camera: X towards the reader and to the left, Y to the right, seen from a
+    /// little above. Set another only where it hides what matters, and then for the page.
     fn default() -> Self {
         Self::new(0.6, 0.38)
     }
 }
 
-/// A convex solid of flat faces.
+/// A solid of flat, convex faces; bodies are in the file beside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     pub(super) faces: Vec<Vec<SpaceVector>>,
 }
 
 impl Solid {
+    /// This solid and another as one.
+    #[must_use]
+    pub fn with(mut self, other: Self) -> Self {
+        self.faces.extend(other.faces);
+        self
+    }
+
     /// The solid with these faces, each a plane polygon, counterclockwise seen from outside.
     pub fn new(faces: impl IntoIterator<Item = Vec<SpaceVector>>) -> Self {
         Self {
@@ -59,14 +67,22 @@ impl Solid {
     /// through `base` along the unit vector `axis`: cylinders, cones, discs, tops. The
     /// profile goes from below to above; the ends are closed.
     ///
-    /// Only a convex profile is drawn rightly on its own; build others from parts.
     pub fn turned(base: SpaceVector, axis: SpaceVector, profile: &[(f64, f64)]) -> Self {
-        const SIDES: usize = 48;
+        Self::turned_with(36, base, axis, profile)
+    }
+
+    /// As [`Self::turned`], with so many sides.
+    pub(super) fn turned_with(
+        sides: usize,
+        base: SpaceVector,
+        axis: SpaceVector,
+        profile: &[(f64, f64)],
+    ) -> Self {
         let (u, v) = across(axis);
         let rim = |&(h, r): &(f64, f64)| -> Vec<SpaceVector> {
-            (0..SIDES)
+            (0..sides)
                 .map(|i| {
-                    let (s, c) = sincos(2.0 * PI * i as f64 / SIDES as f64);
+                    let (s, c) = sincos(2.0 * PI * i as f64 / sides as f64);
                     base + axis * h + u * (r * c) + v * (r * s)
                 })
                 .collect()
@@ -74,8 +90,8 @@ impl Solid {
         let mut faces = Vec::new();
         for pair in profile.windows(2) {
             let (low, high) = (rim(&pair[0]), rim(&pair[1]));
-            for i in 0..SIDES {
-                let j = (i + 1) % SIDES;
+            for i in 0..sides {
+                let j = (i + 1) % sides;
                 faces.push(vec![low[i], low[j], high[j], high[i]]);
             }
         }
@@ -88,7 +104,7 @@ impl Solid {
 }
 
 /// Two unit vectors at right angles to the unit vector `axis` and to each other.
-fn across(axis: SpaceVector) -> (SpaceVector, SpaceVector) {
+pub(super) fn across(axis: SpaceVector) -> (SpaceVector, SpaceVector) {
     let other = if axis.z().abs() < 0.9 {
         SpaceVector::new(0.0, 0.0, 1.0)
     } else {

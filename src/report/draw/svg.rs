@@ -1,204 +1,189 @@
-//! A plotters backend that writes our SVG.
-//!
-//! Plotters' own backend has whole pixels and literal colours, and neither dashes
-//! nor slanted or raised text. This one counts in hundredths of a pixel, turns the
-//! palette's colours into CSS variables, and thins curves to what can be seen.
+//! A display list written down as SVG: colours are CSS variables of the palette, the
+//! bytes follow from the list alone.
 
-use super::ink::{Ink, PALETTE};
-use super::label::{Label, escaped};
-use core::convert::Infallible;
+use super::display::{Anchor, Dash, Display, Place, Run, Shape, Stroke, Text};
+use super::ink::Ink;
+use super::label::SIZE;
 use core::fmt::Write;
-use plotters_backend::{
-    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
-    text_anchor::HPos,
-};
-
-/// Units of a backend coordinate in a pixel.
-pub(super) const UNITS: f64 = 100.0;
-
-/// How a line is broken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dash {
-    /// Not at all.
-    Solid,
-    /// Dashes.
-    Dashed,
-    /// Dots.
-    Dotted,
-}
-
-/// How a line is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stroke {
-    pub ink: Ink,
-    pub width: f64,
-    pub dash: Dash,
-    pub opacity: f64,
-}
-
-impl Stroke {
-    pub(super) const fn new(ink: Ink, width: f64) -> Self {
-        Self {
-            ink,
-            width,
-            dash: Dash::Solid,
-            opacity: 1.0,
-        }
-    }
-}
-
-/// Where a text lies relative to its point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Anchor {
-    Start,
-    Middle,
-    End,
-}
-
-/// The backend; the document is complete after `present`.
-pub(super) struct Svg<'a> {
-    out: &'a mut String,
-    size: (u32, u32),
-    closed: bool,
-}
-
-type Drawn = Result<(), DrawingErrorKind<Infallible>>;
-
-impl<'a> Svg<'a> {
-    /// Opens a document of `size` pixels with alternative text `alt`.
-    pub(super) fn open(out: &'a mut String, size: (u32, u32), alt: &str) -> Self {
-        let (w, h) = size;
-        let alt = escaped(alt);
-        // Writing to a string cannot fail, here and below.
-        let _ = write!(
-            out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {w} {h}\" \
-             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{alt}\" fill=\"none\" \
-             stroke-linejoin=\"round\" font-size=\"{size}\" font-family=\"{SANS}\">\n\
-             <desc>{alt}</desc>\n\
-             <style>.fig .v{{font-style:italic;font-family:var(--fig-math,{SERIF})}}\
-             .fig .h{{paint-order:stroke;stroke-width:4px;stroke:{paper}}}</style>\n\
-             <rect width=\"{w}\" height=\"{h}\" style=\"fill:{paper}\"/>\n",
-            size = super::label::SIZE,
-            paper = Ink::Paper.line(),
-        );
-        Self {
-            out,
-            size,
-            closed: false,
-        }
-    }
-
-    pub(super) fn line(&mut self, points: &[BackendCoord], stroke: Stroke, closed: bool) {
-        if points.len() < 2 {
-            return;
-        }
-        let data = path_data(&thinned(points), closed);
-        let dash = match stroke.dash {
-            Dash::Solid => "",
-            Dash::Dashed => " stroke-dasharray=\"6 4\"",
-            Dash::Dotted => " stroke-dasharray=\"0.1 4\" stroke-linecap=\"round\"",
-        };
-        let _ = writeln!(
-            self.out,
-            "<path d=\"{data}\" stroke-width=\"{}\"{dash}{} style=\"stroke:{}\"/>",
-            stroke.width,
-            opacity(stroke.opacity),
-            stroke.ink.line(),
-        );
-    }
-
-    pub(super) fn fill(&mut self, points: &[BackendCoord], ink: Ink, alpha: f64) {
-        if points.len() < 3 {
-            return;
-        }
-        let data = path_data(&thinned(points), true);
-        let _ = writeln!(
-            self.out,
-            "<path d=\"{data}\"{} style=\"fill:{}\"/>",
-            opacity(alpha),
-            ink.line()
-        );
-    }
-
-    /// A face of a solid, `percent` of `ink` on paper. The rim has the same colour, so
-    /// that neighbours leave no seam.
-    pub(super) fn face(&mut self, points: &[BackendCoord], ink: Ink, percent: u32) {
-        let data = path_data(&thinned(points), true);
-        let plain = ink.mixed(percent);
-        let mix = format!(
-            "color-mix(in srgb,{} {percent}%,{})",
-            ink.line(),
-            Ink::Paper.line()
-        );
-        let _ = writeln!(
-            self.out,
-            "<path d=\"{data}\" stroke-width=\"0.6\" \
-             style=\"fill:{plain};stroke:{plain};fill:{mix};stroke:{mix}\"/>"
-        );
-    }
-
-    /// A disc, or with `ring` a circle filled with paper.
-    pub(super) fn dot(&mut self, at: BackendCoord, radius: f64, ink: Ink, ring: bool) {
-        let (x, y) = (hundredths(at.0), hundredths(at.1));
-        let paint = if ring {
-            format!(
-                "fill:{};stroke:{};stroke-width:1.5px",
-                Ink::Paper.line(),
-                ink.line()
-            )
-        } else {
-            format!("fill:{}", ink.line())
-        };
-        let _ = writeln!(
-            self.out,
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" style=\"{paint}\"/>"
-        );
-    }
-
-    /// Text with its baseline at `at`, with a halo of paper around it.
-    pub(super) fn text(
-        &mut self,
-        at: BackendCoord,
-        label: &Label,
-        size: f64,
-        anchor: Anchor,
-        ink: Ink,
-    ) {
-        let (x, y) = (hundredths(at.0), hundredths(at.1));
-        let anchor = match anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
-        };
-        let font = if size == super::label::SIZE {
-            String::new()
-        } else {
-            format!(" font-size=\"{size}\"")
-        };
-        let _ = writeln!(
-            self.out,
-            "<text x=\"{x}\" y=\"{y}\"{anchor}{font} class=\"h\" style=\"fill:{}\">{}</text>",
-            ink.text(),
-            label.svg(size)
-        );
-    }
-}
+use std::collections::BTreeSet;
 
 /// Faces of words and figures, unless the page's CSS names another.
 const SANS: &str = "'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif";
 /// Faces of variables, unless the page's CSS sets `--fig-math`.
 const SERIF: &str = "'STIX Two Text','Times New Roman','Liberation Serif',serif";
 
-fn opacity(alpha: f64) -> String {
-    if alpha == 1.0 {
-        String::new()
-    } else {
-        format!(" opacity=\"{alpha}\"")
+/// The document of `display`, with alternative text `alt`.
+pub(super) fn document(display: &Display, alt: &str) -> String {
+    let (w, h) = display.size;
+    let (paper, alt) = (Ink::Paper.line(), escaped(alt));
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {w} {h}\" \
+         width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{alt}\" fill=\"none\" \
+         stroke-linejoin=\"round\" font-size=\"{SIZE}\" font-family=\"{SANS}\">\n\
+         <style>.fig .v{{font-style:italic;font-family:var(--fig-math,{SERIF})}}\
+         .fig .h{{fill:{paper};stroke:{paper};stroke-width:4px}}{}</style>\n\
+         <rect width=\"{w}\" height=\"{h}\" style=\"fill:{paper}\"/>\n",
+        faces(display),
+    );
+    for item in &display.shapes {
+        shape(&mut out, item);
     }
+    // All halos first: one that came later would eat its neighbour's letters.
+    if display.texts.iter().any(|t| t.halo) {
+        out.push_str("<g class=\"h\" aria-hidden=\"true\">\n");
+        for item in display.texts.iter().filter(|t| t.halo) {
+            text(&mut out, item, "");
+        }
+        out.push_str("</g>\n");
+    }
+    for item in &display.texts {
+        text(
+            &mut out,
+            item,
+            &format!(" style=\"fill:{}\"", item.ink.text()),
+        );
+    }
+    out.push_str("</svg>\n");
+    out
 }
 
-/// A backend coordinate in px, without superfluous zeros.
+/// `text` with the characters that XML reserves replaced.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+/// The rules of the faces that occur. A page holds many figures in one style sheet: the
+/// name says all of the colour, so that the same name is the same rule.
+fn faces(display: &Display) -> String {
+    let used: BTreeSet<(usize, u32)> = display
+        .shapes
+        .iter()
+        .filter_map(|shape| match shape {
+            Shape::Face(_, ink, light) => Some((*ink as usize, *light)),
+            _ => None,
+        })
+        .collect();
+    used.iter().fold(String::new(), |mut rules, &(ink, light)| {
+        let colour = super::ink::PALETTE[ink];
+        let (plain, mix) = (colour.ink.lit(light), colour.ink.lit_css(light));
+        // Writing to a string cannot fail, here and below.
+        let _ = write!(
+            rules,
+            ".fig .{}-{light}{{fill:{plain};stroke:{plain};fill:{mix};stroke:{mix}}}",
+            colour.name
+        );
+        rules
+    })
+}
+
+fn shape(out: &mut String, shape: &Shape) {
+    let _ = match shape {
+        Shape::Line(points, closed, stroke) => line(out, points, *closed, *stroke),
+        Shape::Area(points, ink, alpha) => writeln!(
+            out,
+            "<path d=\"{}\"{} style=\"fill:{}\"/>",
+            path_data(points, true),
+            opacity(*alpha),
+            ink.line()
+        ),
+        Shape::Face(points, ink, light) => writeln!(
+            out,
+            "<path d=\"{}\" stroke-width=\"0.6\" class=\"{}-{light}\"/>",
+            path_data(points, true),
+            ink.colour().name
+        ),
+        Shape::Dot(at, radius, ink, ring) => {
+            let paint = if *ring {
+                format!(
+                    "fill:{};stroke:{};stroke-width:1.5px",
+                    Ink::Paper.line(),
+                    ink.line()
+                )
+            } else {
+                format!("fill:{}", ink.line())
+            };
+            writeln!(
+                out,
+                "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" style=\"{paint}\"/>",
+                hundredths(at.0),
+                hundredths(at.1)
+            )
+        }
+    };
+}
+
+fn line(out: &mut String, points: &[Place], closed: bool, stroke: Stroke) -> core::fmt::Result {
+    let dash = stroke.dash.pattern().map_or(String::new(), |[on, off]| {
+        let ends = if stroke.dash == Dash::Dotted {
+            " stroke-linecap=\"round\""
+        } else {
+            ""
+        };
+        format!(" stroke-dasharray=\"{on} {off}\"{ends}")
+    });
+    writeln!(
+        out,
+        "<path d=\"{}\" stroke-width=\"{}\"{dash}{} style=\"stroke:{}\"/>",
+        path_data(points, closed),
+        stroke.width,
+        opacity(stroke.opacity),
+        stroke.ink.line(),
+    )
+}
+
+fn text(out: &mut String, text: &Text, style: &str) {
+    let anchor = match text.anchor {
+        Anchor::Start => "",
+        Anchor::Middle => " text-anchor=\"middle\"",
+        Anchor::End => " text-anchor=\"end\"",
+    };
+    let _ = writeln!(
+        out,
+        "<text x=\"{}\" y=\"{}\"{anchor}{style}>{}</text>",
+        hundredths(text.at.0),
+        hundredths(text.at.1),
+        spans(&text.runs)
+    );
+}
+
+/// The content of a `<text>` element.
+fn spans(runs: &[Run]) -> String {
+    let mut out = String::new();
+    let mut drop = 0.0;
+    for run in runs {
+        let mut attributes = String::new();
+        if run.drop != drop {
+            let _ = write!(attributes, " dy=\"{:.1}\"", run.drop - drop);
+            drop = run.drop;
+        }
+        if run.size != SIZE {
+            let _ = write!(attributes, " font-size=\"{:.1}\"", run.size);
+        }
+        if run.slanted {
+            attributes.push_str(" class=\"v\"");
+        }
+        let text = escaped(&run.text);
+        let _ = if attributes.is_empty() {
+            write!(out, "{text}")
+        } else {
+            write!(out, "<tspan{attributes}>{text}</tspan>")
+        };
+    }
+    out
+}
+
+fn opacity(alpha: f64) -> String {
+    if alpha == 1.0 {
+        return String::new();
+    }
+    let text = format!("{alpha:.3}");
+    format!(" opacity=\"{}\"", text.trim_end_matches('0'))
+}
+
+/// A coordinate in px, without superfluous zeros.
 fn hundredths(units: i32) -> String {
     let text = format!(
         "{}{}.{:02}",
@@ -209,7 +194,7 @@ fn hundredths(units: i32) -> String {
     text.trim_end_matches('0').trim_end_matches('.').into()
 }
 
-fn path_data(points: &[BackendCoord], closed: bool) -> String {
+fn path_data(points: &[Place], closed: bool) -> String {
     let mut data = String::new();
     for (i, &(x, y)) in points.iter().enumerate() {
         let separator = match i {
@@ -225,159 +210,48 @@ fn path_data(points: &[BackendCoord], closed: bool) -> String {
     data
 }
 
-/// Drops points that lie within 0.04 px of the line through those kept
-/// (Douglas and Peucker, 1973).
-fn thinned(points: &[BackendCoord]) -> Vec<BackendCoord> {
-    const NEAR: f64 = 4.0;
-    let Some(last) = points.len().checked_sub(1) else {
-        return Vec::new();
-    };
-    let mut keep = vec![false; points.len()];
-    keep[0] = true;
-    keep[last] = true;
-    let mut spans = vec![(0, last)];
-    while let Some((a, b)) = spans.pop() {
-        let farthest = (a + 1..b)
-            .map(|i| (i, distance(points[i], points[a], points[b])))
-            .fold(
-                (a, NEAR),
-                |best, next| if next.1 > best.1 { next } else { best },
-            );
-        if farthest.0 != a {
-            keep[farthest.0] = true;
-            spans.push((a, farthest.0));
-            spans.push((farthest.0, b));
-        }
-    }
-    let kept = points.iter().zip(keep);
-    kept.filter_map(|(p, keep)| keep.then_some(*p)).collect()
-}
+#[cfg(test)]
+mod tests {
+    use super::super::label::Label;
+    use super::*;
 
-/// The distance of `p` from the segment `ab`.
-fn distance(p: BackendCoord, a: BackendCoord, b: BackendCoord) -> f64 {
-    let vector = |from: BackendCoord, to: BackendCoord| {
-        (
-            f64::from(to.0) - f64::from(from.0),
-            f64::from(to.1) - f64::from(from.1),
-        )
-    };
-    let ((dx, dy), (px, py)) = (vector(a, b), vector(a, p));
-    let length = dx * dx + dy * dy;
-    let along = if length == 0.0 {
-        0.0
-    } else {
-        ((px * dx + py * dy) / length).clamp(0.0, 1.0)
-    };
-    crate::math::hypot(px - along * dx, py - along * dy)
-}
-
-/// The ink whose line has this colour; anything else is ink.
-fn ink_of(color: BackendColor) -> Ink {
-    let (r, g, b) = color.rgb;
-    let rgb = u32::from(r) << 16 | u32::from(g) << 8 | u32::from(b);
-    PALETTE
-        .iter()
-        .find(|c| c.line == rgb)
-        .map_or(Ink::Ink, |c| c.ink)
-}
-
-fn stroke_of<S: BackendStyle>(style: &S) -> Stroke {
-    Stroke {
-        opacity: style.color().alpha,
-        ..Stroke::new(ink_of(style.color()), f64::from(style.stroke_width()))
-    }
-}
-
-/// What plotters' own elements and series call; colours outside the palette
-/// become ink.
-impl DrawingBackend for Svg<'_> {
-    type ErrorType = Infallible;
-
-    fn get_size(&self) -> (u32, u32) {
-        (self.size.0 * 100, self.size.1 * 100)
-    }
-
-    fn ensure_prepared(&mut self) -> Drawn {
-        Ok(())
-    }
-
-    fn present(&mut self) -> Drawn {
-        if !self.closed {
-            self.out.push_str("</svg>\n");
-            self.closed = true;
-        }
-        Ok(())
-    }
-
-    fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
-        self.dot(point, 0.5, ink_of(color), false);
-        Ok(())
-    }
-
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Drawn {
-        let points: Vec<BackendCoord> = path.into_iter().collect();
-        self.line(&points, stroke_of(style), false);
-        Ok(())
-    }
-
-    fn draw_line<S: BackendStyle>(
-        &mut self,
-        from: BackendCoord,
-        to: BackendCoord,
-        style: &S,
-    ) -> Drawn {
-        self.line(&[from, to], stroke_of(style), false);
-        Ok(())
-    }
-
-    fn draw_circle<S: BackendStyle>(
-        &mut self,
-        center: BackendCoord,
-        radius: u32,
-        style: &S,
-        fill: bool,
-    ) -> Drawn {
-        self.dot(
-            center,
-            f64::from(radius) / UNITS,
-            ink_of(style.color()),
-            !fill,
+    #[test]
+    fn only_variables_are_slanted_and_the_baseline_returns() {
+        assert_eq!(
+            spans(&Label::new(r"$x_1=2$ m").runs(SIZE)),
+            "<tspan font-size=\"15.1\" class=\"v\">x</tspan><tspan dy=\"3.4\" font-size=\"11.1\">1</tspan>\
+             <tspan dy=\"-3.4\">\u{2009}=\u{2009}2 m</tspan>"
         );
-        Ok(())
+        assert!(spans(&Label::new(r"$\sin(x)$").runs(SIZE)).starts_with("sin(<tspan"));
     }
 
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Drawn {
-        let points: Vec<BackendCoord> = path.into_iter().collect();
-        self.fill(&points, ink_of(style.color()), style.color().alpha);
-        Ok(())
-    }
-
-    fn draw_text<S: BackendTextStyle>(
-        &mut self,
-        text: &str,
-        style: &S,
-        pos: BackendCoord,
-    ) -> Drawn {
-        let anchor = match style.anchor().h_pos {
-            HPos::Left => Anchor::Start,
-            HPos::Center => Anchor::Middle,
-            HPos::Right => Anchor::End,
+    #[test]
+    fn halos_lie_below_all_letters_and_are_not_read() {
+        let label = |at, halo| Text {
+            at,
+            anchor: Anchor::Start,
+            ink: Ink::Body,
+            halo,
+            runs: Label::new("$t'$").runs(SIZE),
         };
-        self.text(
-            pos,
-            &Label::new(text),
-            super::label::SIZE,
-            anchor,
-            ink_of(style.color()),
+        let display = Display {
+            size: (50, 40),
+            shapes: vec![],
+            texts: vec![label((1000, 2000), true), label((2000, 2000), false)],
+        };
+        let svg = document(&display, "two labels");
+        let (below, above) = svg.split_once("</g>").expect("a group of halos");
+        assert!(below.contains("<g class=\"h\" aria-hidden=\"true\">"));
+        assert_eq!(below.matches("<text").count(), 1);
+        assert_eq!(above.matches("<text").count(), 2);
+    }
+
+    #[test]
+    fn coordinates_are_short() {
+        assert_eq!(
+            [0, 5, -5, 1200, -1250].map(hundredths),
+            ["0", "0.05", "-0.05", "12", "-12.5"]
         );
-        Ok(())
+        assert_eq!(opacity(0.07), " opacity=\"0.07\"");
     }
 }

@@ -1,0 +1,136 @@
+//! Curves, and how they are drawn.
+
+use super::canvas::Point;
+use super::display::Dash;
+use super::ink::Ink;
+use super::method::Marker;
+use super::words::Side;
+
+/// Width of curves and of axes, in px.
+pub(super) const CURVE: f64 = 1.8;
+pub(super) const AXIS: f64 = 1.0;
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum LabelPlace {
+    Found,
+    End,
+    At(Point, Side),
+}
+
+/// A curve or a set of dots in a [`Panel`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    pub(super) points: Vec<Point>,
+    pub(super) ink: Ink,
+    pub(super) width: f64,
+    pub(super) opacity: f64,
+    pub(super) dash: Dash,
+    pub(super) line: bool,
+    pub(super) dots: bool,
+    pub(super) marker: Marker,
+    pub(super) arrows: Vec<f64>,
+    pub(super) label: Option<(String, LabelPlace)>,
+}
+
+impl Curve {
+    /// The curve through these points.
+    pub fn new(points: impl IntoIterator<Item = (f64, f64)>, ink: Ink) -> Self {
+        Self {
+            points: points.into_iter().collect(),
+            ink,
+            width: CURVE,
+            opacity: 1.0,
+            dash: Dash::Solid,
+            line: true,
+            dots: false,
+            marker: Marker::Disc,
+            arrows: Vec::new(),
+            label: None,
+        }
+    }
+
+    /// Drawn with dashes.
+    #[must_use]
+    pub fn dashed(mut self) -> Self {
+        self.dash = Dash::Dashed;
+        self
+    }
+
+    /// Drawn with dots, as a guide rather than a result.
+    #[must_use]
+    pub fn dotted(mut self) -> Self {
+        self.dash = Dash::Dotted;
+        self
+    }
+
+    /// Drawn faintly: 1 is full, 0 is nothing.
+    #[must_use]
+    pub fn faint(mut self, opacity: f64) -> Self {
+        self.opacity = opacity;
+        self
+    }
+
+    /// Drawn with this width, in px (1.8 if never set).
+    #[must_use]
+    pub fn width(mut self, px: f64) -> Self {
+        self.width = px;
+        self
+    }
+
+    /// Drawn as thin as an axis.
+    #[must_use]
+    pub fn thin(mut self) -> Self {
+        self.width = AXIS;
+        self
+    }
+
+    /// Its dots have this shape.
+    #[must_use]
+    pub fn marker(mut self, marker: Marker) -> Self {
+        self.marker = marker;
+        self
+    }
+
+    /// Its points as dots, without a line: simulated values on an exact curve.
+    #[must_use]
+    pub fn dots(mut self) -> Self {
+        self.dots = true;
+        self.line = false;
+        self
+    }
+
+    /// Its points as dots on the line: measurements.
+    #[must_use]
+    pub fn with_dots(mut self) -> Self {
+        self.dots = true;
+        self
+    }
+
+    /// With an arrow head at this part of its points, 0 to 1: which way it goes.
+    #[must_use]
+    pub fn arrow(mut self, at: f64) -> Self {
+        self.arrows.push(at);
+        self
+    }
+
+    /// With a label, at the best place beside the curve.
+    #[must_use]
+    pub fn label(mut self, text: &str) -> Self {
+        self.label = Some((text.into(), LabelPlace::Found));
+        self
+    }
+
+    /// With a label to the right of its last point, beyond the axes.
+    #[must_use]
+    pub fn label_end(mut self, text: &str) -> Self {
+        self.label = Some((text.into(), LabelPlace::End));
+        self
+    }
+
+    /// With a label on this side of the point `(x, y)`.
+    #[must_use]
+    pub fn label_at(mut self, text: &str, x: f64, y: f64, side: Side) -> Self {
+        self.label = Some((text.into(), LabelPlace::At((x, y), side)));
+        self
+    }
+}
