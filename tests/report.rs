@@ -2,8 +2,10 @@
 
 use rotation_dynamics::Error;
 use rotation_dynamics::report::{
-    Claim, EffectEntry, Limit, Oracle, Price, Report, Table, Verdict, parse,
+    Answer, Claim, DEGREES, EffectEntry, Limit, Oracle, Price, RECIPROCAL, Report, Table,
+    USUAL_SLIPS, Verdict, parse,
 };
+use serde_json::{Value, json};
 
 fn claim(value: f64, oracle: f64, bound: f64) -> Result<Claim, Error> {
     Claim::new(
@@ -185,8 +187,8 @@ fn answers_are_judged_by_the_stated_rules() {
         (0.25, Verdict::Right),
         (0.250_024, Verdict::Right),
         (0.2501, Verdict::Slip("nearly a slip".into())),
-        (0.250_3, Verdict::RightTo(3)),
-        (0.2512, Verdict::RightTo(2)),
+        (0.250_3, Verdict::RightTo(3, 5)),
+        (0.2512, Verdict::RightTo(2, 5)),
         (0.26, Verdict::Wrong),
         (4.0, Verdict::Slip("that is one over the value".into())),
         (f64::MAX, Verdict::Wrong),
@@ -310,4 +312,51 @@ fn parameters_are_declared_once_and_checked() {
         ..Kinds::default()
     };
     assert!(sound.check().is_ok() && rows(&sound) == 3);
+/// The shared cases of the command line and of the page's answer box.
+#[test]
+fn the_cases_of_the_answer_box_are_judged_alike() {
+    let text = include_str!("data/answers.json");
+    let cases: Value = serde_json::from_str(text).expect("JSON");
+    let number = |check: &Value, name: &str| check[name].as_f64().expect("a number");
+    let said = |text: &str, claim: Option<&Claim>| match (Answer::read(text), claim) {
+        (Err(error), _) => error.to_owned(),
+        (Ok(answer), Some(claim)) => claim.verdict(answer).words(),
+        (Ok(answer), None) => format!("read as {answer:?}"),
+    };
+    let mut judged = 0;
+    for case in cases["judged"].as_array().expect("cases") {
+        let [key, text, words] = [0, 1, 2].map(|n| case[n].as_str().expect("text"));
+        let check = &cases["checks"][key];
+        let value = number(check, "value");
+        let unit = check["unit"].as_str().expect("text");
+        let oracle = Oracle::new("itself", value);
+        let mut claim = Claim::new(key, key, value, unit, number(check, "bound"), oracle)
+            .expect("sound")
+            .judged_within(number(check, "within"));
+        for slip in check["slips"].as_array().expect("slips") {
+            claim = claim.slip(number(slip, "value"), slip["hint"].as_str().expect("text"));
+        }
+        assert_eq!(said(text, Some(&claim)), words, "{key} = '{text}'");
+        judged += 1;
+    }
+    for case in cases["refused"].as_array().expect("cases") {
+        let [text, words] = [0, 1].map(|n| case[n].as_str().expect("text"));
+        assert_eq!(said(text, None), words, "'{text}'");
+        judged += 1;
+    }
+    assert_eq!(judged, 81);
+
+    // The rules that the script gets are those of the library.
+    let rules: Value = serde_json::from_str(include_str!("data/answer_rules.json")).expect("JSON");
+    let usual: Vec<Value> = USUAL_SLIPS
+        .iter()
+        .map(|(factor, hint, units)| json!({"factor": factor, "hint": hint, "units": units}))
+        .collect();
+    let expected = json!({
+        "angles": ["rad", "rad/s"],
+        "degrees": DEGREES,
+        "reciprocal": RECIPROCAL,
+        "usual": usual,
+    });
+    assert_eq!(rules, expected, "write: {expected:#}");
 }

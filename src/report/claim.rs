@@ -1,10 +1,9 @@
 //! A claim: a number, its error bound, and the independent route that confirms it.
 
+use super::answer::{self, Answer, Verdict};
 use super::number::{below, rounded_up, supported_digits};
 use crate::error::{Error, Result};
-use crate::math::{EPS, log10};
-use core::f64::consts::PI;
-use libm::floor;
+use crate::math::EPS;
 
 /// The independent route that a claim was compared with.
 #[derive(Debug, Clone, PartialEq)]
@@ -206,67 +205,17 @@ impl Claim {
 
     /// Judges a reader's answer `x` against the value `v`, by these rules in this order:
     ///
-    /// 1. right, if `|x - v| <= max(r |v|, bound)` with `r` the claim's tolerance
+    /// 1. another unit, if one is given and it is not the claim's (radians count as 1);
+    /// 2. right, if `|x - v| <= max(r |v|, bound)` with `r` the claim's tolerance
     ///    (`max(r, bound)` if `v = 0`);
-    /// 2. a slip listed by the claim, if `x` is that close to the slip's value;
-    /// 3. right to `n >= 2` digits, if `|x - v| <= 10^(e+1-n) / 2`, `10^e <= |v| < 10^(e+1)`;
-    /// 4. one of [`USUAL_SLIPS`] (or the reciprocal), if `x` is that close to it;
-    /// 5. wrong.
-    pub fn verdict(&self, answer: f64) -> Verdict {
-        let within = |target: f64| {
-            let scale = if target == 0.0 { 1.0 } else { target.abs() };
-            (answer - target).abs() <= (self.judged_within * scale).max(self.bound)
-        };
-        let v = self.value;
-        if within(v) {
-            return Verdict::Right;
-        }
-        if let Some(slip) = self.slips.iter().find(|slip| within(slip.value)) {
-            return Verdict::Slip(slip.hint.clone());
-        }
-        if v != 0.0 {
-            // The greatest n with 2 |x - v| <= 10^(e+1-n).
-            let n = floor(-log10(2.0 * (answer - v).abs())) + floor(log10(v.abs())) + 1.0;
-            if n >= 2.0 {
-                return Verdict::RightTo(n as u32);
-            }
-            if let Some((_, hint)) = USUAL_SLIPS.iter().find(|(factor, _)| within(factor * v)) {
-                return Verdict::Slip((*hint).into());
-            }
-            if within(1.0 / v) {
-                return Verdict::Slip(RECIPROCAL.into());
-            }
-        }
-        Verdict::Wrong
+    /// 3. a slip listed by the claim, if `x` is that close to the slip's value;
+    /// 4. right as far as it goes, if `x` was typed with fewer digits than `r` asks for
+    ///    ([`digits_asked`](super::digits_asked)) and is `v` rounded to them;
+    /// 5. right to `n >= 2` digits, if `|x - v| <= 10^(e+1-n) / 2`, `10^e <= |v| < 10^(e+1)`;
+    /// 6. one of [`USUAL_SLIPS`](super::USUAL_SLIPS) for the claim's unit (or the
+    ///    reciprocal), if `x` is that close to it;
+    /// 7. wrong.
+    pub fn verdict(&self, answer: impl Into<Answer>) -> Verdict {
+        answer::judge(self, &answer.into())
     }
-}
-
-/// Factors by which an answer is often off, with what to say, in the order tried.
-pub const USUAL_SLIPS: [(f64, &str); 7] = [
-    (-1.0, "the size is right, the sign is not"),
-    (2.0, "too large by a factor 2"),
-    (0.5, "too small by a factor 2"),
-    (2.0 * PI, "too large by 2 pi: turns or radians?"),
-    (0.5 / PI, "too small by 2 pi: turns or radians?"),
-    (180.0 / PI, "that is in degrees; give radians"),
-    (
-        PI / 180.0,
-        "too small by 180/pi: converted to radians twice?",
-    ),
-];
-
-/// What to say to an answer `1/v`.
-pub const RECIPROCAL: &str = "that is one over the value";
-
-/// What became of a reader's answer; see [`Claim::verdict`].
-#[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
-    /// Within the tolerance.
-    Right,
-    /// Right to so many significant digits, and not within the tolerance.
-    RightTo(u32),
-    /// A recognised wrong answer, with its hint.
-    Slip(String),
-    /// None of these.
-    Wrong,
 }

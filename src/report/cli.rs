@@ -5,7 +5,7 @@
 //! library that prints.
 
 use super::files::{Directories, failure, write_whole};
-use super::{Claim, Example, Flag, ParameterSet, Report, Verdict, rounded_up};
+use super::{Answer, Claim, Example, Flag, ParameterSet, Report, Verdict};
 use crate::error::{Error, Result};
 use clap::{Arg, ArgAction, ArgMatches, Command, error::ErrorKind, value_parser};
 use std::ffi::OsString;
@@ -76,11 +76,11 @@ fn joined(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
 }
 
 /// `KEY=VALUE`, a reader's answer.
-fn key_and_number(text: &str) -> core::result::Result<(String, f64), String> {
+fn key_and_answer(text: &str) -> core::result::Result<(String, Answer), String> {
     let (key, value) = (text.split_once('='))
         .filter(|(key, _)| !key.trim().is_empty())
         .ok_or("write KEY=VALUE")?;
-    Ok((key.trim().into(), number(value.trim())?))
+    Ok((key.trim().into(), Answer::read(value)?))
 }
 
 /// What a run would print and return.
@@ -163,7 +163,7 @@ impl<P: ParameterSet> Example<P> {
                     .value_name("KEY=VALUE")
                     .help("Judge your answer (may be given several times)")
                     .action(ArgAction::Append)
-                    .value_parser(key_and_number),
+                    .value_parser(key_and_answer),
             )
             .arg(
                 Arg::new("json")
@@ -195,9 +195,9 @@ impl<P: ParameterSet> Example<P> {
             stderr: String::new(),
             code: 0,
         };
-        if let Some(answers) = matches.get_many::<(String, f64)>("check") {
+        if let Some(answers) = matches.get_many::<(String, Answer)>("check") {
             for (key, value) in answers {
-                let (line, right) = judged(&report, key, *value)?;
+                let (line, right) = judged(&report, key, value)?;
                 outcome.stdout += &line;
                 outcome.code |= u8::from(!right);
             }
@@ -268,7 +268,7 @@ fn delivered(outcome: &Outcome, out: &mut dyn Write, err: &mut dyn Write) -> u8 
     }
 }
 
-fn judged(report: &Report, key: &str, answer: f64) -> Result<(String, bool)> {
+fn judged(report: &Report, key: &str, answer: &Answer) -> Result<(String, bool)> {
     let claim: &Claim = report.claim(key).ok_or_else(|| {
         let keys: Vec<&str> = report.claims().iter().map(Claim::key).collect();
         Error::UnknownKey {
@@ -276,23 +276,23 @@ fn judged(report: &Report, key: &str, answer: f64) -> Result<(String, bool)> {
             known: keys.join(", "),
         }
     })?;
-    let unit = if claim.unit() == "-" {
-        String::new()
-    } else {
-        format!(" {}", claim.unit())
+    let unit = match claim.unit() {
+        "-" => String::new(),
+        unit => format!(" {unit}"),
     };
-    Ok(match claim.verdict(answer) {
-        Verdict::Right => (format!("right: {key} = {}{unit}\n", claim.printed()), true),
-        Verdict::RightTo(n) => (
-            format!(
-                "nearly: your {key} is right to {n} digits; asked for is a relative error of {}\n",
-                rounded_up(claim.tolerance())
-            ),
-            false,
-        ),
-        Verdict::Slip(hint) => (format!("not yet: your {key} is not right: {hint}\n"), false),
-        Verdict::Wrong => (format!("not yet: your {key} is not right\n"), false),
-    })
+    let verdict = claim.verdict(answer.clone());
+    let words = verdict.words();
+    let line = match verdict {
+        Verdict::Right => format!("right: {key} = {}{unit}\n", claim.printed()),
+        Verdict::AsFarAsItGoes(..) | Verdict::RightTo(..) => {
+            format!("nearly: your {key} is {words}\n")
+        }
+        Verdict::Slip(_) | Verdict::Unit(..) => {
+            format!("not yet: your {key} is not right: {words}\n")
+        }
+        Verdict::Wrong => format!("not yet: your {key} is not right\n"),
+    };
+    Ok((line, verdict == Verdict::Right))
 }
 
 #[cfg(test)]

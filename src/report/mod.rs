@@ -35,8 +35,10 @@
 //!
 //! A claim's value shows only the digits its bound supports ([`supported_digits`]).
 //! `within` in `checks` is the relative tolerance of [`Claim::verdict`], which is
-//! also the rule of the page's answer box.
+//! also the rule of the page's answer box. With a column `group` the box offers the
+//! claims that have one, under it; `-` is for those that a reader does not compute.
 
+mod answer;
 mod claim;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -57,7 +59,8 @@ mod strip;
 mod table;
 mod trajectory;
 
-pub use claim::{Claim, Oracle, RECIPROCAL, Slip, USUAL_SLIPS, Verdict};
+pub use answer::{Answer, DEGREES, RECIPROCAL, USUAL_SLIPS, Verdict, digits_asked};
+pub use claim::{Claim, Oracle, Slip};
 pub use computation::{ClosedForm, Computation};
 pub use entries::{ClaimEntry, EffectLine, Entry, LimitEntry, claim, effect, limit};
 pub use example::{Example, Page};

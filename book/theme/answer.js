@@ -1,0 +1,224 @@
+// How a reader's answer is read and judged: src/report/answer.rs, line for line. The cases
+// of tests/data/answers.json drive both; `node book/theme/answer.test.js` drives this one.
+"use strict";
+
+const Answer = (() => {
+    const LONGEST = 80;
+    const NONE = "that is not a number";
+
+    /** The text with one spelling of everything. */
+    function spelled(text) {
+        let plain = "";
+        let raised = false;
+        for (const c of text.trim()) {
+            const digit = "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c);
+            const upper = digit >= 0 ? String(digit) : c === "⁻" ? "-" : null;
+            if (upper !== null) plain += (raised ? "" : "^") + upper;
+            else if (c === "\u2212") plain += "-";
+            else if ("·×⋅".includes(c)) plain += "*";
+            else if (c === "π") plain += "pi";
+            else if (c === "√") plain += "sqrt";
+            else if (c === "°") plain += " deg";
+            else plain += /\s/.test(c) ? " " : c;
+            raised = upper !== null;
+        }
+        const oneComma = plain.split(",").length === 2 && !plain.includes(".");
+        return oneComma ? plain.replace(",", ".") : plain;
+    }
+
+    const NUMBER = /^(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?/;
+
+    class Reader {
+        constructor(text) { this.rest = text; }
+
+        take(word) {
+            const rest = this.rest.trimStart();
+            if (!rest.startsWith(word)) return false;
+            this.rest = rest.slice(word.length);
+            return true;
+        }
+
+        /** What `read` gives, or everything as it was. */
+        attempt(read) {
+            const before = this.rest;
+            const value = read();
+            if (value === null) this.rest = before;
+            return value;
+        }
+
+        sum() {
+            let value = this.product();
+            if (value === null) return null;
+            for (;;) {
+                const more = this.attempt(() => this.take("+") ? this.product() : null);
+                if (more !== null) { value += more; continue; }
+                const less = this.attempt(() => this.take("-") ? this.product() : null);
+                if (less === null) return value;
+                value -= less;
+            }
+        }
+
+        product() {
+            let value = this.factor();
+            if (value === null) return null;
+            for (;;) {
+                let by = this.attempt(() => this.times() ? this.factor() : null);
+                if (by !== null) { value *= by; continue; }
+                by = this.attempt(() => this.take("/") ? this.factor() : null);
+                if (by !== null) { value /= by; continue; }
+                by = this.attempt(() => /^\s*(pi|sqrt|\()/.test(this.rest) ? this.factor() : null);
+                if (by === null) return value;
+                value *= by;
+            }
+        }
+
+        /** A sign of multiplication; the letter x is one before a digit. */
+        times() {
+            if (this.take("*")) return true;
+            const before = this.rest;
+            if (this.take("x") && NUMBER.test(this.rest.trimStart())) return true;
+            this.rest = before;
+            return false;
+        }
+
+        factor() {
+            if (this.take("-")) {
+                const value = this.factor();
+                return value === null ? null : -value;
+            }
+            if (this.take("+")) return this.factor();
+            const base = this.atom();
+            if (base === null) return null;
+            const power = this.attempt(() => this.take("^") ? this.integer() : null);
+            if (power === null) return base;
+            return base === 10 ? Number(`1e${power}`) : base ** power;
+        }
+
+        integer() {
+            const [integer] = this.rest.trimStart().match(/^[-+]?\d+/) ?? [null];
+            if (integer === null) return null;
+            this.take(integer);
+            return Number(integer);
+        }
+
+        atom() {
+            this.rest = this.rest.trimStart();
+            const [number] = this.rest.match(NUMBER) ?? [null];
+            if (number !== null) {
+                this.take(number);
+                return Number(number);
+            }
+            if (this.take("sqrt")) {
+                const value = this.atom();
+                return value === null ? null : Math.sqrt(value);
+            }
+            if (this.take("(")) {
+                const inside = this.sum();
+                return inside !== null && this.take(")") ? inside : null;
+            }
+            if (!/^pi(?![A-Za-z])/.test(this.rest)) return null;
+            this.take("pi");
+            return Math.PI;
+        }
+    }
+
+    /** Significant digits, and the worth of the last, of a decimal number or one times 10^n. */
+    function typed(number) {
+        const tight = number.replace(/ /g, "").replace(/x/g, "*").replace("*10^", "e");
+        const parts = tight.match(/^[-+]*(\d+\.?\d*|\.\d+)(?:e([-+]?\d+))?$/i);
+        if (parts === null) return null;
+        const [, mantissa, exponent = "0"] = parts;
+        const decimals = (mantissa.split(".")[1] ?? "").length;
+        const digits = mantissa.replace(".", "").replace(/^0+/, "").length;
+        return { digits, worth: Number(`1e${Number(exponent) - decimals}`) };
+    }
+
+    const NAMES = {
+        degree: "deg", degrees: "deg", radian: "rad", radians: "rad", sec: "s", second: "s",
+        seconds: "s", metre: "m", metres: "m", meter: "m", meters: "m",
+    };
+
+    /** The powers of the base units in `unit`, radians left out; null if it is no unit. */
+    function powers(unit) {
+        const found = new Map();
+        let rest = unit === "-" ? "" : unit.trim();
+        let inverse = false;
+        while (rest !== "") {
+            if (" */".includes(rest[0])) {
+                inverse = rest[0] === "/" || (inverse && rest[0] === " ");
+                rest = rest.slice(1);
+                continue;
+            }
+            if (rest[0] === "1") {
+                rest = rest.slice(1);
+                inverse = false;
+                continue;
+            }
+            const part = rest.match(/^([A-Za-z]+)(\^?-?\d+|\^|-)?/);
+            if (part === null || part[2] === "^" || part[2] === "-") return null;
+            const name = NAMES[part[1]] ?? part[1];
+            const power = Number((part[2] ?? "1").replace("^", ""));
+            if (name !== "rad") found.set(name, (found.get(name) ?? 0) + (inverse ? -power : power));
+            inverse = false;
+            rest = rest.slice(part[0].length);
+        }
+        for (const [name, power] of found) if (power === 0) found.delete(name);
+        return found;
+    }
+
+    const same = (a, b) => a.size === b.size && [...a].every(([name, power]) => b.get(name) === power);
+
+    /** An answer, or `{ error }`. */
+    function read(text) {
+        if ([...text].length > LONGEST) return { error: NONE };
+        const plain = spelled(text);
+        if (plain.includes(",")) {
+            return { error: "decimals come after a point, thousands are not parted" };
+        }
+        const reader = new Reader(plain);
+        const value = reader.sum();
+        const unit = reader.rest.trim();
+        if (value === null || unit === "-" || powers(unit) === null) return { error: NONE };
+        if (!Number.isFinite(value)) return { error: "that is not a finite number" };
+        return { value, unit, typed: typed(plain.slice(0, plain.length - reader.rest.length)) };
+    }
+
+    /** What became of an answer: its class, and what to say. The words come with the page. */
+    function judge(answer, check, rules) {
+        const { value: v, unit } = check;
+        const x = answer.value;
+        if (answer.unit !== "") {
+            const [asked, given] = [powers(unit), powers(answer.unit)];
+            if (!same(asked, given)) {
+                const degrees = given.delete("deg");
+                return degrees && same(asked, given) && rules.angles.includes(unit)
+                    ? ["slip", rules.degrees]
+                    : ["unit", unit === "-" ? `it has no unit, not ${answer.unit}`
+                        : `the unit is ${unit}, not ${answer.unit}`];
+            }
+        }
+        const within = (target) => Math.abs(x - target) <=
+            Math.max(check.within * (target === 0 ? 1 : Math.abs(target)), check.bound);
+        if (within(v)) return ["right", "right"];
+        const slip = check.slips.find((s) => within(s.value));
+        if (slip) return ["slip", slip.hint];
+        if (v === 0) return ["wrong", "not this"];
+        const asked = Math.ceil(-Math.log10(check.within) - 1e-9) + 1;
+        const given = answer.typed?.digits ?? 0;
+        if (given >= 1 && Math.abs(x - v) <= 0.5 * answer.typed.worth) {
+            return given < asked
+                ? ["nearly", `right as far as it goes: ${given} digit${given === 1 ? "" : "s"}; give ${asked}`]
+                : ["nearly", `right to ${given} digits; give ${given + 1}`];
+        }
+        const n = Math.floor(-Math.log10(2 * Math.abs(x - v))) + Math.floor(Math.log10(Math.abs(v))) + 1;
+        if (n >= 2) return ["nearly", `right to ${n} digits; give ${Math.max(asked, n + 1)}`];
+        const usual = rules.usual.find((u) => within(u.factor * v) &&
+            (u.units.length === 0 || u.units.includes(unit)));
+        if (usual) return ["slip", usual.hint];
+        return within(1 / v) ? ["slip", rules.reciprocal] : ["wrong", "not this"];
+    }
+
+    return { read, judge };
+})();
+
+if (typeof module !== "undefined") module.exports = Answer;
