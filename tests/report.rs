@@ -312,6 +312,8 @@ fn parameters_are_declared_once_and_checked() {
         ..Kinds::default()
     };
     assert!(sound.check().is_ok() && rows(&sound) == 3);
+}
+
 /// The shared cases of the command line and of the page's answer box.
 #[test]
 fn the_cases_of_the_answer_box_are_judged_alike() {

@@ -49,7 +49,7 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
     }
     let usual: Vec<_> = USUAL_SLIPS
         .iter()
-        .map(|(factor, hint)| json!({"factor": factor, "hint": hint}))
+        .map(|(factor, hint, _)| json!({"factor": factor, "hint": hint}))
         .collect();
     let data = json!({"checks": data, "usual": usual, "reciprocal": RECIPROCAL});
     // In a script element only `</` could end it.
