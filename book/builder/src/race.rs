@@ -6,7 +6,7 @@
 use crate::measured;
 use crate::project::Project;
 use rotation_dynamics::report::Table;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel};
+use rotation_dynamics::report::draw::{Axis, Method, Panel};
 
 /// The stem under which these drawings go.
 pub const STEM: &str = "measured";
@@ -46,18 +46,13 @@ fn drawn(name: &str, table: &Table) -> Result<String, String> {
         .x(Axis::log(&format!("time / {unit}")))
         .y(Axis::log("error of the attitude / rad"));
     for (method, points) in lines {
-        let curve = Curve::new(points, ink(&method)).with_dots();
-        let curve = if ink(&method) == Ink::Frame {
-            curve.thin()
+        let look = Method::named(&method);
+        let label = if look == Method::Other {
+            method.as_str()
         } else {
-            curve
+            look.label()
         };
-        let curve = if method.contains("Kahan") {
-            curve.dashed()
-        } else {
-            curve
-        };
-        panel = panel.curve(curve.label(short(&method)));
+        panel = panel.curve(look.curve(points).with_dots().label(label));
     }
     panel.figure().map(|f| f.svg).map_err(|e| e.to_string())
 }
@@ -90,32 +85,6 @@ fn of_races(table: &Table) -> Vec<Line> {
     };
     let rows = table.rows().iter();
     rows.map(|row| (row[0].clone(), points(row))).collect()
-}
-
-/// The colours of the chapter's diagrams; thin lines for the methods of others.
-fn ink(method: &str) -> Ink {
-    match method {
-        m if m.contains("Gauss") || m.contains("closed form") => Ink::Ink,
-        m if m.contains("SRKN 6b") => Ink::Momentum,
-        m if m.contains("SRKN 14a") || m.contains("Kahan") || m.contains("ABA") => Ink::Body,
-        "RK4" | "Munthe-Kaas 4" => Ink::Energy,
-        "DOP853" => Ink::Velocity,
-        "dial" => Ink::Force,
-        _ => Ink::Frame,
-    }
-}
-
-/// A name that fits beside a line.
-fn short(method: &str) -> &str {
-    let method = method.trim_start_matches("Blanes-Moan ");
-    let method = method.trim_end_matches(" splitting");
-    match method {
-        "Gauss-Legendre 16" => "Gauss 16",
-        "SRKN 6b" => "order 4",
-        "SRKN 14a" => "order 6",
-        "Kahan-Li 17b" => "order 8",
-        _ => method,
-    }
 }
 
 #[cfg(test)]

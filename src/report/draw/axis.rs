@@ -1,8 +1,8 @@
 //! Axes: a label, a range that defaults to the data's, and where the ticks stand.
 
+use super::ticks::{Step, angle_ticks, decade_ticks, decimal_ticks, stepped_ticks};
 use crate::error::{Error, Result, finite};
 use crate::math::log10;
-use core::f64::consts::PI;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Scale {
@@ -13,12 +13,21 @@ enum Scale {
 }
 
 /// An axis of a [`super::Panel`].
+///
+/// Figures that stand side by side get one axis, made of what all of them show:
+/// ```
+/// use rotation_dynamics::report::draw::Axis;
+/// let (waves, loops) = ([0.9, 1.2], [0.5, 1.5]);
+/// let theta = Axis::angle(r"$\theta$").over(waves.into_iter().chain(loops)).parts_of_pi(8);
+/// // .y(theta.clone()) for each panel
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     pub(super) label: String,
     scale: Scale,
     range: Option<(f64, f64)>,
     ticks: Option<Vec<(f64, String)>>,
+    step: Option<Step>,
 }
 
 impl Axis {
@@ -28,6 +37,7 @@ impl Axis {
             scale,
             range: None,
             ticks: None,
+            step: None,
         }
     }
 
@@ -51,6 +61,32 @@ impl Axis {
     #[must_use]
     pub fn range(mut self, from: f64, to: f64) -> Self {
         self.range = Some((from, to));
+        self
+    }
+
+    /// The axis goes from the least to the greatest of these values, whatever of them a
+    /// figure shows.
+    #[must_use]
+    pub fn over(self, values: impl IntoIterator<Item = f64>) -> Self {
+        let (low, high) = values
+            .into_iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+                (a.min(x), b.max(x))
+            });
+        self.range(low, high)
+    }
+
+    /// Ticks stand at the multiples of `step`.
+    #[must_use]
+    pub fn step(mut self, step: f64) -> Self {
+        self.step = Some(Step::Of(step));
+        self
+    }
+
+    /// Ticks stand at the multiples of pi over `denominator`.
+    #[must_use]
+    pub fn parts_of_pi(mut self, denominator: u32) -> Self {
+        self.step = Some(Step::Pi(denominator));
         self
     }
 
@@ -102,6 +138,9 @@ impl Axis {
                 .map(|(value, label)| Ok((self.place(*value)?, label.clone())))
                 .collect();
         }
+        if let Some(step) = self.step {
+            return stepped_ticks(low, high, step);
+        }
         Ok(match self.scale {
             Scale::Linear => decimal_ticks(low, high, most),
             Scale::Angle => angle_ticks(low, high, most),
@@ -110,116 +149,10 @@ impl Axis {
     }
 }
 
-/// The multiples of `step` in the range, by their integer factors.
-fn multiples(low: f64, high: f64, step: f64) -> core::ops::RangeInclusive<i64> {
-    // Data that all but reach a round value get its tick: it stands at most a pixel outside.
-    let slack = 0.004 * (high - low) / step;
-    libm::ceil(low / step - slack) as i64..=libm::floor(high / step + slack) as i64
-}
-
-fn count(low: f64, high: f64, step: f64) -> usize {
-    multiples(low, high, step).count()
-}
-
-fn decimal_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
-    let start = libm::floor(log10(high - low)) as i32 - 2;
-    let steps = (start..start + 4).flat_map(|e| [1.0, 2.0, 5.0].map(|factor| (factor, e)));
-    let value = |(factor, e): (f64, i32)| factor * crate::math::pow(10.0, f64::from(e));
-    let mut chosen = (1.0, start);
-    for step in steps {
-        let count = count(low, high, value(step));
-        // One tick says nothing about the scale: then rather a few more.
-        if count >= 2 {
-            chosen = step;
-        }
-        if count <= most {
-            break;
-        }
-    }
-    let (step, decimals) = (value(chosen), (-chosen.1).max(0) as usize);
-    multiples(low, high, step)
-        .map(|i| {
-            let at = i as f64 * step;
-            (at, format!("${at:.decimals$}$"))
-        })
-        .collect()
-}
-
-/// Parts of pi that make a good step: numerator and denominator.
-const PARTS: [(i64, i64); 12] = [
-    (1, 24),
-    (1, 12),
-    (1, 8),
-    (1, 6),
-    (1, 4),
-    (1, 2),
-    (1, 1),
-    (2, 1),
-    (5, 1),
-    (10, 1),
-    (20, 1),
-    (50, 1),
-];
-
-fn angle_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
-    let step = |(n, d): (i64, i64)| PI * n as f64 / d as f64;
-    let Some(part) = PARTS
-        .into_iter()
-        .find(|&p| count(low, high, step(p)) <= most)
-    else {
-        return decimal_ticks(low, high, most);
-    };
-    if count(low, high, step(part)) < 3 {
-        return decimal_ticks(low, high, most);
-    }
-    multiples(low, high, step(part))
-        .map(|i| (i as f64 * step(part), part_of_pi(i * part.0, part.1)))
-        .collect()
-}
-
-/// `n pi / d` as a label, in lowest terms.
-fn part_of_pi(n: i64, d: i64) -> String {
-    if n == 0 {
-        return "$0$".into();
-    }
-    let (mut a, mut b) = (n.abs(), d);
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    let (n, d) = (n / a, d / a);
-    let top = match n {
-        1 => String::new(),
-        -1 => "-".into(),
-        n => n.to_string(),
-    };
-    if d == 1 {
-        format!("${top}\\pi$")
-    } else {
-        format!("${top}\\pi/{d}$")
-    }
-}
-
-fn decade_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
-    let step = [1.0, 2.0, 3.0, 4.0, 5.0, 10.0, 20.0, 50.0, 100.0]
-        .into_iter()
-        .find(|&s| count(low, high, s) <= most)
-        .unwrap_or(100.0);
-    multiples(low, high, step)
-        .map(|i| {
-            let place = i as f64 * step;
-            let label = match place as i64 {
-                0 => "$1$".into(),
-                1 => "$10$".into(),
-                e => format!("$10^{{{e}}}$"),
-            };
-            (place, label)
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use core::f64::consts::PI;
 
     fn labels(axis: &Axis, extent: (f64, f64)) -> Vec<String> {
         let ticks = axis.marks(extent, 6).expect("the ticks are the axis's own");
@@ -250,6 +183,31 @@ mod tests {
             [
                 "10^{-12}", "10^{-10}", "10^{-8}", "10^{-6}", "10^{-4}", "10^{-2}"
             ]
+        );
+    }
+
+    #[test]
+    fn siblings_have_one_range_and_one_step() {
+        let axis = Axis::linear("x").over([0.3, -0.1, 1.2]).step(0.25);
+        let extent = axis.extent([5.0].into_iter()).expect("its own range");
+        assert_eq!(extent, (-0.1, 1.2));
+        assert_eq!(
+            labels(&axis, extent),
+            ["0.00", "0.25", "0.50", "0.75", "1.00"]
+        );
+        let angle = Axis::angle("x").parts_of_pi(8);
+        assert_eq!(labels(&angle, (0.7, 1.7)), ["\\pi/4", "3\\pi/8", "\\pi/2"]);
+        for step in [0.0, -1.0, f64::NAN, 1e-9] {
+            assert!(
+                Axis::linear("x").step(step).marks((0.0, 1.0), 6).is_err(),
+                "{step}"
+            );
+        }
+        assert!(
+            Axis::linear("x")
+                .over([])
+                .extent([1.0, 2.0].into_iter())
+                .is_err()
         );
     }
 

@@ -1,10 +1,11 @@
 //! Curves, and how they are drawn.
 
-use super::canvas::Point;
-use super::display::Dash;
+use super::canvas::{Frame, Paint, Point};
+use super::display::{Dash, Stroke};
 use super::ink::Ink;
 use super::method::Marker;
 use super::words::Side;
+use crate::error::Result;
 
 /// Width of curves and of axes, in px.
 pub(super) const CURVE: f64 = 1.8;
@@ -132,5 +133,52 @@ impl Curve {
     pub fn label_at(mut self, text: &str, x: f64, y: f64, side: Side) -> Self {
         self.label = Some((text.into(), LabelPlace::At((x, y), side)));
         self
+    }
+}
+
+impl Curve {
+    /// Whether it runs from left to right, as what depends on time does.
+    pub(super) fn runs_on(&self) -> bool {
+        self.points.windows(2).all(|w| w[0].0 <= w[1].0)
+    }
+
+    /// Draws its parts that lie within `x` and `y`.
+    pub(super) fn paint(
+        &self,
+        frame: &Frame<'_>,
+        parts: &[Vec<Point>],
+        x: Point,
+        y: Point,
+    ) -> Result<()> {
+        let inside = |p: &&Point| (x.0..=x.1).contains(&p.0) && (y.0..=y.1).contains(&p.1);
+        let stroke = Stroke {
+            dash: self.dash,
+            opacity: self.opacity,
+            ..Stroke::new(self.ink, self.width)
+        };
+        if self.line {
+            for part in parts {
+                frame.draw(part, &Paint::Line(stroke))?;
+            }
+        }
+        if self.dots {
+            let seen: Vec<Point> = self.points.iter().filter(inside).copied().collect();
+            frame.draw(&seen, &Paint::Mark(self.ink, self.marker))?;
+        }
+        for &at in &self.arrows {
+            let count = at.clamp(0.0, 1.0) * self.points.len() as f64;
+            let run = self.points.iter().take(count as usize).filter(inside);
+            frame.draw(
+                &run.copied().collect::<Vec<_>>(),
+                &Paint::Head(self.ink, 8.0),
+            )?;
+        }
+        Ok(())
+    }
+
+    /// Draws all of it.
+    pub(super) fn paint_whole(&self, frame: &Frame<'_>) -> Result<()> {
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        self.paint(frame, core::slice::from_ref(&self.points), all, all)
     }
 }

@@ -73,7 +73,7 @@ pub enum Shape {
     Line(Vec<Place>, bool, Stroke),
     /// An area with this outline, in this ink with this opacity.
     Area(Vec<Place>, Ink, f64),
-    /// An opaque face of a body; its light in percent, 0 in the shade. A rim of 0.6 px in
+    /// An opaque face of a body; its light in percent, 0 in the shade. A rim of 1 px in
     /// the same colour closes the seams between neighbours.
     Face(Vec<Place>, Ink, u32),
     /// A dot of this radius in px; a ring is filled with paper and has a rim of 1.5 px.

@@ -20,6 +20,7 @@ mod clip;
 mod curve;
 mod depth;
 mod display;
+mod hidden;
 mod ink;
 mod label;
 mod map;
@@ -32,7 +33,9 @@ mod scene;
 mod sketch;
 mod solid;
 mod stack;
+mod stations;
 mod svg;
+mod ticks;
 mod view;
 mod words;
 

@@ -7,7 +7,8 @@ use super::display::Stroke;
 use super::ink::Ink;
 use super::label::{Label, SIZE};
 use super::panel::{Panel, Rule};
-use super::place::{GAP, Obstacles, spread};
+use super::place::{GAP, Obstacles};
+use super::stations::spread;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
 
@@ -337,46 +338,5 @@ fn equal_units(plot: Rect, x: Point, y: Point) -> Rect {
         right: plot.right - spare,
         top: plot.bottom - unit * (y.1 - y.0),
         bottom: plot.bottom,
-    }
-}
-
-impl Curve {
-    /// Whether it runs from left to right, as what depends on time does.
-    fn runs_on(&self) -> bool {
-        self.points.windows(2).all(|w| w[0].0 <= w[1].0)
-    }
-
-    /// Draws its parts that lie within `x` and `y`.
-    fn paint(&self, frame: &Frame<'_>, parts: &[Vec<Point>], x: Point, y: Point) -> Result<()> {
-        let inside = |p: &&Point| (x.0..=x.1).contains(&p.0) && (y.0..=y.1).contains(&p.1);
-        let stroke = Stroke {
-            dash: self.dash,
-            opacity: self.opacity,
-            ..Stroke::new(self.ink, self.width)
-        };
-        if self.line {
-            for part in parts {
-                frame.draw(part, &Paint::Line(stroke))?;
-            }
-        }
-        if self.dots {
-            let seen: Vec<Point> = self.points.iter().filter(inside).copied().collect();
-            frame.draw(&seen, &Paint::Mark(self.ink, self.marker))?;
-        }
-        for &at in &self.arrows {
-            let count = at.clamp(0.0, 1.0) * self.points.len() as f64;
-            let run = self.points.iter().take(count as usize).filter(inside);
-            frame.draw(
-                &run.copied().collect::<Vec<_>>(),
-                &Paint::Head(self.ink, 8.0),
-            )?;
-        }
-        Ok(())
-    }
-
-    /// Draws all of it.
-    pub(super) fn paint_whole(&self, frame: &Frame<'_>) -> Result<()> {
-        let all = (f64::NEG_INFINITY, f64::INFINITY);
-        self.paint(frame, core::slice::from_ref(&self.points), all, all)
     }
 }

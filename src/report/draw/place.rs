@@ -2,6 +2,7 @@
 
 use super::canvas::{Frame, Paint, Point};
 use super::display::Stroke;
+use super::stations::stations;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
 use crate::math::hypot;
@@ -109,7 +110,7 @@ impl Obstacles {
                 wanted.push((at, side, 2.0 * (1.0 - position) + 0.3 * rank as f64));
             }
         }
-        self.best(Some(curve), &wanted, 0.0, words)
+        self.best(Some(curve), wanted, 0.0, words)
     }
 
     /// The best place for a label of the point `at` (px), on this side if it is free there.
@@ -121,12 +122,6 @@ impl Obstacles {
         closest: f64,
         words: impl Fn(Side, f64) -> Words,
     ) -> Option<Placed> {
-        if side == Side::Centre {
-            let words = words(side, closest);
-            self.take(words.rect(at));
-            let leader = None;
-            return Some(Placed { at, words, leader });
-        }
         let mut wanted = vec![(at, side, 0.0)];
         let others = SIDES.into_iter().filter(|&s| s != side);
         wanted.extend(
@@ -134,18 +129,20 @@ impl Obstacles {
                 .enumerate()
                 .map(|(rank, s)| (at, s, 15.0 + rank as f64)),
         );
-        self.best(None, &wanted, closest - GAP, words)
+        self.best(None, wanted, closest - GAP, words)
     }
 
     fn best(
         &mut self,
         curve: Option<usize>,
-        wanted: &[(Point, Side, f64)],
+        mut wanted: Vec<(Point, Side, f64)>,
         further: f64,
         words: impl Fn(Side, f64) -> Words,
     ) -> Option<Placed> {
         let mut best: Option<(f64, Placed, Rect)> = None;
-        for &(at, side, taste) in wanted {
+        // The most wanted first: then the others need not be looked at for long.
+        wanted.sort_by(|a, b| a.2.total_cmp(&b.2));
+        for (at, side, taste) in wanted {
             for (gap, far) in DISTANCES {
                 let least = best.as_ref().map_or(f64::INFINITY, |b| b.0);
                 if taste + far >= least {
@@ -177,12 +174,7 @@ impl Obstacles {
         let corners = [(rect.left, rect.top), (rect.right, rect.bottom)];
         let outside = !corners.iter().all(|&c| self.room.contains(c));
         let taken = |t: &&Rect| {
-            let crossed = leader.is_some_and(|[a, b]| {
-                (0..=8).any(|i| {
-                    let s = f64::from(i) / 8.0;
-                    t.contains((a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1)))
-                })
-            });
+            let crossed = leader.is_some_and(|leader| distance_squared(leader, t.middle()) < 36.0);
             crossed || t.grown(2.0).overlaps(rect)
         };
         let taken = self.taken.iter().filter(taken).count();
@@ -196,6 +188,16 @@ impl Obstacles {
             let distance = rect.squared_distance(p);
             if distance < HALO * HALO * 2.0 && tight.contains(p) {
                 cost += 10.0;
+            }
+            // A line that leads across others leads astray.
+            if let Some([from, to]) = leader
+                && distance_squared([from, to], p) < 4.0
+                && distance_squared([to, to], p) > 64.0
+            {
+                cost += 8.0;
+            }
+            if cost >= enough {
+                return cost;
             }
             let nearest = if Some(owner) == curve {
                 &mut own
@@ -214,6 +216,19 @@ impl Obstacles {
     }
 }
 
+/// The square of the distance of a point from a segment.
+fn distance_squared([a, b]: [Point; 2], p: Point) -> f64 {
+    let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
+    let square = dx * dx + dy * dy;
+    let s = if square > 0.0 {
+        ((dx * px + dy * py) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let (ex, ey) = (px - s * dx, py - s * dy);
+    ex * ex + ey * ey
+}
+
 /// The line that leads from a label to the point it names, without touching either.
 fn leader(at: Point, rect: &Rect) -> [Point; 2] {
     let from = rect.nearest(at);
@@ -223,64 +238,9 @@ fn leader(at: Point, rect: &Rect) -> [Point; 2] {
     [step(from, 1.0), step(at, -2.0)]
 }
 
-/// Points along a line at which a label is tried, with their position from 0 to 1.
-fn stations(line: &[Point]) -> Vec<(f64, Point)> {
-    const COUNT: usize = 25;
-    let lengths: Vec<f64> = line
-        .windows(2)
-        .map(|w| hypot(w[1].0 - w[0].0, w[1].1 - w[0].1))
-        .collect();
-    let total: f64 = lengths.iter().sum();
-    let mut found = Vec::new();
-    let (mut behind, mut segment) = (0.0, 0);
-    for i in 0..=COUNT {
-        let position = i as f64 / COUNT as f64;
-        while segment + 1 < lengths.len() && behind + lengths[segment] < position * total {
-            behind += lengths[segment];
-            segment += 1;
-        }
-        let (Some(&a), Some(&length)) = (line.get(segment), lengths.get(segment)) else {
-            break;
-        };
-        let b = line[segment + 1];
-        let s = if length > 0.0 {
-            (position * total - behind) / length
-        } else {
-            0.0
-        };
-        found.push((position, (a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1))));
-    }
-    if found.is_empty() {
-        found.extend(line.first().map(|&p| (1.0, p)));
-    }
-    found
-}
-
-/// Moves labels of height `height`, centred at these `y`, apart, within `top..bottom`.
-pub(super) fn spread(centres: &mut [(usize, f64)], height: f64, top: f64, bottom: f64) {
-    centres.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let mut least = top + height / 2.0;
-    for (_, y) in centres.iter_mut() {
-        *y = y.max(least);
-        least = *y + height;
-    }
-    let mut most = bottom - height / 2.0;
-    for (_, y) in centres.iter_mut().rev() {
-        *y = y.min(most);
-        most = *y - height;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn labels_are_spread_and_stay_inside() {
-        let mut centres = [(0, 50.0), (1, 52.0), (2, 99.0)];
-        spread(&mut centres, 15.0, 0.0, 100.0);
-        assert_eq!(centres.map(|c| c.1), [50.0, 65.0, 92.5]);
-    }
 
     /// Four waves that cross each other, each with a label of its own: every label is
     /// found a place that touches no curve and no other label.

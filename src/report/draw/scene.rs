@@ -2,19 +2,14 @@
 //! near side, what lies before it, and the labels.
 
 use super::canvas::{Canvas, Frame, Paint, Point};
-use super::depth::{Item, from_behind};
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
 use super::place::{GAP, Obstacles};
-use super::solid::{Solid, normal};
 use super::view::{Element, View};
 use super::words::{Rect, Side, Words};
 use crate::error::{Result, finite};
 use crate::frame::SpaceVector;
 use core::f64::consts::PI;
-
-/// Length of the pieces into which a line is cut where bodies may hide it, in px.
-const PIECE: f64 = 6.0;
 
 /// Where a part of a line lies relative to the sphere, from behind to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,12 +20,12 @@ enum Layer {
 }
 
 /// What is painted together, in one layer.
-struct Part<'a> {
+pub(super) struct Part<'a> {
     layer: Layer,
-    points: Vec<SpaceVector>,
-    stroke: Stroke,
+    pub points: Vec<SpaceVector>,
+    pub stroke: Stroke,
     /// Length of the head at its end, in px.
-    head: Option<f64>,
+    pub head: Option<f64>,
     element: &'a Element,
 }
 
@@ -90,7 +85,7 @@ impl View {
         self.paint_labels(canvas, &frame, rect)
     }
 
-    fn flat(&self, points: &[SpaceVector]) -> Vec<Point> {
+    pub(super) fn flat(&self, points: &[SpaceVector]) -> Vec<Point> {
         points.iter().map(|&p| self.camera.project(p)).collect()
     }
 
@@ -188,111 +183,11 @@ impl View {
         Ok(())
     }
 
-    fn paint_of(&self, part: &Part<'_>) -> Paint {
+    pub(super) fn paint_of(&self, part: &Part<'_>) -> Paint {
         match part.head {
             Some(head) => Paint::Arrow(part.stroke, head, part.stroke.ink == Ink::Force),
             None => Paint::Line(part.stroke),
         }
-    }
-
-    /// The faces that look at the eye, lighter as they turn to the light.
-    fn faces(&self, solid: &Solid, ink: Ink, items: &mut Vec<Item>) -> Result<()> {
-        let camera = &self.camera;
-        let light = camera.eye * 0.85 + camera.up * 0.45 - camera.right * 0.3;
-        let light = light / light.norm();
-        for face in &solid.faces {
-            for &p in face {
-                finite("depth in a view", camera.depth(p))?;
-            }
-            let Some(normal) = normal(face).filter(|&n| camera.depth(n) > 1e-9) else {
-                continue;
-            };
-            // Few steps of light keep the picture small.
-            let percent = 4.0 * libm::round(12.5 * (1.0 + normal.dot(&light)));
-            items.push(Item {
-                points: face.clone(),
-                paint: Paint::Face(ink, percent as u32),
-                goes_on: false,
-            });
-        }
-        Ok(())
-    }
-
-    /// A line as short pieces, its dashes as pieces of their own, its head as the last.
-    fn pieces(&self, part: &Part<'_>, unit: f64, items: &mut Vec<Item>) -> Result<()> {
-        let (on, off) = match part.stroke.dash {
-            Dash::Solid => (PIECE, 0.0),
-            Dash::Dashed => (6.0, 4.0),
-            Dash::Dotted => (1.5, 3.0),
-        };
-        let length = |a: SpaceVector, b: SpaceVector| {
-            let ((ax, ay), (bx, by)) = (self.camera.project(a), self.camera.project(b));
-            unit * crate::math::hypot(bx - ax, by - ay)
-        };
-        let whole: f64 = part.points.windows(2).map(|w| length(w[0], w[1])).sum();
-        let whole = finite("length of a line in a view", whole)?;
-        let shaft = whole - part.head.map_or(0.0, |head| 1.5 * head);
-        let at = |wanted: f64| {
-            let mut behind = 0.0;
-            for w in part.points.windows(2) {
-                let next = behind + length(w[0], w[1]);
-                if wanted <= next && next > behind {
-                    return w[0] + (w[1] - w[0]) * ((wanted - behind) / (next - behind));
-                }
-                behind = next;
-            }
-            part.points.last().copied().unwrap_or(SpaceVector::zero())
-        };
-        let plain = Stroke {
-            dash: Dash::Solid,
-            ..part.stroke
-        };
-        let mut from = 0.0;
-        while from < shaft {
-            let to = (from + on).min(shaft);
-            items.push(Item {
-                points: vec![at(from), at(to)],
-                paint: Paint::Line(plain),
-                goes_on: from > 0.0 && off == 0.0,
-            });
-            from += on + off;
-        }
-        if part.head.is_some() {
-            items.push(Item {
-                points: vec![at(shaft.max(0.0)), at(whole)],
-                paint: self.paint_of(part),
-                goes_on: false,
-            });
-        }
-        Ok(())
-    }
-
-    fn paint_items(&self, frame: &Frame<'_>, items: &[Item]) -> Result<()> {
-        let mut line: Option<(usize, Vec<Point>)> = None;
-        for i in from_behind(&self.camera, items) {
-            let item = &items[i];
-            let mut flat = self.flat(&item.points);
-            match &mut line {
-                Some((last, points)) if item.goes_on && *last + 1 == i => {
-                    points.extend(flat.split_off(1));
-                    *last = i;
-                    continue;
-                }
-                _ => {}
-            }
-            if let Some((last, points)) = line.take() {
-                frame.draw(&points, &items[last].paint)?;
-            }
-            if let Paint::Line(_) = item.paint {
-                line = Some((i, flat));
-            } else {
-                frame.draw(&flat, &item.paint)?;
-            }
-        }
-        if let Some((last, points)) = line {
-            frame.draw(&points, &items[last].paint)?;
-        }
-        Ok(())
     }
 
     /// Draws the parts of a curve on the near side of the sphere, or on the far side.

@@ -40,7 +40,7 @@ impl Scene {
 
     fn paint(&self, canvas: &Canvas, rect: Rect) -> Result<()> {
         match self {
-            Self::View(view) => view.paint_into(canvas, rect),
+            Self::View(view) => view.furnished().paint_into(canvas, rect),
             Self::Sketch(sketch) => sketch.paint_into(canvas, rect),
         }
     }

@@ -91,7 +91,7 @@ fn shape(out: &mut String, shape: &Shape) {
         ),
         Shape::Face(points, ink, light) => writeln!(
             out,
-            "<path d=\"{}\" stroke-width=\"0.6\" class=\"{}-{light}\"/>",
+            "<path d=\"{}\" stroke-width=\"1\" class=\"{}-{light}\"/>",
             path_data(points, true),
             ink.colour().name
         ),

@@ -101,27 +101,40 @@ impl View {
     #[must_use]
     pub fn sphere(mut self) -> Self {
         self.sphere = true;
+        self
+    }
+
+    /// With the lines of the sphere: they depend on the camera.
+    pub(super) fn furnished(&self) -> Self {
+        let mut view = self.clone();
+        if !self.sphere {
+            return view;
+        }
         let (x, y, z) = (
             SpaceVector::new(1.0, 0.0, 0.0),
             SpaceVector::new(0.0, 1.0, 0.0),
             SpaceVector::new(0.0, 0.0, 1.0),
         );
         let thin = Stroke::new(Ink::Frame, 0.8).faint(0.55);
-        for (u, v) in [(x, y), (x, z)] {
-            self.elements
-                .push(Element::OnSphere(circle(SpaceVector::zero(), u, v), thin));
-        }
-        let axis = Stroke {
+        let great = |u, v| Element::OnSphere(circle(SpaceVector::zero(), u, v), thin);
+        let within = Stroke {
             dash: Dash::Dashed,
             ..thin
         };
-        self.elements
-            .push(Element::Line(vec![SpaceVector::zero(), z], axis));
-        let above = Element::Arrow(vec![z, z * 1.15], Stroke::new(Ink::Frame, 1.0), 6.0);
-        self.elements.push(above);
+        // The axis ends outside the outline, so long as that is not far away.
+        let seen = crate::math::hypot(self.camera.project(z).0, self.camera.project(z).1);
+        let end = (1.08 / seen.max(0.1)).clamp(1.14, 1.6);
+        let above = Stroke::new(Ink::Frame, 1.0);
+        let lines = [
+            great(x, y),
+            great(x, z),
+            Element::Line(vec![SpaceVector::zero(), z], within),
+            Element::Arrow(vec![z, z * end], above, 6.0),
+        ];
+        view.elements.splice(0..0, lines);
         let centre = Element::Dot(SpaceVector::zero(), Ink::Frame, 1.8, false);
-        self.elements.push(centre);
-        self.text(z * 1.13, "$Z$", Ink::Frame, Side::Right)
+        view.elements.push(centre);
+        view.text(z * (end - 0.03), "$Z$", Ink::Frame, Side::Right)
     }
 
     /// Adds a piece of level ground about the point `at`, round, below everything else.
@@ -252,7 +265,7 @@ impl View {
     pub fn figure(&self) -> Result<Figure> {
         positive("the reach of a view", self.reach)?;
         figure(&self.name, &self.alt, self.size, |canvas| {
-            self.paint_into(canvas, canvas.rect())
+            self.furnished().paint_into(canvas, canvas.rect())
         })
     }
 }

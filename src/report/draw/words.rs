@@ -50,6 +50,13 @@ impl Rect {
         )
     }
 
+    pub(super) fn middle(&self) -> Point {
+        (
+            (self.left + self.right) / 2.0,
+            (self.top + self.bottom) / 2.0,
+        )
+    }
+
     pub(super) fn grown(&self, by: f64) -> Self {
         Self {
             left: self.left - by,
