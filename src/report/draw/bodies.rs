@@ -133,9 +133,12 @@ impl Solid {
             let (h, r) = ROUND[k % 6];
             centre + (u * c + v * s) * (radius + half * r) + axis * (half * h)
         };
-        Self::new((0..SIDES).flat_map(|i| {
-            (0..6).map(move |k| vec![at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)])
-        }))
+        let face = |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
+        Self::new(
+            (0..SIDES)
+                .flat_map(|i| (0..6).map(move |k| (i, k)))
+                .map(|(i, k)| face(i, k)),
+        )
     }
 
     /// A stand on the ground: a foot plate and a pillar up to `pivot`, `height` above it.

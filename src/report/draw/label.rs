@@ -219,6 +219,7 @@ impl Label {
                 } else {
                     SMALL
                 };
+                let scale = if span.slanted { SLANTED * scale } else { scale };
                 em * scale * size
             })
             .sum()

@@ -138,7 +138,7 @@ impl Method {
 
     fn marker(self) -> Marker {
         match self {
-            Self::Rk4 | Self::Srkn6b | Self::Aba82 => Marker::Square,
+            Self::Rk4 | Self::Srkn6b | Self::Aba82 | Self::GaussSpinFree => Marker::Square,
             Self::MuntheKaas4 | Self::Strang | Self::Dop853Changed | Self::GaussProjected => {
                 Marker::Ring
             }

@@ -174,7 +174,9 @@ impl Obstacles {
         let corners = [(rect.left, rect.top), (rect.right, rect.bottom)];
         let outside = !corners.iter().all(|&c| self.room.contains(c));
         let taken = |t: &&Rect| {
-            let crossed = leader.is_some_and(|leader| distance_squared(leader, t.middle()) < 36.0);
+            let crossed = leader.is_some_and(|leader| {
+                !t.contains(leader[1]) && distance_squared(leader, t.middle()) < 36.0
+            });
             crossed || t.grown(2.0).overlaps(rect)
         };
         let taken = self.taken.iter().filter(taken).count();
@@ -210,7 +212,7 @@ impl Obstacles {
         }
         // Nearer to another curve it would be read as that curve's label.
         if curve.is_some() && leader.is_none() && other < 1.4 * own {
-            cost += if other < own { 24.0 } else { 8.0 };
+            cost += if other < own { 45.0 } else { 8.0 };
         }
         cost
     }
