@@ -1,10 +1,9 @@
-//! What accuracy costs: every method on five motions whose answer is known.
+//! What accuracy costs: every method on seven motions whose end is known.
 
+#[path = "accuracy/angles.rs"]
+mod angles;
 #[path = "accuracy/dial.rs"]
 mod dial;
-#[path = "accuracy/drift.rs"]
-#[allow(dead_code, reason = "the tests of long runs ask for the free body too")]
-mod drift;
 #[path = "accuracy/figures.rs"]
 mod figures;
 #[path = "accuracy/honesty.rs"]
@@ -15,27 +14,23 @@ mod figures;
 mod honesty;
 #[path = "accuracy/limits.rs"]
 mod limits;
-#[path = "accuracy/long.rs"]
-mod long;
-#[path = "accuracy/measured.rs"]
-pub mod measured;
-#[path = "accuracy/methods.rs"]
-pub mod methods;
-#[path = "accuracy/problems.rs"]
-pub mod problems;
-#[path = "accuracy/strip.rs"]
-mod strip;
+#[path = "accuracy/lines.rs"]
+pub mod lines;
+#[path = "accuracy/motions.rs"]
+pub mod motions;
+#[path = "accuracy/rough.rs"]
+mod rough;
 #[path = "accuracy/tables.rs"]
 mod tables;
 
-use problems::{Free, Kind, Problem};
+use lines::Measured;
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Errors, Measure, Solved, Sweep, WorkPrecision};
-use rotation_dynamics::body::State;
+use rotation_dynamics::accuracy::{Measure, Problem, Variables, WorkPrecision};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Integrator, Rk4, Work};
+use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::exp2;
-use rotation_dynamics::report::{Claim, Example, Oracle, Report};
+use rotation_dynamics::report::{Example, Prepared, Report, claim};
+use std::sync::Arc;
 
 rotation_dynamics::parameters! {
     /// The free body that is raced, and how long.
@@ -47,9 +42,9 @@ rotation_dynamics::parameters! {
         /// third principal moment
         i3: number(8.0 / 3.0, "kg m^2", above(0.0));
         /// length of the runs, in periods of the motion
-        periods: number(10.0, "-", any());
-        /// error asked for in the accuracy strip
-        tolerance: optional("rad", any());
+        periods: number(10.0, "-", from_to(1.0, 1000.0));
+        /// error asked for in the accuracy strip; four of them if none is given
+        tolerance: optional("rad", from_to(1e-14, 1.0));
     }
 }
 
@@ -66,80 +61,73 @@ impl Parameters {
     }
 }
 
+/// The errors asked for in tables, in rad.
+pub const ASKED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// Every method on every motion, run once for the report, the figures and the table of runs.
+pub fn prepared(p: &Parameters) -> Result<Arc<Vec<Measured>>> {
+    static MEASURED: Prepared<[f64; 4], Vec<Measured>> = Prepared::new();
+    MEASURED.get(&[p.i1, p.i2, p.i3, p.periods], |_| lines::all(p))
+}
+
 // ANCHOR: sweep
-/// RK4 on a tumbling body: what a run costs, and how far off it ends.
-fn rk4(scene: &Free, start: &State, exact: &State, end: f64) -> Result<WorkPrecision> {
-    let steps = (18..=33).map(|k| exp2(0.5 * f64::from(k)));
-    let sweep = Sweep::over(steps, |steps| {
-        let (reached, work) = Rk4::new(steps as u64)?.advance(scene, 0.0, start, end)?;
-        Ok((Errors::between(scene, &reached, exact), work))
-    });
+/// RK4 on a free body: what a run costs, and how far off it ends.
+fn rk4(problem: &Problem<()>) -> Result<WorkPrecision> {
+    let steps = (18..=33).map(|k| exp2(0.5 * f64::from(k)).floor());
+    let sweep = problem.sweep(Method::Rk4, Variables::Space, steps);
     sweep.curve(Measure::Attitude, Work::torques)
 }
 // ANCHOR_END: sweep
 
-// ANCHOR: dial
-/// The end of a motion, off by `tolerance` or less. By stepping, though there is
-/// a closed form: so the closed form can judge.
-fn solved(problem: &Problem, tolerance: f64) -> Result<Solved> {
-    let (start, end) = (&problem.start, problem.end);
-    match &problem.kind {
-        Kind::Free { scene, .. } => scene.solve_by_stepping(start, end, tolerance),
-        Kind::Top { scene, .. } => scene.solve_by_stepping(start, end, tolerance),
-    }
-}
-// ANCHOR_END: dial
-
 /// Adds what RK4 pays for a digit.
-fn add_rk4(report: &mut Report, free: &Problem) -> Result<()> {
-    let Kind::Free { scene, .. } = &free.kind else {
+fn add_rk4(report: &mut Report, p: &Parameters) -> Result<()> {
+    let moments = p.moments()?;
+    let rates = motions::generic_rates(moments);
+    let free = motions::free_problem(moments, rates, p.periods + motions::THIRD)?;
+    let Some(price) = rk4(&free)?.price_of_a_digit(1e-10, 1e-6) else {
         return Ok(());
     };
-    let curve = rk4(scene, &free.start, &free.answer, free.end)?;
-    let Some(price) = curve.price_of_a_digit(1e-10, 1e-6) else {
-        return Ok(());
-    };
-    report.add_claim(
-        Claim::new(
-            "rk4_order",
-            "order of RK4 on the free body, from the slope of error against work",
-            price.order,
-            "-",
-            0.1,
-            Oracle::new("its order", 4.0),
-        )?
-        .judged_within(0.05),
+    let meaning = "order of RK4 on the free body, from the slope of error against work";
+    report.add(
+        claim("rk4_order", meaning, price.order, "-")
+            .within(0.1)
+            .against("its order", 4.0)
+            .judged_within(0.05)
+            .answer("the free body"),
     )
 }
 
 fn report(p: &Parameters) -> Result<Report> {
-    strip::check(p.tolerance)?;
-    let all = measured::all(p)?;
+    let all = prepared(p)?;
     let mut report = Report::new(
         "What accuracy costs",
         format!(
-            "{} methods on five motions with known answers; errors of the attitude in rad",
-            methods::METHODS.len()
+            "{} methods on seven motions whose end is known; errors of the attitude in rad",
+            Method::ALL.len()
         ),
     )?;
     if p.are_default() {
-        add_rk4(&mut report, &all[0].problem)?;
+        add_rk4(&mut report, p)?;
+        tables::add_claims(&mut report, &all)?;
     }
-    tables::add(&mut report, &all, p.moments()?, p.are_default())?;
-    long::add(&mut report)?;
+    tables::add(&mut report, &all)?;
     dial::add(&mut report, &all)?;
     limits::add(&mut report)?;
-    strip::add(&mut report, &all[1], p.tolerance)?;
+    rough::add(&mut report, p.moments()?, p.periods)?;
+    let asked = p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]);
+    for error in asked {
+        all[1].motion.problem.add_strip(&mut report, &[error])?;
+    }
     Ok(report)
 }
 
-/// The example: name, flags and functions.
+/// The example: name and functions.
 pub const EXAMPLE: Example<Parameters> = Example {
     stem: "accuracy",
     about: "What accuracy costs: work against error, method by method",
     report,
     figures: figures::all,
-    trajectory: measured::trajectory,
+    trajectory: lines::trajectory,
     moving_picture: None,
 };
 

@@ -1,13 +1,12 @@
-//! The dial on the five motions, and how honest it is on random ones.
+//! The dial on the motions, and how honest it is on random ones.
 
+use super::ASKED;
 use super::honesty::{Spread, cases, spreads};
-use super::measured::Measured;
-use super::solved;
-use super::tables::ASKED;
-use rotation_dynamics::math::{log10, pow};
+use super::lines::{Measured, power};
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side};
-use rotation_dynamics::report::{Figure, Report, Table, rounded_up, short};
+use rotation_dynamics::report::{Figure, Prepared, Report, Table, rounded_up, short};
 use rotation_dynamics::{Error, Result};
+use std::sync::Arc;
 
 /// Random scenes; each is solved at eleven tolerances.
 const SCENES: u64 = 204;
@@ -25,32 +24,37 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
     ];
     let mut table = Table::new("dial", columns)?;
     for measured in all {
+        let motion = &measured.motion;
         for asked in ASKED {
-            let mut row = vec![measured.problem.name.to_owned(), rounded_up(asked)];
-            match solved(&measured.problem, asked) {
+            let mut row = vec![motion.name.to_owned(), rounded_up(asked)];
+            match motion.problem.solved(asked) {
                 Ok(solved) => row.extend([
-                    short_name(solved.method).to_owned(),
-                    rounded_up(measured.problem.errors(&solved.state).attitude),
+                    solved.method.to_owned(),
+                    rounded_up(motion.problem.errors(&solved.state).attitude),
                     rounded_up(solved.estimate),
                     solved.run.torques().to_string(),
                     solved.work.torques().to_string(),
                 ]),
-                Err(Error::BeyondCondition { attainable, .. }) => row.extend([
-                    format!("refused: at best {}", rounded_up(attainable)),
-                    "-".into(),
-                    "-".into(),
-                    "-".into(),
-                    "-".into(),
-                ]),
+                Err(
+                    Error::BeyondCondition { attainable, .. }
+                    | Error::NotDelivered {
+                        reached: attainable,
+                        ..
+                    },
+                ) => {
+                    row.push(format!("refused: at best {}", rounded_up(attainable)));
+                    row.resize(7, "-".into());
+                }
                 Err(other) => return Err(other),
             }
             table.push(row)?;
         }
     }
-    report.add_table(table)?;
+    report.add(table)?;
 
     let columns = [
         "requested",
+        "delivered",
         "a quarter below",
         "half below",
         "three quarters",
@@ -59,10 +63,11 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
         "price",
     ];
     let mut table = Table::new("honesty", columns)?;
-    for spread in spreads(&cases(SCENES)?)? {
-        let at = |part| one_digit(spread.quantile(part));
+    for spread in random()?.iter() {
+        let at = |part| power(Some(spread.quantile(part)));
         table.push([
             rounded_up(spread.tolerance),
+            spread.ratios.len().to_string(),
             at(0.25),
             at(0.5),
             at(0.75),
@@ -71,12 +76,18 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
             short(spread.price, 2),
         ])?;
     }
-    report.add_table(table)
+    report.add(table)
+}
+
+/// The random scenes, judged once.
+fn random() -> Result<Arc<Vec<Spread>>> {
+    static JUDGED: Prepared<u64, Vec<Spread>> = Prepared::new();
+    JUDGED.get(&SCENES, |count| spreads(&cases(*count)?))
 }
 
 /// Delivered over requested: the median, the quartiles, the largest.
 pub fn figure() -> Result<Figure> {
-    let spreads = spreads(&cases(SCENES)?)?;
+    let spreads = random()?;
     let line = |part: f64| -> Vec<(f64, f64)> {
         let value = |s: &Spread| (s.tolerance, s.quantile(part).max(1e-6));
         spreads.iter().map(value).collect()
@@ -97,25 +108,4 @@ pub fn figure() -> Result<Figure> {
     .curve(Curve::new(line(1.0), Ink::Ink).dashed().label("largest"))
     .note(1e-12, 2e-3, Ink::Momentum, "quartiles", Side::Below)
     .figure()
-}
-
-/// A name as this chapter writes it.
-pub fn short_name(method: &str) -> &str {
-    let names = ["Blanes-Moan ", "Blanes et al. ", "McLachlan "];
-    let name = names.iter().find_map(|name| method.strip_prefix(name));
-    name.unwrap_or(method)
-}
-
-/// One digit and a power of ten.
-fn one_digit(x: f64) -> String {
-    if x <= 0.0 {
-        return "0".into();
-    }
-    let exponent = log10(x).floor();
-    let digit = (x / pow(10.0, exponent)).round();
-    if digit < 10.0 {
-        format!("{digit}e{exponent}")
-    } else {
-        format!("1e{}", exponent + 1.0)
-    }
 }

@@ -1,16 +1,12 @@
-//! What the sweeps say: prices, floors, and what to choose.
+//! What the sweeps say: conditions, floors, prices, and the cheapest method.
 
-use super::measured::{Line, Measured, SIZE, evaluations};
-use super::methods::METHODS;
-use super::problems;
+use super::ASKED;
+use super::lines::{FLOW, Line, Measured, SIZE, power};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{DigitPrice, Measure};
-use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{EPS, exp2, log10, pow};
-use rotation_dynamics::report::{Claim, Oracle, Report, Table, rounded_up, short};
-
-/// The errors asked for in the table of choices, in rad.
-pub const ASKED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+use rotation_dynamics::report::{Report, Table, claim, rounded_up, short};
 
 /// What a digit costs by this line: fitted where the steps are short and round-off is far.
 pub fn price(line: &Line) -> Option<DigitPrice> {
@@ -18,47 +14,50 @@ pub fn price(line: &Line) -> Option<DigitPrice> {
     line.attitude.price_of_a_digit(30.0 * floor, 1e-3)
 }
 
-fn count(evaluations: f64) -> String {
-    format!("{evaluations:.0}")
+/// Adds the tables.
+pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
+    report.add(methods()?)?;
+    report.add(choices(all)?)?;
+    report.add(conditions(all)?)?;
+    report.add(floors(all, "floors", Measure::Attitude)?)?;
+    report.add(floors(all, "floors_of_invariants", Measure::Invariants)?)?;
+    report.add(measures(&all[1])?)?;
+    report.add(prices(all)?)?;
+    report.add(sweeps(&all[0])?)
 }
 
-/// Adds the tables, and the claims that have a second route.
-pub fn add(
-    report: &mut Report,
-    all: &[Measured],
-    moments: PrincipalMoments,
-    claims: bool,
-) -> Result<()> {
-    report.add_table(choices(all)?)?;
-    report.add_table(conditions(all)?)?;
-    report.add_table(floors(all, "floors", Measure::Attitude)?)?;
-    report.add_table(floors(all, "floors_of_rates", Measure::Rates)?)?;
-    report.add_table(floors(all, "floors_of_invariants", Measure::Invariants)?)?;
-    report.add_table(prices(all)?)?;
-    report.add_table(sweeps(&all[0])?)?;
-    report.add_table(long(moments)?)?;
-    if claims {
-        add_claims(report, all)?;
+/// The card of methods.
+fn methods() -> Result<Table> {
+    let columns = ["method", "in figures", "order", "idea", "keeps", "source"];
+    let mut table = Table::new("methods", columns)?;
+    for method in Method::ALL {
+        let about = method.about();
+        table.push([
+            about.name.to_owned(),
+            about.label.to_owned(),
+            about.order.to_string(),
+            about.idea.to_owned(),
+            about.keeps.to_owned(),
+            about.source.to_owned(),
+        ])?;
     }
-    Ok(())
+    Ok(table)
 }
 
-/// For each problem and error the method with the fewest evaluations, and how many.
+/// For each motion and error the method with the fewest evaluations, and how many.
 fn choices(all: &[Measured]) -> Result<Table> {
     let asked = ASKED.map(|e| format!("{} rad", rounded_up(e)));
     let columns = core::iter::once("motion".to_owned()).chain(asked);
     let mut table = Table::new("choices", columns)?;
     for measured in all {
-        let mut row = vec![measured.problem.name.to_owned()];
+        let mut row = vec![measured.motion.name.to_owned()];
         for error in ASKED {
             let delivering = measured.contestants().filter_map(|line| {
                 let least = line.attitude.least_work(error)?;
-                Some((least.work, line.method.name))
+                Some((least.work, line.name))
             });
             let best = delivering.min_by(|a, b| a.0.total_cmp(&b.0));
-            row.push(best.map_or("-".into(), |(work, name)| {
-                format!("{name}: {}", count(work))
-            }));
+            row.push(best.map_or("-".into(), |(work, name)| format!("{name}: {work:.0}")));
         }
         table.push(row)?;
     }
@@ -74,18 +73,18 @@ fn rounded(condition: f64) -> String {
     format!("{}e{exponent}", short(condition / pow(10.0, exponent), 2))
 }
 
-/// What the problem itself does to errors, and the smallest error that any method reached.
+/// What the motion itself does to errors, and the smallest error that any method reached.
 fn conditions(all: &[Measured]) -> Result<Table> {
     let columns = ["motion", "start", "path", "eps x path", "reached", "by"];
     let mut table = Table::new("conditions", columns)?;
     for measured in all {
         let floors = measured.contestants().filter_map(|line| {
             let floor = line.attitude.floor()?;
-            Some((floor.error, line.method.name))
+            Some((floor.error, line.name))
         });
         let best = floors.min_by(|a, b| a.0.total_cmp(&b.0));
         table.push([
-            measured.problem.name.to_owned(),
+            measured.motion.name.to_owned(),
             rounded(measured.start_condition),
             rounded(measured.path_condition.1),
             short(EPS * measured.path_condition.1, 2),
@@ -96,19 +95,32 @@ fn conditions(all: &[Measured]) -> Result<Table> {
     Ok(table)
 }
 
+/// The lines of all motions: one of each key, with its name, as they come.
+fn every<'m>(all: &'m [Measured]) -> Vec<&'m Line> {
+    let mut lines: Vec<&Line> = Vec::new();
+    for line in all.iter().flat_map(|m| &m.lines) {
+        if !lines.iter().any(|l| l.key == line.key) {
+            // A splitting stands before DOP853, wherever it was met first.
+            let at = lines.iter().position(|l| l.method > line.method);
+            lines.insert(at.unwrap_or(lines.len()), line);
+        }
+    }
+    lines
+}
+
 /// The smallest error of each method on each motion, in one measure; a dash where the
 /// dearest runs are still gaining.
 fn floors(all: &[Measured], name: &str, measure: Measure) -> Result<Table> {
-    let names = all.iter().map(|m| m.problem.name.to_owned());
+    let names = all.iter().map(|m| m.motion.name.to_owned());
     let mut table = Table::new(name, core::iter::once("method".to_owned()).chain(names))?;
-    for method in METHODS {
-        let mut row = vec![method.name.to_owned()];
+    for each in every(all) {
+        let mut row = vec![each.name.to_owned()];
         for measured in all {
-            let floor = match measured.line(method.key) {
+            let floor = match measured.line(each.key) {
                 Some(line) => line.reached(measure)?,
                 None => None,
             };
-            row.push(floor.map_or("-".into(), |p| short(p.error, 2)));
+            row.push(power(floor.map(|p| p.error)));
         }
         if row[1..].iter().any(|cell| cell != "-") {
             table.push(row)?;
@@ -117,50 +129,47 @@ fn floors(all: &[Measured], name: &str, measure: Measure) -> Result<Table> {
     Ok(table)
 }
 
-/// The factor in evaluations for one more digit, on each problem.
+/// The same runs in three measures, for methods of about the same work.
+fn measures(top: &Measured) -> Result<Table> {
+    let columns = ["method", "evaluations", "attitude", "rates", "what is kept"];
+    let mut table = Table::new("measures", columns)?;
+    for key in ["semi", "rk4", "srkn6", "srkn14", "dop853", "gauss"] {
+        let Some(line) = top.line(key) else { continue };
+        let near = |work: f64| (work - 4096.0).abs();
+        let runs = line.sweep.runs().iter();
+        let run = runs.min_by(|a, b| {
+            let work = |run: &rotation_dynamics::accuracy::Run| near(run.work.torques() as f64);
+            work(a).total_cmp(&work(b))
+        });
+        let Some(run) = run else { continue };
+        table.push([
+            line.name.to_owned(),
+            run.work.torques().to_string(),
+            rounded_up(run.errors.attitude),
+            rounded_up(run.errors.rates),
+            rounded_up(run.errors.invariants),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// The factor in evaluations for one more digit, on each motion.
 fn prices(all: &[Measured]) -> Result<Table> {
-    let names = all.iter().map(|m| m.problem.name.to_owned());
+    let names = all.iter().map(|m| m.motion.name.to_owned());
     let columns = ["method".to_owned(), "by the order".to_owned()].into_iter();
     let mut table = Table::new("prices", columns.chain(names))?;
-    for method in METHODS {
+    for each in every(all).into_iter().filter(|line| line.key != FLOW) {
         let mut row = vec![
-            method.name.to_owned(),
-            short(DigitPrice::predicted(method.order)?, 3),
+            each.name.to_owned(),
+            short(DigitPrice::predicted(each.method.order())?, 3),
         ];
         for measured in all {
-            let price = measured.line(method.key).and_then(price);
+            let price = measured.line(each.key).and_then(price);
             row.push(price.map_or("-".into(), |p| short(p.factor, 3)));
         }
         if row[2..].iter().any(|cell| cell != "-") {
             table.push(row)?;
         }
-    }
-    Ok(table)
-}
-
-/// The free body for longer and longer: evaluations for an error of 1e-9 rad.
-fn long(moments: PrincipalMoments) -> Result<Table> {
-    let columns = ["periods", "DOP853", "Gauss-Legendre 16", "closed form"];
-    let mut table = Table::new("long", columns)?;
-    for periods in [10.0, 100.0, 1000.0] {
-        let problem = problems::generic(moments, periods)?;
-        let mut row = vec![count(periods)];
-        // From coarse to fine, around the setting that delivers.
-        let tolerances = (9..=14).map(|k| pow(10.0, -f64::from(k)));
-        let steps = (9..=16).map(|k| 0.5 * f64::from(k) * periods);
-        for (key, settings) in [
-            ("dop853", tolerances.collect()),
-            ("gauss", steps.collect::<Vec<f64>>()),
-        ] {
-            let least = METHODS.iter().find(|m| m.key == key).and_then(|method| {
-                let sweep = method.sweep_over(&problem, settings)?;
-                let curve = sweep.curve(Measure::Attitude, evaluations).ok()?;
-                curve.least_work(1e-9)
-            });
-            row.push(least.map_or("-".into(), |p| count(p.work)));
-        }
-        row.push("one sample".into());
-        table.push(row)?;
     }
     Ok(table)
 }
@@ -174,14 +183,12 @@ fn sweeps(free: &Measured) -> Result<Table> {
         "error / rad",
     ];
     let mut table = Table::new("sweeps", columns)?;
-    let Some(method) = METHODS.iter().find(|m| m.key == "gauss") else {
-        return Ok(table);
-    };
-    let periods = free.problem.periods;
+    let periods = free.motion.periods;
     for a_period in [4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0] {
-        let sweep = method.sweep_over(&free.problem, vec![(a_period * periods).round()]);
+        let steps = [(a_period * periods).round()];
+        let sweep = free.motion.problem.sweep(Method::GaussLegendre16, &steps);
         // Steps too long to converge are refused.
-        let Some(run) = sweep.as_ref().and_then(|s| s.runs().first()) else {
+        let Some(run) = sweep.runs().first() else {
             continue;
         };
         let evaluations = run.work.derivatives as f64;
@@ -189,7 +196,7 @@ fn sweeps(free: &Measured) -> Result<Table> {
             short(run.work.steps as f64 / periods, 3),
             short(evaluations / 8.0 / run.work.steps as f64, 3),
             short(evaluations / periods, 3),
-            short(run.errors.attitude, 2),
+            rounded_up(run.errors.attitude),
         ])?;
     }
     Ok(table)
@@ -205,101 +212,98 @@ fn order_in_steps(line: &Line) -> Result<Option<DigitPrice>> {
 }
 
 /// Numbers that a second route confirms.
-fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let named = |key: &str| all.iter().find(|m| m.problem.key == key);
-    for (problem, method, bound) in [
-        ("top", "strang", 0.01),
-        ("top", "rk4", 0.01),
-        ("top", "mk4", 0.1),
-        ("top", "srkn6", 0.1),
-        ("top", "srkn14", 0.1),
-        ("top", "dop853", 0.1),
+pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
+    let line = |motion: &str, method: &str| {
+        let measured = all.iter().find(|m| m.motion.key == motion)?;
+        measured.line(method)
+    };
+    for (method, bound) in [
+        ("strang", 0.01),
+        ("rk4", 0.01),
+        ("mk4", 0.1),
+        ("srkn6", 0.1),
+        ("srkn14", 0.1),
+        ("dop853", 0.1),
     ] {
-        let Some(line) = named(problem).and_then(|m| m.line(method)) else {
+        let Some(line) = line("top", method) else {
             continue;
         };
         let Some(price) = price(line) else { continue };
-        report.add_claim(
-            Claim::new(
-                format!("{problem}_{method}_digit"),
-                format!("{}: factor in work for one more digit", line.method.name),
+        let order = line.method.order();
+        report.add(
+            claim(
+                format!("top_{method}_digit"),
+                format!("{}: factor in work for one more digit", line.name),
                 price.factor,
                 "-",
-                bound,
-                Oracle::new(
-                    format!("10^(1/{})", line.method.order),
-                    DigitPrice::predicted(line.method.order)?,
-                ),
-            )?
+            )
+            .within(bound)
+            .against(&format!("10^(1/{order})"), DigitPrice::predicted(order)?)
             .judged_within(0.05)
+            .answer("the heavy top: work for one more digit")
             .slip(
-                exp2(f64::from(line.method.order)),
+                exp2(f64::from(order)),
                 "that is what half the step takes off the error",
             ),
         )?;
     }
-    if let Some(line) = named("top").and_then(|m| m.line("gauss"))
-        && let Some(price) = order_in_steps(line)?
+    if let Some(gauss) = line("top", "gauss")
+        && let Some(price) = order_in_steps(gauss)?
     {
-        report.add_claim(
-            Claim::new(
-                "top_gauss_order",
-                "order of Gauss-Legendre in its steps, on the heavy top",
-                price.order,
-                "-",
-                0.9,
-                Oracle::new("its order", 16.0),
-            )?
-            .judged_within(0.05),
+        let meaning = "order of Gauss-Legendre in its steps, on the heavy top";
+        report.add(
+            claim("top_gauss_order", meaning, price.order, "-")
+                .within(0.9)
+                .against("its order", 16.0)
+                .judged_within(0.05),
         )?;
     }
-    for (problem, dear, cheap) in [
+    for (motion, dear, cheap) in [
         ("top", "rk4", "dop853"),
         ("top", "rk4", "srkn14"),
         ("pole", "angles", "dop853"),
     ] {
-        let lines = named(problem).and_then(|m| Some([m.line(dear)?, m.line(cheap)?]));
-        let Some([dear, cheap]) = lines else { continue };
+        let (Some(dear), Some(cheap)) = (line(motion, dear), line(motion, cheap)) else {
+            continue;
+        };
         let least = |line: &Line| line.attitude.least_work(1e-9).map(|p| p.work);
         let (Some(a), Some(b), Some(c), Some(d)) =
             (least(dear), least(cheap), price(dear), price(cheap))
         else {
             continue;
         };
-        let ratio = a / b;
-        report.add_claim(
-            Claim::new(
-                format!("{problem}_{}_over_{}", dear.method.key, cheap.method.key),
+        report.add(
+            claim(
+                format!("{motion}_{}_over_{}", dear.key, cheap.key),
                 format!(
                     "work of {} over that of {} for 1e-9 rad",
-                    dear.method.name, cheap.method.name
+                    dear.name, cheap.name
                 ),
-                ratio,
+                a / b,
                 "-",
-                1.0,
-                Oracle::new("the fitted lines", c.work_for(1e-9)? / d.work_for(1e-9)?),
-            )?
+            )
+            .within(1.0)
+            .against("the fitted lines", c.work_for(1e-9)? / d.work_for(1e-9)?)
             .judged_within(0.2),
         )?;
     }
     for measured in all {
-        let problem = &measured.problem;
+        let motion = &measured.motion;
         let (t, path) = measured.path_condition;
-        let second = problem.condition(t, 8.0 * SIZE)?;
-        report.add_claim(
-            Claim::new(
-                format!("{}_condition", problem.key),
-                format!("{}: what the path magnifies an error by", problem.name),
+        // On the way through a flip even this disturbance bends the path a little.
+        let part = if motion.key == "flips" { 0.05 } else { 0.005 };
+        report.add(
+            claim(
+                format!("{}_condition", motion.key),
+                format!("{}: what the path magnifies an error by", motion.name),
                 path,
                 "-",
-                // On the way through a flip even this disturbance bends the path a little.
-                if problem.key == "flips" {
-                    0.05 * path
-                } else {
-                    0.005 * path
-                },
-                Oracle::new("a disturbance 8 times as large", second),
-            )?
+            )
+            .within(part * path)
+            .against(
+                "a disturbance 8 times as large",
+                motion.condition(t, 8.0 * SIZE)?,
+            )
             .judged_within(0.3),
         )?;
     }

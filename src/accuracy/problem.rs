@@ -170,7 +170,7 @@ fn finest(method: Method) -> u32 {
     match method {
         Method::Dop853 => 46,
         Method::Srkn14 | Method::KahanLi17 => 48,
-        Method::GaussLegendre16 => 96,
+        Method::GaussLegendre16 => 152,
         Method::Rk4 | Method::MuntheKaas4 | Method::Strang => 56,
         _ => 52,
     }

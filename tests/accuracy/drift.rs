@@ -3,7 +3,7 @@
 //! Root mean squares over eight starts: one random walk proves nothing. A million periods
 //! are in `benches/record/drift.txt`, whose first rows are computed again here.
 
-#[path = "../../examples/accuracy/drift.rs"]
+#[path = "../../examples/accuracy_races/drift.rs"]
 #[allow(
     dead_code,
     reason = "the names of the methods are for figures and records"

@@ -7,7 +7,7 @@
 //! Nothing here is timed: the same bits, and so the same record, on every machine. It
 //! takes some minutes; `tests/accuracy/drift.rs` computes the shorter times again.
 
-#[path = "../../../examples/accuracy/drift.rs"]
+#[path = "../../../examples/accuracy_races/drift.rs"]
 #[allow(dead_code, reason = "the example draws what is tabulated here")]
 mod drift;
 

@@ -1,0 +1,195 @@
+//! Two motions without a closed form, and how their ends are known all the same: two
+//! methods that share nothing but the scene agree there.
+
+use super::motions::{Motion, THIRD, free_problem, generic_rates, tilted, unpushed};
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::{Carrier, Fineness, Problem, Solvable, Variables};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Dop853, Integrator, Method};
+use rotation_dynamics::report::{Report, limit};
+use rotation_dynamics::scene::Scene;
+
+/// Steps of Gauss-Legendre in a second: many more than any method in a race needs.
+const STEPS: f64 = 8.0;
+
+/// A state carried by Gauss-Legendre, in steps so short that only rounding is left.
+fn carried<E: Solvable>(
+    scene: &Scene<E>,
+    variables: Variables,
+    state: &State,
+    [from, to]: [f64; 2],
+) -> Result<State> {
+    let steps = ((to - from).abs() * STEPS).ceil().max(1.0) as u64;
+    let gauss = Carrier::new(Method::GaussLegendre16, Fineness::Steps(steps))?;
+    Ok(gauss.advance(scene, variables, [from, to], state)?.0)
+}
+
+fn heavy() -> Result<(Scene<((), GravityAtLever)>, State)> {
+    let (body, start) = tilted(
+        PrincipalMoments::new(1.0, 1.5, 0.8)?,
+        BodyVector::new(0.3, 0.1, 2.0),
+    )?;
+    Ok((Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?), start))
+}
+
+/// A heavy body with three different moments, for four seconds a period.
+pub fn lopsided(periods: f64) -> Result<Motion> {
+    let (scene, start) = heavy()?;
+    let end = 4.0 * periods;
+    let onward = move |state: &State, t, to| carried(&scene, Variables::Body, state, [t, to]);
+    let problem = Problem::new(scene, start, end, onward(&start, 0.0, end)?);
+    let name = ("lopsided", "heavy, three moments");
+    Ok(Motion::stepped(name, problem, periods, onward))
+}
+
+// ANCHOR: push
+/// A torque along Z that is switched on and off.
+#[derive(Clone, Copy)]
+pub struct Push {
+    torque: f64,
+    on: f64,
+    off: f64,
+}
+
+impl Effect for Push {
+    const KEEPS: Keeps = Keeps {
+        energy: false,
+        momentum: [true, true, false],
+        axial_momentum: false,
+    };
+
+    fn torque(&self, t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
+        let now = if (self.on..self.off).contains(&t) {
+            self.torque
+        } else {
+            0.0
+        };
+        SpaceVector::new(0.0, 0.0, now)
+    }
+    // ANCHOR_END: push
+
+    fn potential_energy(&self, _state: &State) -> f64 {
+        0.0
+    }
+
+    fn torque_scale(&self) -> f64 {
+        self.torque
+    }
+}
+
+/// It jumps: not analytic, which is the default.
+impl Solvable for Push {}
+
+/// The same torque all the time, smooth.
+#[derive(Clone, Copy)]
+struct Steady(Push);
+
+impl Effect for Steady {
+    const KEEPS: Keeps = Push::KEEPS;
+
+    fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
+        SpaceVector::new(0.0, 0.0, self.0.torque)
+    }
+
+    fn potential_energy(&self, _state: &State) -> f64 {
+        0.0
+    }
+
+    fn torque_scale(&self) -> f64 {
+        self.0.torque
+    }
+}
+
+impl Solvable for Steady {
+    const ANALYTIC: bool = true;
+}
+
+/// The state at `to` of a body that is pushed: piece by piece between the jumps, in closed
+/// form where there is no torque.
+fn piecewise(
+    body: &RigidBody,
+    push: Push,
+    state: &State,
+    [from, to]: [f64; 2],
+    pushed: impl Fn(&Scene<((), Steady)>, &State, [f64; 2]) -> Result<State>,
+) -> Result<State> {
+    let coast = |state: State, dt: f64| -> Result<State> {
+        if dt <= 0.0 {
+            return Ok(state);
+        }
+        let attitude = unpushed(body, &state)?.attitude_at(dt);
+        State::new(attitude, state.angular_momentum)
+    };
+    let scene = Scene::new(*body).with(Steady(push));
+    let mut state = coast(*state, to.min(push.on) - from)?;
+    let (on, off) = (from.max(push.on), to.min(push.off));
+    if on < off {
+        state = pushed(&scene, &state, [on, off])?;
+    }
+    coast(state, to - from.max(push.off))
+}
+
+/// The body, its start, what pushes it, and the end.
+fn thrust(moments: PrincipalMoments, periods: f64) -> Result<(RigidBody, State, Push, f64)> {
+    let end = free_problem(moments, generic_rates(moments), periods)?.end;
+    let (body, start) = tilted(moments, generic_rates(moments))?;
+    let push = Push {
+        torque: 0.02,
+        on: 0.23 * end,
+        off: 0.61 * end,
+    };
+    Ok((body, start, push, end))
+}
+
+/// The free body, pushed from 23 % to 61 % of the time.
+pub fn pushed(moments: PrincipalMoments, periods: f64) -> Result<Motion> {
+    let (body, start, push, t_end) = thrust(moments, periods)?;
+    let onward = move |state: &State, t, to| {
+        piecewise(&body, push, state, [t, to], |scene, state, span| {
+            carried(scene, Variables::Space, state, span)
+        })
+    };
+    let end = onward(&start, 0.0, t_end)?;
+    let problem = Problem::new(Scene::new(body).with(push), start, t_end, end);
+    let name = ("pushed", "pushed for a while");
+    Ok(Motion::stepped(name, problem, periods, onward))
+}
+
+/// The second routes to the two ends.
+pub fn add(report: &mut Report, moments: PrincipalMoments, periods: f64) -> Result<()> {
+    let (scene, start) = heavy()?;
+    let end = 4.0 * periods;
+    let gauss = carried(&scene, Variables::Body, &start, [0.0, end])?;
+    let splitting = Carrier::new(Method::KahanLi17, Fineness::Steps((20.0 * end) as u64))?;
+    let (split, _) = splitting.advance(&scene, Variables::Space, [0.0, end], &start)?;
+    let apart = gauss.attitude.angle_to(&split.attitude);
+    report.add(
+        limit(
+            "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad",
+            0.0,
+            apart,
+        )
+        .within(1e-12)
+        .because("two methods that share nothing but the scene"),
+    )?;
+    let (body, start, push, end) = thrust(moments, periods + THIRD)?;
+    let span = [0.0, end];
+    let gauss = piecewise(&body, push, &start, span, |scene, state, span| {
+        carried(scene, Variables::Space, state, span)
+    })?;
+    let dop = piecewise(&body, push, &start, span, |scene, state, [from, to]| {
+        Ok(Dop853::new(1e-14)?.advance(scene, from, state, to)?.0)
+    })?;
+    report.add(
+        limit(
+            "pushed for a while: Gauss-Legendre and DOP853, started anew at each jump, apart in rad",
+            0.0,
+            gauss.attitude.angle_to(&dop.attitude),
+        )
+        .within(1e-10)
+        .because("two methods on pieces that are smooth"),
+    )
+}

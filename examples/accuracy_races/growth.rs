@@ -1,0 +1,134 @@
+//! How errors grow with the time: powers, decade by decade, and two pictures.
+
+use super::drift::{Curve as Drift, Method, Point};
+use rotation_dynamics::Result;
+use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel};
+use rotation_dynamics::report::{Figure, Report, Table, claim, rounded_up, short};
+
+/// Powers are fitted from here on, where rounding has had time to add up.
+const FROM: f64 = 100.0;
+
+fn phase(point: &Point) -> f64 {
+    point.phase
+}
+
+fn kept(point: &Point) -> f64 {
+    point.invariants
+}
+
+/// Adds the powers of the time, and claims for those that truncation fixes.
+pub fn add(report: &mut Report, all: &[Drift]) -> Result<()> {
+    let columns = [
+        "method",
+        "10 to 100",
+        "100 to 1000",
+        "1000 on",
+        "of what is kept",
+        "phase / rad",
+        "what is kept",
+    ];
+    let mut table = Table::new("drift", columns)?;
+    for drift in all {
+        let decade = |from, to| short(drift.exponent_between(from, to, phase), 2);
+        let last = drift.points.last();
+        table.push([
+            drift.method.names().1.to_owned(),
+            decade(10.0, 100.0),
+            decade(100.0, 1000.0),
+            decade(1000.0, f64::INFINITY),
+            short(drift.exponent(FROM, kept), 2),
+            last.map_or("-".into(), |p| rounded_up(p.phase)),
+            last.map_or("-".into(), |p| rounded_up(p.invariants)),
+        ])?;
+    }
+    report.add(table)?;
+    for drift in all {
+        add_claims(report, drift)?;
+    }
+    Ok(())
+}
+
+/// What truncation does is the same on every start; rounding walks at random.
+fn add_claims(report: &mut Report, drift: &Drift) -> Result<()> {
+    let (key, name) = drift.method.names();
+    let of_phase = ("phase", drift.exponent(FROM, phase));
+    let of_kept = ("kept", drift.exponent(FROM, kept));
+    let fixed = match drift.method {
+        Method::Dop853 => vec![(of_phase, 2.0), (of_kept, 1.0)],
+        Method::Rk4 => vec![(of_kept, 1.0)],
+        Method::Splitting => vec![(of_phase, 1.0)],
+        _ => Vec::new(),
+    };
+    for ((what, power), must) in fixed {
+        report.add(
+            claim(
+                format!("drift_{key}_{what}"),
+                format!("{name}: power of the time in the error: {what}"),
+                power,
+                "-",
+            )
+            .within(0.09)
+            .against("a rate that is off by so much, or more and more", must)
+            .judged_within(0.1)
+            .answer("powers of the time"),
+        )?;
+    }
+    Ok(())
+}
+
+/// The phase, and what is kept, against the number of periods.
+pub fn figures(all: &[Drift]) -> Result<Vec<Figure>> {
+    Ok(vec![
+        panel(
+            all,
+            "drift_phase",
+            "error of the attitude / rad",
+            phase,
+            1e-15,
+        )?,
+        panel(all, "drift_kept", "error of what is kept", kept, 1e-16)?,
+    ])
+}
+
+fn panel(
+    all: &[Drift],
+    name: &str,
+    axis: &str,
+    error: fn(&Point) -> f64,
+    low: f64,
+) -> Result<Figure> {
+    let ends: Vec<String> = (all.iter())
+        .filter_map(|drift| {
+            let end = drift.points.last()?;
+            Some(format!(
+                "{} {}",
+                drift.method.names().1,
+                rounded_up(error(end))
+            ))
+        })
+        .collect();
+    let alt = format!(
+        "The heavy top, {axis} against the number of periods, both logarithmic. At the end: {}",
+        ends.join(", ")
+    );
+    let mut panel = Panel::new(name, &alt)
+        .size(340, 300)
+        .x(Axis::log("periods"))
+        .y(Axis::log(axis).range(low, 1.0));
+    for drift in all {
+        let points = drift.points.iter().map(|p| (p.periods, error(p).max(low)));
+        let (ink, label) = match drift.method {
+            Method::Gauss => (Ink::Ink, "Gauss 16"),
+            Method::GaussProjected => (Ink::Ink, "brought back"),
+            Method::Splitting => (Ink::Body, "order 6"),
+            Method::Rk4 => (Ink::Energy, "RK4"),
+            Method::Dop853 => (Ink::Velocity, "DOP853"),
+        };
+        let curve = Curve::new(points, ink).label(label);
+        panel = panel.curve(match drift.method {
+            Method::GaussProjected => curve.dashed(),
+            _ => curve,
+        });
+    }
+    panel.figure()
+}

@@ -1,0 +1,97 @@
+//! Closed form or steps: the free body for longer and longer.
+
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::{Measure, Problem, Variables};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
+use rotation_dynamics::integrators::{GaussLegendre, Integrator, Method, Work};
+use rotation_dynamics::math::{EPS, pow};
+use rotation_dynamics::report::{Report, Table, effect, limit};
+use rotation_dynamics::scene::Scene;
+
+/// The free body of the chapter, for so many periods of its rates and a third of one: at
+/// the whole number a symmetric method's error of the energy vanishes by luck.
+fn free(periods: f64) -> Result<Problem<()>> {
+    let attitude = Attitude::from_euler(EulerAngles {
+        phi: 0.3,
+        theta: 0.7,
+        zeta: -0.4,
+    })?;
+    let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
+    let rates = BodyVector::new(0.8, 0.4, 0.9 / (8.0 / 3.0));
+    let scene = Scene::new(RigidBody::new(moments));
+    let start = scene.body().state(attitude, rates)?;
+    let exact = FreeBody::new(moments, rates, attitude)?;
+    let end = (periods + 1.0 / 3.0) * exact.rate_period();
+    let answer = State::new(exact.attitude_at(end), start.angular_momentum)?;
+    let problem = Problem::new(scene, start, end, answer);
+    Ok(problem.in_closed_form(move |t| exact.attitude_at(t)))
+}
+
+/// Adds the table, the limits, the strip and the card.
+pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
+    report.add(table()?)?;
+    report.add(
+        limit(
+            "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad",
+            0.0,
+            across()?,
+        )
+        .within(2e-11)
+        .because("two routes to one motion"),
+    )?;
+    // A block of steel that turns at 0.6 rad/s for a thousand periods in a laboratory.
+    let (rate, time): (f64, f64) = (0.6, 14_700.0);
+    let earth = 7.292e-5 / rate;
+    report.add(
+        effect("rotation of the Earth, laboratory axes")
+            .number("Omega_E / omega", earth)
+            .costs(earth * rate * time, "rad"),
+    )?;
+    report.add(
+        effect("rounding of the numbers")
+            .number("2^-53", EPS)
+            .costs(EPS * rate * time, "rad")
+            .included(),
+    )?;
+    report.strip(&free(100.0)?, &[tolerance])
+}
+
+/// Evaluations for an error of 1e-9 rad.
+fn table() -> Result<Table> {
+    let columns = ["periods", "DOP853", "Gauss-Legendre 16", "closed form"];
+    let mut table = Table::new("long", columns)?;
+    for periods in [10.0, 100.0, 1000.0] {
+        let problem = free(periods)?;
+        let mut row = vec![format!("{periods} 1/3")];
+        // From coarse to fine, around the setting that delivers.
+        let tolerances = (9..=14).map(|k| pow(10.0, -f64::from(k)));
+        let steps = (9..=16).map(|k| (0.5 * f64::from(k) * periods).floor());
+        for (method, settings) in [
+            (Method::Dop853, tolerances.collect::<Vec<f64>>()),
+            (Method::GaussLegendre16, steps.collect()),
+        ] {
+            let variables = Variables::best(method, &problem.scene);
+            let sweep = problem.sweep(method, variables, settings);
+            let curve = sweep.curve(Measure::Attitude, Work::torques)?;
+            let least = curve.least_work(1e-9);
+            row.push(least.map_or("-".into(), |p| format!("{:.0}", p.work)));
+        }
+        row.push("one sample".into());
+        table.push(row)?;
+    }
+    Ok(table)
+}
+
+/// A thousand periods by Gauss-Legendre in 16 steps a period, off the closed form.
+fn across() -> Result<f64> {
+    let problem = free(1000.0)?;
+    let gauss = GaussLegendre::new(16_005)?;
+    let rotation = FreeRotation::new(&problem.scene);
+    let (far, _) = gauss.advance(&rotation, 0.0, &problem.start, problem.end)?;
+    Ok(problem.error(&far))
+}
