@@ -4,9 +4,8 @@ use super::Parameters;
 use super::lines::{FLOW, Line, Measured, evaluations};
 use super::tables::price;
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{EPS, pow};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side};
+use rotation_dynamics::report::draw::{Axis, Curve, Ink, Method as Look, Panel, Side};
 use rotation_dynamics::report::{Figure, rounded_up};
 
 /// All of them.
@@ -28,30 +27,6 @@ fn shown(motion: &str, key: &str) -> bool {
         "pole" => !["mk4", "srkn6", "kl17", "aba82", "aba104", "aba1064"].contains(&key),
         "lopsided" => !["aba82", "aba104", "aba1064", "mk4", "srkn6"].contains(&key),
         _ => !["aba82", "aba104", "aba1064"].contains(&key),
-    }
-}
-
-/// A method has its ink and dash, and a line says its own name.
-fn styled(curve: Curve, key: &str) -> Curve {
-    match key {
-        "euler" | "semi" => curve.dashed(),
-        "angles" | "mk4" | "kl17" | "aba104" => curve.dashed(),
-        FLOW => curve.dotted(),
-        _ => curve,
-    }
-}
-
-fn ink(line: &Line) -> Ink {
-    match line.key {
-        FLOW => Ink::Ink,
-        _ => match line.method {
-            Method::EulerOnAngles | Method::SemiImplicitEuler => Ink::Wrong,
-            Method::Rk4 | Method::MuntheKaas4 => Ink::Energy,
-            Method::Dop853 => Ink::Velocity,
-            Method::GaussLegendre16 => Ink::Ink,
-            Method::Aba82 | Method::Aba104 | Method::Aba1064 => Ink::Force,
-            _ => Ink::Body,
-        },
     }
 }
 
@@ -104,13 +79,15 @@ fn work(measured: &Measured) -> Result<Figure> {
             continue;
         };
         let (x0, y0) = points[points.len() / 4];
-        let curve = Curve::new(points, ink(line));
+        let look = Look::named(line.name);
+        let curve = look.curve(points);
         panel = panel.curve(match line.key {
-            // The two foils run side by side and share a name.
-            "euler" => styled(curve, line.key),
-            FLOW => styled(curve.label_at(line.label, x0, y0, Side::Above), line.key),
-            "semi" => styled(curve.label_at(line.label, x, y, Side::Below), line.key),
-            _ => styled(curve.label(line.label), line.key),
+            // The two naive methods run side by side and share a name.
+            "euler" => curve,
+            "semi" => curve.label_at(look.label(), x, y, Side::Below),
+            FLOW => curve.label_at(look.label(), x0, y0, Side::Above),
+            "angles" => curve.label("on angles"),
+            _ => curve.label(look.label()),
         });
     }
     panel.figure()
@@ -149,7 +126,8 @@ fn digit(all: &[Measured]) -> Result<Figure> {
             } else {
                 Side::AboveRight
             };
-            panel = panel.dot(f64::from(order), price.factor, ink(line), label, side);
+            let ink = Look::named(line.name).ink();
+            panel = panel.dot(f64::from(order), price.factor, ink, label, side);
         }
     }
     panel.figure()

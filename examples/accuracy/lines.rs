@@ -13,7 +13,6 @@ pub struct Line {
     pub method: Method,
     pub key: &'static str,
     pub name: &'static str,
-    pub label: &'static str,
     pub sweep: Sweep,
     /// Error of the attitude against evaluations.
     pub attitude: WorkPrecision,
@@ -67,15 +66,14 @@ impl Line {
             method,
             key: method.key(),
             name: method.name(),
-            label: method.about().label,
             attitude: sweep.curve(Measure::Attitude, evaluations)?,
             sweep,
         })
     }
 
     /// What no method of the list is: the exact flow, DOP853 on the Euler angles.
-    fn called(mut self, key: &'static str, name: &'static str, label: &'static str) -> Self {
-        (self.key, self.name, self.label) = (key, name, label);
+    fn called(mut self, key: &'static str, name: &'static str) -> Self {
+        (self.key, self.name) = (key, name);
         self
     }
 
@@ -136,13 +134,13 @@ impl Measured {
                 let flow = |steps: f64| motion.problem.run(method, steps);
                 let coarse = settings(Method::SemiImplicitEuler);
                 let sweep = over(&motion, &coarse, flow);
-                lines.push(Line::new(method, sweep)?.called(FLOW, "exact flow", "exact flow"));
+                lines.push(Line::new(method, sweep)?.called(FLOW, "exact flow"));
             }
             if let (Method::Aba1064, Some(angles)) = (method, &motion.angles) {
                 let in_angles = |tolerance: f64| angles.run(tolerance, motion.end);
                 let sweep = over(&motion, &settings(Method::Dop853), in_angles);
                 let line = Line::new(Method::Dop853, sweep)?;
-                lines.push(line.called("angles", "DOP853 on angles", "on angles"));
+                lines.push(line.called("angles", "DOP853 on angles"));
             }
         }
         Ok(Self {

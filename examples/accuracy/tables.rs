@@ -28,13 +28,12 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
 
 /// The card of methods.
 fn methods() -> Result<Table> {
-    let columns = ["method", "in figures", "order", "idea", "keeps", "source"];
+    let columns = ["method", "order", "idea", "keeps", "source"];
     let mut table = Table::new("methods", columns)?;
     for method in Method::ALL {
         let about = method.about();
         table.push([
             about.name.to_owned(),
-            about.label.to_owned(),
             about.order.to_string(),
             about.idea.to_owned(),
             about.keeps.to_owned(),

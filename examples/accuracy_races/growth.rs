@@ -1,8 +1,8 @@
 //! How errors grow with the time: powers, decade by decade, and two pictures.
 
-use super::drift::{Curve as Drift, Method, Point};
+use super::drift::{Curve, Method, Point};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel};
+use rotation_dynamics::report::draw::{Axis, Method as Look, Panel};
 use rotation_dynamics::report::{Figure, Report, Table, claim, rounded_up, short};
 
 /// Powers are fitted from here on, where rounding has had time to add up.
@@ -17,7 +17,7 @@ fn kept(point: &Point) -> f64 {
 }
 
 /// Adds the powers of the time, and claims for those that truncation fixes.
-pub fn add(report: &mut Report, all: &[Drift]) -> Result<()> {
+pub fn add(report: &mut Report, all: &[Curve]) -> Result<()> {
     let columns = [
         "method",
         "10 to 100",
@@ -49,7 +49,7 @@ pub fn add(report: &mut Report, all: &[Drift]) -> Result<()> {
 }
 
 /// What truncation does is the same on every start; rounding walks at random.
-fn add_claims(report: &mut Report, drift: &Drift) -> Result<()> {
+fn add_claims(report: &mut Report, drift: &Curve) -> Result<()> {
     let (key, name) = drift.method.names();
     let of_phase = ("phase", drift.exponent(FROM, phase));
     let of_kept = ("kept", drift.exponent(FROM, kept));
@@ -77,7 +77,7 @@ fn add_claims(report: &mut Report, drift: &Drift) -> Result<()> {
 }
 
 /// The phase, and what is kept, against the number of periods.
-pub fn figures(all: &[Drift]) -> Result<Vec<Figure>> {
+pub fn figures(all: &[Curve]) -> Result<Vec<Figure>> {
     Ok(vec![
         panel(
             all,
@@ -91,7 +91,7 @@ pub fn figures(all: &[Drift]) -> Result<Vec<Figure>> {
 }
 
 fn panel(
-    all: &[Drift],
+    all: &[Curve],
     name: &str,
     axis: &str,
     error: fn(&Point) -> f64,
@@ -117,18 +117,8 @@ fn panel(
         .y(Axis::log(axis).range(low, 1.0));
     for drift in all {
         let points = drift.points.iter().map(|p| (p.periods, error(p).max(low)));
-        let (ink, label) = match drift.method {
-            Method::Gauss => (Ink::Ink, "Gauss 16"),
-            Method::GaussProjected => (Ink::Ink, "brought back"),
-            Method::Splitting => (Ink::Body, "order 6"),
-            Method::Rk4 => (Ink::Energy, "RK4"),
-            Method::Dop853 => (Ink::Velocity, "DOP853"),
-        };
-        let curve = Curve::new(points, ink).label(label);
-        panel = panel.curve(match drift.method {
-            Method::GaussProjected => curve.dashed(),
-            _ => curve,
-        });
+        let look = Look::named(drift.method.names().1);
+        panel = panel.curve(look.curve(points).label(look.label()));
     }
     panel.figure()
 }

@@ -43,8 +43,6 @@ pub struct About {
     pub key: &'static str,
     /// The name the literature uses, short enough for a table.
     pub name: &'static str,
-    /// A name short enough to stand at the end of a line in a figure.
-    pub label: &'static str,
     /// The idea, in a line.
     pub idea: &'static str,
     /// The error at a fixed time shrinks as this power of the step.
@@ -113,7 +111,6 @@ impl Method {
             EulerOnAngles => About {
                 key: "euler",
                 name: "Euler on angles",
-                label: "foils",
                 idea: "add rate times step to each Euler angle",
                 order: 1,
                 keeps: "-",
@@ -122,7 +119,6 @@ impl Method {
             SemiImplicitEuler => About {
                 key: "semi",
                 name: "semi-implicit Euler",
-                label: "foils",
                 idea: "the rates first, then the attitude with the new rates",
                 order: 1,
                 keeps: "-",
@@ -131,7 +127,6 @@ impl Method {
             Rk4 => About {
                 key: "rk4",
                 name: "RK4",
-                label: "RK4",
                 idea: "four slopes a step, averaged",
                 order: 4,
                 keeps: "L_Z; loses energy",
@@ -140,7 +135,6 @@ impl Method {
             MuntheKaas4 => About {
                 key: "mk4",
                 name: "Munthe-Kaas 4",
-                label: "MK4",
                 idea: "RK4 for the turn of a step, which is then applied to the attitude",
                 order: 4,
                 keeps: "L_Z; loses energy",
@@ -148,50 +142,42 @@ impl Method {
             },
             Strang => split(
                 "strang",
-                "order 2",
                 "half a free rotation, a kick by the torque, half a free rotation",
                 Scheme::STRANG,
             ),
             Srkn6 => split(
                 "srkn6",
-                "order 4",
                 "six kicks a step, their errors cancelling to order 4",
                 Scheme::SRKN6,
             ),
             Srkn14 => split(
                 "srkn14",
-                "order 6",
                 "fourteen kicks a step, their errors cancelling to order 6",
                 Scheme::SRKN14,
             ),
             KahanLi17 => split(
                 "kl17",
-                "order 8",
                 "seventeen Strang steps of chosen lengths in one",
                 Scheme::KAHAN_LI17,
             ),
             Aba82 => split(
                 "aba82",
-                "ABA(8,2)",
                 "four kicks a step; errors linear in the torque cancel to order 8",
                 Scheme::ABA82,
             ),
             Aba104 => split(
                 "aba104",
-                "weak kicks",
                 "seven kicks a step; errors linear in the torque cancel to order 10",
                 Scheme::ABA104,
             ),
             Aba1064 => split(
                 "aba1064",
-                "ABA(10,6,4)",
                 "eight kicks a step; as ABA(10,4), quadratic errors to order 6",
                 Scheme::ABA1064,
             ),
             Dop853 => About {
                 key: "dop853",
                 name: "DOP853",
-                label: "DOP853",
                 idea: "twelve slopes a step; two inner estimates of the error choose the step",
                 order: 8,
                 keeps: "L_Z; loses energy",
@@ -200,7 +186,6 @@ impl Method {
             GaussLegendre16 => About {
                 key: "gauss",
                 name: "Gauss-Legendre 16",
-                label: "Gauss 16",
                 idea: "eight slopes a step that depend on each other, found by sweeps",
                 order: 16,
                 keeps: "L_Z and what is quadratic: energy, |L| of a free body",
@@ -210,16 +195,10 @@ impl Method {
     }
 }
 
-const fn split(
-    key: &'static str,
-    label: &'static str,
-    idea: &'static str,
-    scheme: Scheme,
-) -> About {
+const fn split(key: &'static str, idea: &'static str, scheme: Scheme) -> About {
     About {
         key,
         name: scheme.name,
-        label,
         idea,
         order: scheme.order,
         keeps: "L_Z, L_z; energy swings, does not drift",
