@@ -294,7 +294,7 @@ fn add_effects(report: &mut Report, ratio: f64) -> Result<()> {
     let earth = 7.292115e-5;
     add(
         "rotation of the Earth",
-        "Omega_E / phi'",
+        "Omega_E / (dphi/dt)",
         earth / rate,
         earth * turn,
         "rad a turn, at most",
@@ -303,7 +303,7 @@ fn add_effects(report: &mut Report, ratio: f64) -> Result<()> {
     let stretch = 7850.0 * spin * spin * radius * radius / 2e11;
     add(
         "stretch of the spinning disc",
-        "rho w^2 R^2 / E",
+        "rho omega^2 R^2 / E",
         stretch,
         stretch * TAU,
         "rad a turn, in φ",

@@ -85,7 +85,7 @@ pub fn add(report: &mut Report) {
     let aside = rate * rate * WHEEL.length / WHEEL.gravity;
     add(
         "wheel: the rope gives way",
-        "phi'^2 l / g",
+        "(dphi/dt)^2 l / g",
         aside,
         aside,
         "rad, slant of the rope",
@@ -101,7 +101,7 @@ pub fn add(report: &mut Report) {
     let earth = 7.292115e-5;
     add(
         "wheel: rotation of the Earth",
-        "Omega_E / phi'",
+        "Omega_E / (dphi/dt)",
         earth / rate,
         earth * turn,
         "rad a turn, at most",
