@@ -1,5 +1,6 @@
 //! The answer box: a form that judges a reader's number as `--check` does.
 
+use crate::notation::symbols;
 use crate::project::Project;
 use crate::text::escape;
 use rotation_dynamics::report::{RECIPROCAL, USUAL_SLIPS};
@@ -16,7 +17,7 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
     let mut data = Vec::new();
     let mut options = String::new();
     for row in checks.rows() {
-        let [key, within, meaning] = row.as_slice() else {
+        let [key, within, meaning, ..] = row.as_slice() else {
             return Err(format!("the checks of {stem} must have three columns"));
         };
         let claim = project.claim(stem, key)?;
@@ -43,7 +44,7 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
         };
         options += &format!(
             "<option value=\"{key}\">{}{}</option>",
-            escape(meaning),
+            escape(&symbols(meaning)),
             escape(&unit)
         );
     }

@@ -33,12 +33,12 @@ pub fn bare_numbers(prose: &str) -> Vec<(usize, String)> {
 /// The first slanted differential in a formula: a letter d on its own in front of a letter, a
 /// command or a power, where a fraction, a stroke or a space that keeps terms apart begins it.
 pub fn slanted_differential(tex: &str) -> Option<&str> {
-    const BEGIN: [&str; 8] = [
-        "\\frac{", "\\tfrac{", "\\dfrac{", "}{", "/", "\\,", "\\;", "(",
+    const BEGIN: [&str; 11] = [
+        "\\frac{", "\\tfrac{", "\\dfrac{", "}{", "/", "\\,", "\\;", "(", "-", "+", "=",
     ];
     tex.match_indices('d').find_map(|(at, _)| {
         let (before, after) = (&tex[..at], &tex[at + 1..]);
-        let begins = at == 0 || BEGIN.iter().any(|begin| before.ends_with(begin));
+        let begins = at == 0 || BEGIN.iter().any(|begin| before.trim_end().ends_with(begin));
         let letter = after.starts_with(|c: char| c.is_ascii_alphabetic());
         let of_word =
             after.len() > 1 && letter && after[1..].starts_with(|c: char| c.is_ascii_alphabetic());
@@ -78,6 +78,7 @@ mod tests {
             (r"\frac{d}{dt} x", "dt} x"),
             (r"\frac{d^2\theta}{2}", r"d^2\thet"),
             (r"(d\theta)", r"d\theta)"),
+            (r"f = -dU/\mathrm{d}x", r"dU/\math"),
         ];
         for (tex, found) in slanted {
             assert_eq!(slanted_differential(tex), Some(found), "{tex}");

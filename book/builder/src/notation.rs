@@ -7,7 +7,7 @@
 //! symbols, numbers, signs and closed brackets that holds a symbol; the rest is prose.
 
 use crate::maths;
-use crate::text::{escape, number_html, number_tex};
+use crate::text::{escape, number_html, number_tex, without_tags};
 
 /// Greek letters as reports spell them; TeX spells them alike.
 const GREEK: [(&str, char); 23] = [
@@ -102,6 +102,26 @@ pub fn words(cell: &str) -> String {
         }
     }
     html
+}
+
+/// A cell of words as plain text, where no formula may stand: `phi at t' = 20` is `φ at t′ = 20`.
+pub fn symbols(cell: &str) -> String {
+    let tokens = tokens(cell, Kind::Space);
+    let mut text = String::new();
+    for (n, token) in tokens.iter().enumerate() {
+        let plain = without_tags(&token.html).replace('\u{a0}', " ");
+        text += &match n > 0 && tokens[n - 1].tex == "^" {
+            true => small(&plain, "⁰¹²³⁴⁵⁶⁷⁸⁹").unwrap_or(format!("^{plain}")),
+            false => plain,
+        };
+    }
+    text
+}
+
+/// Digits in another shape; `None` if there is something else among them.
+fn small(text: &str, shapes: &str) -> Option<String> {
+    let shape = |c: char| shapes.chars().nth(c.to_digit(10)? as usize);
+    text.chars().map(shape).collect()
 }
 
 /// How many tokens from the first on are a formula; 0 if none.
@@ -237,9 +257,17 @@ fn name(text: &str, before: Kind) -> (Token, usize) {
         return (token(Kind::Prose, word, html), end);
     };
     let mut tex = letter;
+    let (d, after_d) = word.split_at(usize::from(word.starts_with('d')));
+    let greek = |word: &str| GREEK.iter().find(|(name, _)| *name == word);
+    let mut html = match (greek(word), greek(after_d)) {
+        (Some((_, c)), _) => c.to_string(),
+        (None, Some((_, c))) => format!("{d}{c}"),
+        (None, None) => word.to_owned(),
+    };
     let mut rest = after;
     if let Some(after) = rest.strip_prefix('~') {
         tex = format!("\\widetilde{{{tex}}}");
+        html.push('\u{303}');
         rest = after;
     }
     let index = rest.strip_prefix('_').unwrap_or(rest);
@@ -253,13 +281,14 @@ fn name(text: &str, before: Kind) -> (Token, usize) {
             1 => format!("_{index}"),
             _ => format!("_{{\\mathrm{{{index}}}}}"),
         };
+        html += &small(index, "₀₁₂₃₄₅₆₇₈₉").unwrap_or(format!("_{index}"));
         rest = after;
     }
     let primes = rest.len() - rest.trim_start_matches('\'').len();
     tex += &"'".repeat(primes);
+    html += &"\u{2032}".repeat(primes);
     let length = text.len() - rest.len() + primes;
     // The space ends a command before the next letter.
-    let html = escape(&text[..length]);
     (token(Kind::Symbol, &format!("{tex} "), html), length)
 }
 
@@ -410,6 +439,19 @@ mod tests {
         ];
         for (cell, expected) in cases {
             assert_eq!(read(cell), expected, "{cell}");
+        }
+    }
+
+    #[test]
+    fn symbols_are_written_where_no_formula_may_stand() {
+        let cases = [
+            ("phi at t' = 20, E~ < 3", "φ at t′ = 20, Ẽ < 3"),
+            ("error of 2 (c/a) sin(theta0)", "error of 2 (c/a) sin(θ₀)"),
+            ("delta, dphi/dt' of L_z^2/I12", "δ, dφ/dt′ of L_z²/I₁₂"),
+            ("tanh^x(t) / sqrt(a), 1e-6", "tanh^x(t) / √a, 10−6"),
+        ];
+        for (cell, text) in cases {
+            assert_eq!(symbols(cell), text.replace("Ẽ", "E\u{303}"), "{cell}");
         }
     }
 
