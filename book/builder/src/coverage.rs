@@ -3,6 +3,7 @@
 use crate::fonts::Family;
 use crate::maths;
 use crate::text::unescape;
+use std::collections::BTreeSet;
 
 /// A character that its font lacks, and the line where it first stands, from 1.
 #[derive(Debug, PartialEq)]
@@ -26,7 +27,8 @@ const DECIDE: [&str; 9] = [
 /// element of code or formulas is text: where the reader's own sans serif comes first, the serif
 /// stands behind it.
 pub fn missing(html: &str) -> Vec<Missing> {
-    let mut found: Vec<Missing> = Vec::new();
+    let mut found = Vec::new();
+    let mut seen = BTreeSet::new();
     let mut open: Vec<&str> = Vec::new();
     let mut slanted = false;
     let mut line = 1;
@@ -46,9 +48,9 @@ pub fn missing(html: &str) -> Vec<Missing> {
         for c in plain.chars() {
             let c = if single { maths::italic(c) } else { c };
             if let Some(family) = family
+                && seen.insert((family, c))
                 && !c.is_control()
                 && !family.covers(c)
-                && !found.iter().any(|m| m.c == c && m.family == family)
             {
                 found.push(Missing { c, family, line });
             }

@@ -26,7 +26,7 @@ static FILES: [(&str, &[u8]); 6] = shipped!(
 pub const FIRST: [&str; 2] = ["serif", "maths"];
 
 /// What the style sheet sets in a font of the book.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Family {
     /// Text; also what the reader's own sans serif lacks.
     Serif,
