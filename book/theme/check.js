@@ -1,53 +1,40 @@
-// The answer box judges a number by the rules of `Claim::verdict` (src/report/claim.rs),
-// in the same order. Folded parts open for printing.
+// What a page does beside being read: it judges answers (by the rules of answer.js), opens
+// its folds for printing and for links, and tells of boxes that scroll.
 "use strict";
 
 (() => {
-    const within = (answer, target, check) =>
-        Math.abs(answer - target) <=
-        Math.max(check.within * (target === 0 ? 1 : Math.abs(target)), check.bound);
-
-    /** What became of an answer: its class and what to say. */
-    function verdict(answer, check, usual, reciprocal) {
-        const v = check.value;
-        if (within(answer, v, check)) return ["right", "Right."];
-        const slip = check.slips.find((s) => within(answer, s.value, check));
-        if (slip) return ["wrong", `Not yet: ${slip.hint}.`];
-        if (v !== 0) {
-            const places = Math.floor(-Math.log10(2 * Math.abs(answer - v)));
-            const n = places + Math.floor(Math.log10(Math.abs(v))) + 1;
-            if (n >= 2) return ["wrong", `Right to ${n} digits. More digits are asked for.`];
-            const factor = usual.find((u) => within(answer, u.factor * v, check));
-            if (factor) return ["wrong", `Not yet: ${factor.hint}.`];
-            if (within(answer, 1 / v, check)) return ["wrong", `Not yet: ${reciprocal}.`];
-        }
-        return ["wrong", "Not this. Check the units and the starting values."];
-    }
-
-    /** A typed number, with a comma or a true minus sign allowed. */
-    function number(text) {
-        const plain = text.trim().replace(/\u2212/g, "-").replace(",", ".");
-        return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
-    }
+    // ---- The answer box.
+    const sentence = (words) => words[0].toUpperCase() + words.slice(1) + ".";
 
     for (const form of document.querySelectorAll("form.answer")) {
-        const data = JSON.parse(form.querySelector("script").textContent);
+        const { checks, rules } = JSON.parse(form.querySelector("script").textContent);
+        const { key, value } = form.elements;
         const output = form.querySelector("output");
+        const asked = form.querySelector(".asked");
+        const check = () => checks.find((c) => c.key === key.value);
         form.addEventListener("submit", (event) => {
             event.preventDefault();
-            const answer = number(form.elements.value.value);
-            const check = data.checks.find((c) => c.key === form.elements.key.value);
-            const [kind, text] = Number.isFinite(answer)
-                ? verdict(answer, check, data.usual, data.reciprocal)
-                : ["wrong", "That is not a number."];
-            output.className = kind;
-            output.textContent = text;
+            const answer = Answer.read(value.value);
+            const [kind, words] = answer.error
+                ? ["wrong", answer.error]
+                : Answer.judge(answer, check(), rules);
+            output.className = kind === "right" || kind === "nearly" ? kind : "wrong";
+            output.textContent =
+                kind === "slip" ? `Not yet: ${words}.`
+                : kind === "wrong" && !answer.error ? "Not this. Check the units and the starting values."
+                : sentence(words);
         });
         // The arrow keys turn pages, but not while one types.
         form.addEventListener("keydown", (event) => event.stopPropagation());
-        form.elements.key.addEventListener("change", () => { output.textContent = ""; });
+        const told = () => {
+            output.textContent = "";
+            asked.textContent = `Give ${check().digits} digits.`;
+        };
+        key.addEventListener("change", told);
+        told();
     }
 
+    // ---- Folds open for printing, and for what a link points to.
     const opened = [];
     addEventListener("beforeprint", () => {
         for (const part of document.querySelectorAll("details:not([open])")) {
@@ -58,4 +45,75 @@
     addEventListener("afterprint", () => {
         while (opened.length > 0) opened.pop().open = false;
     });
+    const reveal = () => {
+        const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+        if (!target) return;
+        for (let fold = target.closest("details"); fold; fold = fold.parentElement.closest("details")) {
+            fold.open = true;
+        }
+        target.scrollIntoView();
+    };
+    addEventListener("hashchange", reveal);
+    reveal();
+
+    // ---- A box that scrolls can be reached by the keyboard, and shows that there is more.
+    const measure = (box) => {
+        const wide = box.scrollWidth > box.clientWidth + 1;
+        const scrolls = wide || box.scrollHeight > box.clientHeight + 1;
+        box.classList.toggle("more", wide && box.scrollLeft + box.clientWidth < box.scrollWidth - 1);
+        box.classList.toggle("moved", box.scrollLeft > 0);
+        if (scrolls === box.hasAttribute("tabindex")) return;
+        const label = box.matches("code") ? "program text" : box.matches(".formula") ? "formula" : "table";
+        const told = { tabindex: "0", role: "region", "aria-label": `${label}, scrolls` };
+        for (const [name, value] of Object.entries(told)) {
+            if (scrolls) box.setAttribute(name, value);
+            else box.removeAttribute(name);
+        }
+    };
+    const resized = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
+    for (const box of document.querySelectorAll(".scroll, .table-wrapper, .formula, pre > code")) {
+        resized.observe(box);
+        box.addEventListener("scroll", () => measure(box), { passive: true });
+    }
+
+    // ---- The sidebar: a button works the check box that mdBook's label works.
+    const toggle = document.getElementById("mdbook-sidebar-toggle");
+    const anchor = document.getElementById("mdbook-sidebar-toggle-anchor");
+    toggle?.addEventListener("click", () => {
+        anchor.checked = !anchor.checked;
+        anchor.dispatchEvent(new Event("change"));
+    });
+    // The hidden check box must not stop the tab key, nor the handle be read out.
+    anchor?.setAttribute("tabindex", "-1");
+
+    // Chapters that are not written yet fold behind a line that counts them.
+    for (const list of document.querySelectorAll("#mdbook-sidebar ol.chapter")) {
+        let drafts = [];
+        const fold = () => {
+            if (drafts.length > 1) {
+                const item = document.createElement("li");
+                item.className = "chapter-item drafts";
+                item.innerHTML = `<details><summary>${drafts.length} to be written</summary><ol class="section"></ol></details>`;
+                drafts[0].before(item);
+                item.querySelector("ol").append(...drafts);
+            }
+            drafts = [];
+        };
+        for (const item of [...list.children]) {
+            if (!item.matches(".part-title, .spacer") && !item.querySelector("a[href]")) drafts.push(item);
+            else fold();
+        }
+        fold();
+    }
+
+    // ---- The search knows formulas by the names of their letters.
+    const greek = {
+        α: "alpha", β: "beta", γ: "gamma", δ: "delta", ε: "epsilon", ζ: "zeta", θ: "theta", κ: "kappa",
+        λ: "lambda", μ: "mu", ν: "nu", ρ: "rho", σ: "sigma", τ: "tau", φ: "phi", ω: "omega", Ω: "Omega",
+    };
+    const bar = document.getElementById("mdbook-searchbar");
+    bar?.addEventListener("input", () => {
+        const spelled = bar.value.replace(/[α-ωΩ]/g, (letter) => greek[letter] ?? letter);
+        if (spelled !== bar.value) bar.value = spelled;
+    }, { capture: true });
 })();

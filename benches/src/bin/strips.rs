@@ -1,13 +1,13 @@
-//! Times every line of the pages' accuracy strips and writes `benches/record/strips.txt`,
-//! from which the book takes the column "time".
+//! Times every line of the pages' accuracy strips and writes a record for each stem,
+//! `benches/record/strips/STEM.txt`, from which the book takes the column "time".
 //!
 //! ```text
-//! cargo run --release -p benches --bin strips -- --date 2026-11-21
+//! cargo run --release -p benches --bin strips -- [STEM ...] [--date 2026-11-21]
 //! ```
 //!
-//! The unit is one sample of the scene's closed form: the mean over times spread evenly
-//! over the motion, measured in the same rounds. The record has the grammar of a report
-//! ([`rotation_dynamics::report`]).
+//! Without a stem, all are timed. The unit is one sample of the scene's closed form: the
+//! mean over times spread evenly over the motion, measured in the same rounds. A record has
+//! the grammar of a report ([`rotation_dynamics::report`]).
 
 use benches::conditions::Conditions;
 use benches::timing::{Measured, Task, interleaved};
@@ -29,8 +29,10 @@ const SAMPLES: u32 = 64;
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 fn main() -> ExitCode {
-    match Conditions::read("strips", env::args().skip(1)).and_then(|conditions| record(&conditions))
-    {
+    let (stems, flags) = parted(env::args().skip(1));
+    let done = Conditions::read("strips [STEM ...]", flags.into_iter())
+        .and_then(|conditions| timed(&stems, &conditions));
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");
@@ -39,37 +41,59 @@ fn main() -> ExitCode {
     }
 }
 
-fn record(conditions: &Conditions) -> Outcome<()> {
+/// The stems among the arguments, and the flags with their values.
+fn parted(mut arguments: impl Iterator<Item = String>) -> (Vec<String>, Vec<String>) {
+    let (mut stems, mut flags) = (Vec::new(), Vec::new());
+    while let Some(argument) = arguments.next() {
+        if argument.starts_with("--") {
+            flags.push(argument);
+            flags.extend(arguments.next());
+        } else {
+            stems.push(argument);
+        }
+    }
+    (stems, flags)
+}
+
+/// Times the strips of `stems`, of all pages if it names none.
+fn timed(stems: &[String], conditions: &Conditions) -> Outcome<()> {
+    let known: Vec<&str> = pages::ALL.iter().map(|page| page.stem()).collect();
+    if let Some(stem) = stems.iter().find(|stem| !known.contains(&stem.as_str())) {
+        Err(format!("there is no page '{stem}'; there are: {}", known.join(", ")))?;
+    }
+    let asked = |page: &&&dyn Page| stems.is_empty() || stems.iter().any(|s| s == page.stem());
+    pages::ALL
+        .iter()
+        .filter(asked)
+        .try_for_each(|page| record(*page, conditions))
+}
+
+/// Times the strip of a page and writes its record.
+fn record(page: &dyn Page, conditions: &Conditions) -> Outcome<()> {
+    let stem = page.stem();
     let mut report = Report::new(
-        "Times of the accuracy strips",
+        format!("Times of the accuracy strip of {stem}"),
         format!(
             "In units of one sample of the scene's closed form; medians of {ROUNDS} rounds, with \
              their quartiles; measured, not locked. \
-             Measure again: cargo run --release -p benches --bin strips"
+             Measure again: cargo run --release -p benches --bin strips -- {stem}"
         ),
     )?;
     report.add_table(conditions.table()?)?;
-    let mut units = Table::new("units", ["stem", "one sample / ns"])?;
-    let strips: Vec<Table> = pages::ALL
-        .iter()
-        .map(|page| strip(*page, &mut units))
-        .collect::<Outcome<_>>()?;
-    report.add_table(units)?;
-    for strip in strips {
-        report.add_table(strip)?;
-    }
+    let (unit, strip) = strip(page)?;
+    let one = Table::new("unit", ["what", "ns"])?.row(["one sample of the closed form", &unit])?;
+    report.add_table(one)?;
+    report.add_table(strip)?;
     let text = report.text()?;
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/strips.txt");
-    if let Some(directory) = file.parent() {
-        fs::create_dir_all(directory)?;
-    }
-    fs::write(file, &text)?;
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/strips");
+    fs::create_dir_all(&directory)?;
+    fs::write(directory.join(format!("{stem}.txt")), &text)?;
     print!("{text}");
     Ok(())
 }
 
-/// The times of the strip of one example; its unit goes into `units`.
-fn strip(page: &dyn Page, units: &mut Table) -> Outcome<Table> {
+/// The time of one sample of the closed form in ns, and the times of the strip in its units.
+fn strip(page: &dyn Page) -> Outcome<(String, Table)> {
     let stem = page.stem();
     let report = page.report()?;
     let computations: Vec<&Computation> = report
@@ -101,10 +125,7 @@ fn strip(page: &dyn Page, units: &mut Table) -> Outcome<Table> {
     let measured = interleaved(&tasks, ROUNDS)?;
 
     let samples = f64::from(SAMPLES);
-    units.push([
-        stem.to_owned(),
-        short(1e9 * measured[0].seconds / samples, 2),
-    ])?;
+    let unit = short(1e9 * measured[0].seconds / samples, 2);
     let columns = [
         "method",
         "requested",
@@ -113,7 +134,7 @@ fn strip(page: &dyn Page, units: &mut Table) -> Outcome<Table> {
         "time",
         "quartiles",
     ];
-    let mut table = Table::new(stem, columns)?;
+    let mut table = Table::new("strip", columns)?;
     for (
         price,
         Measured {
@@ -140,7 +161,7 @@ fn strip(page: &dyn Page, units: &mut Table) -> Outcome<Table> {
             format!("{lower} to {upper}"),
         ])?;
     }
-    Ok(table)
+    Ok((unit, table))
 }
 
 /// The middle of the n-th of equal parts.

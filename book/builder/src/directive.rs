@@ -5,12 +5,15 @@
 //! | `{{num STEM:KEY}}` | a claim's value from the locked output |
 //! | `{{num STEM:KEY rad/s}}` | the same with its unit, which must be this one (or: `unit`) |
 //! | `{{num STEM:KEY@4 rad/s}}` | the same to 4 significant digits, where prose wants no more |
+//! | `{{param STEM:NAME}}`, `{{param STEM:NAME@3 unit}}` | the value of a parameter (its flag is `--NAME`), written as `num` is |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
+//! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip; a caption as for `figure` |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
-//! | `{{output STEM}}`, `{{output STEM:SECTION}}` | the locked output, or one section of it, with the command |
-//! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` with its times |
+//! | `{{output STEM}}` | the locked output with its command, folded |
+//! | `{{output STEM:SECTION}}` | one section of it |
+//! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` as two lines and a fold, with its times |
 //! | `{{measured RECORD:TABLE}}` | a table of `benches/record/RECORD.txt`, and under it on what it was measured |
 //! | `{{check STEM}}` | the answer box |
 //! | `{{test FILE::NAME}}` | a link to the test, which must exist |
@@ -19,6 +22,7 @@ use crate::check;
 use crate::expand::Page;
 use crate::figure;
 use crate::measured;
+use crate::notation;
 use crate::project::{Claim, Project};
 use crate::splice::Splice;
 use crate::table;
@@ -36,10 +40,19 @@ pub enum Directive {
         digits: Option<usize>,
         unit: Option<String>,
     },
+    /// The value of a parameter; digits and unit as for `Num`.
+    Param {
+        stem: String,
+        name: String,
+        digits: Option<usize>,
+        unit: Option<String>,
+    },
     /// A number that is given.
     Given(String),
     /// Figures, side by side.
     Figure(Vec<(String, String)>),
+    /// The frames of a moving figure.
+    Stills { stem: String },
     /// Lines of an example.
     Listing { stem: String, anchor: String },
     /// The locked output, or one section of it.
@@ -79,7 +92,11 @@ impl Directive {
             (is_name(stem) && is_name(name)).then(|| (stem.to_owned(), name.to_owned()))
         };
         match (kind, words.as_slice()) {
-            ("num", [word, unit @ ..]) => {
+            ("num" | "param", [word, unit @ ..]) => {
+                let form = match kind {
+                    "num" => "num STEM:KEY}} or {{num STEM:KEY@DIGITS unit",
+                    _ => "param STEM:NAME}} or {{param STEM:NAME@DIGITS unit",
+                };
                 let (word, digits) = match word.split_once('@') {
                     None => (*word, None),
                     Some((word, digits)) => match digits.parse::<usize>() {
@@ -87,17 +104,29 @@ impl Directive {
                         _ => return Err(wrong("num STEM:KEY@DIGITS, from 1 to 15")),
                     },
                 };
-                let (stem, key) =
-                    pair(word).ok_or_else(|| wrong("num STEM:KEY}} or {{num STEM:KEY unit"))?;
+                let (stem, name) = pair(word).ok_or_else(|| wrong(form))?;
                 let unit = (!unit.is_empty()).then(|| unit.join(" "));
-                Ok(Self::Num {
-                    stem,
-                    key,
-                    digits,
-                    unit,
+                Ok(match kind {
+                    "num" => Self::Num {
+                        stem,
+                        key: name,
+                        digits,
+                        unit,
+                    },
+                    _ => Self::Param {
+                        stem,
+                        name,
+                        digits,
+                        unit,
+                    },
                 })
             }
             ("num", _) => Err(wrong("num STEM:KEY}} or {{num STEM:KEY unit")),
+            ("param", _) => Err(wrong("param STEM:NAME}} or {{param STEM:NAME unit")),
+            ("stills", [stem]) if is_name(stem) => Ok(Self::Stills {
+                stem: (*stem).to_owned(),
+            }),
+            ("stills", _) => Err(wrong("stills STEM")),
             ("given", [number]) if number_html(number).is_some() => {
                 Ok(Self::Given((*number).to_owned()))
             }
@@ -162,15 +191,23 @@ impl Directive {
             }
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
-                "unknown directive {{{{{inner}}}}}; there are num, given, figure, listing, output, \
-                 table, measured, check, test"
+                "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
+                 listing, output, table, measured, check, test"
             )),
         }
     }
 
     /// Whether it has its line for itself.
     pub fn is_block(&self) -> bool {
-        !matches!(self, Self::Num { .. } | Self::Given(_) | Self::Test { .. })
+        !matches!(
+            self,
+            Self::Num { .. } | Self::Param { .. } | Self::Given(_) | Self::Test { .. }
+        )
+    }
+
+    /// Whether the next paragraph is its caption.
+    pub fn has_caption(&self) -> bool {
+        matches!(self, Self::Figure(_) | Self::Stills { .. })
     }
 }
 
@@ -179,84 +216,99 @@ pub fn source_address(file: &str) -> String {
     format!("source/{file}.html")
 }
 
-/// The claim of a `num`, and its unit if it is to follow.
-fn claimed(
-    page: &mut Page,
-    stem: &str,
-    key: &str,
-    digits: Option<usize>,
-    unit: Option<&str>,
-) -> Result<(Claim, Option<String>), String> {
-    page.stems.push(stem.to_owned());
-    let mut claim = page.project.claim(stem, key)?;
-    if let Some(digits) = digits {
-        claim.value = shortened(&claim.value, digits).ok_or_else(|| {
-            format!(
-                "{stem}:{key} = {} cannot be rounded to {digits} digits",
-                claim.value
-            )
-        })?;
-    }
-    let shown = match unit {
-        None => None,
-        Some(_) if claim.unit == "-" => {
-            return Err(format!("{stem}:{key} has no unit"));
-        }
-        Some(unit) if unit != "unit" && unit != claim.unit => {
-            return Err(format!(
-                "the unit of {stem}:{key} is {}, not {unit}",
-                claim.unit
-            ));
-        }
-        Some(_) => Some(claim.unit.clone()),
-    };
-    Ok((claim, shown))
+/// What a `num` or a `param` shows: the number, its unit if it is to follow, and the claim.
+struct Shown {
+    value: String,
+    unit: Option<String>,
+    claim: Option<Claim>,
 }
 
-/// A directive within a line, as HTML.
-///
-/// # Errors
-/// What is missing, or that the directive needs a line of its own.
-pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> {
-    match directive {
+/// Reads a `num` or a `param`; `None` for other directives.
+fn shown(page: &mut Page, directive: &Directive) -> Result<Option<Shown>, String> {
+    let (stem, name, digits, asked) = match directive {
         Directive::Num {
             stem,
             key,
             digits,
             unit,
-        } => {
-            let (claim, unit) = claimed(page, stem, key, *digits, unit.as_deref())?;
-            let mut value = number_html(&claim.value).unwrap_or_else(|| escape(&claim.value));
-            if let Some(unit) = unit {
-                value += &format!("\u{202f}{}", unit_html(&unit));
-            }
-            let bound = match number_html(&claim.bound) {
-                Some(_) if claim.bound != "0" => format!("error below {}; ", claim.bound),
-                _ => String::new(),
-            };
-            // The bound is that of all digits, which the reader sees by pointing at the number.
-            let all = match digits {
-                Some(_) => format!("{}, ", page.project.claim(stem, key)?.value),
-                None => String::new(),
-            };
-            Ok(format!(
-                "<span class=\"num\" title=\"{}{}checked against {}\">{value}</span>",
-                escape(&all),
-                escape(&bound),
-                escape(&claim.oracle)
-            ))
+        } => (stem, key, digits, unit),
+        Directive::Param {
+            stem,
+            name,
+            digits,
+            unit,
+        } => (stem, name, digits, unit),
+        _ => return Ok(None),
+    };
+    page.stems.push(stem.to_owned());
+    let is_claim = matches!(directive, Directive::Num { .. });
+    let claim = match is_claim {
+        true => page.project.claim(stem, name)?,
+        false => page.project.parameter(stem, name)?,
+    };
+    let value = match digits {
+        None => claim.value.clone(),
+        Some(digits) => shortened(&claim.value, *digits).ok_or_else(|| {
+            let value = &claim.value;
+            format!("{stem}:{name} = {value} cannot be rounded to {digits} digits")
+        })?,
+    };
+    let unit = match asked.as_deref() {
+        None => None,
+        Some(_) if claim.unit == "-" => return Err(format!("{stem}:{name} has no unit")),
+        Some(unit) if unit != "unit" && unit != claim.unit => {
+            let own = &claim.unit;
+            return Err(format!("the unit of {stem}:{name} is {own}, not {unit}"));
         }
+        Some(_) => Some(claim.unit.clone()),
+    };
+    Ok(Some(Shown {
+        value,
+        unit,
+        claim: is_claim.then_some(claim),
+    }))
+}
+
+/// A number or a word with its unit, as HTML.
+fn with_unit(value: &str, unit: Option<&str>) -> String {
+    let value = number_html(value).unwrap_or_else(|| escape(value));
+    match unit {
+        None | Some("-") => value,
+        Some(unit) => format!("{value}\u{202f}{}", unit_html(unit)),
+    }
+}
+
+/// A directive within a line, as Markdown that may hold a mark.
+///
+/// # Errors
+/// What is missing, or that the directive needs a line of its own.
+pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> {
+    if let Some(shown) = shown(page, directive)? {
+        let html = with_unit(&shown.value, shown.unit.as_deref());
+        let Some(claim) = shown.claim else {
+            return Ok(html);
+        };
+        // The bound is that of all digits.
+        let mut proof = format!("<b>{}</b>", with_unit(&claim.value, Some(&claim.unit)));
+        if let Some(bound) = number_html(&claim.bound).filter(|_| claim.bound != "0") {
+            proof += &format!("<br>error below {bound}");
+        }
+        proof += &format!("<br>checked against: {}", notation::words(&claim.oracle));
+        return Ok(page.proof("num", html, proof));
+    }
+    match directive {
         Directive::Given(number) => number_html(number).ok_or_else(|| "not a number".into()),
         Directive::Test { file, name } => {
             let test = page.project.test(file, name)?;
             page.sources.push(test.file.clone());
-            Ok(format!(
-                "<a class=\"test\" href=\"{}#L{}\" title=\"{}\">checked by <code>{}</code></a>",
+            let proof = format!(
+                "checked by <a href=\"{}#L{}\">{}</a><br>in {}",
                 source_address(&test.file),
                 test.line,
-                escape(&test.file),
-                escape(name)
-            ))
+                escape(&name.replace('_', " ")),
+                escape(&test.file)
+            );
+            Ok(page.proof("tick", "\u{2713}".into(), proof))
         }
         _ => Err("this directive must have its line for itself".into()),
     }
@@ -267,22 +319,16 @@ pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> 
 /// # Errors
 /// What is missing.
 pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
-    match directive {
-        Directive::Num {
-            stem,
-            key,
-            digits,
-            unit,
-        } => {
-            let (claim, unit) = claimed(page, stem, key, *digits, unit.as_deref())?;
-            let mut tex = number_tex(&claim.value);
-            if let Some(unit) = unit {
-                tex += &format!("\\,\\mathrm{{{}}}", unit.replace(' ', "\\,"));
-            }
-            Ok(tex)
+    if let Some(shown) = shown(page, directive)? {
+        let mut tex = number_tex(&shown.value);
+        if let Some(unit) = shown.unit {
+            tex += &format!("\\,\\mathrm{{{}}}", unit.replace(' ', "\\,"));
         }
+        return Ok(tex);
+    }
+    match directive {
         Directive::Given(number) => Ok(number_tex(number)),
-        _ => Err("only {{num …}} and {{given …}} may stand in a formula".into()),
+        _ => Err("only {{num …}}, {{param …}} and {{given …}} may stand in a formula".into()),
     }
 }
 
@@ -291,20 +337,14 @@ pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
 /// # Errors
 /// What is missing.
 pub fn plain(page: &mut Page, directive: &Directive) -> Result<String, String> {
-    match directive {
-        Directive::Num {
-            stem,
-            key,
-            digits,
-            unit,
-        } => {
-            let (claim, unit) = claimed(page, stem, key, *digits, unit.as_deref())?;
-            Ok(match unit {
-                Some(unit) => format!("{} {unit}", claim.value),
-                None => claim.value,
-            })
-        }
-        _ => Err("only {{num …}} may stand in code".into()),
+    match shown(page, directive)? {
+        Some(Shown {
+            value,
+            unit: Some(unit),
+            ..
+        }) => Ok(format!("{value} {unit}")),
+        Some(shown) => Ok(shown.value),
+        None => Err("only {{num …}} and {{param …}} may stand in code".into()),
     }
 }
 
@@ -321,20 +361,25 @@ pub fn block(
     let project: &Project = page.project;
     match directive {
         Directive::Figure(figures) => {
-            let mut marks = Vec::new();
-            for (stem, name) in figures {
-                page.stems.push(stem.clone());
-                let svg = project.figure(stem, name)?;
-                let alt = figure::alternative(&svg)
-                    .map_err(|e| format!("{}: {e}", Project::figure_file(stem, name)))?;
-                let splice = Splice::Figure {
-                    stem: stem.clone(),
-                    name: name.clone(),
-                };
-                marks.push(splice.mark(&crate::text::unescape(alt)));
-            }
             let id = format!("fig-{}", figures[0].1);
-            Ok(figure::row(&marks, caption, indent, &id))
+            let marks = panels(page, figures)?;
+            Ok(page.row(&marks, caption, indent, &id, None))
+        }
+        Directive::Stills { stem } => {
+            let prefix = format!("{stem}__frame_");
+            let names = project.names("tests/snapshots/figures", ".snap.svg");
+            let frames: Vec<(String, String)> = names
+                .iter()
+                .filter(|name| name.starts_with(&prefix))
+                .map(|name| (stem.clone(), name[stem.len() + 2..].to_owned()))
+                .collect();
+            if frames.is_empty() {
+                return Err(format!(
+                    "there is no figure tests/snapshots/figures/{prefix}*.snap.svg"
+                ));
+            }
+            let marks = panels(page, &frames)?;
+            Ok(page.row(&marks, caption, indent, "fig-frames", Some(stem)))
         }
         Directive::Listing { stem, anchor } => {
             page.stems.push(stem.clone());
@@ -342,13 +387,11 @@ pub fn block(
             let file = format!("examples/{stem}.rs");
             page.sources.push(file.clone());
             let head = format!(
-                "<div class=\"listing\"><a href=\"{}#L{line}\">{file}</a></div>",
+                "<div class=\"code\"><div class=\"listing\"><a href=\"{}#L{line}\">{file}</a></div>",
                 source_address(&file)
             );
-            Ok(indented(
-                &format!("{head}\n\n{}\n", fence("rust,noplayground", &code)),
-                indent,
-            ))
+            let code = fence("rust,noplayground", &code);
+            Ok(indented(&format!("{head}\n\n{code}\n</div>\n\n"), indent))
         }
         Directive::Output { stem, section } => {
             page.stems.push(stem.clone());
@@ -357,8 +400,15 @@ pub fn block(
                 None => for_reading(&project.output(stem)?).to_owned(),
                 Some(section) => project.table(stem, section)?.to_string(),
             };
-            let text = format!("$ {command}\n{}", text.trim_end());
-            Ok(indented(&format!("{}\n", fence("console", &text)), indent))
+            let text = fence("console", &format!("$ {command}\n{}", text.trim_end()));
+            let markdown = match section {
+                Some(_) => format!("{text}\n"),
+                None => format!(
+                    "<details class=\"output\">\n<summary>What <code>{command}</code> prints</summary>\n\n\
+                     {text}\n</details>\n\n"
+                ),
+            };
+            Ok(indented(&markdown, indent))
         }
         Directive::Table { stem, section } => {
             page.stems.push(stem.clone());
@@ -372,7 +422,7 @@ pub fn block(
                 section: section.clone(),
             }
             .mark(&text);
-            Ok(format!("{indent}<div class=\"scroll\">{mark}</div>\n\n"))
+            Ok(format!("{indent}<div class=\"box\">{mark}</div>\n\n"))
         }
         Directive::Measured { record, table } => {
             let (found, _) = measured::of(project, record, table)?;
@@ -381,7 +431,7 @@ pub fn block(
                 table: table.clone(),
             }
             .mark(&table::plain(&found));
-            Ok(format!("{indent}<div class=\"scroll\">{mark}</div>\n\n"))
+            Ok(format!("{indent}<div class=\"box\">{mark}</div>\n\n"))
         }
         Directive::Check { stem } => {
             page.stems.push(stem.clone());
@@ -389,10 +439,28 @@ pub fn block(
             let mark = Splice::Check { stem: stem.clone() }.mark("");
             Ok(format!("{indent}<div class=\"check\">{mark}</div>\n\n"))
         }
-        Directive::Num { .. } | Directive::Given(_) | Directive::Test { .. } => {
-            inline(page, directive)
-        }
+        Directive::Num { .. }
+        | Directive::Param { .. }
+        | Directive::Given(_)
+        | Directive::Test { .. } => inline(page, directive),
     }
+}
+
+/// The marks of some figures.
+fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<String>, String> {
+    let mut marks = Vec::new();
+    for (stem, name) in figures {
+        page.stems.push(stem.clone());
+        let svg = page.project.figure(stem, name)?;
+        let alt = figure::alternative(&svg)
+            .map_err(|e| format!("{}: {e}", Project::figure_file(stem, name)))?;
+        let splice = Splice::Figure {
+            stem: stem.clone(),
+            name: name.clone(),
+        };
+        marks.push(splice.mark(&crate::text::unescape(alt)));
+    }
+    Ok(marks)
 }
 
 fn fence(language: &str, code: &str) -> String {
@@ -429,6 +497,15 @@ mod tests {
             })
         );
         assert_eq!(
+            Directive::read("param a:spin-rate@3 rad/s"),
+            Ok(Directive::Param {
+                stem: "a".into(),
+                name: "spin-rate".into(),
+                digits: Some(3),
+                unit: Some("rad/s".into())
+            })
+        );
+        assert_eq!(
             Directive::read("figure a:x y b:z"),
             Ok(Directive::Figure(vec![
                 ("a".into(), "x".into()),
@@ -455,6 +532,10 @@ mod tests {
             "num a:b@0",
             "num a:b@x",
             "num",
+            "param a",
+            "param a:b@0",
+            "stills",
+            "stills a:b",
             "nums a:b",
             "figure",
             "listing a",

@@ -5,11 +5,13 @@
 //! comments, `$…$`, `$$…$$`, `\eqref{…}` and `{{…}}`. Everything else is copied.
 
 use crate::directive::{self, Directive};
+use crate::figure;
 use crate::lint;
 use crate::maths::{self, Refused};
 use crate::problem::Problem;
 use crate::project::Project;
 use crate::splice::Splice;
+use crate::spoken;
 use crate::text;
 use std::collections::BTreeMap;
 
@@ -48,6 +50,10 @@ pub struct Page<'a> {
     pub stems: Vec<String>,
     /// The files that tests are linked to.
     pub sources: Vec<String>,
+    /// How many figures there are so far.
+    figures: usize,
+    /// How many numbers and ticks open a proof so far.
+    proofs: usize,
     /// What is wrong.
     pub problems: Vec<Problem>,
 }
@@ -63,6 +69,8 @@ impl<'a> Page<'a> {
             found: Labels::new(),
             stems: Vec::new(),
             sources: Vec::new(),
+            figures: 0,
+            proofs: 0,
             problems: Vec::new(),
         }
     }
@@ -70,6 +78,36 @@ impl<'a> Page<'a> {
     /// Notes a problem.
     pub fn problem(&mut self, line: usize, message: impl Into<String>) {
         self.problems.push(Problem::new(self.file, line, message));
+    }
+
+    /// What shows `html` and opens `proof`, a mark; `kind` is its class.
+    pub fn proof(&mut self, kind: &str, html: String, proof: String) -> String {
+        self.proofs += 1;
+        let page = self.address.trim_end_matches(".html").replace('/', "-");
+        let text = match kind {
+            "num" => text::without_tags(&html),
+            _ => String::new(),
+        };
+        Splice::Proof {
+            kind: kind.into(),
+            id: format!("proof-{page}-{}", self.proofs),
+            html,
+            proof,
+        }
+        .mark(&text)
+    }
+
+    /// The next figure of the page.
+    pub fn row(
+        &mut self,
+        marks: &[String],
+        caption: &str,
+        indent: &str,
+        id: &str,
+        frame: Option<&str>,
+    ) -> String {
+        self.figures += 1;
+        figure::row(self.figures, marks, caption, indent, id, frame)
     }
 
     /// The Markdown for mdBook; `first` is the number of its first line.
@@ -177,14 +215,20 @@ impl<'a> Page<'a> {
             }
         };
         walk.skip(line.len());
-        let caption = matches!(directive, Directive::Figure(_)).then(|| walk.take_paragraph());
-        if let Some((caption_line, text)) = &caption
-            && (text.is_empty() || text.starts_with(['#', '|']) || text.starts_with("{{"))
-        {
-            self.problem(
-                *caption_line,
-                "a figure is followed by a paragraph, its caption",
-            );
+        let caption = directive.has_caption().then(|| walk.take_paragraph());
+        if let Some((caption_line, text)) = &caption {
+            let text = text.trim_start_matches([' ', '>']);
+            if text.is_empty() || text.starts_with(['#', '|']) || text.starts_with("{{") {
+                self.problem(
+                    *caption_line,
+                    "a figure is followed by a paragraph, its caption",
+                );
+            } else if !text.starts_with("**") {
+                self.problem(
+                    *caption_line,
+                    "a caption begins with what the figure shows, in bold: **…**",
+                );
+            }
         }
         let caption = caption.map(|(line, text)| self.expand(&text, line));
         let caption = caption.unwrap_or_default();
@@ -215,11 +259,17 @@ impl<'a> Page<'a> {
         walk.copy(width);
     }
 
-    /// Code with each `{{num …}}` replaced; other braces are the code's own.
+    /// Code with each `{{num …}}` and `{{param …}}` replaced; other braces are the code's own.
     fn numbers_in_code(&mut self, code: &str, line: usize) -> String {
         let mut done = String::new();
         let mut rest = code;
-        while let Some(at) = rest.find("{{num ") {
+        let next = |text: &str| {
+            [text.find("{{num "), text.find("{{param ")]
+                .into_iter()
+                .flatten()
+                .min()
+        };
+        while let Some(at) = next(rest) {
             done.push_str(&rest[..at]);
             let Some(end) = rest[at..].find("}}") else {
                 break;
@@ -295,7 +345,7 @@ impl<'a> Page<'a> {
             // A group in a group is TeX's own.
             let end = rest[at..].find("}}");
             let inner = end.map(|end| &rest[at + 2..at + end]);
-            let directive = inner.filter(|i| i.starts_with("num ") || i.starts_with("given "));
+            let directive = inner.filter(|i| is_number(i));
             let (Some(end), Some(inner)) = (end, directive) else {
                 done.push_str(&rest[..at + 1]);
                 rest = &rest[at + 1..];
@@ -346,10 +396,10 @@ impl<'a> Page<'a> {
             Ok(prepared) => prepared,
             Err(message) => return self.problem(line, message),
         };
-        let mathml = match maths::mathml(&prepared.tex, true) {
-            Ok(mathml) => mathml,
-            Err(refused) => return self.refused(&prepared.tex, &refused, line),
-        };
+        if let Err(refused) = maths::mathml(&prepared.tex, true) {
+            return self.refused(&prepared.tex, &refused, line);
+        }
+        let text_form = spoken::text(&prepared.tex);
         if let Some(label) = &prepared.label {
             match &prepared.tag {
                 None => self.problem(line, format!("\\label{{{label}}} needs a \\tag{{…}}")),
@@ -375,7 +425,7 @@ impl<'a> Page<'a> {
             id: prepared.label.map(|label| equation_id(&label)),
             boxed: prepared.boxed,
         };
-        walk.out.push_str(&splice.mark(&maths::plain(&mathml)));
+        walk.out.push_str(&splice.mark(&text_form));
     }
 
     fn inline(&mut self, walk: &mut Walk) {
@@ -396,8 +446,9 @@ impl<'a> Page<'a> {
         walk.prose.push_str(&"\n".repeat(feeds));
         let tex = self.tex(&tex, line);
         match maths::mathml(&tex, false) {
-            Ok(mathml) => {
-                let mark = Splice::Inline { tex }.mark(&maths::plain(&mathml));
+            Ok(_) => {
+                let spoken = spoken::text(&tex);
+                let mark = Splice::Inline { tex }.mark(&spoken);
                 walk.glued(&mark);
             }
             Err(refused) => self.refused(&tex, &refused, line),
@@ -416,10 +467,18 @@ impl<'a> Page<'a> {
         let inner = rest[2..end].to_owned();
         walk.at += end + 2;
         match Directive::read(&inner).and_then(|d| directive::inline(self, &d)) {
+            Ok(html) if html.contains("data-splice") => walk.glued(&html),
             Ok(html) => walk.out.push_str(&html),
             Err(message) => self.problem(line, message),
         }
     }
+}
+
+/// Whether a directive gives a number that may stand in a formula.
+fn is_number(inner: &str) -> bool {
+    ["num ", "param ", "given "]
+        .iter()
+        .any(|kind| inner.starts_with(kind))
 }
 
 fn without_directives(tex: &str) -> String {
@@ -428,9 +487,7 @@ fn without_directives(tex: &str) -> String {
     while let Some((before, after)) = rest.split_once("{{") {
         kept.push_str(before);
         match after.split_once("}}") {
-            Some((inner, after)) if inner.starts_with("num ") || inner.starts_with("given ") => {
-                rest = after;
-            }
+            Some((inner, after)) if is_number(inner) => rest = after,
             _ => rest = after,
         }
     }

@@ -47,18 +47,30 @@ pub fn inline(svg: &str, prefix: &str) -> Result<String, String> {
     Ok(svg)
 }
 
-/// A row of panels with their caption below, as Markdown that holds HTML.
-pub fn row(marks: &[String], caption: &str, indent: &str, id: &str) -> String {
+/// The figure with this number on its page: a row of panels with their caption below, as
+/// Markdown that holds HTML. The stills of a moving figure say whose they are (`frame`).
+pub fn row(
+    number: usize,
+    marks: &[String],
+    caption: &str,
+    indent: &str,
+    id: &str,
+    frame: Option<&str>,
+) -> String {
     let panels: Vec<String> = marks
         .iter()
         .map(|mark| format!("<div class=\"panel\">{mark}</div>"))
         .collect();
+    let (class, frame) = match frame {
+        Some(stem) => ("panels stills", format!(" data-frame=\"{stem}\"")),
+        None => ("panels", String::new()),
+    };
     let lines = [
-        &format!("<figure id=\"{id}\">"),
-        &format!("<div class=\"panels\">{}</div>", panels.concat()),
+        &format!("<figure id=\"{id}\"{frame}>"),
+        &format!("<div class=\"{class}\">{}</div>", panels.concat()),
         "<figcaption>",
         "",
-        caption,
+        &format!("<span class=\"number\">Figure {number}.</span> {caption}"),
         "",
         "</figcaption>",
         "</figure>",

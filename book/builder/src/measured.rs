@@ -10,13 +10,13 @@ use crate::text::escape;
 use rotation_dynamics::report::{Parsed, Table, parse};
 
 /// Where the records are, relative to the project's root.
-const RECORDS: &str = "benches/record";
+pub const RECORDS: &str = "benches/record";
 
 /// The record `name`.
 ///
 /// # Errors
 /// That there is none, and which there are; or why it cannot be read.
-fn record(project: &Project, name: &str) -> Result<Parsed, String> {
+pub fn record(project: &Project, name: &str) -> Result<Parsed, String> {
     let file = format!("{RECORDS}/{name}.txt");
     if !project.path(&file).is_file() {
         let known = project.names(RECORDS, ".txt").join(", ");
@@ -25,12 +25,22 @@ fn record(project: &Project, name: &str) -> Result<Parsed, String> {
     parse(&project.read(&file)?).map_err(|e| format!("{file}: {e}"))
 }
 
+/// The record and the table in it that a page means by `NAME:SECTION`. The strips have a
+/// record for each stem, so `strips:STEM` is the table `strip` of `strips/STEM`.
+fn named<'n>(name: &str, section: &'n str) -> (String, &'n str) {
+    match name {
+        "strips" => (format!("strips/{section}"), "strip"),
+        name => (name.to_owned(), section),
+    }
+}
+
 /// A table of a record, and the line under it.
 ///
 /// # Errors
 /// What is missing, and what there is instead.
 pub fn of(project: &Project, name: &str, section: &str) -> Result<(Table, String), String> {
-    let record = record(project, name)?;
+    let (name, section) = named(name, section);
+    let record = record(project, &name)?;
     let Some(found) = record.table(&format!("table {section}")) else {
         let headings = record.tables.iter().map(Table::heading);
         let known: Vec<&str> = headings.map(|h| h.trim_start_matches("table ")).collect();
@@ -59,7 +69,7 @@ pub fn of(project: &Project, name: &str, section: &str) -> Result<(Table, String
 pub fn html(project: &Project, name: &str, section: &str) -> Result<String, String> {
     let (found, note) = of(project, name, section)?;
     Ok(format!(
-        "{}<p class=\"measured\">{}</p>",
+        "<div class=\"scroll\">{}</div><p class=\"measured\">{}</p>",
         table::html(&found),
         escape(&note)
     ))

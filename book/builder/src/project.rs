@@ -139,6 +139,33 @@ impl Project {
         })
     }
 
+    /// A parameter of an example, whose flag is `--NAME`: its value and unit, as for a claim.
+    pub fn parameter(&self, stem: &str, name: &str) -> Result<Claim, String> {
+        let table = self.table(stem, "parameters")?;
+        let flag = format!("--{name}");
+        let row = table.rows().iter().find(|row| row[0] == flag);
+        let row = row.ok_or_else(|| {
+            let known = table
+                .rows()
+                .iter()
+                .map(|row| row[0].trim_start_matches("--"));
+            let known: Vec<&str> = known.collect();
+            format!(
+                "{stem} has no parameter '{name}'; it has: {}",
+                known.join(", ")
+            )
+        })?;
+        let [_, value, unit, ..] = row.as_slice() else {
+            return Err(format!("the parameters of {stem} have no value and unit"));
+        };
+        Ok(Claim {
+            value: value.clone(),
+            unit: unit.clone(),
+            bound: "0".into(),
+            oracle: "-".into(),
+        })
+    }
+
     /// The file of a locked figure.
     pub fn figure_file(stem: &str, name: &str) -> String {
         format!("tests/snapshots/figures/{stem}__{name}.snap.svg")

@@ -4,6 +4,7 @@
 use crate::check;
 use crate::figure;
 use crate::fonts;
+use crate::frame;
 use crate::maths;
 use crate::measured;
 use crate::pages;
@@ -75,6 +76,23 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
                 identifier.unwrap_or_default()
             ))
         }
+        Splice::Proof {
+            kind,
+            id,
+            html,
+            proof,
+        } => {
+            let label = match kind.as_str() {
+                "tick" => " aria-label=\"checked by a test\"",
+                _ => "",
+            };
+            // Links say whose proof they are, so that the source can link back.
+            let proof = proof.replace("<a href=", &format!("<a data-from=\"{id}-at\" href="));
+            Ok(format!(
+                "<button type=\"button\" class=\"{kind}\" id=\"{id}-at\" popovertarget=\"{id}\"{label}>\
+                 {html}</button><span class=\"proof\" id=\"{id}\" popover>{proof}</span>"
+            ))
+        }
         Splice::Figure { stem, name } => {
             *number += 1;
             figure::inline(&project.figure(stem, name)?, &format!("f{number}-"))
@@ -82,8 +100,11 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
         Splice::Table { stem, section } => {
             let table = project.table(stem, section)?;
             match section == times::SECTION {
-                true => Ok(times::of(project, stem, &table)?.html()),
-                false => Ok(table::html(&table)),
+                true => Ok(times::of(project, stem, &table)?.html(project, stem)),
+                false => Ok(format!(
+                    "<div class=\"scroll\">{}</div>",
+                    table::html(&table)
+                )),
             }
         }
         Splice::Measured { record, table } => measured::html(project, record, table),
@@ -184,7 +205,8 @@ fn finish(
     fonts: &[String],
 ) -> Result<String, String> {
     let mut number = 0;
-    let html = splice::fill(html, |splice| html_of(project, splice, &mut number))?;
+    let html = frame::page(html, address)?;
+    let html = splice::fill(&html, |splice| html_of(project, splice, &mut number))?;
     let up = "../".repeat(address.matches('/').count());
     let preload: String = fonts
         .iter()
@@ -199,22 +221,7 @@ fn finish(
         light = css_variables(false).replace('\n', ""),
         dark = css_variables(true).replace('\n', ""),
     );
-    let mut html = html.replacen("</head>", &colours, 1);
-    // Two themes, each with its own contrast measured, instead of mdBook's five.
-    for theme in ["rust", "navy", "ayu"] {
-        let from = format!(
-            "<li role=\"none\"><button role=\"menuitem\" class=\"theme\" id=\"mdbook-theme-{theme}\">"
-        );
-        if let Some(at) = html.find(&from)
-            && let Some(end) = html[at..].find("</li>")
-        {
-            html.replace_range(at..at + end + "</li>".len(), "");
-        }
-    }
-    Ok(html.replace(
-        "id=\"mdbook-theme-coal\">Coal<",
-        "id=\"mdbook-theme-coal\">Dark<",
-    ))
+    Ok(html.replacen("</head>", &colours, 1))
 }
 
 /// The files at or below `directory`, sorted.

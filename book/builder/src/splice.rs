@@ -19,6 +19,13 @@ pub enum Splice {
         id: Option<String>,
         boxed: bool,
     },
+    /// What opens a proof: a number (`num`) or a tick (`tick`), and the proof.
+    Proof {
+        kind: String,
+        id: String,
+        html: String,
+        proof: String,
+    },
     /// A locked figure.
     Figure { stem: String, name: String },
     /// A section of the locked output.
@@ -50,6 +57,18 @@ impl Splice {
                 some(id),
                 if *boxed { "boxed" } else { "" }.into(),
             ],
+            Self::Proof {
+                kind,
+                id,
+                html,
+                proof,
+            } => vec![
+                "proof".into(),
+                kind.clone(),
+                id.clone(),
+                html.clone(),
+                proof.clone(),
+            ],
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
             Self::Measured { record, table } => {
@@ -69,6 +88,12 @@ impl Splice {
                 tag: some(&fields[2]),
                 id: some(&fields[3]),
                 boxed: boxed == "boxed",
+            },
+            ["proof", kind, id, html, proof] => Self::Proof {
+                kind: kind.into(),
+                id: id.into(),
+                html: html.into(),
+                proof: proof.into(),
             },
             ["figure", stem, name] => Self::Figure {
                 stem: stem.into(),
@@ -180,6 +205,12 @@ mod tests {
                 table: "ratios".into(),
             },
             Splice::Check { stem: "a".into() },
+            Splice::Proof {
+                kind: "num".into(),
+                id: "p-1".into(),
+                html: "2<sup>3</sup>".into(),
+                proof: "error below <b>1</b>".into(),
+            },
         ];
         let mut page = String::from("<p>");
         for splice in &splices {
@@ -190,7 +221,7 @@ mod tests {
             seen.push(splice.clone());
             Ok("!".into())
         });
-        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!"));
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!"));
         assert_eq!(seen, splices);
         // The damaged twin: a broken mark is an error, not text.
         assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());

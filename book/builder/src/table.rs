@@ -4,6 +4,9 @@ use crate::notation::{self, words};
 use crate::text::{escape, number_html, unit_html};
 use rotation_dynamics::report::Table;
 
+/// Sections whose rows are quantities of different kinds.
+const MIXED: [&str; 4] = ["parameters", "claims", "limits", "effects"];
+
 /// The most characters of a cell that is not broken: "height_ratio_release".
 const LONGEST_SHORT: usize = 20;
 
@@ -22,12 +25,19 @@ pub fn html(table: &Table) -> String {
 pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String {
     let name = table.heading().trim_start_matches("table ");
     let mut html = format!("<table class=\"section {}\"><thead><tr>", escape(name));
-    // A column is numeric if most of its cells are; one without content is left out.
+    // A column is numeric if most of what it holds is; one without content is left out.
     let column = |n: usize| table.rows().iter().map(move |row| row[n].as_str());
     let numeric: Vec<bool> = (0..table.columns().len())
         .map(|n| {
-            2 * column(n).filter(|cell| number_html(cell).is_some()).count() > table.rows().len()
+            let held = column(n).filter(|cell| *cell != "-");
+            let numbers = held.clone().filter(|cell| number_html(cell).is_some());
+            2 * numbers.count() > held.count()
         })
+        .collect();
+    // Where all rows are of one kind, so are the numbers of a column: powers of ten or none.
+    let uniform = !MIXED.contains(&table.heading());
+    let powers: Vec<bool> = (0..numeric.len())
+        .map(|n| uniform && numeric[n] && column(n).any(|cell| cell.contains('e')))
         .collect();
     let shown = |n: &usize| column(*n).any(|cell| cell != "-");
     // One of short words stays on one line.
@@ -38,7 +48,11 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
         false => "",
     };
     for n in (0..numeric.len()).filter(shown) {
-        html += &format!("<th{}>{}</th>", class(n), words(&table.columns()[n]));
+        html += &format!(
+            "<th scope=\"col\"{}>{}</th>",
+            class(n),
+            words(&table.columns()[n])
+        );
     }
     html += "</tr></thead><tbody>";
     for (line, row) in table.rows().iter().enumerate() {
@@ -50,6 +64,9 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
                 ("-", _) => "–".into(),
                 (cell, "key" | "flag") => format!("<code>{}</code>", escape(cell)),
                 (cell, "unit") => unit_html(cell),
+                (cell, _) if powers[n] => {
+                    number_html(&with_power(cell)).unwrap_or_else(|| words(cell))
+                }
                 (cell, _) => number_html(cell)
                     .or_else(|| quantity(cell))
                     .unwrap_or_else(|| words(cell)),
@@ -80,9 +97,47 @@ fn quantity(cell: &str) -> Option<String> {
     })
 }
 
+/// A large or small number with a power of ten, its digits kept: `7100000` is `7.1e6`. Zeros
+/// at the end of a whole number stand for digits that are not known.
+fn with_power(cell: &str) -> String {
+    let Ok(value) = cell.parse::<f64>() else {
+        return cell.into();
+    };
+    let size = value.abs();
+    if cell.contains('e') || value == 0.0 || (0.1..1e3).contains(&size) {
+        return cell.into();
+    }
+    let digits: String = cell.chars().filter(char::is_ascii_digit).collect();
+    let digits = digits.trim_start_matches('0');
+    let known = match cell.contains('.') {
+        true => digits,
+        false => digits.trim_end_matches('0'),
+    };
+    format!("{value:.*e}", known.len().saturating_sub(1))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_column_has_one_format_and_dashes_do_not_count() {
+        let locked = "Sample\n\ntable costs\nmethod  torques  here\n\
+                      a       7100000  1\nb       1.3e7    -\nc       420      -\n";
+        let tables = rotation_dynamics::report::parse(locked)
+            .expect("it is a table")
+            .tables;
+        let html = html(&tables[0]);
+        for cell in [
+            "<td class=\"n\">7.1\u{202f}\u{d7}\u{202f}10<sup>6</sup></td>",
+            "<td class=\"n\">420</td>",
+            "<td class=\"n\">1</td>",
+        ] {
+            assert!(html.contains(cell), "{cell}\n{html}");
+        }
+        assert_eq!(with_power("0.012"), "1.2e-2");
+        assert_eq!(with_power("12345"), "1.2345e4");
+    }
 
     #[test]
     fn only_a_column_of_long_words_is_broken() {

@@ -1,18 +1,16 @@
-//! What the lines of an accuracy strip cost in time.
+//! What the lines of an accuracy strip cost in time, and what that comes to in two lines.
 //!
-//! Times are measured, not locked, so they are no part of an example's output: they
-//! stand in a record of their own, written by `cargo run --release -p benches --bin
-//! strips`. A time is shown only beside the very computation that was timed; if
-//! anything in the line has changed since, its place stays empty.
+//! Times are measured, not locked, so they are no part of an example's output: they stand in
+//! a record for each stem, `benches/record/strips/STEM.txt`, written by `cargo run --release
+//! -p benches --bin strips -- STEM`. A time is shown only beside the very computation that was
+//! timed; if anything in the line has changed since, its place holds a dash.
 
 use crate::measured;
 use crate::project::Project;
 use crate::table;
-use crate::text::escape;
-use rotation_dynamics::report::{Parsed, Table, parse};
-
-/// The record, relative to the project's root.
-const RECORD: &str = "benches/record/strips.txt";
+use crate::text::{escape, number_html};
+use rotation_dynamics::report::{Parsed, Table, short};
+use std::cmp::Ordering;
 
 /// What a line of the strip and one of the record must share.
 const SAME: [&str; 4] = ["method", "requested", "delivered", "work"];
@@ -20,7 +18,10 @@ const SAME: [&str; 4] = ["method", "requested", "delivered", "work"];
 /// The section in which an example states its strip.
 pub const SECTION: &str = "accuracy";
 
-/// A strip with its times.
+/// The page that says what to choose.
+const CHOICE: &str = "accuracy";
+
+/// A strip with its times, sorted by the error asked for and then by time.
 pub struct Timed {
     /// The strip; a line without a time has `-`.
     pub table: Table,
@@ -30,17 +31,164 @@ pub struct Timed {
     note: Option<String>,
 }
 
+/// A line of the strip as numbers.
+#[derive(Debug, Clone)]
+struct Line {
+    method: String,
+    requested: f64,
+    delivered: f64,
+    work: String,
+    time: Option<f64>,
+}
+
+impl Line {
+    /// A line that delivers what it was asked for.
+    fn delivers(&self) -> bool {
+        self.delivered <= self.requested
+    }
+
+    /// A line of the dial, which is asked for an error and finds method and step itself.
+    fn is_dial(&self) -> bool {
+        self.method.starts_with("dial")
+    }
+
+    /// Method, work and time in words.
+    fn words(&self) -> String {
+        let method = self.method.trim_start_matches("least: ");
+        let time = match self.time {
+            Some(time) => format!(
+                "the time of {} samples of the closed form",
+                number_html(&short(time, 2)).unwrap_or_default()
+            ),
+            None => "not timed".into(),
+        };
+        format!("{}: {}, {time}", escape(method), escape(&self.work))
+    }
+}
+
 impl Timed {
-    /// The strip as HTML, and the line under it.
-    pub fn html(&self) -> String {
+    /// The strip as HTML: two lines, and the whole of it in a fold.
+    pub fn html(&self, project: &Project, stem: &str) -> String {
         let time = self.table.columns().len() - 1;
-        let html = table::html_with(&self.table, |row, column| {
+        let table = table::html_with(&self.table, |row, column| {
             column == time && self.least.contains(&row)
         });
         let note = self.note.as_ref();
         let note = note.map(|note| format!("<p class=\"measured\">{}</p>", escape(note)));
-        html + &note.unwrap_or_default()
+        let more = match stem != CHOICE && project.path(&format!("book/src/{CHOICE}.md")).is_file()
+        {
+            true => format!(" <a href=\"{CHOICE}.html\">What to choose</a>."),
+            false => String::new(),
+        };
+        format!(
+            "{}<details class=\"strip\"><summary>All methods and errors</summary>\
+             <div class=\"scroll\">{table}</div>{}</details>",
+            summary(&lines(&self.table), &more),
+            note.unwrap_or_default()
+        )
     }
+}
+
+/// The lines of the strip that state an error asked for.
+fn lines(strip: &Table) -> Vec<Line> {
+    let line = |row: &Vec<String>| {
+        let cells = cells(strip, row, &SAME)?;
+        let time = cells_number(strip, row, "time");
+        Some(Line {
+            method: cells[0].into(),
+            requested: cells[1].parse().ok()?,
+            delivered: cells[2].parse().ok()?,
+            work: cells[3].into(),
+            time,
+        })
+    };
+    strip.rows().iter().filter_map(line).collect()
+}
+
+fn cells_number(table: &Table, row: &[String], name: &str) -> Option<f64> {
+    cells(table, row, &[name])?[0].parse().ok()
+}
+
+/// The two lines: the cheapest method that delivered the error at which most compete, and
+/// what the dial takes more. Without rivals: what the dial takes, and what digits cost.
+fn summary(lines: &[Line], more: &str) -> String {
+    let delivering: Vec<&Line> = lines.iter().filter(|line| line.delivers()).collect();
+    let rivals = |error: f64| {
+        let same = delivering
+            .iter()
+            .filter(move |line| line.requested == error);
+        same.copied().filter(|line| !line.is_dial())
+    };
+    // The greatest number of rivals; of equals, the last, which is the smallest error.
+    let contested = delivering
+        .iter()
+        .max_by_key(|line| rivals(line.requested).count());
+    let Some(error) = contested.map(|line| line.requested) else {
+        return String::new();
+    };
+    let power = |error: f64| number_html(&format!("{error:e}")).unwrap_or_default();
+    let paragraph = |head: &str, text: String| format!("<p><strong>{head}</strong> {text}</p>");
+    let cheapest = rivals(error)
+        .filter(|line| line.time.is_some())
+        .min_by(|a, b| by_time(a, b))
+        .or(rivals(error).next());
+    let dials = delivering.iter().copied().filter(|line| line.is_dial());
+    if let Some(cheapest) = cheapest {
+        let dial = dials.clone().find(|line| line.requested == error);
+        let sure = match dial {
+            Some(dial) => {
+                let ratio = dial
+                    .time
+                    .zip(cheapest.time)
+                    .map(|(dial, least)| dial / least);
+                let ratio = match ratio {
+                    Some(ratio) => format!("{} times as long", short(ratio, 2)),
+                    None => "a time that has not been measured".into(),
+                };
+                format!(
+                    "The dial, which knows no answer to compare with, takes {ratio} and delivers \
+                     {}.{more}",
+                    power(dial.delivered)
+                )
+            }
+            None => format!("Nobody was asked to be sure of it here.{more}"),
+        };
+        return paragraph(
+            &format!("The cheapest method that delivered {}:", power(error)),
+            cheapest.words() + ".",
+        ) + &paragraph("The price of being sure:", sure);
+    }
+    let first = dials
+        .clone()
+        .max_by(|a, b| a.requested.total_cmp(&b.requested));
+    let last = dials
+        .clone()
+        .min_by(|a, b| a.requested.total_cmp(&b.requested));
+    let (Some(first), Some(last)) = (first, last) else {
+        return String::new();
+    };
+    let ratio = last.time.zip(first.time).map(|(last, first)| last / first);
+    let price = match ratio {
+        Some(ratio) => format!(
+            "takes {} times as long as {}",
+            short(ratio, 2),
+            power(first.requested)
+        ),
+        None => "has not been timed".into(),
+    };
+    paragraph(
+        &format!("For an error of {}:", power(first.requested)),
+        first.words() + ".",
+    ) + &paragraph(
+        "The price of digits:",
+        format!("an error of {} {price}.{more}", power(last.requested)),
+    )
+}
+
+/// The lesser time first; what was not timed last.
+fn by_time(a: &Line, b: &Line) -> Ordering {
+    let time = |line: &Line| line.time.unwrap_or(f64::INFINITY);
+    time(a).total_cmp(&time(b))
 }
 
 /// The cells of `row` under `names`, if there are such columns.
@@ -57,13 +205,12 @@ fn cells<'t>(table: &'t Table, row: &'t [String], names: &[&str]) -> Option<Vec<
 /// # Errors
 /// A record that is there and cannot be read.
 pub fn of(project: &Project, stem: &str, strip: &Table) -> Result<Timed, String> {
-    let record = match project.path(RECORD).is_file() {
+    let file = format!("{}/strips/{stem}.txt", measured::RECORDS);
+    let record = match project.path(&file).is_file() {
         false => None,
-        true => Some(parse(&project.read(RECORD)?).map_err(|e| format!("{RECORD}: {e}"))?),
+        true => Some(measured::record(project, &format!("strips/{stem}"))?),
     };
-    let measured = record
-        .as_ref()
-        .and_then(|r| r.table(&format!("table {stem}")));
+    let measured = record.as_ref().and_then(|r| r.table("table strip"));
     let time = |row: &[String]| -> Option<String> {
         let (record, key) = (measured?, cells(strip, row, &SAME)?);
         let line = record
@@ -81,15 +228,27 @@ pub fn of(project: &Project, stem: &str, strip: &Table) -> Result<Timed, String>
         .ok_or("a strip without columns")?;
     let columns = kept.iter().map(String::as_str).chain(["time"]);
     let mut timed = Table::new(SECTION, columns).map_err(|e| e.to_string())?;
-    for (row, time) in strip.rows().iter().zip(&times) {
-        let time = time.as_deref().unwrap_or("-");
+    let mut sorted: Vec<(&Vec<String>, &str)> = strip
+        .rows()
+        .iter()
+        .zip(times.iter().map(|time| time.as_deref().unwrap_or("-")))
+        .collect();
+    let key = |(row, time): &(&Vec<String>, &str)| {
+        let requested = cells_number(strip, row, "requested").unwrap_or(0.0);
+        (-requested, time.parse().unwrap_or(f64::INFINITY))
+    };
+    sorted.sort_by(|a, b| {
+        let (a, b): ((f64, f64), (f64, f64)) = (key(a), key(b));
+        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    for (row, time) in sorted {
         let cells = row[..kept.len()].iter().map(String::as_str).chain([time]);
         timed.push(cells).map_err(|e| e.to_string())?;
     }
     let least = least(&timed);
     let note = record
         .filter(|_| times.iter().any(Option::is_some))
-        .map(|record| note(&record, stem, !least.is_empty()));
+        .map(|record| note(&record, !least.is_empty()));
     Ok(Timed {
         table: timed,
         least,
@@ -122,14 +281,12 @@ fn least(strip: &Table) -> Vec<usize> {
     least.map(|line| line.0).collect()
 }
 
-fn note(record: &Parsed, stem: &str, marked: bool) -> String {
-    let find = |table: &str, key: &str| -> Option<String> {
-        let rows = record.table(table)?.rows();
-        let row = rows.iter().find(|row| row[0] == key)?;
-        row.get(1).cloned()
-    };
+fn note(record: &Parsed, marked: bool) -> String {
+    let unit = record
+        .table("table unit")
+        .and_then(|table| table.rows().first());
     let mut note = String::from("Time: in units of one sample of the closed form");
-    if let Some(unit) = find("table units", stem) {
+    if let Some(unit) = unit.and_then(|row| row.get(1)) {
         note += &format!(" ({unit}\u{202f}ns)");
     }
     note += ", medians measured";
@@ -164,5 +321,19 @@ mod tests {
             table.push(row).expect("sound");
         }
         assert_eq!(least(&table), [2]);
+        // In words: what delivers and is timed is the cheapest, and the dial is compared with it.
+        table
+            .push(["dial: slow", "1e-9", "1e-12", "90 steps", "50"])
+            .expect("sound");
+        let words = summary(&lines(&table), "");
+        for part in [
+            "fast: 2 steps, the time of 20 samples",
+            "takes 2.5 times as long",
+        ] {
+            assert!(words.contains(part), "{words}");
+        }
+        let alone: Vec<Line> = lines(&table).into_iter().filter(Line::is_dial).collect();
+        assert!(summary(&alone, "").contains("For an error of 10<sup>\u{2212}9</sup>"));
+        assert_eq!(summary(&[], ""), "");
     }
 }
