@@ -100,6 +100,12 @@ pub enum Error {
     },
     /// An impact with restitution and friction that would end with more energy.
     ImpactGainsEnergy { t: f64, before: f64, after: f64 },
+    /// Bounces that have become lower than doubles resolve: they would go on for ever.
+    BouncesUnresolved {
+        contact: &'static str,
+        t: f64,
+        height: f64,
+    },
     /// A change of phase was waited for and did not come.
     NotReached { name: &'static str, until: f64 },
     /// A start so fast that a body would leave the floor at once.
@@ -279,6 +285,11 @@ impl fmt::Display for Error {
                 f,
                 "the impact at t = {t} would raise the kinetic energy from {before} to {after}: \
                  Newton's restitution contradicts this friction; take a smaller one of the two"
+            ),
+            Self::BouncesUnresolved { contact, t, height } => write!(
+                f,
+                "at t = {t} the bounces of \"{contact}\" are {height:.1e} high, which doubles do not \
+                 resolve, and there would be infinitely many more: end before, or take a restitution of 0"
             ),
             Self::NotReached { name, until } => {
                 write!(f, "\"{name}\" does not happen until t = {until}")

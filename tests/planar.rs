@@ -2,10 +2,20 @@
 
 #[path = "planar/block.rs"]
 mod block;
+#[path = "planar/corner.rs"]
+mod corner;
+#[path = "planar/dial.rs"]
+mod dial;
+#[path = "planar/impacts.rs"]
+mod impacts;
 #[path = "planar/ladder.rs"]
 mod ladder;
+#[path = "planar/rollers.rs"]
+mod rollers;
 #[path = "planar/rolling.rs"]
 mod rolling;
+#[path = "planar/statics.rs"]
+mod statics;
 
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;

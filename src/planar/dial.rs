@@ -115,3 +115,5 @@ fn distance<const N: usize, S: Phased<N>>(
 pub(super) const fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }
+
+const _: () = assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());

@@ -96,8 +96,8 @@ pub struct Condition<'s, P, const N: usize> {
     kind: Kind,
     margin: Margin<'s, N>,
     next: Next<'s, P, N>,
-    /// The size of the margin, where the scene itself decides whether it holds at entry.
-    size: Option<Margin<'s, N>>,
+    /// The round-off of the margin, where the scene itself decides whether it holds at entry.
+    noise: Option<Margin<'s, N>>,
 }
 
 /// A function of the state.
@@ -156,15 +156,15 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
             kind,
             margin: Box::new(margin),
             next,
-            size: None,
+            noise: None,
         }
     }
 
-    /// The scene has decided that the condition holds at entry: there its sign is round-off,
-    /// which is what is small beside `size`.
-    fn decided(self, size: impl Fn(&[f64; N]) -> f64 + 's) -> Self {
+    /// The scene has decided that the condition holds at entry, where its sign may be
+    /// round-off; anywhere a margin below zero by no more than `noise` is none.
+    fn decided(self, noise: impl Fn(&[f64; N]) -> f64 + 's) -> Self {
         Self {
-            size: Some(Box::new(size)),
+            noise: Some(Box::new(noise)),
             ..self
         }
     }

@@ -167,18 +167,21 @@ fn failed_unseen<P, const N: usize>(
     let stopped = solution.stopped_by().map(|event| event.index);
     for (_, condition) in (0..).zip(conditions).filter(|(i, _)| Some(*i) != stopped) {
         let (mut lowest, mut highest, mut first) = (0.0_f64, 0.0_f64, None);
+        let mut largest_noise = 0.0_f64;
         for t in solution.step_times() {
             let state = solution.at(t)?;
             let margin = (condition.margin)(&state);
-            let size = condition.size.as_ref().map_or(0.0, |size| size(&state));
-            highest = highest.max(margin).max(size);
+            highest = highest.max(margin);
+            if let Some(noise) = &condition.noise {
+                largest_noise = largest_noise.max(noise(&state));
+            }
             lowest = lowest.min(margin);
             if margin < 0.0 {
                 first = first.or(Some(t));
             }
         }
         if let Some(t) = first
-            && lowest < -ROUND_OFF * highest
+            && lowest < -(ROUND_OFF * highest).max(largest_noise)
         {
             return Ok(Some((condition.name, lowest, t)));
         }
@@ -191,7 +194,7 @@ fn check_entry<P, const N: usize>(
     t: f64,
     state: &[f64; N],
 ) -> Result<()> {
-    let must_hold = |c: &&Condition<'_, P, N>| c.kind != Kind::Opening && c.size.is_none();
+    let must_hold = |c: &&Condition<'_, P, N>| c.kind != Kind::Opening && c.noise.is_none();
     for condition in conditions.iter().filter(must_hold) {
         let value = (condition.margin)(state);
         // Not `value < 0`: what is not a number does not hold either.

@@ -84,18 +84,17 @@ impl Equations {
         })
     }
 
-    /// Brings the largest coefficient of each row, then of each column, near 1; returns the
+    /// Brings the largest coefficient of each row, then of each column, between 1 and 2; returns the
     /// scales of the unknowns.
     fn scale(&mut self) -> [f64; SIZE] {
         let n = self.n;
-        let part = |largest: f64| if largest > 0.0 { 1.0 / largest } else { 1.0 };
         for (row, right) in self.rows[..n].iter_mut().zip(&mut self.right) {
-            let factor = part(row.iter().fold(0.0, |m: f64, a| m.max(a.abs())));
+            let factor = reciprocal(row.iter().fold(0.0, |m: f64, a| m.max(a.abs())));
             row.iter_mut().for_each(|a| *a *= factor);
             *right *= factor;
         }
         core::array::from_fn(|j| {
-            let factor = part(self.rows.iter().fold(0.0, |m: f64, r| m.max(r[j].abs())));
+            let factor = reciprocal(self.rows.iter().fold(0.0, |m: f64, r| m.max(r[j].abs())));
             self.rows.iter_mut().for_each(|r| r[j] *= factor);
             factor
         })
@@ -114,4 +113,14 @@ impl Equations {
         }
         found
     }
+}
+
+/// The power of 2 that brings `size` between 1 and 2: scaling by it rounds nothing. 1 for
+/// what is 0, subnormal or infinite.
+const fn reciprocal(size: f64) -> f64 {
+    let exponent = size.to_bits() >> 52;
+    if exponent == 0 || exponent >= 2046 {
+        return 1.0;
+    }
+    f64::from_bits((2046 - exponent) << 52)
 }

@@ -5,11 +5,16 @@ use super::resolve::{Trigger, enter};
 use super::response::{Problem, Response, total};
 use super::{Force, Mechanism, Modes};
 use crate::error::Result;
+use crate::math::EPS;
 use crate::planar::{Condition, Next, Phased};
 use core::fmt;
 
-/// Round-off of a normal force, in parts of all contact forces: 4 eps.
-const FORCE_NOISE: f64 = 4.5e-16;
+/// Round-off of a normal force that is 0, in parts of all contact forces.
+const FORCE_NOISE: f64 = 4.0 * EPS;
+/// Round-off of gaps and slips, in parts of their sizes.
+const NOISE: f64 = EPS;
+/// Round-off of forces over a whole leg, in parts of all contact forces.
+const FORCE_DRIFT: f64 = 1e-12;
 
 /// A [`Mechanism`] as a [`Phased`] scene.
 pub struct Modal<'m, M, const N: usize, const S: usize, const C: usize>(pub &'m M);
@@ -142,11 +147,11 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
             let one_sided = contact.press == Press::OneSided;
             if one_sided && modes[i] == Mode::Open {
                 let gap = move |y: &[f64; S]| self.contact(i, y).gap;
-                let size = move |y: &[f64; S]| self.gap_size(i, &split(y));
+                let size = move |y: &[f64; S]| NOISE * self.gap_size(i, &split(y));
                 let next = decide(Trigger::Gap(i));
                 conditions.push(Condition::gap(contact.name, gap, next).decided(size));
             }
-            let all = move |y: &[f64; S]| total(&self.forces(&modes, y));
+            let all = move |y: &[f64; S]| FORCE_DRIFT * total(&self.forces(&modes, y));
             if one_sided && modes[i] != Mode::Open {
                 let push = move |y: &[f64; S]| {
                     let forces = self.forces(&modes, y);
@@ -174,7 +179,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
                 let slip = move |y: &[f64; S]| {
                     sense.sign() * self.contact(i, y).tangent.speed(&split(y).v)
                 };
-                let size = move |y: &[f64; S]| self.slip_size(i, &split(y));
+                let size = move |y: &[f64; S]| NOISE * self.slip_size(i, &split(y));
                 let next = decide(Trigger::Slip(i));
                 conditions.push(Condition::gap(contact.name, slip, next).decided(size));
             }

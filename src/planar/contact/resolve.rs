@@ -1,13 +1,17 @@
 //! Which modes follow: at the start, where a contact lets go or touches, where a slip ends.
 
-use super::declare::{Contact, Mode, Press, Sense, State};
+use super::declare::{Contact, Mode, Press, Sense, State, dot};
 use super::modal::{Modal, join, split};
 use super::response::{Choices, Problem, Response, Unsolved, ZERO};
 use super::{Mechanism, Modes};
 use crate::error::{Error, Result, finite};
+use crate::math::EPS;
 
 /// Corrections of coordinates that are brought back onto their contacts, at most.
 const CORRECTIONS: usize = 3;
+
+/// A bounce lower than this part of the size of its gap is not resolved: 64 eps.
+const UNRESOLVED: f64 = 64.0 * EPS;
 
 /// What ended the modes before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,9 +80,25 @@ pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const
     });
     let mass = scene.0.mass(&state.q);
     let problem = scene.newton(&state, &mass, &contacts);
-    let (modes, _) = problem
+    let (modes, Response { rate, .. }) = problem
         .search(&choices)
         .map_err(|unsolved| named(unsolved, t, &contacts, &state))?;
+    for i in (0..C).filter(|&i| hit && shut[i] && modes[i] == Mode::Open) {
+        let Contact { normal, name, .. } = contacts[i];
+        // Up with u, back with the acceleration -a: u^2/(2a) high.
+        let (speed, back) = (
+            normal.speed(&state.v),
+            -dot(&normal.along, &rate) - normal.bias,
+        );
+        let height = 0.5 * speed * speed / back;
+        if back > 0.0 && height < UNRESOLVED * scene.gap_size(i, &state) {
+            return Err(Error::BouncesUnresolved {
+                contact: name,
+                t,
+                height,
+            });
+        }
+    }
     put_on(scene, &modes, &mut state);
     Ok((modes, join(&state)))
 }
@@ -140,7 +160,7 @@ fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     let (_, Response { rate, .. }) = problem
         .search(&choices)
         .map_err(|unsolved| named(unsolved, t, &contacts, state))?;
-    let energy = |v: &[f64; N]| 0.5 * super::declare::dot(v, &momentum(&mass, v));
+    let energy = |v: &[f64; N]| 0.5 * dot(v, &momentum(&mass, v));
     let (before, after) = (energy(&state.v), energy(&rate));
     let moved = contacts
         .iter()
@@ -153,7 +173,7 @@ fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
 }
 
 fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
-    core::array::from_fn(|j| super::declare::dot(&mass[j], v))
+    core::array::from_fn(|j| dot(&mass[j], v))
 }
 
 /// Moves coordinates and velocities onto the contacts that act, by least action on the

@@ -45,39 +45,43 @@ pub(super) struct Response<const N: usize, const C: usize> {
 impl<const N: usize, const C: usize> Problem<'_, N, C> {
     /// The response if the contacts are in these modes; `None` if they contradict each other.
     pub fn respond(&self, modes: &Modes<C>) -> Option<Response<N, C>> {
+        // Unknowns: the rates, then both forces of each contact. The equations of the
+        // contacts come first, those of Newton after them.
         let mut equations = Equations::new(N + 2 * C);
-        for j in 0..N {
-            equations.rows[j][..N].copy_from_slice(&self.mass[j]);
-            equations.right[j] = self.load[j];
-        }
+        let (rows, right) = (&mut equations.rows, &mut equations.right);
         for (i, (contact, mode)) in self.contacts.iter().zip(modes).enumerate() {
             let (normal, tangential) = (N + 2 * i, N + 2 * i + 1);
-            for j in 0..N {
-                equations.rows[j][normal] = -contact.normal.along[j];
-                equations.rows[j][tangential] = -contact.tangent.along[j];
-            }
+            let (row, slip) = (2 * i, 2 * i + 1);
             match (contact.press, *mode) {
                 (Press::Given(force), _) => {
-                    equations.rows[normal][normal] = 1.0;
-                    equations.right[normal] = if self.impact { 0.0 } else { force };
+                    rows[row][normal] = 1.0;
+                    right[row] = if self.impact { 0.0 } else { force };
                 }
-                (_, Mode::Open) => equations.rows[normal][normal] = 1.0,
+                (_, Mode::Open) => rows[row][normal] = 1.0,
                 _ => {
-                    equations.rows[normal][..N].copy_from_slice(&contact.normal.along);
-                    equations.right[normal] = self.aim[i][0];
+                    rows[row][..N].copy_from_slice(&contact.normal.along);
+                    right[row] = self.aim[i][0];
                 }
             }
             match *mode {
                 Mode::Stick => {
-                    equations.rows[tangential][..N].copy_from_slice(&contact.tangent.along);
-                    equations.right[tangential] = self.aim[i][1];
+                    rows[slip][..N].copy_from_slice(&contact.tangent.along);
+                    right[slip] = self.aim[i][1];
                 }
                 Mode::Slip(sense) => {
-                    equations.rows[tangential][tangential] = 1.0;
-                    equations.rows[tangential][normal] = sense.sign() * contact.friction.kinetic;
+                    rows[slip][tangential] = 1.0;
+                    rows[slip][normal] = sense.sign() * contact.friction.kinetic;
                 }
-                Mode::Open | Mode::Smooth => equations.rows[tangential][tangential] = 1.0,
+                Mode::Open | Mode::Smooth => rows[slip][tangential] = 1.0,
             }
+            for j in 0..N {
+                rows[2 * C + j][normal] = -contact.normal.along[j];
+                rows[2 * C + j][tangential] = -contact.tangent.along[j];
+            }
+        }
+        for j in 0..N {
+            rows[2 * C + j][..N].copy_from_slice(&self.mass[j]);
+            right[2 * C + j] = self.load[j];
         }
         let root = equations.solve()?;
         let x = match &root.freedom {
@@ -147,11 +151,14 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         load + total(&response.force)
     }
 
-    /// The size of each rate.
+    /// The size of a rate: what all forces together could make of it.
     fn rate_size(&self, response: &Response<N, C>, j: usize) -> f64 {
-        response.rate[j]
-            .abs()
-            .max((self.load[j] / self.mass[j][j]).abs())
+        let rows = self
+            .contacts
+            .iter()
+            .map(|contact| contact.normal.along[j].abs() + contact.tangent.along[j].abs());
+        let forces = self.load[j].abs() + rows.sum::<f64>() * total(&response.force);
+        response.rate[j].abs().max(forces / self.mass[j][j])
     }
 
     /// Whether the response agrees with what the modes claim.
@@ -168,7 +175,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                 (dot(along, &response.rate) - aim, ZERO * (size + aim.abs()))
             };
             let moves = match modes[i] {
-                Mode::Open => {
+                Mode::Open if choices[i].shut => {
                     let (rate, none) = excess(&contact.normal.along, self.aim[i][0]);
                     rate >= -none
                 }
@@ -241,25 +248,29 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
 pub(super) struct Choices {
     modes: [Mode; 4],
     count: usize,
+    /// The gap is shut: only its rate tells whether it opens.
+    shut: bool,
     /// The slip speed is 0: only its rate tells whether it slips, and which way.
     slip_begins: bool,
 }
 
 impl Choices {
-    /// This mode and no other.
+    /// This mode and no other, whatever its rates.
     pub const fn only(mode: Mode) -> Self {
         Self {
             modes: [mode; 4],
             count: 1,
+            shut: false,
             slip_begins: false,
         }
     }
 
-    /// These modes, in this order; where the slip begins its sense is to be found.
+    /// These modes of a shut contact, in this order; where the slip begins its sense is to be found.
     pub fn of(modes: &[Mode], slip_begins: bool) -> Self {
         let mut choices = Self {
             modes: [Mode::Open; 4],
             count: modes.len(),
+            shut: true,
             slip_begins,
         };
         choices.modes[..modes.len()].copy_from_slice(modes);

@@ -1,0 +1,266 @@
+//! Impacts: one contact or several at once, with restitution and friction.
+
+use super::{G, relative};
+use rotation_dynamics::Error;
+use rotation_dynamics::math::{EPS, sincos};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+
+/// A ball of radius 0.1 m and inertia (2/5) m R^2 between floor and wall.
+struct Ball {
+    restitution: f64,
+    mu: f64,
+}
+
+impl Mechanism<3, 6, 2> for Ball {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
+    }
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0, -G, 0.0]
+    }
+    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 2] {
+        [("floor", Surface::FLOOR), ("wall", Surface::WALL)].map(|(name, surface)| {
+            Contact::rim(name, ball, 0.1, surface)
+                .friction(self.mu)
+                .restitution(self.restitution)
+        })
+    }
+}
+
+/// Dropped with spin and speed on a rough floor: friction turns spin into speed until the
+/// rim grips, or until the impulse is over.
+#[test]
+fn a_spinning_ball_bounces_off_sideways() {
+    let (mut ran, mut worst) = (0, 0.0);
+    for restitution in [0.0, 0.5, 1.0] {
+        for mu in [0.0, 0.05, 0.1, 0.9] {
+            for (v, spin) in [(1.0, 0.0), (0.0, 30.0), (1.0, -30.0)] {
+                let ball = Ball { restitution, mu };
+                let fall = 0.5;
+                let start = State {
+                    q: [5.0, 0.1 + 0.5 * G * fall * fall, 0.0],
+                    v: [v, 0.0, spin],
+                };
+                let motion = motion_within(&ball, 1e-12, start, 0.6).unwrap();
+                let hit = &motion.events()[0];
+                worst = f64::max(worst, relative(hit.t, fall));
+                // The impulses per unit mass: (1 + e) v_y, and at most mu times it, or 2/7 of the slip.
+                let slip: f64 = v + 0.1 * spin;
+                let most = mu * (1.0 + restitution) * G * fall;
+                let change = -f64::copysign(most.min(2.0 / 7.0 * slip.abs()), slip);
+                let want = [
+                    v + change,
+                    restitution * G * fall,
+                    spin + change * 0.1 / 0.004,
+                ];
+                for (got, want) in hit.after.v.into_iter().zip(want) {
+                    worst = worst.max((got - want).abs() / (1.0 + want.abs()));
+                }
+                let name = if restitution > 0.0 {
+                    "floor bounces"
+                } else {
+                    "floor touches"
+                };
+                assert_eq!(hit.name, name);
+                ran += 1;
+            }
+        }
+    }
+    assert_eq!(ran, 36);
+    assert!(worst <= 3.9 * EPS, "{} eps", worst / EPS);
+}
+
+/// Into the corner: floor and wall are hit at the same time.
+#[test]
+fn two_contacts_are_hit_at_once() {
+    let ball = Ball {
+        restitution: 0.5,
+        mu: 0.0,
+    };
+    let start = State {
+        q: [1.1, 0.1 + 1.0 + 0.5 * G * 0.25, 0.0],
+        v: [-2.0, -2.0, 3.0],
+    };
+    let motion = motion_within(&ball, 1e-12, start, 0.55).unwrap();
+    let hit = &motion.events()[0];
+    assert!(relative(hit.t, 0.5) <= 4.0 * EPS, "{}", hit.t);
+    assert!(relative(hit.after.v[0], 1.0) <= 4.0 * EPS, "{hit:?}");
+    let up = 0.5 * (2.0 + 0.5 * G);
+    assert!(relative(hit.after.v[1], up) <= 4.0 * EPS, "{hit:?}");
+    assert_eq!(hit.after.v[2], 3.0);
+}
+
+/// Bounces that die out are refused where doubles no longer resolve them, with the time
+/// they tend to; bounces without end by their number.
+#[test]
+fn bounces_without_end_are_refused() {
+    let drop = State::rest([5.0, 0.1 + 0.5 * G, 0.0]);
+    let ball = |restitution| Ball {
+        restitution,
+        mu: 0.3,
+    };
+    let until = |restitution, t_end| {
+        motion_within(&ball(restitution), 1e-9, drop, t_end).map(|m| m.events().len())
+    };
+    assert_eq!(until(0.5, 2.999), Ok(11));
+    let error = until(0.5, 4.0).unwrap_err();
+    let Error::BouncesUnresolved { contact, t, height } = error else {
+        panic!("{error}")
+    };
+    // 1 + 2 (1/2 + 1/4 + ...) seconds.
+    assert_eq!(contact, "floor");
+    assert!((3.0 - 1e-6..3.0).contains(&t), "{t}");
+    assert!(height < 1e-13, "{height:e}");
+    let error = until(0.99, 200.0).unwrap_err();
+    assert!(
+        matches!(error, Error::TooManyPhases { limit: 1000, .. }),
+        "{error}"
+    );
+}
+
+/// Masses in a row, each with a smooth contact to the next: `masses[0]` comes from the left.
+struct Row {
+    masses: [f64; 3],
+    restitution: f64,
+}
+
+impl Mechanism<3, 6, 2> for Row {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let [a, b, c] = self.masses;
+        [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
+    }
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0; 3]
+    }
+    fn contacts(&self, row: &State<3>) -> [Contact<3>; 2] {
+        let [x, y, z] = row.q;
+        [
+            Contact::new("first", y - x, [-1.0, 1.0, 0.0], 0.0).restitution(self.restitution),
+            Contact::new("second", z - y, [0.0, -1.0, 1.0], 0.0).restitution(self.restitution),
+        ]
+    }
+}
+
+/// Plastic: all three go on together, whatever their masses. Elastic, one after the other:
+/// equal masses hand the motion on.
+#[test]
+fn a_row_is_hit_through() {
+    let (mut ran, mut worst) = (0, 0.0);
+    for ratio in [1e-12, 1e-6, 1.0, 1e6, 1e12] {
+        let row = Row {
+            masses: [1.0, ratio, 2.0],
+            restitution: 0.0,
+        };
+        let start = State {
+            q: [-1.0, 0.0, 0.0],
+            v: [1.0, 0.0, 0.0],
+        };
+        let motion = motion_within(&row, 1e-12, start, 2.0).unwrap();
+        let common = 1.0 / (3.0 + ratio);
+        for v in motion.at(2.0).unwrap().v {
+            worst = f64::max(worst, relative(v, common));
+            ran += 1;
+        }
+        assert_eq!(motion.events().len(), 1, "{:?}", motion.events());
+    }
+    assert_eq!(ran, 15);
+    assert!(worst <= 3.1 * EPS, "{} eps", worst / EPS);
+    let row = Row {
+        masses: [1.0; 3],
+        restitution: 1.0,
+    };
+    let start = State {
+        q: [-1.0, 0.0, 0.5],
+        v: [1.0, 0.0, 0.0],
+    };
+    let end = motion_within(&row, 1e-12, start, 3.0)
+        .unwrap()
+        .at(3.0)
+        .unwrap();
+    assert!(
+        (end.q[2] - 2.0).abs() <= 1e-14 && end.v == [0.0, 0.0, 1.0],
+        "{end:?}"
+    );
+}
+
+/// A rod of length 2 m and mass 1 kg whose tip, right below its centre, meets a rough floor.
+pub struct Rod {
+    pub mu: f64,
+    pub restitution: f64,
+}
+
+impl Mechanism<3, 6, 1> for Rod {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
+    }
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0, -G, 0.0]
+    }
+    fn contacts(&self, rod: &State<3>) -> [Contact<3>; 1] {
+        let (s, c) = sincos(rod.q[2]);
+        let tip = Contact::corner("tip", rod, [c, s], Surface::FLOOR);
+        [tip.friction(self.mu).restitution(self.restitution)]
+    }
+}
+
+/// The state of the rod at an angle below the horizontal, its tip on the floor.
+fn on_tip(angle: f64, v: [f64; 3]) -> State<3> {
+    let (s, _) = sincos(angle);
+    State {
+        q: [0.0, s, -angle],
+        v,
+    }
+}
+
+/// Painlevé: a rod pushed with its tip ahead on a rough floor; at mu = 2 and 45 degrees
+/// neither slipping nor lifting off agrees with itself, and when it turns fast both do.
+#[test]
+fn the_rod_of_painleve_is_refused() {
+    let half = core::f64::consts::FRAC_PI_4;
+    let rod = |mu| Rod {
+        mu,
+        restitution: 0.0,
+    };
+    let (s, c) = sincos(half);
+    // The tip slips forward at 1 m/s and stays on the floor: v_y + omega c = 0.
+    let start = |omega: f64| on_tip(half, [1.0 - omega * s, -omega * c, omega]);
+    let go = |mu, omega| motion_within(&rod(mu), 1e-9, start(omega), 0.1).map(|_| ());
+    // Below mu = 5/3 there is one motion.
+    assert_eq!(go(1.6, 0.0), Ok(()));
+    let error = go(2.0, 0.0).unwrap_err();
+    assert!(
+        matches!(error, Error::NoContactForces { tried: 2, .. }),
+        "{error}"
+    );
+    assert!(error.to_string().contains("Painlev\u{e9}"), "{error}");
+    let error = go(2.0, 5.0).unwrap_err();
+    let Error::SeveralMotions { first, second, .. } = &error else {
+        panic!("{error}")
+    };
+    assert_eq!(
+        (first.as_str(), second.as_str()),
+        ("tip slips forward", "tip opens")
+    );
+}
+
+/// Newton's restitution with friction that turns the slip round can gain energy (Kane):
+/// such an impact is refused.
+#[test]
+fn an_impact_that_gains_energy_is_refused() {
+    let rod = Rod {
+        mu: 0.0,
+        restitution: 1.0,
+    };
+    let mut start = on_tip(0.9, [-0.86, -1.0, 0.0]);
+    start.q[1] += 0.1;
+    let hit =
+        |mu, restitution| motion_within(&Rod { mu, restitution }, 1e-9, start, 0.15).map(|_| ());
+    assert_eq!(hit(rod.mu, rod.restitution), Ok(()));
+    let error = hit(1.0, 1.0).unwrap_err();
+    let Error::ImpactGainsEnergy { before, after, .. } = error else {
+        panic!("{error}")
+    };
+    assert!(after > before, "{error}");
+    // Plastic, the same impact is one.
+    assert_eq!(hit(1.0, 0.0), Ok(()));
+}
