@@ -292,43 +292,6 @@ fn name(text: &str, before: Kind) -> (Token, usize) {
     (token(Kind::Symbol, &format!("{tex} "), html), length)
 }
 
-/// A cell as text, where no HTML may stand: Greek letters, lowered and raised digits.
-pub fn symbols(cell: &str) -> String {
-    let set = |digits: &str, set: &str| -> Option<String> {
-        let place = |c: char| set.chars().nth("0123456789-".find(c)?);
-        (!digits.is_empty()).then(|| digits.chars().map(place).collect())?
-    };
-    let mut text = String::new();
-    let mut rest = cell;
-    while let Some(c) = rest.chars().next() {
-        let end = match c.is_ascii_alphabetic() {
-            true => rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len()),
-            false => c.len_utf8(),
-        };
-        let (word, after) = rest.split_at(end);
-        rest = after;
-        let letter = GREEK.iter().find(|(name, _)| *name == word);
-        text += &letter.map_or(word.to_owned(), |(_, letter)| letter.to_string());
-        let digits = |from: &str| {
-            let sign = usize::from(from.starts_with('-'));
-            sign + from[sign..].bytes().take_while(u8::is_ascii_digit).count()
-        };
-        let (small, after) = match rest.strip_prefix('^') {
-            Some(power) => (set(&power[..digits(power)], "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"), &power[digits(power)..]),
-            None if letter.is_some() || word.len() == 1 && c.is_ascii_alphabetic() => {
-                let count = rest.bytes().take_while(u8::is_ascii_digit).count();
-                (set(&rest[..count], "₀₁₂₃₄₅₆₇₈₉₋"), &rest[count..])
-            }
-            None => (None, rest),
-        };
-        if let Some(small) = small {
-            text += &small;
-            rest = after;
-        }
-    }
-    text.replace("->", "→").replace("<=", "≤").replace(">=", "≥")
-}
-
 /// Whether `word` is the name of a Greek letter.
 pub fn is_greek(word: &str) -> bool {
     GREEK.iter().any(|(name, _)| *name == word)
