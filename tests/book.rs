@@ -6,7 +6,7 @@
 mod sample;
 
 use rotation_dynamics::math::pow;
-use rotation_dynamics::report::{Table, parse};
+use rotation_dynamics::report::parse;
 use sample::{RECORD, Sample, book, read};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -54,7 +54,7 @@ fn the_book_is_built_and_every_page_is_in_it() {
     let mut written = 0;
     for file in entries.iter().filter_map(|(_, file)| file.as_ref()) {
         let html = read(&out.join(file).with_extension("html"));
-        assert!(html.contains("<main>"), "{file}");
+        assert!(html.contains("<main id=\"main\""), "{file}");
         assert!(!html.contains("data-splice"), "{file}");
         written += 1;
     }
@@ -106,7 +106,37 @@ fn every_stem_is_complete() {
 }
 
 /// Each damage: the file, what is replaced by what, and how the message begins.
-const DAMAGES: [(&str, &str, &str, &str); 26] = [
+const DAMAGES: [(&str, &str, &str, &str); 31] = [
+    (
+        "book/src/one.md",
+        "param sample:length",
+        "param sample:width",
+        "book/src/one.md:35: sample has no parameter 'width'; it has: length",
+    ),
+    (
+        "book/src/one.md",
+        "param sample:length m",
+        "param sample:length kg",
+        "book/src/one.md:35: the unit of sample:length is m, not kg",
+    ),
+    (
+        "book/src/one.md",
+        "stills sample",
+        "stills simple",
+        "book/src/one.md:37: there is no figure tests/snapshots/figures/simple__frame_*.snap.svg",
+    ),
+    (
+        "book/src/one.md",
+        "**It swings.**",
+        "It swings.",
+        "book/src/one.md:19: a caption begins with what the figure shows, in bold",
+    ),
+    (
+        "book/src/one.md",
+        "**Two stills.** Up and down.",
+        "",
+        "book/src/one.md:39: a figure is followed by a paragraph, its caption",
+    ),
     (
         "book/src/one.md",
         "sample:period",
@@ -172,7 +202,7 @@ const DAMAGES: [(&str, &str, &str, &str); 26] = [
         "book/src/one.md",
         "sample:swing",
         "sample:sway",
-        "book/src/one.md:17: there is no figure tests/snapshots/figures/sample__sway.snap.svg; sample has: swing",
+        "book/src/one.md:17: there is no figure tests/snapshots/figures/sample__sway.snap.svg; sample has: frame_1, frame_2, swing",
     ),
     (
         "book/src/one.md",
@@ -296,7 +326,7 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         assert!(!sample.root.join("out.new").exists());
         found += 1;
     }
-    assert_eq!(found, 26);
+    assert_eq!(found, 31);
 
     // Orphans: files that nothing shows.
     let orphans = [
@@ -340,6 +370,64 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
 }
 
 #[test]
+fn numbers_ticks_stills_and_the_answer_box_are_made() {
+    let sample = Sample::new("parts");
+    let out = sample.root.join("out");
+    let built = book(&sample.root, &["--out", &out.to_string_lossy()], "");
+    assert!(built.ok, "{}", built.stderr);
+    let html = read(&out.join("one.html"));
+    let proof = "<b>2.0064\u{202f}s</b><br>error below 5\u{202f}\u{d7}\u{202f}10<sup>\u{2212}5</sup>\
+                 <br>checked against: closed form</span>";
+    for shown in [
+        "popovertarget=\"proof-one-1\">2.0064\u{202f}s</button>",
+        proof,
+        "aria-label=\"checked by a test\"",
+        "The length is 1.5\u{202f}m.",
+        "<figure id=\"fig-frames\" data-frame=\"sample\">",
+        "<span class=\"number\">Figure 2.</span> <strong>Two stills.</strong>",
+        "<option value=\"period\">the period (s)</option>",
+        "<li>length of the rod: 1.5\u{202f}m</li>",
+        "<details class=\"output\">",
+        "<meta name=\"description\" content=\"The period is 2.0064 s, as T = 2.0064 s says.\">",
+    ] {
+        assert!(html.contains(shown), "{shown}\n{html}");
+    }
+    assert_eq!(html.matches("<h1").count(), 1);
+    // The source leads back to the tick.
+    let source = read(&out.join("source/tests/sample_tests.rs.html"));
+    let tick = html
+        .split("<button type=\"button\" class=\"tick\" id=\"")
+        .nth(1);
+    let tick = tick
+        .and_then(|rest| rest.split('"').next())
+        .expect("a tick");
+    assert!(source.contains(&format!("one.html#{tick}\"")), "{source}");
+
+    // With groups, only what has one is offered.
+    let snap = sample.root.join("tests/snapshots/sample.snap");
+    let grouped = read(&snap)
+        .replace(
+            "key     within  meaning",
+            "key     within  meaning     group",
+        )
+        .replace(
+            "period  0.001   the period",
+            "period  0.001   the period  Times\nhalf    0.001   a half      -",
+        )
+        .replace(
+            "\n\nlimits",
+            "\nhalf    1.0032  s     5e-5   closed form      <1e-15\n\nlimits",
+        );
+    fs::write(&snap, grouped).expect("the copy can be written");
+    let built = book(&sample.root, &["--out", &out.to_string_lossy()], "");
+    assert!(built.ok, "{}", built.stderr);
+    let html = read(&out.join("one.html"));
+    let options = "<select name=\"key\"><optgroup label=\"Times\">\
+                   <option value=\"period\">the period (s)</option></optgroup></select>";
+    assert!(html.contains(options), "{html}");
+}
+
+#[test]
 fn a_record_is_shown_with_what_it_was_measured_on() {
     let sample = Sample::new("measured");
     let out = sample.root.join("out");
@@ -354,52 +442,56 @@ fn a_record_is_shown_with_what_it_was_measured_on() {
     }
 }
 
-/// The rows of every strip and of the record, without their times: stem and four cells.
-type Lines = BTreeSet<Vec<String>>;
-
-fn lines(stem: &str, table: &Table) -> Lines {
-    let same = ["method", "requested", "delivered", "work"];
-    assert_eq!(table.columns()[..4], same, "{stem}");
-    let line = |row: &Vec<String>| {
-        let mut line = vec![stem.to_owned()];
-        line.extend_from_slice(&row[..4]);
-        line
-    };
-    table.rows().iter().map(line).collect()
-}
-
+/// A record is of an example, was measured under named conditions, and holds times. Whether a
+/// line of the strip has one is not asked: a missing time is a dash.
 #[test]
-fn every_line_of_a_strip_has_its_time() {
-    let record = parse(&read(&root().join("benches/record/strips.txt"))).expect("a record");
-    let (mut strips, mut times) = (Lines::new(), Lines::new());
-    for stem in names("examples", ".rs") {
-        let locked = read(&root().join(format!("tests/snapshots/{stem}.snap")));
-        let locked = parse(&locked).expect("a report");
-        if let Some(strip) = locked.table("accuracy") {
-            strips.extend(lines(&stem, strip));
+fn the_records_of_the_strips_are_whole() {
+    let examples = names("examples", ".rs");
+    let (mut records, mut timed) = (0, 0);
+    for stem in names("benches/record/strips", ".txt") {
+        assert!(examples.contains(&stem), "there is no example {stem}");
+        let text = read(&root().join(format!("benches/record/strips/{stem}.txt")));
+        let record = parse(&text).expect("a record");
+        let rows = |name: &str| {
+            let table = record.table(name);
+            let table = table.unwrap_or_else(|| panic!("{stem} has no {name}"));
+            table.rows().to_vec()
+        };
+        let conditions: Vec<String> = rows("table conditions").concat();
+        for condition in ["processor", "compiler", "date"] {
+            assert!(
+                conditions.iter().any(|c| c == condition),
+                "{stem}: {condition}"
+            );
         }
-    }
-    let mut timed = 0;
-    for table in &record.tables {
-        let stem = table.heading().trim_start_matches("table ");
-        if !["conditions", "units"].contains(&stem) {
-            times.extend(lines(stem, table));
-            let at = table.columns().iter().position(|c| c == "time");
-            let at = at.unwrap_or_else(|| panic!("{stem} has no times"));
-            for row in table.rows() {
-                let time: f64 = row[at].parse().expect("a number");
-                assert!(time > 0.0 && time.is_finite(), "{row:?}");
-                timed += 1;
-            }
+        let strip = record.table("table strip").expect("a strip");
+        assert_eq!(
+            strip.columns(),
+            [
+                "method",
+                "requested",
+                "delivered",
+                "work",
+                "time",
+                "quartiles"
+            ],
+            "{stem}"
+        );
+        for (cell, row) in [(1, rows("table unit"))]
+            .into_iter()
+            .chain([(4, strip.rows().to_vec())])
+            .flat_map(|(at, rows)| rows.into_iter().map(move |row| (row[at].clone(), row)))
+        {
+            let time: f64 = cell.parse().expect("a number");
+            assert!(time > 0.0 && time.is_finite(), "{stem}: {row:?}");
+            timed += 1;
         }
+        records += 1;
     }
-    let again = "measure: cargo run --release -p benches --bin strips";
-    let missing: Vec<_> = strips.difference(&times).collect();
-    assert!(missing.is_empty(), "without a time: {missing:#?}; {again}");
-    let stale: Vec<_> = times.difference(&strips).collect();
-    assert!(stale.is_empty(), "of no strip: {stale:#?}; {again}");
-    assert_eq!(timed, strips.len());
-    assert!(timed > 0);
+    assert!(
+        records > 0 && timed > records,
+        "{records} records, {timed} times"
+    );
 }
 
 #[test]
@@ -407,22 +499,23 @@ fn a_time_is_shown_beside_its_own_line_alone() {
     let sample = Sample::new("times");
     let out = sample.root.join("out");
     let built = || book(&sample.root, &["--out", &out.to_string_lossy()], "");
-    let record = sample.root.join("benches/record/strips.txt");
+    let record = sample.root.join("benches/record/strips/sample.txt");
     let page = || read(&out.join("one.html"));
 
     // Without a record there is no column and no note.
     let bare = built();
     assert!(bare.ok, "{}", bare.stderr);
-    assert!(!page().contains("<th class=\"n\">time</th>"));
+    assert!(!page().contains("<th scope=\"col\" class=\"n\">time</th>"));
     assert!(!page().contains("one sample of the closed form"));
 
-    fs::create_dir_all(sample.root.join("benches/record")).expect("the copy can be made");
+    fs::create_dir_all(sample.root.join("benches/record/strips")).expect("the copy can be made");
     fs::write(&record, RECORD).expect("the copy can be written");
     let timed = built();
     assert!(timed.ok, "{}", timed.stderr);
     let html = page();
     for shown in [
-        "<th class=\"n\">time</th>",
+        "<th scope=\"col\" class=\"n\">time</th>",
+        "The cheapest method that delivered 10<sup>\u{2212}9</sup>, of those that are timed:",
         // Not the least: that of a rival is not known.
         "<td class=\"n\">5123</td>",
         "<td class=\"n\">6789</td>",
@@ -445,7 +538,7 @@ fn a_time_is_shown_beside_its_own_line_alone() {
     fs::write(&record, RECORD.replace("  6789", "")).expect("the copy can be written");
     let damaged = built();
     assert!(!damaged.ok, "a damaged record");
-    let message = "benches/record/strips.txt:";
+    let message = "benches/record/strips/sample.txt:";
     assert!(damaged.stderr.contains(message), "{}", damaged.stderr);
 }
 
@@ -603,6 +696,9 @@ fn nothing_in_the_theme_comes_from_outside() {
     for file in [
         "book/theme/book.css",
         "book/theme/formulas.css",
+        "book/theme/parts.css",
+        "book/theme/paper.css",
+        "book/theme/answer.js",
         "book/theme/check.js",
         "book/theme/fonts/fonts.css",
     ] {
@@ -613,7 +709,7 @@ fn nothing_in_the_theme_comes_from_outside() {
         );
         read_files += 1;
     }
-    assert_eq!(read_files, 4);
+    assert_eq!(read_files, 7);
 }
 
 #[test]

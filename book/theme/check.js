@@ -64,7 +64,7 @@
         box.classList.toggle("moved", box.scrollLeft > 0);
         if (scrolls === box.hasAttribute("tabindex")) return;
         const label = box.matches("code") ? "program text" : box.matches(".formula") ? "formula" : "table";
-        const told = { tabindex: "0", role: "region", "aria-label": `${label}, scrolls` };
+        const told = { tabindex: "0", role: "group", "aria-label": `${label}, scrolls` };
         for (const [name, value] of Object.entries(told)) {
             if (scrolls) box.setAttribute(name, value);
             else box.removeAttribute(name);

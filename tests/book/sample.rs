@@ -108,6 +108,12 @@ and $\frac{T}{4}$ is a quarter of it, also in a table: | a | $|x|$ |.
 {{table sample:accuracy}}
 
 {{measured races:ratios}}
+
+The length is {{param sample:length m}}.
+
+{{stills sample}}
+
+**Two stills.** Up and down.
 ";
 
 const TWO: &str = r"# Two
@@ -123,6 +129,10 @@ source: tests/pages/snapshots.rs
 ---
 Sample
 A pendulum.
+
+parameters
+flag      value  unit  meaning
+--length  1.5    m     length of the rod
 
 claims
 key     value   unit  bound  checked against  differs by
@@ -149,7 +159,7 @@ period  1.0032  that is half a swing
 
 /// Times of the strip; the second was measured when it took 28 steps.
 pub const RECORD: &str = "\
-Times of the accuracy strips
+Times of the accuracy strip of sample
 Measured.
 
 table conditions
@@ -157,11 +167,11 @@ condition  value
 processor  Abacus 2
 compiler   rustc 1.92.0
 
-table units
-stem    one sample / ns
-sample  75
+table unit
+what        ns
+one sample  75
 
-table sample
+table strip
 method  requested  delivered  work       time  quartiles
 RK4     1e-9       7e-10      400 steps  5123  5100 to 5200
 DOP853  1e-9       5e-10      28 steps   271   270 to 280
@@ -216,6 +226,8 @@ impl Sample {
             ("examples/sample.rs", EXAMPLE),
             ("tests/snapshots/sample.snap", OUTPUT),
             ("tests/snapshots/figures/sample__swing.snap.svg", FIGURE),
+            ("tests/snapshots/figures/sample__frame_1.snap.svg", FIGURE),
+            ("tests/snapshots/figures/sample__frame_2.snap.svg", FIGURE),
             ("benches/record/races.txt", RACES),
             ("tests/sample_tests.rs", "#[test]\nfn it_swings() {}\n"),
         ];

@@ -59,7 +59,10 @@ fn parted(mut arguments: impl Iterator<Item = String>) -> (Vec<String>, Vec<Stri
 fn timed(stems: &[String], conditions: &Conditions) -> Outcome<()> {
     let known: Vec<&str> = pages::ALL.iter().map(|page| page.stem()).collect();
     if let Some(stem) = stems.iter().find(|stem| !known.contains(&stem.as_str())) {
-        Err(format!("there is no page '{stem}'; there are: {}", known.join(", ")))?;
+        Err(format!(
+            "there is no page '{stem}'; there are: {}",
+            known.join(", ")
+        ))?;
     }
     let asked = |page: &&&dyn Page| stems.is_empty() || stems.iter().any(|s| s == page.stem());
     pages::ALL

@@ -39,9 +39,14 @@ pub fn page(html: &str, address: &str) -> Result<String, String> {
         "<body><a class=\"skip\" href=\"#main\">Skip to the text</a>",
     )?;
     page.replace("<main>", "<main id=\"main\" tabindex=\"-1\">")?;
+    page.replace(
+        "<div id=\"mdbook-menu-bar\"",
+        "<div role=\"banner\" id=\"mdbook-menu-bar\"",
+    )?;
     page.themes();
     page.title();
     page.quiet_folded_headings();
+    page.keep_flags_whole();
     match address {
         "404.html" => page.replace("<base href=\"/\">", ROOT)?,
         "print.html" => {}
@@ -156,6 +161,29 @@ impl Page {
         self.0 = done;
     }
 
+    /// A line may not break within `--angle`.
+    fn keep_flags_whole(&mut self) {
+        let mut done = String::with_capacity(self.0.len());
+        let mut rest = self.0.as_str();
+        // Code with a class is a block of its own.
+        while let Some((at, code)) = between(rest, 0, "<code>", "</code>") {
+            done.push_str(&rest[..at]);
+            for word in code.split_inclusive(' ') {
+                let flag = word.trim_end();
+                match flag.len() > 2 && flag.starts_with("--") {
+                    true => {
+                        let space = &word[flag.len()..];
+                        done += &format!("<span class=\"flag\">{flag}</span>{space}");
+                    }
+                    false => done.push_str(word),
+                }
+            }
+            rest = &rest[at + code.len()..];
+        }
+        done.push_str(rest);
+        self.0 = done;
+    }
+
     /// The sections of the page as a fold under its title, for narrow screens.
     fn contents(&mut self) {
         let main = self.0.find("<main").unwrap_or(0);
@@ -197,7 +225,7 @@ mod tests {
 
     const FRAME: &str = "<title>B - B</title><meta name=\"description\" content=\"of the book\">\
         <body><label id=\"mdbook-sidebar-toggle\" class=\"x\" for=\"mdbook-sidebar-toggle-anchor\">=</label>\
-        <h1 class=\"menu-title\">B</h1><main>\n<h1 id=\"b\">B</h1>\n<p>It <em>turns</em>. Why?</p>\
+        <div id=\"mdbook-menu-bar\"><h1 class=\"menu-title\">B</h1></div><main>\n<h1 id=\"b\">B</h1>\n<p>It <em>turns</em>. Why?</p><code>x -- --tilt 2</code>\
         <h2 id=\"s\"><a class=\"header\" href=\"#s\">S</a></h2>\
         <details><h3 id=\"t\"><a class=\"header\" href=\"#t\">T</a></h3><a href=\"#s\">s</a></details></main>";
 
@@ -210,6 +238,7 @@ mod tests {
             "<a class=\"skip\" href=\"#main\">",
             "<button type=\"button\" id=\"mdbook-sidebar-toggle\" class=\"x\">=</button>",
             "<div class=\"menu-title\">B</div>",
+            "<code>x -- <span class=\"flag\">--tilt</span> 2</code>",
             "<h3 id=\"t\">T</h3><a href=\"#s\">s</a>",
             "</h1><details class=\"contents\"><summary>On this page</summary>\
              <ul><li><a href=\"#s\">S</a></li></ul></details>",

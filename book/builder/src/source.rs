@@ -95,10 +95,10 @@ fn page(file: &str, text: &str, backs: &[Back]) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\
          <style>:root{{color-scheme:light dark}}body{{margin:1rem;font-family:sans-serif}}\
          pre{{font:0.85rem/1.45 ui-monospace,Menlo,Consolas,monospace}}\
-         pre a{{color:GrayText;text-decoration:none;user-select:none}}\
+         pre a{{color:light-dark(#666,#999);text-decoration:none;user-select:none}}\
          pre a.back{{color:LinkText;text-decoration:underline}}\
          pre span:target{{background:Mark;color:MarkText}}</style></head>\
          <body><main><h1 style=\"font-size:1rem\"><a href=\"{up}index.html\">The book</a> / {file}</h1>\
-         <pre tabindex=\"0\" role=\"region\" aria-label=\"{file}\">{lines}</pre></main></body></html>\n"
+         <pre tabindex=\"0\" role=\"group\" aria-label=\"{file}\">{lines}</pre></main></body></html>\n"
     )
 }

@@ -55,12 +55,19 @@ pub fn text(tex: &str) -> String {
     let mut reader = Reader { rest: tex };
     let spoken = reader.until(None);
     let words: Vec<&str> = spoken.split_whitespace().collect();
-    let spoken = words.join(" ");
+    let mut spoken = words.join(" ");
+    let tight = [
+        (" )", ")"),
+        ("( ", "("),
+        (" ;", ";"),
+        (" ,", ","),
+        (" _", "_"),
+        (" ^", "^"),
+    ];
+    for (from, to) in tight {
+        spoken = spoken.replace(from, to);
+    }
     spoken
-        .replace(" )", ")")
-        .replace("( ", "(")
-        .replace(" ;", ";")
-        .replace(" ,", ",")
 }
 
 struct Reader<'t> {

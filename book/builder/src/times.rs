@@ -128,10 +128,9 @@ fn summary(lines: &[Line], more: &str) -> String {
     };
     let power = |error: f64| number_html(&format!("{error:e}")).unwrap_or_default();
     let paragraph = |head: &str, text: String| format!("<p><strong>{head}</strong> {text}</p>");
-    let cheapest = rivals(error)
-        .filter(|line| line.time.is_some())
-        .min_by(|a, b| by_time(a, b))
-        .or(rivals(error).next());
+    let timed = rivals(error).filter(|line| line.time.is_some());
+    let all = rivals(error).all(|line| line.time.is_some());
+    let cheapest = timed.min_by(|a, b| by_time(a, b)).or(rivals(error).next());
     let dials = delivering.iter().copied().filter(|line| line.is_dial());
     if let Some(cheapest) = cheapest {
         let dial = dials.clone().find(|line| line.requested == error);
@@ -154,7 +153,11 @@ fn summary(lines: &[Line], more: &str) -> String {
             None => format!("Nobody was asked to be sure of it here.{more}"),
         };
         return paragraph(
-            &format!("The cheapest method that delivered {}:", power(error)),
+            &format!(
+                "The cheapest method that delivered {}{}:",
+                power(error),
+                if all { "" } else { ", of those that are timed" }
+            ),
             cheapest.words() + ".",
         ) + &paragraph("The price of being sure:", sure);
     }
