@@ -1,7 +1,7 @@
 //! The lint of characters: each one of a page is in the font that the style sheet gives it.
 
 use crate::fonts::Family;
-use crate::maths;
+use crate::mend::italic;
 use crate::text::unescape;
 use std::collections::BTreeSet;
 
@@ -46,7 +46,7 @@ pub fn missing(html: &str) -> Vec<Missing> {
         let plain = unescape(text);
         let single = slanted && plain.chars().count() == 1;
         for c in plain.chars() {
-            let c = if single { maths::italic(c) } else { c };
+            let c = if single { italic(c) } else { c };
             if let Some(family) = family
                 && seen.insert((family, c))
                 && !c.is_control()

@@ -18,6 +18,7 @@ mod frame;
 mod lint;
 mod maths;
 mod measured;
+mod mend;
 mod notation;
 mod pages;
 mod preprocess;
@@ -32,6 +33,7 @@ mod spoken;
 mod table;
 mod text;
 mod times;
+mod token;
 mod warnings;
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};

@@ -1,7 +1,8 @@
 //! Sections of the locked output as tables of a page.
 
-use crate::notation::{self, words};
+use crate::notation::words;
 use crate::text::{escape, number_html, unit_html};
+use crate::token;
 use rotation_dynamics::report::Table;
 
 /// Sections whose rows are quantities of different kinds.
@@ -90,7 +91,7 @@ fn quantity(cell: &str) -> Option<String> {
     let end = after.find([' ', ',', ':']).unwrap_or(after.len());
     let (unit, after) = after.split_at(end);
     let plain = |c: char| c.is_ascii_alphanumeric() || "/^-".contains(c);
-    let is_unit = unit.chars().all(plain) && !notation::is_greek(unit) && !after.starts_with(" (");
+    let is_unit = unit.chars().all(plain) && !token::is_greek(unit) && !after.starts_with(" (");
     Some(match is_unit {
         true => format!("{number}\u{202f}{}{}", unit_html(unit), words(after)),
         false => words(cell),
