@@ -213,8 +213,8 @@ pub fn pieces(tex: &str) -> Vec<&str> {
     pieces
 }
 
-/// The formula as plain text, for the search index.
-pub fn plain(mathml: &str) -> String {
+/// The characters of a formula, to measure how long it is.
+fn plain(mathml: &str) -> String {
     let text: String = text::without_tags(mathml)
         .chars()
         .filter(|c| !matches!(c, '\u{2061}'..='\u{2064}'))
