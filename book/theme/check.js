@@ -56,6 +56,11 @@
     addEventListener("hashchange", reveal);
     reveal();
 
+    // ---- Escape closes a proof; mdBook keeps the key from the browser.
+    addEventListener("keydown", (event) => {
+        if (event.key === "Escape") document.querySelector(".proof:popover-open")?.hidePopover();
+    }, { capture: true });
+
     // ---- A box that scrolls can be reached by the keyboard, and shows that there is more.
     const measure = (box) => {
         const wide = box.scrollWidth > box.clientWidth + 1;

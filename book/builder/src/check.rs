@@ -24,11 +24,12 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
         .iter()
         .map(|(factor, hint, units)| json!({"factor": factor, "hint": hint, "units": units}))
         .collect();
+    let angles = USUAL_SLIPS.iter().find(|(_, hint, _)| *hint == DEGREES);
     let rules = json!({
         "usual": usual,
         "reciprocal": RECIPROCAL,
         "degrees": DEGREES,
-        "angles": ["rad", "rad/s"],
+        "angles": angles.map_or(&[][..], |(_, _, units)| *units),
     });
     let checks: Vec<&Value> = questions.iter().map(|question| &question.data).collect();
     let data = json!({"checks": checks, "rules": rules});

@@ -278,6 +278,10 @@ fn with_unit(value: &str, unit: Option<&str>) -> String {
     }
 }
 
+/// The sign of what a test checks.
+const TICK: &str =
+    "<svg viewBox=\"0 0 12 12\" aria-hidden=\"true\"><path d=\"M1.5 6.5l3 3.5 6-8\"/></svg>";
+
 /// A directive within a line, as Markdown that may hold a mark.
 ///
 /// # Errors
@@ -308,7 +312,7 @@ pub fn inline(page: &mut Page, directive: &Directive) -> Result<String, String> 
                 escape(&name.replace('_', " ")),
                 escape(&test.file)
             );
-            Ok(page.proof("tick", "\u{2713}".into(), proof))
+            Ok(page.proof("tick", TICK.into(), proof))
         }
         _ => Err("this directive must have its line for itself".into()),
     }
