@@ -49,11 +49,16 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
         false => "",
     };
     for n in (0..numeric.len()).filter(shown) {
-        html += &format!(
-            "<th scope=\"col\"{}>{}</th>",
-            class(n),
-            words(&table.columns()[n])
-        );
+        let head = words(&table.columns()[n]);
+        // Not every reader of screens takes a formula for text.
+        let label = match head.contains("<math") {
+            true => format!(
+                " aria-label=\"{}\"",
+                escape(&notation::symbols(&table.columns()[n]))
+            ),
+            false => String::new(),
+        };
+        html += &format!("<th scope=\"col\"{}{label}>{head}</th>", class(n));
     }
     html += "</tr></thead><tbody>";
     for (line, row) in table.rows().iter().enumerate() {
