@@ -135,7 +135,7 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
         "book/src/one.md",
         "**Two stills.** Up and down.",
         "",
-        "book/src/one.md:39: a figure is followed by a paragraph, its caption",
+        "book/src/one.md:40: a figure is followed by a paragraph, its caption",
     ),
     (
         "book/src/one.md",
@@ -290,7 +290,7 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
     ),
     (
         "tests/snapshots/figures/sample__swing.snap.svg",
-        "<desc>A curve that swings</desc>",
+        " aria-label=\"A curve that swings\"",
         "",
         "book/src/one.md:17: tests/snapshots/figures/sample__swing.snap.svg: the figure does not say",
     ),

@@ -197,7 +197,7 @@ swing    hourglass  17.5
 
 const FIGURE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 340 260\" \
     width=\"340\" height=\"260\" role=\"img\" aria-label=\"A curve that swings\">\n\
-    <desc>A curve that swings</desc>\n<path d=\"M0,0L9,9\"/>\n</svg>\n";
+    <path d=\"M0,0L9,9\"/>\n</svg>\n";
 
 const EXAMPLE: &str =
     "fn main() {\n    // ANCHOR: physics\n    let g = 9.8;\n    // ANCHOR_END: physics\n}\n";

@@ -42,7 +42,9 @@ pub fn pages(
     }
     wanted
         .into_iter()
-        .map(|(file, backs)| {
+        .map(|(file, mut backs)| {
+            // The first page may stand twice, the second time as the index.
+            backs.sort_by_key(|back| back.link.starts_with("index.html#"));
             Ok((
                 format!("source/{file}.html"),
                 page(&file, &project.read(&file)?, &backs),
