@@ -15,6 +15,7 @@ mod method;
 mod problem;
 mod solvable;
 mod stepping;
+mod verdict;
 
 pub use solvable::{ExactMotion, Solvable};
 

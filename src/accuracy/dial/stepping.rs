@@ -2,17 +2,15 @@
 
 use super::method::{LEVEL, Method};
 use super::problem::{Feeler, Problem};
+use super::verdict::{APART, Gap, Verdict};
 use super::{Solvable, Solved};
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
-use crate::math::{EPS, exp, log};
+use crate::math::{EPS, log};
 
 /// The angle (rad) turned at the slowest candidate's rate on which the candidates are compared.
 const STRETCH: f64 = core::f64::consts::TAU;
-
-/// Attitudes further apart than this (rad) say nothing about an error yet.
-const APART: f64 = 0.5;
 
 /// Rows of the design for the condition: so few estimate what all twelve give.
 const ROWS: usize = 2;
@@ -217,12 +215,13 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
             if let Ok(coarse) = self.run(method, stretch, level, 1, precision)
                 && let Ok(fine) = self.next(method, stretch, &coarse, 1.0, precision)
             {
-                let error = distance(&coarse, &fine).max(EPS);
+                let error = distance(&coarse, &fine);
+                // Not so for a NaN.
                 if error < APART {
                     return Some(Candidate {
                         method,
                         level: coarse.level,
-                        error,
+                        error: error.max(EPS),
                         cost: method.cost(self.problem, &coarse.work),
                     });
                 }
@@ -251,6 +250,7 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         let coarse = (level - 2.0).clamp(method.coarsest(), highest - 2.0);
         let mut runs = vec![self.first(method, coarse, precision)?];
         let mut ahead = (level - 1.0 - runs[0].level).clamp(0.5, 2.0);
+        let mut gaps = Vec::new();
         let (mut best, mut stuck) = (f64::INFINITY, 0);
         loop {
             let last = &runs[runs.len() - 1];
@@ -263,8 +263,12 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
             }
             ahead = ahead.min(highest - last.level);
             let next = self.next(method, self.problem.t_end, last, ahead, precision)?;
+            gaps.push(Gap {
+                apart: distance(last, &next),
+                step: next.level - last.level,
+            });
             runs.push(next);
-            let verdict = Verdict::of(method.trust(), &runs);
+            let verdict = Verdict::of(method.trust(), &gaps);
             if verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
                 let estimate = verdict.estimate + left(precision);
@@ -355,72 +359,4 @@ const AIM: f64 = 0.02;
 
 fn distance(a: &Run, b: &Run) -> f64 {
     a.state.attitude.angle_to(&b.state.attitude)
-}
-
-/// What the last runs say together.
-struct Verdict {
-    /// An upper estimate of the error of the last.
-    estimate: f64,
-    /// The distance of the last two.
-    apart: f64,
-    /// By how much the last was finer than the one before.
-    step: f64,
-    /// By how much (in ln) the error falls with a level, as observed; never more than
-    /// the order says.
-    decay: f64,
-    /// The part of the decay that is trusted.
-    trust: f64,
-}
-
-impl Verdict {
-    /// Of at least two runs, each finer than the one before.
-    ///
-    /// An error that falls by a factor x from one run to the next is left with
-    /// x/(1 - x) of the distance between the two. The factor is taken from the last
-    /// three runs, but never better than a part of the order would have it
-    /// ([`Method::trust`]); twice that is the estimate. Without a fall by half, or with
-    /// two runs only, nothing is trusted but the distances themselves: nine times the
-    /// largest, which is right for x <= 0.9.
-    fn of(trust: f64, runs: &[Run]) -> Self {
-        let [.., before, last] = runs else {
-            return Self {
-                estimate: f64::INFINITY,
-                apart: f64::INFINITY,
-                step: 1.0,
-                decay: LEVEL,
-                trust,
-            };
-        };
-        let (apart, step) = (distance(before, last), last.level - before.level);
-        let mut verdict = Self {
-            estimate: 9.0 * apart,
-            apart,
-            step,
-            decay: LEVEL,
-            trust,
-        };
-        if let [.., first, _, _] = runs {
-            let earlier = distance(first, before);
-            verdict.estimate = 9.0 * apart.max(earlier);
-            let decay = log(earlier / apart) / (before.level - first.level);
-            verdict.decay = decay.clamp(0.25 * LEVEL, LEVEL);
-            let left = exp(-decay.min(trust * LEVEL) * step);
-            if left <= 0.5 && earlier < APART {
-                verdict.estimate = verdict.estimate.min(2.0 * apart * left / (1.0 - left));
-            }
-        }
-        if apart > APART {
-            verdict.estimate = f64::INFINITY;
-        }
-        verdict
-    }
-
-    /// How much finer the next run should be to be verified within `budget`.
-    fn ahead(&self, budget: f64) -> f64 {
-        // The next distance if the next step is like this one, and what it must leave.
-        let next = self.apart * exp(-self.decay * self.step);
-        let left = 0.35 * budget / next;
-        let trusted = self.trust * self.decay;
-        (log((1.0 + left) / left) / trusted).clamp(0.5, 2.0)
-    }
 }

@@ -1,0 +1,161 @@
+//! What runs of a method, one finer than the other, say of the error of the last.
+
+use super::method::LEVEL;
+use crate::math::{exp, log};
+
+/// Attitudes further apart than this (rad) say nothing about an error yet.
+pub(super) const APART: f64 = 0.5;
+
+/// Two runs, one after the other.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Gap {
+    /// The angle (rad) between their ends.
+    pub(super) apart: f64,
+    /// By how many levels the second is finer.
+    pub(super) step: f64,
+}
+
+/// What the last runs say together.
+pub(super) struct Verdict {
+    /// An upper estimate of the error of the last.
+    pub(super) estimate: f64,
+    /// The distance of the last two.
+    apart: f64,
+    /// By how much the last was finer than the one before.
+    step: f64,
+    /// By how much (in ln) the error falls with a level, as observed; never more than
+    /// the order says.
+    decay: f64,
+    /// The part of the decay that is trusted.
+    trust: f64,
+}
+
+impl Verdict {
+    /// Of at least two runs, each finer than the one before, by what lies between them.
+    ///
+    /// An error that falls by a factor x from one run to the next is left with
+    /// x/(1 - x) of the distance between the two. The factor is taken from the last
+    /// three runs, but never better than a part of the order would have it
+    /// ([`Method::trust`](super::method::Method::trust)); twice that is the estimate.
+    /// Without a fall by half, or with two runs only, nothing is trusted but the
+    /// distances themselves: nine times the largest, which is right for x <= 0.9.
+    pub(super) fn of(trust: f64, gaps: &[Gap]) -> Self {
+        let Some(&Gap { apart, step }) = gaps.last() else {
+            return Self {
+                estimate: f64::INFINITY,
+                apart: f64::INFINITY,
+                step: 1.0,
+                decay: LEVEL,
+                trust,
+            };
+        };
+        let mut verdict = Self {
+            estimate: 9.0 * apart,
+            apart,
+            step,
+            decay: LEVEL,
+            trust,
+        };
+        let mut sound = apart <= APART;
+        if let [.., before, _] = gaps {
+            let earlier = before.apart;
+            sound &= !earlier.is_nan();
+            verdict.estimate = 9.0 * apart.max(earlier);
+            let decay = log(earlier / apart) / before.step;
+            verdict.decay = decay.clamp(0.25 * LEVEL, LEVEL);
+            let left = exp(-decay.min(trust * LEVEL) * step);
+            if left <= 0.5 && earlier < APART {
+                verdict.estimate = verdict.estimate.min(2.0 * apart * left / (1.0 - left));
+            }
+        }
+        // Nor does a distance that is NaN.
+        if !sound {
+            verdict.estimate = f64::INFINITY;
+        }
+        verdict
+    }
+
+    /// How much finer the next run should be to be verified within `budget`.
+    pub(super) fn ahead(&self, budget: f64) -> f64 {
+        // The next distance if the next step is like this one, and what it must leave.
+        let next = self.apart * exp(-self.decay * self.step);
+        let left = 0.35 * budget / next;
+        let trusted = self.trust * self.decay;
+        (log((1.0 + left) / left) / trusted).clamp(0.5, 2.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use support::{Errors, assert_error};
+
+    /// Runs one level apart whose error falls by `x` from each to the next, from `first`.
+    fn falling(first: f64, x: f64, runs: i32) -> (Vec<Gap>, f64) {
+        let error = |n: i32| first * x.powi(n);
+        let gap = |n: i32| Gap {
+            apart: error(n) - error(n + 1),
+            step: 1.0,
+        };
+        ((0..runs - 1).map(gap).collect(), error(runs - 1))
+    }
+
+    /// However slowly the error falls, up to x = 0.9, and however few the runs: the
+    /// estimate covers it, and hardly more where the worst is all that is known.
+    #[test]
+    fn the_estimate_covers_what_is_left() {
+        let mut covered = Errors::of("error over estimate");
+        let mut ran = 0;
+        for x in [0.01, 0.1, 0.3, 0.5, 0.7, 0.9] {
+            for runs in 2..=5 {
+                for trust in [0.12, 0.33, 0.5] {
+                    let (gaps, error) = falling(1e-3, x, runs);
+                    let estimate = Verdict::of(trust, &gaps).estimate;
+                    assert!(
+                        error <= estimate * (1.0 + 1e-12),
+                        "{x} {runs}: {estimate:e}"
+                    );
+                    covered.push_at(error / estimate, (x, runs, trust));
+                    ran += 1;
+                }
+            }
+        }
+        // Two runs at x = 0.9: nine times their distance is all of what is left.
+        covered.attain(1.0..=1.0 + 1e-12, ran);
+        assert_eq!(ran, 6 * 4 * 3);
+    }
+
+    /// Two runs say the least, and three that fall as the order has it say more.
+    #[test]
+    fn two_runs_are_trusted_least() {
+        let (gaps, _) = falling(1e-3, 0.1, 3);
+        assert_error!(
+            Verdict::of(0.5, &gaps[..1]).estimate,
+            9.0 * gaps[0].apart,
+            0.0
+        );
+        let three = Verdict::of(0.5, &gaps).estimate;
+        assert!(three < 0.5 * 9.0 * gaps[1].apart, "{three:e}");
+        // A fall that has not begun: the larger distance counts.
+        let rising = [gaps[1], gaps[0]];
+        assert_error!(Verdict::of(0.5, &rising).estimate, 9.0 * gaps[0].apart, 0.0);
+    }
+
+    #[test]
+    fn what_says_nothing_is_no_estimate() {
+        let gap = |apart: f64| Gap { apart, step: 1.0 };
+        let mut ran = 0;
+        for gaps in [
+            &[][..],
+            &[gap(f64::NAN)],
+            &[gap(f64::NAN), gap(1e-9)],
+            &[gap(1e-9), gap(f64::NAN)],
+            &[gap(0.6)],
+            &[gap(1e-9), gap(0.6)],
+        ] {
+            assert_eq!(Verdict::of(0.5, gaps).estimate, f64::INFINITY, "{gaps:?}");
+            ran += 1;
+        }
+        assert_eq!(ran, 6);
+    }
+}
