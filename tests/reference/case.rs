@@ -13,8 +13,38 @@ pub struct Case {
     json: Value,
 }
 
-/// One sample of a case.
-pub struct Sample<'a>(&'a Value);
+/// One sample of a case, which has a time.
+pub struct Sample<'a>(&'a Value, f64);
+
+/// Why a case gives no outcome.
+#[derive(Debug)]
+pub enum Trouble {
+    /// The case does not hold what the method needs.
+    Lacks(String),
+    /// The library refuses it.
+    Refused(rotation_dynamics::Error),
+}
+
+impl From<rotation_dynamics::Error> for Trouble {
+    fn from(error: rotation_dynamics::Error) -> Self {
+        Self::Refused(error)
+    }
+}
+
+pub type Result<T> = core::result::Result<T, Trouble>;
+
+/// Why a case was not run: what it lacks.
+pub fn print_not_run(case: &Case, method: &str, answer: &Result<Outcome>) {
+    let why = match answer {
+        Ok(outcome) => format!(
+            "nothing to compare, {} values without a condition",
+            outcome.unjudged
+        ),
+        Err(Trouble::Lacks(what)) => what.clone(),
+        Err(Trouble::Refused(error)) => error.to_string(),
+    };
+    println!("{:<28} {method:<16} not run: {why}", case.id);
+}
 
 /// How well a method did on a case.
 #[derive(Debug)]
@@ -25,6 +55,8 @@ pub struct Outcome {
     pub worst: String,
     /// How many numbers were compared.
     pub compared: usize,
+    /// How many values have no condition and were not compared.
+    pub unjudged: usize,
 }
 
 /// The files to run, and whether they are the repository's own.
@@ -60,28 +92,55 @@ pub fn read(file: &Path) -> Vec<Case> {
     cases
         .iter()
         .map(|case| Case {
-            id: case["id"].as_str().expect("an id").to_owned(),
-            kind: case["kind"].as_str().expect("a kind").to_owned(),
+            id: case["id"].as_str().unwrap_or("(no id)").to_owned(),
+            kind: case["kind"].as_str().unwrap_or("(no kind)").to_owned(),
             json: case.clone(),
         })
         .collect()
 }
 
 impl Case {
+    /// The case without this field, in itself and in its samples.
+    pub fn without(&self, field: &str) -> Self {
+        self.changed(|object| {
+            object.remove(field);
+        })
+    }
+
+    /// The case with this text for every theta.
+    pub fn with_theta(&self, text: &str) -> Self {
+        self.changed(|object| {
+            if let Some(theta) = object.get_mut("theta") {
+                *theta = Value::from(text);
+            }
+        })
+    }
+
+    fn changed(&self, change: impl Fn(&mut serde_json::Map<String, Value>)) -> Self {
+        let mut json = self.json.clone();
+        json.as_object_mut().into_iter().for_each(&change);
+        let samples = json["samples"].as_array_mut().into_iter().flatten();
+        samples.filter_map(Value::as_object_mut).for_each(&change);
+        Self {
+            id: self.id.clone(),
+            kind: self.kind.clone(),
+            json,
+        }
+    }
+
     /// An input number: the exact double.
-    pub fn input(&self, name: &str) -> f64 {
-        self.json["inputs"][name]
-            .as_f64()
-            .unwrap_or_else(|| panic!("{}: input {name}", self.id))
+    pub fn input(&self, name: &str) -> Result<f64> {
+        let number = self.json["inputs"][name].as_f64();
+        number.ok_or_else(|| Trouble::Lacks(format!("no input {name}")))
     }
 
     /// An input vector: exact doubles.
-    pub fn input_vector(&self, name: &str) -> [f64; 3] {
-        [0, 1, 2].map(|i| {
-            self.json["inputs"][name][i]
-                .as_f64()
-                .unwrap_or_else(|| panic!("{}: input {name}[{i}]", self.id))
-        })
+    pub fn input_vector(&self, name: &str) -> Result<[f64; 3]> {
+        let list = &self.json["inputs"][name];
+        match [0, 1, 2].map(|i| list[i].as_f64()) {
+            [Some(a), Some(b), Some(c)] => Ok([a, b, c]),
+            _ => Err(Trouble::Lacks(format!("no three numbers in input {name}"))),
+        }
     }
 
     /// An input number, if the case has it.
@@ -111,37 +170,37 @@ impl Case {
     }
 
     /// theta and its rate at the start of a `top_nd` case, in either of its two forms.
-    pub fn start_of_top(&self) -> (f64, f64) {
+    pub fn start_of_top(&self) -> Result<(f64, f64)> {
         let inputs = &self.json["inputs"];
         let Some(start) = inputs["start"].as_str() else {
-            return (self.input("theta0"), self.input("dtheta0"));
+            return Ok((self.input("theta0")?, self.input("dtheta0")?));
         };
-        let theta = self
-            .derived(start)
-            .unwrap_or_else(|| panic!("{}: derived {start}", self.id))
-            .to_f64();
+        let theta = self.derived(start);
+        let theta = theta.ok_or_else(|| Trouble::Lacks(format!("no derived {start}")))?;
+        let theta = theta.to_f64();
         // At rest in theta, unless the turning "point" is the pole, which is passed
         // with E~ = theta'^2 / 2.
         let rate = if theta == 0.0 {
-            (2.0 * self.input("Etilde")).sqrt()
+            (2.0 * self.input("Etilde")?).sqrt()
         } else {
             0.0
         };
-        (theta, rate)
+        Ok((theta, rate))
     }
 
+    /// The samples; one without a time says nothing and is passed over.
     pub fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
         self.json["samples"]
             .as_array()
             .into_iter()
             .flatten()
-            .map(Sample)
+            .filter_map(|sample| Some(Sample(sample, sample["t"].as_f64()?)))
     }
 }
 
 impl Sample<'_> {
     pub fn t(&self) -> f64 {
-        self.0["t"].as_f64().expect("a time")
+        self.1
     }
 
     /// A field that is a plain JSON number, such as the ladder's phase.
@@ -155,10 +214,11 @@ impl Sample<'_> {
     }
 
     /// A field that is a list of decimal strings; empty if it is absent.
+    ///
+    /// An entry that is no such string is NaN, which no method comes near.
     pub fn values(&self, field: &str) -> Vec<DoubleDouble> {
         let list = self.0[field].as_array().into_iter().flatten();
-        list.map(|v| decimal(v.as_str().expect("a decimal string")))
-            .collect()
+        list.map(|v| v.as_str().map_or(NAN, decimal)).collect()
     }
 
     /// A field that is a number or a list of numbers; empty if it is absent.
@@ -172,12 +232,16 @@ impl Sample<'_> {
     }
 
     /// The field's condition, `max(sens_norm, sens_path)`; where the path's has no
-    /// entry for the field, that of the attitude stands in, as the schema says.
-    pub fn condition(&self, field: &str) -> f64 {
+    /// entry for the field, that of the attitude stands in, as the schema says; none
+    /// if the sample has neither: then nobody can say what error is allowed.
+    pub fn condition(&self, field: &str) -> Option<f64> {
         let norm = self.0["sens_norm"][field].as_f64();
         let path = &self.0["sens_path"];
         let path = path[field].as_f64().or(path["R"].as_f64());
-        norm.unwrap_or(0.0).max(path.unwrap_or(0.0))
+        match (norm, path) {
+            (Some(norm), Some(path)) => Some(norm.max(path)),
+            (one, other) => one.or(other),
+        }
     }
 
     /// The field's sharper condition, `sens`: relative changes of the inputs only.
@@ -192,7 +256,31 @@ impl Outcome {
             factor: 0.0,
             worst: "nothing compared".to_owned(),
             compared: 0,
+            unjudged: 0,
         }
+    }
+
+    /// Prints the line of the case: the factor reached, and what it is held to.
+    pub fn print(&self, case: &Case, method: &str, allowed: f64) {
+        let Self {
+            factor,
+            worst,
+            compared,
+            unjudged,
+        } = self;
+        let without = match unjudged {
+            0 => String::new(),
+            n => format!(", {n} without a condition"),
+        };
+        println!(
+            "{:<28} {method:<16} K = {factor:>6.2} of {allowed} ({worst}, {compared} values{without})",
+            case.id
+        );
+    }
+
+    /// Whether something was compared and the factor is a number within the bound.
+    pub fn within(&self, bound: f64) -> bool {
+        self.compared > 0 && self.factor <= bound
     }
 
     /// Adds one comparison; `scale` is `|value| + condition`.
@@ -210,35 +298,46 @@ impl Outcome {
         }
     }
 
-    /// Adds every component of a field at `t`, against the largest of them and the
-    /// field's condition.
-    pub fn compare_field(
-        &mut self,
-        sample: &Sample,
-        field: &str,
-        t: f64,
-        got: &[f64],
-        want: &[DoubleDouble],
-    ) {
-        assert_eq!(want.len(), got.len(), "{field} at {t}");
+    /// Adds a field of the sample, if it has it: every component against the largest
+    /// of them and the field's condition.
+    pub fn compare_field(&mut self, sample: &Sample, field: &str, got: &[f64]) {
+        self.compare_at(sample, field, got, sample.condition(field));
+    }
+
+    /// The same against the sharper condition where it is given: it asks for more.
+    pub fn compare_sharply(&mut self, sample: &Sample, field: &str, got: f64) {
+        let sharp = sample.sharp_condition(field);
+        self.compare_at(sample, field, &[got], sharp.or(sample.condition(field)));
+    }
+
+    fn compare_at(&mut self, sample: &Sample, field: &str, got: &[f64], condition: Option<f64>) {
+        let want = sample.all(field);
+        let Some(condition) = condition else {
+            self.unjudged += want.len();
+            return;
+        };
         let largest = want.iter().fold(0.0_f64, |m, w| m.max(w.to_f64().abs()));
-        let scale = largest + sample.condition(field);
-        for (i, (got, want)) in got.iter().zip(want).enumerate() {
-            self.compare(&format!("{field}[{i}] at {t}"), *got, *want, scale);
+        for (i, want_i) in want.iter().enumerate() {
+            // A field of another length is one that no method comes near.
+            let fits = got.len() == want.len();
+            let got = if fits { got[i] } else { f64::NAN };
+            let what = format!("{field}[{i}] at {}", sample.t());
+            self.compare(&what, got, *want_i, largest + condition);
         }
     }
 }
 
-/// A decimal string as a double-double: all 25 digits count.
+const NAN: DoubleDouble = DoubleDouble::from_parts(f64::NAN, 0.0);
+
+/// A decimal string as a double-double: all 25 digits count. NaN if it is none.
 pub fn decimal(text: &str) -> DoubleDouble {
-    let hi: f64 = text
-        .parse()
-        .unwrap_or_else(|_| panic!("{text:?} is not a number"));
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let exponent: i32 = exponent.parse().expect("an exponent");
+    let (Ok(hi), Ok(exponent)) = (text.parse::<f64>(), exponent.parse::<i32>()) else {
+        return NAN;
+    };
     let decimals = mantissa.split_once('.').map_or(0, |(_, d)| d.len() as i32);
     let scale = exponent - decimals;
-    if hi == 0.0 || !(-250..250).contains(&scale) || exponent < -250 {
+    if hi == 0.0 || !hi.is_finite() || !(-250..250).contains(&scale) || exponent < -250 {
         return DoubleDouble::from(hi);
     }
     let mut value = DoubleDouble::ZERO;
@@ -271,4 +370,7 @@ fn decimals_keep_their_digits() {
     let third = decimal("3.333333333333333333333333e-1");
     assert!((third * 3.0 - 1.0).abs().to_f64() < 2e-24);
     assert_eq!(decimal("-2.5e3").to_f64(), -2500.0);
+    for text in ["", "asleep", "1e", "1e5.5", "NaN"] {
+        assert!(decimal(text).to_f64().is_nan(), "{text}");
+    }
 }
