@@ -288,10 +288,13 @@ const SERIES: [f64; 12] = [
 mod tests {
     use super::*;
     use crate::exact::extended::{carlson_rf, complete_first_kind};
+    use support::Errors;
 
-    /// Relative difference in units of 2^-106.
+    /// Relative differences are counted in units of 2^-106.
+    const UNIT: f64 = 1.232_595_164_407_831e-32;
+
     fn off(got: Dd, want: Dd) -> f64 {
-        ((got - want) / want).abs().hi() / 1.232_595_164_407_831e-32
+        ((got - want) / want).hi()
     }
 
     fn parameters() -> impl Iterator<Item = (Dd, Dd)> {
@@ -300,32 +303,27 @@ mod tests {
             .map(|m| (Dd::from(m), 1.0 - Dd::from(m)))
     }
 
-    /// The largest differences of K and K' over all parameters; `damage` is relative, of m.
-    fn of_quarter_periods(damage: f64) -> (f64, usize) {
-        let (mut worst, mut ran) = (0.0_f64, 0);
+    /// The differences of K and K' over all parameters; `damage` is relative, of m.
+    fn of_quarter_periods(damage: f64) -> Errors {
+        let mut errors = Errors::in_units_of(UNIT, "quarter periods");
         for (m, m1) in parameters() {
             let nome = Nome::new(m * Dd::sum(1.0, damage), m1);
-            worst = worst.max(off(nome.conjugate(), complete_first_kind(m)));
-            worst = worst.max(off(nome.quarter, complete_first_kind(m1)));
-            ran += 1;
+            errors.push(off(nome.conjugate(), complete_first_kind(m)));
+            errors.push(off(nome.quarter, complete_first_kind(m1)));
         }
-        (worst, ran)
+        errors
     }
 
     #[test]
     fn quarter_periods_agree_with_the_mean() {
-        let (worst, ran) = of_quarter_periods(0.0);
-        assert_eq!(ran, 9);
-        // Measured: 3.3.
-        assert!(worst <= 3.4, "{worst}");
-        let (damaged, _) = of_quarter_periods(1e-28);
-        assert!(damaged > 1e3, "{damaged}");
+        of_quarter_periods(0.0).attain(3.2..=3.4, 2 * 9);
+        assert!(of_quarter_periods(1e-28).largest() > 1e3);
     }
 
-    /// The largest differences of arguments and their functions over parameters up to
-    /// `most`; `damage` is relative, of sc^2.
-    fn of_arguments(most: f64, damage: f64) -> (f64, usize) {
-        let (mut worst, mut ran) = (0.0_f64, 0);
+    /// The differences of arguments and their functions over parameters up to `most`;
+    /// `damage` is relative, of sc^2.
+    fn of_arguments(most: f64, damage: f64) -> Errors {
+        let mut errors = Errors::in_units_of(UNIT, "arguments and their functions");
         for (m, m1) in parameters().filter(|(m, _)| *m <= most) {
             let nome = Nome::new(m, m1);
             for part in [1e-200, 1e-40, 1e-8, 0.01, 0.3, 0.7, 1.0] {
@@ -334,36 +332,28 @@ mod tests {
                 let want = num.sqrt() * carlson_rf(den, den + m1 * num, den + num);
                 let angle = nome.angle(num * Dd::sum(1.0, damage), den);
                 let (sin, cos) = angle.z.sin_cos();
-                worst = worst
-                    .max(off(nome.argument(angle.z), want))
-                    .max(off(angle.sin, sin))
-                    .max(off(angle.cos, cos));
+                errors.push(off(nome.argument(angle.z), want));
+                errors.push(off(angle.sin, sin));
+                errors.push(off(angle.cos, cos));
                 let (num, den) = (Dd::from(part), m.sqrt());
                 let want = num.sqrt() * carlson_rf(den, den + m * num, den + num);
                 let depth = nome.depth(num * Dd::sum(1.0, damage), den);
                 let fall = -(depth.y.scaled(-2.0)).exp_m1();
                 let decay = (depth.y.scaled(-2.0)).exp();
-                worst = worst
-                    .max(off(nome.argument(depth.y), want))
-                    .max(off(depth.fall, fall))
-                    .max(off(depth.decay, decay) / (1.0 + depth.y.hi()));
-                ran += 1;
+                errors.push(off(nome.argument(depth.y), want));
+                errors.push(off(depth.fall, fall));
+                errors.push(off(depth.decay, decay) / (1.0 + depth.y.hi()));
             }
         }
-        (worst, ran)
+        errors
     }
 
     #[test]
     fn arguments_agree_with_duplication() {
-        let (worst, ran) = of_arguments(0.5, 0.0);
-        assert_eq!(ran, 49);
-        // Measured: 891, or 1.1e-29, where y = 137 and m = 1e-120.
-        assert!(worst <= 892.0, "{worst}");
-        // Terms that weigh less than 1e-16 are formed in `f64`. Measured: 3.9e5, or 4.8e-27.
-        let (worst, ran) = of_arguments(0.8, 0.0);
-        assert_eq!(ran, 63);
-        assert!(worst <= 4e5, "{worst}");
-        let (damaged, _) = of_arguments(0.5, 1e-27);
-        assert!(damaged > 1e4, "{damaged}");
+        // 1.1e-29, where y = 137 and m = 1e-120.
+        of_arguments(0.5, 0.0).attain(890.0..=892.0, 6 * 49);
+        // Terms that weigh less than 1e-16 are formed in `f64`: 4.8e-27.
+        of_arguments(0.8, 0.0).attain(3.8e5..=4.0e5, 6 * 63);
+        assert!(of_arguments(0.5, 1e-27).largest() > 1e4);
     }
 }

@@ -22,6 +22,7 @@ use rotation_dynamics::integrators::{
     GaussLegendre, Integrator, Kept, Ode, Projected, Rk4, SpinFree, Work,
 };
 use rotation_dynamics::math::EPS;
+use support::{Errors as Judge, assert_error, attained};
 
 const STARTS: usize = 8;
 
@@ -43,27 +44,44 @@ fn last(curve: &Curve) -> Point {
     *curve.points.last().expect("points")
 }
 
-/// Two-sided.
-fn assert_near(got: [f64; 2], want: [f64; 2], within: f64) {
-    for (got, want) in got.into_iter().zip(want) {
-        assert!((got - want).abs() <= within, "{got:.3} is not {want}");
+/// Exponents as printed.
+#[track_caller]
+fn assert_exponents(got: [f64; 2], printed: [&str; 2]) {
+    for (got, (printed, what)) in got
+        .into_iter()
+        .zip(printed.into_iter().zip(["phase", "kept"]))
+    {
+        attained(got, printed, what);
     }
 }
 
 #[test]
 fn brouwers_law_without_projection_and_a_straight_line_with_it() {
     let mut ran = 0;
-    // Measured: 1.55 and 0.55 for the top; 1.55 and 0.70 for the free body, whose walk is
-    // not quite one: some 1e-19 of the energy a step always to the same side.
-    for (kind, walking) in [(Kind::Top, [1.55, 0.55]), (Kind::Free, [1.55, 0.7])] {
+    // The walk of the free body is not quite one: some 1e-19 of the energy a step always
+    // to the same side. The exponents of the walk and of the line, and the line's phase a
+    // period and invariants at its end.
+    for (kind, walking, along, ends) in [
+        (
+            Kind::Top,
+            ["1.55", "0.55"],
+            ["1.13", "0.08"],
+            ["3.6e-15", "8.9e-16"],
+        ),
+        (
+            Kind::Free,
+            ["1.55", "0.70"],
+            ["1.26", "0.16"],
+            ["6.6e-15", "5.8e-16"],
+        ),
+    ] {
         let walk = grown(Method::Gauss, kind, 6e3);
         let line = grown(Method::GaussProjected, kind, 6e3);
-        assert_near(exponents(&walk, 100.0), walking, 0.1);
-        // Measured: 1.13 and 0.08, 1.26 and 0.16.
-        assert_near(exponents(&line, 100.0), [1.2, 0.1], 0.1);
-        // Measured: 3.6e-15 rad a period and 8.1 eps, 6.6e-15 and 5.2 eps.
+        assert_exponents(exponents(&walk, 100.0), walking);
+        assert_exponents(exponents(&line, 100.0), along);
         let end = last(&line);
-        assert!(end.phase < 7e-15 * end.periods && end.invariants < 10.0 * EPS);
+        attained(end.phase / end.periods, ends[0], "phase a period");
+        attained(end.invariants, ends[1], "invariants");
         // The walk has left by then. Measured: 2.2 and 9.8 times as far.
         assert!(last(&walk).invariants > 2.0 * end.invariants);
         ran += 1;
@@ -74,24 +92,24 @@ fn brouwers_law_without_projection_and_a_straight_line_with_it() {
 #[test]
 fn a_splitting_drifts_in_phase_as_t_and_in_invariants_as_its_root() {
     let curve = grown(Method::Splitting, Kind::Top, 2e3);
-    // Measured: 1.000 and 0.41. The phase is truncation, 1.1e-13 rad a period.
-    let [phase, kept] = exponents(&curve, 10.0);
-    assert!((phase - 1.0).abs() < 0.01, "{phase}");
-    assert!((kept - 0.5).abs() < 0.15, "{kept}");
+    // The phase is truncation, 1.1e-13 rad a period.
+    assert_exponents(exponents(&curve, 10.0), ["1.000", "0.41"]);
 }
 
 #[test]
 fn a_method_that_loses_energy_drifts_as_t_and_t_squared() {
     let mut ran = 0;
-    for kind in [Kind::Top, Kind::Free] {
+    for (kind, printed) in [
+        (Kind::Top, ["2.02", "1.01"]),
+        (Kind::Free, ["2.00", "1.00"]),
+    ] {
         let curve = grown(Method::Dop853, kind, 1e3);
-        // Measured: 2.02 and 1.01, 2.00 and 1.00.
-        assert_near(exponents(&curve, 100.0), [2.0, 1.0], 0.04);
+        assert_exponents(exponents(&curve, 100.0), printed);
         ran += 1;
     }
     let curve = grown(Method::Rk4, Kind::Top, 1e3);
-    // Measured: 1.00; the phase has its own linear part, ten times as large at first.
-    assert_near([exponents(&curve, 100.0)[1]; 2], [1.0; 2], 0.01);
+    // The phase has its own linear part, ten times as large at first.
+    assert_error!(exponents(&curve, 100.0)[1], 1.00);
     assert_eq!(ran, 2);
 }
 
@@ -158,9 +176,9 @@ fn plain_sums_drift_more() {
         plain(problem, y, span / steps as f64, steps);
     });
     assert_eq!((own.len(), twin.len()), (7, 7));
-    // Measured after 316 periods: 3.3 eps and 21 eps.
-    let [own, twin] = [own[6], twin[6]].map(|off| off / EPS);
-    assert!(own < 5.0 && twin > 14.0, "{own} {twin}");
+    // After 316 periods.
+    assert_error!(own[6], 3.3 eps);
+    assert_error!(twin[6], 20.8 eps);
 }
 
 /// The record's rows of a method, up to so many periods.
@@ -215,8 +233,8 @@ fn moved(state: &State, by: f64) -> State {
 
 #[test]
 fn projection_brings_back_what_is_kept_by_a_short_way() {
-    let (mut ran, mut farthest) = (0, 0.0_f64);
-    let mut left = [0.0_f64; 2];
+    let [mut once_left, mut way_back] = ["left after one step", "the way back"].map(Judge::of);
+    let mut twice_left = Judge::in_units_of(EPS, "left after two steps");
     for n in 0..STARTS {
         let subject = Subject::new(Kind::Top, n).expect("a top");
         let Subject::Top { scene, start, .. } = &subject else {
@@ -227,20 +245,20 @@ fn projection_brings_back_what_is_kept_by_a_short_way() {
             let once = scene.restored(&away, start).expect("finite");
             let twice = scene.restored(&once, start).expect("finite");
             let off = |state| Errors::between(scene, state, start).invariants;
-            left[0] = left[0].max(off(&once) / (by * by + 1e-15));
-            left[1] = left[1].max(off(&twice));
+            once_left.push_at(off(&once) / (by * by + 1e-15), by);
+            twice_left.push_at(off(&twice), by);
             // Damaged twin: without projection the invariants are off by the way itself.
             assert!(off(&away) > 0.01 * by);
             let way = Errors::between(scene, &once, &away);
-            farthest = farthest.max(way.attitude.max(way.momentum) / by);
-            ran += 1;
+            way_back.push_at(way.attitude / by, by);
+            way_back.push_at(way.momentum / by, by);
         }
     }
-    assert_eq!(ran, 16);
-    // Measured: the square of the way left after one step, 4.2 eps after two.
-    assert!(left[0] < 1.0 && left[1] < 6.0 * EPS, "{left:?}");
+    // The square of the way, and round-off.
+    once_left.attain(0.42..=0.43, 16);
+    twice_left.attain(4.1..=4.2, 16);
     // No farther back than it was away.
-    assert!(farthest < 1.0, "{farthest}");
+    way_back.attain(0.51..=0.52, 2 * 16);
 }
 
 #[test]

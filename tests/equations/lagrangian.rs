@@ -9,6 +9,7 @@
 
 use core::ops::{Add, Mul, Sub};
 use rotation_dynamics::math::{EPS, cos, sin};
+use support::{Errors, relative};
 
 /// Index of each variable in a gradient: the angles, then their rates.
 pub const PHI: usize = 0;
@@ -294,18 +295,13 @@ pub const STATES: [Caught; 6] = [
     },
 ];
 
-/// Smallest and largest disagreement of two routes over [`STATES`], in units of
-/// eps times a scale. Each state gives (one route, the other route, scale).
-pub fn disagreement(routes: impl Fn(&Caught) -> (f64, f64, f64)) -> (f64, f64) {
-    let mut range = (f64::INFINITY, 0.0_f64);
-    let mut ran = 0;
-    for state in &STATES {
+/// How far two routes disagree in each of the [`STATES`], in units of eps times a
+/// scale. A state gives (one route, the other route, scale).
+pub fn disagreement(routes: impl Fn(&Caught) -> (f64, f64, f64)) -> Errors {
+    let mut errors = Errors::in_units_of(EPS, "two routes");
+    for (i, state) in STATES.iter().enumerate() {
         let (one, other, scale) = routes(state);
-        let units = (one - other).abs() / (EPS * scale);
-        assert!(units.is_finite(), "a route gave {one} or {other}");
-        range = (range.0.min(units), range.1.max(units));
-        ran += 1;
+        errors.push_at(relative(one, other, scale), format!("state {i}"));
     }
-    assert_eq!(ran, STATES.len());
-    range
+    errors
 }

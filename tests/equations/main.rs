@@ -12,6 +12,7 @@ mod motions;
 
 use lagrangian::{Caught, Jet, PHI, STATES, THETA, ZETA, disagreement};
 use rotation_dynamics::math::{cos, sin};
+use support::attained;
 
 /// A damaged formula must miss by more than this many eps in every state.
 const FAR: f64 = 1e10;
@@ -58,7 +59,7 @@ fn instance(name: &str, value: f64, printed: f64, half_of_last_digit: f64) {
 fn eq_16_2_gyroscope_angular_velocity() {
     // Components on x (line of nodes), y, z (symmetry axis), against the
     // antisymmetric matrix R^T dR/dt turned from body axes to x, y, z by zeta.
-    for component in 0..3 {
+    for (component, printed) in ["0.61", "0.43", "2.0"].into_iter().enumerate() {
         let routes = |sign: f64| {
             move |s: &Caught| {
                 let (rotation, rate) = s.rotation();
@@ -81,14 +82,13 @@ fn eq_16_2_gyroscope_angular_velocity() {
                     sign * precession * st,
                     turn + sign * precession * ct,
                 ];
-                let scale = body.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+                let [x, y, z] = body.map(f64::abs);
+                let scale = x + y + z;
                 (nodal[component], formula[component], scale)
             }
         };
-        let (_, worst) = disagreement(routes(1.0));
-        assert!(worst <= 4.0, "component {component}: {worst} eps");
-        let (least, _) = disagreement(routes(-1.0));
-        assert!(least >= FAR, "component {component}: {least} eps");
+        attained(disagreement(routes(1.0)).largest(), printed, "component");
+        disagreement(routes(-1.0)).exceed(FAR, 6);
     }
     let s = STATES[0];
     instance(
@@ -116,10 +116,8 @@ fn eq_16_2_gyroscope_lagrangian() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 2.0, "{worst} eps"); // measured 1.92
-    let (least, _) = disagreement(routes(1.01));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(1.9..=2.0, 6);
+    disagreement(routes(1.01)).exceed(FAR, 6);
     instance("L", STATES[0].lagrangian().value, 40.535760182883, 5e-13);
 }
 
@@ -136,12 +134,9 @@ fn eq_16_2_gyroscope_spin_momentum() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 2.5, "{worst} eps"); // measured 2.49
-    let (least, _) = disagreement(routes(0.99));
-    assert!(least >= FAR, "{least} eps");
-    let (_, drive) = disagreement(|s| (s.lagrangian().first[ZETA], 0.0, s.energy().abs()));
-    assert!(drive <= 4.0, "{drive} eps");
+    disagreement(routes(1.0)).attain(2.4..=2.5, 6);
+    disagreement(routes(0.99)).exceed(FAR, 6);
+    disagreement(|s| (s.lagrangian().first[ZETA], 0.0, s.energy().abs())).attain(0.0..=0.0, 6);
     instance("L_z", STATES[0].momentum(ZETA), 0.270972544150563, 5e-16);
 }
 
@@ -159,12 +154,9 @@ fn eq_16_2_gyroscope_vertical_momentum() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 1.5, "{worst} eps"); // measured 1.03
-    let (least, _) = disagreement(routes(1.01));
-    assert!(least >= FAR, "{least} eps");
-    let (_, drive) = disagreement(|s| (s.lagrangian().first[PHI], 0.0, s.energy().abs()));
-    assert!(drive <= 4.0, "{drive} eps");
+    disagreement(routes(1.0)).attain(1.0..=1.1, 6);
+    disagreement(routes(1.01)).exceed(FAR, 6);
+    disagreement(|s| (s.lagrangian().first[PHI], 0.0, s.energy().abs())).attain(0.53..=0.54, 6);
     instance("L_Z", STATES[0].momentum(PHI), 0.154125090690687, 5e-16);
 }
 
@@ -179,10 +171,8 @@ fn eq_16_2_2_precession_rate() {
             (formula, s.rates[PHI], (vertical.abs() + spin.abs()) / below)
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 1.5, "{worst} eps"); // measured 1.08
-    let (least, _) = disagreement(routes(1.01));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(1.0..=1.1, 6);
+    disagreement(routes(1.01)).exceed(FAR, 6);
 }
 
 #[test]
@@ -202,10 +192,8 @@ fn eq_16_2_gyroscope_theta_equation_with_rates() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 3.0, "{worst} eps"); // measured 2.93
-    let (least, _) = disagreement(routes(-1.0));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(1.8..=1.9, 6);
+    disagreement(routes(-1.0)).exceed(FAR, 6);
 }
 
 /// theta'' from eq. (3), the momenta being numbers.
@@ -225,10 +213,8 @@ fn eq_16_2_3_theta_equation() {
             (s.accelerations()[THETA], formula, s.acceleration_scale())
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 3.0, "{worst} eps"); // measured 2.93
-    let (least, _) = disagreement(routes(-1.0));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(2.9..=3.0, 6);
+    disagreement(routes(-1.0)).exceed(FAR, 6);
     instance(
         "theta''",
         theta_equation_3(&STATES[0], 1.0),
@@ -265,10 +251,8 @@ fn eq_16_2_gyroscope_energy() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 3.5, "{worst} eps"); // measured 3.37
-    let (least, _) = disagreement(routes(0.99));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(3.3..=3.4, 6);
+    disagreement(routes(0.99)).exceed(FAR, 6);
     instance("E", STATES[0].energy(), 41.0656157436672, 5e-13);
 }
 
@@ -289,10 +273,8 @@ fn eq_16_2_gyroscope_effective_potential() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 3.0, "{worst} eps"); // measured 2.99
-    let (least, _) = disagreement(routes(0.99));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(2.9..=3.0, 6);
+    disagreement(routes(0.99)).exceed(FAR, 6);
 }
 
 #[test]
@@ -312,10 +294,8 @@ fn eq_16_2_gyroscope_dimensionless_energy() {
             (reduced / share, formula, scale)
         }
     };
-    let (_, worst) = disagreement(routes(0.5));
-    assert!(worst <= 3.5, "{worst} eps"); // measured 3.44
-    let (least, _) = disagreement(routes(0.51));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(0.5)).attain(3.4..=3.5, 6);
+    disagreement(routes(0.51)).exceed(FAR, 6);
     let (a, b, c, unit) = STATES[0].dimensionless();
     instance("a", a, 0.165137614678899, 5e-16);
     instance("b", b, 0.568784897281141, 5e-16);
@@ -340,10 +320,8 @@ fn eq_16_2_4_theta_equation() {
             (s.accelerations()[THETA] * unit * unit, formula, scale)
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 0.5, "{worst} eps"); // measured 0.186
-    let (least, _) = disagreement(routes(1.01));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(0.18..=0.19, 6);
+    disagreement(routes(1.01)).exceed(FAR, 6);
     instance(
         "theta''",
         theta_equation_4(2.0, 1.2, 0.2, 1.0),
@@ -363,10 +341,8 @@ fn eq_16_2_5_precession_rate() {
             (s.rates[PHI] * unit, formula, scale)
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 1.5, "{worst} eps"); // measured 1.16
-    let (least, _) = disagreement(routes(1.01));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(1.1..=1.2, 6);
+    disagreement(routes(1.01)).exceed(FAR, 6);
     let s = STATES[0];
     instance(
         "dphi/dt'",
@@ -390,10 +366,8 @@ fn eq_16_2_6_spin_rate() {
             )
         }
     };
-    let (_, worst) = disagreement(routes(1.0));
-    assert!(worst <= 3.5, "{worst} eps"); // measured 3.43
-    let (least, _) = disagreement(routes(-1.0));
-    assert!(least >= FAR, "{least} eps");
+    disagreement(routes(1.0)).attain(3.4..=3.5, 6);
+    disagreement(routes(-1.0)).exceed(FAR, 6);
     let s = STATES[0];
     instance(
         "dzeta/dt'",

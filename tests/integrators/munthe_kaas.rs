@@ -1,6 +1,7 @@
 //! Runge-Kutta on the rotations themselves: order 4, and a quaternion of length 1.
 
-use crate::{slope, top};
+use crate::slope::assert_slope;
+use crate::top;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -11,6 +12,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Integrator, MuntheKaas4, Rk4, Work};
 use rotation_dynamics::math::EPS;
 use rotation_dynamics::scene::Scene;
+use support::{Errors, assert_error};
 
 fn method(steps: u64) -> MuntheKaas4 {
     MuntheKaas4::new(steps).expect("some steps")
@@ -37,9 +39,8 @@ fn slope_on_the_free_body_and_the_top() {
             (1.0 / n as f64, end.attitude.angle_to(&want))
         })
         .collect();
-    let (slope, off) = slope::fitted(&points);
-    // Measured: 4.014 over errors from 1.8e-7 to 6.9e-10.
-    assert!((slope - 4.0).abs() < 0.05 && off < 0.01, "{slope} {off}");
+    // Over errors from 1.8e-7 to 6.9e-10.
+    assert_slope(&points, "4.014", "0.0017");
 
     let (scene, start) = top::figure_3();
     let exact = ReducedTop::new(2.0, 1.2, 0.2)
@@ -55,30 +56,28 @@ fn slope_on_the_free_body_and_the_top() {
             (1.0 / n as f64, end.attitude.angle_to(&want))
         })
         .collect();
-    let (slope, off) = slope::fitted(&points);
     let (plain, _) = Rk4::new(800)
         .expect("steps")
         .advance(&scene, 0.0, &start, 20.0)
         .expect("smooth");
-    // Measured: 4.024 over errors from 3.1e-8 to 1.2e-10.
-    assert!((slope - 4.0).abs() < 0.05 && off < 0.01, "{slope} {off}");
+    // Over errors from 3.1e-8 to 1.2e-10.
+    assert_slope(&points, "4.024", "0.0040");
     // With 800 steps it is off by 3.1e-8, RK4 by 8.5e-8.
     let ratio = plain.attitude.angle_to(&want) / points[0].1;
-    assert!(ratio > 2.7 && ratio < 2.8, "{ratio}");
+    assert_error!(ratio, 2.8);
 }
 
 /// However long the step, the attitude is a rotation; adding to it does not give one.
 #[test]
 fn the_length_is_one_by_construction() {
     let (scene, start) = top::figure_3();
-    let mut ran = 0;
+    let mut lengths = Errors::in_units_of(EPS, "square of the quaternion");
     for (steps, t_end) in [(1, 3.0), (20, 20.0), (100_000, 20_000.0)] {
         let (end, work) = method(steps)
             .advance(&scene, 0.0, &start, t_end)
             .expect("finite");
         let square: f64 = end.attitude.quaternion().iter().map(|c| c * c).sum();
-        // Measured: 1 eps.
-        assert!((square - 1.0).abs() <= EPS);
+        lengths.push(square - 1.0);
         assert_eq!(
             work,
             Work {
@@ -87,9 +86,8 @@ fn the_length_is_one_by_construction() {
                 ..Work::default()
             }
         );
-        ran += 1;
     }
-    assert_eq!(ran, 3);
+    lengths.attain(1.0..=1.0, 3);
     // The twin: the same tableau, added to the quaternion instead.
     let y = rotation_dynamics::integrators::scene::components(&start);
     let (z, _) = Rk4::new(20)

@@ -1,6 +1,7 @@
 //! The slope of a straight line through points on logarithmic axes.
 
 use rotation_dynamics::math::log;
+use support::{Errors, assert_error, attained};
 
 /// Least-squares slope of ln(error) against ln(step), and the largest distance
 /// of a point from the line, in e-folds.
@@ -14,11 +15,18 @@ pub fn fitted(points: &[(f64, f64)]) -> (f64, f64) {
     let sxy: f64 = logs.iter().map(|&(x, y)| (x - mx) * (y - my)).sum();
     let sxx: f64 = logs.iter().map(|&(x, _)| (x - mx) * (x - mx)).sum();
     let slope = sxy / sxx;
-    let off = logs
-        .iter()
-        .map(|&(x, y)| (y - my - slope * (x - mx)).abs())
-        .fold(0.0, f64::max);
-    (slope, off)
+    let mut off = Errors::of("distance from the line");
+    logs.iter()
+        .for_each(|&(x, y)| off.push(y - my - slope * (x - mx)));
+    (slope, off.largest())
+}
+
+/// Asserts the slope and the largest distance from the line, as printed.
+#[track_caller]
+pub fn assert_slope(points: &[(f64, f64)], slope: &str, off: &str) {
+    let (measured, scatter) = fitted(points);
+    attained(measured, slope, "slope");
+    attained(scatter, off, "distance from the line");
 }
 
 #[test]
@@ -28,5 +36,6 @@ fn the_slope_of_a_cube_is_three() {
         .map(|h| (h, 7.0 * h * h * h))
         .collect();
     let (slope, off) = fitted(&points);
-    assert!((slope - 3.0).abs() < 1e-14 && off < 1e-14);
+    assert_error!(slope - 3.0, 4.4e-16);
+    assert_error!(off, 6.1e-16);
 }

@@ -7,6 +7,7 @@ use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::scene::Scene;
+use support::Errors;
 
 pub type HeavyTop = Scene<((), GravityAtLever)>;
 
@@ -38,6 +39,8 @@ pub fn figure_3() -> (HeavyTop, State) {
 /// Angle between two attitudes (rad) and length of the difference of the
 /// momenta, the larger of the two.
 pub fn distance(a: &State, b: &State) -> f64 {
-    let angle = a.attitude.angle_to(&b.attitude);
-    angle.max((a.angular_momentum - b.angular_momentum).norm())
+    let mut errors = Errors::of("attitude and momentum");
+    errors.push(a.attitude.angle_to(&b.attitude));
+    errors.push((a.angular_momentum - b.angular_momentum).norm());
+    errors.largest()
 }

@@ -2,7 +2,7 @@
 //! attitude.py), against itself over random attitudes, and against plain forms
 //! that look right and are not.
 //!
-//! eps = 2^-53. A bound stands just above the measured value beside it.
+//! eps = 2^-53.
 
 mod properties;
 mod rates;

@@ -3,6 +3,7 @@
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{self, EPS};
+use support::{Errors, assert_error, relative};
 
 /// The rows of a kind, as numbers.
 fn rows(kind: &str) -> Vec<Vec<f64>> {
@@ -42,31 +43,24 @@ fn rows_missed(kind: &str, inputs: usize, answer: impl Fn(&[f64]) -> Vec<f64>) -
     (missed, rows.len())
 }
 
-/// The largest error of `kind` in eps, where a reference is a pair of doubles and
+/// The errors of `kind` in eps, where a reference is a pair of doubles and
 /// `weigh` says relative to what each component is judged.
-fn largest_error(
+fn errors(
     kind: &str,
     inputs: usize,
     answer: impl Fn(&[f64]) -> Vec<f64>,
     weigh: impl Fn(f64) -> f64,
-) -> (f64, usize) {
-    let rows = rows(kind);
-    let mut worst: f64 = 0.0;
-    for row in &rows {
+) -> Errors {
+    let mut errors = Errors::in_units_of(EPS, kind);
+    for row in rows(kind) {
         let got = answer(&row[..inputs]);
         let (leading, rest) = row[inputs..].split_at(got.len());
         for i in 0..got.len() {
-            let error = ((got[i] - leading[i]) - rest[i]).abs();
-            let error = if error == 0.0 {
-                0.0
-            } else {
-                error / weigh(leading[i])
-            };
-            assert!(error.is_finite(), "{kind} {row:?}: {got:?}");
-            worst = worst.max(error / EPS);
+            let off = (got[i] - leading[i]) - rest[i];
+            errors.push_at(relative(off, 0.0, weigh(leading[i])), &row);
         }
     }
-    (worst, rows.len())
+    errors
 }
 
 fn angles_of(row: &[f64]) -> Vec<f64> {
@@ -94,8 +88,8 @@ fn euler_angles_are_correctly_rounded() {
 fn euler_angles_where_other_libraries_fail() {
     assert_eq!(rows_missed("failed_elsewhere", 4, angles_of), (0, 4));
     let rows = rows("failed_elsewhere");
-    assert!((rows[1][5] - 1.77e-3).abs() < 1e-5); // others gave 0
-    assert!((rows[3][5] - 1.35e-13).abs() < 1e-15); // others gave NaN in phi
+    assert_error!(rows[1][5], 1.77e-3); // others gave 0
+    assert_error!(rows[3][5], 1.35e-13); // others gave NaN in phi
 }
 
 #[test]
@@ -129,11 +123,9 @@ fn from_euler_keeps_every_component() {
     };
     // Relative error of each component; sin and cos near their zeros count with
     // the condition of their own argument.
-    let (error, count) = largest_error("from_angles", 3, answer, |c| c.abs().max(1e-4));
-    assert_eq!(count, 160);
-    assert!(error <= 1.9, "{error}"); // measured 1.89
+    errors("from_angles", 3, answer, |c| c.abs().max(1e-4)).attain(1.8..=1.9, 4 * 160);
     // Damaged: phi + zeta rounded before it is halved.
-    let (error, _) = largest_error(
+    let damaged = errors(
         "from_angles",
         3,
         |row| {
@@ -148,7 +140,7 @@ fn from_euler_keeps_every_component() {
         },
         |c| c.abs().max(1e-4),
     );
-    assert!(error > 9e14, "{error}"); // measured 9.1e14
+    damaged.attain(9e14..=9.2e14, 4 * 160);
 }
 
 #[test]
@@ -159,11 +151,9 @@ fn from_rotation_vector_keeps_every_component() {
         attitude.quaternion().to_vec()
     };
     // A component of 1e-300 has its own relative accuracy too.
-    let (error, count) = largest_error("from_vector", 3, answer, f64::abs);
-    assert_eq!(count, 180);
-    assert!(error <= 2.4, "{error}"); // measured 2.35
+    errors("from_vector", 3, answer, f64::abs).attain(2.3..=2.4, 4 * 180);
     // Damaged: the length rounded to a double.
-    let (error, _) = largest_error(
+    let damaged = errors(
         "from_vector",
         3,
         |row| {
@@ -178,7 +168,8 @@ fn from_rotation_vector_keeps_every_component() {
         },
         f64::abs,
     );
-    assert!(error > 8e15, "{error}"); // measured 9.0e15: the body is turned at random
+    // The body is turned at random.
+    damaged.attain(9e15..=9.1e15, 4 * 180);
 }
 
 #[test]
@@ -196,19 +187,17 @@ fn the_angle_between_attitudes_is_correctly_rounded() {
 #[test]
 fn matrices_to_and_fro() {
     let answer = |row: &[f64]| attitude(row).matrix().as_flattened().to_vec();
-    let (error, count) = largest_error("matrix", 4, answer, |_| 1.0);
-    assert_eq!(count, 150);
-    assert!(error <= 2.1, "{error}"); // measured 2.0
+    errors("matrix", 4, answer, |_| 1.0).attain(2.0..=2.0, 9 * 150);
     let transposed = |row: &[f64]| attitude(row).inverse().matrix().as_flattened().to_vec();
-    assert!(largest_error("matrix", 4, transposed, |_| 1.0).0 > 1e15);
+    assert!(errors("matrix", 4, transposed, |_| 1.0).largest() > 1e15);
 
-    let mut worst: f64 = 0.0;
+    let mut back_again = Errors::in_units_of(EPS, "from_matrix");
     for row in rows("matrix") {
         let rounded: [[f64; 3]; 3] = [0, 3, 6].map(|i| [row[4 + i], row[5 + i], row[6 + i]]);
         let back = Attitude::from_matrix(rounded).expect("a rotation");
-        worst = worst.max(back.angle_to(&attitude(&row)) / EPS);
+        back_again.push(back.angle_to(&attitude(&row)));
     }
-    assert!(worst <= 1.7, "{worst}"); // measured 1.67
+    back_again.attain(1.6..=1.7, 150);
 }
 
 #[test]
@@ -228,10 +217,10 @@ fn the_static_case_of_the_reference_file() {
         numbers.collect::<Result<_, _>>().expect("numbers")
     };
     let largest = |a: &[f64], b: &[f64]| -> f64 {
-        assert_eq!(a.len(), b.len());
-        a.iter()
-            .zip(b)
-            .fold(0.0, |m, (x, y)| m.max((x - y).abs() / EPS))
+        assert!(a.len() == b.len() && !a.is_empty());
+        let mut errors = Errors::of("static case");
+        a.iter().zip(b).for_each(|(x, y)| errors.push(x - y));
+        errors.largest()
     };
     let angles = EulerAngles {
         phi: input("phi"),
@@ -240,22 +229,24 @@ fn the_static_case_of_the_reference_file() {
     };
     let attitude = Attitude::from_euler(angles).expect("finite angles");
     let matrix = attitude.matrix();
-    assert!(largest(matrix.as_flattened(), &expected("R")) <= 1.0); // measured 1.0
-    assert!(largest(&attitude.quaternion(), &expected("quat_wxyz")) <= 0.0); // measured 0
+    assert_error!(largest(matrix.as_flattened(), &expected("R")), 1.0 eps);
+    assert_error!(largest(&attitude.quaternion(), &expected("quat_wxyz")), 0.0);
 
     // The vectors agree with the matrix, column by column and row by row.
     let column = |i: usize| [matrix[0][i], matrix[1][i], matrix[2][i]];
-    assert!(largest(&attitude.axis().to_array(), &column(2)) <= 0.0);
-    assert!(largest(&attitude.vertical().to_array(), &matrix[2]) <= 0.0);
+    assert_error!(largest(&attitude.axis().to_array(), &column(2)), 0.0);
+    assert_error!(largest(&attitude.vertical().to_array(), &matrix[2]), 0.0);
+    let mut vectors = Errors::in_units_of(EPS, "columns and rows");
     for (i, e) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
         .into_iter()
         .enumerate()
     {
         let in_space = attitude.to_space(BodyVector::from_array(e));
-        assert!(largest(&in_space.to_array(), &column(i)) <= 1.0); // measured 1.0
+        vectors.push(largest(&in_space.to_array(), &column(i)));
         let in_body = attitude.to_body(SpaceVector::from_array(e));
-        assert!(largest(&in_body.to_array(), &matrix[i]) <= 1.0); // measured 1.0
+        vectors.push(largest(&in_body.to_array(), &matrix[i]));
     }
+    vectors.attain(1.0..=1.0, 6);
     // Damaged: phi and zeta taken for each other.
     let swapped = EulerAngles {
         phi: angles.zeta,
@@ -265,5 +256,5 @@ fn the_static_case_of_the_reference_file() {
     let wrong = Attitude::from_euler(swapped)
         .expect("finite angles")
         .matrix();
-    assert!(largest(wrong.as_flattened(), &expected("R")) > 1e15);
+    assert!(largest(wrong.as_flattened(), &expected("R")) > 0.1);
 }

@@ -5,6 +5,7 @@ use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids};
 use serde_json::Value;
+use support::assert_error;
 
 #[test]
 fn the_plate_about_its_corner() {
@@ -19,11 +20,11 @@ fn the_plate_about_its_corner() {
         .expect("finite");
     let m = corner.matrix();
     let scale = expected(&case, "Izz")[0];
-    assert!(error(&[m[0][0]], &expected(&case, "Ixx"), scale) <= 0.0); // measured 0
-    assert!(error(&[m[0][1]], &expected(&case, "Ixy"), scale) <= 0.4); // measured 0.39
-    assert!(error(&[m[2][2]], &expected(&case, "Izz"), scale) <= 0.0); // measured 0
+    assert_error!(error(&[m[0][0]], &expected(&case, "Ixx"), scale), 0.0);
+    assert_error!(error(&[m[0][1]], &expected(&case, "Ixy"), scale), 0.4 eps);
+    assert_error!(error(&[m[2][2]], &expected(&case, "Izz"), scale), 0.0);
     let moments = corner.principal_axes().moments();
-    assert!(error(&moments, &expected(&case, "principal"), scale) <= 0.0); // measured 0
+    assert_error!(error(&moments, &expected(&case, "principal"), scale), 0.0);
 }
 
 fn reference_points(case: &Value) -> Vec<(f64, BodyVector)> {
@@ -45,17 +46,12 @@ fn point_masses_of_the_reference_file() {
     let body = MassProperties::of_points(&points).expect("a body");
     let moments = body.about_centre_of_mass().principal_axes().moments();
     assert_eq!(vec![body.mass()], expected(&case, "mass"));
-    assert!(
-        error(
-            &body.centre_of_mass().to_array(),
-            &expected(&case, "cm"),
-            1.0
-        ) <= 0.0
-    ); // measured 0
+    let centre = body.centre_of_mass().to_array();
+    assert_error!(error(&centre, &expected(&case, "cm"), 1.0), 0.0);
     let tensor = body.about_centre_of_mass().matrix();
     let scale = moments[2];
-    assert!(error(tensor.as_flattened(), &expected(&case, "I_cm"), scale) <= 0.7); // measured 0.67
-    assert!(error(&moments, &expected(&case, "principal"), scale) <= 2.7); // measured 2.68
+    assert_error!(error(tensor.as_flattened(), &expected(&case, "I_cm"), scale), 0.7 eps);
+    assert_error!(error(&moments, &expected(&case, "principal"), scale), 2.7 eps);
     // The sum over points about the origin, directly: I_ij = sum m (r^2 delta_ij - r_i r_j).
     let mut about_origin = [[0.0; 3]; 3];
     for (m, r) in &points {
@@ -67,13 +63,8 @@ fn point_masses_of_the_reference_file() {
         }
     }
     let by_theorem = body.about(BodyVector::zero()).expect("finite").matrix();
-    assert!(
-        error(
-            about_origin.as_flattened(),
-            by_theorem.as_flattened(),
-            scale
-        ) <= 0.7
-    ); // measured 0.67
+    let (sum, theorem) = (about_origin.as_flattened(), by_theorem.as_flattened());
+    assert_error!(error(sum, theorem, scale), 0.34 eps);
 }
 
 #[test]
@@ -89,7 +80,8 @@ fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     let back = MassProperties::from_tensor_about(p, body.mass(), body.centre_of_mass(), about_p);
     let about_q = back.expect("a body").about(q).expect("finite").matrix();
     let direct = body.about(q).expect("finite").matrix();
-    assert!(error(about_q.as_flattened(), direct.as_flattened(), direct[1][1]) <= 0.2); // measured 0.18
+    let (stepwise, at_once) = (about_q.as_flattened(), direct.as_flattened());
+    assert_error!(error(stepwise, at_once, direct[1][1]), 0.2 eps);
     // Damaged (a slip of the notes' wording): M a^2 added to the moment about an
     // axis that misses the centre of mass.
     let axis = BodyVector::new(0.0, 0.0, 1.0);

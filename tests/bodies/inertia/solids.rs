@@ -2,6 +2,8 @@
 
 use super::error;
 use rotation_dynamics::inertia::{MassProperties, solids};
+use rotation_dynamics::math::EPS;
+use support::Errors;
 
 /// Every closed form against sums over slices or shells.
 #[test]
@@ -100,7 +102,8 @@ fn solids_against_sums_over_cells() {
             }),
         ),
     ];
-    let (mut worst, mut count): (f64, usize) = (0.0, 0);
+    let mut errors = Errors::in_units_of(EPS, "solids");
+    let mut damaged = Errors::in_units_of(EPS, "solids off by 1e-14");
     for (name, got, cell) in cases {
         let sum = |n: usize| {
             let (mut weights, mut sums) = (0.0, [0.0; 3]);
@@ -121,18 +124,14 @@ fn solids_against_sums_over_cells() {
             (16.0 * q - p) / 15.0
         });
         let limit = [y + z, x + z, x + y].map(|s| mass * s / weight);
-        let off = error(&got, &limit, got[0].max(got[2]));
-        assert!(off < 1e6, "{name}: {got:?}, cells give {limit:?}");
-        worst = worst.max(off);
-        count += 1;
+        errors.push_at(error(&got, &limit, got[0].max(got[2])), name);
+        damaged.push_at(
+            error(&got, &limit.map(|m| m * (1.0 + 1e-14)), got[0].max(got[2])),
+            name,
+        );
     }
-    assert_eq!(count, 10);
-    assert!(worst <= 8.2, "{worst}"); // measured 8.16, of the sums
-    assert!(
-        error(
-            &[0.4 * 2.5 * 0.49],
-            &[0.4 * 2.5 * 0.49 * (1.0 + 1e-14)],
-            0.49
-        ) > 8.2
-    )
+    // Of the sums.
+    errors.attain(8.1..=8.2, 10);
+    // A moment off by 1e-14 is seen in every solid.
+    damaged.exceed(8.2, 10);
 }

@@ -2,6 +2,7 @@
 
 use super::motions::{by_angles, by_body, by_energy};
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Regime, Start};
+use support::Errors;
 
 #[test]
 fn each_regime_is_recognised() {
@@ -59,16 +60,18 @@ fn the_path_goes_back_only_in_loops() {
 #[test]
 fn the_sleeping_top_wakes_at_the_critical_spin() {
     let kick = 1e-9;
+    let mut errors = Errors::of("largest tilt");
     for c in [0.1, 0.2, 0.2499] {
         let reached = by_angles(1.0, 1.0, c, 0.0, kick).theta_max();
         let linear = kick / (0.25_f64 - c).sqrt();
-        assert!((reached / linear - 1.0).abs() < 1e-9, "{c}: {reached}");
+        errors.push_at(reached / linear - 1.0, c);
     }
     for c in [0.2501, 0.3, 0.5, 2.0] {
         let reached = by_angles(1.0, 1.0, c, 0.0, kick).theta_max();
         let fall = rotation_dynamics::math::acos(0.5 / c - 1.0);
-        assert!((reached / fall - 1.0).abs() < 1e-9, "{c}: {reached}");
+        errors.push_at(reached / fall - 1.0, c);
     }
+    errors.attain(3.1e-12..=3.2e-12, 3 + 4);
     assert_eq!(
         ReducedTop::new(1.0, 1.0, 0.3).map(|t| t.sleeping_limit()),
         Ok(0.25)

@@ -4,6 +4,8 @@
 //! Differential Equations I*, II.2, theorem 2.13: the method is of order p if
 //! sum_i b_i Phi_i(t) = 1 / gamma(t) for every tree with at most p nodes.
 
+use support::Errors;
+
 /// A rooted tree: its root's branches, in the order of their place in the list.
 #[derive(Clone)]
 pub struct Tree {
@@ -62,7 +64,7 @@ impl Method {
     /// Largest |gamma sum_i b_i Phi_i - 1| over the trees with exactly `nodes` nodes.
     pub fn defect(&self, trees: &[Tree], nodes: usize) -> f64 {
         let mut weights: Vec<Vec<f64>> = Vec::new();
-        let mut largest: f64 = 0.0;
+        let mut defects = Errors::of("order conditions");
         for tree in trees.iter().take_while(|t| t.nodes <= nodes) {
             let phi: Vec<f64> = (0..self.a.len())
                 .map(|i| {
@@ -77,11 +79,11 @@ impl Method {
                 .collect();
             if tree.nodes == nodes {
                 let sum: f64 = self.b.iter().map(|&(i, b)| b * phi[i]).sum();
-                largest = largest.max((tree.gamma * sum - 1.0).abs());
+                defects.push(tree.gamma * sum - 1.0);
             }
             weights.push(phi);
         }
-        largest
+        defects.largest()
     }
 }
 

@@ -6,6 +6,7 @@
 
 use rotation_dynamics::integrators::Scheme;
 use rotation_dynamics::integrators::splitting::Outer;
+use support::Errors;
 
 const LONGEST: usize = 10;
 
@@ -42,14 +43,18 @@ fn times_exponential(words: &[Vec<f64>], part: f64, letter: usize) -> Vec<Vec<f6
 }
 
 /// The largest defect of the words with `kicks` letters B that have this many
-/// letters, and how many words those are.
+/// letters, and how many words those are; 0 if there are none.
 fn defect(words: &[Vec<f64>], length: usize, kicks: impl Fn(u32) -> bool) -> (f64, usize) {
     let factorial: f64 = (1..=length).map(|n| n as f64).product();
     let words = words[length].iter().enumerate();
     let chosen = words.filter(|(word, _)| kicks(word.count_ones()));
-    chosen.fold((0.0, 0), |(worst, ran), (_, c)| {
-        (f64::max(worst, (c - 1.0 / factorial).abs()), ran + 1)
-    })
+    let mut defects = Errors::of("words");
+    let mut ran = 0;
+    for (word, coefficient) in chosen {
+        defects.push_at(coefficient - 1.0 / factorial, word);
+        ran += 1;
+    }
+    (defects.largest(), ran)
 }
 
 /// The longest words that are right, for at most one letter B, two, and three or more.
