@@ -1,6 +1,6 @@
 //! Sections of the locked output as tables of a page.
 
-use crate::notation::words;
+use crate::notation::{symbols, words};
 use crate::text::{escape, number_html, unit_html};
 use crate::token;
 use rotation_dynamics::report::Table;
@@ -54,7 +54,7 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
         let label = match head.contains("<math") {
             true => format!(
                 " aria-label=\"{}\"",
-                escape(&notation::symbols(&table.columns()[n]))
+                escape(&symbols(&table.columns()[n]))
             ),
             false => String::new(),
         };
