@@ -161,7 +161,22 @@ fn relative(difference: f64, scale: f64) -> f64 {
     }
 }
 
+/// The largest size of some errors, 0 of none; not a number if one of them is not.
+///
+/// ```
+/// use rotation_dynamics::accuracy::largest;
+/// assert_eq!(largest([1e-3, -2e-3]), 2e-3);
+/// assert!(largest([1.0, f64::NAN, 2.0]).is_nan());
+/// ```
+pub fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
+    errors
+        .into_iter()
+        .fold(0.0, |most, e| larger(most, e.abs()))
+}
+
 /// Unlike `f64::max` it keeps a NaN, on either side.
-fn larger(a: f64, b: f64) -> f64 {
+pub(crate) const fn larger(a: f64, b: f64) -> f64 {
     if a > b || a.is_nan() { a } else { b }
 }
+
+const _: () = assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());

@@ -21,6 +21,7 @@ mod sweep;
 
 pub use carry::{Carrier, Fineness, Variables, applies};
 pub use dial::{ExactMotion, Solvable, Solved};
-pub use measures::{Errors, Measure};
+pub(crate) use measures::larger;
+pub use measures::{Errors, Measure, largest};
 pub use problem::Problem;
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};

@@ -1,6 +1,7 @@
 //! The dial: ask for an error at the end, get it, see the price.
 
 use super::{Phased, Run, simulate};
+use crate::accuracy::larger;
 use crate::error::{Error, Result, finite};
 use crate::integrators::{Dop853, Work};
 
@@ -110,10 +111,3 @@ fn distance<const N: usize, S: Phased<N>>(
         _ => most,
     }
 }
-
-/// The larger of two numbers; not a number if one of them is not (`f64::max` drops it).
-pub(super) const fn larger(a: f64, b: f64) -> f64 {
-    if a >= b || a.is_nan() { a } else { b }
-}
-
-const _: () = assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());

@@ -3,7 +3,7 @@
 use super::{ClosedForm, Computation, Price, Report};
 use crate::accuracy::{Fineness, Problem, Solvable, Solved, applies};
 use crate::error::{Error, Result};
-use crate::integrators::Method;
+use crate::integrators::{Method, Work};
 
 /// The methods whose least work is shown, where they apply.
 const SHOWN: [Method; 6] = [
@@ -54,6 +54,43 @@ impl Report {
         if let Some(attitude) = problem.closed_form().cloned() {
             let end = problem.end;
             self.set_closed_form(ClosedForm::new(move |part| Ok(attitude(part * end))));
+        }
+        Ok(())
+    }
+
+    /// Adds a line for each of `tolerances`, from the largest to the smallest: what `run`
+    /// delivers for it, as `error` judges, and its work; or that it refuses.
+    ///
+    /// # Errors
+    /// What `run` and `error` refuse, but for [`Error::NotDelivered`].
+    pub fn dial<T>(
+        &mut self,
+        method: &str,
+        tolerances: impl IntoIterator<Item = f64>,
+        run: impl Fn(f64) -> Result<T> + Clone + Send + Sync + 'static,
+        work: fn(&T) -> Work,
+        error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
+    ) -> Result<()> {
+        let mut sorted: Vec<f64> = tolerances.into_iter().collect();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        sorted.dedup();
+        for requested in sorted {
+            let (delivered, work, again) = match run(requested) {
+                Ok(done) => {
+                    let run = run.clone();
+                    let again = Computation::new(move || run(requested), error.clone());
+                    (error(&done)?, work(&done).to_string(), Some(again))
+                }
+                Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into(), None),
+                Err(other) => return Err(other),
+            };
+            self.add_price(Price {
+                method: method.into(),
+                requested: Some(requested),
+                delivered,
+                work,
+                again,
+            });
         }
         Ok(())
     }

@@ -39,7 +39,7 @@ impl Mechanism<2, 4, 1> for Block {
     }
 }
 
-fn slide(block: &Block, speed: f64, t_end: f64) -> Motion<'_, Block, 2, 4, 1> {
+fn slide(block: &Block, speed: f64, t_end: f64) -> Motion<&Block, 2, 4, 1> {
     let start = State {
         q: [0.0, 0.0],
         v: [speed, 0.0],

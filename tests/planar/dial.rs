@@ -10,7 +10,7 @@ use rotation_dynamics::planar::{Condition, Next, Phased, simulate, simulate_with
 #[test]
 fn two_runs_agree_within_half_the_tolerance() {
     let (mut ran, mut tried_again) = (0, 0);
-    for angle in [1e-6, 1e-4, 1e-2, 0.3] {
+    for angle in [1e-3, 1e-2, 0.1, 0.3] {
         for tolerance in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9] {
             let done = simulate_within(&Dome, tolerance, (), [angle, 0.0], 100.0).unwrap();
             assert!(

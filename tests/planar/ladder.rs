@@ -52,7 +52,7 @@ impl Mechanism<3, 6, 2> for Ladder {
     }
 }
 
-fn slide(ladder: &Ladder, angle: f64) -> Motion<'_, Ladder, 3, 6, 2> {
+fn slide(ladder: &Ladder, angle: f64) -> Motion<&Ladder, 3, 6, 2> {
     motion_within(ladder, 1e-12, Ladder::at_rest(angle), 100.0).unwrap()
 }
 

@@ -42,7 +42,7 @@ impl Mechanism<3, 6, 2> for Plank {
     }
 }
 
-fn laid(plank: &Plank, x: f64, v: f64, t_end: f64) -> Motion<'_, Plank, 3, 6, 2> {
+fn laid(plank: &Plank, x: f64, v: f64, t_end: f64) -> Motion<&Plank, 3, 6, 2> {
     let start = State {
         q: [x, 0.0, 0.0],
         v: [v, 0.0, 0.0],

@@ -99,3 +99,23 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
         }
     }
 }
+
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Mechanism<N, S, C>
+    for &M
+{
+    fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {
+        (**self).mass(q)
+    }
+    fn force(&self, state: &State<N>) -> [f64; N] {
+        (**self).force(state)
+    }
+    fn contacts(&self, state: &State<N>) -> [Contact<N>; C] {
+        (**self).contacts(state)
+    }
+    fn end(&self, state: &State<N>) -> Option<(&'static str, f64)> {
+        (**self).end(state)
+    }
+    fn scale(&self, state: &State<N>) -> State<N> {
+        (**self).scale(state)
+    }
+}

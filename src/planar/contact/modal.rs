@@ -17,20 +17,14 @@ const NOISE: f64 = EPS;
 const FORCE_DRIFT: f64 = 1e-12;
 
 /// A [`Mechanism`] as a [`Phased`] scene.
-pub struct Modal<'m, M, const N: usize, const S: usize, const C: usize>(pub &'m M);
+#[derive(Clone, Copy)]
+pub struct Modal<M, const N: usize, const S: usize, const C: usize>(pub M);
 
-impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Modal<'_, M, N, S, C> {
+impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Modal<M, N, S, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Modal<{N}, {S}, {C}>")
     }
 }
-
-impl<M, const N: usize, const S: usize, const C: usize> Clone for Modal<'_, M, N, S, C> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<M, const N: usize, const S: usize, const C: usize> Copy for Modal<'_, M, N, S, C> {}
 
 /// The modes in which `mechanism` starts from `state`, and the numbers of the state.
 ///
@@ -58,7 +52,7 @@ pub(super) fn split<const N: usize, const S: usize>(state: &[f64; S]) -> State<N
     }
 }
 
-impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Modal<'_, M, N, S, C> {
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Modal<M, N, S, C> {
     /// Accelerations and forces in these modes; `None` if they contradict each other.
     pub(super) fn respond(&self, modes: &Modes<C>, state: &State<N>) -> Option<Response<N, C>> {
         let contacts = self.0.contacts(state);
@@ -116,7 +110,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moda
 }
 
 impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phased<S>
-    for Modal<'_, M, N, S, C>
+    for Modal<M, N, S, C>
 {
     type Phase = Modes<C>;
 

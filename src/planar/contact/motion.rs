@@ -3,9 +3,9 @@
 use super::declare::{Mode, State};
 use super::modal::{Modal, entry, split};
 use super::{Force, Mechanism, Modes};
+use crate::accuracy::larger;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Work};
-use crate::planar::dial::larger;
 use crate::planar::{Bilateral, Run, Transition, simulate, simulate_within};
 use core::fmt;
 
@@ -26,15 +26,15 @@ pub struct Event<const N: usize, const C: usize> {
 }
 
 /// A motion through modes.
-pub struct Motion<'m, M, const N: usize, const S: usize, const C: usize> {
-    scene: Modal<'m, M, N, S, C>,
+pub struct Motion<M, const N: usize, const S: usize, const C: usize> {
+    scene: Modal<M, N, S, C>,
     run: Run<Modes<C>, S>,
     events: Vec<Event<N, C>>,
     estimate: Option<f64>,
     work: Work,
 }
 
-impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<'_, M, N, S, C> {
+impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M, N, S, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Motion")
             .field("end_time", &self.run.end_time())
@@ -47,14 +47,14 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<'_
 ///
 /// # Errors
 /// Those of [`entry`], at the start or where the modes change, and of [`simulate`].
-pub fn motion<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    mechanism: &'m M,
+pub fn motion<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: M,
     method: &Dop853,
     start: State<N>,
     t_end: f64,
-) -> Result<Motion<'m, M, N, S, C>> {
+) -> Result<Motion<M, N, S, C>> {
+    let (modes, state) = entry(&mechanism, start)?;
     let scene = Modal(mechanism);
-    let (modes, state) = entry(mechanism, start)?;
     let run = simulate(&scene, method, modes, state, t_end)?;
     let work = run.work();
     Ok(Motion::new(scene, run, None, work))
@@ -65,14 +65,14 @@ pub fn motion<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C
 ///
 /// # Errors
 /// Those of [`motion`] and of [`simulate_within`].
-pub fn motion_within<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    mechanism: &'m M,
+pub fn motion_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: M,
     tolerance: f64,
     start: State<N>,
     t_end: f64,
-) -> Result<Motion<'m, M, N, S, C>> {
+) -> Result<Motion<M, N, S, C>> {
+    let (modes, state) = entry(&mechanism, start)?;
     let scene = Modal(mechanism);
-    let (modes, state) = entry(mechanism, start)?;
     let done = simulate_within(&scene, tolerance, modes, state, t_end)?;
     Ok(Motion::new(scene, done.run, Some(done.estimate), done.work))
 }
@@ -81,23 +81,21 @@ pub fn motion_within<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, 
 ///
 /// # Errors
 /// Those of [`motion_within`].
-pub fn kept_within<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    mechanism: &'m M,
+pub fn kept_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    mechanism: M,
     tolerance: f64,
     start: State<N>,
     t_end: f64,
-) -> Result<Motion<'m, M, N, S, C>> {
+) -> Result<Motion<M, N, S, C>> {
+    let (modes, state) = entry(&mechanism, start)?;
     let scene = Modal(mechanism);
-    let (modes, state) = entry(mechanism, start)?;
-    let done = simulate_within(&Bilateral(scene), tolerance, modes, state, t_end)?;
+    let done = simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)?;
     Ok(Motion::new(scene, done.run, Some(done.estimate), done.work))
 }
 
-impl<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
-    Motion<'m, M, N, S, C>
-{
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Motion<M, N, S, C> {
     fn new(
-        scene: Modal<'m, M, N, S, C>,
+        scene: Modal<M, N, S, C>,
         run: Run<Modes<C>, S>,
         estimate: Option<f64>,
         work: Work,
@@ -194,7 +192,7 @@ impl<'m, M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
 
 /// What happened to the contacts at a change of modes.
 fn events<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<'_, M, N, S, C>,
+    scene: &Modal<M, N, S, C>,
     at: &Transition<Modes<C>, S>,
 ) -> Vec<Event<N, C>> {
     let event = |name| Event {

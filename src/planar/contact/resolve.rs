@@ -31,7 +31,7 @@ type Before<const C: usize> = Option<(Modes<C>, Trigger)>;
 
 /// The modes that follow, and the state put onto their contacts, after impacts.
 pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<'_, M, N, S, C>,
+    scene: &Modal<M, N, S, C>,
     t: f64,
     before: Before<C>,
     state: &[f64; S],
@@ -105,7 +105,7 @@ pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const
 
 /// Which contacts can act: those that did, that has just closed, or whose gap is round-off.
 fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<'_, M, N, S, C>,
+    scene: &Modal<M, N, S, C>,
     before: &Before<C>,
     state: &State<N>,
 ) -> [bool; C] {
@@ -122,7 +122,7 @@ fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
 /// Changes the velocities by the impulses of contacts that are shut and still closing;
 /// whether there were any.
 fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<'_, M, N, S, C>,
+    scene: &Modal<M, N, S, C>,
     t: f64,
     shut: &[bool; C],
     state: &mut State<N>,
@@ -179,7 +179,7 @@ fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
 /// Moves coordinates and velocities onto the contacts that act, by least action on the
 /// masses: what the integration has drifted away.
 fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<'_, M, N, S, C>,
+    scene: &Modal<M, N, S, C>,
     modes: &Modes<C>,
     state: &mut State<N>,
 ) {
@@ -230,7 +230,7 @@ fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
 
 /// Refuses contacts that cannot hold at the start, and coefficients that mean nothing.
 fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<'_, M, N, S, C>,
+    scene: &Modal<M, N, S, C>,
     t: f64,
     state: &State<N>,
 ) -> Result<()> {
