@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn what_hides_each_other_in_a_circle_is_still_painted_once() {
-        let camera = Camera::new(0.0, 1.5707);
+        let camera = Camera::new(0.0, 1.57);
         let beam = |turn: f64| {
             let (s, c) = crate::math::sincos(turn);
             let at = |along: f64, across: f64| {
