@@ -8,9 +8,9 @@
     dead_code,
     reason = "the names of the methods are for figures and records"
 )]
-mod drift;
+mod curves;
 
-use drift::{Curve, Gravity, Kind, Method, Point, Subject, curve, times};
+use curves::{Curve, Gravity, Kind, Method, Point, Subject, curve, times};
 use rotation_dynamics::accuracy::Errors;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
