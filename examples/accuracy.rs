@@ -25,7 +25,7 @@ mod tables;
 
 use lines::Measured;
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Measure, Problem, Variables, WorkPrecision};
+use rotation_dynamics::accuracy::{Measure, Problem, Solvable, Solved, Variables, WorkPrecision};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::exp2;
@@ -78,6 +78,17 @@ fn rk4(problem: &Problem<()>) -> Result<WorkPrecision> {
     sweep.curve(Measure::Attitude, Work::torques)
 }
 // ANCHOR_END: sweep
+
+// ANCHOR: dial
+/// The end of a motion, off by `tolerance` (rad) or less. By stepping, though there may be
+/// a closed form: so the closed form can judge.
+fn solved<E: Solvable>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
+    let Problem {
+        scene, start, end, ..
+    } = problem;
+    scene.solve_by_stepping(start, *end, tolerance)
+}
+// ANCHOR_END: dial
 
 /// Adds what RK4 pays for a digit.
 fn add_rk4(report: &mut Report, p: &Parameters) -> Result<()> {

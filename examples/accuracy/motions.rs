@@ -50,13 +50,9 @@ impl<E: Solvable + Clone + Send + Sync + 'static> Raced for Problem<E> {
         Problem::errors(self, reached)
     }
 
-    // ANCHOR: dial
-    /// The end of a motion, off by `tolerance` or less. By stepping, though there may be
-    /// a closed form: so the closed form can judge.
     fn solved(&self, tolerance: f64) -> Result<Solved> {
-        (self.scene).solve_by_stepping(&self.start, self.end, tolerance)
+        super::solved(self, tolerance)
     }
-    // ANCHOR_END: dial
 
     fn add_strip(&self, report: &mut Report, tolerances: &[f64]) -> Result<()> {
         report.strip(self, tolerances)

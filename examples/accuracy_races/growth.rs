@@ -29,7 +29,14 @@ pub fn add(report: &mut Report, all: &[Curve]) -> Result<()> {
     ];
     let mut table = Table::new("drift", columns)?;
     for drift in all {
-        let decade = |from, to| short(drift.exponent_between(from, to, phase), 2);
+        let decade = |from, to| {
+            let power = drift.exponent_between(from, to, phase);
+            if power.is_nan() {
+                "-".into()
+            } else {
+                short(power, 2)
+            }
+        };
         let last = drift.points.last();
         table.push([
             drift.method.names().1.to_owned(),

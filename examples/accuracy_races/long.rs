@@ -10,7 +10,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{GaussLegendre, Integrator, Method, Work};
 use rotation_dynamics::math::{EPS, pow};
-use rotation_dynamics::report::{Report, Table, effect, limit};
+use rotation_dynamics::report::{Report, Table, claim, effect, limit};
 use rotation_dynamics::scene::Scene;
 
 /// The free body of the chapter, for so many periods of its rates and a third of one: at
@@ -34,7 +34,7 @@ fn free(periods: f64) -> Result<Problem<()>> {
 
 /// Adds the table, the limits, the strip and the card.
 pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
-    report.add(table()?)?;
+    add_table(report)?;
     report.add(
         limit(
             "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad",
@@ -61,30 +61,56 @@ pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
     report.strip(&free(100.0)?, &[tolerance])
 }
 
-/// Evaluations for an error of 1e-9 rad.
-fn table() -> Result<Table> {
+/// Adds the evaluations for an error of 1e-9 rad, and what ten times the periods cost.
+fn add_table(report: &mut Report) -> Result<()> {
     let columns = ["periods", "DOP853", "Gauss-Legendre 16", "closed form"];
     let mut table = Table::new("long", columns)?;
+    let mut work = Vec::new();
     for periods in [10.0, 100.0, 1000.0] {
-        let problem = free(periods)?;
-        let mut row = vec![format!("{periods} 1/3")];
         // From coarse to fine, around the setting that delivers.
         let tolerances = (9..=14).map(|k| pow(10.0, -f64::from(k)));
         let steps = (9..=16).map(|k| (0.5 * f64::from(k) * periods).floor());
-        for (method, settings) in [
-            (Method::Dop853, tolerances.collect::<Vec<f64>>()),
-            (Method::GaussLegendre16, steps.collect()),
-        ] {
-            let variables = Variables::best(method, &problem.scene);
-            let sweep = problem.sweep(method, variables, settings);
-            let curve = sweep.curve(Measure::Attitude, Work::torques)?;
-            let least = curve.least_work(1e-9);
-            row.push(least.map_or("-".into(), |p| format!("{:.0}", p.work)));
-        }
-        row.push("one sample".into());
-        table.push(row)?;
+        let problem = free(periods)?;
+        let least = [
+            least(&problem, Method::Dop853, tolerances.collect())?,
+            least(&problem, Method::GaussLegendre16, steps.collect())?,
+        ];
+        let [dop, gauss] = least.map(|work| work.map_or("-".into(), |w| format!("{w:.0}")));
+        table.push([format!("{periods} 1/3"), dop, gauss, "one sample".into()])?;
+        work.push(least);
     }
-    Ok(table)
+    report.add(table)?;
+    let [dop, gauss] = [0, 1].map(|method| Some(work[1][method]? / work[0][method]?));
+    let meaning = |name| format!("{name}: work for a hundred periods over that for ten");
+    if let Some(ratio) = dop {
+        report.add(
+            claim("long_dop853", meaning("DOP853"), ratio, "-")
+                .within(1.0)
+                .against("error t^2 h^8 held: 10^(5/4)", pow(10.0, 1.25))
+                .judged_within(0.1)
+                .answer("closed form or steps"),
+        )?;
+    }
+    if let Some(ratio) = gauss {
+        report.add(
+            claim("long_gauss", meaning("Gauss-Legendre"), ratio, "-")
+                .within(1.0)
+                .against(
+                    "as many times the periods: shorter steps are nearly free",
+                    10.0,
+                )
+                .judged_within(0.1)
+                .answer("closed form or steps"),
+        )?;
+    }
+    Ok(())
+}
+
+fn least(problem: &Problem<()>, method: Method, settings: Vec<f64>) -> Result<Option<f64>> {
+    let variables = Variables::best(method, &problem.scene);
+    let sweep = problem.sweep(method, variables, settings);
+    let curve = sweep.curve(Measure::Attitude, Work::torques)?;
+    Ok(curve.least_work(1e-9).map(|point| point.work))
 }
 
 /// A thousand periods by Gauss-Legendre in 16 steps a period, off the closed form.
