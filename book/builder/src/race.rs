@@ -65,7 +65,8 @@ fn of_strip(table: &Table, error: usize, time: usize) -> Vec<Line> {
         let (Ok(error), Ok(time)) = (row[error].parse(), row[time].parse()) else {
             continue;
         };
-        let method = row[0].split(':').next().unwrap_or("").to_owned();
+        let name = row[0].strip_prefix("least: ").unwrap_or(&row[0]);
+        let method = name.split(':').next().unwrap_or("").to_owned();
         match lines.iter_mut().find(|(name, _)| *name == method) {
             Some((_, points)) => points.push((time, error)),
             None => lines.push((method, vec![(time, error)])),
