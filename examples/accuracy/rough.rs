@@ -3,31 +3,34 @@
 
 use super::motions::{Motion, THIRD, free_problem, generic_rates, tilted, unpushed};
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Carrier, Fineness, Problem, Solvable, Variables};
+use rotation_dynamics::accuracy::{Problem, Solvable};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Method};
+use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
+use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Scheme, Splitting};
 use rotation_dynamics::report::{Report, limit};
 use rotation_dynamics::scene::Scene;
+
+/// Gravity, and no other effect.
+type Gravity = ((), GravityAtLever);
 
 /// Steps of Gauss-Legendre in a second: many more than any method in a race needs.
 const STEPS: f64 = 8.0;
 
-/// A state carried by Gauss-Legendre, in steps so short that only rounding is left.
-fn carried<E: Solvable>(
-    scene: &Scene<E>,
-    variables: Variables,
-    state: &State,
-    [from, to]: [f64; 2],
-) -> Result<State> {
-    let steps = ((to - from).abs() * STEPS).ceil().max(1.0) as u64;
-    let gauss = Carrier::new(Method::GaussLegendre16, Fineness::Steps(steps))?;
-    Ok(gauss.advance(scene, variables, [from, to], state)?.0)
+/// Gauss-Legendre in steps so short that only rounding is left.
+fn fine([from, to]: [f64; 2]) -> Result<GaussLegendre> {
+    GaussLegendre::new(((to - from).abs() * STEPS).ceil().max(1.0) as u64)
 }
 
-fn heavy() -> Result<(Scene<((), GravityAtLever)>, State)> {
+/// The heavy body on its own axes.
+fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Result<State> {
+    let axes = BodyAxes::new(scene);
+    Ok(fine([from, to])?.advance(&axes, from, state, to)?.0)
+}
+
+fn heavy() -> Result<(Scene<Gravity>, State)> {
     let (body, start) = tilted(
         PrincipalMoments::new(1.0, 1.5, 0.8)?,
         BodyVector::new(0.3, 0.1, 2.0),
@@ -39,7 +42,7 @@ fn heavy() -> Result<(Scene<((), GravityAtLever)>, State)> {
 pub fn lopsided(periods: f64) -> Result<Motion> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
-    let onward = move |state: &State, t, to| carried(&scene, Variables::Body, state, [t, to]);
+    let onward = move |state: &State, t, to| carried(&scene, state, [t, to]);
     let problem = Problem::new(scene, start, end, onward(&start, 0.0, end)?);
     let name = ("lopsided", "heavy, three moments");
     Ok(Motion::stepped(name, problem, periods, onward))
@@ -103,8 +106,8 @@ impl Effect for Steady {
     }
 }
 
-impl Solvable for Steady {
-    const ANALYTIC: bool = true;
+fn finely(scene: &Scene<((), Steady)>, state: &State, [from, to]: [f64; 2]) -> Result<State> {
+    Ok(fine([from, to])?.advance(scene, from, state, to)?.0)
 }
 
 /// The state at `to` of a body that is pushed: piece by piece between the jumps, in closed
@@ -147,11 +150,7 @@ fn thrust(moments: PrincipalMoments, periods: f64) -> Result<(RigidBody, State, 
 /// The free body, pushed from 23 % to 61 % of the time.
 pub fn pushed(moments: PrincipalMoments, periods: f64) -> Result<Motion> {
     let (body, start, push, t_end) = thrust(moments, periods)?;
-    let onward = move |state: &State, t, to| {
-        piecewise(&body, push, state, [t, to], |scene, state, span| {
-            carried(scene, Variables::Space, state, span)
-        })
-    };
+    let onward = move |state: &State, t, to| piecewise(&body, push, state, [t, to], finely);
     let end = onward(&start, 0.0, t_end)?;
     let problem = Problem::new(Scene::new(body).with(push), start, t_end, end);
     let name = ("pushed", "pushed for a while");
@@ -162,9 +161,9 @@ pub fn pushed(moments: PrincipalMoments, periods: f64) -> Result<Motion> {
 pub fn add(report: &mut Report, moments: PrincipalMoments, periods: f64) -> Result<()> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
-    let gauss = carried(&scene, Variables::Body, &start, [0.0, end])?;
-    let splitting = Carrier::new(Method::KahanLi17, Fineness::Steps((20.0 * end) as u64))?;
-    let (split, _) = splitting.advance(&scene, Variables::Space, [0.0, end], &start)?;
+    let gauss = carried(&scene, &start, [0.0, end])?;
+    let splitting = Splitting::new(Scheme::KAHAN_LI17, (20.0 * end) as u64)?;
+    let (split, _) = splitting.advance(&scene, 0.0, &start, end)?;
     let apart = gauss.attitude.angle_to(&split.attitude);
     report.add(
         limit(
@@ -177,9 +176,7 @@ pub fn add(report: &mut Report, moments: PrincipalMoments, periods: f64) -> Resu
     )?;
     let (body, start, push, end) = thrust(moments, periods + THIRD)?;
     let span = [0.0, end];
-    let gauss = piecewise(&body, push, &start, span, |scene, state, span| {
-        carried(scene, Variables::Space, state, span)
-    })?;
+    let gauss = piecewise(&body, push, &start, span, finely)?;
     let dop = piecewise(&body, push, &start, span, |scene, state, [from, to]| {
         Ok(Dop853::new(1e-14)?.advance(scene, from, state, to)?.0)
     })?;

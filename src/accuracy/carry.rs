@@ -128,12 +128,27 @@ impl Carrier {
         [t, t_end]: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        let seen = Scene::new(*scene.body()).with(AxisOnly(scene.effects()));
         match (self, variables) {
             (Self::EulerOnAngles(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::SemiImplicitEuler(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::MuntheKaas4(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::Rk4(m), Variables::SpinFree) if E::AXIS_ONLY => {
+                m.advance(&SpinFree::new(&axis_only(scene))?, t, start, t_end)
+            }
+            _ => self.advance_well(scene, variables, [t, t_end], start),
+        }
+    }
+
+    /// The same for the methods that the dial chooses from, and no code for the others.
+    pub(super) fn advance_well<E: Solvable>(
+        &self,
+        scene: &Scene<E>,
+        variables: Variables,
+        [t, t_end]: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        match (self, variables) {
             (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Body) if E::TORQUE_FREE => {
@@ -146,18 +161,15 @@ impl Carrier {
                 value: 1.0,
                 allowed: "0: splittings, and variables other than those in space, see the axis only",
             }),
-            (Self::Splitting(m), Variables::Space) => m.advance(&seen, t, start, t_end),
+            (Self::Splitting(m), Variables::Space) => m.advance(&axis_only(scene), t, start, t_end),
             (Self::GaussLegendre(m), Variables::Body) => {
-                m.advance(&BodyAxes::new(&seen), t, start, t_end)
+                m.advance(&BodyAxes::new(&axis_only(scene)), t, start, t_end)
             }
             (Self::GaussLegendre(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(&seen)?, t, start, t_end)
-            }
-            (Self::Rk4(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(&seen)?, t, start, t_end)
+                m.advance(&SpinFree::new(&axis_only(scene))?, t, start, t_end)
             }
             (Self::Dop853(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(&seen)?, t, start, t_end)
+                m.advance(&SpinFree::new(&axis_only(scene))?, t, start, t_end)
             }
             _ => Err(Error::OutOfRange {
                 name: "variables on the body's axes or without the spin",
@@ -166,6 +178,11 @@ impl Carrier {
             }),
         }
     }
+}
+
+/// The scene as those see it who see the axis only.
+fn axis_only<E: Solvable>(scene: &Scene<E>) -> Scene<((), AxisOnly<'_, E>)> {
+    Scene::new(*scene.body()).with(AxisOnly(scene.effects()))
 }
 
 /// Whether `method` applies to a scene of this type.

@@ -242,6 +242,6 @@ impl Method {
             let steps = (steps.ceil() as u64).max(fewest);
             Carrier::new(self.method(), Fineness::Stages(steps, precision))?
         };
-        carrier.advance(&scene, self.variables(), [t, t_end], start)
+        carrier.advance_well(&scene, self.variables(), [t, t_end], start)
     }
 }
