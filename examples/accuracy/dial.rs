@@ -103,9 +103,9 @@ pub fn figure() -> Result<Figure> {
     .x(Axis::log("error requested / rad"))
     .y(Axis::log("delivered over requested").range(1e-5, 10.0))
     .level(1.0, Ink::Wrong, "broken promise")
-    .area(band, Ink::Momentum)
-    .curve(Curve::new(line(0.5), Ink::Momentum).with_dots().label("median"))
+    .area(band, Ink::Frame)
+    .curve(Curve::new(line(0.5), Ink::Ink).with_dots().label("median"))
     .curve(Curve::new(line(1.0), Ink::Ink).dashed().label("largest"))
-    .note(1e-12, 2e-3, Ink::Momentum, "quartiles", Side::Below)
+    .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below)
     .figure()
 }

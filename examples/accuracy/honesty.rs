@@ -234,41 +234,23 @@ fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
             let rates = dice.vector() * dice.scale(0.3, 3.0);
             governed(moments, rates, dice)
         }
-        5 => top(
-            "top",
-            shape,
-            lever,
-            angles,
-            spin(dice.between(-3.0, 3.0)),
-            dice,
-        ),
-        6 => top(
-            "fast top",
-            shape,
-            lever,
-            angles,
-            spin(dice.scale(10.0, 100.0)),
-            dice,
-        ),
-        7 => top(
-            "slow top",
-            shape,
-            lever,
-            angles,
-            spin(dice.between(-0.1, 0.1)),
-            dice,
-        ),
+        5 => {
+            let rates = spin(dice.between(-3.0, 3.0));
+            top("top", shape, lever, angles, rates, dice)
+        }
+        6 => {
+            let rates = spin(dice.scale(10.0, 100.0));
+            top("fast top", shape, lever, angles, rates, dice)
+        }
+        7 => {
+            let rates = spin(dice.between(-0.1, 0.1));
+            top("slow top", shape, lever, angles, rates, dice)
+        }
         8 => {
             // A kick from near the vertical: the axis comes near it again and again.
             angles.theta = dice.scale(1e-8, 1e-2);
-            top(
-                "near the pole",
-                shape,
-                lever,
-                angles,
-                spin(dice.between(1.0, 5.0)),
-                dice,
-            )
+            let rates = spin(dice.between(1.0, 5.0));
+            top("near the pole", shape, lever, angles, rates, dice)
         }
         9 => {
             angles.theta = 0.0;
@@ -282,14 +264,8 @@ fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
         }
         10 => {
             angles.theta = dice.scale(1e-6, 1.0);
-            top(
-                "hanging",
-                shape,
-                -lever,
-                angles,
-                spin(dice.between(-1.0, 1.0)),
-                dice,
-            )
+            let rates = spin(dice.between(-1.0, 1.0));
+            top("hanging", shape, -lever, angles, rates, dice)
         }
         _ => {
             // A needle spinning fast about its axis.
