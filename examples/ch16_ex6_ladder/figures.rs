@@ -33,16 +33,10 @@ fn path(exact: &Exact, unit: f64) -> Result<Curve> {
     Ok(Curve::new(path, Ink::Ink))
 }
 
-/// A curve through `y` at `count` + 1 times.
-fn over_time<const K: usize>(
-    [from, to]: [f64; 2],
-    y: impl Fn(f64) -> Result<f64>,
-    ink: Ink,
-) -> Result<Curve> {
-    Ok(Curve::new(
-        sampled(times(from, to, K as u32), |t| Ok((t, y(t)?)))?,
-        ink,
-    ))
+/// A curve through `y` at `n` + 1 times.
+fn over(span: [f64; 2], n: u32, y: impl Fn(f64) -> Result<f64>, ink: Ink) -> Result<Curve> {
+    let points = sampled(times(span[0], span[1], n), |t| Ok((t, y(t)?)))?;
+    Ok(Curve::new(points, ink))
 }
 
 /// The corner, with walls as wide and high as this.
@@ -68,13 +62,10 @@ fn setup(p: &Parameters) -> Sketch {
         .window((-0.3, s + 0.42), (-0.16, c + 0.16))
         .curve(Curve::new([top, foot], Ink::Body).width(4.0))
         .angle(top, 0.26, (-FRAC_PI_2, theta - FRAC_PI_2), r"$\theta$")
-        .dot(middle, Ink::Ink, "$(x, y)$", Side::Left)
-        .arrow(middle, (middle.0, middle.1 - 0.24), Ink::Force, "$mg$", Side::Left)
+        .dot(middle, Ink::Ink, "$(x, y)$", Side::Left).arrow(middle, (middle.0, middle.1 - 0.24), Ink::Force, "$mg$", Side::Left)
         .arrow(top, (0.22, c), Ink::Force, "$N_{wall}$", Side::Above)
-        .arrow(foot, (s, 0.24), Ink::Force, "", Side::Right)
-        .text((s, 0.19), "$N_{floor}$", Ink::Force, Side::Right)
-        .dimension(beside(middle), beside(foot), "$l/2$", Side::AboveRight)
-        .text((0.0, 0.0), "$O$", Ink::Frame, Side::BelowLeft)
+        .arrow(foot, (s, 0.24), Ink::Force, "", Side::Right).text((s, 0.19), "$N_{floor}$", Ink::Force, Side::Right)
+        .dimension(beside(middle), beside(foot), "$l/2$", Side::AboveRight).text((0.0, 0.0), "$O$", Ink::Frame, Side::BelowLeft)
 }
 
 #[rustfmt::skip]
@@ -92,10 +83,8 @@ fn strobe(solved: &Solved) -> Result<Sketch> {
         sketch = sketch.curve(ladder(&exact.at(t)?).width(1.4).faint(strength));
     }
     Ok(sketch
-        .curve(Curve::new(astroid, Ink::Frame).dotted())
-        .curve(ladder(&exact.release()).width(3.6))
-        .curve(path(exact, 1.0)?)
-        .curve(Curve::new(simulated, Ink::Body).dots())
+        .curve(Curve::new(astroid, Ink::Frame).dotted()).curve(ladder(&exact.release()).width(3.6))
+        .curve(path(exact, 1.0)?).curve(Curve::new(simulated, Ink::Body).dots())
         .ring((0.0, 2.0 * exact.release().y_cm), Ink::Ink, "top leaves", Side::Left))
 }
 
@@ -107,13 +96,11 @@ fn ball(solved: &Solved) -> Result<Sketch> {
     let dome = core::iter::once((0.0, 0.0)).chain(times(0.0, FRAC_PI_2, 60).map(on_circle));
     Ok(corner("ball", "The centre of the ladder moves on a quarter circle about the corner, like a ball on a smooth \
         dome, and leaves it at two thirds of its starting height.", (1.25, 1.15))
-        .window((-0.18, 1.28), (-0.14, 1.2))
-        .body(dome, Ink::Frame, 0.12)
+        .window((-0.18, 1.28), (-0.14, 1.2)).body(dome, Ink::Frame, 0.12)
         .curve(Curve::new([(0.0, 0.0), leave], Ink::Frame).thin())
         .angle((0.0, 0.0), 0.32, (FRAC_PI_2 - to, FRAC_PI_2), r"$\theta_r$")
         .curve(path(&solved.exact, 0.5 * solved.exact.length())?)
-        .disc(start, 0.035, Ink::Body, 1.0)
-        .disc(leave, 0.035, Ink::Body, 1.0)
+        .disc(start, 0.035, Ink::Body, 1.0).disc(leave, 0.035, Ink::Body, 1.0)
         .arrow(push, (1.22 * push.0, 1.22 * push.1), Ink::Force, "$F$", Side::Right)
         .text((leave.0 + 0.04, leave.1 + 0.01), "leaves the dome", Ink::Ink, Side::Right)
         .text((start.0, start.1 + 0.03), "starts", Ink::Ink, Side::Above)
@@ -126,14 +113,14 @@ fn rate(solved: &Solved) -> Result<Panel> {
     let (t_r, early, end) = (exact.release_time(), 0.6 * exact.release_time(), naive.end_time());
     let omega = |t| Ok(exact.at(t)?.omega);
     let kept = |t| Ok(naive.at(t)?.v[2]);
-    let simulated = over_time::<24>([0.0, run.end_time()], |t| Ok(run.at(t)?.v[2]), Ink::Velocity)?;
+    let simulated = over([0.0, run.end_time()], 24, |t| Ok(run.at(t)?.v[2]), Ink::Velocity)?;
     Ok(panel("rate", "", "Angular velocity against time: it grows slowly, then steeply; after the release it grows \
         less than the dashed curve of a ladder that is kept on the wall.")
         .y(Axis::linear("angular velocity / (rad/s)").range(0.0, 1.2 * kept(end)?))
         .upright(t_r, Ink::Frame, "wall lets go")
-        .curve(over_time::<160>([0.0, exact.landing_time()], omega, Ink::Ink)?.label("exact"))
+        .curve(over([0.0, exact.landing_time()], 160, omega, Ink::Ink)?.label("exact"))
         .curve(simulated.dots().label_at("simulated", early, omega(early)?, Side::AboveLeft))
-        .curve(over_time::<80>([t_r, end], kept, Ink::Wrong)?.dashed()
+        .curve(over([t_r, end], 80, kept, Ink::Wrong)?.dashed()
             .label_at("wrong: wall kept", end, kept(end)?, Side::Left)))
 }
 
@@ -143,17 +130,15 @@ fn forces(solved: &Solved) -> Result<Panel> {
     let (t_r, end) = (exact.release_time(), naive.end_time());
     let pull = |t| Ok(naive.forces(t)?[0].normal / exact.gravity());
     let middle = 0.5 * (t_r + end);
-    let floor = over_time::<160>([0.0, exact.landing_time()], |t| Ok(exact.at(t)?.floor_force), Ink::Ink)?;
-    let wall = over_time::<120>([0.0, t_r], |t| Ok(exact.at(t)?.wall_force), Ink::Force)?;
+    let floor = over([0.0, exact.landing_time()], 160, |t| Ok(exact.at(t)?.floor_force), Ink::Ink)?;
+    let wall = over([0.0, t_r], 120, |t| Ok(exact.at(t)?.wall_force), Ink::Force)?;
     Ok(panel("forces", "force / $mg$", "Force of the floor and of the wall against time, over the weight. The wall's \
         force rises, falls to zero at the release and stays there; a wall that is kept would have to pull, with \
         more than the weight in the end. The floor's force is a quarter of the weight at the release and again at \
         the landing.")
-        .level(0.0, Ink::Frame, "")
-        .ring(t_r, 0.0, Ink::Ink, "", Side::Above)
-        .curve(floor.label("floor"))
-        .curve(wall.label("wall"))
-        .curve(over_time::<80>([t_r, end], pull, Ink::Wrong)?.dashed()
+        .level(0.0, Ink::Frame, "").ring(t_r, 0.0, Ink::Ink, "", Side::Above)
+        .curve(floor.label("floor")).curve(wall.label("wall"))
+        .curve(over([t_r, end], 80, pull, Ink::Wrong)?.dashed()
             .label_at("wrong: the wall pulls", middle, pull(middle)?, Side::BelowLeft)))
 }
 
@@ -161,15 +146,14 @@ fn forces(solved: &Solved) -> Result<Panel> {
 fn gap(solved: &Solved) -> Result<Panel> {
     let Solved { exact, run, ladder, .. } = solved;
     let (t_r, end) = (exact.release_time(), exact.landing_time());
-    let gap = over_time::<100>([t_r, end], |t| Ok(1e3 * exact.at(t)?.x_top), Ink::Ink)?;
-    let simulated = over_time::<10>([t_r, run.end_time()], |t| Ok(1e3 * ladder.top_gap(&run.at(t)?)), Ink::Body)?;
+    let gap = over([t_r, end], 100, |t| Ok(1e3 * exact.at(t)?.x_top), Ink::Ink)?;
+    let simulated = over([t_r, run.end_time()], 10, |t| Ok(1e3 * ladder.top_gap(&run.at(t)?)), Ink::Body)?;
     Ok(panel("gap", "top from wall / mm", "Distance of the top from the wall against time, in millimetres: zero \
         until the release, then growing with the third power of the time since.")
         .x(Axis::linear("$t$ / s").range(0.8 * t_r, end))
         .upright(t_r, Ink::Frame, "wall lets go")
         .curve(Curve::new([(0.8 * t_r, 0.0), (t_r, 0.0)], Ink::Ink))
-        .curve(gap.label("exact"))
-        .curve(simulated.dots().label("simulated")))
+        .curve(gap.label("exact")).curve(simulated.dots().label("simulated")))
 }
 
 #[rustfmt::skip]
@@ -179,9 +163,8 @@ fn height(solved: &Solved) -> Result<Panel> {
     Ok(panel("height", "", "Height of the top over its starting height against time: it is two thirds when the wall \
         lets go.")
         .y(Axis::linear("height of the top / at the start").range(0.0, 1.0))
-        .level(2.0 / 3.0, Ink::Frame, "2/3")
-        .upright(exact.release_time(), Ink::Frame, "")
-        .curve(over_time::<160>([0.0, exact.landing_time()], height, Ink::Ink)?)
+        .level(2.0 / 3.0, Ink::Frame, "2/3").upright(exact.release_time(), Ink::Frame, "")
+        .curve(over([0.0, exact.landing_time()], 160, height, Ink::Ink)?)
         .ring(exact.release_time(), 2.0 / 3.0, Ink::Ink, "wall lets go", Side::BelowLeft))
 }
 
@@ -198,8 +181,7 @@ fn price(p: &Parameters, solved: &Solved) -> Result<Panel> {
         {:.0e} to {:.0e} while the work grows {:.1}-fold. Keeping the wall leaves {:.1} per cent at any price.",
         first.1, last.1, last.0 / first.0, 100.0 * wrong);
     Ok(Panel::new("price", &alt)
-        .x(Axis::log("evaluations of the forces"))
-        .y(Axis::log("relative error"))
+        .x(Axis::log("evaluations of the forces")).y(Axis::log("relative error"))
         .level(EPS, Ink::Frame, "round-off")
         .curve(Curve::new(points, Ink::Body).with_dots().label("contact released"))
         .curve(Curve::new([(first.0, wrong), (last.0, wrong)], Ink::Wrong).dashed().label("wrong: wall kept")))

@@ -7,13 +7,10 @@ use rotation_dynamics::math::{cos, sincos, tan};
 use rotation_dynamics::planar::contact::motion_within;
 use rotation_dynamics::report::{Report, Table, effect, supported_digits, times};
 
-/// Relative error asked for in this file.
-const TOLERANCE: f64 = 1e-9;
-
-/// The motion of another ladder from the same start.
+/// The motion of another ladder from the same start, to nine digits.
 fn slide(p: &Parameters, ladder: Ladder) -> Result<Slide> {
     let end = 100.0 * Exact::new(p.length, p.gravity, p.angle)?.landing_time();
-    motion_within(ladder, TOLERANCE, ladder.at_rest(p.angle), end)
+    motion_within(ladder, 1e-9, ladder.at_rest(p.angle), end)
 }
 
 /// Seven digits of a number.
@@ -75,47 +72,56 @@ pub fn friction(p: &Parameters) -> Result<Table> {
     Ok(table)
 }
 
-/// Air: density (kg/m^3) and drag coefficient of a flat plate; the ladder: solid width
-/// (m) of stiles and rungs, mass per length (kg/m).
-const AIR: f64 = 1.204;
-const DRAG: f64 = 1.2;
-const WIDTH: f64 = 0.08;
-const MASS_PER_LENGTH: f64 = 4.0;
+/// The starts that the page asks about, in closed form.
+#[rustfmt::skip]
+pub fn tries(p: &Parameters) -> Result<Table> {
+    let columns = "start, theta_release, t_release, omega_floor, kept wall too fast by";
+    let mut table = Table::new("try", columns.split(", "))?;
+    for (start, gravity, angle) in [
+        ("as above", p.gravity, p.angle), ("a tenth of the angle", p.gravity, 0.1 * p.angle),
+        ("on the Moon", 1.62, p.angle), ("nearly flat", p.gravity, 1.5),
+    ] {
+        let exact = Exact::new(p.length, gravity, angle)?;
+        let (release, omega) = (exact.release(), exact.landing().omega);
+        let excess = (3.0 * gravity * cos(angle) / p.length).sqrt() / omega - 1.0;
+        let numbers = [release.theta, exact.release_time(), omega, excess].map(digits);
+        table.push([start.into()].into_iter().chain(numbers))?;
+    }
+    Ok(table)
+}
 
-/// The part of the fall's energy that air would take, to first order: the work of a
-/// quadratic drag on the motion across the ladder, along the exact motion.
-fn lost_to_air(p: &Parameters, exact: &Exact) -> Result<f64> {
+/// Air on a light ladder: rho C w l^2/m with its density (kg/m^3), the drag coefficient of
+/// a flat plate, solid width (m) of stiles and rungs and mass (kg); and the part of the
+/// fall's energy that it would take, by the work of the drag along the exact motion.
+fn air(p: &Parameters, exact: &Exact) -> Result<(f64, f64)> {
+    let (per_area, mass) = (1.204 * 1.2 * 0.08, 4.0 * p.length);
     let dt = exact.landing_time() / 400.0;
     let mut work = 0.0;
     for t in times(0.5 * dt, exact.landing_time() - 0.5 * dt, 399) {
         let state = exact.at(t)?;
         let (s, c) = sincos(state.theta);
-        let vy = -0.5 * p.length * s * state.omega;
-        let across = -c * state.vx_cm - s * vy;
+        let across = -c * state.vx_cm + s * (0.5 * p.length * s * state.omega);
         for from_middle in times(-39.0 / 80.0 * p.length, 39.0 / 80.0 * p.length, 39) {
             let speed = (across + state.omega * from_middle).abs();
-            work += 0.5 * AIR * DRAG * WIDTH * speed * speed * speed * p.length / 40.0 * dt;
+            work += 0.5 * per_area * speed * speed * speed * p.length / 40.0 * dt;
         }
     }
-    let fall = MASS_PER_LENGTH * p.length * p.gravity * 0.5 * p.length * cos(p.angle);
-    Ok(work / fall)
+    let fall = mass * p.gravity * 0.5 * p.length * cos(p.angle);
+    Ok((per_area * p.length * p.length / mass, work / fall))
 }
 
 /// The card of effects: what was left out, and what that costs.
+#[rustfmt::skip]
 pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let exact = &solved.exact;
     let later = rubbing(p, 0.1)?.end_time() / exact.landing_time() - 1.0;
-    let drag = AIR * DRAG * WIDTH * p.length / MASS_PER_LENGTH;
+    let (drag, lost) = air(p, exact)?;
     report.add(vec![
         effect("friction, a tenth of what would hold the ladder")
-            .number("mu / tan(theta0/2)", 0.1)
-            .costs(later, "of t_floor"),
+            .number("mu / tan(theta0/2)", 0.1).costs(later, "of t_floor"),
         effect("air drag on a light ladder (4 kg/m, 8 cm solid width)")
-            .number("rho C w l^2 / m", drag)
-            .costs(0.5 * lost_to_air(p, exact)?, "of omega_floor"),
-        effect("one-sided contact of the wall")
-            .number("pull / (m g) at the floor, if kept", 1.5 * cos(p.angle))
-            .costs(landing_error(exact, &solved.naive)?, "of omega_floor")
-            .included(),
+            .number("rho C w l^2 / m", drag).costs(0.5 * lost, "of omega_floor"),
+        effect("one-sided contact of the wall").number("pull / (m g) at the floor, if kept", 1.5 * cos(p.angle))
+            .costs(landing_error(exact, &solved.naive)?, "of omega_floor").included(),
     ])
 }
