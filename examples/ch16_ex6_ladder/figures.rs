@@ -181,7 +181,7 @@ fn price(p: &Parameters, solved: &Solved) -> Result<Panel> {
         {:.0e} to {:.0e} while the work grows {:.1}-fold. Keeping the wall leaves {:.1} per cent at any price.",
         first.1, last.1, last.0 / first.0, 100.0 * wrong);
     Ok(Panel::new("price", &alt)
-        .x(Axis::log("evaluations of the forces")).y(Axis::log("relative error"))
+        .x(Axis::log("evaluations of the forces").ticks([400, 600, 1000, 1400].map(|n| (f64::from(n), n.to_string())))).y(Axis::log("relative error"))
         .level(EPS, Ink::Frame, "round-off")
         .curve(Curve::new(points, Ink::Body).with_dots().label("contact released"))
         .curve(Curve::new([(first.0, wrong), (last.0, wrong)], Ink::Wrong).dashed().label("wrong: wall kept")))
@@ -203,9 +203,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .window((-0.3 * l, 1.3 * l), (-0.06 * l, 1.03 * l))
             .ghost(|sketch| if t > t_r { sketch.curve(kept) } else { sketch })
             .curve(Curve::new([top, foot], Ink::Body).width(4.0))
-            .vector(top, (wall_force, 0.0), 60.0, Ink::Force, "$N_{wall}$")
-            .vector(foot, (0.0, floor_force), 60.0, Ink::Force, "$N_{floor}$")
-            .vector((x_cm, y_cm), (0.0, -1.0), 60.0, Ink::Force, "$mg$");
+            .vector(top, (wall_force, 0.0), 45.0, Ink::Force, "$N_{wall}$")
+            .vector(foot, (0.0, floor_force), 45.0, Ink::Force, "$N_{floor}$")
+            .vector((x_cm, y_cm), (0.0, -1.0), 45.0, Ink::Force, "$mg$");
         let alt = format!("The ladder {t:.2} s after its release, {:.0} degrees from the wall. The wall pushes with \
             {wall_force:.2} and the floor with {floor_force:.2} of the weight.", theta.to_degrees());
         Stack::new("frame", &alt).scene(scene).panel(graph.clone().now(t)).figure()

@@ -6,7 +6,7 @@ use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::math::{cos, sin, sincos, tan};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Motion, State, Surface, kept_within, motion_within,
+    Contact, Mechanism, Mode, Motion, State, Surface, kept_within, misdeclared, motion_within,
 };
 
 /// A uniform ladder of length 3 m, per unit mass: centre, and angle from the wall.
@@ -121,4 +121,61 @@ fn a_kept_wall_pulls() {
     let flat = kept.event("lands").unwrap();
     assert!(relative(flat.t, exact.held_landing_time()) <= 1e-9);
     assert!((flat.force[0].normal / G + 1.5 * cos(0.25)).abs() <= 1e-7);
+}
+
+/// What is declared of the contacts agrees with differences; a wrong sign is seen.
+#[test]
+fn rows_are_those_of_the_gaps() {
+    let state = State {
+        q: [0.7, 1.1, 0.6],
+        v: [0.5, -1.3, 0.9],
+    };
+    let ladder = Ladder { mu: 0.1 };
+    let error = misdeclared(&ladder, &state);
+    assert!(error <= 1e-7, "{error:e}");
+    /// The damaged twin: an angle counted the other way round.
+    struct Reversed;
+    impl Mechanism<3, 6, 2> for Reversed {
+        fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
+            Ladder { mu: 0.1 }.mass(q)
+        }
+        fn force(&self, state: &State<3>) -> [f64; 3] {
+            Ladder { mu: 0.1 }.force(state)
+        }
+        fn contacts(&self, state: &State<3>) -> [Contact<3>; 2] {
+            let (s, c) = sincos(-state.q[2]);
+            let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
+            [
+                Contact::corner("wall", state, [-s, c], Surface::WALL),
+                Contact::corner("foot", state, [s, -c], Surface::FLOOR),
+            ]
+        }
+    }
+    assert!(misdeclared(&Reversed, &state) > 0.1);
+}
+
+/// Off the wall friction stops the foot of a flat ladder, which then turns about it; the
+/// drift off the contacts stays at the tolerance.
+#[test]
+fn the_foot_sticks() {
+    let ladder = Ladder { mu: 0.5 };
+    let motion = slide(&ladder, 1.0);
+    let names: Vec<_> = motion.events().iter().map(|e| e.name.as_str()).collect();
+    assert_eq!(names, ["wall lets go", "foot sticks", "lands"]);
+    let sticks = motion.event("foot sticks").unwrap();
+    let later = 0.5 * (sticks.t + motion.end_time());
+    assert_eq!(motion.modes(later), Ok([Mode::Open, Mode::Stick]));
+    let [wall, foot] = motion.forces(later).unwrap();
+    assert_eq!(wall.normal, 0.0);
+    assert!(foot.tangential.abs() < 0.5 * foot.normal, "{foot:?}");
+    // The foot stays where it stopped.
+    let at = |state: State<3>| state.q[0] + 0.5 * LENGTH * sin(state.q[2]);
+    let end = at(motion.event("lands").unwrap().before);
+    assert!(
+        (end - at(sticks.after)).abs() <= 1e-12,
+        "{}",
+        end - at(sticks.after)
+    );
+    let (gap, slip) = motion.drift().unwrap();
+    assert!(gap <= 1e-12 && slip <= 1e-12, "{gap:e} {slip:e}");
 }

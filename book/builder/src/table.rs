@@ -52,10 +52,7 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
         let head = words(&table.columns()[n]);
         // Not every reader of screens takes a formula for text.
         let label = match head.contains("<math") {
-            true => format!(
-                " aria-label=\"{}\"",
-                escape(&symbols(&table.columns()[n]))
-            ),
+            true => format!(" aria-label=\"{}\"", escape(&symbols(&table.columns()[n]))),
             false => String::new(),
         };
         html += &format!("<th scope=\"col\"{}{label}>{head}</th>", class(n));

@@ -13,6 +13,7 @@
 //! | [`Contact`], [`Friction`], [`Surface`] | one contact at one instant |
 //! | [`Mode`], [`Sense`] | open, smooth, stick, slip |
 //! | [`motion`], [`motion_within`], [`Motion`] | the motion, its events, the forces at any time |
+//! | [`misdeclared`] | whether the rows of the contacts are those of their gaps |
 //! | [`Modal`], [`entry`] | the same as a [`Phased`](super::Phased) scene, with the phase it starts in |
 //!
 //! Laws: a normal force N >= 0 where the gap is shut, none where it is open (Signorini);
@@ -27,6 +28,7 @@
 //! Source: F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 5 and 8.
 
 mod declare;
+mod declared;
 mod linear;
 mod modal;
 mod motion;
@@ -34,6 +36,7 @@ mod resolve;
 mod response;
 
 pub use declare::{Contact, Friction, Mode, Row, Sense, State, Surface};
+pub use declared::misdeclared;
 pub use modal::{Modal, entry};
 pub use motion::{Event, Motion, kept_within, motion, motion_within};
 pub use response::Force;
