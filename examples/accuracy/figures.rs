@@ -23,6 +23,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
 /// Which methods are drawn: those that the text of the page speaks of.
 fn shown(motion: &str, key: &str) -> bool {
     match motion {
+        "flips" => !["euler", "semi", "mk4"].contains(&key),
         "fast" => !["angles", "srkn6", "kl17", "aba82", "aba1064"].contains(&key),
         "pole" => !["mk4", "srkn6", "kl17", "aba82", "aba104", "aba1064"].contains(&key),
         "lopsided" => !["aba82", "aba104", "aba1064", "mk4", "srkn6"].contains(&key),
@@ -110,7 +111,7 @@ fn digit(all: &[Measured]) -> Result<Figure> {
     .curve(Curve::new(by_order.filter(|(_, y)| *y <= 4.0), Ink::Ink).label_at("$10^{1/p}$", 2.7, 2.35, Side::AboveRight));
     let mut labels: Vec<(u32, &str)> = vec![
         (2, "Strang, ABA(8,2)"),
-        (4, "RK4 and five others"),
+        (4, "RK4 and four others"),
         (6, "SRKN 14a"),
         (8, "DOP853, Kahan-Li"),
         (16, "Gauss 16"),

@@ -6,6 +6,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{DigitPrice, Measure};
 use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{EPS, exp2, log10, pow};
+use rotation_dynamics::report::draw::Method as Look;
 use rotation_dynamics::report::{Report, Table, claim, rounded_up, short};
 
 /// What a digit costs by this line: fitted where the steps are short and round-off is far.
@@ -88,7 +89,7 @@ fn conditions(all: &[Measured]) -> Result<Table> {
             rounded(measured.path_condition.1),
             short(EPS * measured.path_condition.1, 2),
             best.map_or("-".into(), |b| short(b.0, 2)),
-            best.map_or("-".into(), |b| b.1.to_owned()),
+            best.map_or("-".into(), |b| Look::named(b.1).label().to_owned()),
         ])?;
     }
     Ok(table)

@@ -13,6 +13,7 @@ use benches::conditions::Conditions;
 use benches::timing::{Task, interleaved};
 use pages::accuracy::lines::{Line, Measured};
 use pages::accuracy::{ASKED, EXAMPLE, Parameters, prepared};
+use rotation_dynamics::report::draw::Method;
 use rotation_dynamics::report::{ClosedForm, Report, Table, rounded_up, short};
 use std::error::Error;
 use std::hint::black_box;
@@ -53,12 +54,13 @@ fn record(conditions: &Conditions) -> Outcome<()> {
     report.add_table(conditions.table()?)?;
     let asked = ASKED.map(|e| format!("{} rad", rounded_up(e)));
     let [a, b, c, d] = asked.each_ref().map(String::as_str);
-    let mut choices = Table::new("choices", ["motion", a, b, c, d, "closed form"])?;
+    let mut choices = Table::new("choices", ["motion", "closed form", a, b, c, d])?;
     let mut times = Vec::new();
     for measured in prepared(&parameters)?.iter() {
         eprintln!("{}", measured.motion.name);
         let of_motion = timed(measured, unit)?;
-        let mut row = vec![measured.motion.name.to_owned()];
+        let exact = of_motion.exact.map_or("-".into(), |t| short(t, 2));
+        let mut row = vec![measured.motion.name.to_owned(), exact];
         for target in 0..ASKED.len() {
             let found = of_motion.lines.iter().filter_map(|(line, times)| {
                 let time = times[target]?;
@@ -66,10 +68,9 @@ fn record(conditions: &Conditions) -> Outcome<()> {
             });
             let best = found.min_by(|x, y| x.0.total_cmp(&y.0));
             row.push(best.map_or("-".into(), |(time, name)| {
-                format!("{name}: {}", short(time, 2))
+                format!("{}: {}", Method::named(name).label(), short(time, 2))
             }));
         }
-        row.push(of_motion.exact.map_or("-".into(), |t| short(t, 2)));
         choices.push(row)?;
         let mut table = Table::new(
             &format!("times_{}", measured.motion.key),
