@@ -34,7 +34,7 @@ mod spin_free;
 pub mod splitting;
 mod work;
 
-pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution};
+pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution, small_frequency};
 pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use method::{About, Method};

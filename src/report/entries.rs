@@ -62,6 +62,10 @@ impl ClaimEntry {
         self.oracle = Oracle::new(oracle, value);
         self
     }
+    /// [`against`](Self::against) and [`within`](Self::within) in one line.
+    pub fn agrees_with(self, oracle: &str, value: f64, bound: f64) -> Self {
+        self.against(oracle, value).within(bound)
+    }
     /// A wrong answer that people give, and a hint that does not give the right one away.
     pub fn slip(mut self, value: f64, hint: impl Into<String>) -> Self {
         let hint = hint.into();

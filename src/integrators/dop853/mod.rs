@@ -10,9 +10,11 @@ mod event;
 mod segment;
 mod solution;
 mod trial;
+mod zero;
 
 pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
+pub use zero::small_frequency;
 
 use super::ode::check_span;
 use super::{Integrator, Ode, Work};

@@ -1,0 +1,335 @@
+//! Exercise 16.2: the conical pendulum, a bob on a string that is turned about the vertical.
+
+#[path = "ch16_ex2_conical_pendulum/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::exact::{Modulus, carlson, legendre};
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, small_frequency};
+use rotation_dynamics::math::{atan2, cbrt, cos, hypot, sin, sincos};
+use rotation_dynamics::report::{ClosedForm, Example, Report, Trajectory};
+use rotation_dynamics::report::{claim, effect, limit, prices, times};
+use rotation_dynamics::{Error, Result};
+
+rotation_dynamics::parameters! {
+    /// The pendulum of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the bob
+        mass: number(0.4, "kg", above(0.0).usually(0.1, 2.0));
+        /// length of the string
+        length: number(0.8, "m", above(0.0).usually(0.2, 2.0));
+        /// angular velocity about the vertical
+        rate: number(5.0, "rad/s", above(0.0).usually(1.0, 12.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// angle of the wide swing, released at rest in the turning plane
+        release: number(0.5, "rad", between(0.0, PI).usually(0.1, 1.5));
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+/// q = g/(l w^2), the one number that decides.
+fn ratio(p: &Parameters) -> Result<f64> {
+    let value = p.gravity / (p.length * p.rate * p.rate);
+    if (1e-6..=1e6).contains(&value) && (value - 1.0).abs() >= 1e-3 {
+        return Ok(value);
+    }
+    let allowed = "from 1e-6 to 1e6, and 1e-3 off the threshold, 1, where nothing settles";
+    let name = "gravity/(length rate^2)";
+    Err(Error::OutOfRange {
+        name,
+        value,
+        allowed,
+    })
+}
+
+/// The angle whose cosine is q, or 0 if there is none: that of the cone, rad.
+pub fn cone(q: f64) -> f64 {
+    atan2(((1.0 - q) * (1.0 + q)).max(0.0).sqrt(), q)
+}
+
+/// Angular frequency of small oscillations over w, the plane kept turning.
+pub fn driven(q: f64) -> f64 {
+    ((1.0 - q) * if q < 1.0 { 1.0 + q } else { -1.0 }).sqrt()
+}
+
+/// Angular frequency of small oscillations over w, the bob left to itself.
+pub fn free(q: f64) -> f64 {
+    (1.0 + 3.0 * q * q).sqrt()
+}
+
+/// Period of the swing from rest at `angle` in the turning plane, times w.
+pub fn period(q: f64, angle: f64) -> Result<f64> {
+    // h = sin^2(theta/2) swings between h0 and h1 or, if that is negative, 0.
+    let h0 = sin(0.5 * angle) * sin(0.5 * angle);
+    let h1 = (1.0 - q) - h0;
+    if h1 < 0.0 {
+        return Ok(4.0 * carlson::rf(0.0, (h0 - 1.0) * h1, h0 - h1)?);
+    }
+    Ok(2.0 * carlson::rf(0.0, h0 * (1.0 - h1), h1 * (1.0 - h0))?)
+}
+
+// ANCHOR: motions
+/// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w.
+#[derive(Clone, Copy)]
+pub struct Driven {
+    pub q: f64,
+    pub damping: f64,
+}
+
+impl Ode<2> for Driven {
+    fn derivative(&self, _: f64, [theta, rate]: &[f64; 2]) -> [f64; 2] {
+        let (s, c) = sincos(*theta);
+        [*rate, (c - self.q) * s - 2.0 * self.damping * rate]
+    }
+    fn scale(&self, [theta, rate]: &[f64; 2]) -> [f64; 2] {
+        [hypot(*theta, *rate).max(1e-30); 2]
+    }
+}
+
+/// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`, the
+/// support at the origin, lengths in l, time in 1/w; with quadratic air drag.
+pub struct Free {
+    pub q: f64,
+    pub drag: f64,
+}
+
+impl Ode<6> for Free {
+    fn derivative(&self, _: f64, state: &[f64; 6]) -> [f64; 6] {
+        let (r, v) = vectors(state);
+        let a = r * -tension(self.q, state) - v * (self.drag * v.norm());
+        [v.x(), v.y(), v.z(), a.x(), a.y(), a.z() - self.q]
+    }
+}
+
+/// Tension over M l w^2: what keeps the bob at its distance from the support.
+pub fn tension(q: f64, state: &[f64; 6]) -> f64 {
+    let (r, v) = vectors(state);
+    (v.dot(&v) - q * r.z()) / r.dot(&r)
+}
+// ANCHOR_END: motions
+
+/// Place and velocity.
+fn vectors([x, y, z, vx, vy, vz]: &[f64; 6]) -> (SpaceVector, SpaceVector) {
+    (
+        SpaceVector::new(*x, *y, *z),
+        SpaceVector::new(*vx, *vy, *vz),
+    )
+}
+
+/// The state in space, the plane having turned by `turn`.
+pub fn in_space([theta, rate]: [f64; 2], turn: f64) -> [f64; 6] {
+    let ((s, c), (y, x), out) = (sincos(theta), sincos(turn), rate * cos(theta));
+    [s * x, s * y, -c, out * x - s * y, out * y + s * x, rate * s]
+}
+
+/// The damped motion from rest at `angle`, over a time in 1/w.
+fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
+    Dop853::new(step)?.solve(&Driven { q, damping }, 0.0, &[angle, 0.0], end, &[])
+}
+
+/// Where the pendulum comes to rest if it is damped, rad.
+pub fn settled(q: f64, step: f64) -> Result<f64> {
+    Ok(swung(q, driven(q), 0.1, 80.0 / driven(q), step)?.end_state()[0].abs())
+}
+
+/// [`driven`], simulated.
+pub fn measured_driven(q: f64) -> Result<f64> {
+    // The period is even in how far cos(theta), below the threshold theta, is off rest.
+    let start = |size| match q < 1.0 {
+        true => [cone(q + size * (1.0 - q)), 0.0],
+        false => [size * (q - 1.0).min(1.0).sqrt(), 0.0],
+    };
+    small_frequency(&Driven { q, damping: 0.0 }, start, 1e4, |y| y[1])
+}
+
+/// [`free`], simulated.
+pub fn measured_free(q: f64) -> Result<f64> {
+    let knocked = |size| in_space([cone(q), size * sin(cone(q))], 0.0);
+    small_frequency(&Free { q, drag: 0.0 }, knocked, 10.0, |y| {
+        y[2] - knocked(0.0)[2]
+    })
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "A bob on a string, in a vertical plane that turns at a constant rate.";
+    let mut report = Report::new("The conical pendulum", about)?;
+    claims(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let (q, start) = (ratio(p)?, [p.release, 0.0]);
+    let (scene, whole) = (Driven { q, damping: 0.0 }, period(q, p.release)?);
+    let swing = move |step| Dop853::new(step)?.zero(&scene, start, 2, 1e4, |y| y[1]);
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    let error = move |back: &LocatedEvent<2>| {
+        Ok((back.t / whole - 1.0)
+            .abs()
+            .max((back.state[0] - start[0]).abs()))
+    };
+    report.add(prices("DOP853, error of a step", &asked, swing, error)?)?;
+    report.set_closed_form(ClosedForm::new(move |_| period(q, start[0])));
+    Ok(report)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (q, m, g, l, w) = (ratio(p)?, p.mass, p.gravity, p.length, p.rate);
+    let (theta, w0, bound) = (cone(q), (g / l).sqrt(), 100.0 * p.tolerance);
+    let ((s, c), method) = (sincos(theta), Dop853::new(p.tolerance)?);
+    // Below the threshold the square of the frequency is q - 1: here in a plane with q = 2.
+    let slower = w0 * (0.5 + 0.5 * measured_driven(2.0)? * measured_driven(2.0)?).sqrt();
+    let start = in_space([theta, 0.0], 0.0);
+    let turned = method.solve(&Free { q, drag: 0.0 }, 0.0, &start, 2.0 * PI, &[])?;
+    let (end, unit) = (turned.end_state(), m * (l * w * w));
+    let (pull, newton) = (unit * tension(q, end), unit.max(m * g));
+    let sideways = pull * hypot(end[0], end[1]);
+    let zero = |angle, n| {
+        let scene = Driven { q, damping: 0.0 };
+        Ok(method.zero(&scene, [angle, 0.0], n, 1e4, |y| y[1])?.0)
+    };
+    let (wide, back) = (zero(p.release, 1)?.state[0], zero(p.release, 2)?.t / w);
+    // If no angle has that cosine, the wide swing goes through the vertical.
+    let other = 2.0 * q - cos(p.release);
+    let far = if other < 1.0 { cone(other) } else { -p.release };
+    let (small, time) = (w * driven(q), period(q, p.release)? / w);
+    report.add(vec![
+        claim("theta", "angle from the vertical", theta, "rad")
+            .agrees_with("where it settles", settled(q, p.tolerance)?, bound)
+            .answer("The angle")
+            .slip(FRAC_PI_2 - theta, "measure from the vertical")
+            .slip(cone(1.5 * q), "that is a uniform rod without a bob")
+            .slip(cone(q / (4.0 * PI * PI)), "not turns but radians a second")
+            .slip((2.0 - 2.0 * q).max(0.0).sqrt(), "the angle is not small"),
+        claim("omega_threshold", "rate where it rises", w0, "rad/s")
+            .agrees_with("swings in a slower plane", slower, 1e-8 * w0)
+            .answer("The angle")
+            .slip(g / l, "that is its square"),
+        claim("tension", "reaction: tension of the string", newton, "N")
+            .agrees_with("a turn in space", pull, bound * newton)
+            .answer("The reaction")
+            .slip(m * g, "that is its vertical part only")
+            .slip(unit * s, "that is its horizontal part only")
+            .slip(m * g * c, "along the string the bob is accelerated"),
+        claim("horizontal", "its part towards the axis", unit * s, "N")
+            .agrees_with("a turn in space", sideways, bound * newton)
+            .answer("The reaction")
+            .slip(newton, "that is the whole of it"),
+        claim("driven", "the plane kept turning", small, "rad/s")
+            .agrees_with("simulated", w * measured_driven(q)?, 1e-8 * small)
+            .answer("Angular frequency of small oscillations")
+            .slip(w * c, "look at the second derivative again")
+            .slip(w0, "that is for a plane at rest"),
+        claim("far", "where it turns back", far, "rad")
+            .agrees_with("located event", wide, bound)
+            .answer("The wide swing")
+            .slip(2.0 * theta - p.release, "not the angle swings evenly"),
+        claim("period", "period", time, "s")
+            .agrees_with("located event", back, 10.0 * bound * time)
+            .answer("The wide swing")
+            .slip(2.0 * PI / small, "that is for small oscillations"),
+    ])?;
+    if q > 1.0 {
+        return Ok(());
+    }
+    let (free, touched) = (w * free(q), 0.5 * period(q, 1e-9)? / w);
+    report.add(vec![
+        claim("free", "the bob left to itself", free, "rad/s")
+            .agrees_with("simulated", w * measured_free(q)?, 1e-8 * free)
+            .answer("Angular frequency of small oscillations")
+            .slip(small, "further in, the bob now turns faster"),
+        claim("touched", "far turning point, from 1e-9 rad", touched, "s").agrees_with(
+            "located event",
+            zero(1e-9, 1)?.t / w,
+            bound * 10.0 * touched,
+        ),
+    ])
+}
+
+/// Just above the threshold, far above it, and in a plane at rest.
+fn limits(report: &mut Report) -> Result<()> {
+    let (near, still) = (1.0 - 1e-8, legendre::k(Modulus::from_k(sin(0.25))?)?);
+    report.add(vec![
+        limit(
+            "q = 1 - x: theta/sqrt(2 x)",
+            1.0,
+            cone(near) / 2e-8_f64.sqrt(),
+        )
+        .within(1e-8)
+        .because("cos(theta) = 1 - theta^2/2 for a small angle"),
+        limit(
+            "q = 1 - x: driven/(w theta)",
+            1.0,
+            driven(near) / cone(near),
+        )
+        .within(1e-8)
+        .because("at the threshold nothing drives the bob back or away"),
+        limit("q = 1 - x: free/w", 2.0, free(near))
+            .within(2e-8)
+            .because("a small ellipse about the vertical: in and out twice a turn"),
+        limit(
+            "q = x: (pi/2 - theta)/x",
+            1.0,
+            (FRAC_PI_2 - cone(1e-5)) / 1e-5,
+        )
+        .within(1e-9)
+        .because("turned fast, or long: the string is nearly horizontal"),
+        limit(
+            "q = 1/x: w period/sqrt(x)",
+            4.0 * still,
+            1e4 * period(1e8, 0.5)?,
+        )
+        .within(1e-6)
+        .because("plane at rest: 4 K(sin 0.25), a pendulum from 0.5 rad"),
+    ])
+}
+
+/// The angle by which drag lowers the cone in a turn, rad, to first order: it takes
+/// drag s^3 of L_Z = s^2 a radian, and on a cone dL/L = (1 + 3 c^2)/(2 s c) dtheta.
+pub fn sinking(q: f64, drag: f64) -> f64 {
+    let (s, c) = sincos(cone(q));
+    4.0 * PI * drag * s * s * c / (1.0 + 3.0 * c * c)
+}
+
+/// The card of effects, for a steel ball on a nylon string of 1 mm (3 GPa, 1150 kg/m^3).
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (q, m, l, w) = (ratio(p)?, p.mass, p.length, p.rate);
+    let (r, area) = (cbrt(3.0 * m / (4.0 * PI * 7850.0)), 0.25e-6 * PI);
+    let drag = 1.204 * 0.47 * PI * r * r * l / (2.0 * m);
+    // Hanging straight down, it does so with these effects as well.
+    let slope = if q < 1.0 { q / sin(cone(q)) } else { 0.0 };
+    let stretch = m * (l * w * w).max(p.gravity) / (3e9 * area);
+    let (string, size, earth) = (1150.0 * area * l / m, 0.4 * r * r / (l * l), 1.4584e-4 / w);
+    report.add(vec![
+        effect("air drag, bob left to itself")
+            .number("rho C A l / (2 M)", drag)
+            .costs(sinking(q, drag), "rad a turn"),
+        effect("stretch of the string")
+            .number("T / (E A)", stretch)
+            .costs(slope * stretch, "rad of theta"),
+        effect("mass of the string")
+            .number("m / M", string)
+            .costs(slope * string / 6.0, "rad of theta"),
+        effect("size of the bob")
+            .number("2 r^2 / (5 l^2)", size)
+            .costs(0.5 * size, "of driven"),
+        effect("turning of the Earth")
+            .number("2 Omega_E / w", earth)
+            .costs(slope * earth, "rad of theta"),
+    ])
+}
+
+/// The example, as the command line, the tests and the book see it.
+pub const EXAMPLE: Example<Parameters> = Example {
+    stem: "ch16_ex2_conical_pendulum",
+    about: "Exercise 16.2: a bob on a string that is turned about the vertical",
+    report,
+    figures: figures::figures,
+    trajectory: figures::trajectory,
+    moving_picture: Some(figures::moving_picture),
+};
+
+fn main() -> std::process::ExitCode {
+    EXAMPLE.main()
+}

@@ -1,0 +1,76 @@
+//! Zeros of a function along a motion, and frequencies measured by them.
+
+use super::{Direction, Dop853, Event, LocatedEvent, Ode, Work};
+use crate::error::{Error, Result};
+use core::f64::consts::PI;
+
+impl Dop853 {
+    /// The `count`-th time after the start at which `f` goes through zero, either way, and
+    /// the work; `f` may be zero at the start.
+    ///
+    /// ```
+    /// use rotation_dynamics::integrators::{Dop853, Ode};
+    /// struct Spring;
+    /// impl Ode<2> for Spring {
+    ///     fn derivative(&self, _: f64, [x, v]: &[f64; 2]) -> [f64; 2] { [*v, -x] }
+    /// }
+    /// let (back, _) = Dop853::new(1e-14)?.zero(&Spring, [1.0, 0.0], 2, 100.0, |y| y[1])?;
+    /// assert!((back.t - core::f64::consts::TAU).abs() < 1e-13);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotReached`] if it has not happened until `until`; those of [`Dop853::solve`].
+    pub fn zero<const N: usize>(
+        &self,
+        ode: &impl Ode<N>,
+        start: [f64; N],
+        count: u32,
+        until: f64,
+        f: impl Fn(&[f64; N]) -> f64,
+    ) -> Result<(LocatedEvent<N>, Work)> {
+        let (mut t, mut state, mut work) = (0.0, start, Work::default());
+        let mut direction = Direction::Either;
+        let mut last = None;
+        for _ in 0..count {
+            let name = "zero";
+            let event = Event::new(name, direction, |_, y: &[f64; N]| f(y)).terminal();
+            let run = self.solve(ode, t, &state, until, &[event])?;
+            work += run.work();
+            let met = run.stopped_by().ok_or(Error::NotReached { name, until })?;
+            (t, state) = (met.t, met.state);
+            // Round-off may leave f on either side of zero: wait for the other way.
+            direction = if met.rising {
+                Direction::Falling
+            } else {
+                Direction::Rising
+            };
+            last = Some(met.clone());
+        }
+        let name = "zero";
+        Ok((last.ok_or(Error::NotReached { name, until })?, work))
+    }
+}
+
+/// The angular frequency of the smallest oscillations, measured: two zeros of `f` make a
+/// period, and the periods of two sizes are extrapolated to size 0.
+///
+/// `start(size)` is the start of an oscillation of this size, 1e-3 and 2e-3, whose period is
+/// even in it, as that of a kick at the place of rest is; `until` is a time by which both
+/// are over.
+///
+/// Accuracy, on pendulums: 1e-10, what the fourth power of the size and the location of the
+/// zeros leave.
+///
+/// # Errors
+/// Those of [`Dop853::zero`].
+pub fn small_frequency<const N: usize>(
+    ode: &impl Ode<N>,
+    start: impl Fn(f64) -> [f64; N],
+    until: f64,
+    f: impl Fn(&[f64; N]) -> f64,
+) -> Result<f64> {
+    let method = Dop853::new(Dop853::SMALLEST_TOLERANCE)?;
+    let period = |size| Ok(method.zero(ode, start(size), 2, until, &f)?.0.t);
+    Ok(6.0 * PI / (4.0 * period(1e-3)? - period(2e-3)?))
+}
