@@ -5,20 +5,26 @@
 //! dimensionless time t'. With `--i1`, `--i3`, `--mass`, ...: a gyroscope in SI
 //! units, time in seconds.
 
+#[path = "ch16_2_gyroscope/fast.rs"]
+mod fast;
 #[path = "ch16_2_gyroscope/figures.rs"]
 mod figures;
+#[path = "ch16_2_gyroscope/friction.rs"]
+mod friction;
+#[path = "ch16_2_gyroscope/left_out.rs"]
+mod left_out;
 #[path = "ch16_2_gyroscope/limits.rs"]
 mod limits;
-#[path = "ch16_2_gyroscope/price.rs"]
-mod price;
+#[path = "ch16_2_gyroscope/picture.rs"]
+mod picture;
 #[path = "ch16_2_gyroscope/rotor.rs"]
 mod rotor;
 
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::heavy_top::{self, Motion};
-use rotation_dynamics::report::{Example, Report, Trajectory};
+use rotation_dynamics::report::heavy_top::{Motion, Nod, trajectory};
+use rotation_dynamics::report::{ClaimEntry, Example, Report, claim};
 use rotation_dynamics::{Error, Result};
 
 // ANCHOR: equations
@@ -61,19 +67,26 @@ impl Equations {
 
 /// The five motions of figures 3 and 4: at the bottom of the valley and above
 /// it for b > 1; loops, cusps and waves for b < 1.
-pub fn of_the_notes() -> Result<Vec<Motion>> {
+pub fn of_the_notes() -> Result<[Motion; 5]> {
     // ANCHOR: motions
-    let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of figure 3
-    let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of figure 4
+    let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of the notes' figure 3
+    let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of their figure 4
     let (bottom, _) = steep.minimum();
-    Ok(vec![
+    Ok([
         Motion::at_rest_in_theta("steady", steep, bottom)?,
         Motion::with_energy("nutating", steep, 0.55, Start::ThetaMin)?,
         Motion::with_energy("loops", gentle, 0.11, Start::ThetaMin)?,
         Motion::with_energy("cusps", gentle, -0.08, Start::ThetaMin)?,
         Motion::with_energy("waves", gentle, -0.085, Start::ThetaMin)?,
-    ])
+    ]
     // ANCHOR_END: motions
+    .map(|motion| match motion.name {
+        "steady" => motion.answers("Steady precession, b = 1.2"),
+        "nutating" => motion.answers("Nods, b = 1.2"),
+        "loops" => motion.answers("Loops, b = 0.6"),
+        "cusps" => motion.answers("Cusps, b = 0.6"),
+        _ => motion,
+    }))
 }
 
 rotation_dynamics::parameters! {
@@ -82,11 +95,11 @@ rotation_dynamics::parameters! {
         /// I3/I1, the shape: above 0, at most 2
         a: optional("-", any().usually(0.1, 2.0));
         /// L_Z/L_z, vertical over axial angular momentum
-        b: optional("-", any());
+        b: optional("-", any().usually(-1.5, 1.5));
         /// m g l I3/L_z^2, weight against spin
-        c: optional("-", any());
+        c: optional("-", any().usually(0.0, 0.5));
         /// E~, at least the minimum of U_eff
-        energy: optional("-", any());
+        energy: optional("-", any().usually(-0.087, 0.55));
         /// turning point at t' = 0
         start: choice("theta_min", "theta_max");
         /// moment of inertia across the axis, about the pivot
@@ -112,74 +125,67 @@ rotation_dynamics::parameters! {
     }
 }
 
-impl Parameters {
-    /// I1, I3, mass, gravity, length, theta, spin, precession, nutation, in SI units.
-    fn body(&self) -> [Option<f64>; 9] {
-        [
-            self.i1,
-            self.i3,
-            self.mass,
-            self.gravity,
-            self.length,
-            self.theta,
-            self.spin,
-            self.precession,
-            self.nutation,
-        ]
-    }
-}
-
 /// The motions that these parameters ask for.
 fn motions(p: &Parameters) -> Result<Vec<Motion>> {
     let reduced = [p.a, p.b, p.c, p.energy].iter().any(Option::is_some) || p.start != "theta_min";
-    let body = p.body().iter().any(Option::is_some);
-    match (reduced, body) {
-        (true, true) => Err(Error::Text {
+    match (reduced, rotor::asked_for(p)) {
+        (true, Some(_)) => Err(Error::Text {
             text: "dimensionless and SI flags together".into(),
             allowed: "give either --a, --b, --c, --energy, --start \
                       or --i1, --i3, --mass, --gravity, --length, --theta, --spin, --precession, --nutation",
         }),
-        (true, false) => {
-            let top = ReducedTop::new(p.a.unwrap_or(2.0), p.b.unwrap_or(1.2), p.c.unwrap_or(0.2))?;
+        (true, None) => {
+            let (a, b, c) = (p.a.unwrap_or(2.0), p.b.unwrap_or(1.2), p.c.unwrap_or(0.2));
             let start = match p.start {
                 "theta_max" => Start::ThetaMax,
                 _ => Start::ThetaMin,
             };
-            let energy = p.energy.unwrap_or(0.55);
+            let (top, energy) = (ReducedTop::new(a, b, c)?, p.energy.unwrap_or(0.55));
             Ok(vec![Motion::with_energy("", top, energy, start)?])
         }
-        (false, true) => Ok(vec![rotor::motion(&p.body())?]),
-        (false, false) => of_the_notes(),
+        (false, Some(rotor)) => Ok(vec![rotor.motion()?]),
+        (false, None) => Ok(of_the_notes()?.into()),
     }
+}
+
+/// The advance of phi a hair below the cusps, for the page's last section.
+fn near_the_cusps() -> Result<ClaimEntry> {
+    let (top, energy) = (ReducedTop::new(2.0, 0.6, 0.2)?, -0.0801);
+    let waves = Motion::with_energy("hair", top, energy, Start::ThetaMin)?;
+    let (meaning, advance) = (
+        "advance of phi in one nod at E~ = -0.0801",
+        waves.exact.precession_per_period(),
+    );
+    let nod = Nod::by_quadrature(&top, energy);
+    Ok(claim("hair_precession", meaning, advance, "rad")
+        .within(1e-12)
+        .against("quadrature over one nod", nod.precession))
 }
 
 fn report(p: &Parameters) -> Result<Report> {
     let motions = motions(p)?;
-    let mut report = Report::new(
-        "The gyroscope",
-        match motions.as_slice() {
-            [one] => one.description(),
-            _ => "five motions of a symmetric rotor about a fixed point; time in sqrt(I1 I3)/L_z"
-                .into(),
-        },
-    )?;
+    let description = match motions.as_slice() {
+        [one] => one.description(),
+        _ => {
+            "five motions of a symmetric rotor about a fixed point; time in sqrt(I1 I3)/L_z".into()
+        }
+    };
+    let mut report = Report::new("The gyroscope", description)?;
     for motion in &motions {
         report.add(motion.claims(&Equations::of(&motion.top))?)?;
     }
-    if motions.len() > 1 {
-        limits::add(&mut report)?;
+    if let [_, nutating, loops, ..] = motions.as_slice() {
+        report.add(near_the_cusps()?)?;
+        limits::add(&mut report, loops)?;
+        friction::add(&mut report)?;
+        fast::add(&mut report)?;
         rotor::add(&mut report)?;
+        left_out::add(&mut report)?;
+        nutating.strip(&mut report, p.tolerance)?;
+    } else {
+        motions[0].strip(&mut report, p.tolerance)?;
     }
-    // The motion that nods, or the only one.
-    motions
-        .get(1)
-        .unwrap_or(&motions[0])
-        .strip(&mut report, p.tolerance)?;
     Ok(report)
-}
-
-fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    heavy_top::trajectory(&motions(p)?)
 }
 
 /// The example: name, flags and functions.
@@ -188,8 +194,8 @@ pub const EXAMPLE: Example<Parameters> = Example {
     about: "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)",
     report,
     figures: figures::all,
-    trajectory,
-    moving_picture: None,
+    trajectory: |p| trajectory(&motions(p)?),
+    moving_picture: Some(picture::moving),
 };
 
 fn main() -> std::process::ExitCode {

@@ -21,7 +21,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     }
     for motion in &motions {
         figures.push(motion.angles(&motion.top)?);
-        figures.push(motion.trace()?);
+        figures.push(motion.trace(Camera::new(-0.45, 0.7))?);
     }
     Ok(figures)
 }

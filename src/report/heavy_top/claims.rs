@@ -24,7 +24,7 @@ impl Motion {
             Regime::Steady => self.steady(equations),
             _ => {
                 let mut claims = self.nod();
-                claims.push(self.azimuth(equations)?);
+                claims.extend(self.azimuth(equations)?);
                 Ok(claims)
             }
         }
@@ -96,62 +96,85 @@ impl Motion {
     }
 
     /// The state at the end by the notes' equations, and how far a run with a tolerance
-    /// 100 times coarser ends from it.
-    fn carried(&self, equations: &impl Ode<4>) -> Result<([f64; 4], f64)> {
+    /// 100 times coarser ends from it; `None` after millions of turns, which no run in
+    /// steps can confirm.
+    fn carried(&self, equations: &impl Ode<4>) -> Result<Option<([f64; 4], f64)>> {
         let (start, end) = (self.start(), self.end_reduced());
         let run = |tolerance| Dop853::new(tolerance)?.advance(equations, 0.0, &start, end);
-        let ((fine, _), (coarse, _)) = (run(1e-14)?, run(1e-12)?);
+        let (fine, coarse) = match (run(1e-14), run(1e-12)) {
+            (Err(Error::TooManySteps { .. }), _) => return Ok(None),
+            (fine, coarse) => (fine?.0, coarse?.0),
+        };
         let apart = (0..4).map(|i| (fine[i] - coarse[i]).abs());
-        Ok((fine, apart.fold(0.0, f64::max)))
+        Ok(Some((fine, apart.fold(0.0, f64::max))))
     }
 
     /// phi at the end, against the notes' equations.
-    fn azimuth(&self, equations: &impl Ode<4>) -> Result<ClaimEntry> {
-        let (state, apart) = self.carried(equations)?;
+    fn azimuth(&self, equations: &impl Ode<4>) -> Result<Option<ClaimEntry>> {
+        let Some((state, apart)) = self.carried(equations)? else {
+            return Ok(None);
+        };
         let value = self.exact.angles(self.end).phi;
         let (what, meaning) = if self.in_seconds() {
             ("phi_1s", "phi after 1 s")
         } else {
             ("phi_20", "phi at t' = 20")
         };
-        let bound = 4.0 * apart + 1e-13 * value.abs().max(1.0);
-        Ok((self.claim(what, meaning, value, "rad"))
-            .within(bound)
-            .against(RUN, state[2]))
+        // (5) loses the digits that b and cos(theta) share; a rounding of b is never seen.
+        let closest = sin(self.exact.theta_min()).min(sin(self.exact.theta_max()));
+        let rounded = EPS * self.rate_per_tilt(closest) * self.end_reduced().abs();
+        let bound = 4.0 * apart + 1e-13 * value.abs().max(1.0) + rounded;
+        let claim = self.claim(what, meaning, value, "rad").within(bound);
+        Ok(Some(claim.against(RUN, state[2])))
+    }
+
+    /// By how much more phi' an error of the tilt or of b makes in (5), at the sine `s`.
+    fn rate_per_tilt(&self, s: f64) -> f64 {
+        self.top.a().sqrt() * (1.0 + self.top.b().abs()) / (s * s)
     }
 
     /// Constant tilt: where, the two constant rates, and the energy.
     fn steady(&self, equations: &impl Ode<4>) -> Result<Vec<ClaimEntry>> {
         let (a, b, c) = (self.top.a(), self.top.b(), self.top.c());
-        let (state, apart) = self.carried(equations)?;
-        let bound = 4.0 * apart + 1e-13;
-        let theta = self.exact.theta_min();
+        let (exact, unit) = (&self.exact, self.unit);
+        // "Steady" may nod a little, up to 1e-7 rad; its means are steady to second order.
+        let nods = exact.theta_max() - exact.theta_min();
+        let theta = exact.theta_min() + 0.5 * nods;
         let (s, u) = (sin(theta), cos(theta));
+        let second = nods * nods * (1.0 + a) * (1.0 + b * b) / (s * s * s * s);
+        let period = exact.nutation_period();
+        let mean = |advance: f64, rate: f64| {
+            let moves = nods > 0.0 && period.is_finite();
+            unit * if moves { advance / period } else { rate }
+        };
         // cos(theta) p^2 - sqrt(a) p + c = 0 has a slow and a fast root; phi' is one of them.
-        let rate = self.exact.phi_rate(0.0) * self.unit;
+        let rate = mean(exact.precession_per_period(), exact.phi_rate(0.0));
         let root = (a - 4.0 * c * u).max(0.0).sqrt();
         let (slow, fast) = (2.0 * c / (a.sqrt() + root), (a.sqrt() + root) / (2.0 * u));
         let is_fast = (rate - fast).abs() < (rate - slow).abs();
         let nearer = if is_fast { fast } else { slow };
-        let sharp = 64.0 * EPS * (1.0 + b.abs()) / (s * s) * nearer.abs().max(1.0);
+        let sharp = 64.0 * EPS * (1.0 + b.abs()) / (s * s) * nearer.abs().max(1.0) + second;
         // The kinetic energy of the precession, and the height lost.
         let half = sin(0.5 * theta);
         let energy = 0.5 * nearer * nearer * s * s - 2.0 * c * half * half;
-        let spin = self.exact.zeta_rate(0.0) * self.unit;
-        Ok(vec![
-            (self.answer("theta", "the constant tilt", theta, "rad"))
-                .within(bound)
-                .against(RUN, state[0]),
+        let spin = mean(exact.spin_per_period(), exact.zeta_rate(0.0));
+        let mut claims = vec![
             (self.answer("precession", "dphi/dt'", rate, "-"))
                 .within(sharp)
                 .against("root of the quadratic for p", nearer),
             (self.answer("energy", "E~, the minimum of U_eff", self.energy, "-"))
                 .within(sharp)
                 .against("(p sin(theta))^2/2 and height", energy),
-            (self.answer("spin", "dzeta/dt'", spin, "-"))
-                .within(bound)
-                .against(RUN, state[3] / self.end_reduced()),
-        ])
+        ];
+        if let Some((state, apart)) = self.carried(equations)? {
+            let bound = 4.0 * apart + 1e-13 + nods;
+            let tilt = self.answer("theta", "the constant tilt", theta, "rad");
+            claims.insert(0, tilt.within(bound).against(RUN, state[0]));
+            let (blurred, end) = (nods * self.rate_per_tilt(s), self.end_reduced());
+            let turns = self.answer("spin", "dzeta/dt'", spin, "-");
+            claims.push(turns.within(bound + blurred).against(RUN, state[3] / end));
+        }
+        Ok(claims)
     }
 
     /// Near a pole: the greatest tilt, and the tilt at the end against a run in vectors,

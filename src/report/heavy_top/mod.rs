@@ -3,11 +3,13 @@
 //! Not for: the closed form itself ([`crate::exact::heavy_top`]).
 
 mod claims;
+mod moving;
 mod pictures;
 mod routes;
 mod strip;
 
-pub use pictures::direction;
+pub use moving::Pose;
+pub use pictures::{direction, extents};
 pub use routes::{Newton, Nod};
 pub use strip::Gravity;
 

@@ -7,7 +7,6 @@ use crate::integrators::{Dop853, Ode};
 use crate::math::sincos;
 use crate::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
 use crate::report::{Figure, times};
-use core::f64::consts::PI;
 
 /// The unit vector at tilt theta and precession phi (rad).
 pub fn direction(theta: f64, phi: f64) -> SpaceVector {
@@ -15,15 +14,63 @@ pub fn direction(theta: f64, phi: f64) -> SpaceVector {
     SpaceVector::new(s * sp, -s * cp, u)
 }
 
+/// The ranges of theta, phi and zeta over what is shown of these motions, with a margin
+/// around theta: the axes of figures that stand side by side.
+pub fn extents(motions: &[Motion]) -> [(f64, f64); 3] {
+    let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 3];
+    for motion in motions {
+        for (range, own) in ranges.iter_mut().zip(motion.extents()) {
+            *range = (range.0.min(own.0), range.1.max(own.1));
+        }
+    }
+    ranges
+}
+
 impl Motion {
+    /// How far it is shown, in its own unit of time: to its end, or 12 nods.
+    pub fn shown(&self) -> f64 {
+        self.end.min(12.0 * self.exact.nutation_period())
+    }
+
+    /// The ranges of theta, phi and zeta (rad) over what is shown.
+    pub fn extents(&self) -> [(f64, f64); 3] {
+        let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 3];
+        for t in times(0.0, self.shown(), 400) {
+            let angles = self.exact.angles(t);
+            for (range, x) in ranges
+                .iter_mut()
+                .zip([angles.theta, angles.phi, angles.zeta])
+            {
+                *range = (range.0.min(x), range.1.max(x));
+            }
+        }
+        for (range, least) in ranges.iter_mut().zip([1e-6, 1e-12, 1e-12]) {
+            let length = range.1 - range.0;
+            let margin = if length < least { 0.4 } else { 0.0 };
+            *range = (range.0 - margin, range.1 + margin);
+        }
+        let [tilt, ..] = &mut ranges;
+        let margin = 0.08 * (tilt.1 - tilt.0);
+        *tilt = (tilt.0 - margin, tilt.1 + margin);
+        ranges
+    }
+
     /// theta, phi and zeta against time: closed form, with a run of the notes'
     /// `equations` as dots.
     ///
     /// # Errors
     /// Those of the run and of the drawing.
     pub fn angles(&self, equations: &impl Ode<4>) -> Result<Figure> {
-        let (start, end) = (self.start(), self.end);
-        let run = Dop853::new(1e-10)?.solve(equations, 0.0, &start, self.end_reduced(), &[])?;
+        self.angles_over(self.extents(), equations)
+    }
+
+    /// The same over these ranges of theta, phi and zeta; see [`extents`].
+    ///
+    /// # Errors
+    /// As [`Motion::angles`].
+    pub fn angles_over(&self, ranges: [(f64, f64); 3], equations: &impl Ode<4>) -> Result<Figure> {
+        let (start, end) = (self.start(), self.shown());
+        let run = Dop853::new(1e-10)?.solve(equations, 0.0, &start, end / self.unit, &[])?;
         let mut rows: [(Vec<_>, Vec<_>); 3] = Default::default();
         for (k, t) in times(0.0, end, 400).enumerate() {
             let exact = self.exact.angles(t);
@@ -38,31 +85,26 @@ impl Motion {
             }
         }
         let time = if self.in_seconds() { "$t$ / s" } else { "$t'$" };
-        let row = |(line, dots): (Vec<_>, Vec<_>), label: &str, axis: Axis| {
-            Panel::new("row", "row")
-                .x(Axis::linear(time))
-                .y(axis)
-                .curve(Curve::new(line, Ink::Ink).label_end(label))
-                .curve(Curve::new(dots, Ink::Body).dots())
-        };
-        let [theta, phi, zeta] = rows;
         let (least, most) = (self.exact.theta_min(), self.exact.theta_max());
-        let margin = if most - least < 1e-6 {
-            0.4
-        } else {
-            0.08 * (most - least)
-        };
-        let tilt = Axis::angle("").range(least - margin, most + margin);
+        let last = self.exact.angles(end);
         let alt = format!(
-            "{}: theta, phi and zeta against time, in closed form and as dots by the notes' equations",
-            self.scene()
+            "{}: theta between {least:.2} and {most:.2} rad, phi up to {:.2} rad and zeta up to {:.2} rad \
+             against time, in closed form, and on the lines dots by the notes' equations",
+            self.scene(),
+            last.phi,
+            last.zeta,
         );
-        Stack::new(&self.figure_name("angles"), &alt)
-            .row_height(100)
-            .panel(row(theta, "$\\theta$", tilt))
-            .panel(row(phi, "$\\phi$", Axis::angle("")))
-            .panel(row(zeta, "$\\zeta$", Axis::angle("")))
-            .figure()
+        let labels = ["$\\theta$", "$\\phi$", "$\\zeta$"];
+        let mut stack = Stack::new(&self.figure_name("angles"), &alt).row_height(100);
+        for (((line, dots), label), (low, high)) in rows.into_iter().zip(labels).zip(ranges) {
+            let panel = Panel::new("row", "row")
+                .x(Axis::linear(time))
+                .y(Axis::linear("").range(low, high))
+                .curve(Curve::new(line, Ink::Ink).label_end(label))
+                .curve(Curve::new(dots, Ink::Body).dots());
+            stack = stack.panel(panel);
+        }
+        stack.figure()
     }
 
     /// The regime, and the two numbers that tell the motions of the notes apart.
@@ -79,28 +121,23 @@ impl Motion {
         }
     }
 
-    /// The path of the axis on the sphere, for half a turn around the vertical.
+    /// The path of the end of the axis on the sphere, over the time that its angles show.
     ///
     /// # Errors
     /// Those of the drawing.
-    pub fn trace(&self) -> Result<Figure> {
-        let period = self.exact.nutation_period();
-        let advance = self.exact.precession_per_period().abs();
-        let nods = (PI / advance.max(1e-3)).clamp(3.0, 12.0);
-        let end = if period.is_finite() && advance > 0.0 {
-            nods * period
-        } else {
-            self.end
-        };
+    pub fn trace(&self, camera: Camera) -> Result<Figure> {
+        let end = self.shown();
         let path = times(0.0, end, 2000).map(|t| self.exact.axis(t));
         let start = self.exact.axis(0.0);
-        let heading = times(0.5, 0.524, 12).map(|part| self.exact.axis(end * part));
+        let heading = times(0.45, 0.46, 12).map(|part| self.exact.axis(end * part));
         let alt = format!(
-            "{}: the path of the end of the axis on a sphere",
-            self.scene()
+            "{}: the path of the end of the axis on a sphere, between two circles {:.2} and {:.2} rad from the pole",
+            self.scene(),
+            self.exact.theta_min(),
+            self.exact.theta_max(),
         );
         View::new(&self.figure_name("trace"), &alt)
-            .camera(Camera::new(-0.45, 0.7))
+            .camera(camera)
             .sphere()
             .latitude(self.exact.theta_min())
             .latitude(self.exact.theta_max())

@@ -38,11 +38,16 @@ impl Motion {
     /// without weight or close to a pole, which the strip's plain start would not resolve.
     ///
     /// # Errors
-    /// As [`Report::strip`].
+    /// As [`Report::strip`]; a tolerance that doubles do not allow.
     pub fn strip(&self, report: &mut Report, tolerance: f64) -> Result<()> {
         if self.top.c() == 0.0 || !self.clear_of_poles() {
             return Ok(());
         }
-        report.strip(&self.problem()?, &[tolerance, 1e-3, 1e-6, 1e-12])
+        let problem = self.problem()?;
+        // An error that doubles cannot promise is refused, not listed.
+        problem
+            .scene
+            .solve(&problem.start, problem.end, tolerance)?;
+        report.strip(&problem, &[tolerance, 1e-3, 1e-6, 1e-12])
     }
 }
