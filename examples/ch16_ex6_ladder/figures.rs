@@ -116,12 +116,12 @@ fn rate(solved: &Solved) -> Result<Panel> {
     let simulated = over([0.0, run.end_time()], 24, |t| Ok(run.at(t)?.v[2]), Ink::Velocity)?;
     Ok(panel("rate", "", "Angular velocity against time: it grows slowly, then steeply; after the release it grows \
         less than the dashed curve of a ladder that is kept on the wall.")
-        .y(Axis::linear("angular velocity / (rad/s)").range(0.0, 1.2 * kept(end)?))
+        .y(Axis::linear("angular velocity / (rad/s)").range(0.0, 1.35 * kept(end)?))
         .upright(t_r, Ink::Frame, "wall lets go")
         .curve(over([0.0, exact.landing_time()], 160, omega, Ink::Ink)?.label("exact"))
         .curve(simulated.dots().label_at("simulated", early, omega(early)?, Side::AboveLeft))
         .curve(over([t_r, end], 80, kept, Ink::Wrong)?.dashed()
-            .label_at("wrong: wall kept", end, kept(end)?, Side::Left)))
+            .label_at("wrong: wall kept", end, kept(end)?, Side::AboveLeft)))
 }
 
 #[rustfmt::skip]
@@ -175,7 +175,7 @@ fn price(p: &Parameters, solved: &Solved) -> Result<Panel> {
         let done = motion_within(ladder, requested, ladder.at_rest(p.angle), 2.0 * exact.landing_time())?;
         Ok((done.work().derivatives as f64, error(exact, &done)?.max(EPS)))
     })?;
-    let (first, last) = (points[0], points[points.len() - 1]);
+    let (first, middle, last) = (points[0], points[2], points[points.len() - 1]);
     let wrong = landing_error(exact, &solved.naive)?;
     let alt = format!("Relative error against the number of force evaluations, both logarithmic: the error falls from \
         {:.0e} to {:.0e} while the work grows {:.1}-fold. Keeping the wall leaves {:.1} per cent at any price.",
@@ -183,7 +183,7 @@ fn price(p: &Parameters, solved: &Solved) -> Result<Panel> {
     Ok(Panel::new("price", &alt)
         .x(Axis::log("evaluations of the forces").ticks([400, 600, 1000, 1400].map(|n| (f64::from(n), n.to_string())))).y(Axis::log("relative error"))
         .level(EPS, Ink::Frame, "round-off")
-        .curve(Curve::new(points, Ink::Body).with_dots().label("contact released"))
+        .curve(Curve::new(points, Ink::Body).with_dots().label_at("contact released", middle.0, middle.1, Side::AboveRight))
         .curve(Curve::new([(first.0, wrong), (last.0, wrong)], Ink::Wrong).dashed().label("wrong: wall kept")))
 }
 
@@ -193,7 +193,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let solved = solve(p)?;
     let (t_r, end) = (solved.exact.release_time(), solved.exact.landing_time());
     let graph = forces(&solved)?;
-    MovingPicture::new(0.0..=end, [0.8 * t_r, t_r, 0.5 * (t_r + end)], move |t| {
+    MovingPicture::new(0.0..=end, [0.8 * t_r, t_r, 0.1 * t_r + 0.9 * end], move |t| {
         let Solved { exact, naive, .. } = &solved;
         let (l, LadderState { theta, x_cm, y_cm, wall_force, floor_force, .. }) = (exact.length(), exact.at(t)?);
         let [top, foot] = ends(l, theta, (x_cm, y_cm));

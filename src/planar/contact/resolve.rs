@@ -47,60 +47,82 @@ pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const
     let hit = impact(scene, t, &shut, &mut state)?;
     let contacts = scene.0.contacts(&state);
     let trigger = before.map(|(_, trigger)| trigger).filter(|_| !hit);
-    let choices = core::array::from_fn(|i| {
-        let contact = &contacts[i];
-        let rubs = contact.friction.holding > 0.0;
-        let leaves = contact.normal.speed(&state.v) > ZERO * scene.normal_size(i, &state);
-        match contact.press {
-            Press::TwoSided => return Choices::only(Mode::Smooth),
-            Press::OneSided if !shut[i] || leaves => return Choices::only(Mode::Open),
-            _ => {}
-        }
-        let slip = contact.tangent.speed(&state.v);
-        let stopped = trigger == Some(Trigger::Slip(i));
-        let may_open = contact.press == Press::OneSided;
-        let choices = if rubs && !stopped && slip.abs() > ZERO * scene.slip_size(i, &state) {
-            let sense = if slip > 0.0 {
-                Sense::Forward
-            } else {
-                Sense::Backward
-            };
-            let modes = [Mode::Slip(sense), Mode::Open];
-            Choices::of(&modes[..1 + usize::from(may_open)], false)
-        } else {
-            Choices::shut(rubs, may_open)
-        };
-        match trigger {
-            Some(Trigger::Force(k)) if k == i => choices.retain(|m| m == Mode::Open),
-            Some(Trigger::Cone(k, sense)) if k == i => {
-                choices.retain(|m| matches!(m, Mode::Open) || m == Mode::Slip(sense))
-            }
-            _ => choices,
-        }
-    });
+    let choices =
+        core::array::from_fn(|i| choices(scene, i, &contacts[i], shut[i], trigger, &state));
     let mass = scene.0.mass(&state.q);
     let problem = scene.newton(&state, &mass, &contacts);
     let (modes, Response { rate, .. }) = problem
         .search(&choices)
         .map_err(|unsolved| named(unsolved, t, &contacts, &state))?;
     for i in (0..C).filter(|&i| hit && shut[i] && modes[i] == Mode::Open) {
-        let Contact { normal, name, .. } = contacts[i];
-        // Up with u, back with the acceleration -a: u^2/(2a) high.
-        let (speed, back) = (
-            normal.speed(&state.v),
-            -dot(&normal.along, &rate) - normal.bias,
-        );
-        let height = 0.5 * speed * speed / back;
-        if back > 0.0 && height < UNRESOLVED * scene.gap_size(i, &state) {
-            return Err(Error::BouncesUnresolved {
-                contact: name,
-                t,
-                height,
-            });
-        }
+        resolved(scene, i, &contacts[i], t, &state, &rate)?;
     }
     put_on(scene, &modes, &mut state);
     Ok((modes, join(&state)))
+}
+
+/// What contact `i` may do next.
+fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<M, N, S, C>,
+    i: usize,
+    contact: &Contact<N>,
+    shut: bool,
+    trigger: Option<Trigger>,
+    state: &State<N>,
+) -> Choices {
+    let leaves = contact.normal.speed(&state.v) > ZERO * scene.normal_size(i, state);
+    match contact.press {
+        Press::TwoSided => return Choices::only(Mode::Smooth),
+        Press::OneSided if !shut || leaves => return Choices::only(Mode::Open),
+        _ => {}
+    }
+    let rubs = contact.friction.holding > 0.0;
+    let slip = contact.tangent.speed(&state.v);
+    let slips = trigger != Some(Trigger::Slip(i)) && slip.abs() > ZERO * scene.slip_size(i, state);
+    let may_open = contact.press == Press::OneSided;
+    let sense = if slip > 0.0 {
+        Sense::Forward
+    } else {
+        Sense::Backward
+    };
+    let all = if rubs && slips {
+        Choices::of(
+            &[Mode::Slip(sense), Mode::Open][..1 + usize::from(may_open)],
+            false,
+        )
+    } else {
+        Choices::shut(rubs, may_open)
+    };
+    match trigger {
+        Some(Trigger::Force(k)) if k == i => all.retain(|m| m == Mode::Open),
+        Some(Trigger::Cone(k, sense)) if k == i => {
+            all.retain(|m| m == Mode::Open || m == Mode::Slip(sense))
+        }
+        _ => all,
+    }
+}
+
+/// Refuses a bounce of contact `i` that is too low to be seen in its gap.
+fn resolved<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<M, N, S, C>,
+    i: usize,
+    contact: &Contact<N>,
+    t: f64,
+    state: &State<N>,
+    rate: &[f64; N],
+) -> Result<()> {
+    let Contact { normal, name, .. } = contact;
+    // Up with u, back with the acceleration -a: u^2/(2a) high.
+    let back = -dot(&normal.along, rate) - normal.bias;
+    let height = 0.5 * normal.speed(&state.v) * normal.speed(&state.v) / back;
+    if back > 0.0 && height < UNRESOLVED * scene.gap_size(i, state) {
+        return Err(Error::BouncesUnresolved {
+            contact: name,
+            t,
+            height,
+        });
+    }
+    Ok(())
 }
 
 /// Which contacts can act: those that did, that has just closed, or whose gap is round-off.
