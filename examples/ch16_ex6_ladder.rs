@@ -51,8 +51,8 @@ pub struct Ladder {
 // ANCHOR: scene
 impl Mechanism<3, 6, 2> for Ladder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let about_middle = self.inertia * self.length * self.length / 12.0;
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, about_middle]]
+        let turning = self.inertia * self.length * self.length / 12.0;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
     fn force(&self, _: &State<3>) -> [f64; 3] {
@@ -60,12 +60,12 @@ impl Mechanism<3, 6, 2> for Ladder {
     }
 
     fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
-        let (s, c) = sincos(ladder.q[2]);
-        let (across, up) = (0.5 * self.length * s, 0.5 * self.length * c);
-        // Top and foot, seen from the middle.
-        let top = Contact::corner("wall", ladder, [-across, up], Surface::WALL);
-        let foot = Contact::corner("foot", ladder, [across, -up], Surface::FLOOR);
-        [top, foot].map(|contact| contact.friction(self.mu))
+        let ((s, c), half) = (sincos(ladder.q[2]), 0.5 * self.length);
+        // The two ends, seen from the middle.
+        let (top, foot) = ([-half * s, half * c], [half * s, -half * c]);
+        let wall = Contact::corner("wall", ladder, top, Surface::WALL);
+        let floor = Contact::corner("foot", ladder, foot, Surface::FLOOR);
+        [wall.friction(self.mu), floor.friction(self.mu)]
     }
 
     fn end(&self, ladder: &State<3>) -> Option<(&'static str, f64)> {
@@ -130,7 +130,8 @@ struct Solved {
 fn solve(p: &Parameters) -> Result<Solved> {
     let exact = Exact::new(p.length, p.gravity, p.angle)?;
     let ladder = Ladder::smooth(p);
-    let (start, end) = (ladder.at_rest(p.angle), 2.0 * exact.landing_time());
+    let start = ladder.at_rest(p.angle);
+    let end = 2.0 * exact.landing_time();
     Ok(Solved {
         exact,
         ladder,
@@ -282,7 +283,6 @@ fn landing_error(exact: &Exact, run: &Slide) -> Result<f64> {
     Ok(largest([lands.t / exact.landing_time() - 1.0, in_rate]))
 }
 
-/// The motion, for `--csv`.
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let exact = Exact::new(p.length, p.gravity, p.angle)?;
     let columns = "t [s], theta [rad], omega [rad/s], x_cm [m], y_cm [m], x_top [m], \
