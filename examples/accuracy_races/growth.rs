@@ -3,7 +3,7 @@
 use super::drift::{Curve, Method, Point};
 use rotation_dynamics::Result;
 use rotation_dynamics::report::draw::{Axis, Method as Look, Panel};
-use rotation_dynamics::report::{Figure, Report, Table, claim, rounded_up, short};
+use rotation_dynamics::report::{Figure, Report, Table, claim, rounded_up};
 
 /// Powers are fitted from here on, where rounding has had time to add up.
 const FROM: f64 = 100.0;
@@ -31,19 +31,18 @@ pub fn add(report: &mut Report, all: &[Curve]) -> Result<()> {
     for drift in all {
         let decade = |from, to| {
             let power = drift.exponent_between(from, to, phase);
-            if power.is_nan() {
-                "-".into()
-            } else {
-                short(power, 2)
+            match power.is_nan() {
+                true => "-".to_owned(),
+                false => format!("{power:.2}"),
             }
         };
         let last = drift.points.last();
         table.push([
-            drift.method.names().1.to_owned(),
+            Look::named(drift.method.names().1).label().to_owned(),
             decade(10.0, 100.0),
             decade(100.0, 1000.0),
             decade(1000.0, f64::INFINITY),
-            short(drift.exponent(FROM, kept), 2),
+            format!("{:.2}", drift.exponent(FROM, kept)),
             last.map_or("-".into(), |p| rounded_up(p.phase)),
             last.map_or("-".into(), |p| rounded_up(p.invariants)),
         ])?;
