@@ -59,6 +59,9 @@ impl<E: Solvable + Clone + Send + Sync + 'static> Raced for Problem<E> {
     }
 }
 
+type StateAt = Box<dyn Fn(f64) -> Result<State> + Send + Sync>;
+type Continued = Box<dyn Fn(&State, f64) -> Result<Attitude> + Send + Sync>;
+
 /// A motion, with all that is asked of it.
 pub struct Motion {
     /// For keys.
@@ -70,9 +73,9 @@ pub struct Motion {
     pub periods: f64,
     pub problem: Box<dyn Raced>,
     /// The state at a time.
-    state: Box<dyn Fn(f64) -> Result<State> + Send + Sync>,
+    state: StateAt,
     /// The attitude at the end of a motion that is in a state at a time.
-    continued: Box<dyn Fn(&State, f64) -> Result<Attitude> + Send + Sync>,
+    continued: Continued,
     /// The top in the notes' angles.
     pub angles: Option<Angles>,
     /// Whether there is a closed form.

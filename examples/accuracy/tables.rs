@@ -96,7 +96,7 @@ fn conditions(all: &[Measured]) -> Result<Table> {
 }
 
 /// The lines of all motions: one of each key, with its name, as they come.
-fn every<'m>(all: &'m [Measured]) -> Vec<&'m Line> {
+fn every(all: &[Measured]) -> Vec<&Line> {
     let mut lines: Vec<&Line> = Vec::new();
     for line in all.iter().flat_map(|m| &m.lines) {
         if !lines.iter().any(|l| l.key == line.key) {
