@@ -81,7 +81,6 @@ const SOUND: &[&str] = &[
     // c/a near 1e-8: nods so small that the energy does not tell them from none.
     "--i1=0.00581566 --i3=0.0104872 --mass=0.1549 --length=0.05698 --theta=0.23509 --spin=11758.522",
     "--i1=0.176195 --i3=0.208972 --mass=0.05712 --length=0.2404 --theta=1.15607 --spin=22777.979",
-    "--i1=2.5857e-6 --i3=5.77005e-7 --mass=1.233 --length=9.592e-5 --theta=2.22036 --spin=-1798849 --precession=-0.00098614 --tolerance=1e-8",
 ];
 
 #[test]
@@ -93,7 +92,7 @@ fn sound_far_from_the_notes() {
             assert!(!["NaN", "inf", "-inf"].contains(&word), "{line}: {word}");
         }
     }
-    assert_eq!(SOUND.len(), 16);
+    assert_eq!(SOUND.len(), 15);
 }
 
 const REFUSED: &[(&str, &str)] = &[
