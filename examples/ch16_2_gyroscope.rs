@@ -72,15 +72,15 @@ pub fn of_the_notes() -> Result<[Motion; 5]> {
     let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of the notes' figure 3
     let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of their figure 4
     let (bottom, _) = steep.minimum();
-    Ok([
+    let motions = [
         Motion::at_rest_in_theta("steady", steep, bottom)?,
         Motion::with_energy("nutating", steep, 0.55, Start::ThetaMin)?,
         Motion::with_energy("loops", gentle, 0.11, Start::ThetaMin)?,
         Motion::with_energy("cusps", gentle, -0.08, Start::ThetaMin)?,
         Motion::with_energy("waves", gentle, -0.085, Start::ThetaMin)?,
-    ]
+    ];
     // ANCHOR_END: motions
-    .map(|motion| match motion.name {
+    Ok(motions.map(|motion| match motion.name {
         "steady" => motion.answers("Steady precession, b = 1.2"),
         "nutating" => motion.answers("Nods, b = 1.2"),
         "loops" => motion.answers("Loops, b = 0.6"),
