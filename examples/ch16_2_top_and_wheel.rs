@@ -4,21 +4,30 @@
 //! The equations are the gyroscope's, with I1' = I1 + m l^2 for I1. Without flags:
 //! both bodies. With `--body` or any other flag: that body as you want it.
 
-#[path = "ch16_2_top_and_wheel/bodies.rs"]
-mod bodies;
 #[path = "ch16_2_top_and_wheel/figures.rs"]
 mod figures;
 #[path = "ch16_2_top_and_wheel/left_out.rs"]
 mod left_out;
+#[path = "ch16_2_top_and_wheel/limits.rs"]
+mod limits;
 #[path = "ch16_2_top_and_wheel/sleeping.rs"]
 mod sleeping;
-
-use rotation_dynamics::Result;
-use rotation_dynamics::report::heavy_top::{self, Motion};
-use rotation_dynamics::report::{Example, Report, Trajectory};
+#[path = "ch16_2_top_and_wheel/slowing.rs"]
+mod slowing;
+#[path = "ch16_2_top_and_wheel/tries.rs"]
+mod tries;
 
 use core::f64::consts::FRAC_PI_2;
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::EulerAngles;
+use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
+use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::inertia::{InertiaTensor, MassProperties};
+use rotation_dynamics::math::sin;
+use rotation_dynamics::report::heavy_top::{self, Motion};
+use rotation_dynamics::report::{ClaimEntry, Example, Report, Trajectory, claim};
 
+// ANCHOR: body
 /// A body that turns about a point of its axis, and how it starts. SI units.
 #[derive(Debug, Clone, Copy)]
 pub struct Body {
@@ -47,6 +56,7 @@ pub const TOP: Body = Body {
     precession: 0.0,
     nutation: 0.0,
 };
+// ANCHOR_END: body
 
 /// A bicycle wheel: 2 kg, all of it at 33 cm, hung by its axle 15 cm from the hub.
 pub const WHEEL: Body = Body {
@@ -72,13 +82,44 @@ impl Body {
     pub fn weight_moment(&self) -> f64 {
         self.mass * self.gravity * self.length
     }
-}
 
-/// 2 sqrt(I1' m g l)/I3, rad/s: slower than this, an upright top falls.
-pub fn critical_spin(body: &Body) -> f64 {
-    2.0 * (body.moment() * body.weight_moment()).sqrt() / body.i3
+    /// 2 sqrt(I1' m g l)/I3, rad/s: slower than this, an upright top falls.
+    pub fn critical_spin(&self) -> f64 {
+        2.0 * (self.moment() * self.weight_moment()).sqrt() / self.i3
+    }
+
+    /// Its motion in closed form: the gyroscope's, with I1' for I1.
+    pub fn motion(&self, name: &'static str) -> Result<Motion> {
+        let (mass, gravity, lever) = (self.mass, self.gravity, self.length);
+        let top = SymmetricTop::from_mass(self.moment(), self.i3, mass, gravity, lever)?;
+        let start = EulerAngles {
+            phi: 0.0,
+            theta: self.theta,
+            zeta: 0.0,
+        };
+        // Along the line of nodes, at right angles to it, and along the axis.
+        let omega = BodyVector::new(self.nutation, self.precession * sin(self.theta), self.spin);
+        Motion::new(name, HeavyTop::from_body(top, start, omega)?)
+    }
 }
 // ANCHOR_END: fixed_point
+
+impl Body {
+    /// I1' as a claim, against the tensor of the displaced body.
+    fn moment_claim(&self, name: &str) -> Result<ClaimEntry> {
+        let tensor = InertiaTensor::diagonal([self.i1, self.i1, self.i3])?;
+        let centre = BodyVector::new(0.0, 0.0, self.length);
+        let about_tip = MassProperties::new(self.mass, centre, tensor)?.about(BodyVector::zero())?;
+        let across = about_tip.moment_about(BodyVector::new(1.0, 0.0, 0.0))?;
+        let meaning = format!("{name}: I1', across the axis about the fixed point");
+        let claim = claim(format!("{name}_moment"), meaning, self.moment(), "kg m^2");
+        Ok(claim
+            .within(1e-15 * self.moment())
+            .against("tensor of the displaced body", across)
+            .slip(self.i1, "that is about the centre of mass, which moves")
+            .answer("About the fixed point"))
+    }
+}
 
 rotation_dynamics::parameters! {
     /// Both bodies, unless something is set: then that body as it is asked for.
@@ -86,85 +127,92 @@ rotation_dynamics::parameters! {
         /// which body; the other flags change this one (both: the top)
         body: choice("both", "top", "wheel");
         /// mass
-        mass: optional("kg", above(0.0));
+        mass: optional("kg", above(0.0).usually(0.02, 3.0));
         /// from the fixed point to the centre of mass
-        length: optional("m", any());
+        length: optional("m", any().usually(0.01, 0.3));
         /// moment of inertia across the axis, about the centre of mass
         i1: optional("kg m^2", any());
         /// moment of inertia about the axis
         i3: optional("kg m^2", any());
         /// acceleration of gravity
-        gravity: optional("m/s^2", any());
+        gravity: optional("m/s^2", any().usually(1.0, 25.0));
         /// tilt of the axis at the start
-        theta: optional("rad", any());
+        theta: optional("rad", any().usually(0.01, 3.0));
         /// angular velocity along the axis
-        spin: optional("rad/s", any());
+        spin: optional("rad/s", any().usually(10.0, 400.0));
         /// rate of phi at the start
-        precession: optional("rad/s", any());
+        precession: optional("rad/s", any().usually(-10.0, 10.0));
         /// rate of theta at the start
-        nutation: optional("rad/s", any());
+        nutation: optional("rad/s", any().usually(-10.0, 10.0));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", any());
     }
 }
 
 impl Parameters {
-    /// Mass, length, I1 about the centre of mass, I3, gravity, tilt, spin, precession
-    /// and nutation at the start, in SI units.
-    fn given(&self) -> [Option<f64>; 9] {
-        [
-            self.mass,
-            self.length,
-            self.i1,
-            self.i3,
-            self.gravity,
-            self.theta,
-            self.spin,
-            self.precession,
-            self.nutation,
-        ]
+    /// `body` with what is set.
+    fn applied_to(&self, body: Body) -> Body {
+        Body {
+            mass: self.mass.unwrap_or(body.mass),
+            length: self.length.unwrap_or(body.length),
+            i1: self.i1.unwrap_or(body.i1),
+            i3: self.i3.unwrap_or(body.i3),
+            gravity: self.gravity.unwrap_or(body.gravity),
+            theta: self.theta.unwrap_or(body.theta),
+            spin: self.spin.unwrap_or(body.spin),
+            precession: self.precession.unwrap_or(body.precession),
+            nutation: self.nutation.unwrap_or(body.nutation),
+        }
     }
-}
 
-/// The bodies asked for, with their names.
-fn bodies(p: &Parameters) -> Vec<(&'static str, Body)> {
-    let with = |body: Body| body.with(&p.given());
-    match p.body {
-        "wheel" => vec![("wheel", with(WHEEL))],
-        "top" => vec![("top", with(TOP))],
-        _ if p.given().iter().any(Option::is_some) => vec![("top", with(TOP))],
-        _ => vec![("top", TOP), ("wheel", WHEEL)],
+    /// The bodies asked for, with their names.
+    fn bodies(&self) -> Vec<(&'static str, Body)> {
+        let plain = Self {
+            tolerance: self.tolerance,
+            ..Self::default()
+        };
+        match self.body {
+            "wheel" => vec![("wheel", self.applied_to(WHEEL))],
+            _ if *self == plain => vec![("top", TOP), ("wheel", WHEEL)],
+            _ => vec![("top", self.applied_to(TOP))],
+        }
     }
-}
 
-fn motions(p: &Parameters) -> Result<Vec<Motion>> {
-    let named = bodies(p);
-    named.iter().map(|(name, body)| body.motion(name)).collect()
+    fn motions(&self) -> Result<Vec<Motion>> {
+        let motion = |(name, body): (&'static str, Body)| {
+            let heading = match name {
+                "top" => "The leaning top",
+                _ => "The wheel",
+            };
+            Ok(body.motion(name)?.answers(heading))
+        };
+        self.bodies().into_iter().map(motion).collect()
+    }
 }
 
 fn report(p: &Parameters) -> Result<Report> {
-    let named = bodies(p);
-    let motions = motions(p)?;
+    let motions = p.motions()?;
     let description = match motions.as_slice() {
         [one] => one.description(),
         _ => "a toy top on its tip and a bicycle wheel hung by its axle: gyroscopes whose centre of mass moves".into(),
     };
     let mut report = Report::new("The top and the bicycle wheel", description)?;
-    for ((name, body), motion) in named.iter().zip(&motions) {
-        body.add_moment(name, &mut report)?;
+    for ((name, body), motion) in p.bodies().iter().zip(&motions) {
+        report.add(body.moment_claim(name)?)?;
         report.add(motion.claims(&motion.top)?)?;
     }
     if motions.len() > 1 {
         sleeping::add(&mut report)?;
-        bodies::add_limits(&mut report)?;
-        left_out::add(&mut report);
+        tries::add(&mut report)?;
+        limits::add(&mut report)?;
+        left_out::add(&mut report)?;
     }
     motions[0].strip(&mut report, p.tolerance)?;
     Ok(report)
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    heavy_top::trajectory(&motions(p)?)
+    heavy_top::trajectory(&p.motions()?)
 }
 
 /// The example: name, flags and functions.
@@ -174,7 +222,7 @@ pub const EXAMPLE: Example<Parameters> = Example {
     report,
     figures: figures::all,
     trajectory,
-    moving_picture: None,
+    moving_picture: Some(slowing::moving_picture),
 };
 
 fn main() -> std::process::ExitCode {

@@ -1,26 +1,27 @@
 //! The sleeping top: upright, spinning, and stable only above a critical spin.
 
-use super::{Body, TOP, critical_spin};
+use super::{Body, TOP};
 use rotation_dynamics::Result;
-use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator};
-use rotation_dynamics::math::{acos, hypot, log};
+use rotation_dynamics::math::{acos, hypot, log, tanh};
 use rotation_dynamics::report::heavy_top::Newton;
-use rotation_dynamics::report::{Claim, Oracle, Report};
+use rotation_dynamics::report::{Report, claim};
 
 use core::f64::consts::{LN_10, PI};
 
+// ANCHOR: kicked
 /// The body upright with `ratio` times the critical spin, kicked sideways at `kick` rad/s.
 pub fn kicked(body: &Body, ratio: f64, kick: f64) -> Result<HeavyTop> {
-    let spin = ratio * critical_spin(body);
     let upright = Body {
         theta: 0.0,
-        spin,
+        spin: ratio * body.critical_spin(),
         nutation: kick,
         ..*body
     };
     Ok(upright.motion("")?.exact)
 }
+// ANCHOR_END: kicked
 
 /// The tilt an upright top reaches from a kick too small to matter: 2 acos(spin/critical).
 pub fn reach(ratio: f64) -> f64 {
@@ -44,110 +45,95 @@ fn critical_by_bisection(body: &Body) -> Result<f64> {
             stands = middle;
         }
     }
-    Ok(stands * critical_spin(body))
+    Ok(stands * body.critical_spin())
+}
+
+/// The growth of a small tilt between 1.2 and 1.6 s, where it is sinh(rate t), by a run in
+/// vectors.
+fn growth_in_vectors(ratio: f64) -> Result<f64> {
+    let (i1, weight_moment) = (TOP.moment(), TOP.weight_moment());
+    let law = Newton { i1, weight_moment };
+    let spin = ratio * TOP.critical_spin();
+    let start = [i1 * 1e-6, 0.0, TOP.i3 * spin, 0.0, 0.0, 1.0];
+    let tilt = |t: f64| -> Result<f64> {
+        let (end, _) = Dop853::new(1e-14)?.advance(&law, 0.0, &start, t)?;
+        Ok(hypot(end[3], end[4]))
+    };
+    Ok(log(tilt(1.6)? / tilt(1.2)?) / 0.4)
 }
 
 /// Adds the claims about the sleeping top.
 pub fn add(report: &mut Report) -> Result<()> {
-    let critical = critical_spin(&TOP);
-    report.add_claim(
-        Claim::new(
-            "critical_spin",
-            "least spin at which the top sleeps",
-            critical,
-            "rad/s",
-            1e-5 * critical,
-            Oracle::new(
+    const GROUP: &str = "The sleeping top";
+    let (critical, ratio, above) = (TOP.critical_spin(), 0.9, 1.2);
+    let rate = growth_rate(&TOP, ratio);
+    let period =
+        |ratio: f64, kick: f64| -> Result<f64> { Ok(kicked(&TOP, ratio, kick)?.nutation_period()) };
+    // A smaller kick delays the fall, and the return likewise.
+    let later = 0.5 * (period(ratio, 1e-6)? - period(ratio, 1e-5)?);
+    let frequency = (TOP.weight_moment() / TOP.moment() * (above * above - 1.0)).sqrt();
+    // The exact separatrix in the notes' numbers: b = 1, E~ = 0, c > a/4.
+    let unstable = ReducedTop::new(1.0, 1.0, 0.5)?;
+    let falls = HeavyTop::from_energy(unstable, 0.0, Start::ThetaMax, 0.0, 0.0)?;
+    let meaning = "least spin at which the top sleeps";
+    report.add(vec![
+        claim("critical_spin", meaning, critical, "rad/s")
+            .within(1e-5 * critical)
+            .against(
                 "bisection: tilts after a kick or not",
                 critical_by_bisection(&TOP)?,
-            ),
-        )?
-        .slip(
-            critical * (TOP.i1 / TOP.moment()).sqrt(),
-            "I1 must be taken about the tip",
-        ),
-    )?;
-    let ratio = 0.9;
-    let fallen = kicked(&TOP, ratio, 1e-4)?;
-    report.add_claim(Claim::new(
-        "reach",
-        "tilt reached at 0.9 of the critical spin",
-        reach(ratio),
-        "rad",
-        1e-6,
-        Oracle::new("closed form, kick of 1e-4 rad/s", fallen.theta_max()),
-    )?)?;
-
-    // Small tilts grow as sinh(rate t): measured between 1.2 and 1.6 s on the vectors.
-    let vectors = Newton {
-        i1: TOP.moment(),
-        weight_moment: TOP.weight_moment(),
-    };
-    let start = [
-        TOP.moment() * 1e-6,
-        0.0,
-        TOP.i3 * ratio * critical,
-        0.0,
-        0.0,
-        1.0,
-    ];
-    let tilt = |t: f64| -> Result<f64> {
-        let (end, _) = Dop853::new(1e-14)?.advance(&vectors, 0.0, &start, t)?;
-        Ok(hypot(end[3], end[4]))
-    };
-    let rate = growth_rate(&TOP, ratio);
-    let measured = log(tilt(1.6)? / tilt(1.2)?) / 0.4;
-    report.add_claim(Claim::new(
-        "growth",
-        "growth of a small tilt at 0.9 of the critical spin",
-        rate,
-        "1/s",
-        1e-4,
-        Oracle::new("DOP853 on dL/dt = torque", measured),
-    )?)?;
-    // A kick ten times smaller delays the fall by ln(10)/rate, and the return likewise.
-    let later =
-        kicked(&TOP, ratio, 1e-6)?.nutation_period() - kicked(&TOP, ratio, 1e-5)?.nutation_period();
-    report.add_claim(Claim::new(
-        "delay",
-        "how much later it falls after a kick ten times smaller",
-        0.5 * later,
-        "s",
-        1e-6,
-        Oracle::new("ln(10)/growth", LN_10 / rate),
-    )?)?;
-
-    // Above the critical spin a small kick makes a small, steady wobble.
-    let above = 1.2;
-    let wobble = kicked(&TOP, above, 1e-5)?.nutation_period();
-    let frequency = (TOP.weight_moment() / TOP.moment() * (above * above - 1.0)).sqrt();
-    report.add_claim(Claim::new(
-        "wobble",
-        "time from upright to upright at 1.2 of the critical spin",
-        wobble,
-        "s",
-        1e-6,
-        Oracle::new("small oscillation about the vertical", PI / frequency),
-    )?)?;
-
-    // The exact separatrix in the notes' numbers: b = 1, E~ = 0, c > a/4.
-    let top = ReducedTop::new(1.0, 1.0, 0.5)?;
-    let falls = HeavyTop::from_energy(
-        top,
-        0.0,
-        rotation_dynamics::exact::heavy_top::Start::ThetaMax,
-        0.0,
-        0.0,
-    )?;
-    report.add_claim(Claim::new(
-        "separatrix_height",
-        "cos(theta) at t' = 2, b = 1, E~ = 0, a = 1, c = 1/2",
-        falls.cos_theta(2.0),
-        "-",
-        1e-14,
-        Oracle::new("tanh^2(t'/2)", {
-            let h = rotation_dynamics::math::tanh(1.0);
-            h * h
-        }),
-    )?)
+            )
+            .slip(
+                critical * (TOP.i1 / TOP.moment()).sqrt(),
+                "I1 must be taken about the tip",
+            )
+            .answer(GROUP),
+        claim(
+            "reach",
+            "tilt reached at 0.9 of the critical spin",
+            reach(ratio),
+            "rad",
+        )
+        .within(1e-6)
+        .against(
+            "closed form, kick of 1e-4 rad/s",
+            kicked(&TOP, ratio, 1e-4)?.theta_max(),
+        )
+        .slip(acos(ratio), "the cosine is that of half the angle")
+        .answer(GROUP),
+        claim(
+            "growth",
+            "growth of a small tilt at 0.9 of the critical spin",
+            rate,
+            "1/s",
+        )
+        .within(1e-4)
+        .against("DOP853 on dL/dt = torque", growth_in_vectors(ratio)?)
+        .answer(GROUP),
+        claim(
+            "delay",
+            "how much later it falls after a kick ten times smaller",
+            later,
+            "s",
+        )
+        .within(1e-6)
+        .against("ln(10)/growth", LN_10 / rate)
+        .answer(GROUP),
+        claim(
+            "wobble",
+            "time from upright to upright at 1.2 of the critical spin",
+            period(above, 1e-5)?,
+            "s",
+        )
+        .within(1e-6)
+        .against("small oscillation about the vertical", PI / frequency),
+        claim(
+            "separatrix_height",
+            "cos(theta) at t' = 2, b = 1, E~ = 0, a = 1, c = 1/2",
+            falls.cos_theta(2.0),
+            "-",
+        )
+        .within(1e-14)
+        .against("tanh^2(t'/2)", tanh(1.0) * tanh(1.0)),
+    ])
 }

@@ -1,13 +1,15 @@
 //! The top and the wheel: any motion asked for is either confirmed by a second route or
-//! refused in words.
+//! refused in words; and what the page's tries say.
 
 use pages::ch16_2_top_and_wheel as top_and_wheel;
 use rotation_dynamics::report::cli::Outcome;
+use rotation_dynamics::report::parse;
 
 fn told(flags: &str) -> Outcome {
     top_and_wheel::EXAMPLE.answer(flags.split_whitespace())
 }
 
+/// A claim is printed only if its oracle agrees; so what is printed is confirmed.
 #[test]
 fn bodies_in_si_units_are_confirmed() {
     let all = [
@@ -43,4 +45,43 @@ fn what_cannot_be_is_refused_in_words() {
         assert!(told.stderr.contains(words), "{flags}: {}", told.stderr);
     }
     assert_eq!(all.len(), 4);
+}
+
+/// The number that this run prints under `key`.
+fn number(flags: &str, key: &str) -> f64 {
+    let text = told(flags).stdout;
+    let report = parse(&text).expect("the text follows its grammar");
+    let claims = report.table("claims").expect("there are claims");
+    let row = claims.rows().iter().find(|row| row[0] == key);
+    let row = row.unwrap_or_else(|| panic!("{flags} has no {key}"));
+    row[1].parse().expect("a number")
+}
+
+/// The commands of the page's tries print what their folded answers say.
+#[test]
+fn tries_give_what_the_page_says() {
+    let below = number("--spin 139 --theta 1e-6", "top_theta_max");
+    let above = number("--spin 141 --theta 1e-6", "top_theta_max");
+    let depth = |flags: &str, body: &str| {
+        number(flags, &format!("{body}_theta_max")) - number(flags, &format!("{body}_theta_min"))
+    };
+    let pushed = "--body wheel --precession 0.6754";
+    let long = "--body wheel --length 0.3";
+    let all = [
+        (below, "try_below", 1e-9),
+        (depth(pushed, "wheel"), "try_push", 1.5e-7),
+        (depth(long, "wheel"), "try_lever_dip", 1e-11),
+        (
+            number(long, "wheel_precession_rate"),
+            "try_lever_rate",
+            1e-11,
+        ),
+        (depth("--spin 300", "top"), "try_fast_dip", 1e-11),
+    ];
+    for (found, key, within) in all {
+        let said = number("", key);
+        assert!((found - said).abs() <= within, "{key}: {found}, {said}");
+    }
+    assert_eq!(all.len(), 5);
+    assert!((1e-6..1e-5).contains(&above), "{above}");
 }
