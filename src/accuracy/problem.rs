@@ -134,6 +134,8 @@ impl<E: Solvable> Problem<E> {
                 // Steps far too long for a fast motion overflow, or their stages have no
                 // solution: not delivered.
                 Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => continue,
+                // More steps than a run may take, and a finer one would take more still.
+                Err(Error::TooManySteps { .. }) => return Ok(None),
                 run => run?,
             };
             if self.error(&reached) <= tolerance {
