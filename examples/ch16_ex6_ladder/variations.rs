@@ -39,14 +39,9 @@ fn holding_friction(p: &Parameters) -> f64 {
 
 /// How the motion goes with this part of the friction that would hold the ladder.
 pub fn rubbing(p: &Parameters, part: f64) -> Result<Slide> {
-    let mu = part * holding_friction(p);
-    slide(
-        p,
-        Ladder {
-            mu,
-            ..Ladder::smooth(p)
-        },
-    )
+    let mut ladder = Ladder::smooth(p);
+    ladder.mu = part * holding_friction(p);
+    slide(p, ladder)
 }
 
 /// Dry friction at both ends.
@@ -55,9 +50,11 @@ pub fn friction(p: &Parameters) -> Result<Table> {
     let mut table = Table::new("friction", columns.split(", "))?;
     for part in [0.0, 0.1, 0.3, 0.6, 0.9, 1.0] {
         let mu = supported_digits(part * holding_friction(p), 1e-6);
-        let [none, stays] = ["-", "it stays"].map(String::from);
+        let run = rubbing(p, part);
+        let known = if run.is_ok() { "it stays" } else { "refused" };
+        let [none, stays] = ["-", known].map(String::from);
         let mut cells = [mu, part.to_string(), none, stays.clone(), stays];
-        for event in rubbing(p, part)?.events() {
+        for event in run.iter().flat_map(Slide::events) {
             match event.name.as_str() {
                 "wall lets go" => {
                     cells[2] = digits(cos(event.before.q[2]) / cos(p.angle));

@@ -84,6 +84,25 @@ pub fn simulate<const N: usize, S: Phased<N>>(
     let (mut t, mut phase, mut state) = (0.0, phase, start);
     while run.legs.len() < PHASE_LIMIT {
         let conditions = scene.conditions(phase);
+        // What ends the scene may come together with what begins a phase.
+        let over = |c: &&Condition<'_, S::Phase, N>| {
+            matches!(c.next, Next::End) && (c.margin)(&state) <= 0.0
+        };
+        if let Some(end) = conditions
+            .iter()
+            .find(over)
+            .filter(|_| !run.legs.is_empty())
+        {
+            run.transitions.push(Transition {
+                name: end.name,
+                t,
+                from: phase,
+                to: None,
+                before: state,
+                after: state,
+            });
+            return Ok(run);
+        }
         check_entry(&conditions, t, &state)?;
         let events: Vec<_> = conditions
             .iter()

@@ -50,7 +50,10 @@ fn pressed(mu: f64, spin: f64, declared: f64) -> f64 {
     let end = motion.at(2.0 * stop).unwrap();
     // At rest for good, where it was put.
     assert_eq!(motion.modes(2.0 * stop).unwrap(), [Mode::Stick; 2]);
-    assert!(end.v.iter().all(|v| v.abs() <= 3e-13), "{end:?}");
+    assert!(
+        end.v.iter().all(|v| v.abs() <= 4e-15 * (1.0 + spin)),
+        "{end:?}"
+    );
     assert!(
         (end.q[0] - R).abs() + (end.q[1] - R).abs() <= 1e-15,
         "{end:?}"
@@ -80,7 +83,7 @@ fn a_cylinder_spins_down_in_its_corner() {
         }
     }
     assert_eq!(ran, 16);
-    assert!(worst <= 44.0 * EPS, "{} eps", worst / EPS);
+    assert!(worst <= 57.0 * EPS, "{} eps", worst / EPS);
     // The instance of the exercise, by an independent computation.
     assert!(pressed(0.25, 60.0, 0.25 * (1.0 + 1e-9)) > 1e-10);
     let stop = spun(&Cylinder { mu: 0.25 }, 60.0, 3.0).events()[0].t;

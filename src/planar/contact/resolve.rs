@@ -94,10 +94,10 @@ fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize
         Choices::shut(rubs, may_open)
     };
     match trigger {
-        Some(Trigger::Force(k)) if k == i => all.retain(|m| m == Mode::Open),
-        Some(Trigger::Cone(k, sense)) if k == i => {
-            all.retain(|m| m == Mode::Open || m == Mode::Slip(sense))
-        }
+        Some(Trigger::Force(k)) if k == i => all.retain(|m| m == Mode::Open).decided(),
+        Some(Trigger::Cone(k, sense)) if k == i => all
+            .retain(|m| m == Mode::Open || m == Mode::Slip(sense))
+            .decided(),
         _ => all,
     }
 }

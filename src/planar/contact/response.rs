@@ -9,6 +9,10 @@ use super::linear::{Equations, Root, SIZE};
 /// sixteen unknowns may leave.
 pub(super) const ZERO: f64 = 1e-12;
 
+/// How far a rate may be from 0 where an event says that it is 0. Where a force has come
+/// down to 0 through infinity (Painlevé) it is farther.
+const DECIDED: f64 = 0.01;
+
 /// The force of a contact, N (or its impulse, N s).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Force {
@@ -172,7 +176,10 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                 let size: f64 = (0..N)
                     .map(|j| along[j].abs() * self.rate_size(response, j))
                     .sum();
-                (dot(along, &response.rate) - aim, ZERO * (size + aim.abs()))
+                (
+                    dot(along, &response.rate) - aim,
+                    choices[i].within * (size + aim.abs()),
+                )
             };
             let moves = match modes[i] {
                 Mode::Open if choices[i].shut => {
@@ -250,6 +257,8 @@ pub(super) struct Choices {
     count: usize,
     /// The gap is shut: only its rate tells whether it opens.
     shut: bool,
+    /// A rate against what it must be counts as none up to this part of its size.
+    within: f64,
     /// The slip speed is 0: only its rate tells whether it slips, and which way.
     slip_begins: bool,
 }
@@ -261,6 +270,7 @@ impl Choices {
             modes: [mode; 4],
             count: 1,
             shut: false,
+            within: ZERO,
             slip_begins: false,
         }
     }
@@ -271,6 +281,7 @@ impl Choices {
             modes: [Mode::Open; 4],
             count: modes.len(),
             shut: true,
+            within: ZERO,
             slip_begins,
         };
         choices.modes[..modes.len()].copy_from_slice(modes);
@@ -291,6 +302,15 @@ impl Choices {
         };
         let closed = if friction { 3 } else { 1 };
         Self::of(&all[..closed + usize::from(may_open)], friction)
+    }
+
+    /// The same where an event has decided: what is left of the rates there is the error of
+    /// the run, which was put back onto its contacts since.
+    pub fn decided(self) -> Self {
+        Self {
+            within: DECIDED,
+            ..self
+        }
     }
 
     /// The same without the modes that `keep` refuses.
