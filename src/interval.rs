@@ -1,5 +1,6 @@
 //! Which values a parameter may take.
 
+use crate::error::{Error, Result};
 use core::fmt;
 
 /// An interval of real numbers; infinite ends are never included.
@@ -70,6 +71,20 @@ impl Interval {
     /// The part in which a reader will want to move, if it is narrower than the interval.
     pub fn usual(&self) -> Option<[f64; 2]> {
         self.usual
+    }
+
+    /// `value` itself, if the interval contains it; `name` says in the error what it is.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if it does not.
+    pub fn check(&self, name: &'static str, value: f64) -> Result<f64> {
+        let allowed = *self;
+        let error = Error::Parameter {
+            name,
+            value,
+            allowed,
+        };
+        self.contains(value).then_some(value).ok_or(error)
     }
 
     /// True if `value` is finite and lies in the interval.

@@ -87,20 +87,16 @@ fn potential() -> Result<Figure> {
     let axes = Panel::new("potential", alt)
         .x(Axis::angle(r"$\theta$ / rad").range(-2.0, 2.0))
         .y(Axis::linear("$U/Mgl$").range(-1.5, 0.0));
-    let well = |panel: Panel, (x, at, label): (f64, f64, &str)| {
+    let well = |panel: Panel, x: f64| {
         let u = |a: f64| (a, -cos(a) - 0.5 * x * x * sin(a) * sin(a));
         let curve = Curve::new(times(-2.0, 2.0, 160).map(u), Ink::Energy);
-        let ((rest, low), side) = (u(cone(q(x))), Side::Below);
+        let (label, (rest, low)) = (format!("{x:.1}"), u(cone(q(x))));
+        let curve = curve.label_at(&label, 1.0, u(1.0).1, Side::Right);
         panel
-            .curve(curve.label_at(label, 0.6, at, side))
-            .dot(rest, low, Ink::Body, "", side)
+            .curve(curve)
+            .dot(rest, low, Ink::Body, "", Side::Below)
     };
-    let rates = [
-        (0.6, -0.4, "0.6"),
-        (1.0, -0.8, "1"),
-        (1.6, -1.3, r"$\omega/\omega_0=1.6$"),
-    ];
-    rates.into_iter().fold(axes, well).figure()
+    [0.6, 1.0, 1.6].into_iter().fold(axes, well).figure()
 }
 
 fn frequencies() -> Result<Figure> {

@@ -48,8 +48,8 @@ fn what_is_no_pendulum_is_refused() {
         ("--length=-0.8", "length = -0.8 is not allowed"),
         ("--mass=0", "mass = 0 is not allowed"),
         ("--release=4", "release = 4 is not allowed"),
-        ("--rate=3.5011873", "off the threshold"),
-        ("--rate=1e-9", "from 1e-6 to 1e6"),
+        ("--rate=3.5011873", "1 at the threshold"),
+        ("--rate=1e-9", "from 1.001 to 1000000"),
     ] {
         let outcome = Page::answer(&EXAMPLE, wrong);
         assert!(
