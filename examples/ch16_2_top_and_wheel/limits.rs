@@ -71,7 +71,7 @@ pub fn add(report: &mut Report) -> Result<()> {
         limit(
             "wheel that nothing brakes: rad beyond one turn after 2 pi/rate",
             0.0,
-            unbraked.simulated,
+            unbraked.in_vectors,
         )
         .within(1e-9)
         .because("steady precession takes this time for a turn"),

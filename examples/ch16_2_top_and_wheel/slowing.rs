@@ -4,7 +4,7 @@ use super::{Body, Parameters, TOP};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Solution};
-use rotation_dynamics::math::{acos, atan2, cos, sincos};
+use rotation_dynamics::math::{acos, atan2, cos, pow, sin, sincos};
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
 use rotation_dynamics::report::heavy_top::Newton;
 use rotation_dynamics::report::{MovingPicture, sampled, times};
@@ -30,6 +30,19 @@ impl Ode<6> for Braked {
     }
 }
 // ANCHOR_END: braked
+
+/// The same by (2) and (3) of the notes: theta, theta', phi, L_z, L_Z.
+struct BrakedAngles(Braked);
+
+impl Ode<5> for BrakedAngles {
+    fn derivative(&self, _t: f64, &[theta, nutation, _, spin, vertical]: &[f64; 5]) -> [f64; 5] {
+        let (Newton { i1, weight_moment }, brake) = (self.0.free, self.0.brake);
+        let (s, c) = sincos(theta);
+        let rate = (vertical - spin * c) / (i1 * s * s);
+        let pull = weight_moment * s - rate * s * (spin - i1 * rate * c);
+        [nutation, pull / i1, rate, -brake, -brake * c]
+    }
+}
 
 impl Body {
     fn braked(&self, brake: f64) -> Braked {
@@ -61,7 +74,8 @@ impl Body {
 
 /// By how much a braked body is ahead after the time of one turn, rad.
 pub struct Lead {
-    pub simulated: f64,
+    pub in_vectors: f64,
+    pub in_angles: f64,
     /// To first order in the torque and at the tilt of the start.
     pub estimated: f64,
 }
@@ -76,9 +90,13 @@ pub fn lead(body: &Body, brake: f64) -> Result<Lead> {
     let turn = TAU / rate;
     let run = Dop853::new(1e-12)?;
     let (end, _) = run.advance(&body.braked(brake), 0.0, &steady.vectors()?, turn)?;
+    let vertical = momentum * cos(body.theta) + body.moment() * rate * pow(sin(body.theta), 2.0);
+    let start = [body.theta, 0.0, 0.0, momentum, vertical];
+    let (by_angles, _) = run.advance(&BrakedAngles(body.braked(brake)), 0.0, &start, turn)?;
     let faster = rate / (momentum * momentum - body.four_terms()).sqrt();
     Ok(Lead {
-        simulated: atan2(end[3], -end[4]),
+        in_vectors: atan2(end[3], -end[4]),
+        in_angles: by_angles[2] - TAU,
         estimated: 0.5 * faster * brake * turn * turn,
     })
 }
