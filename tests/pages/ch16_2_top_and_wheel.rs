@@ -74,7 +74,7 @@ fn tries_give_what_the_page_says() {
         (
             number(long, "wheel_precession_rate"),
             "try_lever_rate",
-            1e-11,
+            1e-10,
         ),
         (depth("--spin 300", "top"), "try_fast_dip", 1e-11),
     ];
@@ -87,7 +87,7 @@ fn tries_give_what_the_page_says() {
 }
 
 /// The errors that the card predicts for what brakes the spin, against runs with the
-/// torque. Measured: run over prediction from 0.896 to 1.018; required within a factor 2.
+/// torque. Measured: run over prediction from 0.886 to 1.011; required within a factor 2.
 #[test]
 fn the_card_predicts_what_a_run_gives() {
     let text = told("").stdout;
