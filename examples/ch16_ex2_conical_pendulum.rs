@@ -7,11 +7,11 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, small_frequency};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, small_frequency};
 use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, cbrt, cos, hypot, sin, sincos};
 use rotation_dynamics::report::{ClosedForm, Example, Report, Trajectory};
-use rotation_dynamics::report::{claim, effect, limit, prices, times};
+use rotation_dynamics::report::{claim, effect, limit, times};
 
 rotation_dynamics::parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
@@ -162,12 +162,12 @@ fn report(p: &Parameters) -> Result<Report> {
     let (scene, whole) = (Driven { q, damping: 0.0 }, period(q, p.release)?);
     let swing = move |step| Dop853::new(step)?.zero(&scene, start, 2, 1e4, |y| y[1]);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    let error = move |back: &LocatedEvent<2>| {
+    let error = move |(back, _): &(LocatedEvent<2>, Work)| {
         Ok((back.t / whole - 1.0)
             .abs()
             .max((back.state[0] - start[0]).abs()))
     };
-    report.add(prices("DOP853, error of a step", &asked, swing, error)?)?;
+    report.dial("DOP853, error of a step", asked, swing, |run| run.1, error)?;
     report.set_closed_form(ClosedForm::new(move |_| period(q, start[0])));
     Ok(report)
 }

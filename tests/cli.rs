@@ -262,7 +262,7 @@ fn an_answer_is_judged() {
         ("inertia=0.7", 1, "not yet: your inertia is not right\n"),
     ];
     for (given, code, told) in cases {
-        let outcome = answer(&format!("--check {given}"));
+        let outcome = EXAMPLE.answer(["--check", given]);
         assert_eq!(outcome.code, code, "{given}: {}", outcome.stdout);
         assert!(outcome.stdout.contains(told), "{given}: {}", outcome.stdout);
     }
