@@ -18,7 +18,7 @@ pub(super) enum LabelPlace {
     At(Point, Side),
 }
 
-/// A curve or a set of dots in a [`Panel`].
+/// A curve or a set of dots in a [`Panel`](super::Panel).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     pub(super) points: Vec<Point>,
