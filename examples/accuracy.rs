@@ -29,7 +29,7 @@ use rotation_dynamics::accuracy::{Measure, Problem, Solvable, Solved, Variables,
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::exp2;
-use rotation_dynamics::report::{Example, Prepared, Report, claim};
+use rotation_dynamics::report::{Prepared, Report, claim};
 use std::sync::Arc;
 
 rotation_dynamics::parameters! {
@@ -124,7 +124,9 @@ fn report(p: &Parameters) -> Result<Report> {
     tables::add(&mut report, &all)?;
     dial::add(&mut report, &all)?;
     limits::add(&mut report)?;
-    rough::add(&mut report, p.moments()?, p.periods)?;
+    let pushed = all.iter().find(|measured| measured.motion.key == "pushed");
+    let condition = pushed.map_or(f64::NAN, |measured| measured.path_condition.1);
+    rough::add(&mut report, (p.moments()?, p.periods), condition)?;
     let asked = p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]);
     for error in asked {
         all[1].motion.problem.add_strip(&mut report, &[error])?;
@@ -132,16 +134,7 @@ fn report(p: &Parameters) -> Result<Report> {
     Ok(report)
 }
 
-/// The example: name and functions.
-pub const EXAMPLE: Example<Parameters> = Example {
-    stem: "accuracy",
-    about: "What accuracy costs: work against error, method by method",
-    report,
-    figures: figures::all,
-    trajectory: lines::trajectory,
-    moving_picture: None,
-};
-
-fn main() -> std::process::ExitCode {
-    EXAMPLE.main()
+rotation_dynamics::example! {
+    accuracy: "What accuracy costs: work against error, method by method";
+    report, figures::all, lines::trajectory
 }

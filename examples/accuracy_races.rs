@@ -10,7 +10,7 @@ mod long;
 
 use drift::{Curve, Kind, curves};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::{Example, Prepared, Report, Trajectory};
+use rotation_dynamics::report::{Prepared, Report, Trajectory};
 use std::sync::Arc;
 
 rotation_dynamics::parameters! {
@@ -53,16 +53,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Ok(rows)
 }
 
-/// The example: name and functions.
-pub const EXAMPLE: Example<Parameters> = Example {
-    stem: "accuracy_races",
-    about: "Long runs: closed form or steps, and how errors grow",
-    report,
-    figures: |p| growth::figures(&prepared(p)?),
-    trajectory,
-    moving_picture: None,
-};
-
-fn main() -> std::process::ExitCode {
-    EXAMPLE.main()
+rotation_dynamics::example! {
+    accuracy_races: "Long runs: closed form or steps, and how errors grow";
+    report, |p| growth::figures(&prepared(p)?), trajectory
 }

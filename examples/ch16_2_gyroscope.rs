@@ -24,7 +24,7 @@ use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::report::heavy_top::{Motion, Nod, trajectory};
-use rotation_dynamics::report::{ClaimEntry, Example, Report, claim};
+use rotation_dynamics::report::{ClaimEntry, Report, claim};
 use rotation_dynamics::{Error, Result};
 
 // ANCHOR: equations
@@ -188,16 +188,8 @@ fn report(p: &Parameters) -> Result<Report> {
     Ok(report)
 }
 
-/// The example: name, flags and functions.
-pub const EXAMPLE: Example<Parameters> = Example {
-    stem: "ch16_2_gyroscope",
-    about: "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)",
-    report,
-    figures: figures::all,
-    trajectory: |p| trajectory(&motions(p)?),
-    moving_picture: Some(picture::moving),
-};
-
-fn main() -> std::process::ExitCode {
-    EXAMPLE.main()
+rotation_dynamics::example! {
+    ch16_2_gyroscope:
+        "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)";
+    report, figures::all, |p| trajectory(&motions(p)?), picture::moving
 }

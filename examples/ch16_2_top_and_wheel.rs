@@ -25,7 +25,7 @@ use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties};
 use rotation_dynamics::math::sin;
 use rotation_dynamics::report::heavy_top::{self, Motion};
-use rotation_dynamics::report::{ClaimEntry, Example, Report, Trajectory, claim};
+use rotation_dynamics::report::{ClaimEntry, Report, Trajectory, claim};
 
 // ANCHOR: body
 /// A body that turns about a point of its axis, and how it starts. SI units.
@@ -215,16 +215,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     heavy_top::trajectory(&p.motions()?)
 }
 
-/// The example: name, flags and functions.
-pub const EXAMPLE: Example<Parameters> = Example {
-    stem: "ch16_2_top_and_wheel",
-    about: "The top on its tip and the bicycle wheel hung by its axle",
-    report,
-    figures: figures::all,
-    trajectory,
-    moving_picture: Some(slowing::moving_picture),
-};
-
-fn main() -> std::process::ExitCode {
-    EXAMPLE.main()
+rotation_dynamics::example! {
+    ch16_2_top_and_wheel: "The top on its tip and the bicycle wheel hung by its axle";
+    report, figures::all, trajectory, slowing::moving_picture
 }

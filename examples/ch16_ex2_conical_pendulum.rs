@@ -5,13 +5,14 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, small_frequency};
+use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, Solution, Work};
+use rotation_dynamics::integrators::{ode, small_frequency};
 use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, cbrt, cos, hypot, sin, sincos};
-use rotation_dynamics::report::{ClosedForm, Example, Report, Trajectory};
-use rotation_dynamics::report::{claim, effect, limit, times};
+use rotation_dynamics::report::{ClosedForm, Report, claim};
 
 rotation_dynamics::parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
@@ -34,12 +35,8 @@ rotation_dynamics::parameters! {
 /// q = g/(l w^2), the one number that decides.
 fn ratio(p: &Parameters) -> Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
-    let slow = q > 1.0;
-    let allowed = if slow {
-        from_to(1.001, 1e6)
-    } else {
-        from_to(1e-6, 0.999)
-    };
+    let [fast, slow] = [from_to(1e-6, 0.999), from_to(1.001, 1e6)];
+    let allowed = if q > 1.0 { slow } else { fast };
     allowed.check("g/(l w^2), 1 at the threshold where nothing settles,", q)
 }
 
@@ -71,50 +68,34 @@ pub fn period(q: f64, angle: f64) -> Result<f64> {
 
 // ANCHOR: motions
 /// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w.
-#[derive(Clone, Copy)]
-pub struct Driven {
-    pub q: f64,
-    pub damping: f64,
-}
-
-impl Ode<2> for Driven {
-    fn derivative(&self, _: f64, [theta, rate]: &[f64; 2]) -> [f64; 2] {
+pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
+    let law = move |_, [theta, rate]: &[f64; 2]| {
         let (s, c) = sincos(*theta);
-        [*rate, (c - self.q) * s - 2.0 * self.damping * rate]
-    }
-    fn scale(&self, [theta, rate]: &[f64; 2]) -> [f64; 2] {
-        [hypot(*theta, *rate).max(1e-30); 2]
-    }
+        [*rate, (c - q) * s - 2.0 * damping * rate]
+    };
+    ode(law).scaled(|[theta, rate]| [hypot(*theta, *rate).max(1e-30); 2])
 }
 
 /// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`, the
 /// support at the origin, lengths in l, time in 1/w; with quadratic air drag.
-pub struct Free {
-    pub q: f64,
-    pub drag: f64,
-}
-
-impl Ode<6> for Free {
-    fn derivative(&self, _: f64, state: &[f64; 6]) -> [f64; 6] {
-        let (r, v) = vectors(state);
-        let a = r * -tension(self.q, state) - v * (self.drag * v.norm());
-        [v.x(), v.y(), v.z(), a.x(), a.y(), a.z() - self.q]
-    }
+pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
+    ode(move |_, state| {
+        let [r, v] = vectors(state);
+        let a = r * -tension(q, state) - v * (drag * v.norm());
+        [v.x(), v.y(), v.z(), a.x(), a.y(), a.z() - q]
+    })
 }
 
 /// Tension over M l w^2: what keeps the bob at its distance from the support.
 pub fn tension(q: f64, state: &[f64; 6]) -> f64 {
-    let (r, v) = vectors(state);
+    let [r, v] = vectors(state);
     (v.dot(&v) - q * r.z()) / r.dot(&r)
 }
 // ANCHOR_END: motions
 
 /// Place and velocity.
-fn vectors([x, y, z, vx, vy, vz]: &[f64; 6]) -> (SpaceVector, SpaceVector) {
-    (
-        SpaceVector::new(*x, *y, *z),
-        SpaceVector::new(*vx, *vy, *vz),
-    )
+fn vectors(&[x, y, z, vx, vy, vz]: &[f64; 6]) -> [SpaceVector; 2] {
+    [[x, y, z], [vx, vy, vz]].map(SpaceVector::from_array)
 }
 
 /// The state in space, the plane having turned by `turn`.
@@ -123,9 +104,14 @@ pub fn in_space([theta, rate]: [f64; 2], turn: f64) -> [f64; 6] {
     [s * x, s * y, -c, out * x - s * y, out * y + s * x, rate * s]
 }
 
-/// The damped motion from rest at `angle`, over a time in 1/w.
-fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
-    Dop853::new(step)?.solve(&Driven { q, damping }, 0.0, &[angle, 0.0], end, &[])
+/// The motion from rest at `angle` in the turning plane, over a time in 1/w.
+pub fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
+    Dop853::new(step)?.solve(&in_plane(q, damping), 0.0, &[angle, 0.0], end, &[])
+}
+
+/// Turning point number `n` of the swing from rest at `angle`, undamped, and the work.
+fn turning(q: f64, angle: f64, n: u32, step: f64) -> Result<(LocatedEvent<2>, Work)> {
+    Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, 1e4, |y| y[1])
 }
 
 /// Where the pendulum comes to rest if it is damped, rad.
@@ -140,15 +126,14 @@ pub fn measured_driven(q: f64) -> Result<f64> {
         true => [cone(q + size * (1.0 - q)), 0.0],
         false => [size * (q - 1.0).min(1.0).sqrt(), 0.0],
     };
-    small_frequency(&Driven { q, damping: 0.0 }, start, 1e4, |y| y[1])
+    small_frequency(&in_plane(q, 0.0), start, 1e4, |y| y[1])
 }
 
 /// [`free`], simulated.
 pub fn measured_free(q: f64) -> Result<f64> {
     let knocked = |size| in_space([cone(q), size * sin(cone(q))], 0.0);
-    small_frequency(&Free { q, drag: 0.0 }, knocked, 10.0, |y| {
-        y[2] - knocked(0.0)[2]
-    })
+    let rest = knocked(0.0)[2];
+    small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| y[2] - rest)
 }
 
 /// Every number of the page.
@@ -158,39 +143,34 @@ fn report(p: &Parameters) -> Result<Report> {
     claims(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
-    let (q, start) = (ratio(p)?, [p.release, 0.0]);
-    let (scene, whole) = (Driven { q, damping: 0.0 }, period(q, p.release)?);
-    let swing = move |step| Dop853::new(step)?.zero(&scene, start, 2, 1e4, |y| y[1]);
+    let (q, release, whole) = (ratio(p)?, p.release, period(ratio(p)?, p.release)?);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    let swing = move |step| turning(q, release, 2, step);
     let error = move |(back, _): &(LocatedEvent<2>, Work)| {
-        Ok((back.t / whole - 1.0)
-            .abs()
-            .max((back.state[0] - start[0]).abs()))
+        let [theta, _] = back.state;
+        Ok(largest([back.t / whole - 1.0, theta - release]))
     };
     report.dial("DOP853, error of a step", asked, swing, |run| run.1, error)?;
-    report.set_closed_form(ClosedForm::new(move |_| period(q, start[0])));
+    report.set_closed_form(ClosedForm::new(move |_| period(q, release)));
     Ok(report)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (q, m, g, l, w) = (ratio(p)?, p.mass, p.gravity, p.length, p.rate);
     let (theta, w0, bound) = (cone(q), (g / l).sqrt(), 100.0 * p.tolerance);
-    let ((s, c), method) = (sincos(theta), Dop853::new(p.tolerance)?);
+    let (s, c) = sincos(theta);
     // Below the threshold the square of the frequency is q - 1: here in a plane with q = 2.
     let slower = w0 * (0.5 + 0.5 * measured_driven(2.0)? * measured_driven(2.0)?).sqrt();
-    let start = in_space([theta, 0.0], 0.0);
-    let turned = method.solve(&Free { q, drag: 0.0 }, 0.0, &start, 2.0 * PI, &[])?;
-    let (end, unit) = (turned.end_state(), m * (l * w * w));
-    let (pull, newton) = (unit * tension(q, end), unit.max(m * g));
-    let sideways = pull * hypot(end[0], end[1]);
-    let zero = |angle, n| {
-        let scene = Driven { q, damping: 0.0 };
-        Ok(method.zero(&scene, [angle, 0.0], n, 1e4, |y| y[1])?.0)
-    };
-    let (wide, back) = (zero(p.release, 1)?.state[0], zero(p.release, 2)?.t / w);
+    let (method, start) = (Dop853::new(p.tolerance)?, in_space([theta, 0.0], 0.0));
+    let (end, _) = method.advance(&on_string(q, 0.0), 0.0, &start, 2.0 * PI)?;
+    let (unit, newton) = (m * (l * w * w), (m * (l * w * w)).max(m * g));
+    let (pull, out) = (unit * tension(q, &end), hypot(end[0], end[1]));
+    let turns = |angle, n| Ok(turning(q, angle, n, p.tolerance)?.0);
+    let [wide, back] = [turns(p.release, 1)?, turns(p.release, 2)?];
     // If no angle has that cosine, the wide swing goes through the vertical.
     let other = 2.0 * q - cos(p.release);
     let far = if other < 1.0 { cone(other) } else { -p.release };
+    let even = 2.0 * theta - p.release;
     let (small, time) = (w * driven(q), period(q, p.release)? / w);
     report.add(vec![
         claim("theta", "angle from the vertical", theta, "rad")
@@ -211,7 +191,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             .slip(unit * s, "that is its horizontal part only")
             .slip(m * g * c, "along the string the bob is accelerated"),
         claim("horizontal", "its part towards the axis", unit * s, "N")
-            .agrees_with("a turn in space", sideways, bound * newton)
+            .agrees_with("a turn in space", pull * out, bound * newton)
             .answer("The reaction")
             .slip(newton, "that is the whole of it"),
         claim("driven", "the plane kept turning", small, "rad/s")
@@ -220,11 +200,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             .slip(w * c, "look at the second derivative again")
             .slip(w0, "that is for a plane at rest"),
         claim("far", "where it turns back", far, "rad")
-            .agrees_with("located event", wide, bound)
+            .agrees_with("located event", wide.state[0], bound)
             .answer("The wide swing")
-            .slip(2.0 * theta - p.release, "not the angle swings evenly"),
+            .slip(even, "the angle of the cone is not the mean of the two"),
         claim("period", "period", time, "s")
-            .agrees_with("located event", back, 10.0 * bound * time)
+            .agrees_with("located event", back.t / w, 10.0 * bound * time)
             .answer("The wide swing")
             .slip(2.0 * PI / small, "that is for small oscillations"),
     ])?;
@@ -232,55 +212,33 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         return Ok(());
     }
     let (free, touched) = (w * free(q), 0.5 * period(q, 1e-9)? / w);
+    let (reached, near) = (turns(1e-9, 1)?.t / w, bound * 10.0 * touched);
     report.add(vec![
         claim("free", "the bob left to itself", free, "rad/s")
             .agrees_with("simulated", w * measured_free(q)?, 1e-9 * free)
             .answer("Angular frequency of small oscillations")
             .slip(small, "further in, the bob now turns faster"),
-        claim("touched", "far turning point, from 1e-9 rad", touched, "s").agrees_with(
-            "located event",
-            zero(1e-9, 1)?.t / w,
-            bound * 10.0 * touched,
-        ),
+        claim("touched", "far turning point, from 1e-9 rad", touched, "s")
+            .within(near)
+            .against("located event", reached),
     ])
 }
 
 /// Just above the threshold, far above it, and in a plane at rest.
 fn limits(report: &mut Report) -> Result<()> {
     let (near, still) = (1.0 - 1e-8, legendre::k(Modulus::from_k(sin(0.25))?)?);
-    report.add(vec![
-        limit(
-            "q = 1 - x: theta/sqrt(2 x)",
-            1.0,
-            cone(near) / 2e-8_f64.sqrt(),
-        )
-        .within(1e-8)
-        .because("cos(theta) = 1 - theta^2/2 for a small angle"),
-        limit(
-            "q = 1 - x: Omega/(omega theta)",
-            1.0,
-            driven(near) / cone(near),
-        )
-        .within(1e-8)
-        .because("at the threshold nothing drives the bob back or away"),
-        limit("q = 1 - x: Omega_free/omega", 2.0, free(near))
-            .within(2e-8)
-            .because("a small ellipse about the vertical: in and out twice a turn"),
-        limit(
-            "q = x: (pi/2 - theta)/x",
-            1.0,
-            (FRAC_PI_2 - cone(1e-5)) / 1e-5,
-        )
-        .within(1e-9)
-        .because("turned fast, or long: the string is nearly horizontal"),
-        limit(
-            "q = 1/x: omega tau/sqrt(x)",
-            4.0 * still,
-            1e4 * period(1e8, 0.5)?,
-        )
-        .within(1e-6)
-        .because("plane at rest: 4 K(sin 0.25), a pendulum from 0.5 rad"),
-    ])
+    rotation_dynamics::limits! { report,
+        /// cos(theta) = 1 - theta^2/2 for a small angle
+        "q = 1 - x: theta/sqrt(2 x)": cone(near) / 2e-8_f64.sqrt() => 1.0, within 1e-8;
+        /// at the threshold nothing drives the bob back or away
+        "q = 1 - x: Omega/(omega theta)": driven(near) / cone(near) => 1.0, within 1e-8;
+        /// a small ellipse about the vertical: in and out twice a turn
+        "q = 1 - x: Omega_free/omega": free(near) => 2.0, within 2e-8;
+        /// turned fast, or long: the string is nearly horizontal
+        "q = x: (pi/2 - theta)/x": (FRAC_PI_2 - cone(1e-5)) / 1e-5 => 1.0, within 1e-9;
+        /// plane at rest: 4 K(sin 0.25), a pendulum from 0.5 rad
+        "q = 1/x: omega tau/sqrt(x)": 1e4 * period(1e8, 0.5)? => 4.0 * still, within 1e-6;
+    }
 }
 
 /// The angle by which drag lowers the cone in a turn, rad, to first order: it takes
@@ -299,35 +257,18 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slope = if q < 1.0 { q / sin(cone(q)) } else { 0.0 };
     let stretch = m * (l * w * w).max(p.gravity) / (3e9 * area);
     let (string, size, earth) = (1150.0 * area * l / m, 0.4 * r * r / (l * l), 1.4584e-4 / w);
-    report.add(vec![
-        effect("air drag, bob left to itself")
-            .number("rho C S l/(2 M)", drag)
-            .costs(sinking(q, drag), "rad a turn"),
-        effect("stretch of the string")
-            .number("T/(E A_s)", stretch)
-            .costs(slope * stretch, "rad of theta"),
-        effect("mass of the string")
-            .number("m/M", string)
-            .costs(slope * string / 6.0, "rad of theta"),
-        effect("size of the bob")
-            .number("2 r^2/(5 l^2)", size)
-            .costs(0.5 * size, "of Omega"),
-        effect("turning of the Earth")
-            .number("2 Omega_E/omega", earth)
-            .costs(slope * earth, "rad of theta"),
-    ])
+    rotation_dynamics::effects! { report,
+        "air drag, bob left to itself":
+            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn";
+        "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
+        "mass of the string": "m/M" = string, costs slope * string / 6.0, "rad of theta";
+        "size of the bob": "2 r^2/(5 l^2)" = size, costs 0.5 * size, "of Omega";
+        "turning of the Earth, at a pole":
+            "2 Omega_E/omega" = earth, costs slope * earth, "rad of theta";
+    }
 }
 
-/// The example, as the command line, the tests and the book see it.
-pub const EXAMPLE: Example<Parameters> = Example {
-    stem: "ch16_ex2_conical_pendulum",
-    about: "Exercise 16.2: a bob on a string that is turned about the vertical",
-    report,
-    figures: figures::figures,
-    trajectory: figures::trajectory,
-    moving_picture: Some(figures::moving_picture),
-};
-
-fn main() -> std::process::ExitCode {
-    EXAMPLE.main()
+rotation_dynamics::example! {
+    ch16_ex2_conical_pendulum: "Exercise 16.2: a bob on a string that is turned about the vertical";
+    report, figures::figures, figures::trajectory, figures::moving_picture
 }

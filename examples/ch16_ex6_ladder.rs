@@ -18,8 +18,7 @@ use rotation_dynamics::math::{EPS, acos, acosh, cos, log, sin, sincos, tan};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Motion, State, Surface, kept_within, motion_within,
 };
-use rotation_dynamics::report::{ClosedForm, Example, Report, Trajectory, claim, limit, times};
-use std::process::ExitCode;
+use rotation_dynamics::report::{ClosedForm, Report, Trajectory, claim, times};
 
 rotation_dynamics::parameters! {
     /// The ladder of the exercise; the notes leave all three numbers open.
@@ -217,7 +216,6 @@ fn attainable(p: &Parameters) -> f64 {
     p.tolerance + 2.0 * EPS * tan(p.angle)
 }
 
-#[rustfmt::skip]
 fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let (l, g, rate) = (p.length, p.gravity, (1.5 * p.gravity / p.length).sqrt());
     let landed = solved.ladder.energy(&solved.run.event("lands")?.before);
@@ -226,18 +224,21 @@ fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     // Nearly flat, the ladder turns with the constant acceleration W^2.
     let rise = 1e-6;
     let (flat, unit) = (Exact::new(l, g, FRAC_PI_2 - rise)?, rise.sqrt() / rate);
-    report.add(vec![
-        limit("energy at the floor", cos(p.angle), landed).within(8.0 * attainable(p))
-            .because("nothing rubs: it is what it was at the start, in units of m g l/2"),
-        limit("upright start: angle of release", acos(2.0 / 3.0), hair.release().theta).within(1e-15)
-            .because("arccos(2/3), whatever length and gravity"),
-        limit("upright start: W t_release - ln(1/theta0)", upright, rate * hair.release_time() - log(1e9)).within(1e-13)
-            .because("ln(8/(sqrt 6 + sqrt 5)): each factor ten nearer to upright costs ln(10)/W"),
-        limit("flat start: W t_release / sqrt(elevation)", (2.0_f64 / 3.0).sqrt(), flat.release_time() / unit).within(1e-10)
-            .because("a third of the small height is fallen with the acceleration W^2"),
-        limit("flat start: W t_floor / sqrt(elevation)", 2.0_f64.sqrt(), flat.landing_time() / unit).within(1e-10)
-            .because("all of it, with the same acceleration"),
-    ])
+    rotation_dynamics::limits! { report,
+        /// nothing rubs: it is what it was at the start, in units of m g l/2
+        "energy at the floor": landed => cos(p.angle), within 8.0 * attainable(p);
+        /// arccos(2/3), whatever length and gravity
+        "upright start: angle of release": hair.release().theta => acos(2.0 / 3.0), within 1e-15;
+        /// ln(8/(sqrt 6 + sqrt 5)): each factor ten nearer to upright costs ln(10)/W
+        "upright start: W t_release - ln(1/theta0)":
+            rate * hair.release_time() - log(1e9) => upright, within 1e-13;
+        /// a third of the small height is fallen with the acceleration W^2
+        "flat start: W t_release / sqrt(elevation)":
+            flat.release_time() / unit => (2.0_f64 / 3.0).sqrt(), within 1e-10;
+        /// all of it, with the same acceleration
+        "flat start: W t_floor / sqrt(elevation)":
+            flat.landing_time() / unit => 2.0_f64.sqrt(), within 1e-10;
+    }
 }
 
 /// What accuracy costs: the error asked for, the error found, the work.
@@ -295,16 +296,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-/// The example, as the command line, the tests and the book see it.
-pub const EXAMPLE: Example<Parameters> = Example {
-    stem: "ch16_ex6_ladder",
-    about: "Exercise 16.6: a ladder slides down a smooth wall and leaves it",
-    report,
-    figures: figures::figures,
-    trajectory,
-    moving_picture: Some(figures::moving_picture),
-};
-
-fn main() -> ExitCode {
-    EXAMPLE.main()
+rotation_dynamics::example! {
+    ch16_ex6_ladder: "Exercise 16.6: a ladder slides down a smooth wall and leaves it";
+    report, figures::figures, trajectory, figures::moving_picture
 }

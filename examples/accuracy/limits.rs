@@ -9,41 +9,25 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{GaussLegendre, Integrator, Rk4, Scheme, Splitting};
 use rotation_dynamics::math::{EPS, pow};
-use rotation_dynamics::report::{EffectLine, Report, effect, limit};
+use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 
 use core::f64::consts::TAU;
 
 /// Adds the limits and the card of effects.
 pub fn add(report: &mut Report) -> Result<()> {
-    report.add(
-        limit(
-            "steady spin, RK4: error over (angle turned) (angle a step)^4",
-            1.0 / 1920.0,
-            steady_error()?,
-        )
-        .within(1e-6)
-        .because("the step's phase lacks (angle/2)^5/120, and an attitude turns twice the phase"),
-    )?;
-    report.add(
-        limit(
-            "no torque, symmetric body, one step of Strang for 100 s: error in rad",
-            0.0,
-            free_splitting()?,
-        )
-        .within(1e-13)
-        .because("the flow between kicks is exact"),
-    )?;
-    report.add(
-        limit(
-            "10 periods there and back, Gauss-Legendre: off the start, in rad",
-            0.0,
-            back()?,
-        )
-        .within(1e-12)
-        .because("a symmetric method run backwards undoes its own error"),
-    )?;
-    report.add(effects())
+    rotation_dynamics::limits! { report,
+        /// the step's phase lacks (angle/2)^5/120, and an attitude turns twice the phase
+        "steady spin, RK4: error over (angle turned) (angle a step)^4":
+            steady_error()? => 1.0 / 1920.0, within 1e-6;
+        /// the flow between kicks is exact
+        "no torque, symmetric body, one step of Strang for 100 s: error in rad":
+            free_splitting()? => 0.0, within 1e-13;
+        /// a symmetric method run backwards undoes its own error
+        "10 periods there and back, Gauss-Legendre: off the start, in rad":
+            back()? => 0.0, within 1e-12;
+    }?;
+    effects(report)
 }
 
 /// RK4 on a body that spins steadily, 100 steps a turn for ten turns.
@@ -84,26 +68,19 @@ fn back() -> Result<f64> {
 
 /// What a real free body does that the model does not: a block of steel of a decimetre,
 /// turning at about 0.6 rad/s for ten periods in a laboratory.
-fn effects() -> Vec<EffectLine> {
+fn effects(report: &mut Report) -> Result<()> {
     let (rate, size, time): (f64, f64, f64) = (0.6, 0.1, 147.0);
     let turned = rate * time;
     let (gravity, radius) = (9.81, 6.371e6);
     let earth = 7.292e-5 / rate;
     let gradient = 3.0 * gravity / radius * (8.0 / 3.0 - 1.0) / 2.0 / (rate * rate);
     let stretch = 7850.0 * rate * rate * size * size / 2e11;
-    vec![
-        effect("rotation of the Earth, laboratory axes")
-            .number("Omega_E / omega", earth)
-            .costs(earth * turned, "rad"),
-        effect("gravity gradient of the Earth")
-            .number("3 g (I3 - I1) / (R_E I2 omega^2)", gradient)
-            .costs(gradient * turned, "rad"),
-        effect("stretch of the steel")
-            .number("rho omega^2 d^2 / E", stretch)
-            .costs(stretch * turned, "rad"),
-        effect("rounding of the numbers")
-            .number("2^-53", EPS)
-            .costs(EPS * turned, "rad")
-            .included(),
-    ]
+    rotation_dynamics::effects! { report,
+        "rotation of the Earth, laboratory axes":
+            "Omega_E / omega" = earth, costs earth * turned, "rad";
+        "gravity gradient of the Earth":
+            "3 g (I3 - I1) / (R_E I2 omega^2)" = gradient, costs gradient * turned, "rad";
+        "stretch of the steel": "rho omega^2 d^2 / E" = stretch, costs stretch * turned, "rad";
+        "rounding of the numbers": "2^-53" = EPS, costs EPS * turned, "rad", included;
+    }
 }

@@ -10,7 +10,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{GaussLegendre, Integrator, Method, Work};
 use rotation_dynamics::math::{EPS, pow};
-use rotation_dynamics::report::{Report, Table, claim, effect, limit};
+use rotation_dynamics::report::{Report, Table, claim};
 use rotation_dynamics::scene::Scene;
 
 /// The free body of the chapter, for so many periods of its rates and a third of one: at
@@ -35,29 +35,19 @@ fn free(periods: f64) -> Result<Problem<()>> {
 /// Adds the table, the limits, the strip and the card.
 pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
     add_table(report)?;
-    report.add(
-        limit(
-            "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad",
-            0.0,
-            across()?,
-        )
-        .within(2e-11)
-        .because("two routes to one motion"),
-    )?;
+    rotation_dynamics::limits! { report,
+        /// two routes to one motion
+        "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad":
+            across()? => 0.0, within 2e-11;
+    }?;
     // A block of steel that turns at 0.6 rad/s for a thousand periods in a laboratory.
     let (rate, time): (f64, f64) = (0.6, 14_700.0);
     let earth = 7.292e-5 / rate;
-    report.add(
-        effect("rotation of the Earth, laboratory axes")
-            .number("Omega_E / omega", earth)
-            .costs(earth * rate * time, "rad"),
-    )?;
-    report.add(
-        effect("rounding of the numbers")
-            .number("2^-53", EPS)
-            .costs(EPS * rate * time, "rad")
-            .included(),
-    )?;
+    rotation_dynamics::effects! { report,
+        "rotation of the Earth, laboratory axes":
+            "Omega_E / omega" = earth, costs earth * rate * time, "rad";
+        "rounding of the numbers": "2^-53" = EPS, costs EPS * rate * time, "rad", included;
+    }?;
     report.strip(&free(100.0)?, &[tolerance])
 }
 

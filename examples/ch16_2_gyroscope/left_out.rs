@@ -4,7 +4,7 @@ use super::rotor::ROTOR;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::{pow, sin, sincos};
-use rotation_dynamics::report::{Report, claim, effect};
+use rotation_dynamics::report::{Report, claim};
 
 use core::f64::consts::TAU;
 
@@ -111,29 +111,19 @@ pub fn add(report: &mut Report) -> Result<()> {
     let heavier = fork / (rotor.i1 * s * s);
     let by_fork = rotor.motion()?.exact.nutation_period() * 0.5 * heavier;
 
-    let slowing = "torque x turn / L_z";
-    report.add(vec![
-        effect("air on the rotor")
-            .number(slowing, air_torque * turn / momentum)
-            .costs(by_air, "rad a turn, in φ"),
-        effect("bearings of the axle")
-            .number(slowing, bearing_torque * turn / momentum)
-            .costs(by_bearing, "rad a turn, in φ"),
-        effect("friction of the vertical pivot")
-            .number("torque / m g l", pivot_torque / weight)
-            .costs(by_pivot, "rad a turn, in θ"),
-        effect("inertia of the fork")
-            .number("I_fork / I1 sin^2 theta", heavier)
-            .costs(by_fork, "s, in the time of a nod"),
-        effect("rotation of the Earth")
-            .number("Omega_E / (dphi/dt)", earth / rate)
-            .costs(earth * turn, "rad a turn, at most"),
-        effect("stretch of the spinning disc")
-            .number("rho omega^2 R^2 / E", stretch)
-            .costs(stretch * TAU, "rad a turn, in φ"),
-        effect("weight")
-            .number("m g l I1 / L_z^2", rotor.ratio())
-            .costs(TAU, "rad a turn, in φ")
-            .included(),
-    ])
+    rotation_dynamics::effects! { report,
+        "air on the rotor":
+            "torque x turn / L_z" = air_torque * turn / momentum, costs by_air, "rad a turn, in φ";
+        "bearings of the axle":
+            "torque x turn / L_z" = bearing_torque * turn / momentum, costs by_bearing, "rad a turn, in φ";
+        "friction of the vertical pivot":
+            "torque / m g l" = pivot_torque / weight, costs by_pivot, "rad a turn, in θ";
+        "inertia of the fork":
+            "I_fork / I1 sin^2 theta" = heavier, costs by_fork, "s a nod, if it nods";
+        "rotation of the Earth":
+            "Omega_E / (dphi/dt)" = earth / rate, costs earth * turn, "rad a turn, at most";
+        "stretch of the spinning disc":
+            "rho omega^2 R^2 / E" = stretch, costs stretch * TAU, "rad a turn, in φ";
+        "weight": "m g l I1 / L_z^2" = rotor.ratio(), costs TAU, "rad a turn, in φ", included;
+    }
 }

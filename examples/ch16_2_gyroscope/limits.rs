@@ -5,7 +5,7 @@ use super::fast::{self, SHAPE};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::report::heavy_top::Motion;
-use rotation_dynamics::report::{Report, claim, limit, sampled, times};
+use rotation_dynamics::report::{Report, claim, sampled, times};
 use rotation_dynamics::{Error, Result};
 
 use core::f64::consts::{PI, TAU};
@@ -25,43 +25,23 @@ pub fn add(report: &mut Report, loops: &Motion) -> Result<()> {
     let hanging = from(1.25, -0.6, -0.3, 0.1 + 0.6, Start::ThetaMax)?;
     let (ratio, fast) = (1e-6, fast::released(PI / 3.0, 1e-6)?);
     let walk = fast.precession_per_period() / fast.nutation_period();
-    report.add(vec![
-        limit(
-            "no weight: time of one nod",
-            TAU / (2.0_f64 + 2.0 * 0.55).sqrt(),
-            free.nutation_period(),
-        )
-        .within(1e-14)
-        .because("the axis circles L at L/I1"),
-        limit(
-            "E~ just above U_min: time of one nod",
-            TAU / curvature(&steep, theta).sqrt(),
-            small.nutation_period(),
-        )
-        .within(1e-8)
-        .because("a small swing in a parabola of curvature U''"),
-        limit(
-            "cusps of a thin disc, a = 2: advance of zeta in one nod",
-            PI,
-            cusps.spin_per_period(),
-        )
-        .within(1e-14)
-        .because("sin^2(theta) sin^2(zeta) = (b - cos(theta))/c"),
-        limit(
-            "everything upside down: advance of phi in one nod",
-            -standing.precession_per_period(),
-            hanging.precession_per_period(),
-        )
-        .within(1e-13)
-        .because("theta to pi - theta, b to -b, c to -c turns phi round"),
-        limit(
-            "fast rotor, c/a = 1e-6: precession over c/sqrt(a)",
-            1.0,
-            walk / (ratio * SHAPE.sqrt()),
-        )
-        .within(1e-5)
-        .because("the mean torque turns L, and L is the spin"),
-    ])
+    rotation_dynamics::limits! { report,
+        /// the axis circles L at L/I1
+        "no weight: time of one nod":
+            free.nutation_period() => TAU / (2.0_f64 + 2.0 * 0.55).sqrt(), within 1e-14;
+        /// a small swing in a parabola of curvature U''
+        "E~ just above U_min: time of one nod":
+            small.nutation_period() => TAU / curvature(&steep, theta).sqrt(), within 1e-8;
+        /// sin^2(theta) sin^2(zeta) = (b - cos(theta))/c
+        "cusps of a thin disc, a = 2: advance of zeta in one nod":
+            cusps.spin_per_period() => PI, within 1e-14;
+        /// theta to pi - theta, b to -b, c to -c turns phi round
+        "everything upside down: advance of phi in one nod":
+            hanging.precession_per_period() => -standing.precession_per_period(), within 1e-13;
+        /// the mean torque turns L, and L is the spin
+        "fast rotor, c/a = 1e-6: precession over c/sqrt(a)":
+            walk / (ratio * SHAPE.sqrt()) => 1.0, within 1e-5;
+    }
 }
 
 fn add_slips(report: &mut Report, loops: &Motion) -> Result<()> {

@@ -3,7 +3,7 @@
 use super::slowing::lead;
 use super::{Body, WHEEL};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::{Report, limit};
+use rotation_dynamics::report::Report;
 
 use core::f64::consts::TAU;
 
@@ -39,41 +39,20 @@ pub fn add(report: &mut Report) -> Result<()> {
     let swing = hanging.motion("")?.exact.nutation_period();
     let small = 0.5 * TAU * (hanging.moment() / -hanging.weight_moment()).sqrt();
     let unbraked = lead(&WHEEL, 0.0)?;
-    report.add(vec![
-        limit(
-            "wheel level, started at m g l/L_z: its rate in rad/s",
-            WHEEL.level_rate(),
-            at_once(level)?,
-        )
-        .within(1e-12)
-        .because("at 90 degrees the quadratic loses its first term"),
-        limit(
-            "the same with ten times the I1: its rate in rad/s",
-            WHEEL.level_rate(),
-            at_once(heavier)?,
-        )
-        .within(1e-12)
-        .because("I1 does not enter at 90 degrees"),
-        limit(
-            "wheel released level at 10000 rad/s: rate over m g l/L_z",
-            1.0,
-            rate(fast)? / fast.level_rate(),
-        )
-        .within(1e-6)
-        .because("the mean torque turns L, and L is the spin"),
-        limit(
-            "hanging wheel without spin: time from side to side in s",
-            small,
-            swing,
-        )
-        .within(1e-4)
-        .because("a pendulum of small swings"),
-        limit(
-            "wheel that nothing brakes: rad beyond one turn after 2 pi/rate",
-            0.0,
-            unbraked.in_vectors,
-        )
-        .within(1e-9)
-        .because("steady precession takes this time for a turn"),
-    ])
+    rotation_dynamics::limits! { report,
+        /// at 90 degrees the quadratic loses its first term
+        "wheel level, started at m g l/L_z: its rate in rad/s":
+            at_once(level)? => WHEEL.level_rate(), within 1e-12;
+        /// I1 does not enter at 90 degrees
+        "the same with ten times the I1: its rate in rad/s":
+            at_once(heavier)? => WHEEL.level_rate(), within 1e-12;
+        /// the mean torque turns L, and L is the spin
+        "wheel released level at 10000 rad/s: rate over m g l/L_z":
+            rate(fast)? / fast.level_rate() => 1.0, within 1e-6;
+        /// a pendulum of small swings
+        "hanging wheel without spin: time from side to side in s": swing => small, within 1e-4;
+        /// steady precession takes this time for a turn
+        "wheel that nothing brakes: rad beyond one turn after 2 pi/rate":
+            unbraked.in_vectors => 0.0, within 1e-9;
+    }
 }

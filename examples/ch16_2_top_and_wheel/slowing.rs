@@ -156,6 +156,12 @@ impl Waking {
 }
 
 impl Moment {
+    /// The torque of the weight to scale, if it is long enough to be drawn.
+    fn torque(&self) -> Option<SpaceVector> {
+        let torque = UP.cross(&self.axis) * 0.95;
+        (torque.norm() >= 0.05).then_some(torque)
+    }
+
     fn tilt(&self) -> f64 {
         acos(self.axis.z().clamp(-1.0, 1.0))
     }
@@ -189,10 +195,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let moment = waking.at(t)?;
         let alt = format!(
             "A top on its tip at t = {t:.2} s, at {:.2} of the critical spin: its axis leans at {:.2} rad; \
-             arrows show its angular momentum, its weight, the torque of the weight and the change that this makes; \
+             arrows show its angular momentum, its weight{}; \
              a line shows where the upper end of the axis has been; below, tilt and spin against time",
             moment.ratio,
-            moment.tilt()
+            moment.tilt(),
+            match moment.torque() {
+                Some(_) => ", the torque of the weight and the change that this makes",
+                None => ", whose torque is too small to be drawn",
+            }
         );
         let been = path
             .iter()
@@ -227,7 +237,6 @@ fn scene(moment: &Moment) -> View {
     let mark =
         [(0.625, 0.1), (0.515, 0.97)].map(|(h, r)| axis * (h * HEIGHT) + spoke * (r * BELLY));
     let (centre, momentum) = (axis * 0.44, moment.momentum * 1.25);
-    let torque = UP.cross(&axis) * 0.95;
     let view = View::new("scene", "scene")
         .around(UP * 0.6, 0.86)
         .size(340, 270)
@@ -238,9 +247,9 @@ fn scene(moment: &Moment) -> View {
         .line(mark, Ink::Paper)
         .arrow(origin, momentum, Ink::Momentum, "$L$", Side::Left)
         .arrow(centre, centre - UP * 0.4, Ink::Force, "$mg$", Side::Left);
-    if torque.norm() < 0.05 {
+    let Some(torque) = moment.torque() else {
         return view;
-    }
+    };
     view.arrow(origin, torque, Ink::Force, "torque", Side::Below)
         .arrow(
             momentum,

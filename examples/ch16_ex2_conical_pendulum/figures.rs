@@ -2,7 +2,7 @@
 
 use super::*;
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack, View};
-use rotation_dynamics::report::{Figure, MovingPicture, sampled};
+use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, sampled, times};
 
 /// All figures of the page.
 pub fn figures(_: &Parameters) -> Result<Vec<Figure>> {
@@ -21,15 +21,13 @@ fn over_rate(name: &str, alt: &str, y: Axis) -> Panel {
 }
 
 fn exact(from: f64, f: impl Fn(f64) -> f64) -> Curve {
-    let rates = times(from, 2.6, (260.0 - 100.0 * from) as u32);
-    Curve::new(rates.map(|x| (x, f(x))), Ink::Ink)
+    Curve::of(times(from, 2.6, (260.0 - 100.0 * from) as u32), f, Ink::Ink)
 }
 
 /// Simulations at eight rates, but for the first `skipped`; three are below the threshold.
 fn simulated(skipped: usize, f: impl Fn(f64) -> Result<f64>) -> Result<Curve> {
     let rates = [0.3, 0.6, 0.85, 1.1, 1.3, 1.6, 2.0, 2.4];
-    let dots = sampled(rates.into_iter().skip(skipped), |x| Ok((x, f(x)?)))?;
-    Ok(Curve::new(dots, Ink::Body).dots())
+    Ok(Curve::sampled(rates.into_iter().skip(skipped), f, Ink::Body)?.dots())
 }
 
 fn setup() -> Result<Figure> {
@@ -88,13 +86,13 @@ fn potential() -> Result<Figure> {
         .x(Axis::angle(r"$\theta$ / rad").range(-2.0, 2.0))
         .y(Axis::linear("$U/Mgl$").range(-1.5, 0.0));
     let well = |panel: Panel, x: f64| {
-        let u = |a: f64| (a, -cos(a) - 0.5 * x * x * sin(a) * sin(a));
-        let curve = Curve::new(times(-2.0, 2.0, 160).map(u), Ink::Energy);
-        let (label, (rest, low)) = (format!("{x:.1}"), u(cone(q(x))));
-        let curve = curve.label_at(&label, 1.0, u(1.0).1, Side::Right);
+        let u = |a: f64| -cos(a) - 0.5 * x * x * sin(a) * sin(a);
+        let (label, rest) = (format!("{x:.1}"), cone(q(x)));
+        let curve = Curve::of(times(-2.0, 2.0, 160), u, Ink::Energy);
+        let curve = curve.label_at(&label, 1.0, u(1.0), Side::Right);
         panel
             .curve(curve)
-            .dot(rest, low, Ink::Body, "", Side::Below)
+            .dot(rest, u(rest), Ink::Body, "", Side::Below)
     };
     [0.6, 1.0, 1.6].into_iter().fold(axes, well).figure()
 }
@@ -126,46 +124,41 @@ fn motion(p: &Parameters) -> Result<Solution<2>> {
 /// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (run, columns) = (motion(p)?, ["t [s]", "theta [rad]", "omega [rad/s]"]);
-    Trajectory::sampled(columns, times(0.0, END, 600), |t| {
-        run.at(t).map(|y| [t / p.rate, y[0], y[1] * p.rate])
-    })
+    let row = |t| run.at(t).map(|y| [t / p.rate, y[0], y[1] * p.rate]);
+    Trajectory::sampled(columns, times(0.0, END, 600), row)
 }
 
 /// That motion with the forces; weight and tension to scale.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (q, w, run) = (ratio(p)?, p.rate, motion(p)?);
-    let graph = sampled(times(0.0, END, 300), |t| Ok((t / w, run.at(t)?[0])))?;
+    let angle = sampled(times(0.0, END, 300), |t| Ok((t / w, run.at(t)?[0])))?;
+    let graph = Panel::new("graph", "").over("$t$ / s", r"$\theta$ / rad");
+    let graph = graph.curve(Curve::new(angle, Ink::Body));
+    let (top, weight) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, -0.4));
     let draw = move |t: f64| {
         let turn = (t * w).min(END);
-        let place = |turn| Ok(vectors(&in_space(run.at(turn)?, turn)).0);
-        let (top, bob, down) = (
-            SpaceVector::zero(),
-            place(turn)?,
-            SpaceVector::new(0.0, 0.0, -0.4),
-        );
-        let pull = bob * (-0.4 * tension(q, &in_space(run.at(turn)?, turn)) / q);
+        let state = |turn| Ok(in_space(run.at(turn)?, turn));
+        let place = |turn| Ok(vectors(&state(turn)?)[0]);
+        let bob = place(turn)?;
+        let pull = bob * (-0.4 * tension(q, &state(turn)?) / q);
         let path = sampled(times((turn - 6.0).max(0.0), turn, 60), place)?;
+        let sum = pull + weight;
+        let slant = atan2(sum.z(), hypot(sum.x(), sum.y())).to_degrees();
         let alt = format!(
-            "The bob {t:.1} s after its release with the path of its last turn, its weight, the \
-             pull of the string along the string, and their sum; below, its angle against time."
+            "The bob {t:.1} s after its release and where it has just been, its weight, the pull \
+             of the string, and their sum, {slant:.0} degrees above the horizontal; below, its \
+             angle against time."
         );
         let scene = View::new("scene", &alt)
-            .around(down * 1.5, 0.9)
-            .dashed([top, down * 3.0], Ink::Frame)
+            .around(weight * 1.5, 0.9)
+            .dashed([top, weight * 3.0], Ink::Frame)
             .dashed(path, Ink::Body)
             .line([top, bob], Ink::Ink)
             .dot(bob, Ink::Body, "", Side::Below)
-            .arrow(bob, bob + down, Ink::Force, "$Mg$", Side::Below)
+            .arrow(bob, bob + weight, Ink::Force, "$Mg$", Side::Below)
             .arrow(bob, bob + pull, Ink::Force, "$T$", Side::Above)
-            .arrow(bob, bob + pull + down, Ink::Force, "sum", Side::Left);
-        let graph = Panel::new("graph", &alt)
-            .x(Axis::linear("$t$ / s"))
-            .y(Axis::linear(r"$\theta$ / rad"))
-            .curve(Curve::new(graph.clone(), Ink::Body));
-        Stack::new("frame", &alt)
-            .scene(scene)
-            .panel(graph.now(t))
-            .figure()
+            .arrow(bob, bob + sum, Ink::Force, "sum", Side::Left);
+        Stack::frame(&alt, scene, &graph, t)
     };
     MovingPicture::new(0.0..=END / w, [0.0, 2.17 / w, END / w], draw)
 }

@@ -4,7 +4,7 @@ use super::{Exact, Parameters, REQUESTED, Solved, error, landing_error, solve};
 use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::ladder::LadderState;
-use rotation_dynamics::math::{EPS, cos, pow, sin};
+use rotation_dynamics::math::{EPS, cos, log2, pow, sin};
 use rotation_dynamics::planar::contact::motion_within;
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
 use rotation_dynamics::report::{Figure, MovingPicture, sampled, times};
@@ -35,8 +35,7 @@ fn path(exact: &Exact, unit: f64) -> Result<Curve> {
 
 /// A curve through `y` at `n` + 1 times.
 fn over(span: [f64; 2], n: u32, y: impl Fn(f64) -> Result<f64>, ink: Ink) -> Result<Curve> {
-    let points = sampled(times(span[0], span[1], n), |t| Ok((t, y(t)?)))?;
-    Ok(Curve::new(points, ink))
+    Curve::sampled(times(span[0], span[1], n), y, ink)
 }
 
 /// The corner, with walls as wide and high as this.
@@ -148,8 +147,10 @@ fn gap(solved: &Solved) -> Result<Panel> {
     let (t_r, end) = (exact.release_time(), exact.landing_time());
     let gap = over([t_r, end], 100, |t| Ok(1e3 * exact.at(t)?.x_top), Ink::Ink)?;
     let simulated = over([t_r, run.end_time()], 10, |t| Ok(1e3 * ladder.top_gap(&run.at(t)?)), Ink::Body)?;
-    Ok(panel("gap", "top from wall / mm", "Distance of the top from the wall against time, in millimetres: zero \
-        until the release, then growing with the third power of the time since.")
+    let power = log2(exact.at(end)?.x_top / exact.at(0.5 * (t_r + end))?.x_top);
+    let alt = format!("Distance of the top from the wall against time, in millimetres: zero until the release, then \
+        growing slowly at first and ever faster, over the last half of the time with the power {power:.1} of the time since.");
+    Ok(panel("gap", "top from wall / mm", &alt)
         .x(Axis::linear("$t$ / s").range(0.8 * t_r, end))
         .upright(t_r, Ink::Frame, "wall lets go")
         .curve(Curve::new([(0.8 * t_r, 0.0), (t_r, 0.0)], Ink::Ink))
@@ -206,8 +207,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .vector(top, (wall_force, 0.0), 45.0, Ink::Force, "$N_{wall}$")
             .vector(foot, (0.0, floor_force), 45.0, Ink::Force, "$N_{floor}$")
             .vector((x_cm, y_cm), (0.0, -1.0), 45.0, Ink::Force, "$mg$");
+        // Round-off may leave a pull of nothing.
+        let push = wall_force.max(0.0);
+        let beside = if t > t_r { " Faintly, ahead of it, the ladder that a wall would keep by pulling." } else { "" };
         let alt = format!("The ladder {t:.2} s after its release, {:.0} degrees from the wall. The wall pushes with \
-            {wall_force:.2} and the floor with {floor_force:.2} of the weight.", theta.to_degrees());
-        Stack::new("frame", &alt).scene(scene).panel(graph.clone().now(t)).figure()
+            {push:.2} and the floor with {floor_force:.2} of the weight.{beside} Below, the forces against time.", theta.to_degrees());
+        Stack::frame(&alt, scene, &graph, t)
     })
 }

@@ -5,7 +5,7 @@ use super::{Exact, Ladder, Parameters, Slide, Solved, landing_error};
 use rotation_dynamics::Result;
 use rotation_dynamics::math::{cos, sincos, tan};
 use rotation_dynamics::planar::contact::motion_within;
-use rotation_dynamics::report::{Report, Table, effect, supported_digits, times};
+use rotation_dynamics::report::{Report, Table, supported_digits, times};
 
 /// The motion of another ladder from the same start, to nine digits.
 fn slide(p: &Parameters, ladder: Ladder) -> Result<Slide> {
@@ -108,17 +108,17 @@ fn air(p: &Parameters, exact: &Exact) -> Result<(f64, f64)> {
 }
 
 /// The card of effects: what was left out, and what that costs.
-#[rustfmt::skip]
 pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let exact = &solved.exact;
     let later = rubbing(p, 0.1)?.end_time() / exact.landing_time() - 1.0;
     let (drag, lost) = air(p, exact)?;
-    report.add(vec![
-        effect("friction, a tenth of what would hold the ladder")
-            .number("mu / tan(theta0/2)", 0.1).costs(later, "of t_floor"),
-        effect("air drag on a light ladder (4 kg/m, 8 cm solid width)")
-            .number("rho C w l^2 / m", drag).costs(0.5 * lost, "of omega_floor"),
-        effect("one-sided contact of the wall").number("pull / (m g) at the floor, if kept", 1.5 * cos(p.angle))
-            .costs(landing_error(exact, &solved.naive)?, "of omega_floor").included(),
-    ])
+    let kept = landing_error(exact, &solved.naive)?;
+    rotation_dynamics::effects! { report,
+        "friction, a tenth of what would hold the ladder":
+            "mu / tan(theta0/2)" = 0.1, costs later, "of t_floor";
+        "air drag on a light ladder (4 kg/m, 8 cm solid width)":
+            "rho C w l^2 / m" = drag, costs 0.5 * lost, "of omega_floor";
+        "one-sided contact of the wall":
+            "pull / (m g) at the floor, if kept" = 1.5 * cos(p.angle), costs kept, "of omega_floor", included;
+    }
 }

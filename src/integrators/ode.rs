@@ -27,6 +27,50 @@ impl<const N: usize, O: Ode<N> + ?Sized> Ode<N> for &O {
     }
 }
 
+/// The system y' = f(t, y) by a closure; see [`ode`].
+#[derive(Debug, Clone, Copy)]
+pub struct ByClosure<F, S> {
+    derivative: F,
+    scale: S,
+}
+
+/// The system y' = f(t, y), with the usual [`scale`](Ode::scale).
+///
+/// ```
+/// use rotation_dynamics::integrators::{Dop853, Integrator, ode};
+/// let spring = |rate: f64| ode(move |_, [x, v]: &[f64; 2]| [*v, -rate * rate * x]);
+/// let (end, _) = Dop853::new(1e-13)?.advance(&spring(2.0), 0.0, &[1.0, 0.0], 1.0)?;
+/// assert!((end[0] - rotation_dynamics::math::cos(2.0)).abs() < 1e-13);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(
+    derivative: F,
+) -> ByClosure<F, fn(&[f64; N]) -> [f64; N]> {
+    let scale = |y: &[f64; N]| y.map(|c| c.abs().max(1.0));
+    ByClosure { derivative, scale }
+}
+
+impl<F, S> ByClosure<F, S> {
+    /// With another [`scale`](Ode::scale), the size against which an error counts.
+    pub fn scaled<const N: usize, T: Fn(&[f64; N]) -> [f64; N]>(self, scale: T) -> ByClosure<F, T> {
+        let derivative = self.derivative;
+        ByClosure { derivative, scale }
+    }
+}
+
+impl<const N: usize, F, S> Ode<N> for ByClosure<F, S>
+where
+    F: Fn(f64, &[f64; N]) -> [f64; N],
+    S: Fn(&[f64; N]) -> [f64; N],
+{
+    fn derivative(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        (self.derivative)(t, y)
+    }
+    fn scale(&self, y: &[f64; N]) -> [f64; N] {
+        (self.scale)(y)
+    }
+}
+
 /// Checks what every method is given: finite times, finite state.
 pub(super) fn check_span<const N: usize>(t: f64, y: &[f64; N], t_end: f64) -> Result<()> {
     finite("start time", t)?;

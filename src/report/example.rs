@@ -93,6 +93,52 @@ impl<P: ParameterSet> Example<P> {
     }
 }
 
+/// Makes the [`EXAMPLE`](Example) of a file, and its `main`: the stem, one line for
+/// `--help`, and the functions `report`, `figures`, `trajectory` and, if something moves,
+/// `moving_picture`, in this order. The parameters are the type `Parameters` of the file.
+///
+/// ```
+/// use rotation_dynamics::Result;
+/// use rotation_dynamics::report::{Figure, Page, Report, Trajectory};
+/// # fn figures(_: &Parameters) -> Result<Vec<Figure>> { Ok(Vec::new()) }
+/// # fn trajectory(_: &Parameters) -> Result<Trajectory> { Trajectory::new(["t [s]"]) }
+///
+/// rotation_dynamics::parameters! {
+///     /// A thin rod.
+///     pub struct Parameters {
+///         /// length of the rod
+///         length: number(3.0, "m", above(0.0));
+///     }
+/// }
+/// fn report(_: &Parameters) -> Result<Report> {
+///     Report::new("A rod", "a thin rod about its middle")
+/// }
+/// # #[cfg(feature = "cli")]
+/// rotation_dynamics::example! { rod: "A thin rod"; report, figures, trajectory }
+/// # #[cfg(feature = "cli")]
+/// # fn checked() { assert_eq!(EXAMPLE.stem(), "rod"); }
+/// ```
+#[macro_export]
+macro_rules! example {
+    ($stem:ident: $about:literal; $report:expr, $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
+        /// The example, as the command line, the tests and the book see it.
+        pub const EXAMPLE: $crate::report::Example<Parameters> = $crate::report::Example {
+            stem: stringify!($stem),
+            about: $about,
+            report: $report,
+            figures: $figures,
+            trajectory: $trajectory,
+            moving_picture: $crate::example!(@moves $($moves)?),
+        };
+
+        fn main() -> std::process::ExitCode {
+            EXAMPLE.main()
+        }
+    };
+    (@moves) => { None };
+    (@moves $moves:expr) => { Some($moves) };
+}
+
 /// An example whose parameters have their defaults: what the tests lock and the book shows.
 pub trait Page: Sync {
     /// The stem.

@@ -6,10 +6,11 @@
 //! example prints it, all but what the answer box needs. This module does no physics,
 //! and but for [`cli`] (feature `cli`) it reads and writes nothing.
 //!
-//! What an example is made of: [`parameters!`](crate::parameters), [`Example`], lines for
-//! [`Report::add`] by [`claim`], [`limit`] and [`effect`], figures by [`draw`],
-//! a [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion. What the pages on
-//! the heavy top share is in [`heavy_top`].
+//! What an example is made of: its [`parameters!`](crate::parameters); a [`Report`] with a
+//! [`claim`] a line, its [`limits!`](crate::limits) and its card of
+//! [`effects!`](crate::effects); figures by [`draw`], a [`MovingPicture`], and [`times`] and
+//! [`sampled`] to sample a motion; at the end [`example!`](crate::example), which makes an
+//! [`Example`] of them. What the pages on the heavy top share is in [`heavy_top`].
 //!
 //! # The text of a report
 //! ```text
@@ -50,6 +51,7 @@ mod example;
 mod files;
 pub mod heavy_top;
 mod json;
+mod lines;
 mod moving;
 mod number;
 mod parameters;

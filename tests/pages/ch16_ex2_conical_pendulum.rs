@@ -1,33 +1,23 @@
 //! Exercise 16.2, the conical pendulum. That simulations confirm the formulas is part of the
 //! report: a claim or a limit that differs from its oracle is an error.
 
+use crate::told::{confirmed, refused, value};
 use pages::ch16_ex2_conical_pendulum::*;
-use rotation_dynamics::integrators::{Dop853, Ode, Solution};
+use rotation_dynamics::integrators::{Dop853, Integrator, Solution};
 use rotation_dynamics::math::acos;
-use rotation_dynamics::report::Page;
 use std::f64::consts::PI;
 use support::Errors;
 
-fn run<const N: usize>(scene: &impl Ode<N>, start: [f64; N], end: f64) -> Solution<N> {
-    let method = Dop853::new(1e-15).unwrap();
-    method.solve(scene, 0.0, &start, end, &[]).unwrap()
-}
-
-fn driven_by(q: f64, angle: f64, end: f64) -> Solution<2> {
-    run(&Driven { q, damping: 0.0 }, [angle, 0.0], end)
+/// The motion from rest at `angle` in the turning plane, as accurate as it gets.
+fn swing(q: f64, angle: f64, end: f64) -> Solution<2> {
+    swung(q, 0.0, angle, end, 1e-15).unwrap()
 }
 
 #[test]
 fn formulas_and_simulations_agree_at_every_rate() {
-    let mut ran = 0;
-    for rate in [0.1, 1.0, 3.0, 3.49, 3.51, 3.6, 5.0, 30.0, 1000.0] {
-        for release in [0.01, 0.5, 1.5, 3.1] {
-            let outcome = Page::answer(&EXAMPLE, &format!("--rate={rate} --release={release}"));
-            assert_eq!(outcome.code, 0, "{rate}, {release}: {}", outcome.stderr);
-            ran += 1;
-        }
-    }
-    assert_eq!(ran, 36);
+    let rates = [0.1, 1.0, 3.0, 3.49, 3.51, 3.6, 5.0, 30.0, 1000.0].into_iter();
+    let released = |w| [0.01, 0.5, 1.5, 3.1].map(|angle| format!("--rate={w} --release={angle}"));
+    confirmed(&EXAMPLE, rates.flat_map(released), 36);
     // The damaged twin: the formula without its square misses the simulation.
     assert!((measured_free(0.5).unwrap() - free(0.5_f64.sqrt())).abs() > 0.1);
 }
@@ -35,38 +25,30 @@ fn formulas_and_simulations_agree_at_every_rate() {
 /// The reference case `st-conical`, rounded from 25 digits.
 #[test]
 fn the_reference_case_is_met() {
-    let report = Page::report(&EXAMPLE).unwrap();
-    let value = |key| report.claim(key).unwrap().value();
-    assert_eq!(value("theta"), 1.058_325_104_200_569_5);
-    assert_eq!(value("tension"), 8.000_000_000_000_000_8);
-    assert_eq!(value("omega_threshold"), 3.501_187_298_617_427_4);
+    assert_eq!(value(&EXAMPLE, "theta"), 1.058_325_104_200_569_5);
+    assert_eq!(value(&EXAMPLE, "tension"), 8.000_000_000_000_000_8);
+    assert_eq!(value(&EXAMPLE, "omega_threshold"), 3.501_187_298_617_427_4);
 }
 
 #[test]
 fn what_is_no_pendulum_is_refused() {
-    for (wrong, says) in [
+    let runs = [
         ("--length=-0.8", "length = -0.8 is not allowed"),
         ("--mass=0", "mass = 0 is not allowed"),
         ("--release=4", "release = 4 is not allowed"),
         ("--rate=3.5011873", "1 at the threshold"),
         ("--rate=1e-9", "from 1.001 to 1000000"),
-    ] {
-        let outcome = Page::answer(&EXAMPLE, wrong);
-        assert!(
-            outcome.code == 2 && outcome.stderr.contains(says),
-            "{outcome:?}"
-        );
-    }
+    ];
+    refused(&EXAMPLE, runs);
 }
 
 /// The equation of the angle knows no tension: it must be what M (a - g) has along the
 /// string, with the acceleration from the places at five times.
 #[test]
 fn the_tension_is_what_the_motion_needs() {
-    let (q, h, motion) = (0.49, 0.01, driven_by(0.49, 0.3, 21.0));
+    let (q, h, motion) = (0.49, 0.01, swing(0.49, 0.3, 21.0));
     let (mut errors, mut damaged) = (Errors::of("tension"), Errors::of("at rest"));
-    for i in 1..200 {
-        let t = 0.1 * f64::from(i);
+    for t in (1..200).map(|i| 0.1 * f64::from(i)) {
         let at = |k: f64| in_space(motion.at(t + k * h).unwrap(), t + k * h);
         let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(at);
         let push = |i: usize| (a[i] + e[i] + 30.0 * c[i] - 16.0 * (b[i] + d[i])) * c[i];
@@ -83,8 +65,9 @@ fn the_tension_is_what_the_motion_needs() {
 fn air_lowers_the_cone_as_predicted() {
     let mut errors = Errors::of("sinking over prediction, less one");
     for (q, drag) in [(0.49, 9.4e-4), (0.9, 1e-4), (0.1, 1e-3)] {
-        let fall = run(&Free { q, drag }, in_space([cone(q), 0.0], 0.0), 20.0 * PI);
-        let angle = acos(-fall.end_state()[2]);
+        let (method, start) = (Dop853::new(1e-15).unwrap(), in_space([cone(q), 0.0], 0.0));
+        let fall = method.advance(&on_string(q, drag), 0.0, &start, 20.0 * PI);
+        let angle = acos(-fall.unwrap().0[2]);
         errors.push((cone(q) - angle) / (10.0 * sinking(q, drag)) - 1.0);
     }
     errors.attain(0.0358..=0.0359, 3);
@@ -93,8 +76,8 @@ fn air_lowers_the_cone_as_predicted() {
 /// Started at exactly zero it stays for a thousand turns, however fast; a touch is enough.
 #[test]
 fn exactly_zero_stays() {
-    assert_eq!(driven_by(0.01, 0.0, 2000.0 * PI).end_state(), &[0.0, 0.0]);
-    assert!(driven_by(0.49, 1e-9, 32.0).end_state()[0] > cone(0.49));
+    assert_eq!(swing(0.01, 0.0, 2000.0 * PI).end_state(), &[0.0, 0.0]);
+    assert!(swing(0.49, 1e-9, 32.0).end_state()[0] > cone(0.49));
     // Below the threshold the formula alone is not a number.
     assert!(acos(1.2).is_nan() && cone(1.2) == 0.0);
 }

@@ -150,7 +150,10 @@ fn summary(lines: &[Line], more: &str) -> String {
                     power(dial.delivered)
                 )
             }
-            None => format!("Nobody was asked to be sure of it here.{more}"),
+            None => format!(
+                "It is not known here, because the dial was not used: each line was run at its own \
+                 setting, and its error was found afterwards, against a known result.{more}"
+            ),
         };
         return paragraph(
             &format!(

@@ -6,6 +6,7 @@ use super::ink::Ink;
 use super::method::Marker;
 use super::words::Side;
 use crate::error::Result;
+use crate::report::sampled;
 
 /// Width of curves and of axes, in px.
 pub(super) const CURVE: f64 = 1.8;
@@ -48,6 +49,23 @@ impl Curve {
             arrows: Vec::new(),
             label: None,
         }
+    }
+
+    /// The curve of the function `y` over these `x`.
+    pub fn of(x: impl IntoIterator<Item = f64>, y: impl Fn(f64) -> f64, ink: Ink) -> Self {
+        Self::new(x.into_iter().map(|x| (x, y(x))), ink)
+    }
+
+    /// The curve of a function that may refuse.
+    ///
+    /// # Errors
+    /// The first of `y`.
+    pub fn sampled(
+        x: impl IntoIterator<Item = f64>,
+        y: impl Fn(f64) -> Result<f64>,
+        ink: Ink,
+    ) -> Result<Self> {
+        Ok(Self::new(sampled(x, |x| Ok((x, y(x)?)))?, ink))
     }
 
     /// Drawn with dashes.

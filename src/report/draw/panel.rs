@@ -26,14 +26,11 @@ pub(super) struct Note {
 /// Two axes and what is drawn over them: a figure of about 340 px by 250 px.
 ///
 /// ```
-/// use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel};
+/// use rotation_dynamics::report::draw::{Curve, Ink, Panel};
+/// use rotation_dynamics::report::times;
 /// let figure = Panel::new("fall", "height against time: a parabola that ends on the floor")
-///     .x(Axis::linear("$t$ / s"))
-///     .y(Axis::linear("$h$ / m"))
-///     .curve(Curve::new((0..=50).map(|i| {
-///         let t = 0.02 * f64::from(i);
-///         (t, 5.0 * (1.0 - t * t))
-///     }), Ink::Body).label("$h(t)$"))
+///     .over("$t$ / s", "$h$ / m")
+///     .curve(Curve::of(times(0.0, 1.0, 50), |t| 5.0 * (1.0 - t * t), Ink::Body).label("$h(t)$"))
 ///     .figure()?;
 /// assert!(figure.svg.starts_with("<svg"));
 /// # Ok::<(), rotation_dynamics::Error>(())
@@ -90,6 +87,12 @@ impl Panel {
     pub fn y(mut self, axis: Axis) -> Self {
         self.y = axis;
         self
+    }
+
+    /// Sets both axes, linear and as long as what is drawn, by their labels.
+    #[must_use]
+    pub fn over(self, x: &str, y: &str) -> Self {
+        self.x(Axis::linear(x)).y(Axis::linear(y))
     }
 
     /// A unit is as long on both axes; the height follows.

@@ -50,15 +50,14 @@ impl Scene {
 /// time; one moment of a motion with its graph.
 ///
 /// ```
-/// use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Sketch, Stack};
+/// use rotation_dynamics::report::draw::{Curve, Ink, Panel, Sketch, Stack};
+/// use rotation_dynamics::report::times;
 /// let x = |t: f64| 0.5 * rotation_dynamics::math::cos(t);
+/// let graph = Panel::new("graph", "").over("$t$ / s", "$x$ / m");
+/// let graph = graph.curve(Curve::of(times(0.0, 6.0, 60), x, Ink::Body));
 /// let frame = |t: f64| {
 ///     let ball = Sketch::new("scene", "").window((-1.0, 1.0), (-0.2, 0.6)).disc((x(t), 0.2), 0.2, Ink::Body, 0.3);
-///     let graph = Panel::new("graph", "")
-///         .x(Axis::linear("$t$ / s"))
-///         .curve(Curve::new((0..=60).map(|i| (0.1 * f64::from(i), x(0.1 * f64::from(i)))), Ink::Body))
-///         .now(t);
-///     Stack::new("swing", "a ball swings to and fro; beside it its place against time").scene(ball).panel(graph).figure()
+///     Stack::frame("a ball swings to and fro; below it its place against time", ball, &graph, t)
 /// };
 /// assert_eq!(frame(1.0)?.display.size, (340, 302));
 /// # Ok::<(), rotation_dynamics::Error>(())
@@ -84,6 +83,15 @@ impl Stack {
             scenes: Vec::new(),
             panels: Vec::new(),
         }
+    }
+
+    /// The usual frame of a moving picture: a scene above a graph over time, at the time `t`.
+    ///
+    /// # Errors
+    /// As [`Stack::figure`].
+    pub fn frame(alt: &str, scene: impl Into<Scene>, graph: &Panel, t: f64) -> Result<Figure> {
+        let stack = Self::new("frame", alt).scene(scene);
+        stack.panel(graph.clone().now(t)).figure()
     }
 
     /// Sets the height of a panel's row, in px (130 if never set).

@@ -1,0 +1,66 @@
+//! Limits and effects as a table in the source, one entry a line.
+
+/// Adds limits to a report: why it must come out as a doc comment, then the limit, what the
+/// result gives there, what it must give, and within which bound. Evaluates to a `Result`.
+///
+/// ```
+/// use rotation_dynamics::report::Report;
+/// fn period(angle: f64) -> f64 { 6.283_185 * (1.0 + angle * angle / 16.0) }
+/// let mut report = Report::new("A pendulum", "a weight on a string")?;
+/// rotation_dynamics::limits! { report,
+///     /// the sine of a small angle is the angle
+///     "small angles: omega tau": period(1e-4) => core::f64::consts::TAU, within 1e-6;
+///     /// what is small enters as its square
+///     "small angles: slope": (period(1e-4) - period(0.0)) / 1e-4 => 0.0, within 1e-4;
+/// }?;
+/// // A limit that is missed is refused.
+/// assert!(rotation_dynamics::limits! { report,
+///     /// the sine of a small angle is the angle
+///     "small angles: omega tau": period(1.0) => core::f64::consts::TAU, within 1e-6;
+/// }.is_err());
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+///
+/// A name or a reason that is put together at run time needs [`limit`](crate::report::limit).
+///
+/// # Errors
+/// As [`Limit::new`](crate::report::Limit::new).
+#[macro_export]
+macro_rules! limits {
+    ($report:expr,
+     $( $(#[doc = $because:literal])+ $limit:literal : $gives:expr => $must_give:expr, within $bound:expr; )+) => {
+        $report.add(vec![ $(
+            $crate::report::limit($limit, $must_give, $gives)
+                .within($bound)
+                .because(concat!($($because),+).trim()),
+        )+ ])
+    };
+}
+
+/// Adds lines to the card of effects: the effect, the dimensionless number that measures it,
+/// as a formula and its value, the error of leaving it out, and of what it is an error.
+/// Evaluates to a `Result`.
+///
+/// ```
+/// use rotation_dynamics::report::Report;
+/// let mut report = Report::new("A pendulum", "a weight on a string")?;
+/// let (drag, angle) = (1e-3, 0.1_f64);
+/// rotation_dynamics::effects! { report,
+///     "air": "rho C S l/M" = drag, costs 4.0 / 3.0 * drag * angle, "of the swing";
+///     "size of the swing": "theta^2" = angle * angle, costs 0.0, "of the period", included;
+/// }?;
+/// assert!(report.text()?.contains("rho C S l/M"));
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::NotFinite`](crate::Error::NotFinite) for a NaN or an infinity.
+#[macro_export]
+macro_rules! effects {
+    ($report:expr,
+     $( $effect:literal : $number:literal = $value:expr, costs $error:expr, $of:literal $(, $included:ident)?; )+) => {
+        $report.add(vec![ $(
+            $crate::report::effect($effect).number($number, $value).costs($error, $of) $( .$included() )?,
+        )+ ])
+    };
+}

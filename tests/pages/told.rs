@@ -1,0 +1,56 @@
+//! What the tests of a page ask of it: is it confirmed, is it refused, what does it say?
+
+use rotation_dynamics::report::{Page, parse};
+
+/// Asserts that the page answers each of these command lines, flags parted by spaces: a claim
+/// is printed only if its oracle agrees, so every number of these runs is confirmed.
+#[track_caller]
+pub fn confirmed<S: AsRef<str>>(page: &dyn Page, runs: impl IntoIterator<Item = S>, count: usize) {
+    let mut ran = 0;
+    for flags in runs {
+        let (flags, told) = (flags.as_ref(), page.answer(flags.as_ref()));
+        assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
+        ran += 1;
+    }
+    assert!(ran == count && ran > 0, "{ran} runs, not {count}");
+}
+
+/// Asserts that the page refuses each of these command lines, prints nothing, and says why in
+/// a message that contains these words.
+#[track_caller]
+pub fn refused<const N: usize>(page: &dyn Page, runs: [(&str, &str); N]) {
+    const { assert!(N > 0, "nothing is refused") };
+    for (flags, words) in runs {
+        let told = page.answer(flags);
+        assert_eq!((told.code, told.stdout.as_str()), (2, ""), "{flags}");
+        assert!(told.stderr.contains(words), "{flags}: {}", told.stderr);
+    }
+}
+
+/// The value of a claim, to its last bit, with the defaults.
+#[track_caller]
+pub fn value(page: &dyn Page, key: &str) -> f64 {
+    let report = page.report().expect("the default output is sound");
+    let claim = report.claim(key);
+    claim.unwrap_or_else(|| panic!("no claim {key}")).value()
+}
+
+/// The number that stands first in a cell of what the page prints: in this section, in the row
+/// that begins so, in this column.
+#[track_caller]
+pub fn cell(page: &dyn Page, flags: &str, [section, row, column]: [&str; 3]) -> f64 {
+    let parsed = parse(&page.answer(flags).stdout).expect("the text follows its grammar");
+    let table = parsed.table(section).expect("the section is printed");
+    let found = table.columns().iter().position(|name| name == column);
+    let column = found.unwrap_or_else(|| panic!("{section} has no column {column}"));
+    let found = table.rows().iter().find(|cells| cells[0] == row);
+    let cells = found.unwrap_or_else(|| panic!("{section} has no row {row}"));
+    let number = cells[column].split(' ').next().expect("a cell is not empty");
+    number.parse().expect("it begins with a number")
+}
+
+/// The number that this run prints under `key`.
+#[track_caller]
+pub fn number(page: &dyn Page, flags: &str, key: &str) -> f64 {
+    cell(page, flags, ["claims", key, "value"])
+}
