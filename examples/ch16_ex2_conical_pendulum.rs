@@ -12,7 +12,7 @@ use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, Solu
 use rotation_dynamics::integrators::{ode, small_frequency};
 use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, cbrt, cos, hypot, sin, sincos};
-use rotation_dynamics::report::{ClosedForm, Report, claim};
+use rotation_dynamics::report::{ClosedForm, Report};
 
 rotation_dynamics::parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
@@ -170,58 +170,56 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // If no angle has that cosine, the wide swing goes through the vertical.
     let other = 2.0 * q - cos(p.release);
     let far = if other < 1.0 { cone(other) } else { -p.release };
-    let even = 2.0 * theta - p.release;
     let (small, time) = (w * driven(q), period(q, p.release)? / w);
-    report.add(vec![
-        claim("theta", "angle from the vertical", theta, "rad")
-            .agrees_with("where it settles", settled(q, p.tolerance)?, bound)
-            .answer("The angle")
-            .slip(FRAC_PI_2 - theta, "measure from the vertical")
-            .slip(cone(1.5 * q), "that is a uniform rod without a bob")
-            .slip(cone(q / (4.0 * PI * PI)), "not turns but radians a second")
-            .slip((2.0 - 2.0 * q).max(0.0).sqrt(), "the angle is not small"),
-        claim("omega_threshold", "rate where it rises", w0, "rad/s")
-            .agrees_with("swings in a slower plane", slower, 1e-9 * w0)
-            .answer("The angle")
-            .slip(g / l, "that is its square"),
-        claim("tension", "reaction: tension of the string", newton, "N")
-            .agrees_with("a turn in space", pull, bound * newton)
-            .answer("The reaction")
-            .slip(m * g, "that is its vertical part only")
-            .slip(unit * s, "that is its horizontal part only")
-            .slip(m * g * c, "along the string the bob is accelerated"),
-        claim("horizontal", "its part towards the axis", unit * s, "N")
-            .agrees_with("a turn in space", pull * out, bound * newton)
-            .answer("The reaction")
-            .slip(newton, "that is the whole of it"),
-        claim("driven", "the plane kept turning", small, "rad/s")
-            .agrees_with("simulated", w * measured_driven(q)?, 1e-9 * small)
-            .answer("Angular frequency of small oscillations")
-            .slip(w * c, "look at the second derivative again")
-            .slip(w0, "that is for a plane at rest"),
-        claim("far", "where it turns back", far, "rad")
-            .agrees_with("located event", wide.state[0], bound)
-            .answer("The wide swing")
-            .slip(even, "the angle of the cone is not the mean of the two"),
-        claim("period", "period", time, "s")
-            .agrees_with("located event", back.t / w, 10.0 * bound * time)
-            .answer("The wide swing")
-            .slip(2.0 * PI / small, "that is for small oscillations"),
-    ])?;
+    rotation_dynamics::claims! { report,
+        /// angle from the vertical
+        theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound,
+        in "The angle":
+            FRAC_PI_2 - theta => "measure from the vertical",
+            cone(1.5 * q) => "that is a uniform rod without a bob",
+            cone(q / (4.0 * PI * PI)) => "not turns but radians a second",
+            (2.0 - 2.0 * q).max(0.0).sqrt() => "the angle is not small";
+        /// rate where it rises
+        omega_threshold: w0, "rad/s", "swings in a slower plane" => slower, within 1e-9 * w0,
+        in "The angle":
+            g / l => "that is its square";
+        /// reaction: tension of the string
+        tension: newton, "N", "a turn in space" => pull, within bound * newton,
+        in "The reaction":
+            m * g => "that is its vertical part only",
+            unit * s => "that is its horizontal part only",
+            m * g * c => "along the string the bob is accelerated";
+        /// its part towards the axis
+        horizontal: unit * s, "N", "a turn in space" => pull * out, within bound * newton,
+        in "The reaction":
+            newton => "that is the whole of it";
+        /// the plane kept turning
+        driven: small, "rad/s", "simulated" => w * measured_driven(q)?, within 1e-9 * small,
+        in "Angular frequency of small oscillations":
+            w * c => "look at the second derivative again",
+            w0 => "that is for a plane at rest";
+        /// where it turns back
+        far: far, "rad", "located event" => wide.state[0], within bound,
+        in "The wide swing":
+            2.0 * theta - p.release => "in the angle, the cone is not halfway between the two";
+        /// period
+        period: time, "s", "located event" => back.t / w, within 10.0 * bound * time,
+        in "The wide swing":
+            2.0 * PI / small => "that is for small oscillations";
+    }?;
     if q > 1.0 {
         return Ok(());
     }
     let (free, touched) = (w * free(q), 0.5 * period(q, 1e-9)? / w);
     let (reached, near) = (turns(1e-9, 1)?.t / w, bound * 10.0 * touched);
-    report.add(vec![
-        claim("free", "the bob left to itself", free, "rad/s")
-            .agrees_with("simulated", w * measured_free(q)?, 1e-9 * free)
-            .answer("Angular frequency of small oscillations")
-            .slip(small, "further in, the bob now turns faster"),
-        claim("touched", "far turning point, from 1e-9 rad", touched, "s")
-            .within(near)
-            .against("located event", reached),
-    ])
+    rotation_dynamics::claims! { report,
+        /// the bob left to itself
+        free: free, "rad/s", "simulated" => w * measured_free(q)?, within 1e-9 * free,
+        in "Angular frequency of small oscillations":
+            small => "further in, the bob now turns faster";
+        /// far turning point, from 1e-9 rad
+        touched: touched, "s", "located event" => reached, within near;
+    }
 }
 
 /// Just above the threshold, far above it, and in a plane at rest.

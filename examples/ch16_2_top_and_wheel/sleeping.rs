@@ -5,8 +5,8 @@ use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{acos, hypot, log, tanh};
+use rotation_dynamics::report::Report;
 use rotation_dynamics::report::heavy_top::Newton;
-use rotation_dynamics::report::{Report, claim};
 
 use core::f64::consts::{LN_10, PI};
 
@@ -64,7 +64,6 @@ fn growth_in_vectors(ratio: f64) -> Result<f64> {
 
 /// Adds the claims about the sleeping top.
 pub fn add(report: &mut Report) -> Result<()> {
-    const GROUP: &str = "The sleeping top";
     let (critical, ratio, above) = (TOP.critical_spin(), 0.9, 1.2);
     let rate = growth_rate(&TOP, ratio);
     let period =
@@ -75,65 +74,29 @@ pub fn add(report: &mut Report) -> Result<()> {
     // The exact separatrix in the notes' numbers: b = 1, E~ = 0, c > a/4.
     let unstable = ReducedTop::new(1.0, 1.0, 0.5)?;
     let falls = HeavyTop::from_energy(unstable, 0.0, Start::ThetaMax, 0.0, 0.0)?;
-    let meaning = "least spin at which the top sleeps";
-    report.add(vec![
-        claim("critical_spin", meaning, critical, "rad/s")
-            .within(1e-5 * critical)
-            .against(
-                "bisection: tilts after a kick or not",
-                critical_by_bisection(&TOP)?,
-            )
-            .slip(
-                critical * (TOP.i1 / TOP.moment()).sqrt(),
-                "I1 must be taken about the tip",
-            )
-            .answer(GROUP),
-        claim(
-            "reach",
-            "tilt reached at 0.9 of the critical spin",
-            reach(ratio),
-            "rad",
-        )
-        .within(1e-6)
-        .against(
-            "closed form, kick of 1e-4 rad/s",
-            kicked(&TOP, ratio, 1e-4)?.theta_max(),
-        )
-        .slip(acos(ratio), "the cosine is that of half the angle")
-        .answer(GROUP),
-        claim(
-            "growth",
-            "growth of a small tilt at 0.9 of the critical spin",
-            rate,
-            "1/s",
-        )
-        .within(1e-4)
-        .against("DOP853 on dL/dt = torque", growth_in_vectors(ratio)?)
-        .answer(GROUP),
-        claim(
-            "delay",
-            "how much later it falls after a kick ten times smaller",
-            later,
-            "s",
-        )
-        .within(1e-6)
-        .against("ln(10)/growth", LN_10 / rate)
-        .answer(GROUP),
-        claim(
-            "wobble",
-            "time from upright to upright at 1.2 of the critical spin",
-            period(above, 1e-5)?,
-            "s",
-        )
-        .within(1e-6)
-        .against("small oscillation about the vertical", PI / frequency),
-        claim(
-            "separatrix_height",
-            "cos(theta) at t' = 2, b = 1, E~ = 0, a = 1, c = 1/2",
-            falls.cos_theta(2.0),
-            "-",
-        )
-        .within(1e-14)
-        .against("tanh^2(t'/2)", tanh(1.0) * tanh(1.0)),
-    ])
+    let time = period(above, 1e-5)?;
+    let bisected = critical_by_bisection(&TOP)?;
+    let kicked = kicked(&TOP, ratio, 1e-4)?.theta_max();
+    rotation_dynamics::claims! { report,
+        /// least spin at which the top sleeps
+        critical_spin:
+            critical, "rad/s", "bisection: tilts after a kick or not" => bisected, within 1e-5 * critical,
+        in "The sleeping top":
+            critical * (TOP.i1 / TOP.moment()).sqrt() => "I1 must be taken about the tip";
+        /// tilt reached at 0.9 of the critical spin
+        reach: reach(ratio), "rad", "closed form, kick of 1e-4 rad/s" => kicked, within 1e-6,
+        in "The sleeping top":
+            acos(ratio) => "the cosine is that of half the angle";
+        /// growth of a small tilt at 0.9 of the critical spin
+        growth: rate, "1/s", "DOP853 on dL/dt = torque" => growth_in_vectors(ratio)?, within 1e-4,
+        in "The sleeping top";
+        /// how much later it falls after a kick ten times smaller
+        delay: later, "s", "ln(10)/growth" => LN_10 / rate, within 1e-6, in "The sleeping top";
+        /// time from upright to upright at 1.2 of the critical spin
+        wobble:
+            time, "s", "small oscillation about the vertical" => PI / frequency, within 1e-6;
+        /// cos(theta) at t' = 2, b = 1, E~ = 0, a = 1, c = 1/2
+        separatrix_height:
+            falls.cos_theta(2.0), "-", "tanh^2(t'/2)" => tanh(1.0) * tanh(1.0), within 1e-14;
+    }
 }

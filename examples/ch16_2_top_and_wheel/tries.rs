@@ -2,8 +2,9 @@
 
 use super::{Body, TOP, WHEEL};
 use rotation_dynamics::Result;
+use rotation_dynamics::exact::heavy_top::HeavyTop;
+use rotation_dynamics::report::Report;
 use rotation_dynamics::report::heavy_top::Nod;
-use rotation_dynamics::report::{Report, claim};
 
 const ROOT: &str = "bisection of E~ - U_eff";
 const SUM: &str = "quadrature over one nod";
@@ -31,46 +32,20 @@ pub fn add(report: &mut Report) -> Result<()> {
         spin: 2.0 * TOP.spin,
         ..TOP
     })?;
-    report.add(vec![
-        claim(
-            "try_below",
-            "top at 139 rad/s, 1e-6 rad from upright: greatest tilt",
-            below.theta_max(),
-            "rad",
-        )
-        .within(1e-9)
-        .against(ROOT, by_root.theta_max),
-        claim(
-            "try_push",
-            "wheel pushed at 0.6754 rad/s: depth of its nods",
-            pushed.theta_max() - pushed.theta_min(),
-            "rad",
-        )
-        .within(5e-8)
-        .against(ROOT, pushed_by_root.theta_max - pushed_by_root.theta_min),
-        claim(
-            "try_lever_dip",
-            "wheel on twice the lever: depth of its nods",
-            long.theta_max() - long.theta_min(),
-            "rad",
-        )
-        .within(1e-11)
-        .against(ROOT, long_nod.theta_max - long_nod.theta_min),
-        claim(
-            "try_lever_rate",
-            "wheel on twice the lever: mean rate of precession",
-            long.precession_per_period() / long.nutation_period(),
-            "rad/s",
-        )
-        .within(1e-10)
-        .against(SUM, long_nod.precession / (long_nod.period * unit)),
-        claim(
-            "try_fast_dip",
-            "top at twice the spin: depth of its nods",
-            fast.theta_max() - fast.theta_min(),
-            "rad",
-        )
-        .within(1e-11)
-        .against(ROOT, fast_nod.theta_max - fast_nod.theta_min),
-    ])
+    let depth = |motion: &HeavyTop| motion.theta_max() - motion.theta_min();
+    let other = |nod: &Nod| nod.theta_max - nod.theta_min;
+    let rate = long.precession_per_period() / long.nutation_period();
+    let by_sum = long_nod.precession / (long_nod.period * unit);
+    rotation_dynamics::claims! { report,
+        /// top at 139 rad/s, 1e-6 rad from upright: greatest tilt
+        try_below: below.theta_max(), "rad", ROOT => by_root.theta_max, within 1e-9;
+        /// wheel pushed at 0.6754 rad/s: depth of its nods
+        try_push: depth(&pushed), "rad", ROOT => other(&pushed_by_root), within 5e-8;
+        /// wheel on twice the lever: depth of its nods
+        try_lever_dip: depth(&long), "rad", ROOT => other(&long_nod), within 1e-11;
+        /// wheel on twice the lever: mean rate of precession
+        try_lever_rate: rate, "rad/s", SUM => by_sum, within 1e-10;
+        /// top at twice the spin: depth of its nods
+        try_fast_dip: depth(&fast), "rad", ROOT => other(&fast_nod), within 1e-11;
+    }
 }

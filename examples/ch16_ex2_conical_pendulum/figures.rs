@@ -143,11 +143,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let pull = bob * (-0.4 * tension(q, &state(turn)?) / q);
         let path = sampled(times((turn - 6.0).max(0.0), turn, 60), place)?;
         let sum = pull + weight;
-        let slant = atan2(sum.z(), hypot(sum.x(), sum.y())).to_degrees();
+        let slant = atan2(sum.z().abs(), hypot(sum.x(), sum.y())).to_degrees();
+        let been = ["", ", where it has just been"][usize::from(t > 0.0)];
         let alt = format!(
-            "The bob {t:.1} s after its release and where it has just been, its weight, the pull \
-             of the string, and their sum, {slant:.0} degrees above the horizontal; below, its \
-             angle against time."
+            "The bob {t:.1} s after its release{been}, its weight, the pull of the string, and \
+             their sum, {slant:.0} degrees off the horizontal; below, its angle against time."
         );
         let scene = View::new("scene", &alt)
             .around(weight * 1.5, 0.9)

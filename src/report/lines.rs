@@ -1,4 +1,45 @@
-//! Limits and effects as a table in the source, one entry a line.
+//! Claims, limits and effects as a table in the source, one entry a line.
+
+/// Adds claims to a report: what it is as a doc comment, then the key, the value, its unit,
+/// the independent route and what it gives, and the bound. What a student would compute goes
+/// `in` a group of the answer box; below it stand wrong answers that people give, each with a
+/// hint. Evaluates to a `Result`.
+///
+/// ```
+/// use rotation_dynamics::report::Report;
+/// let (length, tau) = (2.0_f64, core::f64::consts::TAU);
+/// let mut report = Report::new("A pendulum", "a weight on a string")?;
+/// rotation_dynamics::claims! { report,
+///     /// time of a swing to and fro
+///     period: tau * (length / 9.81).sqrt(), "s", "by hand" => 2.837, within 1e-3, in "The swing":
+///         0.5 * tau * (length / 9.81).sqrt() => "that is the time from side to side",
+///         tau * (9.81 / length).sqrt() => "look at the unit";
+///     /// the same, squared
+///     square: tau * tau * length / 9.81, "s^2", "by hand" => 8.049, within 1e-3;
+/// }?;
+/// assert_eq!(report.claims()[0].slips().len(), 2);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+///
+/// A meaning that is put together at run time needs [`claim`](crate::report::claim).
+///
+/// # Errors
+/// As [`Claim::new`](crate::report::Claim::new) and
+/// [`Report::add_claim`](crate::report::Report::add_claim).
+#[macro_export]
+macro_rules! claims {
+    ($report:expr,
+     $( $(#[doc = $meaning:literal])+
+        $key:ident : $value:expr, $unit:literal, $oracle:expr => $gives:expr, within $bound:expr
+        $(, in $group:literal $(: $( $wrong:expr => $hint:literal ),+ )? )? ; )+) => {
+        $report.add(vec![ $(
+            $crate::report::claim(stringify!($key), concat!($($meaning),+).trim(), $value, $unit)
+                .within($bound)
+                .against($oracle, $gives)
+                $( .answer($group) $( $( .slip($wrong, $hint) )+ )? )?,
+        )+ ])
+    };
+}
 
 /// Adds limits to a report: why it must come out as a doc comment, then the limit, what the
 /// result gives there, what it must give, and within which bound. Evaluates to a `Result`.

@@ -6,8 +6,8 @@
 //! example prints it, all but what the answer box needs. This module does no physics,
 //! and but for [`cli`] (feature `cli`) it reads and writes nothing.
 //!
-//! What an example is made of: its [`parameters!`](crate::parameters); a [`Report`] with a
-//! [`claim`] a line, its [`limits!`](crate::limits) and its card of
+//! What an example is made of: its [`parameters!`](crate::parameters); a [`Report`] with
+//! its [`claims!`](crate::claims), its [`limits!`](crate::limits) and its card of
 //! [`effects!`](crate::effects); figures by [`draw`], a [`MovingPicture`], and [`times`] and
 //! [`sampled`] to sample a motion; at the end [`example!`](crate::example), which makes an
 //! [`Example`] of them. What the pages on the heavy top share is in [`heavy_top`].
