@@ -39,7 +39,7 @@ pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use method::{About, Method};
 pub use munthe_kaas::MuntheKaas4;
-pub use ode::{ByClosure, Ode, ode};
+pub use ode::{ByClosure, Ode, Scale, ode};
 pub use projected::{Kept, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;

@@ -27,6 +27,9 @@ impl<const N: usize, O: Ode<N> + ?Sized> Ode<N> for &O {
     }
 }
 
+/// The sizes of the components of a state; see [`Ode::scale`].
+pub type Scale<const N: usize> = fn(&[f64; N]) -> [f64; N];
+
 /// The system y' = f(t, y) by a closure; see [`ode`].
 #[derive(Debug, Clone, Copy)]
 pub struct ByClosure<F, S> {
@@ -45,7 +48,7 @@ pub struct ByClosure<F, S> {
 /// ```
 pub fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(
     derivative: F,
-) -> ByClosure<F, fn(&[f64; N]) -> [f64; N]> {
+) -> ByClosure<F, Scale<N>> {
     let scale = |y: &[f64; N]| y.map(|c| c.abs().max(1.0));
     ByClosure { derivative, scale }
 }
