@@ -21,7 +21,7 @@ use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
-use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties};
 use rotation_dynamics::math::sin;
 use rotation_dynamics::report::heavy_top::{self, Motion};
@@ -108,9 +108,10 @@ impl Body {
     /// I1' as a claim, against the tensor of the displaced body.
     fn moment_claim(&self, name: &str) -> Result<ClaimEntry> {
         let tensor = InertiaTensor::diagonal([self.i1, self.i1, self.i3])?;
-        let centre = BodyVector::new(0.0, 0.0, self.length);
-        let about_tip = MassProperties::new(self.mass, centre, tensor)?.about(BodyVector::zero())?;
-        let across = about_tip.moment_about(BodyVector::new(1.0, 0.0, 0.0))?;
+        let centre = DesignVector::new(0.0, 0.0, self.length);
+        let about_tip =
+            MassProperties::new(self.mass, centre, tensor)?.about(DesignVector::zero())?;
+        let across = about_tip.moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
         let meaning = format!("{name}: I1', across the axis about the fixed point");
         let claim = claim(format!("{name}_moment"), meaning, self.moment(), "kg m^2");
         Ok(claim

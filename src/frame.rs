@@ -3,7 +3,11 @@
 //! A vector knows the axes its components refer to: [`SpaceVector`] the fixed
 //! axes X, Y, Z of the laboratory, [`BodyVector`] axes that turn with the body.
 //! Adding one to the other does not compile; [`crate::attitude::Attitude`] is
-//! the only way across.
+//! the only way across. A [`DesignVector`] has a third set of axes, those in
+//! which a body is described before its principal axes are known;
+//! [`crate::body::DesignedBody`] leads from them to the others.
+
+mod conversions;
 
 use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -19,16 +23,36 @@ pub trait Frame: sealed::Sealed + Copy + Clone + core::fmt::Debug + PartialEq + 
 /// The fixed axes X, Y, Z of the laboratory; Z points up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Space;
-/// Axes fixed in the body, usually its principal axes.
+/// Axes fixed in the body: its principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body;
+/// Axes fixed in the body, with some origin: those of its drawing, on which its
+/// parts are given. Of a solid or a tensor that is diagonal they are principal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Design;
 
 impl sealed::Sealed for Space {}
 impl sealed::Sealed for Body {}
+impl sealed::Sealed for Design {}
 impl Frame for Space {}
 impl Frame for Body {}
+impl Frame for Design {}
 
 /// A vector with components on the axes of frame `F`.
+///
+/// It converts from and to arrays and nalgebra's columns, is indexed, summed and
+/// printed; the unit is for the reader of the print to know, and so for its writer
+/// to say.
+///
+/// ```
+/// use rotation_dynamics::frame::SpaceVector;
+/// let steps: [SpaceVector; 2] = [[1.0, 0.0, 0.5].into(), [0.25, 2.0, 0.0].into()];
+/// let walk: SpaceVector = steps.iter().sum();
+/// assert_eq!(walk[0], 1.25);
+/// assert_eq!(format!("{walk:.2} m"), "(1.25, 2.00, 0.50) m");
+/// assert_eq!(<[f64; 3]>::from(walk), [1.25, 2.0, 0.5]);
+/// assert_eq!(nalgebra::Vector3::from(walk).y, walk.y());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vector<F: Frame> {
     components: Vector3<f64>,
@@ -37,8 +61,10 @@ pub struct Vector<F: Frame> {
 
 /// A vector given by its components on the fixed axes X, Y, Z.
 pub type SpaceVector = Vector<Space>;
-/// A vector given by its components on axes fixed in the body.
+/// A vector given by its components on the body's principal axes.
 pub type BodyVector = Vector<Body>;
+/// A vector given by its components on the axes of the body's drawing.
+pub type DesignVector = Vector<Design>;
 
 impl<F: Frame> Vector<F> {
     /// The vector with these components.

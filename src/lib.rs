@@ -7,10 +7,11 @@
 //! | [`math`] | the only door to elementary functions (`libm`), and double-double arithmetic |
 //! | [`interval`] | which values a parameter may take |
 //! | [`error`] | one error type; every variant carries the offending numbers |
-//! | [`frame`] | space-fixed and body-fixed vectors as types |
-//! | [`attitude`] | unit quaternion, Euler angles z-x'-z'', rotation vector |
-//! | [`inertia`] | principal moments, parallel axes |
-//! | [`body`] | a rigid body and its state |
+//! | [`frame`] | vectors on space-fixed, body-fixed and design axes as types |
+//! | [`attitude`] | unit quaternion, Euler angles z-x'-z'' and the other conventions, rotation vector |
+//! | [`inertia`] | tensor, principal moments and axes, parallel axes, solids |
+//! | [`body`] | a rigid body and its state, on principal axes or on those of its drawing |
+//! | `documents` | values to and from documents (feature `serde`) |
 //! | [`effects`] | what acts on a body, one file per effect |
 //! | [`scene`] | body, effects and initial state together |
 //! | [`exact`] | elliptic functions and closed-form solutions |
@@ -22,6 +23,8 @@
 pub mod accuracy;
 pub mod attitude;
 pub mod body;
+#[cfg(feature = "serde")]
+pub mod documents;
 pub mod effects;
 pub mod error;
 pub mod exact;

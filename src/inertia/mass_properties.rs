@@ -2,19 +2,19 @@
 
 use super::InertiaTensor;
 use crate::error::{Result, finite, positive};
-use crate::frame::BodyVector;
+use crate::frame::DesignVector;
 use crate::math::DoubleDouble;
 
 /// Mass, centre of mass, and the tensor of inertia about the centre of mass,
-/// on body-fixed axes with some origin O.
+/// on the axes of the drawing, with some origin O.
 ///
 /// ```
-/// use rotation_dynamics::frame::BodyVector;
+/// use rotation_dynamics::frame::DesignVector;
 /// use rotation_dynamics::inertia::{MassProperties, solids};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// // A rod along e3, about its centre and about its end.
 /// let rod = solids::rod(3.0, 2.0)?;
-/// let end = BodyVector::new(0.0, 0.0, -1.0);
+/// let end = DesignVector::new(0.0, 0.0, -1.0);
 /// assert_eq!(rod.about_centre_of_mass().matrix()[0][0], 1.0);
 /// assert_eq!(rod.about(end)?.matrix()[0][0], 4.0);
 /// # Ok(())
@@ -25,7 +25,7 @@ use crate::math::DoubleDouble;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MassProperties {
     mass: f64,
-    centre_of_mass: BodyVector,
+    centre_of_mass: DesignVector,
     tensor: InertiaTensor,
 }
 
@@ -33,7 +33,7 @@ impl MassProperties {
     /// From mass (kg), centre of mass (m) and the tensor about it (kg m^2).
     ///
     /// Errors: a mass that is not positive and finite, a centre that is not finite.
-    pub fn new(mass: f64, centre_of_mass: BodyVector, tensor: InertiaTensor) -> Result<Self> {
+    pub fn new(mass: f64, centre_of_mass: DesignVector, tensor: InertiaTensor) -> Result<Self> {
         positive("mass", mass)?;
         point("centre of mass", centre_of_mass)?;
         Ok(Self {
@@ -50,9 +50,9 @@ impl MassProperties {
     /// Errors: as [`MassProperties::new`]; and if no body has this tensor about
     /// that point (what is left about the centre of mass would not be a body's).
     pub fn from_tensor_about(
-        reference: BodyVector,
+        reference: DesignVector,
         mass: f64,
-        centre_of_mass: BodyVector,
+        centre_of_mass: DesignVector,
         tensor: InertiaTensor,
     ) -> Result<Self> {
         positive("mass", mass)?;
@@ -74,7 +74,7 @@ impl MassProperties {
     /// before they are squared, so a distant origin costs nothing but the
     /// rounding of the positions themselves.
     /// Source: notes 15.3.
-    pub fn of_points(points: &[(f64, BodyVector)]) -> Result<Self> {
+    pub fn of_points(points: &[(f64, DesignVector)]) -> Result<Self> {
         let mut mass = DoubleDouble::ZERO;
         let mut moment = [DoubleDouble::ZERO; 3];
         for (m, r) in points {
@@ -91,9 +91,9 @@ impl MassProperties {
         for (m, r) in points {
             let r = r.to_array();
             let d = [0, 1, 2].map(|i| (DoubleDouble::from(r[i]) - centre[i]).to_f64());
-            tensor = tensor.plus(&point_mass_tensor(*m, BodyVector::from_array(d)));
+            tensor = tensor.plus(&point_mass_tensor(*m, DesignVector::from_array(d)));
         }
-        let centre = BodyVector::from_array(centre.map(DoubleDouble::to_f64));
+        let centre = DesignVector::from_array(centre.map(DoubleDouble::to_f64));
         point("centre of mass", centre)?;
         Self::new(mass.to_f64(), centre, InertiaTensor::new(tensor.matrix())?)
     }
@@ -115,7 +115,7 @@ impl MassProperties {
     /// The same body with its centre of mass moved by this much.
     ///
     /// Errors: a displacement that is not finite.
-    pub fn displaced(&self, by: BodyVector) -> Result<Self> {
+    pub fn displaced(&self, by: DesignVector) -> Result<Self> {
         Self::new(self.mass, self.centre_of_mass + by, self.tensor)
     }
 
@@ -125,7 +125,7 @@ impl MassProperties {
     }
 
     /// Centre of mass (m).
-    pub const fn centre_of_mass(&self) -> BodyVector {
+    pub const fn centre_of_mass(&self) -> DesignVector {
         self.centre_of_mass
     }
 
@@ -143,14 +143,14 @@ impl MassProperties {
     ///
     /// Errors: a point that is not finite; moments beyond the range of `f64`.
     /// Source: notes 15.3.
-    pub fn about(&self, reference: BodyVector) -> Result<InertiaTensor> {
+    pub fn about(&self, reference: DesignVector) -> Result<InertiaTensor> {
         point("reference point", reference)?;
         let step = point_mass_tensor(self.mass, self.centre_of_mass - reference);
         InertiaTensor::new(self.tensor.plus(&step).matrix())
     }
 }
 
-fn point(name: &'static str, r: BodyVector) -> Result<()> {
+fn point(name: &'static str, r: DesignVector) -> Result<()> {
     for value in r.to_array() {
         finite(name, value)?;
     }
@@ -162,7 +162,7 @@ fn zero_tensor() -> InertiaTensor {
 }
 
 /// m (d^2 1 - d d^T)
-fn point_mass_tensor(m: f64, d: BodyVector) -> InertiaTensor {
+fn point_mass_tensor(m: f64, d: DesignVector) -> InertiaTensor {
     let [x, y, z] = d.to_array();
     let (xy, xz, yz) = (-m * x * y, -m * x * z, -m * y * z);
     InertiaTensor::from_elements([

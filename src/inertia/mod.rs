@@ -6,6 +6,9 @@
 //! [`solids`], point masses, and the parallel-axis theorem, which holds only
 //! from the centre of mass and therefore lives there.
 //!
+//! Vectors and tensors here are on the axes of the drawing ([`crate::frame::Design`]);
+//! [`crate::body::DesignedBody`] leads to the principal axes and back.
+//!
 //! Units: kg, m, kg m^2. Not for: bodies that deform.
 
 mod mass_properties;

@@ -3,7 +3,7 @@
 use super::PrincipalMoments;
 use crate::attitude::Attitude;
 use crate::error::Result;
-use crate::frame::BodyVector;
+use crate::frame::DesignVector;
 use crate::math::{self, EPS};
 
 /// The principal moments of a tensor of inertia, ascending, and its principal
@@ -62,9 +62,9 @@ impl PrincipalAxes {
 
     /// The principal axes as unit vectors on the axes of the tensor, in the
     /// order of the moments; right-handed.
-    pub fn axes(&self) -> [BodyVector; 3] {
+    pub fn axes(&self) -> [DesignVector; 3] {
         let v = self.axes;
-        [0, 1, 2].map(|i| BodyVector::new(v[0][i], v[1][i], v[2][i]))
+        [0, 1, 2].map(|i| DesignVector::new(v[0][i], v[1][i], v[2][i]))
     }
 
     /// The rotation that carries components on the principal axes to components

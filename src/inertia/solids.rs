@@ -7,13 +7,13 @@
 
 use super::{InertiaTensor, MassProperties};
 use crate::error::{Error, Result, positive};
-use crate::frame::BodyVector;
+use crate::frame::DesignVector;
 
 /// A solid of this mass with moments `mass * factor` about its centre.
 fn solid(mass: f64, factors: [f64; 3]) -> Result<MassProperties> {
     positive("mass", mass)?;
     let tensor = InertiaTensor::diagonal(factors.map(|f| mass * f))?;
-    MassProperties::new(mass, BodyVector::zero(), tensor)
+    MassProperties::new(mass, DesignVector::zero(), tensor)
 }
 
 /// A thin rod along e3: (1, 1, 0) m l^2/12.

@@ -2,10 +2,10 @@
 
 use super::{PrincipalAxes, is_triangle};
 use crate::error::{Error, Result, finite};
-use crate::frame::BodyVector;
+use crate::frame::DesignVector;
 use crate::math::EPS;
 
-/// The tensor of inertia of a body about a point, on the body's axes (kg m^2).
+/// The tensor of inertia of a body about a point, on the axes of the drawing (kg m^2).
 ///
 /// I_ij = sum m (r^2 delta_ij - r_i r_j): the products of inertia carry the
 /// minus sign, L = I omega. The tensor is symmetric, its principal moments are
@@ -67,7 +67,7 @@ impl InertiaTensor {
         Ok(tensor)
     }
 
-    /// The tensor of a body whose principal axes are the body's axes.
+    /// The tensor of a body whose principal axes are those of the drawing.
     ///
     /// Errors: as [`InertiaTensor::new`].
     pub fn diagonal(moments: [f64; 3]) -> Result<Self> {
@@ -102,9 +102,9 @@ impl InertiaTensor {
     ///
     /// Source: notes 15.4.
     #[inline]
-    pub fn angular_momentum(&self, angular_velocity: BodyVector) -> BodyVector {
+    pub fn angular_momentum(&self, angular_velocity: DesignVector) -> DesignVector {
         let w = angular_velocity.to_array();
-        BodyVector::from_array(
+        DesignVector::from_array(
             self.matrix
                 .map(|row| row[0] * w[0] + row[1] * w[1] + row[2] * w[2]),
         )
@@ -114,7 +114,7 @@ impl InertiaTensor {
     ///
     /// Source: notes 15.3.
     #[inline]
-    pub fn kinetic_energy(&self, angular_velocity: BodyVector) -> f64 {
+    pub fn kinetic_energy(&self, angular_velocity: DesignVector) -> f64 {
         0.5 * angular_velocity.dot(&self.angular_momentum(angular_velocity))
     }
 
@@ -122,7 +122,7 @@ impl InertiaTensor {
     /// direction: n . I n / n . n (kg m^2).
     ///
     /// Errors: a direction of length zero, or not finite.
-    pub fn moment_about(&self, direction: BodyVector) -> Result<f64> {
+    pub fn moment_about(&self, direction: DesignVector) -> Result<f64> {
         let length = finite("length of the direction", direction.norm())?;
         if length == 0.0 {
             return Err(Error::OutOfRange {

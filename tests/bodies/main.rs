@@ -4,5 +4,6 @@
 //! Errors are in eps = 2^-53 unless a test says otherwise.
 
 mod attitude;
+mod frames;
 mod inertia;
 mod refusals;

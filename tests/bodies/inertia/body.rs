@@ -3,7 +3,7 @@
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::error::Error;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{InertiaTensor, PrincipalMoments};
 use rotation_dynamics::math::EPS;
 use support::Errors;
@@ -23,9 +23,11 @@ fn a_body_turns_momentum_into_velocity() {
             let back = body.angular_velocity(&state);
             velocity.add((back - omega).norm(), 0.0, omega.norm());
             let tensor = InertiaTensor::diagonal(moments.to_array()).expect("a body");
-            let want = tensor.kinetic_energy(omega);
+            let drawn = DesignVector::from_array(omega.to_array());
+            let want = tensor.kinetic_energy(drawn);
             energy.push(body.kinetic_energy(&state) / want - 1.0);
-            let momentum = body.angular_momentum(&state) - tensor.angular_momentum(omega);
+            let momentum = tensor.angular_momentum(drawn).to_array();
+            let momentum = body.angular_momentum(&state) - BodyVector::from_array(momentum);
             velocity.add(momentum.norm(), 0.0, state.angular_momentum.norm());
         }
     }

@@ -9,7 +9,7 @@ mod principal_axes;
 mod solids;
 
 use rotation_dynamics::error::Error;
-use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{
     InertiaTensor, MassProperties, PrincipalMoments, solids as solid,
 };
@@ -119,7 +119,7 @@ fn impossible_bodies_are_refused_with_the_numbers() {
         rod.principal_axes().principal_moments().is_err(),
         "a thin rod does not spin"
     );
-    assert!(rod.moment_about(BodyVector::zero()).is_err());
+    assert!(rod.moment_about(DesignVector::zero()).is_err());
     assert!(MassProperties::of_points(&[]).is_err());
-    assert!(MassProperties::of_points(&[(1.0, BodyVector::new(f64::NAN, 0.0, 0.0))]).is_err());
+    assert!(MassProperties::of_points(&[(1.0, DesignVector::new(f64::NAN, 0.0, 0.0))]).is_err());
 }

@@ -2,7 +2,7 @@
 
 use super::{case, error, expected};
 use rotation_dynamics::error::Error;
-use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids};
 use serde_json::Value;
 use support::assert_error;
@@ -16,7 +16,7 @@ fn the_plate_about_its_corner() {
     );
     let plate = solids::plate(mass, a, a).expect("a plate");
     let corner = plate
-        .about(BodyVector::new(-0.5 * a, -0.5 * a, 0.0))
+        .about(DesignVector::new(-0.5 * a, -0.5 * a, 0.0))
         .expect("finite");
     let m = corner.matrix();
     let scale = expected(&case, "Izz")[0];
@@ -27,13 +27,13 @@ fn the_plate_about_its_corner() {
     assert_error!(error(&moments, &expected(&case, "principal"), scale), 0.0);
 }
 
-fn reference_points(case: &Value) -> Vec<(f64, BodyVector)> {
+fn reference_points(case: &Value) -> Vec<(f64, DesignVector)> {
     let points = case["inputs"]["points"].as_array().expect("points");
     let number = |v: &Value| v.as_f64().expect("a number");
     let point = |p: &Value| {
         (
             number(&p[0]),
-            BodyVector::new(number(&p[1]), number(&p[2]), number(&p[3])),
+            DesignVector::new(number(&p[1]), number(&p[2]), number(&p[3])),
         )
     };
     points.iter().map(point).collect()
@@ -62,7 +62,7 @@ fn point_masses_of_the_reference_file() {
             }
         }
     }
-    let by_theorem = body.about(BodyVector::zero()).expect("finite").matrix();
+    let by_theorem = body.about(DesignVector::zero()).expect("finite").matrix();
     let (sum, theorem) = (about_origin.as_flattened(), by_theorem.as_flattened());
     assert_error!(error(sum, theorem, scale), 0.34 eps);
 }
@@ -72,8 +72,8 @@ fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     let case = case("inertia_points");
     let body = MassProperties::of_points(&reference_points(&case)).expect("a body");
     let (p, q) = (
-        BodyVector::new(0.3, -1.0, 0.2),
-        BodyVector::new(-2.0, 0.4, 0.9),
+        DesignVector::new(0.3, -1.0, 0.2),
+        DesignVector::new(-2.0, 0.4, 0.9),
     );
     let about_p = body.about(p).expect("finite");
     // From p back to the centre of mass, and on to q: the same as from the centre directly.
@@ -84,7 +84,7 @@ fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     assert_error!(error(stepwise, at_once, direct[1][1]), 0.2 eps);
     // Damaged (a slip of the notes' wording): M a^2 added to the moment about an
     // axis that misses the centre of mass.
-    let axis = BodyVector::new(0.0, 0.0, 1.0);
+    let axis = DesignVector::new(0.0, 0.0, 1.0);
     let step = q - p;
     let square = step.x() * step.x() + step.y() * step.y();
     let wrong = about_p.moment_about(axis).expect("an axis") + body.mass() * square;
@@ -96,8 +96,8 @@ fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     assert!((wrong - right).abs() > 0.1 * right);
     // What no body can be: a small tensor about a point far from the centre.
     let small = InertiaTensor::diagonal([1.0, 1.0, 1.0]).expect("a body");
-    let far = BodyVector::new(10.0, 0.0, 0.0);
-    let refused = MassProperties::from_tensor_about(far, 1.0, BodyVector::zero(), small);
+    let far = DesignVector::new(10.0, 0.0, 0.0);
+    let refused = MassProperties::from_tensor_about(far, 1.0, DesignVector::zero(), small);
     assert!(matches!(refused, Err(Error::OutOfRange { .. })));
 }
 
@@ -107,10 +107,10 @@ fn parts_make_a_whole() {
     let whole = solids::rod(2.0, 3.0).expect("a rod");
     let half = solids::rod(1.0, 1.5).expect("a rod");
     let up = half
-        .displaced(BodyVector::new(0.0, 0.0, 0.75))
+        .displaced(DesignVector::new(0.0, 0.0, 0.75))
         .expect("finite");
     let down = half
-        .displaced(BodyVector::new(0.0, 0.0, -0.75))
+        .displaced(DesignVector::new(0.0, 0.0, -0.75))
         .expect("finite");
     let joined = MassProperties::of_parts(&[up, down]).expect("a body");
     assert_eq!(joined, whole);

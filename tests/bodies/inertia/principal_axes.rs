@@ -1,7 +1,7 @@
 //! Principal moments and axes.
 
 use super::error;
-use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::inertia::{InertiaTensor, solids};
 use rotation_dynamics::math::EPS;
 use support::{Errors, assert_error};
@@ -80,12 +80,12 @@ fn a_diagonal_tensor_keeps_its_axes() {
     // The notes' square about its corner: the diagonal and the two across it.
     let plate = solids::plate(12.0, 1.0, 1.0).expect("a plate");
     let corner = plate
-        .about(BodyVector::new(-0.5, -0.5, 0.0))
+        .about(DesignVector::new(-0.5, -0.5, 0.0))
         .expect("finite");
     let axes = corner.principal_axes().axes();
     let half = 0.5_f64.sqrt();
-    let along = axes[0].dot(&BodyVector::new(half, half, 0.0)).abs();
-    let across = axes[1].dot(&BodyVector::new(-half, half, 0.0)).abs();
+    let along = axes[0].dot(&DesignVector::new(half, half, 0.0)).abs();
+    let across = axes[1].dot(&DesignVector::new(-half, half, 0.0)).abs();
     assert_error!(along, 1.0, 0.0 eps);
     assert_error!(across, 1.0, 0.0 eps);
 }
