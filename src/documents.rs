@@ -10,7 +10,7 @@
 //! {"attitude": {"w": 1, "x": 0, "y": 0, "z": 0}, "angular_momentum": [0, 0, 0.25]}
 //! ```
 
-use crate::attitude::{Attitude, EulerAngles};
+use crate::attitude::{Attitude, EulerAngles, YawPitchRoll};
 use crate::body::{RigidBody, State};
 use crate::frame::{DesignVector, Frame, SpaceVector, Vector};
 use crate::inertia::{InertiaTensor, MassProperties, PrincipalMoments};
@@ -114,3 +114,8 @@ record!(RigidBody { moments: PrincipalMoments }
     from |b| (b.moments(),), by |moments| crate::Result::Ok(RigidBody::new(moments)));
 record!(State { attitude: Attitude, angular_momentum: SpaceVector }
     from |s| (s.attitude, s.angular_momentum), by State::new);
+record!(YawPitchRoll { yaw: f64, pitch: f64, roll: f64 }
+from |a| (a.yaw, a.pitch, a.roll), by |yaw, pitch, roll| {
+    let angles = YawPitchRoll { yaw, pitch, roll };
+    Attitude::from_yaw_pitch_roll(angles).map(|_| angles)
+});

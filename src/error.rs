@@ -66,6 +66,12 @@ pub enum Error {
     NotRotation { deviation: f64, determinant: f64 },
     /// The rates of the Euler angles are asked for with the body axis vertical.
     AtPole { theta: f64 },
+    /// The rates of three angles are asked for where two of the turns are about one line.
+    GimbalLock {
+        sequence: &'static str,
+        angle: f64,
+        locked: &'static str,
+    },
     /// One moment of inertia exceeds the sum of the other two.
     TriangleInequality { moments: [f64; 3] },
     /// A tensor that must be symmetric is not: its largest |I_ij - I_ji|.
@@ -234,6 +240,16 @@ impl fmt::Display for Error {
                 "theta = {}: the body axis is vertical, so precession and spin are about the \
                  same line and their rates are not defined; theta must not be a multiple of pi",
                 plain(*theta)
+            ),
+            Self::GimbalLock {
+                sequence,
+                angle,
+                locked,
+            } => write!(
+                f,
+                "second angle = {} of {sequence}: the first and the third turn are about the \
+                 same line and their rates are not defined; it must not be {locked}",
+                plain(*angle)
             ),
             Self::TriangleInequality { moments } => write!(
                 f,

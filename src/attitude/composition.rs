@@ -11,6 +11,15 @@ impl Attitude {
         *next * *self
     }
 
+    /// From components that are unit to a few eps, after one Newton step: 1 - |q|^2 is a
+    /// few eps, so one is exact.
+    #[inline]
+    pub(super) fn brought_to_unit(quaternion: [f64; 4]) -> Self {
+        let [p, q, r, s] = quaternion;
+        let correction = 0.5 * (1.0 - ((p * p + q * q) + (r * r + s * s)));
+        Self::from_unit(quaternion.map(|c| c + correction * c))
+    }
+
     /// The inverse rotation, space -> body.
     #[inline]
     pub const fn inverse(&self) -> Self {
@@ -59,10 +68,7 @@ impl Mul for Attitude {
             (w * c + y * a) + (z * b - x * d),
             (w * d + z * a) + (x * c - y * b),
         ];
-        let [p, q, r, s] = product;
-        // A Newton step to unit norm; without it the norm walks away with the
-        // number of compositions. 1 - |q|^2 is a few eps, so one step is exact.
-        let correction = 0.5 * (1.0 - ((p * p + q * q) + (r * r + s * s)));
-        Self::from_unit(product.map(|c| c + correction * c))
+        // Without it the norm walks away with the number of compositions.
+        Self::brought_to_unit(product)
     }
 }

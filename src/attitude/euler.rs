@@ -49,16 +49,7 @@ impl Attitude {
         let phi = finite("phi", angles.phi)?;
         let theta = finite("theta", angles.theta)?;
         let zeta = finite("zeta", angles.zeta)?;
-        let (sin_theta, cos_theta) = math::sincos(theta / 2.0);
-        // Halves first: the sum of two huge angles must not overflow.
-        let (sin_sum, cos_sum) = sin_cos_of_sum(phi / 2.0, zeta / 2.0);
-        let (sin_difference, cos_difference) = sin_cos_of_sum(phi / 2.0, -zeta / 2.0);
-        Ok(Self::from_unit([
-            cos_theta * cos_sum,
-            sin_theta * cos_difference,
-            sin_theta * sin_difference,
-            cos_theta * sin_sum,
-        ]))
+        Ok(Self::from_unit(zxz_quaternion([phi, theta, zeta])))
     }
 
     /// The Euler angles: theta in [0, pi], phi and zeta in [-pi, pi].
@@ -104,34 +95,8 @@ impl Attitude {
     ///
     /// Source: notes 15.1; the products of Cayley and Klein's parameters.
     pub fn euler_angles(&self) -> EulerAngles {
-        let [w, x, y, z] = self.quaternion();
-        let (sin_half, cos_half) = (norm([x, y]), norm([w, z]));
-        let theta = sin_half.atan2(cos_half).scaled(2.0).to_f64();
-        if sin_half == 0.0 {
-            return EulerAngles {
-                phi: twice_argument(w, z),
-                theta,
-                zeta: 0.0,
-            };
-        }
-        if cos_half == 0.0 {
-            return EulerAngles {
-                phi: twice_argument(x, y),
-                theta,
-                zeta: 0.0,
-            };
-        }
-        // One atan2 of a product, not a sum of two, and that to 100 bits: each
-        // angle is then rounded once.
-        let scale = scale_for_squares(x.abs().max(y.abs()));
-        let (x, y) = (x * scale, y * scale);
-        let scale = scale_for_squares(w.abs().max(z.abs()));
-        let (w, z) = (w * scale, z * scale);
-        EulerAngles {
-            phi: argument([w, z], [x, y]),
-            theta,
-            zeta: argument([w, z], [x, -y]),
-        }
+        let [phi, theta, zeta] = zxz_angles(self.quaternion());
+        EulerAngles { phi, theta, zeta }
     }
 }
 
@@ -208,6 +173,39 @@ impl EulerAngles {
     }
 }
 
+/// The quaternion of three finite angles.
+pub(super) fn zxz_quaternion([phi, theta, zeta]: [f64; 3]) -> [f64; 4] {
+    let (sin_theta, cos_theta) = math::sincos(theta / 2.0);
+    // Halves first: the sum of two huge angles must not overflow.
+    let (sin_sum, cos_sum) = sin_cos_of_sum(phi / 2.0, zeta / 2.0);
+    let (sin_difference, cos_difference) = sin_cos_of_sum(phi / 2.0, -zeta / 2.0);
+    [
+        cos_theta * cos_sum,
+        sin_theta * cos_difference,
+        sin_theta * sin_difference,
+        cos_theta * sin_sum,
+    ]
+}
+
+/// The angles (phi, theta, zeta) of a quaternion.
+pub(super) fn zxz_angles([w, x, y, z]: [f64; 4]) -> [f64; 3] {
+    let (sin_half, cos_half) = (norm([x, y]), norm([w, z]));
+    let theta = sin_half.atan2(cos_half).scaled(2.0).to_f64();
+    if sin_half == 0.0 {
+        return [twice_argument(w, z), theta, 0.0];
+    }
+    if cos_half == 0.0 {
+        return [twice_argument(x, y), theta, 0.0];
+    }
+    // One atan2 of a product, not a sum of two, and that to 100 bits: each
+    // angle is then rounded once.
+    let scale = scale_for_squares(x.abs().max(y.abs()));
+    let (x, y) = (x * scale, y * scale);
+    let scale = scale_for_squares(w.abs().max(z.abs()));
+    let (w, z) = (w * scale, z * scale);
+    [argument([w, z], [x, y]), theta, argument([w, z], [x, -y])]
+}
+
 /// sin and cos of a + b, where a + b is not rounded first.
 fn sin_cos_of_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = DoubleDouble::sum(a, b);
@@ -220,7 +218,7 @@ fn sin_cos_of_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// Twice the argument of `re + i im`, in [-pi, pi]; the sign of both is free.
-fn twice_argument(re: f64, im: f64) -> f64 {
+pub(super) fn twice_argument(re: f64, im: f64) -> f64 {
     // Choosing the sign first spares a reduction by 2 pi, which would round.
     let flip = re < 0.0 || (re == 0.0 && im < 0.0);
     let im = if flip { -im } else { im };

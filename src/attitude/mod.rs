@@ -5,6 +5,8 @@
 //! has no singular place; Euler angles ([`EulerAngles`]), rotation vector and
 //! matrix are coordinates of it, for input, output and formulas. Conventions
 //! are those of the notes (15.1): R = Rz(phi) Rx(theta) Rz(zeta), body -> space.
+//! [`YawPitchRoll`] and [`Sequence`] are the conventions of others, and
+//! [`Attitude::from_xyzw`] the quaternions of others.
 //!
 //! Not for: interpolation, and angles counted over several turns (the closed
 //! forms in [`crate::exact`] give those).
@@ -12,9 +14,15 @@
 mod composition;
 mod euler;
 mod matrix;
+mod quaternion;
 mod rotation_vector;
+mod sequence;
+mod sequence_rates;
+mod yaw_pitch_roll;
 
 pub use euler::{EulerAngles, EulerRates};
+pub use sequence::Sequence;
+pub use yaw_pitch_roll::{YawPitchRoll, YawPitchRollRates};
 
 use crate::error::{Error, Result, finite};
 use crate::frame::{BodyVector, SpaceVector};

@@ -5,8 +5,11 @@
 //! eps = 2^-53.
 
 mod properties;
+mod quaternions;
 mod rates;
 mod references;
+mod sequence_rates;
+mod sequences;
 
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::error::Error;
