@@ -3,10 +3,15 @@
 //! The body axes are principal axes through the centre of mass or through a
 //! fixed point; the moments refer to the same point. The state is attitude and
 //! angular momentum, not angular velocity: without torque the momentum is
-//! constant in space, so it is the variable that costs no accuracy.
+//! constant in space, so it is the variable that costs no accuracy. A body whose axes are
+//! not its principal ones is a [`DesignedBody`].
 //!
 //! Not for: what acts on the body ([`crate::effects`]) or how it moves
 //! ([`crate::exact`], [`crate::integrators`]).
+
+mod designed;
+
+pub use designed::DesignedBody;
 
 use crate::attitude::Attitude;
 use crate::error::{Result, finite};

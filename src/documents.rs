@@ -1,7 +1,7 @@
 //! How values are written to documents and read from them (feature `serde`).
 //!
-//! A vector is the list of its components, a tensor the list of its rows, all else a
-//! record of named fields in SI units and radians. The frame of a vector is not
+//! A vector is the list of its components, a tensor (and a body on the axes of its
+//! drawing) the list of its rows, all else a record of named fields in SI units and radians. The frame of a vector is not
 //! written: what it stands for says it. What is read goes through the constructors, so
 //! an invalid document is an error that names its numbers; so are a field that is
 //! unknown and one that comes twice.
@@ -11,7 +11,7 @@
 //! ```
 
 use crate::attitude::{Attitude, EulerAngles, YawPitchRoll};
-use crate::body::{RigidBody, State};
+use crate::body::{DesignedBody, RigidBody, State};
 use crate::frame::{DesignVector, Frame, SpaceVector, Vector};
 use crate::inertia::{InertiaTensor, MassProperties, PrincipalMoments};
 use core::fmt;
@@ -40,6 +40,19 @@ impl Serialize for InertiaTensor {
 impl<'de> Deserialize<'de> for InertiaTensor {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         Self::new(Deserialize::deserialize(deserializer)?).map_err(D::Error::custom)
+    }
+}
+
+/// A body on the axes of its drawing is its tensor.
+impl Serialize for DesignedBody {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.tensor().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for DesignedBody {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::new(&InertiaTensor::deserialize(deserializer)?).map_err(D::Error::custom)
     }
 }
 

@@ -53,6 +53,17 @@ impl Frame for Design {}
 /// assert_eq!(<[f64; 3]>::from(walk), [1.25, 2.0, 0.5]);
 /// assert_eq!(nalgebra::Vector3::from(walk).y, walk.y());
 /// ```
+///
+/// One frame for another does not compile:
+///
+/// ```compile_fail,E0308
+/// # use rotation_dynamics::{attitude::Attitude, body::RigidBody, inertia::PrincipalMoments};
+/// # use rotation_dynamics::frame::DesignVector;
+/// # let body = RigidBody::new(PrincipalMoments::new(1.0, 2.0, 2.5)?);
+/// let spin = DesignVector::new(0.0, 0.0, 3.0);
+/// let start = body.state(Attitude::IDENTITY, spin)?; // it wants a BodyVector
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vector<F: Frame> {
     components: Vector3<f64>,

@@ -1,8 +1,8 @@
 //! Values to and from documents (feature `serde`): what is written is read back bit for
 //! bit, and what no constructor would take is refused with its numbers.
 
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
+use rotation_dynamics::body::{DesignedBody, RigidBody, State};
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
 use serde_core::de::value::{Error as ValueError, MapDeserializer, SeqDeserializer};
@@ -29,6 +29,15 @@ fn what_is_written_is_read_back_bit_for_bit() -> rotation_dynamics::Result<()> {
         zeta: -0.4,
     };
     assert_eq!(document(&angles), r#"{"phi":0.3,"theta":0.7,"zeta":-0.4}"#);
+    let angles_of_a_ship = YawPitchRoll {
+        yaw: 2.0,
+        pitch: -0.1,
+        roll: 0.25,
+    };
+    assert_eq!(
+        document(&angles_of_a_ship),
+        r#"{"yaw":2.0,"pitch":-0.1,"roll":0.25}"#
+    );
     let moments = PrincipalMoments::new(0.1, 0.7, 0.8)?;
     let body = RigidBody::new(moments);
     assert_eq!(
@@ -44,6 +53,9 @@ fn what_is_written_is_read_back_bit_for_bit() -> rotation_dynamics::Result<()> {
         document(&InertiaTensor::diagonal([1.0, 2.0, 2.5])?),
         "[[1.0,0.0,0.0],[0.0,2.0,0.0],[0.0,0.0,2.5]]"
     );
+    let tensor = MassProperties::of_parts(&parts)?.about_centre_of_mass();
+    let body_of_parts = DesignedBody::new(&tensor)?;
+    assert_eq!(document(&body_of_parts), document(&tensor));
     let mut read = 0;
     let mut attitude = Attitude::from_euler(angles)?;
     for _ in 0..1000 {
@@ -90,6 +102,10 @@ fn an_invalid_document_is_refused_with_its_numbers() {
             "= -1 is not allowed",
         ),
         (
+            refusal::<DesignedBody>("[[1, 0, 0], [0, 1, 0], [0, 0, 0]]"),
+            "I3 = 0 is not allowed",
+        ),
+        (
             refusal::<State>(r#"{"attitude": {"w": 1, "x": 0, "y": 0, "z": 0}}"#),
             "missing field `angular_momentum`",
         ),
@@ -111,7 +127,7 @@ fn an_invalid_document_is_refused_with_its_numbers() {
     for (message, words) in &said {
         assert!(message.contains(words), "{message:?} lacks {words:?}");
     }
-    assert_eq!(said.len(), 11);
+    assert_eq!(said.len(), 12);
 }
 
 /// Formats that know NaN, and those that write no names.

@@ -4,6 +4,7 @@
 //! eps = 2^-53.
 
 mod body;
+mod designed;
 mod parallel_axes;
 mod principal_axes;
 mod solids;

@@ -1,0 +1,335 @@
+//! A body on the axes of its drawing: the principal axes found, kept and undone.
+
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::DesignedBody;
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::frame::{BodyVector, DesignVector};
+use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::math::EPS;
+use support::{Errors, assert_error};
+
+type Matrix = [[f64; 3]; 3];
+
+/// A tensor, and its moments, ascending, as pairs of doubles.
+fn references() -> Vec<(InertiaTensor, [[f64; 2]; 3])> {
+    include_str!("../../data/inertia.txt")
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let n: Vec<f64> = line
+                .split(' ')
+                .skip(1)
+                .map(|c| c.parse().expect("a number"))
+                .collect();
+            let matrix = [[n[0], n[3], n[4]], [n[3], n[1], n[5]], [n[4], n[5], n[2]]];
+            let tensor = InertiaTensor::new(matrix).expect("a body's tensor");
+            (tensor, [6, 7, 8].map(|i| [n[i], n[i + 3]]))
+        })
+        .collect()
+}
+
+/// R diag(moments) R^T.
+fn turned(moments: [f64; 3], rotation: &Attitude) -> Matrix {
+    let r = rotation.matrix();
+    let element = |i: usize, j: usize| (0..3).map(|k| r[i][k] * moments[k] * r[j][k]).sum();
+    // The upper half for both.
+    [0, 1, 2].map(|i: usize| [0, 1, 2].map(|j: usize| element(i.min(j), i.max(j))))
+}
+
+fn askew(n: usize) -> Attitude {
+    let n = n as f64;
+    let angles = EulerAngles {
+        phi: 0.37 * n,
+        theta: 0.19 * n,
+        zeta: 0.83 * n,
+    };
+    Attitude::from_euler(angles).expect("finite")
+}
+
+/// The rotation principal axes -> drawing.
+fn principal(body: &DesignedBody) -> Attitude {
+    let [a, b, c] = body.principal_axes().map(DesignVector::to_array);
+    Attitude::from_matrix([0, 1, 2].map(|i| [a[i], b[i], c[i]])).expect("right-handed")
+}
+
+#[test]
+fn moments_and_axes_of_tensors_with_80_digits() {
+    let [mut moments, mut residual, mut damaged] =
+        ["moments", "R I R^T", "turned the other way"].map(|what| Errors::in_units_of(EPS, what));
+    let (mut farthest, mut raw) = (0.0_f64, 0.0_f64);
+    for (tensor, exact) in references() {
+        let body = DesignedBody::new(&tensor).expect("a body");
+        let largest = exact[2][0];
+        let mut got = body.rigid_body().moments().to_array();
+        let rotation = principal(&body);
+        let wrong = turned(got, &rotation.inverse());
+        let back = turned(got, &rotation);
+        let mut off = Errors::of("elements");
+        for (n, want) in tensor.matrix().as_flattened().iter().enumerate() {
+            residual.add(back.as_flattened()[n], *want, largest);
+            off.add(wrong.as_flattened()[n], *want, largest);
+        }
+        damaged.push(off.largest());
+        got.sort_by(f64::total_cmp);
+        for (got, [leading, rest]) in got.into_iter().zip(exact) {
+            moments.push(((got - leading) - rest) / largest);
+        }
+        farthest = farthest.max(rotation.angle_to(&Attitude::IDENTITY));
+        let found = tensor.principal_axes().attitude().expect("a rotation");
+        raw = raw.max(found.angle_to(&Attitude::IDENTITY));
+    }
+    // Half of what makes two of them one.
+    moments.attain(15.8..=15.9, 3 * 160);
+    residual.attain(11.9..=12.1, 9 * 160);
+    assert!(damaged.largest() > 1e14);
+    // No two right-handed triads are further apart than 62.8 degrees, names and signs
+    // of the axes being free.
+    assert_error!(farthest, 1.052);
+    assert!(farthest <= 1.0961 && raw > 3.0, "{raw}");
+}
+
+#[test]
+fn what_goes_in_on_the_drawing_comes_out_on_the_drawing() {
+    let [mut there, mut momentum, mut rates, mut energy] =
+        ["attitude", "momentum", "rates", "energy"].map(|what| Errors::in_units_of(EPS, what));
+    let mut damaged = Errors::of("principal components read on the drawing");
+    for (n, (tensor, [[smallest, _], _, [largest, _]])) in references().into_iter().enumerate() {
+        let body = DesignedBody::new(&tensor).expect("a body");
+        let given = askew(n);
+        let omega = DesignVector::new(0.3, -0.7, 1.1);
+        let state = body.state(given, omega).expect("finite");
+        there.push(body.attitude(&state).angle_to(&given));
+        let scale = largest * omega.norm();
+        let want = tensor.angular_momentum(omega);
+        momentum.add((body.angular_momentum(&state) - want).norm(), 0.0, scale);
+        let in_space = given.to_space(want.to_array().into());
+        momentum.add((state.angular_momentum - in_space).norm(), 0.0, scale);
+        let back = body.angular_velocity(&state) - omega;
+        rates.add(back.norm(), 0.0, omega.norm() * largest / smallest);
+        let kinetic = body.rigid_body().kinetic_energy(&state);
+        energy.add(kinetic, tensor.kinetic_energy(omega), scale * omega.norm());
+        let point = DesignVector::new(0.2, 0.1, -0.4);
+        let seen = body.to_space(&state, point);
+        there.push((seen - given.to_space(point.to_array().into())).norm());
+        there.push((body.from_space(&state, seen) - point).norm());
+        let unread = body.rigid_body().angular_velocity(&state).to_array();
+        damaged.push((DesignVector::from(unread) - omega).norm());
+    }
+    there.attain(4.3..=4.4, 3 * 160);
+    momentum.attain(15.4..=15.5, 2 * 160);
+    rates.attain(7.9..=8.0, 160);
+    energy.attain(8.9..=9.0, 160);
+    assert!(damaged.largest() > 1.0);
+}
+
+#[test]
+fn axes_that_are_free_are_those_of_the_drawing() {
+    // A diagonal tensor is kept to the bit, whatever its order.
+    for moments in [
+        [3.0, 2.0, 4.0],
+        [2.0, 2.0, 1.0],
+        [4.0, 1e-20, 4.0],
+        [1.0; 3],
+    ] {
+        let tensor = InertiaTensor::diagonal(moments).expect("a body");
+        let body = DesignedBody::new(&tensor).expect("a body");
+        assert_eq!(body.rigid_body().moments().to_array(), moments);
+        let omega = DesignVector::new(0.1, 0.2, 0.3);
+        assert_eq!(body.to_principal(omega).to_array(), omega.to_array());
+    }
+    let mut axes = Errors::in_units_of(EPS, "axis of a symmetric body");
+    let mut turns = Errors::in_units_of(EPS, "shortest turn");
+    for n in 1..=200 {
+        let rotation = askew(n);
+        let axis = rotation.axis().to_array();
+        let k = (0..3).fold(0, |k, i| if axis[i].abs() > axis[k].abs() { i } else { k });
+        for along in [0.5, 1.5] {
+            let tensor = InertiaTensor::new(turned([1.0, 1.0, along], &rotation));
+            let body = DesignedBody::new(&tensor.expect("a body")).expect("a body");
+            let moments = body.rigid_body().moments().to_array();
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            assert_eq!(moments[i], moments[j], "{n}");
+            let found = body.principal_axes()[k];
+            assert!(found[k] > 0.0);
+            let parallel = found.cross(&DesignVector::from(axis)).norm();
+            axes.push(parallel);
+            // It turns by the angle from the drawing's axis and no further.
+            let turn = principal(&body).angle_to(&Attitude::IDENTITY);
+            let mut e = [0.0; 3];
+            e[k] = 1.0;
+            let e = DesignVector::from(e);
+            let leaning = rotation_dynamics::math::atan2(found.cross(&e).norm(), found.dot(&e));
+            turns.push(turn - leaning);
+        }
+        let sphere = InertiaTensor::new(turned([1.0; 3], &rotation)).expect("a body");
+        let sphere = DesignedBody::new(&sphere).expect("a body");
+        assert_eq!(principal(&sphere), Attitude::IDENTITY);
+        let [a, b, c] = sphere.rigid_body().moments().to_array();
+        assert!(a == b && b == c);
+    }
+    axes.attain(5.9..=6.0, 400);
+    turns.attain(2.0..=2.0, 400);
+}
+
+/// Euler's equations with the whole tensor, I w' = (I w) x w, and q' = q w/2, on the axes
+/// of the drawing.
+struct OnTheDrawing {
+    tensor: Matrix,
+    inverse: Matrix,
+}
+
+impl OnTheDrawing {
+    fn new(tensor: Matrix) -> Self {
+        let [[a, d, e], [_, b, f], [_, _, c]] = tensor;
+        let minors = [
+            [b * c - f * f, e * f - d * c, d * f - e * b],
+            [e * f - d * c, a * c - e * e, d * e - a * f],
+            [d * f - e * b, d * e - a * f, a * b - d * d],
+        ];
+        let determinant = a * minors[0][0] + d * minors[0][1] + e * minors[0][2];
+        let inverse = minors.map(|row| row.map(|m| m / determinant));
+        Self { tensor, inverse }
+    }
+}
+
+fn times(m: &Matrix, v: [f64; 3]) -> [f64; 3] {
+    m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+}
+
+impl Ode<7> for OnTheDrawing {
+    fn derivative(&self, _t: f64, &[a, b, c, w, x, y, z]: &[f64; 7]) -> [f64; 7] {
+        let [p, q, r] = times(&self.tensor, [a, b, c]);
+        let torque = [q * c - r * b, r * a - p * c, p * b - q * a];
+        let [da, db, dc] = times(&self.inverse, torque);
+        [
+            da,
+            db,
+            dc,
+            -0.5 * (x * a + y * b + z * c),
+            0.5 * (w * a + y * c - z * b),
+            0.5 * (w * b + z * a - x * c),
+            0.5 * (w * c + x * b - y * a),
+        ]
+    }
+}
+
+/// An angle of two cuboids, of a steel of 5000 kg/m^3.
+fn angle_iron() -> MassProperties {
+    let part = |mass, edges: [f64; 3], at: [f64; 3]| {
+        let [a, b, c] = edges;
+        solids::cuboid(mass, a, b, c)?.displaced(at.into())
+    };
+    let parts = [
+        part(0.6, [0.30, 0.02, 0.02], [0.15, 0.01, 0.01]).expect("a leg"),
+        part(0.36, [0.02, 0.18, 0.02], [0.01, 0.11, 0.01]).expect("a leg"),
+        // And a weight screwed on, which takes the last symmetry away.
+        MassProperties::of_points(&[
+            (0.1, DesignVector::new(0.3, 0.01, 0.05)),
+            (0.05, DesignVector::new(0.01, 0.2, -0.04)),
+            (0.05, DesignVector::new(0.0, 0.0, 0.0)),
+        ])
+        .expect("weights"),
+    ];
+    MassProperties::of_parts(&parts).expect("a body")
+}
+
+#[test]
+fn thrown_it_moves_as_the_whole_tensor_says() {
+    let parts = angle_iron();
+    let corner = DesignVector::zero();
+    let omega = [12.0, 1.0, -2.0];
+    let start = askew(3);
+    let dop = Dop853::new(1e-14).expect("a tolerance");
+    let [mut attitude, mut rates] = ["attitude", "rates"].map(Errors::of);
+    let mut damaged = Errors::of("products of inertia without their minus sign");
+    // Thrown, about its centre of mass; and turning about its corner without weight.
+    for tensor in [
+        parts.about_centre_of_mass(),
+        parts.about(corner).expect("finite"),
+    ] {
+        let body = DesignedBody::new(&tensor).expect("a body");
+        let state = body.state(start, omega.into()).expect("finite");
+        let rigid = body.rigid_body();
+        let motion = FreeBody::new(
+            rigid.moments(),
+            rigid.angular_velocity(&state),
+            state.attitude,
+        )
+        .expect("a motion");
+        let system = OnTheDrawing::new(tensor.matrix());
+        let mut flipped = tensor.matrix();
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            flipped[i][j] = -flipped[i][j];
+            flipped[j][i] = -flipped[j][i];
+        }
+        let wrong = OnTheDrawing::new(flipped);
+        let [w, x, y, z] = start.quaternion();
+        let first = [omega[0], omega[1], omega[2], w, x, y, z];
+        for t in [0.1, 0.5, 2.0] {
+            let then = rigid.state(motion.attitude_at(t), motion.angular_velocity_at(t));
+            let then = then.expect("finite");
+            let compare = |system: &OnTheDrawing| {
+                let (end, _) = dop.advance(system, 0.0, &first, t).expect("a run");
+                let turned = Attitude::from_quaternion([end[3], end[4], end[5], end[6]]);
+                let turned = turned.expect("a quaternion");
+                let w = DesignVector::new(end[0], end[1], end[2]);
+                let off = (body.angular_velocity(&then) - w).norm() / 12.2;
+                (body.attitude(&then).angle_to(&turned), off)
+            };
+            let (turned, off) = compare(&system);
+            attitude.push(turned);
+            rates.push(off);
+            damaged.push(compare(&wrong).0);
+        }
+    }
+    attitude.attain(1.4e-14..=1.5e-14, 6);
+    rates.attain(5.2e-15..=5.3e-15, 6);
+    damaged.exceed(0.1, 6);
+}
+
+#[test]
+fn bodies_that_cannot_turn_so_are_refused() {
+    let rod = solids::rod(1.0, 1.0).expect("a rod");
+    let error = DesignedBody::new(&rod.about_centre_of_mass()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "I3 = 0 is not allowed: it must be greater than 0"
+    );
+    // Askew, rounding makes something of nothing.
+    let mut refused = 0;
+    for n in 1..=100 {
+        let line = askew(n).to_space(BodyVector::new(1.0, 0.0, 0.0)).to_array();
+        let points = [-1.0, 0.3, 0.9].map(|s| (1.5, DesignVector::from(line) * s));
+        let rod = MassProperties::of_points(&points).expect("masses");
+        let error = DesignedBody::new(&rod.about_centre_of_mass()).unwrap_err();
+        let said = error.to_string();
+        assert!(
+            said.contains("smallest principal moment = ") && said.contains("on a line"),
+            "{said}"
+        );
+        refused += 1;
+    }
+    assert_eq!(refused, 100);
+    // A needle that is known to have a moment is a body.
+    let needle = InertiaTensor::new(turned([1.0, 1.0, 1e-13], &askew(5))).expect("a body");
+    assert!(DesignedBody::new(&needle).is_ok());
+    let message = |matrix: Matrix| InertiaTensor::new(matrix).unwrap_err().to_string();
+    let said = message(turned([1.0, 2.0, 3.5], &askew(2)));
+    assert!(said.contains("belong to no body"), "{said}");
+    let said = message(turned([-0.5, 2.0, 2.0], &askew(2)));
+    assert!(
+        said.contains("smallest principal moment of the inertia tensor = -0."),
+        "{said}"
+    );
+    let said = message([[1.0, 0.1, 0.0], [0.2, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert!(
+        said.contains("not symmetric") && said.contains("1e-1"),
+        "{said}"
+    );
+    let said = message([[f64::NAN, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert!(said.contains("NaN"), "{said}");
+    let body = DesignedBody::new(&angle_iron().about_centre_of_mass()).expect("a body");
+    let spin = DesignVector::new(f64::INFINITY, 0.0, 0.0);
+    assert!(body.state(Attitude::IDENTITY, spin).is_err());
+}
