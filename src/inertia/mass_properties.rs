@@ -1,6 +1,7 @@
 //! Mass, centre of mass and the tensor about it; the parallel-axis theorem.
 
 use super::InertiaTensor;
+use crate::attitude::Attitude;
 use crate::error::{Result, finite, positive};
 use crate::frame::DesignVector;
 use crate::math::DoubleDouble;
@@ -117,6 +118,29 @@ impl MassProperties {
     /// Errors: a displacement that is not finite.
     pub fn displaced(&self, by: DesignVector) -> Result<Self> {
         Self::new(self.mass, self.centre_of_mass + by, self.tensor)
+    }
+
+    /// The same body turned about the origin of the drawing: a part that is mounted askew.
+    ///
+    /// I -> R I R^T, centre of mass c -> R c; the rotation carries the axes on which the
+    /// part was given to where they lie on the drawing.
+    ///
+    /// Errors: moments beyond the range of `f64`.
+    /// Accuracy: elements within 8.2 eps of the largest moment, the centre within 9.4, measured in
+    /// `tests/bodies/inertia`.
+    /// Source: notes 15.3.
+    pub fn turned(&self, rotation: &Attitude) -> Result<Self> {
+        // The drawing takes the place of space, the part's own axes that of the body.
+        let turn = |v: [f64; 3]| rotation.to_space(v.into()).to_array();
+        let transposed = |m: [[f64; 3]; 3]| [0, 1, 2].map(|j| [0, 1, 2].map(|i| m[i][j]));
+        // Rows of I R^T, then of R (I R^T).
+        let whole = transposed(self.tensor.matrix().map(turn)).map(turn);
+        // Rounding makes it a little skew; half of it and of its transpose is not.
+        let halves = |m: [[f64; 3]; 3]| InertiaTensor::from_elements(m.map(|r| r.map(|e| 0.5 * e)));
+        let mean = halves(whole).plus(&halves(transposed(whole)));
+        let tensor = InertiaTensor::new(mean.matrix())?;
+        let centre = turn(self.centre_of_mass.to_array()).into();
+        Self::new(self.mass, centre, tensor)
     }
 
     /// Mass (kg).

@@ -1,11 +1,13 @@
 //! Mass properties: point masses, parts, the parallel-axis theorem.
 
 use super::{case, error, expected};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids};
+use rotation_dynamics::math::EPS;
 use serde_json::Value;
-use support::assert_error;
+use support::{Errors, assert_error};
 
 #[test]
 fn the_plate_about_its_corner() {
@@ -119,4 +121,43 @@ fn parts_make_a_whole() {
     let moments = wheel.about_centre_of_mass().principal_axes().moments();
     assert_eq!(moments, [0.5, 1.75, 1.75]);
     assert!(MassProperties::of_parts(&[]).is_err());
+}
+
+/// A part mounted askew, against its points turned one by one.
+#[test]
+fn a_part_is_turned_as_its_points_are() {
+    let points = [
+        (1.5, DesignVector::new(0.4, -0.2, 1.1)),
+        (0.3, DesignVector::new(-1.0, 0.5, 0.2)),
+        (2.0, DesignVector::new(0.1, 0.9, -0.7)),
+        (0.7, DesignVector::new(0.0, -0.8, -0.3)),
+    ];
+    let part = MassProperties::of_points(&points).expect("masses");
+    let [mut elements, mut centre, mut damaged] =
+        ["elements", "centre", "turned back"].map(|what| Errors::in_units_of(EPS, what));
+    for n in 1..=200 {
+        let turn = |n: f64| {
+            let (phi, theta, zeta) = (0.7 * n, 0.3 * n, 1.9 * n);
+            Attitude::from_euler(EulerAngles { phi, theta, zeta }).expect("finite")
+        };
+        let rotation = turn(f64::from(n));
+        let there = |r: DesignVector| rotation.to_space(r.to_array().into()).to_array();
+        let moved = points.map(|(m, r)| (m, there(r).into()));
+        let want = MassProperties::of_points(&moved).expect("masses");
+        let got = part.turned(&rotation).expect("finite");
+        let back = part.turned(&rotation.inverse()).expect("finite");
+        let largest = want.about_centre_of_mass().principal_axes().moments()[2];
+        let rows = want.about_centre_of_mass().matrix();
+        let pairs = |of: &MassProperties| {
+            let of = of.about_centre_of_mass().matrix();
+            error(of.as_flattened(), rows.as_flattened(), largest)
+        };
+        elements.push(pairs(&got));
+        damaged.push(pairs(&back));
+        let off = got.centre_of_mass() - want.centre_of_mass();
+        centre.add(off.norm(), 0.0, want.centre_of_mass().norm());
+    }
+    elements.attain(8.1..=8.2, 200);
+    centre.attain(9.3..=9.4, 200);
+    damaged.exceed(1e10, 200);
 }
