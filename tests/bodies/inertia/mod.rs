@@ -8,6 +8,7 @@ mod designed;
 mod parallel_axes;
 mod principal_axes;
 mod solids;
+mod thrown;
 
 use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::DesignVector;
