@@ -121,6 +121,11 @@ impl Nome {
             };
         }
         let (num, den) = common_scale(num, den);
+        if num.hi() < LINEAR * den.hi() {
+            let z = small_root(num, den) / self.per_angle;
+            let (sin, cos) = (z, Dd::ONE);
+            return Angle { z, sin, cos };
+        }
         let u = first_kind(num.hi(), den.hi(), self.m1.hi());
         let z = (u / self.per_angle.hi()).min(core::f64::consts::FRAC_PI_2);
         let (sin, cos) = Dd::from(z).sin_cos();
@@ -153,6 +158,11 @@ impl Nome {
             };
         }
         let (num, den) = common_scale(num, den);
+        if num.hi() < LINEAR * den.hi() {
+            let y = small_root(num, den) / self.per_angle;
+            let (decay, fall) = (Dd::ONE, y.scaled(2.0));
+            return Depth { y, decay, fall };
+        }
         let u = first_kind(num.hi(), den.hi(), self.m.hi());
         let y = u / self.per_angle.hi();
         let (decay, fall) = if y < 1.0 {
@@ -237,12 +247,24 @@ impl Nome {
 /// A nome whose square root is beyond double-double.
 const VANISHING: f64 = 1e-66;
 
+/// A quotient sc^2 that is u^2 to 106 bits, and whose products would leave the range.
+const LINEAR: f64 = 1e-220;
+
+/// sqrt(num/den) of a quotient below [`LINEAR`], whose square root is in range.
+fn small_root(num: Dd, den: Dd) -> Dd {
+    const UP: f64 = 1.606_938_044_258_990_3e60; // 2^200
+    (num.scaled(UP).scaled(UP) / den).sqrt().scaled(1.0 / UP)
+}
+
 /// Both times a power of two that brings the larger near 1: products stay in range.
 fn common_scale(num: Dd, den: Dd) -> (Dd, Dd) {
     let largest = num.hi().max(den.hi());
-    if largest.is_normal() {
-        let scale = ldexp(1.0, -ilogb(largest));
-        (num.scaled(scale), den.scaled(scale))
+    if largest > 0.0 && largest.is_finite() {
+        // In two steps: the inverse of the smallest number is none.
+        let exponent = ilogb(largest);
+        let (first, rest) = (-(exponent / 2), exponent / 2 - exponent);
+        let scaled = |x: Dd| x.scaled(ldexp(1.0, first)).scaled(ldexp(1.0, rest));
+        (scaled(num), scaled(den))
     } else {
         (num, den)
     }

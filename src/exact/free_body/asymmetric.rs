@@ -8,7 +8,7 @@ use super::series::Series;
 use super::{near_one, norm3};
 use crate::attitude::Attitude;
 use crate::frame::BodyVector;
-use crate::math::DoubleDouble as Dd;
+use crate::math::{DoubleDouble as Dd, ilogb};
 
 /// Three different moments, on ordered axes: the third keeps the sign of its rate
 /// for ever (it goes as dn), and J1, J2, J3 are monotonic.
@@ -33,18 +33,24 @@ impl Asymmetric {
         // Only ratios of the moments count, and the rates set the unit of time: with both
         // brought near one by powers of two, no square leaves the range of doubles.
         let (moments, _) = near_one(moments);
-        let (omega, unit) = near_one(omega);
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
         let [lo, mid, hi] = order;
         let difference = |i: usize, j: usize| Dd::sum(moments[i], -moments[j]);
-        let weighted = |i: usize, gap: Dd| Dd::product(omega[i], omega[i]) * moments[i] * gap;
-        // L^2 - 2 E I_mid without its middle term, which would only cancel.
-        let side = weighted(hi, difference(hi, mid)) - weighted(lo, difference(mid, lo));
+        let weighted =
+            |rate: f64, i: usize, gap: Dd| Dd::product(rate, rate) * moments[i] * gap;
+        // L^2 - 2 E I_mid without its middle term, which would only cancel. Near the middle
+        // axis these two rates are small, and have a unit of their own.
+        let saddle = Small::new(omega, [lo, hi]);
+        let side = weighted(saddle.rates[1], hi, difference(hi, mid))
+            - weighted(saddle.rates[0], lo, difference(mid, lo));
         if side < 0.0 {
             order = [hi, mid, lo];
         }
         let [one, two, three] = order;
+        // So have those across the third axis, near that one.
+        let across = Small::new(omega, [one, two]);
+        let (omega, unit) = near_one(omega);
         // A proper rotation with the third ordered rate positive.
         let parity = if side < 0.0 { -1.0 } else { 1.0 } * permutation_sign([lo, mid, hi]);
         let third = if omega[three] < 0.0 { -1.0 } else { 1.0 };
@@ -57,8 +63,9 @@ impl Asymmetric {
             difference(three, two),
             difference(two, one),
         );
-        let a = weighted(one, j31) + weighted(two, j32);
-        let b = weighted(two, j21) + weighted(three, j31);
+        // In units of the square of `across.unit`; below in those of `unit`.
+        let a = weighted(across.rates[0], one, j31) + weighted(across.rates[1], two, j32);
+        let b = weighted(omega[two], two, j21) + weighted(omega[three], three, j31);
         let momentum = norm3([0, 1, 2].map(|i| Dd::product(moments[i], omega[i])));
         let amplitude1 = (a / (j1 * j31)).sqrt();
         let amplitude2 = (a / (j2 * j32)).sqrt();
@@ -69,11 +76,25 @@ impl Asymmetric {
         let sense = if j[2] < j[0] { 1.0 } else { -1.0 };
 
         // Amplitude at t = 0: tan = sn/cn, with sn = -sense w2/A2 and cn = w1/A1.
-        let sn = amplitude1 * (sign[1] * omega[two] * -sense);
-        let cn = amplitude2 * omega[one];
-        let periods = Periods::new(m, m1);
+        let sn = amplitude1 * (sign[1] * across.rates[1] * -sense);
+        let per_unit = across.unit / unit;
+        let shrunk = |x: Dd| x.scaled(per_unit);
+        let (periods, tau) = if saddle.is_tiny(unit) {
+            // The rate about `one` is in the unit of `m1`.
+            let cn = amplitude2 * saddle.rates[usize::from(one == hi)];
+            Periods::beside_the_saddle(m1, saddle.ln_per(unit), sn, cn)
+        } else {
+            let m1 = saddle.squared(m1, unit);
+            let cn = amplitude2 * across.rates[0];
+            let periods = Periods::new(shrunk(shrunk(m)), m1);
+            let tau = periods.first_kind(sn, cn);
+            (periods, tau)
+        };
+        let first_max = j1 * amplitude1 / momentum;
+        let m_over_l1 = (m / first_max.square()).to_f64();
+        let (a, amplitude1) = (shrunk(shrunk(a)), shrunk(amplitude1));
+        let m1_size = saddle.squared(m1, unit);
         let quarter = periods.quarter;
-        let tau = periods.first_kind(sn, cn);
         // sc^2(eta|m1) = J1 (J3-J2)/(J3 (J2-J1)), a constant of the body, and that of K' - eta,
         // which is 1/(m sc^2(eta|m1)).
         let sizes = |num: Dd, den: Dd| (num.abs(), den.abs());
@@ -90,17 +111,12 @@ impl Asymmetric {
         let precession = gained.map_or(f64::INFINITY, |gained| {
             (gained.scaled(4.0) - Dd::TWO_PI * sense).to_f64()
         });
-        let first_max = j1 * amplitude1 / momentum;
         let rates = Rates {
             rate: [0, 1, 2].map(|r| sign[r] * unit * (momentum / j[r]).to_f64()),
             place: invert(order),
             c: (j3 * amplitude3 / momentum).to_f64(),
-            m1: m1.to_f64(),
-            m_over_l1: if first_max == 0.0 {
-                0.0
-            } else {
-                (m / first_max.square()).to_f64()
-            },
+            m1: m1_size.to_f64(),
+            m_over_l1,
         };
         let start = tau / p;
         let mut form = match series {
@@ -171,6 +187,38 @@ impl Form {
             Self::Trigonometric(sampler) => sampler.state(t),
             Self::Hyperbolic(late) => late.state(t),
         }
+    }
+}
+
+/// Two rates in a unit of their own, a power of two: their squares keep their digits.
+struct Small {
+    rates: [f64; 2],
+    unit: f64,
+}
+
+impl Small {
+    fn new(omega: [f64; 3], [i, j]: [usize; 2]) -> Self {
+        let ([first, second, _], unit) = near_one([omega[i], omega[j], 0.0]);
+        Self {
+            rates: [first, second],
+            unit,
+        }
+    }
+
+    /// True if 1 - m, as the square of such a rate, is near the end of the range of doubles.
+    fn is_tiny(&self, unit: f64) -> bool {
+        ilogb(self.unit) - ilogb(unit) < -300
+    }
+
+    /// A square in this unit, in the other unit.
+    fn squared(&self, square: Dd, unit: f64) -> Dd {
+        let ratio = self.unit / unit;
+        square.scaled(ratio).scaled(ratio)
+    }
+
+    /// ln(this unit/the other).
+    fn ln_per(&self, unit: f64) -> Dd {
+        Dd::LN_2 * f64::from(ilogb(self.unit) - ilogb(unit))
     }
 }
 

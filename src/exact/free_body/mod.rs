@@ -72,6 +72,9 @@ pub enum Kind {
     Separatrix,
 }
 
+/// The smallest I_min/I_max of three different moments.
+const THINNEST: f64 = 1e-120;
+
 #[derive(Debug, Clone)]
 enum Motion {
     Steady(Symmetric),
@@ -86,7 +89,10 @@ impl FreeBody {
     /// point; `angular_velocity`: on the principal axes, in rad/s.
     ///
     /// # Errors
-    /// `NotFinite` for a NaN or infinite rate.
+    /// `NotFinite` for a NaN or infinite rate, or an energy beyond `f64`;
+    /// `RatesTooFarApart` for a fastest rate outside 1e-150 to 1e150 rad/s (but 0: rest), while
+    /// the others may be as small as doubles are; `OutOfRange` for a needle of three
+    /// different moments with I_min/I_max below 1e-120.
     pub fn new(
         moments: PrincipalMoments,
         angular_velocity: BodyVector,
@@ -100,12 +106,28 @@ impl FreeBody {
                 value,
             });
         }
+        let fastest = omega.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+        if fastest > 0.0 && !(1e-150..=1e150).contains(&fastest) {
+            return Err(Error::RatesTooFarApart { fastest });
+        }
+        for (moment, rate) in moments.iter().zip(omega) {
+            finite("I omega^2", moment * rate * rate)?;
+            finite("I omega", moment * rate)?;
+        }
         let equal = [0, 1, 2].map(|i| moments[(i + 1) % 3] == moments[(i + 2) % 3]);
         let motion = if omega.iter().filter(|w| **w != 0.0).count() <= 1 || (equal[0] && equal[1]) {
             Motion::Steady(Symmetric::steady(omega, attitude))
         } else if let Some(axis) = equal.iter().position(|e| *e) {
             Motion::Symmetric(Symmetric::new(moments, omega, axis, attitude))
         } else {
+            let [least, most] = [f64::min, f64::max].map(|of| of(of(moments[0], moments[1]), moments[2]));
+            if least < THINNEST * most {
+                return Err(Error::OutOfRange {
+                    name: "I_min/I_max",
+                    value: least / most,
+                    allowed: "at least 1e-120 for three different moments",
+                });
+            }
             Motion::Asymmetric(Box::new(Asymmetric::new(moments, omega, attitude)))
         };
         Ok(Self {

@@ -57,6 +57,11 @@ impl Periods {
         } else {
             self.quarter - self.argument(c, m1 * s)
         };
+        self.unfolded(f, sin, cos)
+    }
+
+    /// F in (-2K, 2K] from the one in [0, K] for |`sin`| : |`cos`|.
+    fn unfolded(&self, f: Dd, sin: Dd, cos: Dd) -> Dd {
         let f = if sin < 0.0 { -f } else { f };
         if cos >= 0.0 {
             f
@@ -65,6 +70,31 @@ impl Periods {
         } else {
             -self.quarter.scaled(2.0) - f
         }
+    }
+
+    /// The periods for 1 - m = `m1` s^2, and F of the amplitude with sin : cos = `sin` :
+    /// `cos` s, with an s = exp(`ln_unit`) so small that its square need not be a double:
+    /// K = ln(4/sqrt(1 - m)) and sc u = sinh u there.
+    pub fn beside_the_saddle(m1: Dd, ln_unit: Dd, sin: Dd, cos: Dd) -> (Self, Dd) {
+        let nome = Nome::new(Dd::ZERO, Dd::ONE);
+        let quarter = if m1 == 0.0 {
+            Dd::from(f64::INFINITY)
+        } else {
+            (Dd::from(16.0) / m1).ln().scaled(0.5) - ln_unit
+        };
+        let periods = Self {
+            quarter,
+            nome,
+            complementary: true,
+        };
+        let (s, c) = (sin.square(), cos.square());
+        let f = if m1 == 0.0 {
+            (s.scaled(4.0) / c).ln().scaled(0.5) - ln_unit
+        } else {
+            quarter - periods.argument(c, m1 * s)
+        };
+        let tau = periods.unfolded(f, sin, cos);
+        (periods, tau)
     }
 
     /// The argument u <= K/2 with sc^2(u|m) = `num`/`den`.

@@ -204,11 +204,17 @@ impl HeavyTop {
         let flip = if flipped { -1.0 } else { 1.0 };
         let strength = gravity.abs();
 
-        let (excess, origin, theta0) = match problem.start {
-            Beginning::Turning { excess, start } => {
+        // alpha - beta in u, and alpha - beta and alpha + beta in v.
+        let (excess, less, total, origin, theta0);
+        match problem.start {
+            Beginning::Turning { excess: given, start } => {
                 let upper = (start == Start::ThetaMin) != flipped;
-                let origin = if upper { Origin::Upper } else { Origin::Lower };
-                (excess, origin, None)
+                origin = if upper { Origin::Upper } else { Origin::Lower };
+                theta0 = None;
+                excess = given;
+                // Exchanged by the flip.
+                let other = excess + gravity.scaled(2.0);
+                (less, total) = if flipped { (other, excess) } else { (excess, other) };
             }
             Beginning::Angle {
                 theta,
@@ -231,19 +237,21 @@ impl HeavyTop {
                     rate: -(sin * nodal[0]) * flip,
                     slope,
                 };
-                let excess = transverse - gravity * below;
-                (excess, Origin::State(state), Some((theta, transverse)))
+                excess = transverse - gravity * below;
+                // Each from the pole it refers to: near that one a sum would cancel.
+                less = transverse - state.to_one * strength;
+                total = transverse + state.from_minus_one * strength;
+                origin = Origin::State(state);
+                theta0 = Some((theta, transverse));
             }
-        };
-        // alpha - beta and alpha + beta in v: exchanged by the flip.
-        let total = excess + gravity.scaled(2.0);
+        }
         let conserved = if flipped {
             Conserved {
                 spin: -spin,
                 difference: sum,
                 sum: difference,
-                excess: total,
-                total: excess,
+                excess: less,
+                total,
                 gravity: strength,
             }
         } else {
@@ -251,7 +259,7 @@ impl HeavyTop {
                 spin,
                 difference,
                 sum,
-                excess,
+                excess: less,
                 total,
                 gravity: strength,
             }
