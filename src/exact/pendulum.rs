@@ -162,20 +162,23 @@ impl Pendulum {
         }
 
         // Tiny numbers are scaled up, so that the pairs keep their digits.
-        let scale = if sin.abs().to_f64().max(omega0.abs() / rate.to_f64()) < 1e-150 {
+        let scale = if sin.abs().to_f64().max(omega0.abs() / rate.to_f64()) < 1e-100 {
             ldexp(1.0, 500)
         } else {
             1.0
         };
         let swing = Dd::from(omega0) * scale / rate.scaled(2.0);
         let half = sin.scaled(scale);
-        let kinetic = if scale == 1.0 {
+        // Exact but for one rounding where the products are in range.
+        let kinetic = if scale == 1.0 && (1e-100..=1e100).contains(&omega0.abs()) {
             Dd::product(omega0, omega0) * moment / torque.scaled(4.0)
         } else {
-            Dd::ZERO
+            swing.square()
         };
-        let k2 = sin.square() + kinetic;
-        let gap = cos.square() - kinetic;
+        let k2 = (half.square() + kinetic)
+            .scaled(1.0 / scale)
+            .scaled(1.0 / scale);
+        let gap = cos.square() - kinetic.scaled(1.0 / scale).scaled(1.0 / scale);
         // cos(theta0/2) is transcendental unless theta0 = 0, so only there can the
         // separatrix be met exactly. A gap that 106 bits do not resolve counts as none.
         let exact = theta0 == 0.0

@@ -6,6 +6,7 @@
 mod batch;
 mod double_double;
 mod elliptic;
+mod far_from_one;
 mod free_body;
 mod free_flow;
 mod heavy_top;

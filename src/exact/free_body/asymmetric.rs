@@ -37,8 +37,7 @@ impl Asymmetric {
         order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
         let [lo, mid, hi] = order;
         let difference = |i: usize, j: usize| Dd::sum(moments[i], -moments[j]);
-        let weighted =
-            |rate: f64, i: usize, gap: Dd| Dd::product(rate, rate) * moments[i] * gap;
+        let weighted = |rate: f64, i: usize, gap: Dd| Dd::product(rate, rate) * moments[i] * gap;
         // L^2 - 2 E I_mid without its middle term, which would only cancel. Near the middle
         // axis these two rates are small, and have a unit of their own.
         let saddle = Small::new(omega, [lo, hi]);

@@ -120,7 +120,8 @@ impl FreeBody {
         } else if let Some(axis) = equal.iter().position(|e| *e) {
             Motion::Symmetric(Symmetric::new(moments, omega, axis, attitude))
         } else {
-            let [least, most] = [f64::min, f64::max].map(|of| of(of(moments[0], moments[1]), moments[2]));
+            let [least, most] =
+                [f64::min, f64::max].map(|of| of(of(moments[0], moments[1]), moments[2]));
             if least < THINNEST * most {
                 return Err(Error::OutOfRange {
                     name: "I_min/I_max",

@@ -48,7 +48,7 @@ impl HeavyTop {
     /// at the pole, arriving with the given phi0 and zeta0 (for c < 0: leaving).
     ///
     /// # Errors
-    /// [`Error::NoMotion`] if E~ is below U_min; `NotFinite`.
+    /// [`Error::NoMotion`] if E~ is below U_min; `NotFinite`; phi0 or zeta0 beyond 1e15 rad.
     pub fn from_energy(
         top: ReducedTop,
         energy: f64,
@@ -76,7 +76,8 @@ impl HeavyTop {
     /// axis leaves the pole, along the node line of `phi0` and `zeta0`.
     ///
     /// # Errors
-    /// An input that is not finite; theta0 outside [0, pi], or 0 while b is not 1.
+    /// An input that is not finite; theta0 outside [0, pi], or 0 while b is not 1; phi0 or
+    /// zeta0 beyond 1e15 rad.
     pub fn from_angles(
         top: ReducedTop,
         theta0: f64,
@@ -121,8 +122,8 @@ impl HeavyTop {
             free_spin: Dd::sum(1.0, -top.a()) / root_a,
             gravity: Dd::from(2.0 * top.c()),
             start,
-            phi0: finite("phi0", phi0)?,
-            zeta0: finite("zeta0", zeta0)?,
+            phi0: known_turn("phi0", phi0)?,
+            zeta0: known_turn("zeta0", zeta0)?,
             moments: [1.0, top.a()],
             reduced: Some(top),
             body: None,
@@ -133,15 +134,15 @@ impl HeavyTop {
     /// rad/s) at t = 0 s.
     ///
     /// # Errors
-    /// An input that is not finite; theta outside [0, pi].
+    /// An input that is not finite; theta outside [0, pi]; phi or zeta beyond 1e15 rad.
     pub fn from_body(
         body: SymmetricTop,
         attitude: EulerAngles,
         omega_body: BodyVector,
     ) -> Result<Self> {
         let EulerAngles { phi, theta, zeta } = attitude;
-        finite("phi", phi)?;
-        finite("zeta", zeta)?;
+        known_turn("phi", phi)?;
+        known_turn("zeta", zeta)?;
         let (half_sin, half_cos) = half_angle(theta)?;
         for value in omega_body.to_array() {
             finite("omega_body", value)?;
@@ -207,14 +208,21 @@ impl HeavyTop {
         // alpha - beta in u, and alpha - beta and alpha + beta in v.
         let (excess, less, total, origin, theta0);
         match problem.start {
-            Beginning::Turning { excess: given, start } => {
+            Beginning::Turning {
+                excess: given,
+                start,
+            } => {
                 let upper = (start == Start::ThetaMin) != flipped;
                 origin = if upper { Origin::Upper } else { Origin::Lower };
                 theta0 = None;
                 excess = given;
                 // Exchanged by the flip.
                 let other = excess + gravity.scaled(2.0);
-                (less, total) = if flipped { (other, excess) } else { (excess, other) };
+                (less, total) = if flipped {
+                    (other, excess)
+                } else {
+                    (excess, other)
+                };
             }
             Beginning::Angle {
                 theta,
@@ -369,6 +377,19 @@ impl HeavyTop {
             turns,
             sampler,
         }
+    }
+}
+
+/// An angle of no more turns than leave its last bit a meaning: at 1e15 rad that is 1/8 rad.
+fn known_turn(name: &'static str, angle: f64) -> Result<f64> {
+    if finite(name, angle)?.abs() <= 1e15 {
+        Ok(angle)
+    } else {
+        Err(Error::OutOfRange {
+            name,
+            value: angle,
+            allowed: "its size must not exceed 1e15 rad",
+        })
     }
 }
 

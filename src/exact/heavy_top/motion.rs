@@ -181,6 +181,12 @@ impl Motion {
         }
     }
 
+    /// True if the last bit of the time is a half-period: their number is not known.
+    pub fn is_uncounted(&self, t: f64) -> bool {
+        const MOST: f64 = 4_503_599_627_370_496.0; // 2^52
+        t.abs() > 1e150 || t.abs() * self.per_half_period > MOST
+    }
+
     /// Both series there.
     #[inline]
     pub fn pair(&self, place: &Place) -> Pair {

@@ -23,7 +23,9 @@ impl HeavyTop {
     /// theta is in [0, pi]. Where the axis passes a pole exactly, phi jumps by pi
     /// there and zeta with it; the attitude does not. `t`: finite, in t' or seconds.
     ///
-    /// Accuracy: K = 1.9 for phi and zeta, 1.2 for theta; see [`HeavyTop`].
+    /// Accuracy: K = 1.9 for phi and zeta, 1.2 for theta; see [`HeavyTop`]. Beyond 2^52
+    /// half-periods, where the last bit of the time is one of them, phi and zeta are their
+    /// start and their mean rates; an angle beyond `f64` is infinite.
     /// Source: the notes, 16.2 (4)-(6), solved.
     pub fn angles(&self, t: f64) -> EulerAngles {
         let (motion, _) = match &self.course {
@@ -31,13 +33,23 @@ impl HeavyTop {
                 return EulerAngles {
                     phi: self.phi0,
                     theta: *theta,
-                    zeta: self.zeta0 + (self.omega3 * t).to_f64(),
+                    zeta: self.zeta0 + late(self.omega3, t),
                 };
             }
             Course::Moving { motion, turns, .. } => (motion, turns),
         };
         let place = motion.place(t);
         let pair = motion.pair(&place);
+        let (sin, cos) = self.half_angle(pair.a, pair.b);
+        let theta = 2.0 * math::atan2(sin, cos);
+        if motion.is_uncounted(t) {
+            let [phi, zeta] = self.mean_rates().map(|rate| late(rate, t));
+            return EulerAngles {
+                phi: self.phi0 + phi,
+                theta,
+                zeta: self.zeta0 + zeta,
+            };
+        }
         let arguments = motion.arguments(&place, &pair);
         let half_turns = motion.half_turns(&place);
         let [a, b] = [0, 1].map(|i| {
@@ -49,12 +61,22 @@ impl HeavyTop {
         let phi = (a.0 + b.0) + (a.1 + b.1) + self.phi0;
         let difference = ((a.0 - b.0) + (a.1 - b.1)) * self.flip;
         let zeta = difference + self.free_spin * t + self.zeta0;
-        let (sin, cos) = self.half_angle(pair.a, pair.b);
         EulerAngles {
             phi: phi.to_f64(),
-            theta: 2.0 * math::atan2(sin, cos),
+            theta,
             zeta: zeta.to_f64(),
         }
+    }
+
+    /// The same as [`HeavyTop::angles`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite, or so late that phi or zeta is beyond `f64`.
+    pub fn try_angles(&self, t: f64) -> Result<EulerAngles> {
+        let angles = self.angles(finite("t", t)?);
+        finite("phi", angles.phi)?;
+        finite("zeta", angles.zeta)?;
+        Ok(angles)
     }
 
     /// The attitude at time `t`; the quaternion is continuous in time.
@@ -291,6 +313,15 @@ impl HeavyTop {
         };
         let omega = BodyVector::new(omega.re, omega.im, self.omega3.to_f64());
         (sample, omega)
+    }
+}
+
+/// `rate` t, at a time at which a product of pairs may leave the range of doubles, too.
+fn late(rate: Dd, t: f64) -> f64 {
+    if t.abs() > 1e150 {
+        rate.to_f64() * t
+    } else {
+        (rate * t).to_f64()
     }
 }
 

@@ -1,0 +1,174 @@
+//! Tops released upside down, angles of many turns, times of many periods.
+
+use core::f64::consts::PI;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start, SymmetricTop};
+use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
+use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::math::EPS;
+use support::Errors;
+
+/// The pendulum that a top without spin is, from hanging.
+fn as_pendulum(top: SymmetricTop) -> Pendulum {
+    let suspension = Suspension {
+        moment: top.i1(),
+        mass: top.weight(),
+        gravity: 1.0,
+        lever: top.lever().abs(),
+    };
+    Pendulum::new(suspension, PI, 0.0).expect("a pendulum")
+}
+
+/// Gravity that pulls towards theta = 0, and a release at rest at theta = pi: 1.2e-16 short of
+/// upright. It falls, as the pendulum does.
+#[test]
+fn a_top_released_upside_down_is_a_pendulum() {
+    let mut periods = Errors::in_units_of(EPS, "period");
+    let mut tilts = Errors::in_units_of(EPS, "theta");
+    let mut damaged = Errors::in_units_of(EPS, "theta of a pendulum 1e-12 of a period late");
+    let mut states = 0;
+    for i1 in [0.1, 0.3, 1.0, 2.7] {
+        for ratio in [0.1, 0.5, 1.0, 5.0 / 3.0, 1.9] {
+            for weight in [0.1, 0.981, 3.3, 9.81, 46.246_407_949_939_46, 500.0] {
+                for lever in [
+                    -1e-3,
+                    -0.01,
+                    -0.043_441_341_550_221_39,
+                    -0.1,
+                    -0.33,
+                    -1.0,
+                    -3.0,
+                ] {
+                    let top = SymmetricTop::new(i1, i1 * ratio, weight, lever).expect("a top");
+                    let pendulum = as_pendulum(top);
+                    let period = pendulum.period();
+                    for [phi, zeta] in [
+                        [0.0, 0.0],
+                        [0.597, -7.354],
+                        [2.0, 1.0],
+                        [-3.0, 0.1],
+                        [100.0, -55.0],
+                        [0.3, 0.3],
+                    ] {
+                        let start = EulerAngles {
+                            phi,
+                            theta: PI,
+                            zeta,
+                        };
+                        let motion =
+                            HeavyTop::from_body(top, start, BodyVector::zero()).expect("a motion");
+                        assert_eq!(motion.regime(), Regime::Planar);
+                        periods.add(motion.nutation_period(), 0.5 * period, period);
+                        for t in [0.0, 0.2, 0.25, 0.3, 0.5] {
+                            let t = t * period;
+                            let want = pendulum.at(t).expect("a time");
+                            // How far the last bit of the time moves it.
+                            let size = PI + want.omega.abs() * t;
+                            tilts.add(motion.angles(t).theta, want.theta.abs(), size);
+                        }
+                        let late = pendulum.at(0.25 * period * (1.0 + 1e-12)).expect("a time");
+                        let theta = motion.angles(0.25 * period).theta;
+                        damaged.add(
+                            theta,
+                            late.theta.abs(),
+                            PI + late.omega.abs() * 0.25 * period,
+                        );
+                        for t in [1000.0, 1e6, -1e4, 1e300] {
+                            let (attitude, rates) = motion.state(t);
+                            assert!(rates.is_finite(), "{top:?} {t}");
+                            assert!(attitude.quaternion().iter().all(|c| c.is_finite()));
+                            states += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    let tops = 4 * 5 * 6 * 7 * 6;
+    assert_eq!((tops, states), (5040, 4 * 5040));
+    periods.attain(0.0..=0.0, tops);
+    tilts.attain(1.2..=1.3, 5 * tops);
+    damaged.exceed(1e3, tops);
+}
+
+/// An angle whose last bit is more than 1/8 rad says nothing.
+#[test]
+fn angles_of_too_many_turns_are_refused() {
+    let reduced = ReducedTop::new(2.0, 1.2, 0.2).expect("a top");
+    let body = SymmetricTop::new(1.0, 0.4, 2.0, 1.0).expect("a top");
+    let mut ran = 0;
+    for angle in [1.01e15, -1e32, 1e179] {
+        for [phi, zeta] in [[angle, 0.1], [0.1, angle]] {
+            let start = EulerAngles {
+                phi,
+                theta: 1.0,
+                zeta,
+            };
+            for motion in [
+                HeavyTop::from_energy(reduced, 0.55, Start::ThetaMin, phi, zeta),
+                HeavyTop::from_angles(reduced, 0.7, 0.1, phi, zeta),
+                HeavyTop::from_body(body, start, BodyVector::new(0.1, 0.2, 3.0)),
+            ] {
+                let message = motion.expect_err("too many turns").to_string();
+                assert!(message.contains("must not exceed 1e15 rad"), "{message}");
+                ran += 1;
+            }
+        }
+    }
+    assert_eq!(ran, 18);
+    // Up to there the attitude is that of the angles.
+    let mut errors = Errors::in_units_of(EPS, "attitude at the start");
+    let mut damaged = Errors::in_units_of(EPS, "attitude an eighth of a radian on");
+    for phi in [1e3, 1e10, 1e14, 9.9e14, -9.9e14] {
+        let angles = EulerAngles {
+            phi,
+            theta: 1.0,
+            zeta: 0.3,
+        };
+        let motion = HeavyTop::from_body(body, angles, BodyVector::new(0.1, 0.2, 3.0));
+        let start = motion.expect("a motion").attitude(0.0);
+        errors.push(start.angle_to(&Attitude::from_euler(angles).expect("finite")));
+        let next = EulerAngles {
+            phi: phi + 0.125,
+            ..angles
+        };
+        damaged.push(start.angle_to(&Attitude::from_euler(next).expect("finite")));
+    }
+    errors.attain(2.1..=2.2, 5);
+    damaged.exceed(1e14, 5);
+}
+
+/// phi and zeta after more half-periods than doubles count: their mean rates.
+#[test]
+fn late_angles_grow_with_their_mean_rates() {
+    let motion = ReducedTop::new(2.0, 1.2, 0.2)
+        .and_then(|top| HeavyTop::from_energy(top, 0.55, Start::ThetaMin, 0.3, -0.4))
+        .expect("a motion");
+    let period = motion.nutation_period();
+    let mut errors = Errors::in_units_of(EPS, "phi and zeta over theirs");
+    let mut damaged = Errors::in_units_of(EPS, "the same, the rate off by 1e-14");
+    for t in [1e14, 8e15, 9e15, 1e17, 1e25, 1e149, 1e151, 1e300, -1e300] {
+        let angles = motion.try_angles(t).expect("finite");
+        for (angle, advance) in [
+            (angles.phi, motion.precession_per_period()),
+            (angles.zeta, motion.spin_per_period()),
+        ] {
+            let mean = t * (advance / period);
+            errors.add(angle, mean, mean.abs());
+            damaged.add(angle * (1.0 + 1e-14), mean, mean.abs());
+        }
+    }
+    errors.attain(3.2..=3.3, 18);
+    damaged.exceed(1.0, 18);
+    let start = EulerAngles {
+        phi: 0.0,
+        theta: 0.8,
+        zeta: 0.0,
+    };
+    let fast = SymmetricTop::new(1.0, 0.4, 2.0, 1.0)
+        .and_then(|body| HeavyTop::from_body(body, start, BodyVector::new(0.0, 0.0, 9.0)))
+        .expect("a motion");
+    let error = fast.try_angles(1.7e308).expect_err("beyond f64");
+    assert!(error.to_string().contains("zeta = inf"), "{error}");
+    assert!(motion.try_angles(f64::NAN).is_err());
+}
