@@ -6,7 +6,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -27,7 +27,10 @@ fn closed_form() -> HeavyTop {
 fn scene(exact: &HeavyTop) -> (Scene<((), GravityAtLever)>, State) {
     let moments = PrincipalMoments::symmetric(1.0, 2.0).expect("a disc");
     let body = RigidBody::new(moments);
-    let (attitude, omega) = exact.state(0.0);
+    let Kinematics {
+        attitude,
+        angular_velocity: omega,
+    } = exact.kinematics(0.0);
     let start = body.state(attitude, omega).expect("a state");
     let weight = GravityAtLever::new(0.2, 1.0).expect("a weight");
     (Scene::new(body).with(weight), start)

@@ -131,7 +131,7 @@ fn free(
     let t_end = dice.scale(1.0, 30.0) * TAU / rates.norm();
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(attitude, rates)?;
-    let exact = FreeBody::new(moments, rates, attitude)?.attitude_at(t_end);
+    let exact = FreeBody::new(moments, attitude, rates)?.attitude(t_end);
     Ok(Case {
         kind,
         solve: Box::new(move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance)),
@@ -149,8 +149,8 @@ fn governed(moments: PrincipalMoments, rates: BodyVector, dice: &mut Dice) -> Re
     };
     let scene = Scene::new(RigidBody::new(moments)).with(governor);
     let start = scene.body().state(attitude, rates)?;
-    let free = FreeBody::new(moments, rates, attitude)?;
-    let exact = free.attitude_at(governor.inner_time(t_end));
+    let free = FreeBody::new(moments, attitude, rates)?;
+    let exact = free.attitude(governor.inner_time(t_end));
     Ok(Case {
         kind: "own effect",
         solve: Box::new(move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance)),

@@ -48,7 +48,7 @@ fn free_splitting() -> Result<f64> {
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(Attitude::IDENTITY, rates)?;
     let (end, _) = Splitting::new(Scheme::STRANG, 1)?.advance(&scene, 0.0, &start, 100.0)?;
-    let exact = FreeBody::new(moments, rates, Attitude::IDENTITY)?.attitude_at(100.0);
+    let exact = FreeBody::new(moments, Attitude::IDENTITY, rates)?.attitude(100.0);
     Ok(exact.angle_to(&end.attitude))
 }
 
@@ -56,7 +56,7 @@ fn free_splitting() -> Result<f64> {
 fn back() -> Result<f64> {
     let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
     let rates = BodyVector::new(0.8, 0.4, 0.3375);
-    let end = 10.0 * FreeBody::new(moments, rates, Attitude::IDENTITY)?.rate_period();
+    let end = 10.0 * FreeBody::new(moments, Attitude::IDENTITY, rates)?.rate_period();
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(Attitude::IDENTITY, rates)?;
     let rotation = FreeRotation::new(&scene);

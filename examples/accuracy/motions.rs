@@ -137,7 +137,7 @@ pub fn tilted(moments: PrincipalMoments, rates: BodyVector) -> Result<(RigidBody
 
 /// The motion without torque from a state.
 pub fn unpushed(body: &RigidBody, state: &State) -> Result<FreeBody> {
-    FreeBody::new(body.moments(), body.angular_velocity(state), state.attitude)
+    FreeBody::new(body.moments(), state.attitude, body.angular_velocity(state))
 }
 
 /// L = (0.8, 0.8, 0.9) on the body axes.
@@ -163,9 +163,9 @@ pub fn free_problem(
         });
     }
     let end = periods * period;
-    let answer = State::new(exact.attitude_at(end), start.angular_momentum)?;
+    let answer = State::new(exact.attitude(end), start.angular_momentum)?;
     let problem = Problem::new(Scene::new(body), start, end, answer);
-    Ok(problem.in_closed_form(move |t| exact.attitude_at(t)))
+    Ok(problem.in_closed_form(move |t| exact.attitude(t)))
 }
 
 fn free(
@@ -178,7 +178,7 @@ fn free(
     let problem = free_problem(moments, rates, periods)?;
     let (body, start, end) = (*problem.scene.body(), problem.start, problem.end);
     let exact = unpushed(&body, &start)?;
-    let state = move |t: f64| State::new(exact.attitude_at(t), start.angular_momentum);
+    let state = move |t: f64| State::new(exact.attitude(t), start.angular_momentum);
     Ok(Motion {
         key,
         name,
@@ -186,7 +186,7 @@ fn free(
         periods,
         problem: Box::new(problem),
         state: Box::new(state),
-        continued: Box::new(move |from, t| Ok(unpushed(&body, from)?.attitude_at(end - t))),
+        continued: Box::new(move |from, t| Ok(unpushed(&body, from)?.attitude(end - t))),
         angles: None,
         exact: true,
         nodes: 96,
@@ -203,12 +203,11 @@ fn top(
     let exact = HeavyTop::from_energy(top, energy, at, 0.0, 0.0)?;
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, top.a())?);
     let scene = Scene::new(body).with(GravityAtLever::new(top.c(), 1.0)?);
-    let (attitude, rates) = exact.state(0.0);
-    let start = body.state(attitude, rates)?;
+    let start = exact.state(0.0);
     let end = periods * exact.nutation_period();
     let angles = Angles::new(top, &exact, body);
     let sampled = exact.clone();
-    let state = move |t: f64| State::new(exact.attitude(t), exact.angular_momentum(t));
+    let state = move |t: f64| exact.try_state(t);
     let problem =
         Problem::new(scene, start, end, state(end)?).in_closed_form(move |t| sampled.attitude(t));
     let continued = move |from: &State, t: f64| {

@@ -123,7 +123,7 @@ fn piecewise(
         if dt <= 0.0 {
             return Ok(state);
         }
-        let attitude = unpushed(body, &state)?.attitude_at(dt);
+        let attitude = unpushed(body, &state)?.attitude(dt);
         State::new(attitude, state.angular_momentum)
     };
     let scene = Scene::new(*body).with(Steady(push));

@@ -81,7 +81,7 @@ impl Subject {
                 let rates = BodyVector::new(0.8 + 0.02 * shift, 0.4, 0.34);
                 let scene = Scene::new(RigidBody::new(moments));
                 let start = scene.body().state(Attitude::IDENTITY, rates)?;
-                let exact = Box::new(FreeBody::new(moments, rates, Attitude::IDENTITY)?);
+                let exact = Box::new(FreeBody::new(moments, Attitude::IDENTITY, rates)?);
                 Ok(Self::Free {
                     scene,
                     start,
@@ -117,7 +117,7 @@ impl Subject {
                 scene,
                 start,
                 exact,
-            } => (exact.attitude_at(t), Errors::between(scene, state, start)),
+            } => (exact.attitude(t), Errors::between(scene, state, start)),
         };
         (state.attitude.angle_to(&attitude), kept.invariants)
     }

@@ -25,11 +25,11 @@ fn free(periods: f64) -> Result<Problem<()>> {
     let rates = BodyVector::new(0.8, 0.4, 0.9 / (8.0 / 3.0));
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(attitude, rates)?;
-    let exact = FreeBody::new(moments, rates, attitude)?;
+    let exact = FreeBody::new(moments, attitude, rates)?;
     let end = (periods + 1.0 / 3.0) * exact.rate_period();
-    let answer = State::new(exact.attitude_at(end), start.angular_momentum)?;
+    let answer = State::new(exact.attitude(end), start.angular_momentum)?;
     let problem = Problem::new(scene, start, end, answer);
-    Ok(problem.in_closed_form(move |t| exact.attitude_at(t)))
+    Ok(problem.in_closed_form(move |t| exact.attitude(t)))
 }
 
 /// Adds the table, the limits, the strip and the card.

@@ -36,8 +36,7 @@ use crate::scene::{Invariant, Scene};
 /// let rates = BodyVector::new(0.8, 0.4, 0.3375);
 /// let scene = Scene::new(RigidBody::new(moments));
 /// let start = scene.body().state(Attitude::IDENTITY, rates)?;
-/// let (attitude, rates) = FreeBody::new(moments, rates, Attitude::IDENTITY)?.state_at(10.0);
-/// let exact = scene.body().state(attitude, rates)?;
+/// let exact = FreeBody::new(moments, Attitude::IDENTITY, rates)?.state(10.0);
 ///
 /// let (reached, _) = Rk4::new(100)?.advance(&scene, 0.0, &start, 10.0)?;
 /// let errors = Errors::between(&scene, &reached, &exact);

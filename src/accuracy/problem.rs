@@ -27,8 +27,8 @@ type ClosedForm = Arc<dyn Fn(f64) -> Attitude + Send + Sync>;
 /// let rates = BodyVector::new(0.8, 0.4, 0.3375);
 /// let scene = Scene::new(RigidBody::new(moments));
 /// let start = scene.body().state(Attitude::IDENTITY, rates)?;
-/// let motion = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
-/// let exact = State::new(motion.attitude_at(10.0), start.angular_momentum)?;
+/// let motion = FreeBody::new(moments, Attitude::IDENTITY, rates)?;
+/// let exact = motion.state(10.0);
 /// let problem = Problem::new(scene, start, 10.0, exact);
 ///
 /// let rk4 = problem.least(Method::Rk4, 1e-9)?.expect("RK4 gets there");

@@ -29,8 +29,7 @@ pub struct Run {
 /// # let rates = BodyVector::new(0.8, 0.4, 0.3375);
 /// # let scene = Scene::new(RigidBody::new(moments));
 /// # let start = scene.body().state(Attitude::IDENTITY, rates)?;
-/// # let (attitude, rates) = FreeBody::new(moments, rates, Attitude::IDENTITY)?.state_at(10.0);
-/// # let exact = scene.body().state(attitude, rates)?;
+/// # let exact = FreeBody::new(moments, Attitude::IDENTITY, rates)?.state(10.0);
 /// // A free body for ten seconds: `scene`, `start` and the `exact` end.
 /// let steps = (0..24).map(|k| 16.0 * exp2(0.5 * f64::from(k)));
 /// let sweep = Sweep::over(steps, |steps| {

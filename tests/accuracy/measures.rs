@@ -2,7 +2,7 @@
 
 use rotation_dynamics::accuracy::{Errors, Measure};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
@@ -33,8 +33,9 @@ fn notes_top() -> (Scene<Gravity>, HeavyTop) {
     (scene, motion)
 }
 
-fn at<E: Effect>(scene: &Scene<E>, (attitude, rates): (Attitude, BodyVector)) -> State {
-    scene.body().state(attitude, rates).unwrap()
+fn at<E: Effect>(scene: &Scene<E>, now: Kinematics) -> State {
+    let state = scene.body().state(now.attitude, now.angular_velocity);
+    state.unwrap()
 }
 
 /// A known change of the state is seen as what it is, in its own measure and in the
@@ -81,7 +82,7 @@ fn a_known_difference_is_seen() {
 #[test]
 fn invariants_are_those_of_the_scene() {
     let (scene, motion) = notes_top();
-    let state = at(&scene, motion.state(0.0));
+    let state = at(&scene, motion.kinematics(0.0));
     let pushed = |by: SpaceVector| State {
         angular_momentum: state.angular_momentum + by,
         ..state
@@ -110,12 +111,12 @@ fn what_is_seen_of_round_off() {
     let (scene, motion) = notes_top();
     let (free, start) = tumbling();
     let rates = free.body().angular_velocity(&start);
-    let body = FreeBody::new(free.body().moments(), rates, start.attitude).unwrap();
+    let body = FreeBody::new(free.body().moments(), start.attitude, rates).unwrap();
     let mut worst = Errors::between(&free, &start, &start);
     let mut cases = 0;
     for k in 0..200 {
         let t = 0.37 * f64::from(k);
-        let exact = at(&scene, motion.state(t));
+        let exact = at(&scene, motion.kinematics(t));
         let angles = exact.attitude.euler_angles();
         let again = State::new(
             Attitude::from_euler(angles).unwrap(),
@@ -123,7 +124,7 @@ fn what_is_seen_of_round_off() {
         );
         worst = worst.or_worse(&Errors::between(&scene, &again.unwrap(), &exact));
         // L is constant: the closed form's own momentum against that of the start.
-        let exact = at(&free, body.state_at(t));
+        let exact = at(&free, body.kinematics(t));
         let again = State {
             angular_momentum: start.angular_momentum,
             ..exact

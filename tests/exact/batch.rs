@@ -1,6 +1,7 @@
 //! Many samples at once have the bits of one at a time, in every regime.
 
 use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::free_body::{FreeBody, Kind};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -8,12 +9,12 @@ use rotation_dynamics::math::EPS;
 use rotation_dynamics::{Error, Result};
 use support::Errors;
 
-type States = Vec<(Attitude, BodyVector)>;
+type States = Vec<Kinematics>;
 
 fn motion([i1, i2, i3]: [f64; 3], omega: [f64; 3]) -> Result<FreeBody> {
     let start = Attitude::from_rotation_vector(SpaceVector::new(0.3, -1.1, 0.7))?;
     let moments = PrincipalMoments::new(i1, i2, i3)?;
-    FreeBody::new(moments, BodyVector::from_array(omega), start)
+    FreeBody::new(moments, start, BodyVector::from_array(omega))
 }
 
 /// Generic, about either axis, near-symmetric, needle, disc, m near 1, separatrix,
@@ -55,16 +56,17 @@ fn times(case: &FreeBody, count: u32) -> Vec<f64> {
 }
 
 fn bits(states: &States) -> Vec<[u64; 7]> {
-    let of = |(attitude, omega): &(Attitude, BodyVector)| {
-        let ([w, x, y, z], [p, q, r]) = (attitude.quaternion(), omega.to_array());
+    let of = |state: &Kinematics| {
+        let [w, x, y, z] = state.attitude.quaternion();
+        let [p, q, r] = state.angular_velocity.to_array();
         [w, x, y, z, p, q, r].map(f64::to_bits)
     };
     states.iter().map(of).collect()
 }
 
 fn filled(case: &FreeBody, times: &[f64]) -> Result<States> {
-    let mut states = vec![(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0)); times.len()];
-    case.states_at(times, &mut states)?;
+    let mut states = vec![Kinematics::REST; times.len()];
+    case.kinematics_at(times, &mut states)?;
     Ok(states)
 }
 
@@ -74,7 +76,7 @@ fn free_body_has_the_scalar_bits_in_every_regime() -> Result<()> {
     for case in cases()? {
         // 4003 is no multiple of 4 or 8.
         let times = times(&case, 4003);
-        let one_by_one: States = times.iter().map(|t| case.state_at(*t)).collect();
+        let one_by_one: States = times.iter().map(|t| case.kinematics(*t)).collect();
         assert_eq!(bits(&filled(&case, &times)?), bits(&one_by_one), "{case:?}");
         compared += times.len();
         if !kinds.contains(&case.kind()) {
@@ -104,12 +106,12 @@ fn any_length_will_do() -> Result<()> {
 fn lists_of_different_length_are_refused_untouched() -> Result<()> {
     let mut refused = 0;
     for case in cases()? {
-        let before = vec![case.state_at(0.5); 7];
+        let before = vec![case.kinematics(0.5); 7];
         for length in [0, 6, 8] {
             let mut states = before.clone();
-            let error = case.states_at(&vec![1.0; length], &mut states);
+            let error = case.kinematics_at(&vec![1.0; length], &mut states);
             let expected = Error::Lengths {
-                name: "states",
+                name: "samples",
                 found: 7,
                 expected: length,
             };
@@ -129,7 +131,10 @@ fn any_finite_time_has_a_unit_quaternion() -> Result<()> {
     for (i, case) in cases()?.iter().enumerate() {
         for exponent in 10..=290 {
             for t in [1.7, -1.3].map(|t| t * 10.0_f64.powi(exponent)) {
-                let (attitude, omega) = case.state_at(t);
+                let Kinematics {
+                    attitude,
+                    angular_velocity: omega,
+                } = case.kinematics(t);
                 let norm: f64 = attitude.quaternion().iter().map(|q| q * q).sum();
                 norms.push_at(norm - 1.0, (i, t));
                 assert!(omega.is_finite(), "case {i} at {t}: {omega:?}");
@@ -149,15 +154,15 @@ fn a_time_that_is_no_number_is_refused() -> Result<()> {
                 matches!(error, Some(Error::NotFinite { name: "t", value })
                     if value.to_bits() == bad.to_bits())
             };
-            assert!(told(case.try_state_at(bad).err()));
-            let before = vec![case.state_at(0.5); 9];
+            assert!(told(case.try_kinematics(bad).err()));
+            let before = vec![case.kinematics(0.5); 9];
             let mut states = before.clone();
             let times = [0.0, 1.0, 2.0, 3.0, 4.0, bad, 6.0, 7.0, 8.0];
-            assert!(told(case.states_at(&times, &mut states).err()));
+            assert!(told(case.kinematics_at(&times, &mut states).err()));
             assert_eq!(bits(&states), bits(&before));
             refused += 1;
         }
-        assert_eq!(case.try_state_at(2.5), Ok(case.state_at(2.5)));
+        assert_eq!(case.try_kinematics(2.5), Ok(case.kinematics(2.5)));
     }
     assert_eq!(refused, 36);
     Ok(())

@@ -27,9 +27,9 @@ fn slope_on_the_free_body_and_the_top() {
         .body()
         .state(Attitude::IDENTITY, rates)
         .expect("finite");
-    let want = FreeBody::new(moments, rates, Attitude::IDENTITY)
+    let want = FreeBody::new(moments, Attitude::IDENTITY, rates)
         .expect("a motion")
-        .attitude_at(20.0);
+        .attitude(20.0);
     let points: Vec<(f64, f64)> = [400, 600, 800, 1200, 1600]
         .into_iter()
         .map(|n| {

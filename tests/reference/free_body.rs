@@ -2,6 +2,7 @@
 
 use super::case::{Case, Outcome, Result};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::free_body::{FreeBody, Kind};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -22,7 +23,7 @@ pub fn closed_form_with_rate(case: &Case, damage: f64) -> Result<Outcome> {
     let [phi, theta, zeta] = case.input_vector("euler0")?;
     let moments = PrincipalMoments::new(i1, i2, i3)?;
     let start = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
-    let body = FreeBody::new(moments, BodyVector::from_array(omega), start)?;
+    let body = FreeBody::new(moments, start, BodyVector::from_array(omega))?;
 
     // No condition is given for the derived values: their own size is the scale.
     let derived = [
@@ -42,7 +43,10 @@ pub fn closed_form_with_rate(case: &Case, damage: f64) -> Result<Outcome> {
         }
     }
     for sample in case.samples() {
-        let (attitude, omega) = body.state_at(sample.t());
+        let Kinematics {
+            attitude,
+            angular_velocity: omega,
+        } = body.kinematics(sample.t());
         outcome.compare_field(&sample, "omega", &omega.to_array());
         outcome.compare_field(&sample, "R", &attitude.matrix().concat());
     }

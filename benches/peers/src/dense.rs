@@ -6,7 +6,7 @@ use crate::form::{Form, FreeMomentum, Own, TopMomentum, TopWithoutSpin};
 use crate::problem::{Exact, Motion, Problem};
 use core::cell::RefCell;
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::body::Kinematics;
 
 /// Samples in a period.
 pub const PER_PERIOD: usize = 256;
@@ -211,11 +211,11 @@ pub fn samplers(problem: &'static Problem) -> rotation_dynamics::Result<Vec<Samp
     all.push(exact(
         "closed form, batch",
         problem,
-        (Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0)),
-        |state| state.0,
+        Kinematics::REST,
+        |sample| sample.attitude,
         |exact, times, out| match exact {
-            Exact::Free(body) => body.states_at(times, out).map_err(in_words),
-            Exact::Top(top) => top.states(times, out).map_err(in_words),
+            Exact::Free(body) => body.kinematics_at(times, out).map_err(in_words),
+            Exact::Top(top) => top.kinematics_at(times, out).map_err(in_words),
         },
     )?);
     match problem.motion {

@@ -6,10 +6,10 @@
 //! ```
 
 use benches::conditions::Conditions;
+use benches::readme::{RECORD, path, tables, with_tables};
 use benches::timing::{Clock, Task, interleaved_by};
 use peers::problem::{PROBLEMS, Problem};
 use peers::race::{along_the_way, to_the_end};
-use benches::readme::{RECORD, path, tables, with_tables};
 use peers::record::{DENSE, Races, text};
 use rotation_dynamics::report::parse;
 use std::hint::black_box;

@@ -15,7 +15,7 @@
 )]
 
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
@@ -141,9 +141,9 @@ pub const PROBLEMS: [Problem; 7] = [
         end: 88855.25851305545,
         oracle: [
             0.726_397_322_454_200_175_8,
-        0.396_857_656_886_388_797_33,
-        -0.269_041_631_782_524_840_47,
-        0.492_409_921_173_213_522_71,
+            0.396_857_656_886_388_797_33,
+            -0.269_041_631_782_524_840_47,
+            0.492_409_921_173_213_522_71,
         ],
     },
     POLE,
@@ -185,16 +185,16 @@ impl Exact {
     /// The attitude at time `t`.
     pub fn attitude(&self, t: f64) -> Attitude {
         match self {
-            Self::Free(body) => body.attitude_at(t),
+            Self::Free(body) => body.attitude(t),
             Self::Top(top) => top.attitude(t),
         }
     }
 
     /// The attitude and the rates at time `t`.
-    pub fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    pub fn kinematics(&self, t: f64) -> Kinematics {
         match self {
-            Self::Free(body) => body.state_at(t),
-            Self::Top(top) => top.state(t),
+            Self::Free(body) => body.kinematics(t),
+            Self::Top(top) => top.kinematics(t),
         }
     }
 }
@@ -215,7 +215,7 @@ impl Problem {
                 let [i1, i2, i3] = moments;
                 let moments = PrincipalMoments::new(i1, i2, i3)?;
                 let rates = BodyVector::from_array(rates);
-                let body = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
+                let body = FreeBody::new(moments, Attitude::IDENTITY, rates)?;
                 Ok(Exact::Free(Box::new(body)))
             }
             Motion::Top { a, b, c, from } => {
@@ -246,7 +246,10 @@ impl Problem {
     pub fn start(&self) -> Result<(RigidBody, State)> {
         let [i1, i2, i3] = self.moments();
         let body = RigidBody::new(PrincipalMoments::new(i1, i2, i3)?);
-        let (attitude, rates) = self.exact()?.state(0.0);
+        let Kinematics {
+            attitude,
+            angular_velocity: rates,
+        } = self.exact()?.kinematics(0.0);
         Ok((body, body.state(attitude, rates)?))
     }
 

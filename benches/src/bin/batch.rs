@@ -8,7 +8,7 @@
 //! what the motion keeps, rebuilt from the states, is off by more than claimed.
 
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::body::{Kinematics, RigidBody};
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
@@ -22,17 +22,16 @@ use std::time::Instant;
 const SAMPLES: usize = 4096;
 const ROUNDS: usize = 401;
 
-type State = (Attitude, BodyVector);
-type Many<'a> = dyn Fn(&[f64], &mut [State]) -> rotation_dynamics::Result<()> + 'a;
+type Many<'a> = dyn Fn(&[f64], &mut [Kinematics]) -> rotation_dynamics::Result<()> + 'a;
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
 /// A closed form and what it claims.
 struct Motion<'a> {
     name: &'a str,
-    one: &'a dyn Fn(f64) -> State,
+    one: &'a dyn Fn(f64) -> Kinematics,
     many: &'a Many<'a>,
     /// The largest relative error of what is kept, rebuilt from a state.
-    error: &'a dyn Fn(&State) -> f64,
+    error: &'a dyn Fn(&Kinematics) -> f64,
     /// The most that it may be, eps.
     claimed: f64,
     span: f64,
@@ -98,16 +97,17 @@ fn measure(motion: &Motion) -> Outcome<()> {
 fn main() -> Outcome<()> {
     let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
     let start = BodyVector::new(0.8, 0.4, 0.3375);
-    let free = FreeBody::new(moments, start, Attitude::IDENTITY)?;
+    let free = FreeBody::new(moments, Attitude::IDENTITY, start)?;
     let momentum = free.angular_momentum();
     measure(&Motion {
         name: "free body, attitude and body rates, 1000 periods",
-        one: &|t| free.state_at(t),
-        many: &|times, states| free.states_at(times, states),
-        error: &|(attitude, omega)| {
-            let own = free.body_momentum(*omega);
-            let drift = (attitude.to_space(own) - momentum).norm() / momentum.norm();
-            drift.max((0.5 * own.dot(omega) / free.kinetic_energy() - 1.0).abs())
+        one: &|t| free.kinematics(t),
+        many: &|times, states| free.kinematics_at(times, states),
+        error: &|now| {
+            let own = free.body_momentum(now.angular_velocity);
+            let drift = (now.attitude.to_space(own) - momentum).norm() / momentum.norm();
+            let energy = 0.5 * own.dot(&now.angular_velocity);
+            drift.max((energy / free.kinetic_energy() - 1.0).abs())
         },
         // Measured: 17.2 eps.
         claimed: 21.0,
@@ -124,16 +124,18 @@ fn main() -> Outcome<()> {
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 2.0)?);
     let scene = Scene::new(body).with(GravityAtLever::new(0.2, 1.0)?);
     // Energy, L_Z and L_z, all of order one.
-    let kept = |(attitude, omega): &State| {
-        let state = body.state(*attitude, *omega).expect("finite rates");
+    let kept = |now: &Kinematics| {
+        let state = body
+            .state(now.attitude, now.angular_velocity)
+            .expect("finite rates");
         let own = body.angular_momentum(&state);
         [scene.energy(&state), state.angular_momentum.z(), own.z()]
     };
-    let first = kept(&top.state(0.0));
+    let first = kept(&top.kinematics(0.0));
     measure(&Motion {
         name: "heavy top of figure 3(b), attitude and body rates, 1000 nods",
-        one: &|t| top.state(t),
-        many: &|times, states| top.states(times, states),
+        one: &|t| top.kinematics(t),
+        many: &|times, states| top.kinematics_at(times, states),
         error: &|state| {
             let now = kept(state);
             (now.iter().zip(&first)).fold(0.0, |most, (a, b)| (a - b).abs().max(most))

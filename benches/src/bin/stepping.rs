@@ -96,7 +96,7 @@ fn table(title: &str, exact: &Attitude, lines: &[Line]) -> Result<(), Box<dyn st
 fn free_body() -> Result<(), Box<dyn std::error::Error>> {
     let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
     let rates = BodyVector::new(0.8, 0.4, 0.3375);
-    let motion = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
+    let motion = FreeBody::new(moments, Attitude::IDENTITY, rates)?;
     let end = PERIODS * motion.rate_period();
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(Attitude::IDENTITY, rates)?;
@@ -135,7 +135,7 @@ fn free_body() -> Result<(), Box<dyn std::error::Error>> {
     });
     table(
         "free asymmetric body, I = 1, 2, 8/3, L = (0.8, 0.8, 0.9), 1000 periods of its rates",
-        &motion.attitude_at(end),
+        &motion.attitude(end),
         &lines,
     )
 }

@@ -84,10 +84,10 @@ impl Solvable for () {
 
     fn exact_motion(&self, _strength: f64, body: &RigidBody, start: &State) -> Option<ExactMotion> {
         let rates = body.angular_velocity(start);
-        let motion = FreeBody::new(body.moments(), rates, start.attitude).ok()?;
+        let motion = FreeBody::new(body.moments(), start.attitude, rates).ok()?;
         let start = *start;
         Some(ExactMotion::new("closed form of the free body", move |t| {
-            State::new(motion.attitude_at(t), start.angular_momentum)
+            State::new(motion.attitude(t), start.angular_momentum)
         }))
     }
 }
@@ -140,8 +140,8 @@ impl Solvable for GravityAtLever {
         let motion = HeavyTop::from_body(top, start.attitude.euler_angles(), rates).ok()?;
         let body = *body;
         Some(ExactMotion::new("closed form of the heavy top", move |t| {
-            let (attitude, rates) = motion.state(t);
-            body.state(attitude, rates)
+            let now = motion.kinematics(t);
+            body.state(now.attitude, now.angular_velocity)
         }))
     }
 }

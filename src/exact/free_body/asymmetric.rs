@@ -7,7 +7,7 @@ use super::sample::{Rates, Sampler};
 use super::series::Series;
 use super::{near_one, norm3};
 use crate::attitude::Attitude;
-use crate::frame::BodyVector;
+use crate::body::Kinematics;
 use crate::math::{DoubleDouble as Dd, ilogb};
 
 /// Three different moments, on ordered axes: the third keeps the sign of its rate
@@ -140,7 +140,7 @@ impl Asymmetric {
         };
         // The ordered axes stand in the body as `inner` says, L in space as it did at t = 0.
         let inner = signed_permutation(order, sign);
-        let begin = form.state(0.0).0 * Attitude::from_unit(inner);
+        let begin = form.kinematics(0.0).attitude * Attitude::from_unit(inner);
         let outer = (attitude * begin.inverse()).quaternion();
         form = match form {
             Form::Trigonometric(sampler) => Form::Trigonometric(
@@ -162,12 +162,12 @@ impl Asymmetric {
     pub(super) fn attitude(&self, t: f64) -> Attitude {
         match &self.form {
             Form::Trigonometric(sampler) => sampler.attitude(t),
-            Form::Hyperbolic(late) => late.state(t).0,
+            Form::Hyperbolic(late) => late.kinematics(t).attitude,
         }
     }
 
-    pub(super) fn state(&self, t: f64) -> (Attitude, BodyVector) {
-        self.form.state(t)
+    pub(super) fn kinematics(&self, t: f64) -> Kinematics {
+        self.form.kinematics(t)
     }
 
     /// What samples without a branch, if anything does.
@@ -181,10 +181,10 @@ impl Asymmetric {
 
 impl Form {
     #[inline]
-    fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    fn kinematics(&self, t: f64) -> Kinematics {
         match self {
-            Self::Trigonometric(sampler) => sampler.state(t),
-            Self::Hyperbolic(late) => late.state(t),
+            Self::Trigonometric(sampler) => sampler.kinematics(t),
+            Self::Hyperbolic(late) => late.kinematics(t),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! is hyperbolic. That one needs `exp` and stays scalar.
 
 use crate::attitude::Attitude;
+use crate::body::Kinematics;
 use crate::frame::BodyVector;
 use crate::math::lane::{Phased, Sampler, for_each_sample};
 
@@ -16,11 +17,11 @@ pub(super) trait Branchless {
 }
 
 /// The states at these times, none beyond the motion's reach; both lists are equally long.
-pub(super) fn fill(motion: &impl Branchless, times: &[f64], states: &mut [(Attitude, BodyVector)]) {
+pub(super) fn fill(motion: &impl Branchless, times: &[f64], states: &mut [Kinematics]) {
     let mut states = states.iter_mut();
     for_each_sample(&Batch(motion), times, |[w, x, y, z, p, q, r]| {
         if let Some(state) = states.next() {
-            *state = (Attitude::from_unit([w, x, y, z]), BodyVector::new(p, q, r));
+            *state = Kinematics::new(Attitude::from_unit([w, x, y, z]), BodyVector::new(p, q, r));
         }
     });
 }

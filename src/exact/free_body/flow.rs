@@ -46,9 +46,9 @@ const PIECES: f64 = 40.0;
 /// use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};
 /// let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
 /// let rates = BodyVector::new(0.8, 0.4, 0.3);
-/// let motion = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
+/// let motion = FreeBody::new(moments, Attitude::IDENTITY, rates)?;
 /// let turn = FreeFlow::new(moments).turn(motion.body_momentum(rates), 0.3);
-/// assert!(turn.angle_to(&motion.attitude_at(0.3)) < 1e-15);
+/// assert!(turn.angle_to(&motion.attitude(0.3)) < 1e-15);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -133,8 +133,8 @@ impl FreeFlow {
         let moments = self.moments.to_array();
         let rates = BodyVector::from_array([0, 1, 2].map(|i| l[i] / moments[i]));
         // Refused only if a rate is not finite; then nothing is right any more.
-        FreeBody::new(self.moments, rates, Attitude::IDENTITY).map_or([f64::NAN; 4], |motion| {
-            let [w, x, y, z] = motion.attitude_at(dt).quaternion();
+        FreeBody::new(self.moments, Attitude::IDENTITY, rates).map_or([f64::NAN; 4], |motion| {
+            let [w, x, y, z] = motion.attitude(dt).quaternion();
             [w - 1.0, x, y, z]
         })
     }

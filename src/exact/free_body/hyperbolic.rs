@@ -5,6 +5,7 @@ use super::asymmetric::product;
 use super::sample::Rates;
 use super::series::Hyperbolic;
 use crate::attitude::Attitude;
+use crate::body::Kinematics;
 use crate::frame::BodyVector;
 use crate::math::{DoubleDouble as Dd, known, sincos_turns};
 
@@ -29,7 +30,7 @@ pub(super) struct Late {
 
 impl Late {
     #[inline]
-    pub fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    pub fn kinematics(&self, t: f64) -> Kinematics {
         let since = self.start + known(t);
         let (rest, phase, parity) = match self.half_period {
             Some((half, per_half)) => {
@@ -61,7 +62,7 @@ impl Late {
         let rates = self
             .rates
             .of((ai * br - ar * bi) * twice, (ar * br + ai * bi) * twice);
-        (
+        Kinematics::new(
             Attitude::from_unit(product(product(self.outer, quaternion), self.inner)),
             BodyVector::from_array(rates),
         )

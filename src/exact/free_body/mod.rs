@@ -19,6 +19,7 @@
 //! functions in the rotation matrix; the doubled period is ours.
 
 use crate::attitude::Attitude;
+use crate::body::{Kinematics, State};
 use crate::error::{Error, Result, finite};
 use crate::exact::check_times;
 use crate::frame::{BodyVector, SpaceVector};
@@ -45,9 +46,9 @@ use symmetric::Symmetric;
 /// use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
 /// use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};
 /// let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
-/// let motion = FreeBody::new(moments, BodyVector::new(0.8, 0.4, 0.3375), Attitude::IDENTITY)?;
-/// let (attitude, rates) = motion.state_at(1e6);
-/// let momentum = attitude.to_space(motion.body_momentum(rates));
+/// let motion = FreeBody::new(moments, Attitude::IDENTITY, BodyVector::new(0.8, 0.4, 0.3375))?;
+/// let late = motion.kinematics(1e6);
+/// let momentum = late.attitude.to_space(motion.body_momentum(late.angular_velocity));
 /// assert!((momentum - motion.angular_momentum()).norm() < 1e-14);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
@@ -83,10 +84,10 @@ enum Motion {
 }
 
 impl FreeBody {
-    /// The motion that starts with this attitude and these body rates.
+    /// The motion of this attitude and these body rates at t = 0.
     ///
     /// `moments`: principal moments (kg m^2) about the centre of mass or a fixed
-    /// point; `angular_velocity`: on the principal axes, in rad/s.
+    /// point; `attitude`: body -> space; `angular_velocity`: on the principal axes, in rad/s.
     ///
     /// # Errors
     /// `NotFinite` for a NaN or infinite rate, or an energy beyond `f64`;
@@ -95,8 +96,8 @@ impl FreeBody {
     /// different moments with I_min/I_max below 1e-120.
     pub fn new(
         moments: PrincipalMoments,
-        angular_velocity: BodyVector,
         attitude: Attitude,
+        angular_velocity: BodyVector,
     ) -> Result<Self> {
         let moments = moments.to_array();
         let omega = angular_velocity.to_array();
@@ -150,37 +151,64 @@ impl FreeBody {
     }
 
     /// Attitude at time `t` (s).
-    pub fn attitude_at(&self, t: f64) -> Attitude {
+    pub fn attitude(&self, t: f64) -> Attitude {
         match &self.motion {
-            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.state(t).0,
+            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.kinematics(t).attitude,
             Motion::Asymmetric(motion) => motion.attitude(t),
         }
     }
 
+    /// The same as [`FreeBody::attitude`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite.
+    pub fn try_attitude(&self, t: f64) -> Result<Attitude> {
+        Ok(self.attitude(finite("t", t)?))
+    }
+
     /// Angular velocity on the body axes at time `t` (rad/s).
-    pub fn angular_velocity_at(&self, t: f64) -> BodyVector {
-        self.state_at(t).1
+    pub fn angular_velocity(&self, t: f64) -> BodyVector {
+        self.kinematics(t).angular_velocity
     }
 
     /// Attitude and body rates at time `t` (s), for the price of one.
     ///
-    /// A time that is not finite gives NaN; [`FreeBody::try_state_at`] refuses it.
-    pub fn state_at(&self, t: f64) -> (Attitude, BodyVector) {
+    /// A time that is not finite gives NaN; [`FreeBody::try_kinematics`] refuses it.
+    pub fn kinematics(&self, t: f64) -> Kinematics {
         match &self.motion {
-            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.state(t),
-            Motion::Asymmetric(motion) => motion.state(t),
+            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.kinematics(t),
+            Motion::Asymmetric(motion) => motion.kinematics(t),
         }
     }
 
-    /// The same as [`FreeBody::state_at`].
+    /// The same as [`FreeBody::kinematics`].
     ///
     /// # Errors
     /// `NotFinite` for a time that is not finite.
-    pub fn try_state_at(&self, t: f64) -> Result<(Attitude, BodyVector)> {
-        Ok(self.state_at(finite("t", t)?))
+    pub fn try_kinematics(&self, t: f64) -> Result<Kinematics> {
+        Ok(self.kinematics(finite("t", t)?))
     }
 
-    /// Attitude and body rates at many times (s): the bits of [`FreeBody::state_at`],
+    /// Attitude and angular momentum at time `t` (s); the momentum has the same bits at
+    /// all times.
+    ///
+    /// A time that is not finite gives NaN; [`FreeBody::try_state`] refuses it.
+    pub fn state(&self, t: f64) -> State {
+        State {
+            attitude: self.attitude(t),
+            angular_momentum: self.angular_momentum(),
+        }
+    }
+
+    /// The same as [`FreeBody::state`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite.
+    pub fn try_state(&self, t: f64) -> Result<State> {
+        Ok(self.state(finite("t", t)?))
+    }
+
+    /// Attitude and body rates at many times (s): the bits of [`FreeBody::kinematics`],
     /// in vector registers where the processor has them; near the separatrix (m above
     /// about 0.97) one by one.
     ///
@@ -188,48 +216,44 @@ impl FreeBody {
     /// AVX-512 against 3.3 one by one (`benches`, binary `batch`).
     ///
     /// ```
-    /// # use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
+    /// # use rotation_dynamics::{attitude::Attitude, body::Kinematics};
+    /// # use rotation_dynamics::exact::free_body::FreeBody;
     /// # use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};
     /// # let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
     /// # let start = BodyVector::new(0.8, 0.4, 0.3375);
-    /// let motion = FreeBody::new(moments, start, Attitude::IDENTITY)?;
+    /// let motion = FreeBody::new(moments, Attitude::IDENTITY, start)?;
     /// let times: Vec<f64> = (0..1000).map(|k| 0.01 * f64::from(k)).collect();
-    /// let mut states = vec![(Attitude::IDENTITY, start); times.len()];
-    /// motion.states_at(&times, &mut states)?;
-    /// assert_eq!(states[999], motion.state_at(times[999]));
+    /// let mut samples = vec![Kinematics::REST; times.len()];
+    /// motion.kinematics_at(&times, &mut samples)?;
+    /// assert_eq!(samples[999], motion.kinematics(times[999]));
     /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     ///
     /// # Errors
-    /// `Lengths` if there are not as many states as times; `NotFinite` for a time that is
-    /// not finite. No state is touched then.
-    pub fn states_at(&self, times: &[f64], states: &mut [(Attitude, BodyVector)]) -> Result<()> {
-        check_times("states", states.len(), times)?;
+    /// `Lengths` if there are not as many samples as times; `NotFinite` for a time that is
+    /// not finite. No sample is touched then.
+    pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
+        check_times("samples", samples.len(), times)?;
         match &self.motion {
             Motion::Steady(motion) | Motion::Symmetric(motion) => {
-                self.fill(Some(motion), times, states);
+                self.fill(Some(motion), times, samples);
             }
-            Motion::Asymmetric(motion) => self.fill(motion.sampler(), times, states),
+            Motion::Asymmetric(motion) => self.fill(motion.sampler(), times, samples),
         }
         Ok(())
     }
 
     /// In lanes if there is a motion that samples without a branch, and far enough.
-    fn fill(
-        &self,
-        motion: Option<&impl Branchless>,
-        times: &[f64],
-        states: &mut [(Attitude, BodyVector)],
-    ) {
+    fn fill(&self, motion: Option<&impl Branchless>, times: &[f64], samples: &mut [Kinematics]) {
         let reached = |motion: &&_| {
             let until = Branchless::until(*motion);
             times.iter().filter(|t| t.abs() > until).count() == 0
         };
         if let Some(motion) = motion.filter(reached) {
-            batch::fill(motion, times, states);
+            batch::fill(motion, times, samples);
         } else {
-            for (t, state) in times.iter().zip(states) {
-                *state = self.state_at(*t);
+            for (t, sample) in times.iter().zip(samples) {
+                *sample = self.kinematics(*t);
             }
         }
     }

@@ -6,6 +6,7 @@
 use super::batch::Branchless;
 use super::series::Trigonometric;
 use crate::attitude::Attitude;
+use crate::body::Kinematics;
 use crate::frame::BodyVector;
 use crate::math::lane::{Cubics, Pair, Phased, cubics, horner};
 use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, beside, sincos_of};
@@ -142,14 +143,14 @@ impl Sampler {
         Attitude::from_unit(self.quaternion_of(&self.sample::<f64>(clocks)))
     }
 
-    pub fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    pub fn kinematics(&self, t: f64) -> Kinematics {
         let clocks = if t.abs() <= self.until {
             self.clocks.read(Pair::both, &Time::new(t).twice())
         } else {
             self.far(t)
         };
         let sample = self.sample::<f64>(clocks);
-        (
+        Kinematics::new(
             Attitude::from_unit(self.quaternion_of(&sample)),
             BodyVector::from_array(self.rates_of(&sample)),
         )

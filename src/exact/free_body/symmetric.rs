@@ -6,6 +6,7 @@ use super::batch::Branchless;
 use super::norm3;
 use super::sample::combined;
 use crate::attitude::Attitude;
+use crate::body::Kinematics;
 use crate::frame::BodyVector;
 use crate::math::lane::{Pair, Phased};
 use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, beside, sincos_of};
@@ -101,14 +102,14 @@ impl Symmetric {
         (quaternion, omega)
     }
 
-    pub(super) fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    pub(super) fn kinematics(&self, t: f64) -> Kinematics {
         let clocks = if t.abs() <= self.until {
             self.clocks.read(Pair::both, &Time::new(t).twice())
         } else {
             self.far(t)
         };
         let (quaternion, omega) = self.sample::<f64>(clocks);
-        (
+        Kinematics::new(
             Attitude::from_unit(quaternion),
             BodyVector::from_array(omega),
         )

@@ -6,6 +6,7 @@
 use super::sample::Sampler;
 use super::{Course, HeavyTop};
 use crate::attitude::Attitude;
+use crate::body::Kinematics;
 use crate::error::Result;
 use crate::exact::check_times;
 use crate::frame::BodyVector;
@@ -36,35 +37,38 @@ impl HeavyTop {
         Ok(())
     }
 
-    /// Attitudes and body rates at many times: the bits of [`HeavyTop::state`], as
+    /// Attitudes and body rates at many times: the bits of [`HeavyTop::kinematics`], as
     /// [`HeavyTop::attitudes`] does it.
     ///
     /// ```
-    /// # use rotation_dynamics::{attitude::Attitude, frame::BodyVector};
+    /// # use rotation_dynamics::body::Kinematics;
     /// # use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
     /// let top = ReducedTop::new(2.0, 1.2, 0.2)?;
     /// let motion = HeavyTop::from_energy(top, 0.55, Start::ThetaMin, 0.0, 0.0)?;
     /// let times: Vec<f64> = (0..1000).map(|k| 0.01 * f64::from(k)).collect();
-    /// let mut states = vec![motion.state(0.0); times.len()];
-    /// motion.states(&times, &mut states)?;
-    /// assert_eq!(states[999], motion.state(times[999]));
+    /// let mut samples = vec![Kinematics::REST; times.len()];
+    /// motion.kinematics_at(&times, &mut samples)?;
+    /// assert_eq!(samples[999], motion.kinematics(times[999]));
     /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     ///
     /// # Errors
     /// As [`HeavyTop::attitudes`].
-    pub fn states(&self, times: &[f64], states: &mut [(Attitude, BodyVector)]) -> Result<()> {
-        check_times("states", states.len(), times)?;
+    pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
+        check_times("samples", samples.len(), times)?;
         if let Some(sampler) = self.in_lanes(times) {
-            let mut states = states.iter_mut();
-            for_each_sample(&States(sampler), times, |[w, x, y, z, p, q, r]| {
-                if let Some(state) = states.next() {
-                    *state = (Attitude::from_unit([w, x, y, z]), BodyVector::new(p, q, r));
+            let mut samples = samples.iter_mut();
+            for_each_sample(&Whole(sampler), times, |[w, x, y, z, p, q, r]| {
+                if let Some(sample) = samples.next() {
+                    *sample = Kinematics::new(
+                        Attitude::from_unit([w, x, y, z]),
+                        BodyVector::new(p, q, r),
+                    );
                 }
             });
         } else {
-            for (t, state) in times.iter().zip(states) {
-                *state = self.state(*t);
+            for (t, sample) in times.iter().zip(samples) {
+                *sample = self.kinematics(*t);
             }
         }
         Ok(())
@@ -90,9 +94,9 @@ impl lane::Sampler<4> for Attitudes<'_> {
     }
 }
 
-struct States<'a>(&'a Sampler);
+struct Whole<'a>(&'a Sampler);
 
-impl lane::Sampler<7> for States<'_> {
+impl lane::Sampler<7> for Whole<'_> {
     #[inline(always)]
     fn sample<L: Phased>(&self, t: L) -> [L; 7] {
         let ([w, x, y, z], [p, q, r]) = self.0.all(t);

@@ -4,7 +4,7 @@ use super::motion::Motion;
 use super::roots::{Conserved, Origin, Roots, State};
 use super::sample::Sampler;
 use super::{Course, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
-use crate::attitude::EulerAngles;
+use crate::attitude::{Attitude, EulerAngles};
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
 use crate::math::DoubleDouble as Dd;
@@ -144,6 +144,57 @@ impl HeavyTop {
         known_turn("phi", phi)?;
         known_turn("zeta", zeta)?;
         let (half_sin, half_cos) = half_angle(theta)?;
+        let half = HalfAngle {
+            theta,
+            sin: half_sin,
+            cos: half_cos,
+        };
+        Self::of_body(body, &half, [phi, zeta], omega_body)
+    }
+
+    /// The motion of a body with this attitude and angular velocity (on the body axes,
+    /// rad/s) at t = 0 s; as [`FreeBody::new`](crate::exact::free_body::FreeBody::new)
+    /// takes them.
+    ///
+    /// An attitude next to a pole keeps its distance from it, which theta as a double has
+    /// next to 0 and not next to pi: a body with its axis exactly down is exactly down.
+    ///
+    /// # Errors
+    /// A rate that is not finite; [`Error::RatesTooFarApart`].
+    pub fn new(body: SymmetricTop, attitude: Attitude, omega_body: BodyVector) -> Result<Self> {
+        let EulerAngles { phi, theta, zeta } = attitude.euler_angles();
+        let [w, x, y, z] = attitude.quaternion();
+        let length = |a: f64, b: f64| {
+            // Scaled, because the square of a tiny component is no double.
+            let up = if a.abs().max(b.abs()) < 1e-100 {
+                UP
+            } else {
+                1.0
+            };
+            let square = Dd::product(a * up, a * up) + Dd::product(b * up, b * up);
+            square.sqrt().scaled(1.0 / up)
+        };
+        let (sin, cos) = (length(x, y), length(w, z));
+        let norm = (sin.square() + cos.square()).sqrt();
+        let half = HalfAngle {
+            theta,
+            sin: sin / norm,
+            cos: cos / norm,
+        };
+        Self::of_body(body, &half, [phi, zeta], omega_body)
+    }
+
+    fn of_body(
+        body: SymmetricTop,
+        half: &HalfAngle,
+        [phi, zeta]: [f64; 2],
+        omega_body: BodyVector,
+    ) -> Result<Self> {
+        let HalfAngle {
+            theta,
+            sin: half_sin,
+            cos: half_cos,
+        } = *half;
         for value in omega_body.to_array() {
             finite("omega_body", value)?;
         }
@@ -155,18 +206,23 @@ impl HeavyTop {
         let nodal = [cos * x - sin * y, sin * x + cos * y];
         // A - B = -B (1 - cos) + omega_y sin, A + B = B (1 + cos) + omega_y sin.
         let across = nodal[1] * (half_sin * half_cos).scaled(2.0);
+        let upright = half_sin == 0.0;
+        let moving = x != 0.0 || y != 0.0;
         let (start, phi0, zeta0);
-        if theta == 0.0 && (x != 0.0 || y != 0.0) {
-            // The node line is where the axis leaves the pole.
-            let node = Dd::from(-y).atan2(Dd::from(x));
+        if (upright || half_cos == 0.0) && moving {
+            // The node line is where the axis leaves the pole: towards growing theta from
+            // theta = 0, towards falling theta from pi.
+            let out = if upright { 1.0 } else { -1.0 };
+            let node = Dd::from(-out * y).atan2(Dd::from(out * x));
             let speed = (Dd::product(x, x) + Dd::product(y, y)).sqrt();
             start = Beginning::Angle {
                 theta,
                 half_sin,
                 half_cos,
-                nodal: [speed, Dd::ZERO],
+                nodal: [speed * out, Dd::ZERO],
             };
-            phi0 = (Dd::sum(phi, zeta) - node).to_f64();
+            // phi + zeta has a meaning at theta = 0, phi - zeta at pi.
+            phi0 = (Dd::sum(phi, out * zeta) - node * out).to_f64();
             zeta0 = node.to_f64();
         } else {
             start = Beginning::Angle {
@@ -250,7 +306,8 @@ impl HeavyTop {
                 less = transverse - state.to_one * strength;
                 total = transverse + state.from_minus_one * strength;
                 origin = Origin::State(state);
-                theta0 = Some((theta, transverse));
+                let vertical = half_sin == 0.0 || half_cos == 0.0;
+                theta0 = Some((theta, transverse, vertical));
             }
         }
         let conserved = if flipped {
@@ -275,9 +332,9 @@ impl HeavyTop {
         let at_upper_pole = if flipped { core::f64::consts::PI } else { 0.0 };
         let at_lower_pole = core::f64::consts::PI - at_upper_pole;
         let fixed = match theta0 {
-            // Upright without a transverse rate: it stays so for ever.
-            Some((theta, transverse))
-                if transverse == 0.0 && (theta == 0.0 || (gravity == 0.0 && spin == 0.0)) =>
+            // Exactly upright or hanging without a transverse rate: it stays so for ever.
+            Some((theta, transverse, vertical))
+                if transverse == 0.0 && (vertical || (gravity == 0.0 && spin == 0.0)) =>
             {
                 Some(theta)
             }
@@ -332,9 +389,8 @@ impl HeavyTop {
             return self.omega3.is_finite();
         };
         let period = motion.half_period.hi();
-        let start = self.state(0.0);
-        let regular = start.0.quaternion().iter().all(|c| c.is_finite())
-            && start.1.is_finite()
+        let regular = self.kinematics(0.0).is_finite()
+            && self.angular_momentum(0.0).is_finite()
             && self.theta_rate(0.0).is_finite()
             && [
                 motion.roots.x1,
@@ -379,6 +435,15 @@ impl HeavyTop {
         }
     }
 }
+
+/// An angle theta in [0, pi], and sine and cosine of theta/2 to more digits.
+struct HalfAngle {
+    theta: f64,
+    sin: Dd,
+    cos: Dd,
+}
+
+const UP: f64 = 2.037_035_976_334_486e90; // 2^300
 
 /// An angle of no more turns than leave its last bit a meaning: at 1e15 rad that is 1/8 rad.
 fn known_turn(name: &'static str, angle: f64) -> Result<f64> {

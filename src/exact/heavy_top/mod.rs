@@ -87,7 +87,7 @@ pub enum Start {
 ///
 /// Cost: about 350 sine-cosine pairs of `libm` for the set-up; 2.7 for an attitude, 3.2
 /// with the angular velocity, whatever the time, and below 1 for either in a batch
-/// ([`HeavyTop::states`]). For m > 0.8: 8 and 11. (`benches`, binary `batch`.)
+/// ([`HeavyTop::kinematics_at`]). For m > 0.8: 8 and 11. (`benches`, binary `batch`.)
 #[derive(Debug, Clone)]
 pub struct HeavyTop {
     phi0: f64,

@@ -4,6 +4,7 @@ use super::motion::{Motion, Place};
 use super::series::Pair;
 use super::{Course, HeavyTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
+use crate::body::{Kinematics, State};
 use crate::error::{Result, finite};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble as Dd};
@@ -169,24 +170,51 @@ impl HeavyTop {
     pub fn angular_velocity(&self, t: f64) -> BodyVector {
         match &self.course {
             Course::Fixed { .. } => BodyVector::new(0.0, 0.0, self.omega3.to_f64()),
-            Course::Moving { .. } => self.state(t).1,
+            Course::Moving { .. } => self.kinematics(t).angular_velocity,
         }
     }
 
     /// Attitude and angular velocity at time `t`, for little more than the price of one.
     ///
-    /// A time that is not finite gives NaN; [`HeavyTop::try_state`] refuses it.
-    pub fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    /// A time that is not finite gives NaN; [`HeavyTop::try_kinematics`] refuses it.
+    pub fn kinematics(&self, t: f64) -> Kinematics {
         match &self.course {
-            Course::Fixed { .. } => (self.fixed_attitude(t), self.angular_velocity(t)),
+            Course::Fixed { .. } => {
+                Kinematics::new(self.fixed_attitude(t), self.angular_velocity(t))
+            }
             Course::Moving {
                 sampler: Some(sampler),
                 ..
-            } => sampler.state(t),
+            } => sampler.kinematics(t),
             Course::Moving { motion, turns, .. } => {
                 let (sample, omega) = self.rates_at(motion, turns, t);
-                (attitude_of(&sample), omega)
+                Kinematics::new(attitude_of(&sample), omega)
             }
+        }
+    }
+
+    /// The same as [`HeavyTop::kinematics`].
+    ///
+    /// # Errors
+    /// `NotFinite` for a time that is not finite.
+    pub fn try_kinematics(&self, t: f64) -> Result<Kinematics> {
+        Ok(self.kinematics(finite("t", t)?))
+    }
+
+    /// Attitude and angular momentum about the pivot at time `t`; for a dimensionless top
+    /// in units with I1 = 1, I3 = a.
+    ///
+    /// A time that is not finite gives NaN; [`HeavyTop::try_state`] refuses it.
+    pub fn state(&self, t: f64) -> State {
+        let Kinematics {
+            attitude,
+            angular_velocity: omega,
+        } = self.kinematics(t);
+        let [i1, i3] = self.moments;
+        let own = BodyVector::new(i1 * omega.x(), i1 * omega.y(), i3 * omega.z());
+        State {
+            attitude,
+            angular_momentum: attitude.to_space(own),
         }
     }
 
@@ -194,7 +222,7 @@ impl HeavyTop {
     ///
     /// # Errors
     /// `NotFinite` for a time that is not finite.
-    pub fn try_state(&self, t: f64) -> Result<(Attitude, BodyVector)> {
+    pub fn try_state(&self, t: f64) -> Result<State> {
         Ok(self.state(finite("t", t)?))
     }
 
@@ -202,13 +230,7 @@ impl HeavyTop {
     ///
     /// For a dimensionless top in units with I1 = 1, I3 = a.
     pub fn angular_momentum(&self, t: f64) -> SpaceVector {
-        let (attitude, omega) = self.state(t);
-        let [i1, i3] = self.moments;
-        attitude.to_space(BodyVector::new(
-            i1 * omega.x(),
-            i1 * omega.y(),
-            i3 * omega.z(),
-        ))
+        self.state(t).angular_momentum
     }
 
     fn fixed_attitude(&self, t: f64) -> Attitude {

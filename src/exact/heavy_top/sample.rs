@@ -15,6 +15,7 @@ use super::motion::Motion;
 use super::rates::RateWave;
 use super::{Turns, series::Factor};
 use crate::attitude::Attitude;
+use crate::body::Kinematics;
 use crate::frame::BodyVector;
 use crate::math::lane::{Cubics, Pair, Phased, cubics, horner};
 use crate::math::{Clock, Reduced, Time, beside, sincos_of, unsigned_sincos_of};
@@ -155,13 +156,13 @@ impl Sampler {
         })
     }
 
-    pub fn state(&self, t: f64) -> (Attitude, BodyVector) {
+    pub fn kinematics(&self, t: f64) -> Kinematics {
         let (quaternion, rates) = if t.abs() <= self.until {
             self.all(t)
         } else {
             self.far(t)
         };
-        (
+        Kinematics::new(
             Attitude::from_unit(quaternion),
             BodyVector::from_array(rates),
         )

@@ -47,8 +47,8 @@ use crate::scene::Scene;
 /// let start = scene.body().state(Attitude::IDENTITY, rates)?;
 /// let method = GaussLegendre::new(60)?;
 /// let (end, _) = method.advance(&FreeRotation::new(&scene), 0.0, &start, 60.0)?;
-/// let exact = FreeBody::new(moments, rates, Attitude::IDENTITY)?;
-/// assert!(end.attitude.angle_to(&exact.attitude_at(60.0)) < 1e-13);
+/// let exact = FreeBody::new(moments, Attitude::IDENTITY, rates)?;
+/// assert!(end.attitude.angle_to(&exact.attitude(60.0)) < 1e-13);
 /// # Ok(())
 /// # }
 /// ```

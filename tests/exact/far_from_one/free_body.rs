@@ -2,6 +2,7 @@
 
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::free_body::{FreeBody, Kind};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -19,7 +20,7 @@ const ORDERS: [[usize; 3]; 6] = [
 
 fn free([i1, i2, i3]: [f64; 3], omega: [f64; 3]) -> Result<FreeBody, Error> {
     let moments = PrincipalMoments::new(i1, i2, i3)?;
-    FreeBody::new(moments, BodyVector::from_array(omega), Attitude::IDENTITY)
+    FreeBody::new(moments, Attitude::IDENTITY, BodyVector::from_array(omega))
 }
 
 /// From 1e-75 to 1e-90, where a constructor once did not return, and on to the smallest.
@@ -57,9 +58,12 @@ fn rates_of_any_size_make_a_motion() {
                 omega[(axis + 1) % 3] = size * q;
                 let motion = free(moments, omega).expect("a motion");
                 let want = BodyVector::from_array(omega);
-                starts.push((motion.angular_velocity_at(0.0) - want).norm());
+                starts.push((motion.angular_velocity(0.0) - want).norm());
                 for t in [0.0, 7.3, -500.0, 1e5] {
-                    let (attitude, rates) = motion.state_at(t);
+                    let Kinematics {
+                        attitude,
+                        angular_velocity: rates,
+                    } = motion.kinematics(t);
                     let momentum = motion.angular_momentum();
                     let now = attitude.to_space(motion.body_momentum(rates));
                     drifts.push((now - momentum).norm() / momentum.norm());
@@ -70,8 +74,8 @@ fn rates_of_any_size_make_a_motion() {
         }
         // Some that tumble: rates read late do not fit.
         let tumbling = free(moments, [1.0, 0.5, 0.7]).expect("a motion");
-        let (momentum, attitude) = (tumbling.angular_momentum(), tumbling.attitude_at(7.3));
-        let rates = tumbling.angular_velocity_at(7.3 + 1e-9);
+        let (momentum, attitude) = (tumbling.angular_momentum(), tumbling.attitude(7.3));
+        let rates = tumbling.angular_velocity(7.3 + 1e-9);
         let now = attitude.to_space(tumbling.body_momentum(rates));
         late.push((now - momentum).norm() / momentum.norm());
     }
@@ -97,9 +101,7 @@ fn small_wobbles_scale() {
                 let mut omega = [0.7 * size; 3];
                 omega[axis] = 1.0;
                 omega[(axis + 1) % 3] = -size;
-                let rates = free(moments, omega)
-                    .expect("a motion")
-                    .angular_velocity_at(t);
+                let rates = free(moments, omega).expect("a motion").angular_velocity(t);
                 let rates = rates.to_array();
                 [rates[(axis + 1) % 3], rates[(axis + 2) % 3]]
             };
@@ -137,7 +139,7 @@ fn the_smallest_push_flips_the_body() {
         // Growth rate 1/sqrt(3), four passages a period.
         let grown = 4.0 * root * (log(1e-10) - log(push));
         periods.push_at((period - reference.rate_period() - grown) / period, push);
-        let rate = |t: f64| motion.angular_velocity_at(t).y() / period;
+        let rate = |t: f64| motion.angular_velocity(t).y() / period;
         flips.push_at(rate(0.25 * period), push);
         late.push(rate(0.25 * period * (1.0 + 1e-11)));
     }
@@ -154,7 +156,10 @@ fn a_free_body_from_the_edge_of_the_doubles() {
     // The rate about the middle axis of (2, 1, 1.5) is the third.
     let pushed = free([2.0, 1.0, 1.5], [0.0, 1e-200, 1.0]).expect("a motion");
     for t in [0.0, 1.0, 1e3, -1e5, 1e300] {
-        let (attitude, rates) = pushed.state_at(t);
+        let Kinematics {
+            attitude,
+            angular_velocity: rates,
+        } = pushed.kinematics(t);
         assert!(attitude.quaternion().iter().all(|c| c.is_finite()) && rates.is_finite());
     }
     let refused = |moments, omega| {

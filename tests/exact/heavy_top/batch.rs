@@ -2,8 +2,8 @@
 
 use super::motions::all;
 use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
-use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::EPS;
 use rotation_dynamics::{Error, Result};
 use support::Errors;
@@ -24,9 +24,10 @@ fn times(motion: &HeavyTop, count: u32, late: f64) -> Vec<f64> {
         .collect()
 }
 
-fn bits(states: &[(Attitude, BodyVector)]) -> Vec<[u64; 7]> {
-    let of = |(attitude, omega): &(Attitude, BodyVector)| {
-        let ([w, x, y, z], [p, q, r]) = (attitude.quaternion(), omega.to_array());
+fn bits(states: &[Kinematics]) -> Vec<[u64; 7]> {
+    let of = |state: &Kinematics| {
+        let [w, x, y, z] = state.attitude.quaternion();
+        let [p, q, r] = state.angular_velocity.to_array();
         [w, x, y, z, p, q, r].map(f64::to_bits)
     };
     states.iter().map(of).collect()
@@ -34,21 +35,21 @@ fn bits(states: &[(Attitude, BodyVector)]) -> Vec<[u64; 7]> {
 
 /// The states, after the attitudes alone have been found to be theirs.
 fn filled(motion: &HeavyTop, times: &[f64]) -> Result<Vec<[u64; 7]>> {
-    let mut states = vec![(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0)); times.len()];
-    motion.states(times, &mut states)?;
+    let mut states = vec![Kinematics::REST; times.len()];
+    motion.kinematics_at(times, &mut states)?;
     let mut attitudes = vec![Attitude::IDENTITY; times.len()];
     motion.attitudes(times, &mut attitudes)?;
-    assert!(states.iter().map(|s| s.0).eq(attitudes));
+    assert!(states.iter().map(|s| s.attitude).eq(attitudes));
     Ok(bits(&states))
 }
 
 fn one_by_one(motion: &HeavyTop, times: &[f64]) -> Vec<[u64; 7]> {
-    let states: Vec<_> = times.iter().map(|t| motion.state(*t)).collect();
+    let states: Vec<_> = times.iter().map(|t| motion.kinematics(*t)).collect();
     assert!(
         times
             .iter()
             .zip(&states)
-            .all(|(t, s)| s.0 == motion.attitude(*t))
+            .all(|(t, s)| s.attitude == motion.attitude(*t))
     );
     bits(&states)
 }
@@ -81,11 +82,11 @@ fn any_length_will_do_and_two_lengths_will_not() -> Result<()> {
     for length in 0..=times.len() {
         assert_eq!(filled(motion, &times[..length])?, whole[..length].to_vec());
     }
-    let mut states = vec![motion.state(0.5); 7];
+    let mut states = vec![motion.kinematics(0.5); 7];
     let before = bits(&states);
-    let error = motion.states(&times, &mut states);
+    let error = motion.kinematics_at(&times, &mut states);
     let expected = Error::Lengths {
-        name: "states",
+        name: "samples",
         found: 7,
         expected: 40,
     };
@@ -100,7 +101,10 @@ fn any_finite_time_has_a_unit_quaternion() {
     for (i, motion) in all().iter().enumerate() {
         for exponent in 10..=308 {
             for t in [1.7, -1.3].map(|t| t * 10.0_f64.powi(exponent)) {
-                let (attitude, omega) = motion.state(t);
+                let Kinematics {
+                    attitude,
+                    angular_velocity: omega,
+                } = motion.kinematics(t);
                 let norm: f64 = attitude.quaternion().iter().map(|q| q * q).sum();
                 norms.push_at(norm - 1.0, (i, t));
                 assert!(omega.is_finite(), "motion {i} at {t}: {omega:?}");
@@ -119,16 +123,16 @@ fn a_time_that_is_no_number_is_refused() {
                 matches!(error, Some(Error::NotFinite { name: "t", value })
                     if value.to_bits() == bad.to_bits())
             };
-            assert!(told(motion.try_state(bad).err()));
+            assert!(told(motion.try_kinematics(bad).err()));
             assert!(told(motion.try_attitude(bad).err()));
-            let before = vec![motion.state(0.5); 9];
+            let before = vec![motion.kinematics(0.5); 9];
             let mut states = before.clone();
             let times = [0.0, 1.0, 2.0, 3.0, 4.0, bad, 6.0, 7.0, 8.0];
-            assert!(told(motion.states(&times, &mut states).err()));
+            assert!(told(motion.kinematics_at(&times, &mut states).err()));
             assert_eq!(bits(&states), bits(&before));
             refused += 1;
         }
-        assert_eq!(motion.try_state(2.5), Ok(motion.state(2.5)));
+        assert_eq!(motion.try_kinematics(2.5), Ok(motion.kinematics(2.5)));
         assert_eq!(motion.try_attitude(2.5), Ok(motion.attitude(2.5)));
     }
     assert_eq!(refused, 78);

@@ -2,6 +2,7 @@
 
 use super::motions::all;
 use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::EPS;
@@ -20,7 +21,10 @@ fn drift(motion: &HeavyTop, damage: f64, drifts: &mut Errors) {
         (None, None) => unreachable!("a motion has a body or parameters"),
     };
     for t in TIMES {
-        let (attitude, omega) = motion.state(t);
+        let Kinematics {
+            attitude,
+            angular_velocity: omega,
+        } = motion.kinematics(t);
         let (x, y) = (omega.x() * damage, omega.y() * damage);
         let momentum = BodyVector::new(i1 * x, i1 * y, i3 * omega.z());
         let size = momentum.norm() + i1 * (moment.abs() / i1).sqrt();

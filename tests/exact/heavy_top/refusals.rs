@@ -2,6 +2,7 @@
 
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::EulerAngles;
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
 
@@ -90,7 +91,10 @@ impl Random {
 fn is_sound(motion: &HeavyTop) -> bool {
     [0.0, 1e-9, 0.7, -31.0, 1e6].into_iter().all(|t| {
         let angles = motion.angles(t);
-        let (attitude, omega) = motion.state(t);
+        let Kinematics {
+            attitude,
+            angular_velocity: omega,
+        } = motion.kinematics(t);
         let norm: f64 = attitude.quaternion().iter().map(|c| c * c).sum();
         (0.0..=core::f64::consts::PI).contains(&angles.theta)
             && angles.phi.is_finite()

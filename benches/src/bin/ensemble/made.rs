@@ -48,8 +48,8 @@ pub fn tumbling([i1, i2, i3, l1, l2, l3]: [f64; 6]) -> rotation_dynamics::Result
     let rates = BodyVector::new(l1 / i1, l2 / i2, l3 / i3);
     FreeBody::new(
         PrincipalMoments::new(i1, i2, i3)?,
-        rates,
         Attitude::IDENTITY,
+        rates,
     )
 }
 
@@ -168,11 +168,11 @@ pub fn accuracy() -> Outcome<Table> {
         let motion = tumbling(made)?;
         let t = 1000.0 * motion.rate_period();
         let error = motion
-            .attitude_at(t)
+            .attitude(t)
             .angle_to(&stepped_tumbling(made, t, 16_000)?);
         Ok((
             error,
-            condition(made, |made| Ok(tumbling(made)?.attitude_at(t)))?,
+            condition(made, |made| Ok(tumbling(made)?.attitude(t)))?,
         ))
     })?;
     Ok(table)

@@ -18,10 +18,10 @@ use benches::ensemble::{Axes, axes, drawn, set_up, states};
 use benches::timing::{Task, interleaved};
 use made::{GYROSCOPE, TUMBLING, accuracy, gyroscope, quantities, tumbling};
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::exp;
 use rotation_dynamics::report::{Report, Table, short};
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -182,7 +182,7 @@ fn works<B: Send + Sync>(
     table: &mut Table,
     pools: &[ThreadPool],
     make: impl Fn(usize) -> rotation_dynamics::Result<B> + Sync + Send + Copy,
-    state: impl Fn(&B, f64) -> (Attitude, BodyVector) + Sync + Copy,
+    state: impl Fn(&B, f64) -> Kinematics + Sync + Copy,
     axis: impl Fn(&B, f64) -> SpaceVector + Sync + Copy,
 ) -> Outcome<()> {
     throughput(&format!("{kind}: set-up"), TIMED, table, pools, || {
@@ -193,7 +193,7 @@ fn works<B: Send + Sync>(
         set_up(TIMED, |body| Ok(state(&make(body)?, LATE))).map(|made| drop(black_box(made)))
     })?;
     let bodies = set_up(BODIES, make)?;
-    let rest = (Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0));
+    let rest = Kinematics::REST;
     let once = format!("{kind}: state at one time");
     throughput(&once, BODIES, table, pools, || {
         let mut out = vec![rest; BODIES];
@@ -235,7 +235,7 @@ fn record(conditions: &Conditions) -> Outcome<()> {
 
     let made_top = |body| gyroscope(quantities(GYROSCOPE, body));
     let made_body = |body| tumbling(quantities(TUMBLING, body));
-    let axis_of_body = |body: &FreeBody, t| body.attitude_at(t).axis();
+    let axis_of_body = |body: &FreeBody, t| body.attitude(t).axis();
     let columns = [
         "bodies",
         "bytes each",
@@ -279,7 +279,7 @@ fn record(conditions: &Conditions) -> Outcome<()> {
         &mut table,
         &pools,
         made_top,
-        HeavyTop::state,
+        HeavyTop::kinematics,
         HeavyTop::axis,
     )?;
     works(
@@ -287,7 +287,7 @@ fn record(conditions: &Conditions) -> Outcome<()> {
         &mut table,
         &pools,
         made_body,
-        FreeBody::state_at,
+        FreeBody::kinematics,
         axis_of_body,
     )?;
     report.add_table(table)?;
