@@ -122,6 +122,14 @@ pub enum Error {
         found: usize,
         expected: usize,
     },
+    /// One of a list is refused.
+    AtIndex {
+        name: &'static str,
+        index: usize,
+        reason: Box<Error>,
+    },
+    /// A motion whose inputs are not known has no condition.
+    ConditionUnknown { name: &'static str },
     /// The error asked for at the end cannot be reached with doubles.
     NotDelivered { requested: f64, reached: f64 },
     /// The inputs, as doubles, do not determine the end as closely as is asked for.
@@ -168,6 +176,15 @@ impl fmt::Display for Error {
                 found,
                 expected,
             } => write!(f, "{name}: {found} given where there must be {expected}"),
+            Self::AtIndex {
+                name,
+                index,
+                reason,
+            } => write!(f, "{name}[{index}]: {reason}"),
+            Self::ConditionUnknown { name } => write!(
+                f,
+                "the condition of \"{name}\" is not known: what it was made from is not"
+            ),
             Self::RatesTooFarApart { fastest } => write!(
                 f,
                 "the rates of this motion are too large, too small or too far apart (the fastest \

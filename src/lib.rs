@@ -12,6 +12,7 @@
 //! | [`inertia`] | tensor, principal moments and axes, parallel axes, solids |
 //! | [`body`] | a rigid body and its state, on principal axes or on those of its drawing |
 //! | `documents` | values to and from documents (feature `serde`) |
+//! | [`motion`] | what every motion can be asked, closed form or solved |
 //! | [`effects`] | what acts on a body, one file per effect |
 //! | [`scene`] | body, effects and initial state together |
 //! | [`exact`] | elliptic functions and closed-form solutions |
@@ -33,6 +34,7 @@ pub mod inertia;
 pub mod integrators;
 pub mod interval;
 pub mod math;
+pub mod motion;
 pub mod planar;
 #[cfg(feature = "report")]
 pub mod report;

@@ -13,6 +13,7 @@
 //! ([`crate::exact`]), and time, which this library never reads; work is counted
 //! ([`Work`](crate::integrators::Work)).
 
+mod asked;
 mod carry;
 pub mod dial;
 mod measures;

@@ -46,6 +46,7 @@ use super::extended::carlson_rf;
 use super::jacobi::Jacobi;
 use crate::error::{Error, Result, finite};
 use crate::math::{self, DoubleDouble};
+use crate::motion::{Kept, Motion, changed, felt};
 
 /// The smallest angle of release: below it `theta0^2` leaves the range of the
 /// double-double products.
@@ -387,6 +388,46 @@ impl Ladder {
             }
         }
         x.min(self.growth)
+    }
+}
+
+/// The inputs of the condition are length, gravity, theta0 and the time; what moves is
+/// theta.
+impl Motion for Ladder {
+    type State = LadderState;
+
+    fn name(&self) -> &'static str {
+        "closed form of the sliding ladder"
+    }
+
+    fn try_state(&self, t: f64) -> Result<LadderState> {
+        self.at(t)
+    }
+
+    fn kept(&self) -> Vec<Kept> {
+        vec![Kept::new("energy over m g l", "", 0.5 * self.cos0)]
+    }
+
+    fn condition(&self, t: f64) -> Result<f64> {
+        let here = self.at(t)?;
+        let inputs = [self.length, self.gravity, self.theta0];
+        let turned = here.omega * t;
+        let mut square = turned * turned;
+        for i in 0..inputs.len() {
+            let felt = felt(|by| {
+                let Some(input) = changed(inputs[i], by) else {
+                    return Ok(None);
+                };
+                let mut inputs = inputs;
+                inputs[i] = input;
+                let [length, gravity, theta0] = inputs;
+                let other = Self::new(length, gravity, theta0)?;
+                // One that lands before t is no neighbour: the other direction is felt.
+                Ok(Some((other.at(t)?.theta - here.theta).abs()))
+            })?;
+            square += felt * felt;
+        }
+        Ok(square.sqrt())
     }
 }
 

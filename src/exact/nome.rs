@@ -259,7 +259,10 @@ fn small_root(num: Dd, den: Dd) -> Dd {
 /// Both times a power of two that brings the larger near 1: products stay in range.
 fn common_scale(num: Dd, den: Dd) -> (Dd, Dd) {
     let largest = num.hi().max(den.hi());
-    if largest > 0.0 && largest.is_finite() {
+    if largest.is_normal() {
+        let scale = ldexp(1.0, -ilogb(largest));
+        (num.scaled(scale), den.scaled(scale))
+    } else if largest > 0.0 && largest.is_finite() {
         // In two steps: the inverse of the smallest number is none.
         let exponent = ilogb(largest);
         let (first, rest) = (-(exponent / 2), exponent / 2 - exponent);

@@ -24,6 +24,7 @@
 use super::phase::Phase;
 use crate::error::{Error, Result, finite};
 use crate::math::{DoubleDouble as Dd, atan2, ldexp};
+use crate::motion::{Kept, Motion, changed, felt};
 
 /// A rigid body on a fixed horizontal axis.
 ///
@@ -85,11 +86,11 @@ pub struct Pendulum {
     gap: Dd,
     /// Whole turns of theta0.
     turns: f64,
-    motion: Motion,
+    motion: Course,
 }
 
 #[derive(Debug, Clone)]
-enum Motion {
+enum Course {
     Rest,
     /// theta/2 = (half cos W t + swing sin W t) / scale.
     Harmonic {
@@ -187,12 +188,12 @@ impl Pendulum {
         let gap = if exact { Dd::ZERO } else { gap };
 
         let motion = if theta0 == 0.0 && omega0 == 0.0 {
-            Motion::Rest
+            Course::Rest
         } else if k2 < 1e-36 {
-            Motion::Harmonic { half, swing, scale }
+            Course::Harmonic { half, swing, scale }
         } else if gap > 0.0 {
             let k = k2.sqrt();
-            Motion::Oscillation {
+            Course::Oscillation {
                 k: k.to_f64(),
                 k1: gap.sqrt().to_f64(),
                 speed: (rate * k).scaled(2.0).to_f64(),
@@ -202,7 +203,7 @@ impl Pendulum {
             let k = k2.sqrt();
             let sense = if omega0 < 0.0 { -1.0 } else { 1.0 };
             let (m, m1) = (k2.recip(), -gap / k2);
-            Motion::Rotation {
+            Course::Rotation {
                 sense,
                 m: m.to_f64(),
                 speed: (rate * k).scaled(2.0 * sense).to_f64(),
@@ -237,10 +238,10 @@ impl Pendulum {
     /// What the pendulum does.
     pub fn kind(&self) -> PendulumKind {
         match &self.motion {
-            Motion::Rest => PendulumKind::Rest,
-            Motion::Harmonic { .. } | Motion::Oscillation { .. } => PendulumKind::Oscillation,
-            Motion::Rotation { .. } if self.gap == 0.0 => PendulumKind::Separatrix,
-            Motion::Rotation { .. } => PendulumKind::Rotation,
+            Course::Rest => PendulumKind::Rest,
+            Course::Harmonic { .. } | Course::Oscillation { .. } => PendulumKind::Oscillation,
+            Course::Rotation { .. } if self.gap == 0.0 => PendulumKind::Separatrix,
+            Course::Rotation { .. } => PendulumKind::Rotation,
         }
     }
 
@@ -267,10 +268,10 @@ impl Pendulum {
     /// 0.48 / 1.7 / 1.9), 0.32 / 0.88 / 0.99 for 0.01 to 3; seed 7 the same to 0.04.
     pub fn period(&self) -> f64 {
         match &self.motion {
-            Motion::Rest | Motion::Harmonic { .. } => (Dd::TWO_PI / self.rate).to_f64(),
-            Motion::Oscillation { phase, .. } => (phase.quarter.scaled(4.0) / self.rate).to_f64(),
-            Motion::Rotation { .. } if self.gap == 0.0 => f64::INFINITY,
-            Motion::Rotation { phase, .. } => {
+            Course::Rest | Course::Harmonic { .. } => (Dd::TWO_PI / self.rate).to_f64(),
+            Course::Oscillation { phase, .. } => (phase.quarter.scaled(4.0) / self.rate).to_f64(),
+            Course::Rotation { .. } if self.gap == 0.0 => f64::INFINITY,
+            Course::Rotation { phase, .. } => {
                 (phase.quarter.scaled(2.0) / (self.rate * self.k2.sqrt())).to_f64()
             }
         }
@@ -280,14 +281,14 @@ impl Pendulum {
     /// separatrix, where it is approached; none for a rotation.
     pub fn amplitude(&self) -> Option<f64> {
         match &self.motion {
-            Motion::Rest => Some(0.0),
-            Motion::Harmonic { half, swing, scale } => {
+            Course::Rest => Some(0.0),
+            Course::Harmonic { half, swing, scale } => {
                 let size = (half.square() + swing.square()).sqrt();
                 Some(2.0 * size.to_f64() / scale)
             }
-            Motion::Oscillation { k, k1, .. } => Some(2.0 * atan2(*k, *k1)),
-            Motion::Rotation { .. } if self.gap == 0.0 => Some(core::f64::consts::PI),
-            Motion::Rotation { .. } => None,
+            Course::Oscillation { k, k1, .. } => Some(2.0 * atan2(*k, *k1)),
+            Course::Rotation { .. } if self.gap == 0.0 => Some(core::f64::consts::PI),
+            Course::Rotation { .. } => None,
         }
     }
 
@@ -317,8 +318,8 @@ impl Pendulum {
         let allowed = "its size must not exceed 4e15/(W max(k, 1)): beyond, the phase is lost";
         in_range("t", t, t.abs() <= 4e15 / speed, allowed)?;
         let (turns, angle, omega) = match &self.motion {
-            Motion::Rest => (0.0, 0.0, 0.0),
-            Motion::Harmonic { half, swing, scale } => {
+            Course::Rest => (0.0, 0.0, 0.0),
+            Course::Harmonic { half, swing, scale } => {
                 let (sin, cos) = (self.rate * t).sin_cos();
                 let angle = *half * cos + *swing * sin;
                 let rate = (*swing * cos - *half * sin) * self.rate;
@@ -328,7 +329,7 @@ impl Pendulum {
                     2.0 * rate.to_f64() / scale,
                 )
             }
-            Motion::Oscillation {
+            Course::Oscillation {
                 k, speed, phase, ..
             } => {
                 let s = phase.at(t);
@@ -337,7 +338,7 @@ impl Pendulum {
                 let angle = 2.0 * atan2(k * s.sn, s.dn) + 2.0 * k * cn * s.rest;
                 (0.0, angle, speed * (cn - sn * dn * s.rest))
             }
-            Motion::Rotation {
+            Course::Rotation {
                 sense,
                 m,
                 speed,
@@ -358,6 +359,66 @@ impl Pendulum {
             (Dd::TWO_PI * turns + angle).to_f64()
         };
         Ok(PendulumState { theta, omega })
+    }
+}
+
+/// The inputs of the condition are moment, mass, gravity, lever, theta0, omega0 and the time;
+/// what moves is theta.
+impl Motion for Pendulum {
+    type State = PendulumState;
+
+    fn name(&self) -> &'static str {
+        "closed form of the pendulum"
+    }
+
+    fn try_state(&self, t: f64) -> Result<PendulumState> {
+        self.at(t)
+    }
+
+    fn kept(&self) -> Vec<Kept> {
+        let energy = self.suspension.mass * self.suspension.gravity * self.suspension.lever;
+        vec![Kept::new(
+            "energy above hanging",
+            "J",
+            2.0 * energy * self.energy_ratio(),
+        )]
+    }
+
+    fn condition(&self, t: f64) -> Result<f64> {
+        let here = self.at(t)?;
+        let inputs = [
+            self.suspension.moment,
+            self.suspension.mass,
+            self.suspension.gravity,
+            self.suspension.lever,
+            self.theta0,
+            self.omega0,
+        ];
+        let turned = here.omega * t;
+        let mut square = turned * turned;
+        for i in 0..inputs.len() {
+            let felt = felt(|by| {
+                let Some(input) = changed(inputs[i], by) else {
+                    return Ok(None);
+                };
+                let mut inputs = inputs;
+                inputs[i] = input;
+                let [moment, mass, gravity, lever, theta0, omega0] = inputs;
+                let other = Self::new(
+                    Suspension {
+                        moment,
+                        mass,
+                        gravity,
+                        lever,
+                    },
+                    theta0,
+                    omega0,
+                )?;
+                Ok(Some((other.at(t)?.theta - here.theta).abs()))
+            })?;
+            square += felt * felt;
+        }
+        Ok(square.sqrt())
     }
 }
 

@@ -42,6 +42,7 @@
 use super::ladder::gauss_legendre;
 use crate::error::{Error, Result, finite};
 use crate::math::{self, DoubleDouble as Dd, EPS};
+use crate::motion::{Kept, Motion, changed, felt};
 
 /// While X + V is below this, the integrand is 1 to 19 digits.
 const UPRIGHT: f64 = 1e-10;
@@ -334,6 +335,50 @@ impl Plank {
             vy_cm: -0.5 * self.length * p.sin * omega,
             floor_force: force / (p.stretch * p.stretch),
         }
+    }
+}
+
+/// The inputs of the condition are length, gravity, theta0, omega0 and the time; what moves is
+/// theta.
+impl Motion for Plank {
+    type State = PlankState;
+
+    fn name(&self) -> &'static str {
+        "closed form of the falling plank"
+    }
+
+    fn try_state(&self, t: f64) -> Result<PlankState> {
+        self.at(t)
+    }
+
+    fn kept(&self) -> Vec<Kept> {
+        vec![Kept::new(
+            "e = y - (theta'^2 (1 + 3 s^2))/(4 lambda^2)",
+            "",
+            self.excess,
+        )]
+    }
+
+    fn condition(&self, t: f64) -> Result<f64> {
+        let here = self.at(t)?;
+        let inputs = [self.length, self.gravity, self.theta0, self.omega0];
+        let turned = here.omega * t;
+        let mut square = turned * turned;
+        for i in 0..inputs.len() {
+            let felt = felt(|by| {
+                let Some(input) = changed(inputs[i], by) else {
+                    return Ok(None);
+                };
+                let mut inputs = inputs;
+                inputs[i] = input;
+                let [length, gravity, theta0, omega0] = inputs;
+                let other = Self::new(length, gravity, theta0, omega0)?;
+                // One that lands before t is no neighbour: the other direction is felt.
+                Ok(Some((other.at(t)?.theta - here.theta).abs()))
+            })?;
+            square += felt * felt;
+        }
+        Ok(square.sqrt())
     }
 }
 

@@ -10,6 +10,7 @@ mod far_from_one;
 mod free_body;
 mod free_flow;
 mod heavy_top;
+mod motion;
 mod pendulum;
 mod plank;
 mod turns;

@@ -206,7 +206,8 @@ impl Small {
 
     /// True if 1 - m, as the square of such a rate, is near the end of the range of doubles.
     fn is_tiny(&self, unit: f64) -> bool {
-        ilogb(self.unit) - ilogb(unit) < -300
+        const TINY: f64 = 4.909_093_465_297_727e-91; // 2^-300
+        self.unit < TINY * unit
     }
 
     /// A square in this unit, in the other unit.

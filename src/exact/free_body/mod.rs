@@ -26,6 +26,7 @@ use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::math::DoubleDouble as Dd;
 
+mod asked;
 mod asymmetric;
 mod batch;
 mod flow;
@@ -35,6 +36,7 @@ mod sample;
 mod series;
 mod symmetric;
 
+pub(in crate::exact) use asked::first_bad;
 use asymmetric::Asymmetric;
 use batch::Branchless;
 pub use flow::FreeFlow;

@@ -3,7 +3,7 @@
 use super::motion::Motion;
 use super::roots::{Conserved, Origin, Roots, State};
 use super::sample::Sampler;
-use super::{Course, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
+use super::{Course, Given, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
@@ -25,6 +25,7 @@ struct Problem {
     moments: [f64; 2],
     reduced: Option<ReducedTop>,
     body: Option<SymmetricTop>,
+    given: Given,
 }
 
 enum Beginning {
@@ -67,7 +68,9 @@ impl HeavyTop {
             }
         }
         let excess = Dd::from(energy).scaled(2.0);
-        Self::reduced_problem(top, Beginning::Turning { excess, start }, phi0, zeta0)
+        let given = Given::Energy { top, energy, start };
+        let start = Beginning::Turning { excess, start };
+        Self::reduced_problem(top, start, phi0, zeta0, given)
     }
 
     /// The motion with these initial angles (rad) and this theta' (per t').
@@ -109,10 +112,21 @@ impl HeavyTop {
             half_cos,
             nodal: [Dd::from(theta_rate0), nodal_y],
         };
-        Self::reduced_problem(top, start, phi0, zeta0)
+        let given = Given::Angles {
+            top,
+            theta0,
+            theta_rate0,
+        };
+        Self::reduced_problem(top, start, phi0, zeta0, given)
     }
 
-    fn reduced_problem(top: ReducedTop, start: Beginning, phi0: f64, zeta0: f64) -> Result<Self> {
+    fn reduced_problem(
+        top: ReducedTop,
+        start: Beginning,
+        phi0: f64,
+        zeta0: f64,
+        given: Given,
+    ) -> Result<Self> {
         let root_a = Dd::from(top.a()).sqrt();
         Self::solve(Problem {
             spin: root_a,
@@ -127,6 +141,7 @@ impl HeavyTop {
             moments: [1.0, top.a()],
             reduced: Some(top),
             body: None,
+            given,
         })
     }
 
@@ -246,6 +261,7 @@ impl HeavyTop {
             moments: [body.i1(), body.i3()],
             reduced: None,
             body: Some(body),
+            given: Given::Body { body, omega_body },
         })
     }
 
@@ -370,6 +386,7 @@ impl HeavyTop {
             moments: problem.moments,
             reduced: problem.reduced,
             body: problem.body,
+            given: problem.given,
             course,
         };
         if motion.is_representable() {
@@ -389,8 +406,9 @@ impl HeavyTop {
             return self.omega3.is_finite();
         };
         let period = motion.half_period.hi();
-        let regular = self.kinematics(0.0).is_finite()
-            && self.angular_momentum(0.0).is_finite()
+        let start = self.state(0.0);
+        let regular = start.attitude.quaternion().iter().all(|c| c.is_finite())
+            && start.angular_momentum.is_finite()
             && self.theta_rate(0.0).is_finite()
             && [
                 motion.roots.x1,

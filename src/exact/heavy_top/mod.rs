@@ -21,6 +21,7 @@
 //! | `motion` | the phases in time |
 //! | `sample`, `rates` | attitude and rates without a branch, and the set-up of the rates |
 //! | `batch` | many times at once |
+//! | `asked` | the top as a [`Motion`](crate::motion::Motion), its condition |
 //! | `queries`, `whole` | what can be asked at a time and of the motion as a whole |
 //!
 //! Not for: tops with friction or with three different moments; see
@@ -30,6 +31,7 @@
 //! E. T. Whittaker, *Analytical Dynamics*, 71-72. The forms without cancellation are
 //! ours.
 
+mod asked;
 mod batch;
 mod body;
 mod construct;
@@ -48,6 +50,7 @@ pub use body::SymmetricTop;
 pub use reduced::ReducedTop;
 pub use whole::Regime;
 
+use crate::frame::BodyVector;
 use crate::math::{DoubleDouble as Dd, known};
 use motion::{Motion, nearest};
 use sample::Sampler;
@@ -107,7 +110,28 @@ pub struct HeavyTop {
     moments: [f64; 2],
     reduced: Option<ReducedTop>,
     body: Option<SymmetricTop>,
+    given: Given,
     course: Course,
+}
+
+/// What it was made from, beside phi0 and zeta0: what its condition changes.
+#[derive(Debug, Clone, Copy)]
+enum Given {
+    Energy {
+        top: ReducedTop,
+        energy: f64,
+        start: Start,
+    },
+    Angles {
+        top: ReducedTop,
+        theta0: f64,
+        theta_rate0: f64,
+    },
+    /// The attitude is that of t = 0.
+    Body {
+        body: SymmetricTop,
+        omega_body: BodyVector,
+    },
 }
 
 /// What the axis does.

@@ -206,10 +206,14 @@ impl HeavyTop {
     ///
     /// A time that is not finite gives NaN; [`HeavyTop::try_state`] refuses it.
     pub fn state(&self, t: f64) -> State {
+        self.with_momentum(self.kinematics(t))
+    }
+
+    pub(super) fn with_momentum(&self, now: Kinematics) -> State {
         let Kinematics {
             attitude,
             angular_velocity: omega,
-        } = self.kinematics(t);
+        } = now;
         let [i1, i3] = self.moments;
         let own = BodyVector::new(i1 * omega.x(), i1 * omega.y(), i3 * omega.z());
         State {

@@ -1,0 +1,92 @@
+//! The free body as a [`Motion`].
+
+use super::FreeBody;
+use crate::body::{Kinematics, State};
+use crate::error::{Error, Result, finite};
+use crate::frame::BodyVector;
+use crate::inertia::PrincipalMoments;
+use crate::motion::{Kept, Motion, changed, felt, pushed};
+
+/// The inputs of the condition are three turns of the start (per rad), three pushes (per |L|:
+/// each rate changed by a part of |L|/I), three moments, and the time.
+impl Motion for FreeBody {
+    type State = State;
+
+    fn name(&self) -> &'static str {
+        "closed form of the free body"
+    }
+
+    fn try_state(&self, t: f64) -> Result<State> {
+        Self::try_state(self, t)
+    }
+
+    fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
+        let mut samples = vec![Kinematics::REST; times.len()];
+        self.kinematics_at(times, &mut samples)
+            .map_err(|reason| first_bad(times, reason))?;
+        let angular_momentum = self.angular_momentum();
+        let state = |sample: Kinematics| State {
+            attitude: sample.attitude,
+            angular_momentum,
+        };
+        Ok(samples.into_iter().map(state).collect())
+    }
+
+    fn kept(&self) -> Vec<Kept> {
+        let [x, y, z] = self.angular_momentum().to_array();
+        vec![
+            Kept::new("L_X", "kg m^2/s", x),
+            Kept::new("L_Y", "kg m^2/s", y),
+            Kept::new("L_Z", "kg m^2/s", z),
+            Kept::new("kinetic energy", "J", self.kinetic_energy()),
+        ]
+    }
+
+    fn condition(&self, t: f64) -> Result<f64> {
+        let here = self.try_attitude(t)?;
+        let rates = self.angular_velocity.to_array();
+        let momentum = self.angular_momentum().norm();
+        let moved = |moments: [f64; 3], rates: [f64; 3]| -> Result<Option<f64>> {
+            let [i1, i2, i3] = moments;
+            let moments = PrincipalMoments::new(i1, i2, i3)?;
+            let other = Self::new(moments, self.attitude, BodyVector::from_array(rates))?;
+            Ok(Some(other.attitude(t).angle_to(&here)))
+        };
+        // A turn of the start turns the whole motion.
+        let mut square = 3.0;
+        let turned = self.angular_velocity(t).norm() * t;
+        square += turned * turned;
+        for i in 0..3 {
+            let by_moment = felt(|by| match changed(self.moments[i], by) {
+                Some(moment) => moved(with(self.moments, i, moment), rates),
+                None => Ok(None),
+            })?;
+            let size = momentum / self.moments[i];
+            let by_push = felt(|by| match pushed(rates[i], by * size) {
+                Some(rate) if size > 0.0 => moved(self.moments, with(rates, i, rate)),
+                _ => Ok(None),
+            })?;
+            square += by_moment * by_moment + by_push * by_push;
+        }
+        Ok(square.sqrt())
+    }
+}
+
+/// The numbers with one of them replaced.
+fn with(mut numbers: [f64; 3], i: usize, value: f64) -> [f64; 3] {
+    numbers[i] = value;
+    numbers
+}
+
+/// What is wrong with the first of the times that is not finite; else the reason as it is.
+pub(crate) fn first_bad(times: &[f64], reason: Error) -> Error {
+    let bad = |(index, t): (usize, &f64)| finite("t", *t).err().map(|error| (index, error));
+    match times.iter().enumerate().find_map(bad) {
+        Some((index, error)) => Error::AtIndex {
+            name: "times",
+            index,
+            reason: Box::new(error),
+        },
+        None => reason,
+    }
+}
