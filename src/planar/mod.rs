@@ -21,6 +21,7 @@
 //!
 //! Not for: rotation in three dimensions ([`crate::scene`]).
 
+mod asked;
 mod bilateral;
 pub mod contact;
 mod dial;
@@ -28,6 +29,7 @@ mod run;
 
 use crate::error::Result;
 
+pub use asked::Moment;
 pub use bilateral::Bilateral;
 pub use dial::{Delivered, simulate_within};
 pub use run::{Leg, Run, Transition, simulate};
