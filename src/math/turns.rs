@@ -113,10 +113,16 @@ impl<L: Phased> Time<L> {
     }
 }
 
-/// The time itself, or, so late that no phase is known and none is as good as any, zero.
+/// The time itself, or, so many radians late at this rate that no phase is known and none is
+/// as good as any, zero.
 #[inline]
-pub(crate) fn known(t: f64) -> f64 {
-    if t.abs() > 1e150 { 0.0 * t } else { t }
+pub(crate) fn known(t: f64, rate: f64) -> f64 {
+    // Beyond 1e290 a product of pairs leaves the range of doubles.
+    if t.abs() > 1e290 || (t * rate).abs() > 1e150 {
+        0.0 * t
+    } else {
+        t
+    }
 }
 
 /// A phase that grows steadily, `rate t + start`, in quarter turns: read at a time, less
@@ -153,7 +159,7 @@ impl Clock<f64> {
 
     /// The phase at a time later than [`Self::until`], as good as the time's last bit.
     pub fn read_far(&self, t: f64) -> Reduced<f64> {
-        let product = DoubleDouble::from_parts(self.rate, self.low) * known(t);
+        let product = DoubleDouble::from_parts(self.rate, self.low) * known(t, self.rate);
         let quarters = |part: f64| fmod(part, 4.0);
         let phase = quarters(product.hi()) + quarters(product.lo()) + self.start;
         let whole = phase + ROUNDER;

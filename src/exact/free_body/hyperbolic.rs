@@ -31,7 +31,7 @@ pub(super) struct Late {
 impl Late {
     #[inline]
     pub fn kinematics(&self, t: f64) -> Kinematics {
-        let since = self.start + known(t);
+        let since = self.start + known(t, self.series.rate);
         let (rest, phase, parity) = match self.half_period {
             Some((half, per_half)) => {
                 let n = (since.hi() * per_half).round();

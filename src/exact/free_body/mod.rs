@@ -93,7 +93,7 @@ impl FreeBody {
     ///
     /// # Errors
     /// `NotFinite` for a NaN or infinite rate, or an energy beyond `f64`;
-    /// `RatesTooFarApart` for a fastest rate outside 1e-150 to 1e150 rad/s (but 0: rest), while
+    /// `RatesTooFarApart` for a fastest rate outside 1e-230 to 1e230 rad/s (but 0: rest), while
     /// the others may be as small as doubles are; `OutOfRange` for a needle of three
     /// different moments with I_min/I_max below 1e-120.
     pub fn new(
@@ -110,7 +110,7 @@ impl FreeBody {
             });
         }
         let fastest = omega.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
-        if fastest > 0.0 && !(1e-150..=1e150).contains(&fastest) {
+        if fastest > 0.0 && !(1e-230..=1e230).contains(&fastest) {
             return Err(Error::RatesTooFarApart { fastest });
         }
         for (moment, rate) in moments.iter().zip(omega) {

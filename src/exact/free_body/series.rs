@@ -29,7 +29,7 @@ pub(super) struct Trigonometric {
 /// cos and sin of (2n+1) y', each with its power of the nome; w = `rate` t.
 #[derive(Debug, Clone)]
 pub(super) struct Hyperbolic {
-    rate: f64,
+    pub rate: f64,
     /// pi K/2K' = 2 w_max: the nome is exp of minus this.
     width: f64,
     alpha: [[f64; 4]; 2],

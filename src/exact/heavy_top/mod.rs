@@ -161,7 +161,7 @@ impl Turns {
     /// The phase modulo a turn, in radians within (-pi, pi].
     #[inline]
     fn phase(&self, t: f64, count: f64) -> f64 {
-        let turns = self.rate * known(t) - self.lag * count + self.start;
+        let turns = self.rate * known(t, 1.0) - self.lag * count + self.start;
         let whole = nearest(turns.hi());
         core::f64::consts::TAU * (turns - whole).hi()
     }

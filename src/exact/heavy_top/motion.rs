@@ -164,7 +164,7 @@ impl Motion {
     /// Where the time `t` falls.
     #[inline]
     pub fn place(&self, t: f64) -> Place {
-        let since = self.offset + math::known(t);
+        let since = self.offset + math::known(t, 1.0);
         let (count, rest) = if self.homoclinic {
             (0.0, since.hi())
         } else {

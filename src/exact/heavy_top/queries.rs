@@ -83,7 +83,7 @@ impl HeavyTop {
     /// The attitude at time `t`; the quaternion is continuous in time.
     ///
     /// A time that is not finite gives NaN; [`HeavyTop::try_attitude`] refuses it. Beyond
-    /// 1e150 no phase is known, and the attitude is that of the start.
+    /// some 1e150 rad no phase is known, and the attitude is that of the start.
     ///
     /// Accuracy: K = 1.5 for the elements of the matrix; see [`HeavyTop`].
     pub fn attitude(&self, t: f64) -> Attitude {
@@ -239,7 +239,7 @@ impl HeavyTop {
 
     fn fixed_attitude(&self, t: f64) -> Attitude {
         let EulerAngles { phi, theta, .. } = self.angles(0.0);
-        let turn = self.omega3 * math::known(t) / Dd::TWO_PI;
+        let turn = self.omega3 * math::known(t, 1.0) / Dd::TWO_PI;
         // Twice: beyond 2^53 turns the first leaves the trailing part.
         let turn = turn - turn.round();
         let turn = turn - turn.round();
