@@ -76,10 +76,13 @@
         }
     };
     const resized = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
-    for (const box of document.querySelectorAll(".scroll, .table-wrapper, .formula, pre > code")) {
+    const boxes = document.querySelectorAll(".scroll, .table-wrapper, .formula, pre > code");
+    for (const box of boxes) {
         resized.observe(box);
         box.addEventListener("scroll", () => measure(box), { passive: true });
     }
+    // The book's letters, once they are there, fill a box that keeps its size.
+    document.fonts.ready.then(() => boxes.forEach(measure));
 
     // ---- The sidebar: a button works the check box that mdBook's label works.
     const toggle = document.getElementById("mdbook-sidebar-toggle");

@@ -38,7 +38,7 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
     let first = questions.first().map(|q| &q.data);
     let digits = first.and_then(|data| data["digits"].as_u64()).unwrap_or(4);
     Ok(format!(
-        "<form class=\"answer\" autocomplete=\"off\" aria-label=\"Check your answer\">\
+        "<form class=\"answer\" autocomplete=\"off\" aria-label=\"Check your answer: {stem}\">\
          <p class=\"head\">Check your answer</p>{}\
          <label>I computed <select name=\"key\">{}</select></label>\
          <label>and found <input name=\"value\" type=\"text\" spellcheck=\"false\" \

@@ -45,6 +45,7 @@ pub fn page(html: &str, address: &str) -> Result<String, String> {
     )?;
     page.themes();
     page.title();
+    page.empty_heads();
     page.quiet_folded_headings();
     page.keep_flags_whole();
     match address {
@@ -161,7 +162,12 @@ impl Page {
         self.0 = done;
     }
 
-    /// A line may not break within `--angle`.
+    /// A head without a word heads nothing: the corner of a table is a cell.
+    fn empty_heads(&mut self) {
+        self.0 = self.0.replace("<th></th>", "<td></td>");
+    }
+
+    /// A line may not break within `--angle`, nor within the `--` before it.
     fn keep_flags_whole(&mut self) {
         let mut done = String::with_capacity(self.0.len());
         let mut rest = self.0.as_str();
@@ -170,7 +176,7 @@ impl Page {
             done.push_str(&rest[..at]);
             for word in code.split_inclusive(' ') {
                 let flag = word.trim_end();
-                match flag.len() > 2 && flag.starts_with("--") {
+                match flag.starts_with("--") {
                     true => {
                         let space = &word[flag.len()..];
                         done += &format!("<span class=\"flag\">{flag}</span>{space}");
@@ -225,7 +231,7 @@ mod tests {
 
     const FRAME: &str = "<title>B - B</title><meta name=\"description\" content=\"of the book\">\
         <body><label id=\"mdbook-sidebar-toggle\" class=\"x\" for=\"mdbook-sidebar-toggle-anchor\">=</label>\
-        <div id=\"mdbook-menu-bar\"><h1 class=\"menu-title\">B</h1></div><main>\n<h1 id=\"b\">B</h1>\n<p>It <em>turns</em>. Why?</p><code>x -- --tilt 2</code>\
+        <div id=\"mdbook-menu-bar\"><h1 class=\"menu-title\">B</h1></div><main>\n<h1 id=\"b\">B</h1>\n<p>It <em>turns</em>. Why?</p><code>x -- --tilt 2</code><th></th><th>n</th>\
         <h2 id=\"s\"><a class=\"header\" href=\"#s\">S</a></h2>\
         <details><h3 id=\"t\"><a class=\"header\" href=\"#t\">T</a></h3><a href=\"#s\">s</a></details></main>";
 
@@ -238,7 +244,8 @@ mod tests {
             "<a class=\"skip\" href=\"#main\">",
             "<button type=\"button\" id=\"mdbook-sidebar-toggle\" class=\"x\">=</button>",
             "<div class=\"menu-title\">B</div>",
-            "<code>x -- <span class=\"flag\">--tilt</span> 2</code>",
+            "<code>x <span class=\"flag\">--</span> <span class=\"flag\">--tilt</span> 2</code>",
+            "<td></td><th>n</th>",
             "<h3 id=\"t\">T</h3><a href=\"#s\">s</a>",
             "</h1><details class=\"contents\"><summary>On this page</summary>\
              <ul><li><a href=\"#s\">S</a></li></ul></details>",

@@ -51,11 +51,16 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
     for n in (0..numeric.len()).filter(shown) {
         let head = words(&table.columns()[n]);
         // Not every reader of screens takes a formula for text.
-        let label = match head.contains("<math") {
-            true => format!(" aria-label=\"{}\"", escape(&symbols(&table.columns()[n]))),
-            false => String::new(),
+        let label = format!(
+            "<math aria-label=\"{}\">",
+            escape(&symbols(&table.columns()[n]))
+        );
+        let alone = head.starts_with("<math>") && head.find("</math>") == head.rfind("</math>");
+        let head = match alone && head.ends_with("</math>") {
+            true => head.replacen("<math>", &label, 1),
+            false => head,
         };
-        html += &format!("<th scope=\"col\"{}{label}>{head}</th>", class(n));
+        html += &format!("<th scope=\"col\"{}>{head}</th>", class(n));
     }
     html += "</tr></thead><tbody>";
     for (line, row) in table.rows().iter().enumerate() {
@@ -140,6 +145,20 @@ mod tests {
         }
         assert_eq!(with_power("0.012"), "1.2e-2");
         assert_eq!(with_power("12345"), "1.2345e4");
+    }
+
+    #[test]
+    fn a_head_that_is_a_formula_says_what_it_is() {
+        let locked = "Sample\n\ntable mass\nmass  omega_floor  t_release in s\n1  2  3\n";
+        let tables = rotation_dynamics::report::parse(locked)
+            .expect("it is a table")
+            .tables;
+        let html = html(&tables[0]);
+        assert!(
+            html.contains("><math aria-label=\"ω_floor\"><msub>"),
+            "{html}"
+        );
+        assert_eq!(html.matches("aria-label").count(), 1, "{html}");
     }
 
     #[test]
