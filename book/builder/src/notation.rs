@@ -153,6 +153,10 @@ mod tests {
                 "the step’s phase lacks (angle/2)<sup>5</sup>/120",
             ),
             (
+                "2^-53, below it",
+                "2<sup>\u{2212}</sup><sup>53</sup>, below it",
+            ),
+            (
                 "SRKN 14a, RK4, ABA(10,4), spin-free",
                 "SRKN 14a, RK4, ABA(10,4), spin-free",
             ),

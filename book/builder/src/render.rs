@@ -43,10 +43,10 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
                 false => pieces[n].to_owned(),
             };
             let set = |n: usize| maths::mathml(&piece(n), false).map_err(|e| e.reason);
-            let set: Result<String, String> = (0..pieces.len()).map(set).collect();
+            let set: Result<Vec<String>, String> = (0..pieces.len()).map(set).collect();
             Ok(match pieces.len() {
-                1 => set?,
-                _ => format!("<span class=\"pieces\">{}</span>", set?),
+                1 => set?.concat(),
+                _ => format!("<span class=\"pieces\">{}</span>", set?.join("<wbr>")),
             })
         }
         Splice::Display {

@@ -111,8 +111,10 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
     // In prose a power is raised, and a line does not end with a stroke.
     for n in 1..tokens.len() {
         let after = &tokens[n - 1];
+        let raised = after.tex == "^" || after.tex == "-" && n > 1 && tokens[n - 2].tex == "^";
         tokens[n].html = match tokens[n].kind {
-            Kind::Number if after.tex == "^" => format!("<sup>{}</sup>", tokens[n].html),
+            Kind::Number if raised => format!("<sup>{}</sup>", tokens[n].html),
+            Kind::Sign if raised => format!("<sup>{}</sup>", tokens[n].html),
             Kind::Space if after.tex == "/" => "\u{a0}".into(),
             _ => continue,
         };
