@@ -152,6 +152,7 @@ mod tests {
                 "the step's phase lacks (angle/2)^5/120",
                 "the step’s phase lacks (angle/2)<sup>5</sup>/120",
             ),
+            ("R.-C. Li, J. Phys. of L", "R.-C. Li, J. Phys. of |L|"),
             (
                 "2^-53, below it",
                 "2<sup>\u{2212}</sup><sup>53</sup>, below it",
