@@ -9,7 +9,8 @@ use crate::fonts;
 /// - Roots: the sign is as low as its content; a strut makes all of one line equally high.
 /// - Accents: the point of attachment is ignored, so a dot over a slanted letter sits
 ///   too far left; it is moved by what the font says, and a dot lifted off its letter.
-/// - Powers of a slanted letter run into it; it gets the width that the font gives it for them.
+/// - Powers of a slanted letter run into it, and so does a function's name behind it: it gets the
+///   width that the font gives it for them.
 /// - Powers of an accented letter are raised by the accent; they belong where the letter's are.
 /// - Fences: a stretchy one gets the width of its largest variant; around content
 ///   that is one line high it need not stretch.
@@ -22,7 +23,7 @@ pub fn mend(mathml: &str) -> String {
         );
     }
     let mended = mended.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
-    powers(&leaning(&dots(&accents(&fences(&mended)))))
+    powers(&leaning(&functions(&dots(&accents(&fences(&mended))))))
 }
 
 /// As high as a capital and as deep as a letter with a foot.
@@ -127,6 +128,29 @@ fn powers(mathml: &str) -> String {
     done
 }
 
+/// Moves the name of a function off the slanted letter that leans into it: `T cos`.
+fn functions(mathml: &str) -> String {
+    const NAME: &str = "</mi><mo lspace=\"0.1667em\"";
+    let mut pieces = mathml.split(NAME).peekable();
+    let mut done = String::with_capacity(mathml.len());
+    while let Some(piece) = pieces.next() {
+        done += piece;
+        if pieces.peek().is_none() {
+            break;
+        }
+        let base = piece.rsplit_once("<mi>").map(|(_, base)| base);
+        let lean = base
+            .and_then(|base| base.parse::<char>().ok())
+            .and_then(|c| fonts::overhang(italic(c)))
+            .filter(|lean| *lean > 0.02);
+        done += &match lean {
+            Some(lean) => NAME.replacen("><", &format!("><mspace width=\"{lean:.3}em\"/><"), 1),
+            None => NAME.to_owned(),
+        };
+    }
+    done
+}
+
 /// The slanted letter that a browser shows for a single one in `<mi>`.
 pub fn italic(c: char) -> char {
     let at = |first: u32, letter: char| char::from_u32(first + u32::from(c) - u32::from(letter));
@@ -218,6 +242,12 @@ mod tests {
         assert!(
             power.contains(led) && power.contains("<msup><mi>x</mi>"),
             "{power}"
+        );
+        let product = html(r"T \cos x + x \cos x");
+        assert!(
+            product.contains("<mi>T</mi><mspace width=\"0.1")
+                && product.contains("<mi>x</mi><mo lspace=\"0.1667em\""),
+            "{product}"
         );
         let root = html(r"\sqrt{\phi}");
         assert!(
