@@ -531,27 +531,76 @@ mod tests {
                 name: "at_release".into()
             })
         );
+        assert_eq!(
+            Directive::read("test t::it"),
+            Ok(Directive::Test {
+                file: "t".into(),
+                name: "it".into()
+            })
+        );
+        // Each that is written wrongly, with how it must be written.
         let damaged = [
-            "num a",
-            "num a:b@0",
-            "num a:b@x",
-            "num",
-            "param a",
-            "param a:b@0",
-            "stills",
-            "stills a:b",
-            "nums a:b",
-            "figure",
-            "listing a",
-            "check a:b",
-            "measured peers",
-            "measured ../peers:ratios",
-            "test ../x::y",
-            "given pi",
-            "#include a.md",
+            ("num a", "num STEM:KEY}} or {{num STEM:KEY@DIGITS unit"),
+            ("num a:", "num STEM:KEY}} or {{num STEM:KEY@DIGITS unit"),
+            ("num a:b@0", "num STEM:KEY@DIGITS, from 1 to 15"),
+            ("num a:b@16", "num STEM:KEY@DIGITS, from 1 to 15"),
+            ("num a:b@x", "num STEM:KEY@DIGITS, from 1 to 15"),
+            ("num", "num STEM:KEY}} or {{num STEM:KEY unit"),
+            (
+                "param a",
+                "param STEM:NAME}} or {{param STEM:NAME@DIGITS unit",
+            ),
+            ("param a:b@0", "num STEM:KEY@DIGITS, from 1 to 15"),
+            ("param", "param STEM:NAME}} or {{param STEM:NAME unit"),
+            ("stills", "stills STEM"),
+            ("stills a:b", "stills STEM"),
+            ("given", "given NUMBER"),
+            ("given pi", "given NUMBER"),
+            ("given 1 2", "given NUMBER"),
+            ("figure", "figure STEM:NAME NAME …"),
+            ("figure a", "figure STEM:NAME NAME …"),
+            ("figure a:b c:d:e", "figure STEM:NAME NAME …"),
+            ("figure a:b ../c", "figure STEM:NAME NAME …"),
+            ("listing a", "listing STEM:ANCHOR"),
+            ("listing a:b c:d", "listing STEM:ANCHOR"),
+            ("output", "output STEM"),
+            ("output a b", "output STEM"),
+            ("output a:", "output STEM:SECTION"),
+            ("table a", "table STEM:SECTION"),
+            ("table", "table STEM:SECTION"),
+            ("check a:b", "check STEM"),
+            ("check", "check STEM"),
+            ("measured peers", "measured RECORD:TABLE"),
+            ("measured", "measured RECORD:TABLE"),
+            ("measured ../peers:ratios", "measured RECORD:TABLE"),
+            ("test", "test FILE::NAME"),
+            ("test x", "test FILE::NAME"),
+            ("test ../x::y", "test FILE::NAME"),
+            ("test ::y", "test FILE::NAME"),
+            ("test x::", "test FILE::NAME"),
+            ("test x::y z", "test FILE::NAME"),
         ];
-        for inner in damaged {
-            assert!(Directive::read(inner).is_err(), "{inner}");
+        for (inner, form) in damaged {
+            let message = format!("{{{{{inner}}}}} must be written {{{{{form}}}}}");
+            assert_eq!(Directive::read(inner), Err(message), "{inner}");
         }
+        for inner in ["nums a:b", "#include a.md", ""] {
+            let message = Directive::read(inner).expect_err(inner);
+            assert!(message.starts_with("unknown directive {{"), "{message}");
+        }
+        assert_eq!(
+            Directive::read("num a:b@15").map(|d| d.is_block()),
+            Ok(false)
+        );
+        assert_eq!(Directive::read("check a").map(|d| d.is_block()), Ok(true));
+    }
+
+    #[test]
+    fn a_fence_is_longer_than_what_it_holds() {
+        assert_eq!(fence("x", "a"), "```x\na\n```\n");
+        assert_eq!(fence("", "a `` b"), "```\na `` b\n```\n");
+        assert_eq!(fence("", "``` b"), "````\n``` b\n````\n");
+        assert_eq!(fence("", "b `````"), "``````\nb `````\n``````\n");
+        assert_eq!(indented("a\n\nb", "> "), "> a\n> \n> b");
     }
 }

@@ -270,10 +270,11 @@ impl<'a> Page<'a> {
                 .min()
         };
         while let Some(at) = next(rest) {
-            done.push_str(&rest[..at]);
+            // What is not closed is the code's own.
             let Some(end) = rest[at..].find("}}") else {
                 break;
             };
+            done.push_str(&rest[..at]);
             let inner = &rest[at + 2..at + end];
             let line = line + code[..code.len() - rest.len() + at].matches('\n').count();
             match Directive::read(inner).and_then(|d| directive::plain(self, &d)) {
@@ -603,3 +604,6 @@ impl<'s> Walk<'s> {
         (number, text)
     }
 }
+
+#[cfg(test)]
+mod tests;
