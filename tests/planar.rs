@@ -4,6 +4,8 @@
 mod block;
 #[path = "planar/corner.rs"]
 mod corner;
+#[path = "planar/declared.rs"]
+mod declared;
 #[path = "planar/dial.rs"]
 mod dial;
 #[path = "planar/impacts.rs"]

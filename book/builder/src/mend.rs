@@ -268,4 +268,38 @@ mod tests {
             assert!(!tall.contains("stretchy"), "{tall}");
         }
     }
+
+    #[test]
+    fn a_sign_on_its_own_is_no_fence() {
+        for alone in [
+            "<mrow><mo>(</mo></mrow>",
+            "<mrow><mo>(</mo><mi>x</mi></mrow>",
+        ] {
+            assert_eq!(fences(alone), alone);
+        }
+    }
+
+    #[test]
+    fn single_letters_are_slanted() {
+        let pairs = [
+            ('a', '\u{1d44e}'),
+            ('h', '\u{210e}'),
+            ('z', '\u{1d467}'),
+            ('A', '\u{1d434}'),
+            ('Z', '\u{1d44d}'),
+            ('α', '\u{1d6fc}'),
+            ('ω', '\u{1d714}'),
+            ('Α', '\u{1d6e2}'),
+            ('Ω', '\u{1d6fa}'),
+            ('ϵ', '\u{1d716}'),
+            ('ϑ', '\u{1d717}'),
+            ('ϕ', '\u{1d719}'),
+            // What is no letter stays.
+            ('1', '1'),
+            ('+', '+'),
+        ];
+        for (upright, slanted) in pairs {
+            assert_eq!(italic(upright), slanted, "{upright}");
+        }
+    }
 }
