@@ -12,6 +12,8 @@ mod dial;
 mod impacts;
 #[path = "planar/ladder.rs"]
 mod ladder;
+#[path = "planar/lift.rs"]
+mod lift;
 #[path = "planar/rollers.rs"]
 mod rollers;
 #[path = "planar/rolling.rs"]

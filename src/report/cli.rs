@@ -329,4 +329,13 @@ mod tests {
         assert!(err.contains("the output cannot be written"), "{err}");
         assert_eq!(delivered(&outcome, &mut Vec::new(), &mut Vec::new()), 0);
     }
+
+    #[test]
+    fn a_negative_number_alone_is_joined_to_its_flag() {
+        let arguments = "ladder --theta0 -5.0e-1 --length 3 --json -x word -1 --a=2 -3 --b -4 -5";
+        let all = joined(arguments.split(' ').map(OsString::from));
+        let all: Vec<&str> = all.iter().filter_map(|a| a.to_str()).collect();
+        let expected = "ladder --theta0=-5.0e-1 --length 3 --json -x word -1 --a=2 -3 --b=-4 -5";
+        assert_eq!(all.join(" "), expected);
+    }
 }
