@@ -177,6 +177,7 @@ mod tests {
             ("phi at t' = 20, E~ < 3", "φ at t′ = 20, Ẽ < 3"),
             ("error of 2 (c/a) sin(theta0)", "error of 2 (c/a) sin(θ₀)"),
             ("delta, dphi/dt' of L_z^2/I12", "δ, dφ/dt′ of L_z²/I₁₂"),
+            ("sqrt 6 + sqrt(5) of a", "√6 + √5 of a"),
             ("tanh^x(t) / sqrt(a), 1e-6", "tanh^x(t) / √a, 10−6"),
         ];
         for (cell, text) in cases {

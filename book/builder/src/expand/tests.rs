@@ -28,6 +28,10 @@ limits
 limit        must give  gives   within  because
 theta0 -> 0  2.0061     2.0061  1e-4    small swings take the same time
 
+accuracy
+method  requested  delivered  work       relative time
+RK4     1e-9       7e-10      400 steps  -
+
 checks
 key     within  meaning
 period  0.001   the period

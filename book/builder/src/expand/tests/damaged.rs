@@ -12,7 +12,7 @@ fn damage_is_named_with_its_line() {
     let caption = "a figure is followed by a paragraph, its caption";
     let bold = "a caption begins with what the figure shows, in bold: **…**";
     let known = "s claims no 'no'; its keys are: period, turns";
-    let cases: [(&str, &str, &[(usize, &str)]); 36] = [
+    let cases: [(&str, &str, &[(usize, &str)]); 39] = [
         // A number that is typed, whatever stands before it.
         ("3.1416", "3.1416", &[(5, typed)]),
         ("a\n\n3.1416\n", "a\n\n3.1416\n", &[(7, typed)]),
@@ -103,6 +103,17 @@ fn damage_is_named_with_its_line() {
         // Directives in a line and in code.
         ("a {{num s:no}} b", "a  b", &[(5, known)]),
         (
+            "{{num s:period m}}",
+            "",
+            &[(5, "the unit of s:period is s, not m")],
+        ),
+        ("{{num s:turns s}}", "", &[(5, "s:turns has no unit")]),
+        (
+            "{{num s:period@6}}",
+            "",
+            &[(5, "s:period = 2.0064 cannot be rounded to 6 digits")],
+        ),
+        (
             "a\n{{num s:turns c",
             "a\nnum s:turns c",
             &[(6, "{{ is not closed")],
@@ -129,7 +140,7 @@ fn damage_is_named_with_its_line() {
             "a\n\n\nx",
             &[(
                 7,
-                "the output of s has no section 'no'; it has: parameters, claims, limits, checks",
+                "the output of s has no section 'no'; it has: parameters, claims, limits, accuracy, checks",
             )],
         ),
         ("{{figure s:swing}}\n\n\nIt", "", &[(8, bold)]),

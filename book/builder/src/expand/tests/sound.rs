@@ -9,7 +9,7 @@ fn what_is_sound_is_expanded_without_a_word() {
                   5\u{202f}\u{d7}\u{202f}10<sup>\u{2212}5</sup><br>checked against: closed form»";
     let tick = "«tick proof-a-b-1 checked by <a href=\"source/tests/t.rs.html#L2\">it swings</a>\
                 <br>in tests/t.rs»";
-    let cases: [(&str, &str); 48] = [
+    let cases: [(&str, &str); 49] = [
         // Prose is copied, and so is what only looks like a directive or a formula.
         (
             "a **b** č { } \\ 15.5\n\nc\n",
@@ -83,6 +83,7 @@ fn what_is_sound_is_expanded_without_a_word() {
             "«num proof-a-b-1 3 <b>3</b><br>checked against: counting»",
         ),
         ("{{param s:length m}}", "1.5\u{202f}m"),
+        ("{{param s:length unit}}", "1.5\u{202f}m"),
         ("{{test t::it_swings}}", tick),
         ("{{given 2}} {{given 3}}", "2 3"),
         // Directives of a line.
@@ -150,4 +151,12 @@ fn a_page_says_what_it_uses() {
     // A tick has no text.
     let tick = sample.page("{{test t::it_swings}}").raw;
     assert!(tick.ends_with("\"></span>"), "{tick}");
+    // A strip has a column for its times, other tables stay as they are.
+    for (section, column, other) in [
+        ("accuracy", "time", "relative"),
+        ("limits", "because", "time\n"),
+    ] {
+        let raw = sample.page(&format!("{{{{table s:{section}}}}}")).raw;
+        assert!(raw.contains(column) && !raw.contains(other), "{raw}");
+    }
 }
