@@ -197,6 +197,9 @@ mod tests {
             "{html}"
         );
         assert!(html.ends_with("</math> of 10<sup>6</sup>"), "{html}");
+        // What stands under a root without brackets.
+        let html = words("sqrt 6 b");
+        assert!(html.contains("<mn>6</mn></msqrt>"), "{html}");
         let html = words("torque / m g l");
         assert!(
             html.starts_with("torque <span class=\"glued\">/\u{a0}<math>"),
