@@ -14,7 +14,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    let builder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    builder
+        .ancestors()
+        .nth(2)
+        .expect("two levels up")
+        .to_owned()
 }
 
 /// The names in `directory` that end with `suffix`, without it.
@@ -103,6 +108,37 @@ fn every_stem_is_complete() {
         .filter(|name| !["SUMMARY", "index"].contains(&name.as_str()))
         .collect();
     assert_eq!(examples, stems, "examples and pages");
+}
+
+/// Tests are found by no directory: a file that its package does not name never runs.
+#[test]
+fn every_test_is_run() {
+    let listed = |manifest: &str| -> BTreeSet<String> {
+        let text = read(&root().join(manifest));
+        let paths = text.split("[[test]]").skip(1).map(|target| {
+            let path = target.split("path = \"").nth(1);
+            let path = path.and_then(|rest| rest.split('"').next());
+            path.expect("a test has a path").to_owned()
+        });
+        paths.collect()
+    };
+    let mut found: BTreeSet<String> = names("tests", "").into_iter().collect();
+    found.retain(|name| name.ends_with(".rs"));
+    for directory in names("tests", "") {
+        let main = format!("{directory}/main.rs");
+        if root().join("tests").join(&main).is_file() {
+            found.insert(main);
+        }
+    }
+    let mut run = listed("tests/Cargo.toml");
+    assert!(
+        found != run,
+        "the damaged twin: this file is not in that package"
+    );
+    run.insert("book.rs".to_owned());
+    assert_eq!(listed("book/builder/Cargo.toml").len(), 1);
+    assert_eq!(found, run);
+    assert_eq!(found.len(), 12);
 }
 
 /// Each damage: the file, what is replaced by what, and how the message begins.

@@ -415,6 +415,7 @@ fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
             "--",
         ]);
         command
+            .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
             .args(arguments)
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());

@@ -22,24 +22,23 @@ pub fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// Runs `cargo book` on the project at `root`.
+/// Runs the builder, as `cargo book` does, on the project at `root`.
 pub fn book(root: &Path, arguments: &[&str], input: &str) -> Run {
-    let mut command = Command::new(env!("CARGO"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_book"));
     command
-        .args(["run", "--quiet", "--package", "book", "--"])
         .arg("--root")
         .arg(root)
         .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(root)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    let mut child = command.spawn().expect("cargo runs");
+    let mut child = command.spawn().expect("the builder runs");
     if let Some(mut stdin) = child.stdin.take() {
         // A refusal may close the pipe before all is read.
         let _ = stdin.write_all(input.as_bytes());
     }
-    let output = child.wait_with_output().expect("cargo ends");
+    let output = child.wait_with_output().expect("the builder ends");
     Run {
         ok: output.status.success(),
         stdout: String::from_utf8_lossy(&output.stdout).into_owned(),

@@ -62,13 +62,17 @@ pub struct Outcome {
 /// The files to run, and whether they are the repository's own.
 pub fn files() -> (Vec<PathBuf>, bool) {
     match std::env::var_os("REFERENCE_CASES") {
-        Some(file) => (vec![PathBuf::from(file)], false),
+        // The test runs in its package's directory, the reader in the one above.
+        Some(file) => {
+            let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+            (vec![root.join(file)], false)
+        }
         None => (own_files(), true),
     }
 }
 
 pub fn own_files() -> Vec<PathBuf> {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
     [
         "reference.json",
         "free_body_hard.json",

@@ -65,7 +65,7 @@ const METHODS: [Method; 4] = [
 ];
 
 fn own_file() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/heavy_asymmetric.json")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("data/heavy_asymmetric.json")
 }
 
 /// The case, run to times multiplied by `damage`, for the test of the test.

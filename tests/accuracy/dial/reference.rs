@@ -87,7 +87,7 @@ fn of(case: &Case, stepped: bool) -> Result<Solve> {
 
 /// The cases of these kinds, at every sample up to `reach` and every tolerance.
 fn tally(file: &str, kinds: &[&str], stepped: bool, reach: f64) -> Tally {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
     let mut tally = Tally {
         delivered: 0,
         refused: 0,
