@@ -235,10 +235,8 @@ fn letter(word: &str, after: &str, before: Kind) -> Option<String> {
         || after.trim_start().starts_with(sign)
         || after.starts_with(['_', '\'']);
     // The first letter of a name: `S. Blanes`, `R.-C. Li`.
-    let initial = after.strip_prefix('.').is_some_and(|after| {
-        let next = after.strip_prefix([' ', '-']).unwrap_or("");
-        next.starts_with(|c: char| c.is_ascii_uppercase())
-    });
+    let next = after.strip_prefix(". ").or(after.strip_prefix(".-"));
+    let initial = next.is_some_and(|next| next.starts_with(|c: char| c.is_ascii_uppercase()));
     let alone = match word {
         _ if initial => false,
         // The second, and the article.
