@@ -34,6 +34,36 @@ pub enum Error {
         state: Vec<f64>,
         derivative: Vec<f64>,
     },
+    /// A torque is NaN or infinite at this time and state (quaternion, momentum).
+    TorqueNotFinite {
+        effect: String,
+        t: f64,
+        state: [f64; 7],
+        torque: [f64; 3],
+    },
+    /// An effect says something of itself that its torque contradicts.
+    Contradiction {
+        effect: String,
+        claim: &'static str,
+        t: f64,
+        off: f64,
+        allowed: f64,
+    },
+    /// Effects that see more than the body's axis, where only the axis is carried.
+    SeesMore { effects: String },
+    /// A scene in which gravity stands twice.
+    TwoGravities { effects: String },
+    /// A list of times, or the like, in which one does not come after the one before it.
+    NotRising {
+        name: &'static str,
+        index: usize,
+        before: f64,
+        value: f64,
+    },
+    /// A solution that would cost more torques than it was allowed.
+    OverBudget { t: f64, t_end: f64, budget: u64 },
+    /// A solution that was cancelled.
+    Cancelled { torques: u64 },
     /// An event function is NaN or infinite.
     EventNotFinite {
         name: &'static str,
@@ -203,6 +233,59 @@ impl fmt::Display for Error {
                 f,
                 "the derivative at t = {t}, y = {state:?} is {derivative:?}; it must be finite"
             ),
+            Self::TorqueNotFinite {
+                effect,
+                t,
+                state,
+                torque,
+            } => write!(
+                f,
+                "the torque of \"{effect}\" at t = {t}, quaternion and momentum {state:?}, is \
+                 {torque:?}; it must be finite"
+            ),
+            Self::Contradiction {
+                effect,
+                claim,
+                t,
+                off,
+                allowed,
+            } => write!(
+                f,
+                "\"{effect}\" says {}, and at t = {} its torque is off that by {off:.3e} \
+                 (at most {allowed:.1e} is allowed)",
+                claim,
+                plain(*t)
+            ),
+            Self::SeesMore { effects } => write!(
+                f,
+                "splittings, and variables other than those in space, see the body's axis only: \
+                 an effect that sees more ({effects}) is not allowed there"
+            ),
+            Self::TwoGravities { effects } => write!(
+                f,
+                "gravity acts twice in this scene ({effects}): one weight at one place is allowed"
+            ),
+            Self::NotRising {
+                name,
+                index,
+                before,
+                value,
+            } => write!(
+                f,
+                "{name} {index} is {}, and the one before it {}: they must rise",
+                plain(*value),
+                plain(*before)
+            ),
+            Self::OverBudget { t, t_end, budget } => write!(
+                f,
+                "from t = {} to {} this takes more than the {budget} torques that are allowed: \
+                 allow more of them, a larger error or a shorter time",
+                plain(*t),
+                plain(*t_end)
+            ),
+            Self::Cancelled { torques } => {
+                write!(f, "cancelled, after {torques} torques")
+            }
             Self::EventNotFinite { name, t, value } => write!(
                 f,
                 "the function of the event \"{name}\" is {value} at t = {t}; it must be finite"

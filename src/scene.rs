@@ -82,10 +82,22 @@ impl<E: Effect> Scene<E> {
         self.effects.torque(t, &self.body, state)
     }
 
-    /// Kinetic plus potential energy (J).
+    /// Kinetic plus potential energy at the time `t` (J).
+    #[inline]
+    pub fn energy_at(&self, t: f64, state: &State) -> f64 {
+        self.body.kinetic_energy(state) + self.effects.potential_energy(t, &self.body, state)
+    }
+
+    /// The rate at which the effects change that energy (W).
+    pub fn power(&self, t: f64, state: &State) -> f64 {
+        self.effects.power(t, &self.body, state)
+    }
+
+    /// Kinetic plus potential energy (J), of potentials that do not depend on the time; of
+    /// others, that at t = 0.
     #[inline]
     pub fn energy(&self, state: &State) -> f64 {
-        self.body.kinetic_energy(state) + self.effects.potential_energy(state)
+        self.energy_at(0.0, state)
     }
 
     /// The quantities that every motion of this scene keeps.
@@ -94,7 +106,7 @@ impl<E: Effect> Scene<E> {
             energy,
             momentum: [x, y, z],
             axial_momentum,
-        } = E::KEEPS;
+        } = E::NATURE.keeps;
         // Without symmetry the body's own motion changes L_z.
         let axial = axial_momentum && self.body.moments().is_symmetric();
         [

@@ -26,7 +26,7 @@ fn fine([from, to]: [f64; 2]) -> Result<GaussLegendre> {
 
 /// The heavy body on its own axes.
 fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Result<State> {
-    let axes = BodyAxes::new(scene);
+    let axes = BodyAxes::new(scene)?;
     Ok(fine([from, to])?.advance(&axes, from, state, to)?.0)
 }
 

@@ -1,16 +1,13 @@
 //! A method made ready to run, and what it carries of a scene.
 
-use super::Solvable;
-use crate::body::{RigidBody, State};
-use crate::effects::{AxisEffect, Effect, Keeps};
+use crate::body::State;
+use crate::effects::Effect;
 use crate::error::{Error, Result};
-use crate::frame::SpaceVector;
 use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
 use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};
 use crate::integrators::{
     Dop853, GaussLegendre, Integrator, Method, MuntheKaas4, Rk4, SpinFree, Splitting, Work,
 };
-use crate::math::Lane;
 use crate::scene::Scene;
 
 /// How fine a run is.
@@ -48,16 +45,16 @@ pub enum Variables {
 
 impl Variables {
     /// The variables in which `method` carries this scene in the fewest steps.
-    pub fn best<E: Solvable>(method: Method, scene: &Scene<E>) -> Self {
+    pub fn best<E: Effect>(method: Method, scene: &Scene<E>) -> Self {
         let symmetric = scene.body().moments().is_symmetric();
         match method {
-            Method::GaussLegendre16 if E::TORQUE_FREE => Self::Body,
+            Method::GaussLegendre16 if E::NATURE.torque_free => Self::Body,
             Method::Rk4 | Method::Dop853 | Method::GaussLegendre16
-                if E::AXIS_ONLY && symmetric && !E::TORQUE_FREE =>
+                if E::NATURE.axis_only && symmetric && !E::NATURE.torque_free =>
             {
                 Self::SpinFree
             }
-            Method::GaussLegendre16 if E::AXIS_ONLY => Self::Body,
+            Method::GaussLegendre16 if E::NATURE.axis_only => Self::Body,
             _ => Self::Space,
         }
     }
@@ -121,7 +118,7 @@ impl Carrier {
     ///
     /// # Errors
     /// Variables that the method or the scene does not have; what the method refuses.
-    pub fn advance<E: Solvable>(
+    pub fn advance<E: Effect>(
         &self,
         scene: &Scene<E>,
         variables: Variables,
@@ -133,15 +130,15 @@ impl Carrier {
             (Self::SemiImplicitEuler(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::MuntheKaas4(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::Rk4(m), Variables::SpinFree) if E::AXIS_ONLY => {
-                m.advance(&SpinFree::new(&axis_only(scene))?, t, start, t_end)
+            (Self::Rk4(m), Variables::SpinFree) if E::NATURE.axis_only => {
+                m.advance(&SpinFree::new(scene)?, t, start, t_end)
             }
             _ => self.advance_well(scene, variables, [t, t_end], start),
         }
     }
 
     /// The same for the methods that the dial chooses from, and no code for the others.
-    pub(super) fn advance_well<E: Solvable>(
+    pub(super) fn advance_well<E: Effect>(
         &self,
         scene: &Scene<E>,
         variables: Variables,
@@ -151,25 +148,23 @@ impl Carrier {
         match (self, variables) {
             (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::GaussLegendre(m), Variables::Body) if E::TORQUE_FREE => {
+            (Self::GaussLegendre(m), Variables::Body) if E::NATURE.torque_free => {
                 let free = FreeRotation::new(&Scene::new(*scene.body()));
                 m.advance(&free, t, start, t_end)
             }
-            // What follows sees the axis alone.
-            _ if !E::AXIS_ONLY => Err(Error::OutOfRange {
-                name: "effects that see more than the body's axis",
-                value: 1.0,
-                allowed: "0: splittings, and variables other than those in space, see the axis only",
+            // What follows sees the axis alone; here no code is made for effects that see more.
+            _ if !E::NATURE.axis_only => Err(Error::SeesMore {
+                effects: scene.effects().names().join(", "),
             }),
-            (Self::Splitting(m), Variables::Space) => m.advance(&axis_only(scene), t, start, t_end),
+            (Self::Splitting(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Body) => {
-                m.advance(&BodyAxes::new(&axis_only(scene)), t, start, t_end)
+                m.advance(&BodyAxes::new(scene)?, t, start, t_end)
             }
             (Self::GaussLegendre(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(&axis_only(scene))?, t, start, t_end)
+                m.advance(&SpinFree::new(scene)?, t, start, t_end)
             }
             (Self::Dop853(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(&axis_only(scene))?, t, start, t_end)
+                m.advance(&SpinFree::new(scene)?, t, start, t_end)
             }
             _ => Err(Error::OutOfRange {
                 name: "variables on the body's axes or without the spin",
@@ -180,46 +175,7 @@ impl Carrier {
     }
 }
 
-/// The scene as those see it who see the axis only.
-fn axis_only<E: Solvable>(scene: &Scene<E>) -> Scene<((), AxisOnly<'_, E>)> {
-    Scene::new(*scene.body()).with(AxisOnly(scene.effects()))
-}
-
 /// Whether `method` applies to a scene of this type.
-pub const fn applies<E: Solvable>(method: Method) -> bool {
-    method.scheme().is_none() || (E::AXIS_ONLY && !E::TORQUE_FREE)
-}
-
-/// Effects of which it is known that they see the body's axis only.
-struct AxisOnly<'e, E>(&'e E);
-
-impl<E: Effect> Effect for AxisOnly<'_, E> {
-    const KEEPS: Keeps = E::KEEPS;
-
-    #[inline]
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state)
-    }
-
-    #[inline]
-    fn potential_energy(&self, state: &State) -> f64 {
-        self.0.potential_energy(state)
-    }
-
-    #[inline]
-    fn torque_scale(&self) -> f64 {
-        self.0.torque_scale()
-    }
-}
-
-impl<E: Solvable> AxisEffect for AxisOnly<'_, E> {
-    #[inline]
-    fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
-        SpaceVector::from_array(self.axis_torques(axis.to_array()))
-    }
-
-    #[inline(always)]
-    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
-        self.0.torque_on_axis(axis)
-    }
+pub const fn applies<E: Effect>(method: Method) -> bool {
+    method.scheme().is_none() || (E::NATURE.axis_only && !E::NATURE.torque_free)
 }

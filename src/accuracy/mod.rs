@@ -21,7 +21,7 @@ mod problem;
 mod sweep;
 
 pub use carry::{Carrier, Fineness, Variables, applies};
-pub use dial::{ExactMotion, Solvable, Solved};
+pub use dial::{ExactMotion, Limits, Solved, SolvedMotion};
 pub(crate) use measures::larger;
 pub use measures::{Errors, Measure, largest};
 pub use problem::Problem;

@@ -1,8 +1,9 @@
 //! A problem: a motion from a start to an end whose answer is known.
 
-use super::{Carrier, Errors, Fineness, Run, Solvable, Sweep, Variables};
+use super::{Carrier, Errors, Fineness, Run, Sweep, Variables};
 use crate::attitude::Attitude;
 use crate::body::State;
+use crate::effects::Effect;
 use crate::error::{Error, Result, positive};
 use crate::integrators::{Method, Work};
 use crate::math::exp2;
@@ -51,7 +52,7 @@ pub struct Problem<E> {
     closed_form: Option<ClosedForm>,
 }
 
-impl<E: Solvable> Problem<E> {
+impl<E: Effect> Problem<E> {
     /// The motion of `scene` from `start` at t = 0 to `end` (s), where it is at `exact`.
     pub const fn new(scene: Scene<E>, start: State, end: f64, exact: State) -> Self {
         Self {

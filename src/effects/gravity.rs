@@ -1,10 +1,13 @@
 //! Gravity on a body held at a point of its axis.
 
-use super::{AxisEffect, Effect, Keeps};
+use super::{Effect, Feature, Keeps, Known, Nature};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
 use crate::math::Lane;
+
+/// What every gravity is called, so that two of them in one scene are noticed.
+pub(crate) const GRAVITY: &str = "gravity";
 
 /// Gravity on a body whose centre of mass lies on its axis e3, at a distance
 /// from the fixed point.
@@ -14,13 +17,19 @@ use crate::math::Lane;
 /// nor about e3: energy, L_Z and (of a symmetric body) L_z are kept.
 ///
 /// ```
-/// use rotation_dynamics::effects::{AxisEffect, GravityAtLever};
+/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::body::{RigidBody, State};
+/// use rotation_dynamics::effects::{Effect, GravityAtLever};
 /// use rotation_dynamics::frame::SpaceVector;
+/// use rotation_dynamics::inertia::PrincipalMoments;
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// let gravity = GravityAtLever::new(2.0, 0.5)?;
 /// // The axis points along Y: to fall, the body turns about -X.
-/// let torque = gravity.axis_torque(SpaceVector::new(0.0, 1.0, 0.0));
-/// assert_eq!(torque, SpaceVector::new(-1.0, 0.0, 0.0));
+/// let across = Attitude::from_quaternion([1.0, -1.0, 0.0, 0.0])?;
+/// let state = State::new(across, SpaceVector::zero())?;
+/// let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+/// let torque = gravity.torque(0.0, &body, &state);
+/// assert!((torque - SpaceVector::new(-1.0, 0.0, 0.0)).norm() < 1e-15);
 /// # Ok(())
 /// # }
 /// ```
@@ -64,38 +73,49 @@ impl GravityAtLever {
 }
 
 impl Effect for GravityAtLever {
-    const KEEPS: Keeps = Keeps {
-        energy: true,
-        momentum: [false, false, true],
-        axial_momentum: true,
+    const NATURE: Nature = Nature {
+        axis_only: true,
+        on_rates: false,
+        on_time: false,
+        smooth: true,
+        keeps: Keeps {
+            energy: true,
+            momentum: [false, false, true],
+            axial_momentum: true,
+        },
+        ..Nature::ANYTHING
     };
 
-    #[inline]
-    fn torque(&self, _t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
-        self.axis_torque(state.attitude.axis())
+    fn name(&self) -> &'static str {
+        GRAVITY
     }
 
     #[inline]
-    fn potential_energy(&self, state: &State) -> f64 {
+    fn torque(&self, _t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        SpaceVector::from_array(self.torques_on_axis(body, state.attitude.axis().to_array()))
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, _body: &RigidBody, [x, y, _]: [L; 3]) -> [L; 3] {
+        let moment = self.moment();
+        [y * -moment, x * moment, L::of(0.0)]
+    }
+
+    #[inline]
+    fn potential_energy(&self, _t: f64, _body: &RigidBody, state: &State) -> f64 {
         self.moment() * state.attitude.axis().z()
     }
 
     #[inline]
-    fn torque_scale(&self) -> f64 {
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
         self.moment().abs()
     }
-}
 
-impl AxisEffect for GravityAtLever {
-    #[inline]
-    fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
-        let moment = self.moment();
-        SpaceVector::new(-moment * axis.y(), moment * axis.x(), 0.0)
+    fn narrowest(&self) -> Option<Feature> {
+        Some(Feature::WIDE)
     }
 
-    #[inline(always)]
-    fn axis_torques<L: Lane>(&self, [x, y, _]: [L; 3]) -> [L; 3] {
-        let moment = self.moment();
-        [y * -moment, x * moment, L::of(0.0)]
+    fn known(&self) -> Known {
+        Known::HeavyTop(*self)
     }
 }

@@ -1,167 +1,181 @@
 //! Effects: what acts on a body, one file per effect.
 //!
-//! An [`Effect`] knows the torque it exerts, its potential energy if it has
-//! one, and which quantities it leaves alone. Effects are composed in the type:
-//! `()` is no effect, and a pair of effects is an effect. What a scene does not
-//! name is not stored, not called and not asked about.
+//! An [`Effect`] says its torque once, from time, body and state. What else it says of
+//! itself (its [`Nature`], its potential, the times at which it jumps) opens faster roads,
+//! and all of it is held against that torque by [`check`]. Effects are composed in the
+//! type: `()` is no effect, and a pair of effects is an effect. What a scene does not name
+//! is not stored, not called and not asked about.
 //!
 //! | effect | torque |
 //! |---|---|
 //! | [`GravityAtLever`] | the weight of a body held at a point of its axis |
+//! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
 //!
 //! Not for: contacts, which switch on and off ([`crate::planar`]).
 
+mod check;
+mod closure;
 mod gravity;
+mod nature;
+mod pair;
 
+pub use check::check;
+pub(crate) use check::Checked;
+pub(crate) use closure::rising;
+pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use gravity::GravityAtLever;
+pub use nature::{Feature, Keeps, Known, Nature};
 
+use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 use crate::math::lane::WIDEST;
 
-/// Which quantities of a motion an effect leaves alone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Keeps {
-    /// Kinetic plus potential energy.
-    pub energy: bool,
-    /// L_X, L_Y and L_Z: the effect has no torque about that fixed axis.
-    pub momentum: [bool; 3],
-    /// L_z, if the body is symmetric: the effect has no torque about its axis.
-    pub axial_momentum: bool,
-}
-
-impl Keeps {
-    /// Leaves everything alone.
-    pub const ALL: Self = Self {
-        energy: true,
-        momentum: [true; 3],
-        axial_momentum: true,
-    };
-
-    /// What both leave alone.
-    pub const fn and(self, other: Self) -> Self {
-        let [ax, ay, az] = self.momentum;
-        let [bx, by, bz] = other.momentum;
-        Self {
-            energy: self.energy && other.energy,
-            momentum: [ax && bx, ay && by, az && bz],
-            axial_momentum: self.axial_momentum && other.axial_momentum,
-        }
-    }
-}
-
 /// Something that acts on a body.
+///
+/// An effect of your own needs its nature, its name and its torque. [`Nature::ANYTHING`]
+/// claims nothing and is always true; every claim beyond it is checked ([`check`]), at the
+/// start of a solution and along the way, and one that the torque contradicts is refused.
+///
+/// ```
+/// use rotation_dynamics::body::{RigidBody, State};
+/// use rotation_dynamics::effects::{Effect, Nature};
+/// use rotation_dynamics::frame::SpaceVector;
+///
+/// /// A brake that takes a part of the momentum every second.
+/// struct Brake {
+///     rate: f64,
+/// }
+///
+/// impl Effect for Brake {
+///     const NATURE: Nature = Nature { on_time: false, smooth: true, ..Nature::ANYTHING };
+///
+///     fn name(&self) -> &'static str {
+///         "brake"
+///     }
+///
+///     fn torque(&self, _t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
+///         state.angular_momentum * -self.rate
+///     }
+/// }
+/// # use rotation_dynamics::{attitude::Attitude, frame::BodyVector, inertia::PrincipalMoments};
+/// # use rotation_dynamics::scene::Scene;
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+/// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+/// let braked = Scene::new(body).with(Brake { rate: 0.1 }).solve(&start, 10.0, 1e-8)?;
+/// let left = braked.state.angular_momentum.norm() / start.angular_momentum.norm();
+/// assert!((left - rotation_dynamics::math::exp(-1.0)).abs() < 1e-8);
+/// # Ok(())
+/// # }
+/// ```
 pub trait Effect {
-    /// The quantities this effect leaves alone, whatever the state.
-    const KEEPS: Keeps;
+    /// What the torque depends on, and what it leaves alone, whatever the state.
+    const NATURE: Nature;
+
+    /// What the effect is called.
+    fn name(&self) -> &'static str;
 
     /// The torque about the body's reference point, on the fixed axes (N m).
+    ///
+    /// A torque known on the body's axes is turned by
+    /// [`Attitude::to_space`].
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
 
-    /// The potential energy (J); 0 for an effect that has none.
-    fn potential_energy(&self, state: &State) -> f64;
+    /// The torque on bodies whose axes have these directions, side by side, with the same
+    /// bits: asked for only of effects that see nothing but the axis
+    /// ([`Nature::axis_only`]).
+    ///
+    /// This form asks for [`torque`](Self::torque) one after the other. An effect that
+    /// writes its own, over [`Lane`] and marked `#[inline(always)]`, lets
+    /// [`GaussLegendre`](crate::integrators::GaussLegendre) fill its registers, and takes
+    /// its `torque` from it.
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        one_by_one(self, body, axis)
+    }
 
-    /// A bound on the length of the torque (N m), or an estimate of its usual
-    /// size: the scale against which errors of the momentum count.
-    fn torque_scale(&self) -> f64;
+    /// The potential energy U (J); 0 for an effect that has none.
+    fn potential_energy(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
+        0.0
+    }
+
+    /// The rate at which the effect changes kinetic plus potential energy (W): 0 for one
+    /// that keeps the energy, torque . omega for one without a potential. An effect whose
+    /// potential depends on the time gives its own.
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        if Self::NATURE.keeps.energy {
+            return 0.0;
+        }
+        let omega = state.attitude.to_space(body.angular_velocity(state));
+        self.torque(t, body, state).dot(&omega)
+    }
+
+    /// A bound on the length of the torque (N m), or an estimate of its usual size: the
+    /// scale against which errors of the momentum count. If not given, its length now.
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        self.torque(0.0, body, state).norm()
+    }
+
+    /// The times (s) at which the torque jumps or has a kink: solutions are cut there, and
+    /// between them the effect is as smooth as its nature says.
+    fn break_points(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// The narrowest feature of the torque that a solution must not step over, if that is
+    /// known.
+    fn narrowest(&self) -> Option<Feature> {
+        None
+    }
+
+    /// The motion under this effect alone, if it is one of those with a closed form.
+    fn known(&self) -> Known {
+        Known::No
+    }
+
+    /// The names of the effects that this one is made of.
+    fn names(&self) -> Vec<&'static str> {
+        vec![self.name()]
+    }
 }
 
-/// An effect that sees nothing of the body but the direction of its axis e3,
-/// and has no torque about that axis.
-///
-/// Splittings apply; on a symmetric body it leaves the spin to itself.
-pub trait AxisEffect: Effect {
-    /// The torque on a body whose axis has this direction, on the fixed axes
-    /// (N m). It is perpendicular to the axis.
-    fn axis_torque(&self, axis: SpaceVector) -> SpaceVector;
-
-    /// The same for several directions side by side, with the same bits.
-    ///
-    /// This form takes one after the other. An effect that writes its own, over
-    /// [`Lane`] and marked `#[inline(always)]`, lets [`GaussLegendre`] fill its
-    /// registers.
-    ///
-    /// [`GaussLegendre`]: crate::integrators::GaussLegendre
-    #[inline(always)]
-    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
-        let (mut from, mut to) = ([[0.0; WIDEST]; 3], [[0.0; WIDEST]; 3]);
+/// [`Effect::torque`] for several axes, one after the other.
+#[inline(always)]
+fn one_by_one<E: Effect + ?Sized, L: Lane>(
+    effect: &E,
+    body: &RigidBody,
+    axis: [L; 3],
+) -> [L; 3] {
+    let (mut from, mut to) = ([[0.0; WIDEST]; 3], [[0.0; WIDEST]; 3]);
+    for i in 0..3 {
+        axis[i].store(&mut from[i]);
+    }
+    for lane in 0..L::WIDTH {
+        let state = State {
+            attitude: with_axis([from[0][lane], from[1][lane], from[2][lane]]),
+            angular_momentum: SpaceVector::zero(),
+        };
+        let torque = effect.torque(0.0, body, &state).to_array();
         for i in 0..3 {
-            axis[i].store(&mut from[i]);
+            to[i][lane] = torque[i];
         }
-        for lane in 0..L::WIDTH {
-            let axis = SpaceVector::new(from[0][lane], from[1][lane], from[2][lane]);
-            let torque = self.axis_torque(axis).to_array();
-            for i in 0..3 {
-                to[i][lane] = torque[i];
-            }
-        }
-        [L::load(&to[0]), L::load(&to[1]), L::load(&to[2])]
     }
+    [L::load(&to[0]), L::load(&to[1]), L::load(&to[2])]
 }
 
-/// No effect.
-impl Effect for () {
-    const KEEPS: Keeps = Keeps::ALL;
-
-    #[inline]
-    fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
-        SpaceVector::zero()
-    }
-
-    #[inline]
-    fn potential_energy(&self, _state: &State) -> f64 {
-        0.0
-    }
-
-    #[inline]
-    fn torque_scale(&self) -> f64 {
-        0.0
-    }
-}
-
-impl AxisEffect for () {
-    #[inline]
-    fn axis_torque(&self, _axis: SpaceVector) -> SpaceVector {
-        SpaceVector::zero()
-    }
-
-    #[inline(always)]
-    fn axis_torques<L: Lane>(&self, _axis: [L; 3]) -> [L; 3] {
-        [L::of(0.0); 3]
-    }
-}
-
-/// Two effects together.
-impl<A: Effect, B: Effect> Effect for (A, B) {
-    const KEEPS: Keeps = A::KEEPS.and(B::KEEPS);
-
-    #[inline]
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state) + self.1.torque(t, body, state)
-    }
-
-    #[inline]
-    fn potential_energy(&self, state: &State) -> f64 {
-        self.0.potential_energy(state) + self.1.potential_energy(state)
-    }
-
-    #[inline]
-    fn torque_scale(&self) -> f64 {
-        self.0.torque_scale() + self.1.torque_scale()
-    }
-}
-
-impl<A: AxisEffect, B: AxisEffect> AxisEffect for (A, B) {
-    #[inline]
-    fn axis_torque(&self, axis: SpaceVector) -> SpaceVector {
-        self.0.axis_torque(axis) + self.1.axis_torque(axis)
-    }
-
-    #[inline(always)]
-    fn axis_torques<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
-        let [a, b, c] = self.0.axis_torques(axis);
-        let [d, e, f] = self.1.axis_torques(axis);
-        [a + d, b + e, c + f]
-    }
+/// An attitude whose axis e3 has this direction.
+fn with_axis([x, y, z]: [f64; 3]) -> Attitude {
+    // The shortest turn from Z, or for a direction below the equator from -Z.
+    let length = (x * x + y * y + z * z).sqrt();
+    let (x, y, z) = (x / length, y / length, z / length);
+    let q = if z >= 0.0 {
+        let w = (0.5 * (1.0 + z)).sqrt();
+        [w, -0.5 * y / w, 0.5 * x / w, 0.0]
+    } else {
+        let s = (0.5 * (1.0 - z)).sqrt();
+        [0.5 * x / s, 0.0, s, 0.5 * y / s]
+    };
+    Attitude::from_unit(q)
 }

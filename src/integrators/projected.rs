@@ -19,7 +19,7 @@ use super::scene::components;
 use super::{Integrator, SpinFree, Work};
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::{AxisEffect, Effect};
+use crate::effects::Effect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::scene::{Invariant, Scene};
@@ -181,7 +181,7 @@ impl<E: Effect> Scene<E> {
     }
 }
 
-impl<E: AxisEffect> Kept for SpinFree<'_, E> {
+impl<E: Effect> Kept for SpinFree<'_, E> {
     fn restored(&self, state: &State, start: &State) -> Result<State> {
         self.scene().restored(state, start)
     }

@@ -61,8 +61,13 @@ impl<E: Effect> Ode<7> for Scene<E> {
     /// that the torques build up in the body's own time if that is more.
     fn scale(&self, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
         let q = (w * w + x * x + y * y + z * z).sqrt();
+        let state = State {
+            attitude: Attitude::from_unit([w / q, x / q, y / q, z / q]),
+            angular_momentum: SpaceVector::new(lx, ly, lz),
+        };
         let [i1, i2, i3] = self.body().moments().to_array();
-        let built_up = (i1.max(i2).max(i3) * self.effects().torque_scale()).sqrt();
+        let torque = self.effects().torque_scale(self.body(), &state);
+        let built_up = (i1.max(i2).max(i3) * torque).sqrt();
         let l = SpaceVector::new(lx, ly, lz).norm();
         let l = l.max(built_up).max(f64::MIN_POSITIVE);
         [q, q, q, q, l, l, l]

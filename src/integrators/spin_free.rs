@@ -16,7 +16,7 @@ use super::scene::components;
 use super::{Dop853, Integrator, Ode, Rk4, Work};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
-use crate::effects::AxisEffect;
+use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::frame::SpaceVector;
 use crate::math::sincos;
@@ -57,11 +57,13 @@ pub struct SpinFree<'s, E> {
     scene: &'s Scene<E>,
 }
 
-impl<'s, E: AxisEffect> SpinFree<'s, E> {
+impl<'s, E: Effect> SpinFree<'s, E> {
     /// The scene without the spin of its body.
     ///
-    /// Errors: a body that is not symmetric (I1 = I2 exactly).
+    /// Errors: a body that is not symmetric (I1 = I2 exactly), or effects that see more
+    /// than its axis.
     pub fn new(scene: &'s Scene<E>) -> Result<Self> {
+        axis_only(scene.effects())?;
         symmetric(scene.body())?;
         Ok(Self { scene })
     }
@@ -100,6 +102,16 @@ pub(super) fn symmetric(body: &RigidBody) -> Result<()> {
     })
 }
 
+/// Effects, if they see nothing but the axis of the body.
+pub(super) fn axis_only<E: Effect>(effects: &E) -> Result<()> {
+    if E::NATURE.axis_only {
+        return Ok(());
+    }
+    Err(Error::SeesMore {
+        effects: effects.names().join(", "),
+    })
+}
+
 /// Omega_S = L_z (1/I3 - 1/I1) of a symmetric body.
 pub(super) fn spin_rate(body: &RigidBody, state: &State) -> f64 {
     let (i1, i3) = (body.moments().i1(), body.moments().i3());
@@ -117,12 +129,13 @@ pub(super) fn spun([w, x, y, z]: [f64; 4], spin: f64, momentum: [f64; 3]) -> Res
     )
 }
 
-impl<E: AxisEffect> Ode<7> for SpinFree<'_, E> {
+impl<E: Effect> Ode<7> for SpinFree<'_, E> {
     fn derivative(&self, _t: f64, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
         let square = w * w + x * x + y * y + z * z;
         // The axis of S/|S|; the length of S itself has no influence.
         let axis = Attitude::from_unit([w, x, y, z]).axis() / square;
-        let [tx, ty, tz] = self.scene.effects().axis_torque(axis).to_array();
+        let [tx, ty, tz] =
+            (self.scene.effects()).torques_on_axis(self.scene.body(), axis.to_array());
         let half = 0.5 / self.scene.body().moments().i1();
         let (p, q, r) = (half * lx, half * ly, half * lz);
         [
@@ -145,7 +158,7 @@ impl<E: AxisEffect> Ode<7> for SpinFree<'_, E> {
 /// The general methods carry a [`State`] by S and L, and add the spin at the end.
 macro_rules! carries_states {
     ($method:ty) => {
-        impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for $method {
+        impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for $method {
             fn advance(
                 &self,
                 problem: &SpinFree<'s, E>,

@@ -1,7 +1,8 @@
 //! The accuracy strip: what the dial delivers and pays, and what each method would.
 
 use super::{ClosedForm, Computation, Price, Report};
-use crate::accuracy::{Fineness, Problem, Solvable, Solved, applies};
+use crate::accuracy::{Fineness, Problem, Solved, applies};
+use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::integrators::{Method, Work};
 
@@ -33,7 +34,7 @@ impl Report {
     /// method refuses.
     pub fn strip<E>(&mut self, problem: &Problem<E>, tolerances: &[f64]) -> Result<()>
     where
-        E: Solvable + Clone + Send + Sync + 'static,
+        E: Effect + Clone + Send + Sync + 'static,
     {
         let Some(&own) = tolerances.first() else {
             return Ok(());
@@ -107,7 +108,7 @@ impl Report {
         solve: Solve<E>,
     ) -> Result<()>
     where
-        E: Solvable + Clone + Send + Sync + 'static,
+        E: Effect + Clone + Send + Sync + 'static,
     {
         let (method, delivered, work, again) = match solve(problem, requested) {
             Ok(solved) => {
@@ -138,7 +139,7 @@ impl Report {
     /// Adds the least work with which a method delivers, if it does.
     fn add_least<E>(&mut self, problem: &Problem<E>, method: Method, requested: f64) -> Result<()>
     where
-        E: Solvable + Clone + Send + Sync + 'static,
+        E: Effect + Clone + Send + Sync + 'static,
     {
         let Some(run) = problem.least(method, requested)? else {
             return Ok(());

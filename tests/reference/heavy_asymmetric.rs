@@ -59,7 +59,7 @@ const METHODS: [Method; 4] = [
         angle: 0.5,
         run: |scene, start, t, steps| {
             let method = GaussLegendre::new(steps)?;
-            Ok(method.advance(&BodyAxes::new(scene), 0.0, start, t)?.0)
+            Ok(method.advance(&BodyAxes::new(scene)?, 0.0, start, t)?.0)
         },
     },
 ];

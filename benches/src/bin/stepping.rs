@@ -150,7 +150,7 @@ fn heavy_top() -> Result<(), Box<dyn std::error::Error>> {
     let precession = a.sqrt() * (b - cos(theta)) / sin(theta);
     let rates = BodyVector::new(0.0, precession, 1.0 / a.sqrt());
     let start = body.state(motion.attitude(0.0), rates)?;
-    let (spin_free, axes) = (SpinFree::new(&scene)?, BodyAxes::new(&scene));
+    let (spin_free, axes) = (SpinFree::new(&scene)?, BodyAxes::new(&scene)?);
     let exact = motion.attitude(end);
     let scene = &scene;
     let mut lines = Vec::new();

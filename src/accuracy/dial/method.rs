@@ -5,19 +5,16 @@
 //! smaller error of a step. So methods of any order are refined alike and compared at
 //! the same error.
 
-use super::Solvable;
 use super::problem::Problem;
 use crate::accuracy::{Carrier, Fineness, Variables};
 use crate::body::State;
+use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Method as Named, Work};
 use crate::math::{exp, log};
 
 /// ln 40: a level is a factor of 40 in the error.
 pub(super) const LEVEL: f64 = 3.688_879_454_113_936;
-
-/// More steps than this are no longer taken.
-const MOST_STEPS: f64 = 1e8;
 
 /// A method, and the variables it steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,14 +39,14 @@ use Method::{Adaptive, BodyGauss, FreeGauss, Gauss, SpinFreeAdaptive, SpinFreeGa
 
 impl Method {
     /// Those that can step this problem.
-    pub fn candidates<E: Solvable>(problem: &Problem<E>) -> Vec<Self> {
-        if E::TORQUE_FREE {
+    pub fn candidates<E: Effect>(problem: &Problem<E>) -> Vec<Self> {
+        if E::NATURE.torque_free {
             return vec![FreeGauss, Adaptive];
         }
-        if !E::ANALYTIC {
+        if !E::NATURE.smooth {
             return vec![Adaptive];
         }
-        if !E::AXIS_ONLY {
+        if !E::NATURE.axis_only {
             return vec![Gauss, Adaptive];
         }
         let mut all = vec![Split(Named::Srkn6), Split(Named::Srkn14)];
@@ -155,7 +152,7 @@ impl Method {
     /// run of 50 turns after the other, optimised and with AVX-512 (that of the body's own
     /// axes is an estimate). What it is on another machine
     /// decides which method is chosen where two are near, and no more.
-    pub fn cost<E: Solvable>(self, problem: &Problem<E>, work: &Work) -> f64 {
+    pub fn cost<E: Effect>(self, problem: &Problem<E>, work: &Work) -> f64 {
         let weight = match self {
             FreeGauss => 0.09,
             Gauss => 0.84,
@@ -176,72 +173,146 @@ impl Method {
     }
 
     /// A bound on the rates (rad/s) that this method has to follow.
-    pub fn rate<E: Solvable>(self, problem: &Problem<E>) -> f64 {
+    pub fn rate<E: Effect>(self, problem: &Problem<E>) -> f64 {
         let moments = problem.body.moments();
-        let torque = problem.effects.torque_scale();
         match self {
             SpinFreeGauss | SpinFreeAdaptive | Split(_) => {
                 // The axis turns with L/I1; falling sets free up to 2 m g l.
                 let i1 = moments.i1();
-                problem.start.angular_momentum.norm() / i1 + 2.0 * (torque / i1).sqrt()
+                problem.start.angular_momentum.norm() / i1 + 2.0 * (problem.torque / i1).sqrt()
             }
-            FreeGauss | Gauss | BodyGauss | Adaptive => {
-                let [i1, i2, i3] = moments.to_array();
-                let energy = problem.body.kinetic_energy(&problem.start);
-                ((2.0 * energy + 4.0 * torque) / i1.min(i2).min(i3)).sqrt()
-            }
+            FreeGauss | Gauss | BodyGauss | Adaptive => problem.fastest(),
         }
     }
 
     /// The angle (rad) turned until `t_end`, on which the number of steps rests; 1 at
     /// least, so that a finer level takes more steps of whatever seems at rest.
-    pub fn turned<E: Solvable>(self, problem: &Problem<E>, t_end: f64) -> f64 {
+    pub fn turned<E: Effect>(self, problem: &Problem<E>, t_end: f64) -> f64 {
         (self.rate(problem) * t_end.abs()).max(1.0)
     }
 
     /// The steps of this level until `t_end` (not for adaptive methods).
-    pub fn steps<E: Solvable>(self, problem: &Problem<E>, t_end: f64, level: f64) -> f64 {
+    pub fn steps<E: Effect>(self, problem: &Problem<E>, t_end: f64, level: f64) -> f64 {
         self.turned(problem, t_end) / self.angle() * self.dearer(level)
     }
 
     /// The level at which this many steps are taken (not for adaptive methods).
-    pub fn level_of<E: Solvable>(self, problem: &Problem<E>, t_end: f64, steps: f64) -> f64 {
+    pub fn level_of<E: Effect>(self, problem: &Problem<E>, t_end: f64, steps: f64) -> f64 {
         let base = self.turned(problem, t_end) / self.angle();
         log(steps / base) * self.order() / LEVEL
     }
 
-    /// The state at `t_end` that follows from `start` at `t`, by steps of this level
-    /// and at least so many. `precision`: to which the stages of
-    /// Gauss-Legendre are solved, 0 for round-off.
-    pub fn run<E: Solvable>(
+    /// Torques that a step takes, at most.
+    const fn torques(self) -> f64 {
+        match self {
+            FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 8.0 * 12.0,
+            Split(_) => 14.0,
+            Adaptive | SpinFreeAdaptive => 12.0,
+        }
+    }
+
+    /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps;
+    /// with how fine the run was: see [`Fine`].
+    pub fn run<E: Effect>(
         self,
         problem: &Problem<E>,
         [t, t_end]: [f64; 2],
         start: &State,
-        level: f64,
-        fewest: u64,
-        precision: f64,
-    ) -> Result<(State, Work)> {
-        let scene = problem.scene();
+        fine: Fine,
+    ) -> Result<Passed> {
+        let times = problem.pieces([t, t_end]);
+        let mut passed = Passed {
+            state: *start,
+            work: Work::default(),
+            level: f64::INFINITY,
+            longest_step: 0.0,
+        };
+        for piece in times.windows(2) {
+            let part = (piece[1] - piece[0]) / (t_end - t);
+            let fine = Fine {
+                fewest: ((fine.fewest as f64 * part).ceil() as u64).max(1),
+                budget: fine.budget.saturating_sub(passed.work.torques()),
+                ..fine
+            };
+            let more = self.run_piece(problem, [piece[0], piece[1]], &passed.state, fine)?;
+            passed.state = more.state;
+            passed.work += more.work;
+            passed.level = passed.level.min(more.level);
+            passed.longest_step = passed.longest_step.max(more.longest_step);
+        }
+        Ok(passed)
+    }
+
+    fn run_piece<E: Effect>(
+        self,
+        problem: &Problem<E>,
+        [t, t_end]: [f64; 2],
+        start: &State,
+        fine: Fine,
+    ) -> Result<Passed> {
+        let scene = problem.scene([t, t_end]);
+        let span = (t_end - t).abs();
+        let over = Error::OverBudget {
+            t,
+            t_end,
+            budget: fine.budget,
+        };
+        let fewest = fine.fewest.max((span / problem.longest_step).ceil() as u64);
+        let affordable = fine.budget as f64 / self.torques();
         let carrier = if self.is_adaptive() {
-            let tolerance = (1e-3 * exp(-LEVEL * level))
+            let tolerance = (1e-3 * exp(-LEVEL * fine.level))
                 .clamp(Dop853::SMALLEST_TOLERANCE, Dop853::LARGEST_TOLERANCE);
             let method = Dop853::new(tolerance)?
-                .with_longest_step((t_end - t).abs() / fewest as f64)?
-                .with_step_limit(MOST_STEPS as u64)?;
+                .with_longest_step(span / fewest as f64)?
+                .with_step_limit(affordable.max(1.0) as u64)?;
             Carrier::Dop853(method)
         } else {
-            let steps = self.steps(problem, t_end - t, level);
-            if steps.is_nan() || steps > MOST_STEPS {
-                return Err(Error::TooManySteps {
-                    t,
-                    t_end,
-                    limit: MOST_STEPS as u64,
-                });
+            let steps = self.steps(problem, t_end - t, fine.level);
+            if steps.is_nan() || steps.max(fewest as f64) > affordable {
+                return Err(over);
             }
             let steps = (steps.ceil() as u64).max(fewest);
-            Carrier::new(self.method(), Fineness::Stages(steps, precision))?
+            Carrier::new(self.method(), Fineness::Stages(steps, fine.precision))?
         };
-        carrier.advance_well(&scene, self.variables(), [t, t_end], start)
+        let run = carrier.advance_well(&scene, self.variables(), [t, t_end], start);
+        let (state, work) = match run {
+            Err(Error::TooManySteps { .. }) => return Err(over),
+            run => run?,
+        };
+        // Steps are whole: the level is that of the steps taken.
+        let (level, longest_step) = if self.is_adaptive() {
+            (fine.level, span / fewest as f64)
+        } else {
+            let steps = work.steps as f64;
+            (self.level_of(problem, t_end - t, steps), span / steps)
+        };
+        Ok(Passed {
+            state,
+            work,
+            level,
+            longest_step,
+        })
     }
+}
+
+/// How fine a run is to be.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fine {
+    pub level: f64,
+    /// So many steps at least.
+    pub fewest: u64,
+    /// To which the stages of Gauss-Legendre are solved; 0 for round-off.
+    pub precision: f64,
+    /// So many torques at most.
+    pub budget: u64,
+}
+
+/// Where a run has come, what it cost, and the level of the steps it took.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passed {
+    pub state: State,
+    pub work: Work,
+    pub level: f64,
+    /// No step was longer (s).
+    pub longest_step: f64,
 }

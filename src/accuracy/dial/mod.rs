@@ -2,8 +2,9 @@
 //!
 //! | part | what it holds |
 //! |---|---|
-//! | [`Solvable`] | what the dial must know of an effect; an effect of your own needs no line |
-//! | [`ExactMotion`] | a closed form, picked when the scene's type is known |
+//! | [`Limits`] | the time of the start, break points, longest step, budget, a way to cancel |
+//! | [`ExactMotion`] | a closed form, picked by what acts |
+//! | [`SolvedMotion`] | the promise kept all along the way: states at any times |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob |
 //! | `stepping` | choose, refine, verify |
@@ -11,21 +12,27 @@
 //! Not for: scenes with contacts, which have a dial of their own
 //! ([`simulate_within`](crate::planar::simulate_within)).
 
+mod along;
+mod exact_motion;
+mod limits;
 mod method;
 mod problem;
-mod solvable;
 mod stepping;
 mod verdict;
 
-pub use solvable::{ExactMotion, Solvable};
+pub use along::SolvedMotion;
+pub use exact_motion::ExactMotion;
+pub use limits::Limits;
 
 use crate::body::State;
+use crate::effects::{Checked, Effect};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
 use crate::scene::Scene;
-use problem::{ALL_ROWS, Feeler, Problem};
-use stepping::Stepping;
+use core::cell::Cell;
+use problem::{ALL_ROWS, Apart, Feeler, Problem};
+use stepping::{Delivered, Stepping};
 
 /// The error of a closed form, in units of eps (1 + condition). Measured over the reference
 /// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
@@ -45,11 +52,19 @@ pub struct Solved {
     pub work: Work,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
+    /// The same of the angular momentum, as a part of its scale
+    /// ([`Errors`](crate::accuracy::Errors)).
+    pub momentum_estimate: f64,
+    /// The same of the angular velocity.
+    pub rates_estimate: f64,
     /// The angle (rad) by which the end changes per relative change of the inputs.
     pub condition: f64,
+    /// No step was longer (s; 0 for a closed form). A feature of the torque that is
+    /// narrower, and that nothing names, may have been stepped over by every run.
+    pub longest_step: f64,
 }
 
-impl<E: Solvable> Scene<E> {
+impl<E: Effect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
@@ -110,16 +125,42 @@ impl<E: Solvable> Scene<E> {
     /// more than the tolerance left room for. All runs together cost 10 times the one
     /// that is returned at 1e-3, 6 times at 1e-9 (medians).
     ///
+    /// *What is promised of features of the torque.* Its jumps at times that are named
+    /// ([`Effect::break_points`], [`Limits::break_points`]) are met exactly, and no step is
+    /// longer than half of what [`Effect::narrowest`] names. Of an effect that depends on
+    /// the time and names no width, the torque on the body as it starts is looked at at 4096
+    /// times: a pulse that lasts longer than that is seen, and taken in steps of two such
+    /// intervals. A narrower one, or a bump in space that is narrower than a step, may be
+    /// missed by all runs alike; [`Solved::longest_step`] says how long the steps were.
+    ///
     /// # Errors
-    /// A tolerance outside its range, anything not finite;
-    /// [`Error::BeyondCondition`] if the inputs, as doubles, do not determine the end so
-    /// closely; [`Error::NotDelivered`] if no method converges to it.
+    /// A tolerance outside its range, anything not finite; [`Error::Contradiction`] if an
+    /// effect says of itself what its torque does not bear out, at the start or along the
+    /// way; [`Error::BeyondCondition`] if the inputs, as doubles, do not determine the end
+    /// so closely; [`Error::NotDelivered`] if no method converges to it;
+    /// [`Error::OverBudget`] if it takes more torques than [`Limits::budget`].
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
-        let problem = self.checked(start, t_end, tolerance)?;
-        match self.effects().exact_motion(1.0, self.body(), start) {
-            Some(motion) => by_closed_form(&problem, &motion, tolerance),
-            None => self.solve_by_stepping(start, t_end, tolerance),
-        }
+        self.solve_with(start, t_end, tolerance, &Limits::default())
+    }
+
+    /// As [`Scene::solve`], from another time than 0, with break points, a longest step, a
+    /// budget or a way to cancel.
+    ///
+    /// # Errors
+    /// As [`Scene::solve`]; limits that contradict the span; [`Error::Cancelled`].
+    pub fn solve_with(
+        &self,
+        start: &State,
+        t_end: f64,
+        tolerance: f64,
+        limits: &Limits,
+    ) -> Result<Solved> {
+        self.posed(start, t_end, tolerance, limits, |problem| {
+            match problem.exact_motion() {
+                Some(motion) => by_closed_form(problem, &motion, tolerance, 1),
+                None => stepped(problem, tolerance, limits),
+            }
+        })
     }
 
     /// As [`Scene::solve`], but by stepping, whether there is a closed form or not: so a
@@ -128,24 +169,21 @@ impl<E: Solvable> Scene<E> {
     /// # Errors
     /// As [`Scene::solve`].
     pub fn solve_by_stepping(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
-        let problem = self.checked(start, t_end, tolerance)?;
-        if t_end == 0.0 {
-            return Ok(Solved {
-                state: *start,
-                method: "nothing to do",
-                run: Work::default(),
-                work: Work::default(),
-                estimate: 0.0,
-                condition: problem.condition(&Feeler::EXACT, |by| {
-                    let changed = (0..ALL_ROWS).map(|row| Ok(problem.changed(row, by)?.start));
-                    Ok((*start, changed.collect::<Result<_>>()?))
-                })?,
-            });
-        }
-        Stepping::new(&problem, tolerance).solve()
+        let limits = Limits::default();
+        self.posed(start, t_end, tolerance, &limits, |problem| {
+            stepped(problem, tolerance, &limits)
+        })
     }
 
-    fn checked(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Problem<'_, E>> {
+    /// The problem, if what is given can be solved at all, handed on.
+    fn posed<T>(
+        &self,
+        start: &State,
+        t_end: f64,
+        tolerance: f64,
+        limits: &Limits,
+        solve: impl FnOnce(&Problem<E>) -> Result<T>,
+    ) -> Result<T> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
             return Err(Error::OutOfRange {
@@ -154,19 +192,89 @@ impl<E: Solvable> Scene<E> {
                 allowed: "above 0 and at most pi",
             });
         }
-        finite("end time", t_end)?;
+        limits.checked(t_end)?;
         State::new(start.attitude, start.angular_momentum)?;
-        Ok(Problem::new(self, start, t_end))
+        let (effects, body) = (self.effects(), self.body());
+        let checked = Checked::new(effects, body, [limits.t_start, t_end], start)?;
+        let breaks = limits.breaks(effects, t_end);
+        let asked = Cell::new(0);
+        let mut problem = Problem {
+            body: *body,
+            effects,
+            strength: 1.0,
+            torque: effects.torque_scale(body, start).max(checked.at_start()),
+            start: *start,
+            t_start: limits.t_start,
+            t_end,
+            breaks: &breaks,
+            longest_step: limits.longest_step,
+            checked: &checked,
+            asked: &asked,
+        };
+        let rate = problem.fastest();
+        problem.longest_step = limits.longest_step(effects, &checked, rate, t_end);
+        solve(&problem)
     }
 }
 
-/// The state of a closed form, if its error is small enough.
-fn by_closed_form<E: Solvable>(
+/// The state at the end by stepping.
+fn stepped<E: Effect>(problem: &Problem<E>, tolerance: f64, limits: &Limits) -> Result<Solved> {
+    if problem.span() == 0.0 {
+        return nothing_to_do(problem);
+    }
+    let delivered = Stepping::new(problem, tolerance, limits, 1).solve()?;
+    Ok(Solved::of(&delivered, problem))
+}
+
+fn nothing_to_do<E: Effect>(problem: &Problem<E>) -> Result<Solved> {
+    let start = problem.start;
+    let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
+        let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
+        Ok((vec![start], changed.collect::<Result<_>>()?))
+    })?;
+    Ok(Solved {
+        state: start,
+        method: "nothing to do",
+        run: Work::default(),
+        work: Work::default(),
+        estimate: 0.0,
+        momentum_estimate: 0.0,
+        rates_estimate: 0.0,
+        condition,
+        longest_step: 0.0,
+    })
+}
+
+impl Solved {
+    fn of<E>(delivered: &Delivered, problem: &Problem<E>) -> Self {
+        let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
+        Self {
+            state: delivered.places.last().copied().unwrap_or(problem.start),
+            method: delivered.method.name(),
+            run: delivered.run,
+            work: delivered.work,
+            estimate,
+            momentum_estimate,
+            rates_estimate,
+            condition: delivered.condition[0],
+            longest_step: delivered.longest_step,
+        }
+    }
+}
+
+/// The state of a closed form, if its error is small enough at so many places on the way.
+fn by_closed_form<E: Effect>(
     problem: &Problem<E>,
     motion: &ExactMotion,
     tolerance: f64,
+    places: usize,
 ) -> Result<Solved> {
-    let state = motion.at(problem.t_end)?;
+    let on_the_way = |motion: &ExactMotion, changed: &Problem<E>| -> Result<Vec<State>> {
+        (1..=places)
+            .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
+            .collect()
+    };
+    let states = on_the_way(motion, problem)?;
     let mut work = Work {
         samples: 1,
         ..Work::default()
@@ -174,34 +282,36 @@ fn by_closed_form<E: Solvable>(
     let run = work;
     let neighbour = |row, by| {
         let changed = problem.changed(row, by)?;
-        let motion =
-            (changed.effects).exact_motion(changed.strength, &changed.body, &changed.start);
         // A neighbour without a closed form: the edge of what it can do.
-        let motion = motion.ok_or(Error::NotDelivered {
+        let motion = changed.exact_motion().ok_or(Error::NotDelivered {
             requested: tolerance,
             reached: f64::INFINITY,
         })?;
-        motion.at(changed.t_end)
+        on_the_way(&motion, &changed)
     };
-    let condition = problem.condition(&Feeler::EXACT, |by| {
+    let condition: Apart = problem.condition(&Feeler::EXACT, |by| {
         work.samples += ALL_ROWS as u64;
         let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
-        Ok((state, changed.collect::<Result<_>>()?))
+        Ok((states.clone(), changed.collect::<Result<_>>()?))
     })?;
-    let estimate = CLOSED_FORM * EPS * (1.0 + condition);
+    let [estimate, momentum_estimate, rates_estimate] =
+        condition.map(|condition| CLOSED_FORM * EPS * (1.0 + condition));
     if estimate.is_nan() || estimate > tolerance {
         return Err(Error::BeyondCondition {
             requested: tolerance,
             attainable: estimate,
-            condition,
+            condition: condition[0],
         });
     }
     Ok(Solved {
-        state,
+        state: states[places - 1],
         method: motion.name(),
         run,
         work,
         estimate,
-        condition,
+        momentum_estimate,
+        rates_estimate,
+        condition: condition[0],
+        longest_step: 0.0,
     })
 }

@@ -1,13 +1,15 @@
 //! What is to be solved, as given and with every input a little changed.
 
-use super::Solvable;
+use super::exact_motion::ExactMotion;
+use crate::accuracy::larger;
 use crate::body::{RigidBody, State};
-use crate::effects::{Effect, Keeps};
+use crate::effects::{Checked, Effect, Nature};
 use crate::error::Result;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
-use crate::math::{Lane, hypot};
+use crate::math::{EPS, Lane, hypot};
 use crate::scene::Scene;
+use core::cell::Cell;
 
 /// A scene, its start and the end asked for.
 pub(super) struct Problem<'e, E> {
@@ -15,43 +17,75 @@ pub(super) struct Problem<'e, E> {
     pub effects: &'e E,
     /// What multiplies the torque: 1, but for a change of it.
     pub strength: f64,
+    /// The scale of the torque.
+    pub torque: f64,
     pub start: State,
+    pub t_start: f64,
     pub t_end: f64,
+    /// Where the torque jumps on the way, in the order of the motion.
+    pub breaks: &'e [f64],
+    /// No step may be longer.
+    pub longest_step: f64,
+    pub checked: &'e Checked<'e, E>,
+    /// Torques asked for, by runs that came to an end and by those that did not.
+    pub asked: &'e Cell<u64>,
 }
 
-/// The same effect with its torque multiplied.
+/// The same effect with its torque multiplied, between two times at which it may jump.
 pub(super) struct Strengthened<'e, E> {
     effects: &'e E,
     strength: f64,
+    torque: f64,
+    /// The first time and the last that belong to this piece.
+    piece: [f64; 2],
+    asked: &'e Cell<u64>,
 }
 
-impl<E: Solvable> Effect for Strengthened<'_, E> {
-    const KEEPS: Keeps = E::KEEPS;
+impl<E> Strengthened<'_, E> {
+    #[inline(always)]
+    fn count(&self, torques: usize) {
+        self.asked.set(self.asked.get() + torques as u64);
+    }
+}
 
+impl<E: Effect> Effect for Strengthened<'_, E> {
+    const NATURE: Nature = E::NATURE;
+
+    fn name(&self) -> &'static str {
+        self.effects.name()
+    }
+
+    /// On this piece: at a jump, what it is on this side.
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        let t = if E::NATURE.on_time {
+            t.max(self.piece[0]).min(self.piece[1])
+        } else {
+            t
+        };
+        self.count(1);
         self.effects.torque(t, body, state) * self.strength
     }
 
-    #[inline]
-    fn potential_energy(&self, state: &State) -> f64 {
-        self.effects.potential_energy(state) * self.strength
-    }
-
-    #[inline]
-    fn torque_scale(&self) -> f64 {
-        self.effects.torque_scale() * self.strength
-    }
-}
-
-impl<E: Solvable> Solvable for Strengthened<'_, E> {
-    const TORQUE_FREE: bool = E::TORQUE_FREE;
-    const AXIS_ONLY: bool = E::AXIS_ONLY;
-    const ANALYTIC: bool = E::ANALYTIC;
-
     #[inline(always)]
-    fn torque_on_axis<L: Lane>(&self, axis: [L; 3]) -> [L; 3] {
-        self.effects.torque_on_axis(axis).map(|m| m * self.strength)
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        self.count(L::WIDTH);
+        let [a, b, c] = self.effects.torques_on_axis(body, axis);
+        [a * self.strength, b * self.strength, c * self.strength]
+    }
+
+    #[inline]
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.effects.potential_energy(t, body, state) * self.strength
+    }
+
+    #[inline]
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+        self.torque * self.strength
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.effects.names()
     }
 }
 
@@ -95,48 +129,94 @@ pub(super) struct Feeler {
 impl Feeler {
     /// For closed forms, whose rounding is all that blurs a small change.
     pub const EXACT: Self = Self {
-        changes: &[1e-9, 1e-12],
+        changes: &[1e-9, 1e-12, 8.0 * EPS],
         linear: 1e-4,
     };
     /// For stepping.
     pub const STEPPED: Self = Self {
-        changes: &[1e-6, 1e-9, 1e-12],
+        changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS],
         linear: 3e-3,
     };
+
+    fn smallest(&self) -> f64 {
+        self.changes.last().copied().unwrap_or(0.0)
+    }
 }
 
-impl<'e, E: Solvable> Problem<'e, E> {
-    pub fn new(scene: &'e Scene<E>, start: &State, t_end: f64) -> Self {
-        Self {
-            body: *scene.body(),
-            effects: scene.effects(),
-            strength: 1.0,
-            start: *start,
-            t_end,
-        }
-    }
+/// Of two states: the angle between the attitudes (rad), and the differences of momentum
+/// and of rates, each as a part of its scale.
+pub(super) type Apart = [f64; 3];
 
-    /// The scene as the integrators see it.
-    pub fn scene(&self) -> Scene<((), Strengthened<'e, E>)> {
+impl<'e, E: Effect> Problem<'e, E> {
+    /// The scene as the integrators see it, between two times without a jump.
+    pub fn scene(&self, [from, to]: [f64; 2]) -> Scene<((), Strengthened<'e, E>)> {
+        let (first, last) = (from.min(to), from.max(to));
         Scene::new(self.body).with(Strengthened {
             effects: self.effects,
             strength: self.strength,
+            torque: self.torque,
+            piece: [first.next_up(), last.next_down()],
+            asked: self.asked,
         })
+    }
+
+    /// The times that cut the motion from `t` to `t_end` where the torque jumps, with
+    /// both ends.
+    pub fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
+        let (first, last) = (t.min(t_end), t.max(t_end));
+        let mut times = vec![t];
+        times.extend(self.breaks.iter().filter(|b| first < **b && **b < last));
+        times.push(t_end);
+        times
+    }
+
+    /// The time from start to end (s).
+    pub fn span(&self) -> f64 {
+        self.t_end - self.t_start
+    }
+
+    /// The closed form of this motion, if it has one.
+    pub fn exact_motion(&self) -> Option<ExactMotion> {
+        ExactMotion::of(self.effects.known(), self.strength, &self.body, &self.start)
+    }
+
+    /// A bound on the rates (rad/s) that the body reaches.
+    pub fn fastest(&self) -> f64 {
+        let [i1, i2, i3] = self.body.moments().to_array();
+        let energy = self.body.kinetic_energy(&self.start);
+        ((2.0 * energy + 4.0 * self.torque) / i1.min(i2).min(i3)).sqrt()
     }
 
     /// True if the torque changes little of the momentum in the time of a turn: then
     /// splittings for weak kicks are worth a try.
     pub fn is_fast(&self) -> bool {
         let turning = self.body.kinetic_energy(&self.start);
-        self.effects.torque_scale() < FAST * turning
+        self.torque < FAST * turning
     }
 
     /// The size against which a change of the momentum counts: its length, or what the
     /// torques build up in the body's own time.
-    fn momentum_scale(&self) -> f64 {
+    pub fn momentum_scale(&self, state: &State) -> f64 {
         let [i1, i2, i3] = self.body.moments().to_array();
-        let built_up = (i1.max(i2).max(i3) * self.effects.torque_scale()).sqrt();
-        self.start.angular_momentum.norm().max(built_up)
+        let built_up = (i1.max(i2).max(i3) * self.torque).sqrt();
+        state.angular_momentum.norm().max(built_up)
+    }
+
+    /// How far two states of this motion are apart: the angle between their attitudes
+    /// (rad), and the differences of momentum and rates as parts of their scales.
+    pub fn apart(&self, a: &State, b: &State) -> Apart {
+        let ratio = |difference: f64, scale: f64| {
+            if difference == 0.0 { 0.0 } else { difference / scale }
+        };
+        let momentum = (a.angular_momentum - b.angular_momentum).norm();
+        let (rates, others) = (self.body.angular_velocity(a), self.body.angular_velocity(b));
+        let [i1, i2, i3] = self.body.moments().to_array();
+        let built_up = (self.torque / i1.max(i2).max(i3)).sqrt();
+        [
+            a.attitude.angle_to(&b.attitude),
+            ratio(momentum, self.momentum_scale(a)),
+            ratio((rates - others).norm(), rates.norm().max(built_up)),
+        ]
     }
 
     /// Every input changed by `by`, up or down.
@@ -167,10 +247,9 @@ impl<'e, E: Solvable> Problem<'e, E> {
             .or_else(|_| scaled([moments[0]; 3], by))?;
         Ok(Self {
             body: RigidBody::new(new),
-            effects: self.effects,
             strength: self.strength * (1.0 + strength * by),
             start: self.moved(&self.start, [a, b, c, x, y, z], by)?,
-            t_end: self.t_end,
+            ..*self
         })
     }
 
@@ -179,7 +258,7 @@ impl<'e, E: Solvable> Problem<'e, E> {
     fn moved(&self, state: &State, [a, b, c, x, y, z]: [f64; 6], by: f64) -> Result<State> {
         State::new(
             (state.attitude).turned_in_body(BodyVector::new(a, b, c) * by)?,
-            state.angular_momentum + SpaceVector::new(x, y, z) * (by * self.momentum_scale()),
+            state.angular_momentum + SpaceVector::new(x, y, z) * (by * self.momentum_scale(&self.start)),
         )
     }
 
@@ -205,37 +284,69 @@ impl<'e, E: Solvable> Problem<'e, E> {
                 let [a, b, c, x, y, z, ..] = signs((row + 5 * k) % ALL_ROWS);
                 state = problem.moved(&state, [a, b, c, x, y, z], on_the_way)?;
             }
-            let (from, to) = (k as f64 / legs as f64, (k + 1) as f64 / legs as f64);
-            state = leg(&problem, from * self.t_end, &state, to * self.t_end)?;
+            let [from, to] = [k, k + 1].map(|k| self.at_leg(k, legs));
+            state = leg(&problem, from, &state, to)?;
         }
         Ok(state)
     }
 
-    /// The condition of the attitude at the end: by how much it changes (rad) per
-    /// relative change of the inputs, as the root of the sum of squares over all of
-    /// them and the time. `ends` tells where the motion ends, and where it ends with all
-    /// inputs changed by so much, up or down by the signs of some rows.
+    /// The time at which the leg of this number begins.
+    pub fn at_leg(&self, leg: usize, legs: usize) -> f64 {
+        if leg == legs {
+            self.t_end
+        } else {
+            self.t_start + leg as f64 / legs as f64 * self.span()
+        }
+    }
+
+    /// The condition of the motion: by how much it changes per relative change of the
+    /// inputs, as the root of the sum of squares over all of them and the time, at that of
+    /// the places looked at where it changes most. `motions` tells where the motion is at
+    /// those places, and where it is with all inputs changed by so much, up or down by the
+    /// signs of some rows.
+    ///
+    /// Infinite if the smallest change that doubles hold is one too many.
     pub fn condition(
         &self,
         feeler: &Feeler,
-        mut ends: impl FnMut(f64) -> Result<(State, Vec<State>)>,
-    ) -> Result<f64> {
-        let (mut slope, mut rate) = (f64::INFINITY, 0.0);
+        mut motions: impl FnMut(f64) -> Result<(Vec<State>, Vec<Vec<State>>)>,
+    ) -> Result<Apart> {
+        let mut condition = [f64::INFINITY; 3];
         for &by in feeler.changes {
-            let (end, changed) = ends(by)?;
-            let angles: Vec<f64> = (changed.iter())
-                .map(|state| end.attitude.angle_to(&state.attitude))
-                .collect();
-            let sum: f64 = angles.iter().map(|angle| (angle / by) * (angle / by)).sum();
-            slope = (sum / angles.len() as f64).sqrt();
-            rate = self.body.angular_velocity(&end).norm();
-            if angles.iter().all(|angle| *angle <= feeler.linear) {
-                break;
+            let (places, changed) = motions(by)?;
+            condition = [0.0; 3];
+            let mut farthest: f64 = 0.0;
+            for (n, place) in places.iter().enumerate() {
+                let mut sum = [0.0; 3];
+                for neighbour in &changed {
+                    let apart = self.apart(place, &neighbour[n]);
+                    farthest = larger(farthest, apart[0]);
+                    for (sum, apart) in sum.iter_mut().zip(apart) {
+                        *sum += (apart / by) * (apart / by);
+                    }
+                }
+                let late = self.body.angular_velocity(place).norm()
+                    * self.t_end.abs().max(self.t_start.abs());
+                let rows = changed.len() as f64;
+                for (condition, sum) in condition.iter_mut().zip(sum) {
+                    *condition = larger(*condition, hypot((sum / rows).sqrt(), late));
+                }
+            }
+            if farthest <= feeler.linear {
+                return Ok(condition);
+            }
+            // Not so for a NaN.
+            if !(by > feeler.smallest() || farthest <= LOST) {
+                return Ok([f64::INFINITY; 3]);
             }
         }
-        Ok(hypot(slope, rate * self.t_end))
+        Ok(condition)
     }
 }
+
+/// An attitude that moves by more than this (rad) when the inputs change as little as
+/// doubles can: nothing is known of it.
+const LOST: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {

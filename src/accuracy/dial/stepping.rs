@@ -1,13 +1,16 @@
 //! The dial of what must be stepped: choose, refine, verify.
 
-use super::method::{LEVEL, Method};
-use super::problem::{Feeler, Problem};
+use super::limits::Limits;
+use super::method::{Fine, LEVEL, Method};
+use super::problem::{Apart, Feeler, Problem};
 use super::verdict::{APART, Gap, Verdict};
-use super::{Solvable, Solved};
+use crate::accuracy::larger;
 use crate::body::State;
+use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, log};
+use core::sync::atomic::Ordering;
 
 /// The angle (rad) turned at the slowest candidate's rate on which the candidates are compared.
 const STRETCH: f64 = core::f64::consts::TAU;
@@ -37,11 +40,26 @@ const SWEEPS: f64 = 0.1;
 /// An error that is reached, and no more than so many times the floor, is round-off.
 const ROUND_OFF: f64 = 16.0;
 
-/// What was returned by a run, and at which level.
+/// Where a run was at the places looked at, at which level, and what it cost.
 struct Run {
     level: f64,
-    state: State,
+    places: Vec<State>,
     work: Work,
+    longest_step: f64,
+}
+
+/// What a run delivers.
+pub(super) struct Delivered {
+    pub method: Method,
+    pub level: f64,
+    pub precision: f64,
+    pub places: Vec<State>,
+    pub run: Work,
+    pub work: Work,
+    /// Upper estimates of the three errors, at the place where each is largest.
+    pub estimate: Apart,
+    pub condition: Apart,
+    pub longest_step: f64,
 }
 
 /// A method, and what it did on the first stretch.
@@ -68,33 +86,39 @@ impl Candidate {
 
 /// A run that delivered, or the least error that was reached.
 enum Outcome {
-    Delivered { run: Run, estimate: f64 },
+    Delivered(Delivered),
     Reached(f64),
 }
 
 pub(super) struct Stepping<'p, 'e, E> {
     problem: &'p Problem<'e, E>,
     tolerance: f64,
+    limits: &'p Limits<'p>,
+    /// Where the motion is looked at, from the start to the end.
+    times: Vec<f64>,
     work: Work,
 }
 
-impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
-    pub fn new(problem: &'p Problem<'e, E>, tolerance: f64) -> Self {
+impl<'p, 'e, E: Effect> Stepping<'p, 'e, E> {
+    /// With the motion looked at in so many places, of equal distances; the end is the last.
+    pub fn new(
+        problem: &'p Problem<'e, E>,
+        tolerance: f64,
+        limits: &'p Limits<'p>,
+        places: usize,
+    ) -> Self {
         Self {
             problem,
             tolerance,
+            limits,
+            times: (0..=places).map(|n| problem.at_leg(n, places)).collect(),
             work: Work::default(),
         }
     }
 
     /// Solves by the cheapest candidate that can be verified.
-    pub fn solve(mut self) -> Result<Solved> {
-        let (mut candidates, part) = self.candidates();
-        if candidates.is_empty() {
-            // No level worked: say why the first did not.
-            let method = Method::candidates(self.problem)[0];
-            self.run(method, self.problem.t_end, 0.0, 1, 0.0)?;
-        }
+    pub fn solve(mut self) -> Result<Delivered> {
+        let (mut candidates, part) = self.candidates()?;
         // Errors grow with the time at least.
         let wanted = AIM * self.tolerance * part;
         candidates.sort_by(|a, b| a.cost(wanted).total_cmp(&b.cost(wanted)));
@@ -102,40 +126,45 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
             .map(|candidate| candidate.method.floor())
             .fold(f64::INFINITY, f64::min);
         let mut condition = self.condition(&candidates, FELT * part, ROWS, LEGS)?;
-        if NEAR * lowest * EPS * (1.0 + condition) > self.tolerance {
+        if NEAR * lowest * EPS * (1.0 + condition[0]) > self.tolerance {
             condition = self.condition(&candidates, FELT_WELL * part, MORE_ROWS, MORE_LEGS)?;
         }
-        let floor = lowest * EPS * (1.0 + condition);
+        let floor = lowest * EPS * (1.0 + condition[0]);
         if floor.is_nan() || floor >= self.tolerance {
-            return Err(self.beyond(floor, condition));
+            return Err(self.beyond(floor, condition[0]));
         }
         let mut reached = f64::INFINITY;
         let mut last = None;
         for candidate in candidates {
             match self.deliver(candidate.method, candidate.level(wanted), condition) {
-                Ok(Outcome::Delivered { run, estimate }) => {
-                    return Ok(Solved {
-                        state: run.state,
-                        method: candidate.method.name(),
-                        run: run.work,
-                        work: self.work,
-                        estimate,
-                        condition,
+                Ok(Outcome::Delivered(delivered)) => {
+                    return Ok(Delivered {
+                        work: self.all_work(),
+                        ..delivered
                     });
                 }
                 Ok(Outcome::Reached(error)) => reached = reached.min(error),
+                Err(error) if is_final(&error) => return Err(error),
                 Err(error) => last = Some(error),
             }
         }
         match last {
             // Near the floor, what runs differ by is round-off.
-            _ if reached < ROUND_OFF * floor => Err(self.beyond(reached, condition)),
+            _ if reached < ROUND_OFF * floor => Err(self.beyond(reached, condition[0])),
             Some(error) if reached == f64::INFINITY => Err(error),
             _ => Err(Error::NotDelivered {
                 requested: self.tolerance,
                 reached,
             }),
         }
+    }
+
+    /// All runs, with the torques of those that came to no end.
+    fn all_work(&self) -> Work {
+        let missing = self.problem.asked.get().saturating_sub(self.work.torques());
+        let mut work = self.work;
+        work.derivatives += missing;
+        work
     }
 
     fn beyond(&self, attainable: f64, condition: f64) -> Error {
@@ -146,34 +175,62 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         }
     }
 
-    /// One run; its work is counted.
+    /// What is left of the budget, if the solution may go on.
+    fn left(&self) -> Result<u64> {
+        let torques = self.all_work().torques();
+        if (self.limits.cancel).is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+            return Err(Error::Cancelled { torques });
+        }
+        Ok(self.limits.budget.saturating_sub(torques))
+    }
+
+    /// One run through these times; its work is counted.
     fn run(
         &mut self,
         method: Method,
-        t_end: f64,
+        times: &[f64],
         level: f64,
         fewest: u64,
         precision: f64,
     ) -> Result<Run> {
-        let (state, work) = {
-            let problem = self.problem;
-            method.run(
-                problem,
-                [0.0, t_end],
-                &problem.start,
+        let span = times[times.len() - 1] - times[0];
+        let mut run = Run {
+            level: f64::INFINITY,
+            places: Vec::with_capacity(times.len() - 1),
+            work: Work::default(),
+            longest_step: 0.0,
+        };
+        let mut state = self.problem.start;
+        for leg in times.windows(2) {
+            let part = (leg[1] - leg[0]) / span;
+            let fine = Fine {
                 level,
-                fewest,
+                fewest: ((fewest as f64 * part).ceil() as u64).max(1),
                 precision,
-            )?
-        };
-        self.work += work;
-        // Steps are whole: the level is that of the steps taken.
-        let level = if method.is_adaptive() {
-            level
-        } else {
-            method.level_of(self.problem, t_end, work.steps as f64)
-        };
-        Ok(Run { level, state, work })
+                budget: self.left()?,
+            };
+            let passed = method.run(self.problem, [leg[0], leg[1]], &state, fine);
+            let passed = passed.map_err(|error| self.over_budget(error))?;
+            self.work += passed.work;
+            run.work += passed.work;
+            run.level = run.level.min(passed.level);
+            run.longest_step = run.longest_step.max(passed.longest_step);
+            state = passed.state;
+            run.places.push(state);
+        }
+        Ok(run)
+    }
+
+    /// A budget that is used up is told as it was given, for the whole span.
+    fn over_budget(&self, error: Error) -> Error {
+        match error {
+            Error::OverBudget { .. } => Error::OverBudget {
+                t: self.problem.t_start,
+                t_end: self.problem.t_end,
+                budget: self.limits.budget,
+            },
+            error => error,
+        }
     }
 
     /// The first run of the whole span, at this level or at the first finer one that
@@ -181,9 +238,9 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
     fn first(&mut self, method: Method, level: f64, precision: f64) -> Result<Run> {
         let mut level = level;
         loop {
-            match self.run(method, self.problem.t_end, level, 1, precision) {
+            match self.run(method, &self.times.clone(), level, 1, precision) {
                 Ok(run) => return Ok(run),
-                Err(error @ Error::TooManySteps { .. }) => return Err(error),
+                Err(error) if stops(&error) => return Err(error),
                 Err(error) if level + 1.0 > method.finest() => return Err(error),
                 Err(_) => level += 1.0,
             }
@@ -193,49 +250,86 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
     /// The candidates: each runs twice on the first stretch of the motion, and the
     /// distance of its two ends is its error constant. Also the part of the span that
     /// the stretch is.
-    fn candidates(&mut self) -> (Vec<Candidate>, f64) {
+    ///
+    /// # Errors
+    /// Why the last of them failed, if all did.
+    fn candidates(&mut self) -> Result<(Vec<Candidate>, f64)> {
         let methods = Method::candidates(self.problem);
         let slowest = (methods.iter())
             .map(|method| method.rate(self.problem))
             .fold(f64::INFINITY, f64::min);
-        let whole = self.problem.t_end;
+        let whole = self.problem.span();
         let part = (STRETCH / (slowest * whole.abs())).min(1.0);
-        let tried = methods
-            .into_iter()
-            .filter_map(|method| self.tried(method, part * whole, part))
-            .collect();
-        (tried, part)
+        let (mut all, mut why) = (Vec::new(), None);
+        for method in methods {
+            match self.tried(method, part * whole, part) {
+                Ok(candidate) => all.push(candidate),
+                Err(error) if is_final(&error) => return Err(error),
+                Err(error) => why = Some(error),
+            }
+        }
+        match why {
+            Some(error) if all.is_empty() => Err(error),
+            _ => Ok((all, part)),
+        }
     }
 
     /// What the method does on the stretch.
-    fn tried(&mut self, method: Method, stretch: f64, part: f64) -> Option<Candidate> {
+    fn tried(&mut self, method: Method, stretch: f64, part: f64) -> Result<Candidate> {
         let precision = (SWEEPS * self.tolerance * part).min(1e-6);
+        let t = self.problem.t_start;
+        let times = [t, t + stretch];
         let mut level = method.coarsest().max(0.0);
+        let mut why = Error::NotDelivered {
+            requested: self.tolerance,
+            reached: f64::INFINITY,
+        };
         while level + 1.0 <= method.finest() {
-            if let Ok(coarse) = self.run(method, stretch, level, 1, precision)
-                && let Ok(fine) = self.next(method, stretch, &coarse, 1.0, precision)
-            {
-                let error = distance(&coarse, &fine);
-                // Not so for a NaN.
-                if error < APART {
-                    return Some(Candidate {
-                        method,
-                        level: coarse.level,
-                        error: error.max(EPS),
-                        cost: method.cost(self.problem, &coarse.work),
-                    });
+            let two = self
+                .run(method, &times, level, 1, precision)
+                .and_then(|coarse| {
+                    let fine = self.next(method, &times, &coarse, 1.0, precision)?;
+                    Ok((coarse, fine))
+                });
+            match two {
+                Ok((coarse, fine)) => {
+                    let error = self.distance(&coarse, &fine)[0];
+                    // Not so for a NaN.
+                    if error < APART {
+                        return Ok(Candidate {
+                            method,
+                            level: coarse.level,
+                            error: error.max(EPS),
+                            cost: method.cost(self.problem, &coarse.work),
+                        });
+                    }
                 }
+                Err(error) if stops(&error) => return Err(error),
+                Err(error) => why = error,
             }
             level += 2.0;
         }
-        None
+        Err(why)
+    }
+
+    /// How far two runs are apart, each measure at the place where it is largest.
+    fn distance(&self, a: &Run, b: &Run) -> Apart {
+        let mut most = [0.0; 3];
+        for (a, b) in a.places.iter().zip(&b.places) {
+            for (most, apart) in most.iter_mut().zip(self.problem.apart(a, b)) {
+                *most = larger(*most, apart);
+            }
+        }
+        most
     }
 
     /// Refines until the runs agree as they must, or as they can. At `level` the method
     /// is predicted to deliver.
-    fn deliver(&mut self, method: Method, level: f64, condition: f64) -> Result<Outcome> {
+    fn deliver(&mut self, method: Method, level: f64, conditions: Apart) -> Result<Outcome> {
         let highest = method.finest();
-        let floor = method.floor() * EPS * (1.0 + condition);
+        let condition = conditions[0];
+        let floors = conditions.map(|condition| method.floor() * EPS * (1.0 + condition));
+        let floor = floors[0];
         if floor.is_nan() || floor >= self.tolerance {
             return Ok(Outcome::Reached(floor));
         }
@@ -250,7 +344,7 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
         let coarse = (level - 2.0).clamp(method.coarsest(), highest - 2.0);
         let mut runs = vec![self.first(method, coarse, precision)?];
         let mut ahead = (level - 1.0 - runs[0].level).clamp(0.5, 2.0);
-        let mut gaps = Vec::new();
+        let mut gaps = [const { Vec::new() }; 3];
         let (mut best, mut stuck) = (f64::INFINITY, 0);
         loop {
             let last = &runs[runs.len() - 1];
@@ -262,17 +356,31 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
                 return Ok(Outcome::Reached(best + floor));
             }
             ahead = ahead.min(highest - last.level);
-            let next = self.next(method, self.problem.t_end, last, ahead, precision)?;
-            gaps.push(Gap {
-                apart: distance(last, &next),
-                step: next.level - last.level,
-            });
+            let next = self.next(method, &self.times.clone(), last, ahead, precision)?;
+            let step = next.level - last.level;
+            for (gaps, apart) in gaps.iter_mut().zip(self.distance(last, &next)) {
+                gaps.push(Gap { apart, step });
+            }
             runs.push(next);
-            let verdict = Verdict::of(method.trust(), &gaps);
+            let verdict = Verdict::of(method.trust(), &gaps[0]);
             if verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
-                let estimate = verdict.estimate + left(precision);
-                return Ok(Outcome::Delivered { run, estimate });
+                let [_, momentum, rates] = [0, 1, 2].map(|n| {
+                    Verdict::of(method.trust(), &gaps[n]).estimate
+                        + floors[n]
+                        + precision * (1.0 + conditions[n])
+                });
+                return Ok(Outcome::Delivered(Delivered {
+                    method,
+                    level: run.level,
+                    precision,
+                    places: run.places,
+                    run: run.work,
+                    work: self.work,
+                    estimate: [verdict.estimate + left(precision), momentum, rates],
+                    condition: conditions,
+                    longest_step: run.longest_step,
+                }));
             }
             stuck = if verdict.estimate < 0.5 * best {
                 0
@@ -288,35 +396,51 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
     fn next(
         &mut self,
         method: Method,
-        t_end: f64,
+        times: &[f64],
         last: &Run,
         ahead: f64,
         precision: f64,
     ) -> Result<Run> {
         let fewest = last.work.steps + 1;
-        self.run(method, t_end, last.level + ahead, fewest, precision)
+        self.run(method, times, last.level + ahead, fewest, precision)
     }
 
-    /// The condition, felt by the method that is cheapest where it is felt.
+    /// The condition, felt by the method that is cheapest where it is felt, or if that
+    /// fails by another.
     fn condition(
         &mut self,
         candidates: &[Candidate],
         felt: f64,
         rows: usize,
         most_legs: usize,
-    ) -> Result<f64> {
-        let problem = self.problem;
-        let cheapest = candidates
-            .iter()
-            .filter(|candidate| !candidate.method.is_adaptive())
-            .min_by(|a, b| a.cost(felt).total_cmp(&b.cost(felt)))
-            .or(candidates.first());
-        let Some(candidate) = cheapest else {
-            return Err(Error::NotDelivered {
-                requested: self.tolerance,
-                reached: f64::INFINITY,
-            });
+    ) -> Result<Apart> {
+        let mut order: Vec<&Candidate> = candidates.iter().collect();
+        order.sort_by(|a, b| {
+            let adaptive = |candidate: &Candidate| candidate.method.is_adaptive();
+            (adaptive(a).cmp(&adaptive(b))).then(a.cost(felt).total_cmp(&b.cost(felt)))
+        });
+        let mut why = Error::NotDelivered {
+            requested: self.tolerance,
+            reached: f64::INFINITY,
         };
+        for candidate in order {
+            match self.felt(candidate, felt, rows, most_legs) {
+                Err(error) if is_final(&error) => return Err(error),
+                Err(error) => why = error,
+                found => return found,
+            }
+        }
+        Err(why)
+    }
+
+    fn felt(
+        &mut self,
+        candidate: &Candidate,
+        felt: f64,
+        rows: usize,
+        most_legs: usize,
+    ) -> Result<Apart> {
+        let problem = self.problem;
         let method = candidate.method;
         let mut level = if method.is_adaptive() {
             // It answers a small change with a small jump, of its error.
@@ -325,38 +449,66 @@ impl<'p, 'e, E: Solvable> Stepping<'p, 'e, E> {
             candidate.level(felt).max(method.coarsest())
         };
         // Every two radians at most: what passes a saddle must be moved on its way there.
-        let legs = 0.5 * method.turned(problem, problem.t_end);
+        let legs = 0.5 * method.turned(problem, problem.span());
         let legs = legs.clamp(1.0, most_legs as f64) as usize;
+        // Where the motion is looked at all along, the condition is the largest of all.
+        let everywhere = self.times.len() > 2;
         let mut work = Work::default();
+        let this = &*self;
         let condition = problem.condition(&Feeler::STEPPED, |by| {
             // What the sweeps leave must not be mistaken for a change.
             let precision = 1e-3 * by;
             let mut run = |row, by, level| {
-                problem.in_legs(row, by, legs, |problem, t, state, t_end| {
-                    let (state, spent) =
-                        method.run(problem, [t, t_end], state, level, 1, precision)?;
-                    work += spent;
-                    Ok(state)
-                })
+                let mut places = Vec::new();
+                let end = problem.in_legs(row, by, legs, |changed, t, state, t_end| {
+                    if by == 0.0 {
+                        problem.checked.at(t, state)?;
+                    }
+                    let fine = Fine {
+                        level,
+                        fewest: 1,
+                        precision,
+                        budget: this.left()?,
+                    };
+                    let passed = method.run(changed, [t, t_end], state, fine);
+                    let passed = passed.map_err(|error| this.over_budget(error))?;
+                    work += passed.work;
+                    if everywhere {
+                        places.push(passed.state);
+                    }
+                    Ok(passed.state)
+                })?;
+                if !everywhere {
+                    places.push(end);
+                }
+                Ok(places)
             };
-            let end = loop {
+            let places = loop {
                 match run(0, 0.0, level) {
-                    Err(_) if level + 1.0 <= method.finest() => level += 1.0,
-                    end => break end?,
+                    Err(error) if !stops(&error) && level + 1.0 <= method.finest() => {
+                        level += 1.0;
+                    }
+                    places => break places?,
                 }
             };
             let changed = (0..rows).map(|row| run(row, by, level));
-            Ok((end, changed.collect::<Result<_>>()?))
+            Ok((places, changed.collect::<Result<_>>()?))
         });
         self.work += work;
         condition
     }
 }
 
+/// True of errors that no other method would mend.
+const fn is_final(error: &Error) -> bool {
+    matches!(error, Error::Cancelled { .. } | Error::Contradiction { .. })
+}
+
+/// True of errors that no finer run would mend.
+const fn stops(error: &Error) -> bool {
+    is_final(error) || matches!(error, Error::OverBudget { .. })
+}
+
 /// The error aimed at, as a part of the tolerance: what the last run is predicted to
 /// deliver. Half of what can be verified, and that is a part of 1/sqrt(40).
 const AIM: f64 = 0.02;
-
-fn distance(a: &Run, b: &Run) -> f64 {
-    a.state.attitude.angle_to(&b.state.attitude)
-}

@@ -5,12 +5,13 @@ use super::free_rotation::{inverse_moments, rates, rates_of};
 use super::{GaussLegendre, StageOde};
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::{AxisEffect, Effect};
+use crate::effects::Effect;
 use crate::error::Result;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::{components, state};
+use crate::integrators::spin_free::axis_only;
 use crate::integrators::{Integrator, Ode, SpinFree, Work};
 use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
@@ -111,13 +112,13 @@ fn turned_back<L: Lane>([w, x, y, z]: [L; 4], [a, b, c]: [L; 3]) -> [L; 3] {
 ///
 /// The torque is that of an axis of length |S|^2; Gauss's methods keep that length.
 struct Precession<'s, E> {
-    effects: &'s E,
+    scene: &'s Scene<E>,
     half: f64,
     vertical: f64,
     scale: [f64; 7],
 }
 
-impl<E: AxisEffect> Precession<'_, E> {
+impl<E: Effect> Precession<'_, E> {
     #[inline(always)]
     fn rates<L: Lane>(&self, [w, x, y, z]: [L; 4], [p, q, r]: [L; 3]) -> ([L; 4], [L; 3]) {
         let axis = [
@@ -125,7 +126,7 @@ impl<E: AxisEffect> Precession<'_, E> {
             (y * z - w * x) * 2.0,
             (w * w + z * z) - (x * x + y * y),
         ];
-        let [a, b, c] = self.effects.axis_torques(axis);
+        let [a, b, c] = (self.scene.effects()).torques_on_axis(self.scene.body(), axis);
         let turn = [
             -(p * x + q * y + r * z),
             p * w + q * z - r * y,
@@ -136,7 +137,7 @@ impl<E: AxisEffect> Precession<'_, E> {
     }
 }
 
-impl<E: AxisEffect> StageOde<6> for Precession<'_, E> {
+impl<E: Effect> StageOde<6> for Precession<'_, E> {
     #[inline(always)]
     fn derivatives<L: Lane>(&self, _t: L, &[w, x, y, z, p, q]: &[L; 6]) -> [L; 6] {
         let (turn, torque) = self.rates([w, x, y, z], [p, q, L::of(self.vertical)]);
@@ -149,7 +150,7 @@ impl<E: AxisEffect> StageOde<6> for Precession<'_, E> {
     }
 }
 
-impl<E: AxisEffect> StageOde<7> for Precession<'_, E> {
+impl<E: Effect> StageOde<7> for Precession<'_, E> {
     #[inline(always)]
     fn derivatives<L: Lane>(&self, _t: L, &[w, x, y, z, p, q, r]: &[L; 7]) -> [L; 7] {
         let ([w, x, y, z], [p, q, r]) = self.rates([w, x, y, z], [p, q, r]);
@@ -161,7 +162,7 @@ impl<E: AxisEffect> StageOde<7> for Precession<'_, E> {
     }
 }
 
-impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
+impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
     fn advance(
         &self,
         problem: &SpinFree<'s, E>,
@@ -182,13 +183,13 @@ impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
             .map(|l| DoubleDouble::from(l) / twice);
         let scale = Ode::scale(problem, &y);
         let precession = Precession {
-            effects: problem.scene().effects(),
+            scene: problem.scene(),
             half: 1.0 / twice,
             vertical: r.hi(),
             scale: core::array::from_fn(|i| if i < 4 { scale[i] } else { scale[i] / twice }),
         };
         let [_, _, vertical] = start.angular_momentum.to_array();
-        let ([w, x, y, z], [lx, ly, lz], work) = if E::KEEPS.momentum[2] {
+        let ([w, x, y, z], [lx, ly, lz], work) = if E::NATURE.keeps.momentum[2] {
             let from = Compensated {
                 value: [w, x, y1, z, p.hi(), q.hi()],
                 carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo()],
@@ -234,7 +235,7 @@ impl<'s, E: AxisEffect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
 /// let scene = Scene::new(body).with(GravityAtLever::new(0.2, 1.0)?);
 /// let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: 0.4, zeta: 0.0 })?;
 /// let start = body.state(tilted, BodyVector::new(0.1, 0.5, 0.7))?;
-/// let problem = BodyAxes::new(&scene);
+/// let problem = BodyAxes::new(&scene)?;
 /// let (end, _) = GaussLegendre::new(1000)?.advance(&problem, 0.0, &start, 1000.0)?;
 /// assert!((scene.energy(&end) / scene.energy(&start) - 1.0).abs() < 1e-14);
 /// # Ok(())
@@ -249,11 +250,14 @@ pub struct BodyAxes<'s, E> {
     inverse: [[f64; 2]; 3],
 }
 
-impl<'s, E: AxisEffect> BodyAxes<'s, E> {
+impl<'s, E: Effect> BodyAxes<'s, E> {
     /// The scene on the axes of its body.
-    pub fn new(scene: &'s Scene<E>) -> Self {
+    ///
+    /// Errors: effects that see more than the body's axis.
+    pub fn new(scene: &'s Scene<E>) -> Result<Self> {
+        axis_only(scene.effects())?;
         let inverse = inverse_moments(scene.body());
-        Self { scene, inverse }
+        Ok(Self { scene, inverse })
     }
 
     /// The scene.
@@ -284,7 +288,7 @@ impl<'s, E: AxisEffect> BodyAxes<'s, E> {
             (y * z - w * x) * 2.0,
             (w * w + z * z) - (x * x + y * y),
         ];
-        let [a, b, c] = self.scene.effects().axis_torques(axis);
+        let [a, b, c] = (self.scene.effects()).torques_on_axis(self.scene.body(), axis);
         let [w1, x1, y1, z1, l1, l2, l3] = rates(&self.inverse, y7);
         // The torque has no component along e3.
         let [first, second, _] = turned_back([w, x, y, z], [a, b, c]);
@@ -292,7 +296,7 @@ impl<'s, E: AxisEffect> BodyAxes<'s, E> {
     }
 }
 
-impl<E: AxisEffect> Ode<7> for BodyAxes<'_, E> {
+impl<E: Effect> Ode<7> for BodyAxes<'_, E> {
     fn derivative(&self, _t: f64, y: &[f64; 7]) -> [f64; 7] {
         self.rates(y)
     }
@@ -303,7 +307,7 @@ impl<E: AxisEffect> Ode<7> for BodyAxes<'_, E> {
     }
 }
 
-impl<E: AxisEffect> StageOde<7> for BodyAxes<'_, E> {
+impl<E: Effect> StageOde<7> for BodyAxes<'_, E> {
     #[inline(always)]
     fn derivatives<L: Lane>(&self, _t: L, y: &[L; 7]) -> [L; 7] {
         self.rates(y)
@@ -314,7 +318,7 @@ impl<E: AxisEffect> StageOde<7> for BodyAxes<'_, E> {
     }
 }
 
-impl<'s, E: AxisEffect> Integrator<BodyAxes<'s, E>, State> for GaussLegendre {
+impl<'s, E: Effect> Integrator<BodyAxes<'s, E>, State> for GaussLegendre {
     fn advance(
         &self,
         problem: &BodyAxes<'s, E>,

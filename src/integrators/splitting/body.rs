@@ -10,12 +10,12 @@
 use super::Separable;
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::AxisEffect;
+use crate::effects::Effect;
 use crate::error::Result;
 use crate::exact::free_body::FreeFlow;
 use crate::frame::SpaceVector;
 use crate::integrators::compensated::Compensated;
-use crate::integrators::spin_free::{spin_rate, spun};
+use crate::integrators::spin_free::{axis_only, spin_rate, spun};
 use crate::math::sinc_versine;
 use crate::scene::Scene;
 
@@ -44,11 +44,12 @@ impl BodyPoint {
     }
 }
 
-impl<E: AxisEffect> Separable for Scene<E> {
+impl<E: Effect> Separable for Scene<E> {
     type State = State;
     type Point = BodyPoint;
 
     fn enter(&self, state: &State) -> Result<BodyPoint> {
+        axis_only(self.effects())?;
         let free = if self.body().moments().is_symmetric() {
             Free::Symmetric {
                 spin: spin_rate(self.body(), state),
@@ -97,7 +98,7 @@ impl<E: AxisEffect> Separable for Scene<E> {
     /// The momentum changes by the torque times dt; nothing moves.
     fn kick(&self, point: &mut BodyPoint, dt: f64) {
         let axis = Attitude::from_unit(point.quaternion.value).axis();
-        let torque = self.effects().axis_torque(axis).to_array();
+        let torque = (self.effects()).torques_on_axis(self.body(), axis.to_array());
         point.momentum = point.momentum.plus(&torque.map(|m| dt * m));
     }
 

@@ -56,7 +56,7 @@ where
 /// A top by quaternion and momentum on the body axes, by Gauss-Legendre.
 pub fn top_on_its_axes(problem: &Problem, method: &GaussLegendre) -> Result<Attitude> {
     let (scene, start) = problem.top_scene()?;
-    let (end, _) = method.advance(&BodyAxes::new(&scene), 0.0, &start, problem.end)?;
+    let (end, _) = method.advance(&BodyAxes::new(&scene)?, 0.0, &start, problem.end)?;
     Ok(end.attitude)
 }
 

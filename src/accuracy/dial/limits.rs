@@ -1,0 +1,117 @@
+//! What a solution may take, beside its scene, start, end and tolerance.
+
+use crate::effects::{Checked, Effect};
+use crate::error::{Error, Result, finite, positive};
+use core::sync::atomic::AtomicBool;
+
+/// Where a solution begins, what it must not step over, and what it may cost.
+///
+/// ```
+/// use rotation_dynamics::accuracy::Limits;
+/// let limits = Limits { t_start: 2.0, budget: 1_000_000, ..Limits::default() };
+/// assert_eq!(limits.longest_step, f64::INFINITY);
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Limits<'a> {
+    /// The time of the start (s): 0.
+    pub t_start: f64,
+    /// Times (s, rising, inside the span) at which the torque jumps, beside those that the
+    /// effects name: none.
+    pub break_points: &'a [f64],
+    /// No step is longer than this (s): infinite.
+    pub longest_step: f64,
+    /// The most torques that all runs together may take: 5e7, some seconds.
+    pub budget: u64,
+    /// Looked at before every run: once it is true, the solution ends with
+    /// [`Error::Cancelled`].
+    pub cancel: Option<&'a AtomicBool>,
+}
+
+impl Default for Limits<'_> {
+    fn default() -> Self {
+        Self {
+            t_start: 0.0,
+            break_points: &[],
+            longest_step: f64::INFINITY,
+            budget: 50_000_000,
+            cancel: None,
+        }
+    }
+}
+
+/// The part of the span that a pulse must last to be seen if nothing names it.
+const LOOKS: f64 = 4096.0;
+
+/// Such a pulse is taken in so many steps at least.
+const STEPS_IN_PULSE: f64 = 2.0;
+
+impl Limits<'_> {
+    /// The limits, if they are numbers and belong to a solution that ends at `t_end`.
+    pub(super) fn checked(&self, t_end: f64) -> Result<()> {
+        finite("start time", self.t_start)?;
+        finite("end time", t_end)?;
+        finite("end time - start time", t_end - self.t_start)?;
+        if self.longest_step != f64::INFINITY {
+            positive("longest step", self.longest_step)?;
+        }
+        if self.budget == 0 {
+            return Err(Error::OutOfRange {
+                name: "budget",
+                value: 0.0,
+                allowed: "at least 1 torque",
+            });
+        }
+        crate::effects::rising("break point", self.break_points)?;
+        let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
+        match self.break_points.iter().find(|t| !(first..=last).contains(t)) {
+            None => Ok(()),
+            Some(&t) => Err(Error::OutsideRun {
+                t,
+                start: first,
+                end: last,
+            }),
+        }
+    }
+
+    /// All times inside the span at which the torque jumps, in the order of the motion.
+    pub(super) fn breaks<E: Effect>(&self, effects: &E, t_end: f64) -> Vec<f64> {
+        let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
+        let mut all = effects.break_points();
+        all.extend(self.break_points);
+        all.retain(|t| first < *t && *t < last);
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        if t_end < self.t_start {
+            all.reverse();
+        }
+        all
+    }
+
+    /// The longest step that passes over no feature that is named, nor a pulse that was
+    /// seen; `rate` (rad/s) bounds how fast the body turns.
+    pub(super) fn longest_step<E: Effect>(
+        &self,
+        effects: &E,
+        checked: &Checked<E>,
+        rate: f64,
+        t_end: f64,
+    ) -> f64 {
+        let mut longest = self.longest_step;
+        match effects.narrowest() {
+            Some(width) => {
+                longest = longest.min(width.time / STEPS_IN_PULSE);
+                if rate > 0.0 {
+                    longest = longest.min(width.angle / rate / STEPS_IN_PULSE);
+                }
+            }
+            None if E::NATURE.on_time => {
+                let look = (t_end - self.t_start).abs() / LOOKS;
+                if checked.has_pulse(LOOKS as usize) {
+                    longest = longest.min(look * STEPS_IN_PULSE);
+                }
+            }
+            None => {}
+        }
+        longest
+    }
+}

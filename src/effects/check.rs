@@ -1,0 +1,452 @@
+//! What an effect claims, held against its torque.
+
+use super::gravity::GRAVITY;
+use super::{Effect, Feature, Known};
+use crate::attitude::Attitude;
+use crate::body::{RigidBody, State};
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{BodyVector, SpaceVector};
+use crate::math::EPS;
+
+/// Places at which an effect is looked at, and times beside those near its break points.
+const PLACES: usize = 48;
+
+/// Torques that should be equal may differ by this part of the largest: rounding.
+const ROUNDING: f64 = 64.0 * EPS;
+
+/// The angle (rad) over which a potential is differentiated: the remainder of the
+/// difference is of its square, and what rounding leaves is eps U divided by it.
+const STEP: f64 = 1e-6;
+
+/// A power may be off by this part of torque times rate: the remainder of the difference,
+/// for features down to a thousandth of a radian.
+const POWER: f64 = 1e-5;
+
+/// The scale of the torque may be so many times too small, and so many too large.
+const SCALE_BELOW: f64 = 1e3;
+const SCALE_ABOVE: f64 = 1e6;
+
+/// Looks along a line on which a jump is searched.
+const GRID: usize = 128;
+
+/// A pulse is over after so many looks, and as high as this part of the longest torque.
+const SHORT: usize = 32;
+const PULSE: f64 = 0.1;
+
+/// Holds everything that `effect` says of itself against its torque: what it depends on
+/// and leaves alone, its form on lanes, its potential and power, its scale, its break
+/// points, its closed form.
+///
+/// The torque is asked for at 48 attitudes and momenta (of the size that `state` has, or
+/// that the torque builds up in the body's own time), at times that fill `span` (s) and
+/// on both sides of every break point. A claim that is false only elsewhere is not found;
+/// [`Scene::solve`](crate::scene::Scene::solve) looks again along the motion.
+///
+/// # Errors
+/// [`Error::Contradiction`] with the name of the effect, the claim, and by how much the
+/// torque differs from it; [`Error::TwoGravities`]; a scale, a break point or a width that
+/// is not finite, or negative.
+///
+/// ```
+/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::body::{RigidBody, State};
+/// use rotation_dynamics::effects::{Effect, Nature, check};
+/// use rotation_dynamics::frame::{BodyVector, SpaceVector};
+/// use rotation_dynamics::inertia::PrincipalMoments;
+///
+/// /// It brakes, and claims to keep the energy.
+/// struct Liar;
+/// impl Effect for Liar {
+///     const NATURE: Nature = Nature {
+///         keeps: rotation_dynamics::effects::Keeps { energy: true, ..Nature::ANYTHING.keeps },
+///         ..Nature::ANYTHING
+///     };
+///     fn name(&self) -> &'static str {
+///         "liar"
+///     }
+///     fn torque(&self, _t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
+///         state.angular_momentum * -0.1
+///     }
+/// }
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+/// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+/// let error = check(&Liar, &body, [0.0, 1.0], &start).unwrap_err();
+/// assert!(error.to_string().contains("\"liar\" says that it keeps the energy"));
+/// # Ok(())
+/// # }
+/// ```
+pub fn check<E: Effect>(
+    effect: &E,
+    body: &RigidBody,
+    span: [f64; 2],
+    state: &State,
+) -> Result<()> {
+    Checked::new(effect, body, span, state).map(|_| ())
+}
+
+/// An effect that has been looked at, and can be looked at again along its motion.
+pub(crate) struct Checked<'e, E> {
+    effect: &'e E,
+    body: RigidBody,
+    start: State,
+    /// The longest torque that was seen (N m).
+    largest: f64,
+    span: [f64; 2],
+}
+
+impl<'e, E: Effect> Checked<'e, E> {
+    pub fn new(effect: &'e E, body: &RigidBody, span: [f64; 2], state: &State) -> Result<Self> {
+        let names = effect.names();
+        if names.iter().filter(|name| **name == GRAVITY).count() > 1 {
+            return Err(Error::TwoGravities {
+                effects: names.join(", "),
+            });
+        }
+        declared(effect, body, state)?;
+        let mut checked = Self::unlooked(effect, body, span, state);
+        if E::NATURE.torque_free && names.is_empty() {
+            return Ok(checked);
+        }
+        let places = checked.places(state)?;
+        for (t, state) in &places {
+            checked.largest = checked.largest.max(checked.finite_torque(*t, state)?.norm());
+        }
+        checked.scale(state)?;
+        for (t, state) in &places {
+            checked.at(*t, state)?;
+        }
+        checked.smooth()?;
+        Ok(checked)
+    }
+
+    /// An effect that has been looked at before.
+    pub const fn unlooked(
+        effect: &'e E,
+        body: &RigidBody,
+        span: [f64; 2],
+        state: &State,
+    ) -> Self {
+        Self {
+            effect,
+            body: *body,
+            start: *state,
+            largest: 0.0,
+            span,
+        }
+    }
+
+    /// The length of the torque at the start (N m).
+    pub fn at_start(&self) -> f64 {
+        (self.effect).torque(self.span[0], &self.body, &self.start).norm()
+    }
+
+    /// Where the effect is looked at: the state itself, and others that fill what there
+    /// is of attitudes, momenta and times.
+    fn places(&self, state: &State) -> Result<Vec<(f64, State)>> {
+        let [from, to] = self.span;
+        let mut times: Vec<f64> = (0..PLACES)
+            .map(|n| from + (to - from) * part(n, 0.414_213_562_373_095_1))
+            .collect();
+        times[0] = from;
+        for t in self.effect.break_points() {
+            times.extend([t.next_down(), t.next_up()]);
+        }
+        let torque = self.effect.torque(from, &self.body, state).norm();
+        let built_up = (largest_moment(&self.body) * torque).sqrt();
+        let size = state.angular_momentum.norm().max(built_up);
+        let mut places = vec![(from, *state)];
+        for (n, &t) in times.iter().enumerate() {
+            let [w, x, y, z, a, b, c] = [
+                0.618_033_988_749_894_9,
+                0.732_050_807_568_877_2,
+                0.236_067_977_499_789_7,
+                0.645_751_311_064_590_6,
+                0.316_624_790_355_399_8,
+                0.605_551_275_463_989_3,
+                0.123_105_625_617_660_5,
+            ]
+            .map(|irrational| 2.0 * part(n + 1, irrational) - 1.0);
+            let attitude = Attitude::from_quaternion([w, x, y, z])?;
+            let momentum = SpaceVector::new(a, b, c) * size;
+            places.push((t, State::new(attitude, momentum)?));
+        }
+        Ok(places)
+    }
+
+    fn finite_torque(&self, t: f64, state: &State) -> Result<SpaceVector> {
+        let torque = self.effect.torque(t, &self.body, state);
+        if torque.to_array().iter().all(|m| m.is_finite()) {
+            return Ok(torque);
+        }
+        let [w, x, y, z] = state.attitude.quaternion();
+        let [a, b, c] = state.angular_momentum.to_array();
+        Err(Error::TorqueNotFinite {
+            effect: self.name(),
+            t,
+            state: [w, x, y, z, a, b, c],
+            torque: torque.to_array(),
+        })
+    }
+
+    fn name(&self) -> String {
+        self.effect.names().join(" and ")
+    }
+
+    /// The error that this claim is off by so much more than is allowed.
+    fn held(&self, claim: &'static str, t: f64, off: f64, allowed: f64) -> Result<()> {
+        if off <= allowed {
+            return Ok(());
+        }
+        Err(Error::Contradiction {
+            effect: self.name(),
+            claim,
+            t,
+            off,
+            allowed,
+        })
+    }
+
+    /// The scale of the torque against the largest that was seen.
+    fn scale(&self, state: &State) -> Result<()> {
+        let scale = self.effect.torque_scale(&self.body, state);
+        if scale == self.effect.torque(0.0, &self.body, state).norm() {
+            // Read off the torque: it claims nothing.
+            return Ok(());
+        }
+        let t = self.span[0];
+        let below = "that its torque is not a thousand times longer than torque_scale";
+        self.held(below, t, self.largest, SCALE_BELOW * scale)?;
+        let named = !self.effect.break_points().is_empty()
+            || (self.effect.narrowest()).is_some_and(|width| width != Feature::WIDE);
+        if named {
+            // It may be short, and none of the places lie in it.
+            return Ok(());
+        }
+        let above = "that its torque comes within a millionth of torque_scale";
+        self.held(above, t, scale, SCALE_ABOVE * self.largest)
+    }
+
+    /// A torque that is called smooth has no jump: not in time between its break points,
+    /// not while the body is turned about its axes or slows down and turns back.
+    fn smooth(&self) -> Result<()> {
+        let (effect, body, start) = (self.effect, &self.body, &self.start);
+        if !E::NATURE.smooth {
+            return Ok(());
+        }
+        let [from, to] = self.span;
+        if E::NATURE.on_time {
+            let mut ends: Vec<f64> = effect.break_points();
+            let inside = |t: &f64| from.min(to) < *t && *t < from.max(to);
+            ends.retain(inside);
+            ends.extend([from, to]);
+            ends.sort_by(f64::total_cmp);
+            for piece in ends.windows(2) {
+                let piece = [piece[0].next_up(), piece[1].next_down()];
+                self.no_jump(piece, |t| Ok(effect.torque(t, body, start)))?;
+            }
+        }
+        for axis in 0..3 {
+            let mut about = [0.0; 3];
+            about[axis] = 1.0;
+            let about = BodyVector::from_array(about);
+            self.no_jump([0.0, core::f64::consts::TAU], |angle| {
+                let attitude = start.attitude.turned_in_body(about * angle)?;
+                Ok(effect.torque(from, body, &State { attitude, ..*start }))
+            })?;
+        }
+        if E::NATURE.on_rates {
+            self.no_jump([1.0, -1.1], |part| {
+                let angular_momentum = start.angular_momentum * part;
+                let state = State {
+                    angular_momentum,
+                    ..*start
+                };
+                Ok(effect.torque(from, body, &state))
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Between two neighbours that differ most, the torque is halved down: what is left of
+    /// the difference over an interval that doubles hardly resolve is a jump.
+    fn no_jump(
+        &self,
+        [from, to]: [f64; 2],
+        torque: impl Fn(f64) -> Result<SpaceVector>,
+    ) -> Result<()> {
+        let at = |n: usize| from + (to - from) * (n as f64 / GRID as f64);
+        let mut seen = Vec::with_capacity(GRID + 1);
+        for n in 0..=GRID {
+            seen.push(torque(at(n))?);
+        }
+        let step = |n: usize| (seen[n + 1] - seen[n]).norm();
+        let Some(widest) = (0..GRID).max_by(|a, b| step(*a).total_cmp(&step(*b))) else {
+            return Ok(());
+        };
+        let first = step(widest);
+        let (mut a, mut b) = (at(widest), at(widest + 1));
+        let (mut low, mut high) = (seen[widest], seen[widest + 1]);
+        for _ in 0..40 {
+            let middle = 0.5 * (a + b);
+            let m = torque(middle)?;
+            if (m - low).norm() > (high - m).norm() {
+                (b, high) = (middle, m);
+            } else {
+                (a, low) = (middle, m);
+            }
+        }
+        // A smooth torque would have come 2^40 times nearer; rounding leaves a little.
+        let left = (high - low).norm();
+        let allowed = (1e-3 * first).max(ROUNDING * self.largest);
+        self.held("that it is smooth between its break points", a, left, allowed)
+    }
+
+    /// True if the torque on the body as it starts has a pulse that is seen when it is
+    /// looked at so many times: a change that is gone again a few looks later.
+    pub fn has_pulse(&self, looks: usize) -> bool {
+        let [from, to] = self.span;
+        let at = |n: usize| {
+            let t = from + (to - from) * (n as f64 / looks as f64);
+            self.effect.torque(t, &self.body, &self.start)
+        };
+        let seen: Vec<SpaceVector> = (0..=looks).map(at).collect();
+        let largest = seen.iter().map(SpaceVector::norm).fold(self.largest, f64::max);
+        let far = |a: SpaceVector, b: SpaceVector| (a - b).norm() > PULSE * largest;
+        let short = |n: usize| far(seen[n], seen[n - SHORT]) && far(seen[n], seen[n + SHORT]);
+        (SHORT..=looks - SHORT).any(short)
+    }
+
+    /// Every claim, here and now.
+    pub fn at(&self, t: f64, state: &State) -> Result<()> {
+        let (effect, body, nature) = (self.effect, &self.body, E::NATURE);
+        let torque = self.finite_torque(t, state)?;
+        let slack = ROUNDING * self.largest.max(torque.norm());
+        let off = |other: SpaceVector| (other - torque).norm();
+        if nature.torque_free {
+            self.held("that there is no torque", t, torque.norm(), 0.0)?;
+        }
+        let pushed = State {
+            angular_momentum: state.angular_momentum * -0.6
+                + SpaceVector::new(0.3, -0.2, 0.1) * state.angular_momentum.norm(),
+            ..*state
+        };
+        let [from, to] = self.span;
+        let later = t + 0.381_966 * (to - from);
+        let rates = "that it does not depend on how the body turns";
+        let time = "that it does not depend on the time";
+        if !nature.on_rates {
+            self.held(rates, t, off(effect.torque(t, body, &pushed)), slack)?;
+        }
+        if !nature.on_time {
+            self.held(time, t, off(effect.torque(later, body, state)), slack)?;
+        }
+        let axis = state.attitude.axis();
+        if nature.axis_only {
+            let turned = state.attitude.turned_in_body(BodyVector::new(0.0, 0.0, 1.2))?;
+            let spun = State {
+                attitude: turned,
+                ..pushed
+            };
+            let sees = "that it sees the body's axis only";
+            self.held(sees, t, off(effect.torque(later, body, &spun)), slack)?;
+            self.held(sees, t, torque.dot(&axis).abs(), slack)?;
+            let on_lanes = effect.torques_on_axis(body, axis.to_array());
+            let lanes = "that its torque on lanes is its torque";
+            self.held(lanes, t, off(SpaceVector::from_array(on_lanes)), slack)?;
+        }
+        let about = [
+            "that it has no torque about X",
+            "that it has no torque about Y",
+            "that it has no torque about Z",
+        ];
+        for ((kept, m), claim) in nature.keeps.momentum.into_iter().zip(torque.to_array()).zip(about)
+        {
+            if kept {
+                self.held(claim, t, m.abs(), slack)?;
+            }
+        }
+        if nature.keeps.axial_momentum {
+            let claim = "that it has no torque about the body's axis";
+            self.held(claim, t, torque.dot(&axis).abs(), slack)?;
+        }
+        self.known(t, state, torque, slack)?;
+        self.power(t, state, torque)
+    }
+
+    /// The closed form's torque is the effect's.
+    fn known(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
+        let claimed = match self.effect.known() {
+            Known::No => return Ok(()),
+            Known::Free => SpaceVector::zero(),
+            Known::HeavyTop(gravity) => gravity.torque(t, &self.body, state),
+        };
+        let claim = "that its motion has a closed form";
+        self.held(claim, t, (torque - claimed).norm(), slack)
+    }
+
+    /// Torque . omega changes the kinetic energy: with the change of the potential along
+    /// the motion it must give the power.
+    fn power(&self, t: f64, state: &State, torque: SpaceVector) -> Result<()> {
+        let (effect, body) = (self.effect, &self.body);
+        let omega = state.attitude.to_space(body.angular_velocity(state));
+        let rate = omega.norm();
+        if rate == 0.0 {
+            return Ok(());
+        }
+        let dt = STEP / rate;
+        let moved = |by: f64| -> Result<f64> {
+            let state = State {
+                attitude: state.attitude.turned_in_space(omega * by)?,
+                ..*state
+            };
+            Ok(effect.potential_energy(t + by, body, &state))
+        };
+        let (before, after) = (moved(-dt)?, moved(dt)?);
+        let found = torque.dot(&omega) + (after - before) / (2.0 * dt);
+        let off = (found - effect.power(t, body, state)).abs();
+        let rounding = 4.0 * EPS * before.abs().max(after.abs()) / dt;
+        let allowed = POWER * self.largest.max(torque.norm()) * rate + rounding;
+        let claim = if E::NATURE.keeps.energy {
+            "that it keeps the energy"
+        } else {
+            "at what power it changes the energy"
+        };
+        self.held(claim, t, off, allowed)
+    }
+}
+
+/// Numbers that an effect declares must be numbers.
+fn declared<E: Effect>(effect: &E, body: &RigidBody, state: &State) -> Result<()> {
+    let scale = finite("torque_scale", effect.torque_scale(body, state))?;
+    if scale < 0.0 {
+        return Err(Error::OutOfRange {
+            name: "torque_scale",
+            value: scale,
+            allowed: "it must not be negative",
+        });
+    }
+    for t in effect.break_points() {
+        finite("break point", t)?;
+    }
+    let Some(width) = effect.narrowest() else {
+        return Ok(());
+    };
+    for (name, value) in [("narrowest time", width.time), ("narrowest angle", width.angle)] {
+        if value != f64::INFINITY {
+            positive(name, value)?;
+        }
+    }
+    Ok(())
+}
+
+fn largest_moment(body: &RigidBody) -> f64 {
+    let [i1, i2, i3] = body.moments().to_array();
+    i1.max(i2).max(i3)
+}
+
+/// The n-th of a sequence that fills 0 to 1 evenly.
+fn part(n: usize, irrational: f64) -> f64 {
+    let x = n as f64 * irrational;
+    x - x.floor()
+}

@@ -1,0 +1,171 @@
+//! A torque from a closure.
+
+use super::{Effect, Feature, Nature};
+use crate::body::{RigidBody, State};
+use crate::error::{Error, Result, finite, positive};
+use crate::frame::{BodyVector, SpaceVector};
+
+/// What a closure gives: [`OnSpace`] or [`OnBody`] axes.
+pub trait TorqueForm {
+    /// The torque on the fixed axes (N m).
+    fn on_space(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
+}
+
+/// A closure that gives the torque on the fixed axes.
+#[derive(Debug, Clone, Copy)]
+pub struct OnSpace<F>(F);
+
+/// A closure that gives the torque on the body's axes.
+#[derive(Debug, Clone, Copy)]
+pub struct OnBody<F>(F);
+
+impl<F: Fn(f64, &RigidBody, &State) -> SpaceVector> TorqueForm for OnSpace<F> {
+    #[inline]
+    fn on_space(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        (self.0)(t, body, state)
+    }
+}
+
+impl<F: Fn(f64, &RigidBody, &State) -> BodyVector> TorqueForm for OnBody<F> {
+    #[inline]
+    fn on_space(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        state.attitude.to_space((self.0)(t, body, state))
+    }
+}
+
+/// The torque that a closure gives of time (s), body and state.
+///
+/// Nothing is claimed of it but what is added: [`smooth`](Self::smooth),
+/// [`with_break_points`](Self::with_break_points), [`with_narrowest`](Self::with_narrowest).
+///
+/// ```
+/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::body::RigidBody;
+/// use rotation_dynamics::effects::Torque;
+/// use rotation_dynamics::frame::BodyVector;
+/// use rotation_dynamics::inertia::PrincipalMoments;
+/// use rotation_dynamics::scene::Scene;
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// // A thruster across the axis, for three seconds of ten.
+/// let thruster = Torque::on_body("thruster", |t, _body, _state| {
+///     let push = if (4.0..7.0).contains(&t) { 0.02 } else { 0.0 };
+///     BodyVector::new(push, 0.0, 0.0)
+/// })
+/// .smooth()
+/// .with_break_points(&[4.0, 7.0])?;
+/// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+/// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.5))?;
+/// let end = Scene::new(body).with(thruster).solve(&start, 10.0, 1e-9)?;
+/// assert!(end.estimate <= 1e-9);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone)]
+pub struct Torque<F, const SMOOTH: bool = false> {
+    name: &'static str,
+    form: F,
+    break_points: Vec<f64>,
+    narrowest: Option<Feature>,
+}
+
+impl<F: Fn(f64, &RigidBody, &State) -> SpaceVector> Torque<OnSpace<F>> {
+    /// A torque on the fixed axes.
+    pub fn on_space(name: &'static str, torque: F) -> Self {
+        Self::of(name, OnSpace(torque))
+    }
+}
+
+impl<F: Fn(f64, &RigidBody, &State) -> BodyVector> Torque<OnBody<F>> {
+    /// A torque on the body's axes.
+    pub fn on_body(name: &'static str, torque: F) -> Self {
+        Self::of(name, OnBody(torque))
+    }
+}
+
+impl<F> Torque<F> {
+    fn of(name: &'static str, form: F) -> Self {
+        Self {
+            name,
+            form,
+            break_points: Vec::new(),
+            narrowest: None,
+        }
+    }
+
+    /// The same, known to be an analytic function of time and state between its break
+    /// points: it has no other jump and no kink.
+    pub fn smooth(self) -> Torque<F, true> {
+        Torque {
+            name: self.name,
+            form: self.form,
+            break_points: self.break_points,
+            narrowest: self.narrowest,
+        }
+    }
+}
+
+impl<F, const SMOOTH: bool> Torque<F, SMOOTH> {
+    /// The same with jumps or kinks at these times (s, rising).
+    ///
+    /// Errors: a time that is not finite, or not after the one before it.
+    pub fn with_break_points(mut self, times: &[f64]) -> Result<Self> {
+        self.break_points = rising("break point", times)?;
+        Ok(self)
+    }
+
+    /// The same with features no narrower than this.
+    ///
+    /// Errors: a width that is not positive.
+    pub fn with_narrowest(mut self, feature: Feature) -> Result<Self> {
+        for (name, width) in [
+            ("narrowest time", feature.time),
+            ("narrowest angle", feature.angle),
+        ] {
+            if width != f64::INFINITY {
+                positive(name, width)?;
+            }
+        }
+        self.narrowest = Some(feature);
+        Ok(self)
+    }
+}
+
+/// The times, if they are finite and each comes after the one before.
+pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
+    for &t in times {
+        finite(name, t)?;
+    }
+    match times.windows(2).position(|pair| pair[0] >= pair[1]) {
+        None => Ok(times.to_vec()),
+        Some(index) => Err(Error::NotRising {
+            name,
+            index: index + 1,
+            before: times[index],
+            value: times[index + 1],
+        }),
+    }
+}
+
+impl<F: TorqueForm, const SMOOTH: bool> Effect for Torque<F, SMOOTH> {
+    const NATURE: Nature = Nature {
+        smooth: SMOOTH,
+        ..Nature::ANYTHING
+    };
+
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    #[inline]
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.form.on_space(t, body, state)
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        self.break_points.clone()
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.narrowest
+    }
+}

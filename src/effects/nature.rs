@@ -1,0 +1,137 @@
+//! What an effect says of itself beside its torque.
+
+use super::GravityAtLever;
+
+/// Which quantities of a motion an effect leaves alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Keeps {
+    /// Kinetic plus potential energy.
+    pub energy: bool,
+    /// L_X, L_Y and L_Z: the effect has no torque about that fixed axis.
+    pub momentum: [bool; 3],
+    /// L_z, if the body is symmetric: the effect has no torque about its axis.
+    pub axial_momentum: bool,
+}
+
+impl Keeps {
+    /// Leaves everything alone.
+    pub const ALL: Self = Self {
+        energy: true,
+        momentum: [true; 3],
+        axial_momentum: true,
+    };
+
+    /// Leaves nothing alone.
+    pub const NONE: Self = Self {
+        energy: false,
+        momentum: [false; 3],
+        axial_momentum: false,
+    };
+
+    /// What both leave alone.
+    pub const fn and(self, other: Self) -> Self {
+        let [ax, ay, az] = self.momentum;
+        let [bx, by, bz] = other.momentum;
+        Self {
+            energy: self.energy && other.energy,
+            momentum: [ax && bx, ay && by, az && bz],
+            axial_momentum: self.axial_momentum && other.axial_momentum,
+        }
+    }
+}
+
+/// What a torque depends on, how smoothly, and what it leaves alone.
+///
+/// Each field is a claim, weakest in [`Nature::ANYTHING`]: write
+/// `Nature { smooth: true, ..Nature::ANYTHING }` and claim what is so. A claim opens faster
+/// methods; [`check`](super::check) holds it against the torque.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Nature {
+    /// There is never a torque.
+    pub torque_free: bool,
+    /// The torque sees nothing of the body and its motion but the direction of the axis
+    /// e3, not the time either, and has no component along it. Then splittings apply, and
+    /// a symmetric body's spin can be taken out.
+    pub axis_only: bool,
+    /// The torque may depend on how the body turns.
+    pub on_rates: bool,
+    /// The torque may depend on the time.
+    pub on_time: bool,
+    /// Between its [`break_points`](super::Effect::break_points) the torque is an analytic
+    /// function of time and state. Then methods of high order with equal steps apply;
+    /// otherwise DOP853 alone is trusted, which shortens its steps where something jumps.
+    pub smooth: bool,
+    /// What the effect leaves alone.
+    pub keeps: Keeps,
+}
+
+impl Nature {
+    /// No torque at all.
+    pub const NOTHING: Self = Self {
+        torque_free: true,
+        axis_only: true,
+        on_rates: false,
+        on_time: false,
+        smooth: true,
+        keeps: Keeps::ALL,
+    };
+
+    /// No claim: true of every torque.
+    pub const ANYTHING: Self = Self {
+        torque_free: false,
+        axis_only: false,
+        on_rates: true,
+        on_time: true,
+        smooth: false,
+        keeps: Keeps::NONE,
+    };
+
+    /// What is true of both together.
+    pub const fn and(self, other: Self) -> Self {
+        Self {
+            torque_free: self.torque_free && other.torque_free,
+            axis_only: self.axis_only && other.axis_only,
+            on_rates: self.on_rates || other.on_rates,
+            on_time: self.on_time || other.on_time,
+            smooth: self.smooth && other.smooth,
+            keeps: self.keeps.and(other.keeps),
+        }
+    }
+}
+
+/// How narrow the narrowest feature of a torque is: a pulse in time, or a bump on the way
+/// of the attitude. Infinite where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Feature {
+    /// In time (s).
+    pub time: f64,
+    /// In the angle by which the body is turned (rad).
+    pub angle: f64,
+}
+
+impl Feature {
+    /// Nothing that a turn of the body or the span of a solution would step over.
+    pub const WIDE: Self = Self {
+        time: f64::INFINITY,
+        angle: f64::INFINITY,
+    };
+
+    /// The narrower of both.
+    pub const fn and(self, other: Self) -> Self {
+        Self {
+            time: self.time.min(other.time),
+            angle: self.angle.min(other.angle),
+        }
+    }
+}
+
+/// The motions that have a closed form, by the effect that acts alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Known {
+    /// None of them.
+    No,
+    /// No torque: any body.
+    Free,
+    /// The weight at a point of the axis: symmetric bodies.
+    HeavyTop(GravityAtLever),
+}

@@ -1,0 +1,102 @@
+//! No effect, and two effects together.
+
+use super::{Effect, Feature, Known, Nature};
+use crate::body::{RigidBody, State};
+use crate::frame::SpaceVector;
+use crate::math::Lane;
+
+/// No effect.
+impl Effect for () {
+    const NATURE: Nature = Nature::NOTHING;
+
+    fn name(&self) -> &'static str {
+        "nothing"
+    }
+
+    #[inline]
+    fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
+        SpaceVector::zero()
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, _body: &RigidBody, _axis: [L; 3]) -> [L; 3] {
+        [L::of(0.0); 3]
+    }
+
+    #[inline]
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+        0.0
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        Some(Feature::WIDE)
+    }
+
+    fn known(&self) -> Known {
+        Known::Free
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+}
+
+/// Two effects together.
+impl<A: Effect, B: Effect> Effect for (A, B) {
+    const NATURE: Nature = A::NATURE.and(B::NATURE);
+
+    fn name(&self) -> &'static str {
+        "two effects"
+    }
+
+    #[inline]
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state) + self.1.torque(t, body, state)
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        let [a, b, c] = self.0.torques_on_axis(body, axis);
+        let [d, e, f] = self.1.torques_on_axis(body, axis);
+        [a + d, b + e, c + f]
+    }
+
+    #[inline]
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.potential_energy(t, body, state) + self.1.potential_energy(t, body, state)
+    }
+
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.power(t, body, state) + self.1.power(t, body, state)
+    }
+
+    #[inline]
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(body, state) + self.1.torque_scale(body, state)
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        let mut all = self.0.break_points();
+        all.extend(self.1.break_points());
+        all
+    }
+
+    /// Known if both are.
+    fn narrowest(&self) -> Option<Feature> {
+        Some(self.0.narrowest()?.and(self.1.narrowest()?))
+    }
+
+    /// Two effects have a closed form if one of them does nothing.
+    fn known(&self) -> Known {
+        match (self.0.known(), self.1.known()) {
+            (Known::Free, other) | (other, Known::Free) => other,
+            _ => Known::No,
+        }
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        let mut all = self.0.names();
+        all.extend(self.1.names());
+        all
+    }
+}
