@@ -25,7 +25,8 @@ mod tables;
 
 use lines::Measured;
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Measure, Problem, Solvable, Solved, Variables, WorkPrecision};
+use rotation_dynamics::accuracy::{Measure, Problem, Solved, Variables, WorkPrecision};
+use rotation_dynamics::effects::Effect;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::exp2;
@@ -82,7 +83,7 @@ fn rk4(problem: &Problem<()>) -> Result<WorkPrecision> {
 // ANCHOR: dial
 /// The end of a motion, off by `tolerance` (rad) or less. By stepping, though there may be
 /// a closed form: so the closed form can judge.
-fn solved<E: Solvable>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
+fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
     let Problem {
         scene, start, end, ..
     } = problem;

@@ -1,10 +1,10 @@
 //! Is the dial honest? Random scenes whose ends are known exactly, solved by stepping
 //! alone at one tolerance after the other, and judged.
 
-use rotation_dynamics::accuracy::{Solvable, Solved};
+use rotation_dynamics::accuracy::Solved;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -86,29 +86,20 @@ struct Governor {
 }
 
 impl Effect for Governor {
-    const KEEPS: Keeps = Keeps {
-        energy: false,
-        momentum: [false; 3],
-        axial_momentum: false,
+    const NATURE: Nature = Nature {
+        smooth: true,
+        ..Nature::ANYTHING
     };
+
+    fn name(&self) -> &'static str {
+        "governor"
+    }
 
     fn torque(&self, t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
         let f = exp(-self.decay * t) + self.swing * sin(t);
         let slope = -self.decay * exp(-self.decay * t) + self.swing * cos(t);
         state.angular_momentum * (slope / f)
     }
-
-    fn potential_energy(&self, _state: &State) -> f64 {
-        0.0
-    }
-
-    fn torque_scale(&self) -> f64 {
-        self.decay.abs() + self.swing
-    }
-}
-
-impl Solvable for Governor {
-    const ANALYTIC: bool = true;
 }
 // ANCHOR_END: own_effect
 

@@ -1,12 +1,10 @@
 //! The motions: five with closed forms, from easy to hard, a heavy body with three
 //! different moments, and a body pushed for a while.
 
-use rotation_dynamics::accuracy::{
-    Errors, Fineness, Problem, Solvable, Solved, Sweep, Variables, applies,
-};
+use rotation_dynamics::accuracy::{Errors, Fineness, Problem, Solved, Sweep, Variables, applies};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::GravityAtLever;
+use rotation_dynamics::effects::{Effect, GravityAtLever};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -31,7 +29,7 @@ pub trait Raced: Send + Sync {
     fn add_strip(&self, report: &mut Report, tolerances: &[f64]) -> Result<()>;
 }
 
-impl<E: Solvable + Clone + Send + Sync + 'static> Raced for Problem<E> {
+impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
     fn applies(&self, method: Method) -> bool {
         applies::<E>(method)
     }
@@ -237,7 +235,7 @@ fn top(
 
 impl Motion {
     /// A motion without a closed form, by what carries it between two times.
-    pub fn stepped<E: Solvable + Clone + Send + Sync + 'static>(
+    pub fn stepped<E: Effect + Clone + Send + Sync + 'static>(
         (key, name): (&'static str, &'static str),
         problem: Problem<E>,
         periods: f64,

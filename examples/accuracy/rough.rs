@@ -3,9 +3,9 @@
 
 use super::motions::{Motion, THIRD, free_problem, generic_rates, tilted, unpushed};
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Problem, Solvable};
+use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps, Nature};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
@@ -58,11 +58,18 @@ pub struct Push {
 }
 
 impl Effect for Push {
-    const KEEPS: Keeps = Keeps {
-        energy: false,
-        momentum: [true, true, false],
-        axial_momentum: false,
+    const NATURE: Nature = Nature {
+        on_rates: false,
+        keeps: Keeps {
+            momentum: [true, true, false],
+            ..Keeps::NONE
+        },
+        ..Nature::ANYTHING
     };
+
+    fn name(&self) -> &'static str {
+        "push"
+    }
 
     fn torque(&self, t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
         let now = if (self.on..self.off).contains(&t) {
@@ -74,34 +81,31 @@ impl Effect for Push {
     }
     // ANCHOR_END: push
 
-    fn potential_energy(&self, _state: &State) -> f64 {
-        0.0
-    }
-
-    fn torque_scale(&self) -> f64 {
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
         self.torque
     }
 }
-
-/// It jumps: not analytic, which is the default.
-impl Solvable for Push {}
 
 /// The same torque all the time, smooth.
 #[derive(Clone, Copy)]
 struct Steady(Push);
 
 impl Effect for Steady {
-    const KEEPS: Keeps = Push::KEEPS;
+    const NATURE: Nature = Nature {
+        on_time: false,
+        smooth: true,
+        ..Push::NATURE
+    };
+
+    fn name(&self) -> &'static str {
+        "steady push"
+    }
 
     fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
         SpaceVector::new(0.0, 0.0, self.0.torque)
     }
 
-    fn potential_energy(&self, _state: &State) -> f64 {
-        0.0
-    }
-
-    fn torque_scale(&self) -> f64 {
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
         self.0.torque
     }
 }

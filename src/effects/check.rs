@@ -76,12 +76,7 @@ const PULSE: f64 = 0.1;
 /// # Ok(())
 /// # }
 /// ```
-pub fn check<E: Effect>(
-    effect: &E,
-    body: &RigidBody,
-    span: [f64; 2],
-    state: &State,
-) -> Result<()> {
+pub fn check<E: Effect>(effect: &E, body: &RigidBody, span: [f64; 2], state: &State) -> Result<()> {
     Checked::new(effect, body, span, state).map(|_| ())
 }
 
@@ -110,7 +105,9 @@ impl<'e, E: Effect> Checked<'e, E> {
         }
         let places = checked.places(state)?;
         for (t, state) in &places {
-            checked.largest = checked.largest.max(checked.finite_torque(*t, state)?.norm());
+            checked.largest = checked
+                .largest
+                .max(checked.finite_torque(*t, state)?.norm());
         }
         checked.scale(state)?;
         for (t, state) in &places {
@@ -121,12 +118,7 @@ impl<'e, E: Effect> Checked<'e, E> {
     }
 
     /// An effect that has been looked at before.
-    pub const fn unlooked(
-        effect: &'e E,
-        body: &RigidBody,
-        span: [f64; 2],
-        state: &State,
-    ) -> Self {
+    pub const fn unlooked(effect: &'e E, body: &RigidBody, span: [f64; 2], state: &State) -> Self {
         Self {
             effect,
             body: *body,
@@ -138,7 +130,9 @@ impl<'e, E: Effect> Checked<'e, E> {
 
     /// The length of the torque at the start (N m).
     pub fn at_start(&self) -> f64 {
-        (self.effect).torque(self.span[0], &self.body, &self.start).norm()
+        (self.effect)
+            .torque(self.span[0], &self.body, &self.start)
+            .norm()
     }
 
     /// Where the effect is looked at: the state itself, and others that fill what there
@@ -299,7 +293,12 @@ impl<'e, E: Effect> Checked<'e, E> {
         // A smooth torque would have come 2^40 times nearer; rounding leaves a little.
         let left = (high - low).norm();
         let allowed = (1e-3 * first).max(ROUNDING * self.largest);
-        self.held("that it is smooth between its break points", a, left, allowed)
+        self.held(
+            "that it is smooth between its break points",
+            a,
+            left,
+            allowed,
+        )
     }
 
     /// True if the torque on the body as it starts has a pulse that is seen when it is
@@ -311,7 +310,10 @@ impl<'e, E: Effect> Checked<'e, E> {
             self.effect.torque(t, &self.body, &self.start)
         };
         let seen: Vec<SpaceVector> = (0..=looks).map(at).collect();
-        let largest = seen.iter().map(SpaceVector::norm).fold(self.largest, f64::max);
+        let largest = seen
+            .iter()
+            .map(SpaceVector::norm)
+            .fold(self.largest, f64::max);
         let far = |a: SpaceVector, b: SpaceVector| (a - b).norm() > PULSE * largest;
         let short = |n: usize| far(seen[n], seen[n - SHORT]) && far(seen[n], seen[n + SHORT]);
         (SHORT..=looks - SHORT).any(short)
@@ -343,7 +345,9 @@ impl<'e, E: Effect> Checked<'e, E> {
         }
         let axis = state.attitude.axis();
         if nature.axis_only {
-            let turned = state.attitude.turned_in_body(BodyVector::new(0.0, 0.0, 1.2))?;
+            let turned = state
+                .attitude
+                .turned_in_body(BodyVector::new(0.0, 0.0, 1.2))?;
             let spun = State {
                 attitude: turned,
                 ..pushed
@@ -360,7 +364,12 @@ impl<'e, E: Effect> Checked<'e, E> {
             "that it has no torque about Y",
             "that it has no torque about Z",
         ];
-        for ((kept, m), claim) in nature.keeps.momentum.into_iter().zip(torque.to_array()).zip(about)
+        for ((kept, m), claim) in nature
+            .keeps
+            .momentum
+            .into_iter()
+            .zip(torque.to_array())
+            .zip(about)
         {
             if kept {
                 self.held(claim, t, m.abs(), slack)?;
@@ -432,7 +441,10 @@ fn declared<E: Effect>(effect: &E, body: &RigidBody, state: &State) -> Result<()
     let Some(width) = effect.narrowest() else {
         return Ok(());
     };
-    for (name, value) in [("narrowest time", width.time), ("narrowest angle", width.angle)] {
+    for (name, value) in [
+        ("narrowest time", width.time),
+        ("narrowest angle", width.angle),
+    ] {
         if value != f64::INFINITY {
             positive(name, value)?;
         }

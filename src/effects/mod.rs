@@ -19,8 +19,8 @@ mod gravity;
 mod nature;
 mod pair;
 
-pub use check::check;
 pub(crate) use check::Checked;
+pub use check::check;
 pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use gravity::GravityAtLever;
@@ -143,11 +143,7 @@ pub trait Effect {
 
 /// [`Effect::torque`] for several axes, one after the other.
 #[inline(always)]
-fn one_by_one<E: Effect + ?Sized, L: Lane>(
-    effect: &E,
-    body: &RigidBody,
-    axis: [L; 3],
-) -> [L; 3] {
+fn one_by_one<E: Effect + ?Sized, L: Lane>(effect: &E, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
     let (mut from, mut to) = ([[0.0; WIDEST]; 3], [[0.0; WIDEST]; 3]);
     for i in 0..3 {
         axis[i].store(&mut from[i]);

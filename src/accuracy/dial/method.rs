@@ -257,7 +257,13 @@ impl Method {
             t_end,
             budget: fine.budget,
         };
-        let fewest = fine.fewest.max((span / problem.longest_step).ceil() as u64);
+        let mut fewest = span / problem.longest_step;
+        if self.is_adaptive() {
+            // Finer runs take shorter steps also where none may be longer: runs that took
+            // the same steps would agree, and say nothing.
+            fewest *= self.dearer(fine.level - self.coarsest());
+        }
+        let fewest = fine.fewest.max(fewest.ceil() as u64);
         let affordable = fine.budget as f64 / self.torques();
         let carrier = if self.is_adaptive() {
             let tolerance = (1e-3 * exp(-LEVEL * fine.level))

@@ -206,7 +206,11 @@ impl<'e, E: Effect> Problem<'e, E> {
     /// (rad), and the differences of momentum and rates as parts of their scales.
     pub fn apart(&self, a: &State, b: &State) -> Apart {
         let ratio = |difference: f64, scale: f64| {
-            if difference == 0.0 { 0.0 } else { difference / scale }
+            if difference == 0.0 {
+                0.0
+            } else {
+                difference / scale
+            }
         };
         let momentum = (a.angular_momentum - b.angular_momentum).norm();
         let (rates, others) = (self.body.angular_velocity(a), self.body.angular_velocity(b));
@@ -258,7 +262,8 @@ impl<'e, E: Effect> Problem<'e, E> {
     fn moved(&self, state: &State, [a, b, c, x, y, z]: [f64; 6], by: f64) -> Result<State> {
         State::new(
             (state.attitude).turned_in_body(BodyVector::new(a, b, c) * by)?,
-            state.angular_momentum + SpaceVector::new(x, y, z) * (by * self.momentum_scale(&self.start)),
+            state.angular_momentum
+                + SpaceVector::new(x, y, z) * (by * self.momentum_scale(&self.start)),
         )
     }
 

@@ -1,9 +1,8 @@
 //! What the dial refuses, and what a dial without its care would deliver.
 
-use rotation_dynamics::accuracy::Solvable;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -143,7 +142,13 @@ fn the_road_is_picked() {
     let heavy = Scene::new(odd).with(gravity);
     assert!(!method(heavy.solve(&start(odd), 5.0, 1e-9)).contains("closed"));
     let twice = Scene::new(top).with(gravity).with(gravity);
-    assert!(!method(twice.solve(&start(top), 5.0, 1e-9)).contains("closed"));
+    let error = twice
+        .solve(&start(top), 5.0, 1e-9)
+        .expect_err("two weights");
+    assert_eq!(
+        error.to_string(),
+        "gravity acts twice in this scene (gravity, gravity): one weight at one place is allowed"
+    );
     let inside = Scene::new(top).with(((), gravity)).with(());
     assert_eq!(
         method(inside.solve(&start(top), 5.0, 1e-9)),
@@ -170,26 +175,20 @@ impl Motor {
 }
 
 impl Effect for Motor {
-    const KEEPS: Keeps = Keeps {
-        energy: false,
-        momentum: [false; 3],
-        axial_momentum: false,
-    };
+    const NATURE: Nature = Nature::ANYTHING;
+
+    fn name(&self) -> &'static str {
+        "motor"
+    }
 
     fn torque(&self, t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
         state.attitude.axis() * if Self::is_on(t) { 1.0 } else { 0.0 }
     }
 
-    fn potential_energy(&self, _state: &State) -> f64 {
-        0.0
-    }
-
-    fn torque_scale(&self) -> f64 {
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
         1.0
     }
 }
-
-impl Solvable for Motor {}
 
 /// Where no order can be trusted, what is delivered is still within the request.
 #[test]
@@ -254,22 +253,20 @@ fn a_local_tolerance_is_no_dial() {
 struct Broken;
 
 impl Effect for Broken {
-    const KEEPS: Keeps = Keeps::ALL;
+    const NATURE: Nature = Nature::ANYTHING;
+
+    fn name(&self) -> &'static str {
+        "broken"
+    }
 
     fn torque(&self, t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
         SpaceVector::new((1.0 - t).sqrt(), 0.0, 0.0)
     }
 
-    fn potential_energy(&self, _state: &State) -> f64 {
-        0.0
-    }
-
-    fn torque_scale(&self) -> f64 {
+    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
         1.0
     }
 }
-
-impl Solvable for Broken {}
 
 #[test]
 fn an_effect_that_fails_is_named() {

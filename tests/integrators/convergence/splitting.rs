@@ -177,7 +177,7 @@ fn slopes_on_an_asymmetric_body() {
     let (scene, start) = asymmetric();
     let reference = GaussLegendre::new(200).expect("some steps");
     // On the body's own axes, where its round-off is least.
-    let axes = BodyAxes::new(&scene);
+    let axes = BodyAxes::new(&scene).expect("the axis only");
     let (exact, _) = reference.advance(&axes, 0.0, &start, T).expect("smooth");
     let errors = |scheme: Scheme, steps: &[u64]| -> Vec<(f64, f64)> {
         let error = |&n: &u64| {

@@ -2,7 +2,7 @@
 
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{AxisEffect, Effect, GravityAtLever};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::scene::Scene;
@@ -35,7 +35,8 @@ fn slope_errors(effect: &impl Effect) -> Errors {
         for (k, torque) in torque.to_array().into_iter().enumerate() {
             let mut axis = [0.0; 3];
             axis[k] = 1.0;
-            let energy = |angle| effect.potential_energy(&turned(&attitude, axis, angle));
+            let energy =
+                |angle| effect.potential_energy(0.0, &body(), &turned(&attitude, axis, angle));
             let h = 1e-3;
             let slope = (8.0 * (energy(h) - energy(-h)) - (energy(2.0 * h) - energy(-2.0 * h)))
                 / (12.0 * h);
@@ -58,15 +59,18 @@ fn torque_is_the_slope_of_the_potential() {
     // The sign of the torque turned round: measured 2.8, twice the largest torque.
     struct Wrong(GravityAtLever);
     impl Effect for Wrong {
-        const KEEPS: rotation_dynamics::effects::Keeps = GravityAtLever::KEEPS;
+        const NATURE: Nature = GravityAtLever::NATURE;
+        fn name(&self) -> &'static str {
+            "wrong"
+        }
         fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
             -self.0.torque(t, body, state)
         }
-        fn potential_energy(&self, state: &State) -> f64 {
-            self.0.potential_energy(state)
+        fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+            self.0.potential_energy(t, body, state)
         }
-        fn torque_scale(&self) -> f64 {
-            self.0.torque_scale()
+        fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+            self.0.torque_scale(body, state)
         }
     }
     assert!(slope_errors(&Wrong(up)).largest() > 1.0);
@@ -82,8 +86,12 @@ fn gravity_turns_about_neither_axis_nor_vertical() {
             theta: 0.03 * f64::from(i),
             zeta: 0.0,
         };
-        let axis = Attitude::from_euler(angles).expect("angles").axis();
-        let torque = gravity.axis_torque(axis);
+        let state = State {
+            attitude: Attitude::from_euler(angles).expect("angles"),
+            angular_momentum: SpaceVector::zero(),
+        };
+        let axis = state.attitude.axis();
+        let torque = gravity.torque(0.0, &body(), &state);
         assert_eq!(torque.z(), 0.0);
         along.push(torque.dot(&axis));
     }

@@ -2,7 +2,7 @@
 
 use crate::top::figure_3;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, Scheme, Splitting};
@@ -26,7 +26,8 @@ fn changes<E: Effect>(
 ) -> (f64, f64) {
     let kept: Vec<Invariant> = scene.invariants().collect();
     let momentum = start.angular_momentum.norm();
-    let energy = scene.body().kinetic_energy(start) + scene.effects().torque_scale();
+    let energy =
+        scene.body().kinetic_energy(start) + scene.effects().torque_scale(scene.body(), start);
     let mut changes = ALL.map(|quantity| Errors::of(format!("{quantity:?}")));
     let mut state = *start;
     for i in 0..40 {
@@ -124,17 +125,20 @@ fn a_wrong_kick_is_seen() {
     // e3 as well, and L_z is kept no longer.
     struct OffAxis(GravityAtLever);
     impl Effect for OffAxis {
-        const KEEPS: Keeps = GravityAtLever::KEEPS;
+        const NATURE: Nature = GravityAtLever::NATURE;
+        fn name(&self) -> &'static str {
+            "off axis"
+        }
         fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
             let centre = state.attitude.to_space(BodyVector::new(1e-6, 0.0, 0.0));
             let aside = SpaceVector::new(-0.2 * centre.y(), 0.2 * centre.x(), 0.0);
             self.0.torque(t, body, state) + aside
         }
-        fn potential_energy(&self, state: &State) -> f64 {
-            self.0.potential_energy(state)
+        fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+            self.0.potential_energy(t, body, state)
         }
-        fn torque_scale(&self) -> f64 {
-            self.0.torque_scale()
+        fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+            self.0.torque_scale(body, state)
         }
     }
     let (heavy, start) = figure_3();
