@@ -33,11 +33,11 @@ pub struct Case {
 
 /// Numbers that look random and are the same everywhere (splitmix64, G. L. Steele,
 /// D. Lea, C. H. Flood, OOPSLA 2014).
-struct Dice(u64);
+pub struct Dice(pub u64);
 
 impl Dice {
     /// Between 0 and 1.
-    fn part(&mut self) -> f64 {
+    pub fn part(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -45,21 +45,21 @@ impl Dice {
         ((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.part()
     }
 
     /// Between the two, evenly in the logarithm.
-    fn scale(&mut self, low: f64, high: f64) -> f64 {
+    pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         let (low, high) = (log(low), log(high));
         exp(self.between(low, high))
     }
 
-    fn vector(&mut self) -> BodyVector {
+    pub fn vector(&mut self) -> BodyVector {
         BodyVector::from_array([0; 3].map(|_| self.between(-1.0, 1.0)))
     }
 
-    fn attitude(&mut self) -> EulerAngles {
+    pub fn attitude(&mut self) -> EulerAngles {
         EulerAngles {
             phi: self.between(-PI, PI),
             theta: self.between(0.05, PI - 0.05),
@@ -68,7 +68,7 @@ impl Dice {
     }
 
     /// Three moments of a body, in the order of the axes: of the extents of a cuboid.
-    fn moments(&mut self) -> Result<PrincipalMoments> {
+    pub fn moments(&mut self) -> Result<PrincipalMoments> {
         let [a, b, c] = [0; 3].map(|_| self.scale(0.2, 1.0));
         PrincipalMoments::new(b * b + c * c, c * c + a * a, a * a + b * b)
     }

@@ -1,10 +1,12 @@
 //! The dial: what it delivers never exceeds what was asked for.
 
+mod attack;
 #[path = "../../reference/case.rs"]
 #[allow(dead_code, reason = "the reference tests use the rest")]
 mod case;
 #[path = "../../../examples/accuracy/honesty.rs"]
 mod honesty;
+mod limits;
 mod reference;
 mod refusals;
 

@@ -1,0 +1,129 @@
+//! An attack on the dial: scenes chosen to break it. What it grants must hold.
+
+mod named;
+mod scenes;
+mod truth;
+
+use rotation_dynamics::{Error, Result};
+use scenes::{Case, KINDS, case};
+use std::collections::BTreeMap;
+use support::Errors;
+
+/// Every scene is asked for two of these, which differ from scene to scene.
+const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// What became of the requests of a kind.
+#[derive(Default)]
+struct Tally {
+    /// Errors of what was granted, as parts of the request.
+    ratios: Vec<f64>,
+    /// Refusals, by their reason.
+    refused: BTreeMap<&'static str, usize>,
+}
+
+impl Tally {
+    fn quantile(&self, part: f64) -> f64 {
+        let last = self.ratios.len().saturating_sub(1);
+        let at = (part * last as f64).round() as usize;
+        self.ratios.get(at).copied().unwrap_or(0.0)
+    }
+}
+
+/// The reason of a refusal, if it is one that the dial may give.
+fn reason(error: &Error) -> Option<&'static str> {
+    Some(match error {
+        Error::BeyondCondition { .. } => "beyond the condition",
+        Error::NotDelivered { .. } => "not delivered",
+        Error::OverBudget { .. } => "over the budget",
+        Error::Contradiction { .. } => "contradiction",
+        _ => return None,
+    })
+}
+
+/// Scenes first to last; what exceeds its request, or is refused for no good reason.
+fn attacked(scenes: std::ops::Range<u64>) -> Result<(BTreeMap<&'static str, Tally>, Vec<String>)> {
+    let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
+    let mut failures = Vec::new();
+    for n in scenes {
+        let Case {
+            kind,
+            text,
+            solve,
+            exact,
+        } = case(n)?;
+        let tally = tallies.entry(kind).or_default();
+        let first = (n / KINDS) as usize;
+        for tolerance in [first, first + 3].map(|k| TOLERANCES[k % TOLERANCES.len()]) {
+            match solve(tolerance) {
+                Ok(solved) => {
+                    let ratio = exact.angle_to(&solved.state.attitude) / tolerance;
+                    tally.ratios.push(ratio);
+                    if ratio.is_nan() || ratio > 1.0 {
+                        failures.push(format!(
+                            "{kind} {n}, {tolerance:e}: {ratio:e} times, {solved:?} {text}"
+                        ));
+                    }
+                }
+                Err(error) => match reason(&error) {
+                    Some(reason) => *tally.refused.entry(reason).or_default() += 1,
+                    None => failures.push(format!("{kind} {n}, {tolerance:e}: {error} {text}")),
+                },
+            }
+        }
+    }
+    for tally in tallies.values_mut() {
+        tally.ratios.sort_by(f64::total_cmp);
+    }
+    Ok((tallies, failures))
+}
+
+fn table(tallies: &BTreeMap<&str, Tally>) -> String {
+    let mut lines =
+        vec!["kind                  granted  median   0.99     largest  refused".to_owned()];
+    for (kind, tally) in tallies {
+        let [median, most, largest] = [0.5, 0.99, 1.0].map(|part| tally.quantile(part));
+        let refused: Vec<String> = (tally.refused.iter())
+            .map(|(reason, count)| format!("{count} {reason}"))
+            .collect();
+        lines.push(format!(
+            "{kind:<22}{:>7}  {median:.1e}  {most:.1e}  {largest:.1e}  {}",
+            tally.ratios.len(),
+            refused.join(", ")
+        ));
+    }
+    lines.join("\n")
+}
+
+/// A share of the scenes: none that is granted exceeds its request.
+#[test]
+fn nothing_is_granted_that_does_not_hold() {
+    let (tallies, failures) = attacked(0..200).expect("sound scenes");
+    println!("{}", table(&tallies));
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    let mut ratios = Errors::of("delivered over requested");
+    let (mut granted, mut refused) = (0, 0);
+    for (kind, tally) in &tallies {
+        for ratio in &tally.ratios {
+            ratios.push_at(*ratio, kind);
+        }
+        granted += tally.ratios.len();
+        refused += tally.refused.values().sum::<usize>();
+    }
+    assert_eq!([granted, refused], [0, 0]);
+    ratios.attain(0.0..=1.0, granted);
+}
+
+/// Ten thousand scenes. `cargo test --release -p checks --test accuracy -- --ignored attack
+/// --nocapture` makes `benches/record/attack.txt`.
+#[test]
+#[ignore = "an hour"]
+fn ten_thousand_scenes() {
+    let (tallies, failures) = attacked(0..10_000).expect("sound scenes");
+    println!("{}", table(&tallies));
+    println!(
+        "{} above the request\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
+    assert!(failures.is_empty());
+}

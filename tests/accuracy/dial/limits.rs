@@ -1,0 +1,202 @@
+//! Another start, many times, break points, a longest step, a budget, a way to cancel.
+
+use rotation_dynamics::accuracy::Limits;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{GravityAtLever, Torque};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::math::{cos, sin};
+use rotation_dynamics::scene::Scene;
+use rotation_dynamics::{Error, Result};
+use std::sync::atomic::AtomicBool;
+use support::Errors;
+
+fn heavy() -> Result<(Scene<((), GravityAtLever)>, State)> {
+    let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+    Ok((Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?), start))
+}
+
+/// A torque that depends on the time, begun at 0 and begun anew at 3.
+#[test]
+fn a_start_at_another_time() -> Result<()> {
+    let (heavy, start) = heavy()?;
+    let swing = Torque::on_space("swing", |t, _: &RigidBody, _: &State| {
+        SpaceVector::new(0.2 * sin(t), 0.1 * cos(3.0 * t), 0.0)
+    })
+    .smooth();
+    let scene = Scene::new(*heavy.body()).with(swing);
+    let whole = scene.solve(&start, 8.0, 1e-11)?.state;
+    let first = scene.solve(&start, 3.0, 1e-12)?.state;
+    let from = |t_start| Limits {
+        t_start,
+        ..Limits::default()
+    };
+    let second = scene.solve_with(&first, 8.0, 1e-11, &from(3.0))?.state;
+    let apart = whole.attitude.angle_to(&second.attitude);
+    assert!(apart <= 3e-11, "{apart:e}");
+    // The damaged twin begins at 0 again.
+    let wrong = scene.solve_with(&first, 5.0, 1e-11, &from(0.0))?.state;
+    assert!(whole.attitude.angle_to(&wrong.attitude) > 0.01);
+    // And back.
+    let back = scene.solve_with(&second, 0.0, 1e-10, &from(8.0))?.state;
+    let apart = back.attitude.angle_to(&start.attitude);
+    assert!(apart <= 3e-10, "{apart:e}");
+    Ok(())
+}
+
+/// At 101 times the attitude is within the tolerance, and momentum and rates within what
+/// is said of them.
+#[test]
+fn all_along_the_way() -> Result<()> {
+    let (scene, start) = heavy()?;
+    let mut over = Errors::of("error over tolerance");
+    let mut others = Errors::of("errors of momentum and rates over their estimates");
+    for tolerance in [1e-4, 1e-8] {
+        let motion = scene.solve_along(&start, 30.0, tolerance, &Limits::default())?;
+        let solved = motion.solved();
+        assert!(solved.estimate <= tolerance);
+        for n in 0..=100 {
+            let t = 0.3 * f64::from(n);
+            let here = motion.state(t)?;
+            let exact = scene.solve(&start, t, 1e-12)?.state;
+            let errors = rotation_dynamics::accuracy::Errors::between(&scene, &here, &exact);
+            over.push_at(errors.attitude / tolerance, t);
+            others.push_at(errors.momentum / solved.momentum_estimate, t);
+            others.push_at(errors.rates / solved.rates_estimate, t);
+        }
+    }
+    over.attain(0.0..=1.0, 202);
+    others.attain(0.0..=1.0, 404);
+    // The same times as a list, forwards and backwards.
+    let times: Vec<f64> = (1..=20).map(|n| 1.5 * f64::from(n)).collect();
+    let states = scene.solve_at(&start, &times, 1e-8, &Limits::default())?;
+    let motion = scene.solve_along(&start, 30.0, 1e-8, &Limits::default())?;
+    for (t, state) in times.iter().zip(&states) {
+        assert_eq!(motion.state(*t)?, *state);
+    }
+    let back: Vec<f64> = times.iter().map(|t| -t).collect();
+    assert_eq!(
+        scene
+            .solve_at(&start, &back, 1e-8, &Limits::default())?
+            .len(),
+        20
+    );
+    Ok(())
+}
+
+#[test]
+fn bad_limits_are_named() -> Result<()> {
+    let (scene, start) = heavy()?;
+    let refused = |limits: &Limits| {
+        let solved = scene.solve_with(&start, 5.0, 1e-6, limits);
+        solved.expect_err("refused").to_string()
+    };
+    let limits = Limits::default();
+    let mut ran = 0;
+    let mut says = |limits: Limits, text: &str| {
+        let error = refused(&limits);
+        assert!(error.contains(text), "{error}");
+        ran += 1;
+    };
+    says(
+        Limits {
+            t_start: f64::NAN,
+            ..limits
+        },
+        "start time = NaN is not a finite number",
+    );
+    says(
+        Limits {
+            longest_step: 0.0,
+            ..limits
+        },
+        "longest step = 0 is not allowed",
+    );
+    says(
+        Limits {
+            longest_step: f64::NAN,
+            ..limits
+        },
+        "longest step = NaN",
+    );
+    says(
+        Limits {
+            budget: 0,
+            ..limits
+        },
+        "budget = 0 is not allowed",
+    );
+    says(
+        Limits {
+            break_points: &[1.0, 6.0],
+            ..limits
+        },
+        "t = 6 is outside the run",
+    );
+    says(
+        Limits {
+            break_points: &[2.0, 1.0],
+            ..limits
+        },
+        "break point 1 is 1, and the one before it 2",
+    );
+    says(
+        Limits {
+            break_points: &[f64::NAN],
+            ..limits
+        },
+        "break point = NaN",
+    );
+    says(
+        Limits {
+            budget: 500,
+            ..limits
+        },
+        "more than the 500 torques that are allowed",
+    );
+    let cancel = AtomicBool::new(true);
+    says(
+        Limits {
+            cancel: Some(&cancel),
+            ..limits
+        },
+        "cancelled, after 0 torques",
+    );
+    assert_eq!(ran, 9);
+    let times = |times: &[f64]| scene.solve_at(&start, times, 1e-6, &Limits::default());
+    assert!(matches!(times(&[]), Err(Error::Lengths { found: 0, .. })));
+    let error = times(&[1.0, 3.0, 2.0, 4.0])
+        .expect_err("out of order")
+        .to_string();
+    assert_eq!(
+        error,
+        "time 2 is 2, and the one before it 3: they must rise"
+    );
+    let motion = scene.solve_along(&start, 5.0, 1e-6, &Limits::default())?;
+    assert!(matches!(motion.state(5.1), Err(Error::OutsideRun { .. })));
+    assert!(matches!(
+        motion.state(f64::NAN),
+        Err(Error::NotFinite { .. })
+    ));
+    Ok(())
+}
+
+/// A longest step is kept, and finer runs are finer.
+#[test]
+fn a_longest_step() -> Result<()> {
+    let (scene, start) = heavy()?;
+    let limits = Limits {
+        longest_step: 0.01,
+        ..Limits::default()
+    };
+    let solved = scene.solve_with(&start, 5.0, 1e-6, &limits)?;
+    assert!(
+        solved.longest_step <= 0.01 && solved.run.steps >= 500,
+        "{solved:?}"
+    );
+    let free = scene.solve(&start, 5.0, 1e-6)?;
+    assert!(free.longest_step > 0.01 && free.run.steps < 500, "{free:?}");
+    Ok(())
+}
