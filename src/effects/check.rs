@@ -1,7 +1,7 @@
 //! What an effect claims, held against its torque.
 
 use super::gravity::GRAVITY;
-use super::{Effect, Feature, Known};
+use super::{AnyEffect, Effect, Feature, Known, Nature};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
@@ -81,8 +81,9 @@ pub fn check<E: Effect>(effect: &E, body: &RigidBody, span: [f64; 2], state: &St
 }
 
 /// An effect that has been looked at, and can be looked at again along its motion.
-pub(crate) struct Checked<'e, E> {
-    effect: &'e E,
+pub(crate) struct Checked<'e> {
+    effect: &'e dyn AnyEffect,
+    nature: Nature,
     body: RigidBody,
     start: State,
     /// The longest torque that was seen (N m).
@@ -90,8 +91,13 @@ pub(crate) struct Checked<'e, E> {
     span: [f64; 2],
 }
 
-impl<'e, E: Effect> Checked<'e, E> {
-    pub fn new(effect: &'e E, body: &RigidBody, span: [f64; 2], state: &State) -> Result<Self> {
+impl<'e> Checked<'e> {
+    pub fn new(
+        effect: &'e dyn AnyEffect,
+        body: &RigidBody,
+        span: [f64; 2],
+        state: &State,
+    ) -> Result<Self> {
         let names = effect.names();
         if names.iter().filter(|name| **name == GRAVITY).count() > 1 {
             return Err(Error::TwoGravities {
@@ -100,7 +106,7 @@ impl<'e, E: Effect> Checked<'e, E> {
         }
         declared(effect, body, state)?;
         let mut checked = Self::unlooked(effect, body, span, state);
-        if E::NATURE.torque_free && names.is_empty() {
+        if checked.nature.torque_free && names.is_empty() {
             return Ok(checked);
         }
         let places = checked.places(state)?;
@@ -118,9 +124,15 @@ impl<'e, E: Effect> Checked<'e, E> {
     }
 
     /// An effect that has been looked at before.
-    pub const fn unlooked(effect: &'e E, body: &RigidBody, span: [f64; 2], state: &State) -> Self {
+    pub fn unlooked(
+        effect: &'e dyn AnyEffect,
+        body: &RigidBody,
+        span: [f64; 2],
+        state: &State,
+    ) -> Self {
         Self {
             effect,
+            nature: effect.nature(),
             body: *body,
             start: *state,
             largest: 0.0,
@@ -225,11 +237,11 @@ impl<'e, E: Effect> Checked<'e, E> {
     /// not while the body is turned about its axes or slows down and turns back.
     fn smooth(&self) -> Result<()> {
         let (effect, body, start) = (self.effect, &self.body, &self.start);
-        if !E::NATURE.smooth {
+        if !self.nature.smooth {
             return Ok(());
         }
         let [from, to] = self.span;
-        if E::NATURE.on_time {
+        if self.nature.on_time {
             let mut ends: Vec<f64> = effect.break_points();
             let inside = |t: &f64| from.min(to) < *t && *t < from.max(to);
             ends.retain(inside);
@@ -249,7 +261,7 @@ impl<'e, E: Effect> Checked<'e, E> {
                 Ok(effect.torque(from, body, &State { attitude, ..*start }))
             })?;
         }
-        if E::NATURE.on_rates {
+        if self.nature.on_rates {
             self.no_jump([1.0, -1.1], |part| {
                 let angular_momentum = start.angular_momentum * part;
                 let state = State {
@@ -321,7 +333,7 @@ impl<'e, E: Effect> Checked<'e, E> {
 
     /// Every claim, here and now.
     pub fn at(&self, t: f64, state: &State) -> Result<()> {
-        let (effect, body, nature) = (self.effect, &self.body, E::NATURE);
+        let (effect, body, nature) = (self.effect, &self.body, self.nature);
         let torque = self.finite_torque(t, state)?;
         let slack = ROUNDING * self.largest.max(torque.norm());
         let off = |other: SpaceVector| (other - torque).norm();
@@ -355,7 +367,7 @@ impl<'e, E: Effect> Checked<'e, E> {
             let sees = "that it sees the body's axis only";
             self.held(sees, t, off(effect.torque(later, body, &spun)), slack)?;
             self.held(sees, t, torque.dot(&axis).abs(), slack)?;
-            let on_lanes = effect.torques_on_axis(body, axis.to_array());
+            let on_lanes = effect.torque_on_axis(body, axis.to_array());
             let lanes = "that its torque on lanes is its torque";
             self.held(lanes, t, off(SpaceVector::from_array(on_lanes)), slack)?;
         }
@@ -388,7 +400,7 @@ impl<'e, E: Effect> Checked<'e, E> {
         let claimed = match self.effect.known() {
             Known::No => return Ok(()),
             Known::Free => SpaceVector::zero(),
-            Known::HeavyTop(gravity) => gravity.torque(t, &self.body, state),
+            Known::HeavyTop(gravity) => Effect::torque(&gravity, t, &self.body, state),
         };
         let claim = "that its motion has a closed form";
         self.held(claim, t, (torque - claimed).norm(), slack)
@@ -416,7 +428,7 @@ impl<'e, E: Effect> Checked<'e, E> {
         let off = (found - effect.power(t, body, state)).abs();
         let rounding = 4.0 * EPS * before.abs().max(after.abs()) / dt;
         let allowed = POWER * self.largest.max(torque.norm()) * rate + rounding;
-        let claim = if E::NATURE.keeps.energy {
+        let claim = if self.nature.keeps.energy {
             "that it keeps the energy"
         } else {
             "at what power it changes the energy"
@@ -426,7 +438,7 @@ impl<'e, E: Effect> Checked<'e, E> {
 }
 
 /// Numbers that an effect declares must be numbers.
-fn declared<E: Effect>(effect: &E, body: &RigidBody, state: &State) -> Result<()> {
+fn declared(effect: &dyn AnyEffect, body: &RigidBody, state: &State) -> Result<()> {
     let scale = finite("torque_scale", effect.torque_scale(body, state))?;
     if scale < 0.0 {
         return Err(Error::OutOfRange {

@@ -15,6 +15,7 @@
 
 mod check;
 mod closure;
+mod erased;
 mod gravity;
 mod nature;
 mod pair;
@@ -23,6 +24,7 @@ pub(crate) use check::Checked;
 pub use check::check;
 pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
+pub(crate) use erased::{AnyEffect, Erased};
 pub use gravity::GravityAtLever;
 pub use nature::{Feature, Keeps, Known, Nature};
 

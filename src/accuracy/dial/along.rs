@@ -1,39 +1,35 @@
 //! The dial's promise all along the way.
 
+use super::given::{Onward, Places};
 use super::method::{Fine, Method};
-use super::problem::Problem;
-use super::stepping::Stepping;
-use super::{ExactMotion, Limits, Solved, by_closed_form, nothing_to_do};
+use super::{ExactMotion, Limits, Solved};
 use crate::body::State;
-use crate::effects::{Checked, Effect};
+use crate::effects::Effect;
 use crate::error::{Error, Result, finite};
 use crate::scene::Scene;
-use core::cell::Cell;
 
-/// Places at which runs are compared, at most.
-const PLACES: usize = 128;
-
-/// And one for every so many radians that the body turns.
-const APART: f64 = 3.0;
+/// Runs are compared at so many places at most, one for every so many radians that the
+/// body turns.
+const ALONG: Places = Places::Along {
+    most: 128,
+    apart: 3.0,
+};
 
 /// A motion whose states are known to a tolerance at every time of its span.
 ///
-/// Runs are compared, and the condition is felt, at up to 128 places. A state between two of them is found
-/// by stepping on from the one before with the method and the fineness of the run that was
-/// verified, so it is as good as its neighbours; it costs a few steps.
-pub struct SolvedMotion<'s, E> {
-    scene: &'s Scene<E>,
+/// Runs are compared, and the condition is felt, at up to 128 places. A state between two
+/// of them is found by stepping on from the one before with the method and the fineness of
+/// the run that was verified, so it is as good as its neighbours; it costs a few steps.
+pub struct SolvedMotion<'s> {
     solved: Solved,
     form: Form,
-    start: State,
-    t_start: f64,
-    t_end: f64,
+    onward: Onward<'s>,
     breaks: Vec<f64>,
-    torque: f64,
-    longest_step: f64,
 }
 
-enum Form {
+pub(super) enum Form {
+    /// Start and end are one.
+    Still(State),
     Exact(ExactMotion),
     Stepped {
         method: Method,
@@ -73,49 +69,20 @@ impl<E: Effect> Scene<E> {
         t_end: f64,
         tolerance: f64,
         limits: &Limits,
-    ) -> Result<SolvedMotion<'_, E>> {
-        self.posed(start, t_end, tolerance, limits, |problem| {
-            let turned = problem.fastest() * problem.span().abs() / APART;
-            let places = turned.clamp(1.0, PLACES as f64) as usize;
-            let (solved, form) = if problem.span() == 0.0 {
-                let places = vec![*start];
-                let form = Form::Stepped {
-                    method: Method::Adaptive,
-                    level: 0.0,
-                    precision: 0.0,
-                    places,
-                };
-                (nothing_to_do(problem)?, form)
-            } else if let Some(motion) = problem.exact_motion() {
-                let solved = by_closed_form(problem, &motion, tolerance, places)?;
-                (solved, Form::Exact(motion))
-            } else {
-                let mut delivered = Stepping::new(problem, tolerance, limits, places).solve()?;
-                let mut places = vec![*start];
-                places.append(&mut delivered.places);
-                let form = Form::Stepped {
-                    method: delivered.method,
-                    level: delivered.level,
-                    precision: delivered.precision,
-                    places,
-                };
-                let mut solved = Solved::of(&delivered, problem);
-                if let Form::Stepped { places, .. } = &form {
-                    solved.state = places[places.len() - 1];
-                }
-                (solved, form)
-            };
-            Ok(SolvedMotion {
-                scene: self,
-                solved,
-                form,
-                start: *start,
-                t_start: limits.t_start,
-                t_end,
-                breaks: problem.breaks.to_vec(),
-                torque: problem.torque,
-                longest_step: problem.longest_step,
-            })
+    ) -> Result<SolvedMotion<'_>> {
+        let given = self.given(start, t_end, tolerance, limits)?;
+        let answer = given.answer(ALONG, false)?;
+        Ok(SolvedMotion {
+            solved: answer.solved,
+            form: answer.form,
+            onward: Onward {
+                effects: self.effects(),
+                body: *self.body(),
+                torque: given.torque,
+                longest_step: given.longest_step,
+                span: [limits.t_start, t_end],
+            },
+            breaks: given.breaks,
         })
     }
 
@@ -163,7 +130,7 @@ fn in_order(t_start: f64, times: &[f64]) -> Result<()> {
     Ok(())
 }
 
-impl<E: Effect> SolvedMotion<'_, E> {
+impl SolvedMotion<'_> {
     /// What was solved: the state at the end, the method, estimates for the whole of the
     /// way, work.
     pub const fn solved(&self) -> &Solved {
@@ -172,7 +139,7 @@ impl<E: Effect> SolvedMotion<'_, E> {
 
     /// The time of the start and that of the end (s).
     pub const fn span(&self) -> [f64; 2] {
-        [self.t_start, self.t_end]
+        self.onward.span
     }
 
     /// The state at the time `t` (s).
@@ -181,7 +148,8 @@ impl<E: Effect> SolvedMotion<'_, E> {
     /// A time that is not finite, or outside the span.
     pub fn state(&self, t: f64) -> Result<State> {
         finite("time", t)?;
-        let (first, last) = (self.t_start.min(self.t_end), self.t_start.max(self.t_end));
+        let [from, to] = self.span();
+        let (first, last) = (from.min(to), from.max(to));
         if !(first..=last).contains(&t) {
             return Err(Error::OutsideRun {
                 t,
@@ -190,61 +158,47 @@ impl<E: Effect> SolvedMotion<'_, E> {
             });
         }
         match &self.form {
-            Form::Exact(motion) => motion.at(t - self.t_start),
+            Form::Still(state) => Ok(*state),
+            Form::Exact(motion) => motion.at(t - from),
             Form::Stepped {
                 method,
                 level,
                 precision,
                 places,
-            } => self.stepped_on(*method, *level, *precision, places, t),
+            } => {
+                let fine = Fine {
+                    level: *level,
+                    fewest: 1,
+                    precision: *precision,
+                    budget: u64::MAX,
+                };
+                let (before, place) = self.before(places, t);
+                if t == before {
+                    return Ok(*place);
+                }
+                self.onward
+                    .state(&self.breaks, *method, fine, [before, t], place)
+            }
         }
     }
 
-    fn stepped_on(
-        &self,
-        method: Method,
-        level: f64,
-        precision: f64,
-        places: &[State],
-        t: f64,
-    ) -> Result<State> {
+    /// The last place that is not after `t`, and its time.
+    fn before<'p>(&self, places: &'p [State], t: f64) -> (f64, &'p State) {
+        let [from, to] = self.span();
         let legs = places.len() - 1;
-        if legs == 0 {
-            return Ok(places[0]);
-        }
-        let (effects, body) = (self.scene.effects(), self.scene.body());
-        let checked = Checked::unlooked(effects, body, self.span(), &self.start);
-        let asked = Cell::new(0);
-        let problem = Problem {
-            body: *body,
-            effects,
-            strength: 1.0,
-            torque: self.torque,
-            start: self.start,
-            t_start: self.t_start,
-            t_end: self.t_end,
-            breaks: &self.breaks,
-            longest_step: self.longest_step,
-            checked: &checked,
-            asked: &asked,
+        let time = |leg: usize| {
+            if leg == legs {
+                to
+            } else {
+                from + leg as f64 / legs as f64 * (to - from)
+            }
         };
-        let part = (t - self.t_start) / (self.t_end - self.t_start);
+        let part = (t - from) / (to - from);
         let mut leg = ((part * legs as f64) as usize).min(legs);
-        let mut from = problem.at_leg(leg, legs);
         // Rounding may have put it a leg too far.
-        if (t - from) * (self.t_end - self.t_start) < 0.0 && leg > 0 {
+        if (t - time(leg)) * (to - from) < 0.0 && leg > 0 {
             leg -= 1;
-            from = problem.at_leg(leg, legs);
         }
-        if t == from {
-            return Ok(places[leg]);
-        }
-        let fine = Fine {
-            level,
-            fewest: 1,
-            precision,
-            budget: u64::MAX,
-        };
-        Ok(method.run(&problem, [from, t], &places[leg], fine)?.state)
+        (time(leg), &places[leg])
     }
 }

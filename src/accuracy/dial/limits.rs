@@ -1,6 +1,6 @@
 //! What a solution may take, beside its scene, start, end and tolerance.
 
-use crate::effects::{Checked, Effect};
+use crate::effects::{AnyEffect, Checked};
 use crate::error::{Error, Result, finite, positive};
 use core::sync::atomic::AtomicBool;
 
@@ -78,7 +78,7 @@ impl Limits<'_> {
     }
 
     /// All times inside the span at which the torque jumps, in the order of the motion.
-    pub(super) fn breaks<E: Effect>(&self, effects: &E, t_end: f64) -> Vec<f64> {
+    pub(super) fn breaks(&self, effects: &dyn AnyEffect, t_end: f64) -> Vec<f64> {
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
         let mut all = effects.break_points();
         all.extend(self.break_points);
@@ -93,10 +93,10 @@ impl Limits<'_> {
 
     /// The longest step that passes over no feature that is named, nor a pulse that was
     /// seen; `rate` (rad/s) bounds how fast the body turns.
-    pub(super) fn longest_step<E: Effect>(
+    pub(super) fn longest_step(
         &self,
-        effects: &E,
-        checked: &Checked<E>,
+        effects: &dyn AnyEffect,
+        checked: &Checked,
         rate: f64,
         t_end: f64,
     ) -> f64 {
@@ -108,7 +108,7 @@ impl Limits<'_> {
                     longest = longest.min(width.angle / rate / STEPS_IN_PULSE);
                 }
             }
-            None if E::NATURE.on_time => {
+            None if effects.nature().on_time => {
                 let look = (t_end - self.t_start).abs() / LOOKS;
                 if checked.has_pulse(LOOKS as usize) {
                     longest = longest.min(look * STEPS_IN_PULSE);

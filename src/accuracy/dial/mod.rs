@@ -5,6 +5,7 @@
 //! | [`Limits`] | the time of the start, break points, longest step, budget, a way to cancel |
 //! | [`ExactMotion`] | a closed form, picked by what acts |
 //! | [`SolvedMotion`] | the promise kept all along the way: states at any times |
+//! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob |
 //! | `stepping` | choose, refine, verify |
@@ -14,6 +15,7 @@
 
 mod along;
 mod exact_motion;
+mod given;
 mod limits;
 mod method;
 mod problem;
@@ -25,18 +27,13 @@ pub use exact_motion::ExactMotion;
 pub use limits::Limits;
 
 use crate::body::State;
-use crate::effects::{Checked, Effect};
-use crate::error::{Error, Result, finite};
+use crate::effects::Effect;
+use crate::error::Result;
 use crate::integrators::Work;
-use crate::math::EPS;
 use crate::scene::Scene;
-use core::cell::Cell;
-use problem::{ALL_ROWS, Apart, Feeler, Problem};
-use stepping::{Delivered, Stepping};
-
-/// The error of a closed form, in units of eps (1 + condition). Measured over the reference
-/// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
-const CLOSED_FORM: f64 = 8.0;
+use given::{Given, Places};
+use problem::Problem;
+use stepping::Delivered;
 
 /// A state whose error was asked for, and what it cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,12 +152,8 @@ impl<E: Effect> Scene<E> {
         tolerance: f64,
         limits: &Limits,
     ) -> Result<Solved> {
-        self.posed(start, t_end, tolerance, limits, |problem| {
-            match problem.exact_motion() {
-                Some(motion) => by_closed_form(problem, &motion, tolerance, 1),
-                None => stepped(problem, tolerance, limits),
-            }
-        })
+        let given = self.given(start, t_end, tolerance, limits)?;
+        Ok(given.answer(Places::End, false)?.solved)
     }
 
     /// As [`Scene::solve`], but by stepping, whether there is a closed form or not: so a
@@ -170,79 +163,19 @@ impl<E: Effect> Scene<E> {
     /// As [`Scene::solve`].
     pub fn solve_by_stepping(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         let limits = Limits::default();
-        self.posed(start, t_end, tolerance, &limits, |problem| {
-            stepped(problem, tolerance, &limits)
-        })
+        let given = self.given(start, t_end, tolerance, &limits)?;
+        Ok(given.answer(Places::End, true)?.solved)
     }
 
-    /// The problem, if what is given can be solved at all, handed on.
-    fn posed<T>(
-        &self,
+    fn given<'s>(
+        &'s self,
         start: &State,
         t_end: f64,
         tolerance: f64,
-        limits: &Limits,
-        solve: impl FnOnce(&Problem<E>) -> Result<T>,
-    ) -> Result<T> {
-        finite("tolerance", tolerance)?;
-        if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "above 0 and at most pi",
-            });
-        }
-        limits.checked(t_end)?;
-        State::new(start.attitude, start.angular_momentum)?;
-        let (effects, body) = (self.effects(), self.body());
-        let checked = Checked::new(effects, body, [limits.t_start, t_end], start)?;
-        let breaks = limits.breaks(effects, t_end);
-        let asked = Cell::new(0);
-        let mut problem = Problem {
-            body: *body,
-            effects,
-            strength: 1.0,
-            torque: effects.torque_scale(body, start).max(checked.at_start()),
-            start: *start,
-            t_start: limits.t_start,
-            t_end,
-            breaks: &breaks,
-            longest_step: limits.longest_step,
-            checked: &checked,
-            asked: &asked,
-        };
-        let rate = problem.fastest();
-        problem.longest_step = limits.longest_step(effects, &checked, rate, t_end);
-        solve(&problem)
+        limits: &'s Limits<'s>,
+    ) -> Result<Given<'s>> {
+        Given::new(self.effects(), self.body(), start, t_end, tolerance, limits)
     }
-}
-
-/// The state at the end by stepping.
-fn stepped<E: Effect>(problem: &Problem<E>, tolerance: f64, limits: &Limits) -> Result<Solved> {
-    if problem.span() == 0.0 {
-        return nothing_to_do(problem);
-    }
-    let delivered = Stepping::new(problem, tolerance, limits, 1).solve()?;
-    Ok(Solved::of(&delivered, problem))
-}
-
-fn nothing_to_do<E: Effect>(problem: &Problem<E>) -> Result<Solved> {
-    let start = problem.start;
-    let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
-        let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
-        Ok((vec![start], changed.collect::<Result<_>>()?))
-    })?;
-    Ok(Solved {
-        state: start,
-        method: "nothing to do",
-        run: Work::default(),
-        work: Work::default(),
-        estimate: 0.0,
-        momentum_estimate: 0.0,
-        rates_estimate: 0.0,
-        condition,
-        longest_step: 0.0,
-    })
 }
 
 impl Solved {
@@ -260,58 +193,4 @@ impl Solved {
             longest_step: delivered.longest_step,
         }
     }
-}
-
-/// The state of a closed form, if its error is small enough at so many places on the way.
-fn by_closed_form<E: Effect>(
-    problem: &Problem<E>,
-    motion: &ExactMotion,
-    tolerance: f64,
-    places: usize,
-) -> Result<Solved> {
-    let on_the_way = |motion: &ExactMotion, changed: &Problem<E>| -> Result<Vec<State>> {
-        (1..=places)
-            .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
-            .collect()
-    };
-    let states = on_the_way(motion, problem)?;
-    let mut work = Work {
-        samples: 1,
-        ..Work::default()
-    };
-    let run = work;
-    let neighbour = |row, by| {
-        let changed = problem.changed(row, by)?;
-        // A neighbour without a closed form: the edge of what it can do.
-        let motion = changed.exact_motion().ok_or(Error::NotDelivered {
-            requested: tolerance,
-            reached: f64::INFINITY,
-        })?;
-        on_the_way(&motion, &changed)
-    };
-    let condition: Apart = problem.condition(&Feeler::EXACT, |by| {
-        work.samples += ALL_ROWS as u64;
-        let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
-        Ok((states.clone(), changed.collect::<Result<_>>()?))
-    })?;
-    let [estimate, momentum_estimate, rates_estimate] =
-        condition.map(|condition| CLOSED_FORM * EPS * (1.0 + condition));
-    if estimate.is_nan() || estimate > tolerance {
-        return Err(Error::BeyondCondition {
-            requested: tolerance,
-            attainable: estimate,
-            condition: condition[0],
-        });
-    }
-    Ok(Solved {
-        state: states[places - 1],
-        method: motion.name(),
-        run,
-        work,
-        estimate,
-        momentum_estimate,
-        rates_estimate,
-        condition: condition[0],
-        longest_step: 0.0,
-    })
 }

@@ -3,7 +3,7 @@
 use super::exact_motion::ExactMotion;
 use crate::accuracy::larger;
 use crate::body::{RigidBody, State};
-use crate::effects::{Checked, Effect, Nature};
+use crate::effects::{Checked, Effect, Known, Nature};
 use crate::error::Result;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
@@ -26,7 +26,8 @@ pub(super) struct Problem<'e, E> {
     pub breaks: &'e [f64],
     /// No step may be longer.
     pub longest_step: f64,
-    pub checked: &'e Checked<'e, E>,
+    pub checked: &'e Checked<'e>,
+    pub known: Known,
     /// Torques asked for, by runs that came to an end and by those that did not.
     pub asked: &'e Cell<u64>,
 }
@@ -124,6 +125,8 @@ pub(super) struct Feeler {
     pub changes: &'static [f64],
     /// An end moved by more than this (rad) has left the linear regime.
     pub linear: f64,
+    /// Within it, the slope is felt again with a change as small as this.
+    pub again: Option<f64>,
 }
 
 impl Feeler {
@@ -131,11 +134,13 @@ impl Feeler {
     pub const EXACT: Self = Self {
         changes: &[1e-9, 1e-12, 8.0 * EPS],
         linear: 1e-4,
+        again: Some(16.0 * EPS),
     };
     /// For stepping.
     pub const STEPPED: Self = Self {
         changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS],
         linear: 3e-3,
+        again: None,
     };
 
     fn smallest(&self) -> f64 {
@@ -177,7 +182,7 @@ impl<'e, E: Effect> Problem<'e, E> {
 
     /// The closed form of this motion, if it has one.
     pub fn exact_motion(&self) -> Option<ExactMotion> {
-        ExactMotion::of(self.effects.known(), self.strength, &self.body, &self.start)
+        ExactMotion::of(self.known, self.strength, &self.body, &self.start)
     }
 
     /// A bound on the rates (rad/s) that the body reaches.
@@ -316,38 +321,63 @@ impl<'e, E: Effect> Problem<'e, E> {
         feeler: &Feeler,
         mut motions: impl FnMut(f64) -> Result<(Vec<State>, Vec<Vec<State>>)>,
     ) -> Result<Apart> {
-        let mut condition = [f64::INFINITY; 3];
+        let mut coarser: Option<Apart> = None;
         for &by in feeler.changes {
-            let (places, changed) = motions(by)?;
-            condition = [0.0; 3];
-            let mut farthest: f64 = 0.0;
-            for (n, place) in places.iter().enumerate() {
-                let mut sum = [0.0; 3];
-                for neighbour in &changed {
-                    let apart = self.apart(place, &neighbour[n]);
-                    farthest = larger(farthest, apart[0]);
-                    for (sum, apart) in sum.iter_mut().zip(apart) {
-                        *sum += (apart / by) * (apart / by);
-                    }
-                }
-                let late = self.body.angular_velocity(place).norm()
-                    * self.t_end.abs().max(self.t_start.abs());
-                let rows = changed.len() as f64;
-                for (condition, sum) in condition.iter_mut().zip(sum) {
-                    *condition = larger(*condition, hypot((sum / rows).sqrt(), late));
-                }
-            }
+            let (slopes, farthest) = self.slopes(by, motions(by)?);
             if farthest <= feeler.linear {
-                return Ok(condition);
+                let Some(again) = feeler.again.filter(|again| *again < by) else {
+                    return Ok(slopes);
+                };
+                // Near a separatrix a change may carry the motion past its own steepness.
+                let (finer, _) = self.slopes(again, motions(again)?);
+                return Ok(if finer[0] > BLURRED * slopes[0] {
+                    finer
+                } else {
+                    slopes
+                });
             }
-            // Not so for a NaN.
-            if !(by > feeler.smallest() || farthest <= LOST) {
-                return Ok([f64::INFINITY; 3]);
+            if by <= feeler.smallest() {
+                // A slope, if it is the same as that of a larger change.
+                let same = coarser.is_some_and(|coarser| slopes[0] <= STRAIGHT * coarser[0]);
+                let known = same && farthest <= LOST;
+                return Ok(if known { slopes } else { [f64::INFINITY; 3] });
+            }
+            coarser = Some(slopes);
+        }
+        Ok([f64::INFINITY; 3])
+    }
+
+    /// By how much the places move per change of the inputs, and how far (rad) the attitude
+    /// moved farthest.
+    fn slopes(&self, by: f64, (places, changed): (Vec<State>, Vec<Vec<State>>)) -> (Apart, f64) {
+        let mut slopes = [0.0; 3];
+        let mut farthest: f64 = 0.0;
+        for (n, place) in places.iter().enumerate() {
+            let mut sum = [0.0; 3];
+            for neighbour in &changed {
+                let apart = self.apart(place, &neighbour[n]);
+                farthest = larger(farthest, apart[0]);
+                for (sum, apart) in sum.iter_mut().zip(apart) {
+                    *sum += (apart / by) * (apart / by);
+                }
+            }
+            let late = self.body.angular_velocity(place).norm()
+                * self.t_end.abs().max(self.t_start.abs());
+            let rows = changed.len() as f64;
+            for (slope, sum) in slopes.iter_mut().zip(sum) {
+                *slope = larger(*slope, hypot((sum / rows).sqrt(), late));
             }
         }
-        Ok(condition)
+        (slopes, farthest)
     }
 }
+
+/// A finer change whose slope is more than this times the coarser's has seen something
+/// else; less may be rounding.
+const BLURRED: f64 = 2.0;
+
+/// Slopes of two changes are one slope if they differ by no more than this.
+const STRAIGHT: f64 = 10.0;
 
 /// An attitude that moves by more than this (rad) when the inputs change as little as
 /// doubles can: nothing is known of it.

@@ -1,0 +1,305 @@
+//! What is asked of the dial, checked, and handed on.
+//!
+//! The dial is compiled once for a free body, for gravity, and for any other effect behind
+//! a pointer: a program that solves ten scenes of its own compiles none of it.
+
+use super::along::Form;
+use super::limits::Limits;
+use super::method::{Fine, Method};
+use super::problem::{ALL_ROWS, Apart, Feeler, Problem};
+use super::stepping::Stepping;
+use super::{ExactMotion, Solved};
+use crate::body::{RigidBody, State};
+use crate::effects::{AnyEffect, Checked, Effect, Erased, Known};
+use crate::error::{Error, Result, finite};
+use crate::integrators::Work;
+use crate::math::EPS;
+use core::cell::Cell;
+
+/// The error of a closed form, in units of eps (1 + condition). Measured over the reference
+/// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
+const CLOSED_FORM: f64 = 8.0;
+
+/// Where the promise is to hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Places {
+    /// At the end.
+    End,
+    /// All along: at so many places, one for as many radians that the body turns.
+    Along { most: usize, apart: f64 },
+}
+
+/// What was solved, and what is needed to find any state on the way.
+pub(super) struct Answer {
+    pub solved: Solved,
+    pub form: Form,
+}
+
+/// What is asked: a scene, its start, its end, and within which limits.
+pub(super) struct Given<'s> {
+    effects: &'s dyn AnyEffect,
+    body: RigidBody,
+    start: State,
+    t_end: f64,
+    tolerance: f64,
+    limits: &'s Limits<'s>,
+    checked: Checked<'s>,
+    /// What the torque may be as large as, and where it jumps.
+    pub torque: f64,
+    pub breaks: Vec<f64>,
+    pub longest_step: f64,
+}
+
+impl<'s> Given<'s> {
+    pub fn new(
+        effects: &'s dyn AnyEffect,
+        body: &RigidBody,
+        start: &State,
+        t_end: f64,
+        tolerance: f64,
+        limits: &'s Limits<'s>,
+    ) -> Result<Self> {
+        finite("tolerance", tolerance)?;
+        if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
+            return Err(Error::OutOfRange {
+                name: "tolerance",
+                value: tolerance,
+                allowed: "above 0 and at most pi",
+            });
+        }
+        limits.checked(t_end)?;
+        State::new(start.attitude, start.angular_momentum)?;
+        let checked = Checked::new(effects, body, [limits.t_start, t_end], start)?;
+        let mut given = Self {
+            effects,
+            body: *body,
+            start: *start,
+            t_end,
+            tolerance,
+            limits,
+            torque: effects.torque_scale(body, start).max(checked.at_start()),
+            breaks: limits.breaks(effects, t_end),
+            longest_step: limits.longest_step,
+            checked,
+        };
+        let rate = given.problem(&(), &Cell::new(0)).fastest();
+        given.longest_step = limits.longest_step(effects, &given.checked, rate, t_end);
+        Ok(given)
+    }
+
+    fn problem<'p, E>(&'p self, effects: &'p E, asked: &'p Cell<u64>) -> Problem<'p, E> {
+        Problem {
+            body: self.body,
+            effects,
+            strength: 1.0,
+            torque: self.torque,
+            start: self.start,
+            t_start: self.limits.t_start,
+            t_end: self.t_end,
+            breaks: &self.breaks,
+            longest_step: self.longest_step,
+            checked: &self.checked,
+            known: self.effects.known(),
+            asked,
+        }
+    }
+
+    /// What is asked for, in closed form unless it is to be stepped.
+    pub fn answer(&self, places: Places, step: bool) -> Result<Answer> {
+        let asked = Cell::new(0);
+        let by = Asked {
+            given: self,
+            places,
+            step,
+        };
+        let nature = self.effects.nature();
+        match self.effects.known() {
+            Known::Free => by.of(&self.problem(&(), &asked)),
+            Known::HeavyTop(gravity) => by.of(&self.problem(&gravity, &asked)),
+            Known::No if nature.axis_only && nature.smooth => {
+                by.of(&self.problem(&Erased::<true, true>(self.effects), &asked))
+            }
+            Known::No if nature.smooth => {
+                by.of(&self.problem(&Erased::<false, true>(self.effects), &asked))
+            }
+            Known::No => by.of(&self.problem(&Erased::<false, false>(self.effects), &asked)),
+        }
+    }
+}
+
+/// A run of one method from a state on the way to a time.
+#[derive(Clone, Copy)]
+pub(super) struct Onward<'s> {
+    pub effects: &'s dyn AnyEffect,
+    pub body: RigidBody,
+    pub torque: f64,
+    pub longest_step: f64,
+    pub span: [f64; 2],
+}
+
+impl Onward<'_> {
+    pub fn state(
+        &self,
+        breaks: &[f64],
+        method: Method,
+        fine: Fine,
+        [from, to]: [f64; 2],
+        start: &State,
+    ) -> Result<State> {
+        let checked = Checked::unlooked(self.effects, &self.body, self.span, start);
+        let limits = Limits {
+            t_start: self.span[0],
+            ..Limits::default()
+        };
+        let given = Given {
+            effects: self.effects,
+            body: self.body,
+            start: *start,
+            t_end: self.span[1],
+            tolerance: 1.0,
+            limits: &limits,
+            torque: self.torque,
+            breaks: breaks.to_vec(),
+            longest_step: self.longest_step,
+            checked,
+        };
+        let (asked, span) = (Cell::new(0), [from, to]);
+        let nature = self.effects.nature();
+        let passed = match self.effects.known() {
+            Known::Free => method.run(&given.problem(&(), &asked), span, start, fine),
+            Known::HeavyTop(g) => method.run(&given.problem(&g, &asked), span, start, fine),
+            Known::No if nature.axis_only && nature.smooth => {
+                let effects = Erased::<true, true>(self.effects);
+                method.run(&given.problem(&effects, &asked), span, start, fine)
+            }
+            Known::No if nature.smooth => {
+                let effects = Erased::<false, true>(self.effects);
+                method.run(&given.problem(&effects, &asked), span, start, fine)
+            }
+            Known::No => {
+                let effects = Erased::<false, false>(self.effects);
+                method.run(&given.problem(&effects, &asked), span, start, fine)
+            }
+        };
+        Ok(passed?.state)
+    }
+}
+
+struct Asked<'g, 's> {
+    given: &'g Given<'s>,
+    places: Places,
+    step: bool,
+}
+
+impl Asked<'_, '_> {
+    fn of<E: Effect>(&self, problem: &Problem<E>) -> Result<Answer> {
+        let (tolerance, limits) = (self.given.tolerance, self.given.limits);
+        let places = match self.places {
+            Places::End => 1,
+            Places::Along { most, apart } => {
+                let turned = problem.fastest() * problem.span().abs() / apart;
+                turned.clamp(1.0, most as f64) as usize
+            }
+        };
+        if !self.step
+            && let Some(motion) = problem.exact_motion()
+        {
+            return Ok(Answer {
+                solved: by_closed_form(problem, &motion, tolerance, places)?,
+                form: Form::Exact(motion),
+            });
+        }
+        if problem.span() == 0.0 {
+            return Ok(Answer {
+                solved: nothing_to_do(problem)?,
+                form: Form::Still(problem.start),
+            });
+        }
+        let delivered = Stepping::new(problem, tolerance, limits, places).solve()?;
+        let solved = Solved::of(&delivered, problem);
+        let mut states = vec![problem.start];
+        states.extend(delivered.places);
+        Ok(Answer {
+            solved,
+            form: Form::Stepped {
+                method: delivered.method,
+                level: delivered.level,
+                precision: delivered.precision,
+                places: states,
+            },
+        })
+    }
+}
+
+fn nothing_to_do<E: Effect>(problem: &Problem<E>) -> Result<Solved> {
+    let start = problem.start;
+    let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
+        let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
+        Ok((vec![start], changed.collect::<Result<_>>()?))
+    })?;
+    Ok(Solved {
+        state: start,
+        method: "nothing to do",
+        run: Work::default(),
+        work: Work::default(),
+        estimate: 0.0,
+        momentum_estimate: 0.0,
+        rates_estimate: 0.0,
+        condition,
+        longest_step: 0.0,
+    })
+}
+
+/// The state of a closed form, if its error is small enough at so many places on the way.
+fn by_closed_form<E: Effect>(
+    problem: &Problem<E>,
+    motion: &ExactMotion,
+    tolerance: f64,
+    places: usize,
+) -> Result<Solved> {
+    let on_the_way = |motion: &ExactMotion, changed: &Problem<E>| -> Result<Vec<State>> {
+        (1..=places)
+            .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
+            .collect()
+    };
+    let states = on_the_way(motion, problem)?;
+    let mut work = Work {
+        samples: 1,
+        ..Work::default()
+    };
+    let run = work;
+    let neighbour = |row, by| {
+        let changed = problem.changed(row, by)?;
+        // A neighbour without a closed form: the edge of what it can do.
+        let motion = changed.exact_motion().ok_or(Error::NotDelivered {
+            requested: tolerance,
+            reached: f64::INFINITY,
+        })?;
+        on_the_way(&motion, &changed)
+    };
+    let condition: Apart = problem.condition(&Feeler::EXACT, |by| {
+        work.samples += ALL_ROWS as u64;
+        let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
+        Ok((states.clone(), changed.collect::<Result<_>>()?))
+    })?;
+    let [estimate, momentum_estimate, rates_estimate] =
+        condition.map(|condition| CLOSED_FORM * EPS * (1.0 + condition));
+    if estimate.is_nan() || estimate > tolerance {
+        return Err(Error::BeyondCondition {
+            requested: tolerance,
+            attainable: estimate,
+            condition: condition[0],
+        });
+    }
+    Ok(Solved {
+        state: states[places - 1],
+        method: motion.name(),
+        run,
+        work,
+        estimate,
+        momentum_estimate,
+        rates_estimate,
+        condition: condition[0],
+        longest_step: 0.0,
+    })
+}

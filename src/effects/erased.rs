@@ -1,0 +1,97 @@
+//! An effect behind a pointer: what is written for it is compiled once for all effects.
+
+use super::{Effect, Feature, Keeps, Known, Nature};
+use crate::body::{RigidBody, State};
+use crate::frame::SpaceVector;
+
+/// What is asked of any effect, whatever its type.
+pub(crate) trait AnyEffect {
+    fn nature(&self) -> Nature;
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
+    fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3];
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64;
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64;
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64;
+    fn break_points(&self) -> Vec<f64>;
+    fn narrowest(&self) -> Option<Feature>;
+    fn known(&self) -> Known;
+    fn names(&self) -> Vec<&'static str>;
+}
+
+impl<E: Effect> AnyEffect for E {
+    fn nature(&self) -> Nature {
+        E::NATURE
+    }
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        Effect::torque(self, t, body, state)
+    }
+    fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
+        self.torques_on_axis(body, axis)
+    }
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        Effect::potential_energy(self, t, body, state)
+    }
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        Effect::power(self, t, body, state)
+    }
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        Effect::torque_scale(self, body, state)
+    }
+    fn break_points(&self) -> Vec<f64> {
+        Effect::break_points(self)
+    }
+    fn narrowest(&self) -> Option<Feature> {
+        Effect::narrowest(self)
+    }
+    fn known(&self) -> Known {
+        Effect::known(self)
+    }
+    fn names(&self) -> Vec<&'static str> {
+        Effect::names(self)
+    }
+}
+
+/// An effect of which no more is known than whether it sees the axis only, and whether it
+/// is smooth.
+#[derive(Clone, Copy)]
+pub(crate) struct Erased<'e, const AXIS_ONLY: bool, const SMOOTH: bool>(pub &'e dyn AnyEffect);
+
+impl<const AXIS_ONLY: bool, const SMOOTH: bool> Effect for Erased<'_, AXIS_ONLY, SMOOTH> {
+    const NATURE: Nature = Nature {
+        axis_only: AXIS_ONLY,
+        on_rates: !AXIS_ONLY,
+        on_time: !AXIS_ONLY,
+        smooth: SMOOTH,
+        torque_free: false,
+        keeps: Keeps::NONE,
+    };
+
+    fn name(&self) -> &'static str {
+        "effects"
+    }
+
+    #[inline]
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.potential_energy(t, body, state)
+    }
+
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(body, state)
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        self.0.break_points()
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.0.narrowest()
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.0.names()
+    }
+}
