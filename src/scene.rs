@@ -48,6 +48,19 @@ pub enum Invariant {
     AxialMomentum,
 }
 
+impl Invariant {
+    /// What it is called, and its unit.
+    pub const fn name_and_unit(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Energy => ("energy", "J"),
+            Self::MomentumX => ("angular momentum about X", "kg m^2/s"),
+            Self::MomentumY => ("angular momentum about Y", "kg m^2/s"),
+            Self::MomentumZ => ("angular momentum about Z", "kg m^2/s"),
+            Self::AxialMomentum => ("angular momentum about the body's axis", "kg m^2/s"),
+        }
+    }
+}
+
 impl Scene<()> {
     /// A body on which nothing acts.
     pub const fn new(body: RigidBody) -> Self {

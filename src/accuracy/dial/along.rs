@@ -6,6 +6,7 @@ use super::{ExactMotion, Limits, Solved};
 use crate::body::State;
 use crate::effects::Effect;
 use crate::error::{Error, Result, finite};
+use crate::motion::{Kept, Motion};
 use crate::scene::Scene;
 
 /// Runs are compared at so many places at most, one for every so many radians that the
@@ -25,6 +26,7 @@ pub struct SolvedMotion<'s> {
     form: Form,
     onward: Onward<'s>,
     breaks: Vec<f64>,
+    kept: Vec<Kept>,
 }
 
 pub(super) enum Form {
@@ -48,15 +50,16 @@ impl<E: Effect> Scene<E> {
     /// # use rotation_dynamics::{accuracy::Limits, attitude::Attitude, body::RigidBody};
     /// # use rotation_dynamics::{effects::GravityAtLever, frame::BodyVector};
     /// # use rotation_dynamics::{inertia::PrincipalMoments, scene::Scene};
+    /// use rotation_dynamics::motion::Motion;
     /// # fn main() -> rotation_dynamics::Result<()> {
     /// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
     /// let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?);
     /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
     /// let motion = scene.solve_along(&start, 20.0, 1e-9, &Limits::default())?;
-    /// let there = motion.state(7.3)?;
+    /// let there = motion.try_state(7.3)?;
     /// let alone = scene.solve(&start, 7.3, 1e-12)?;
     /// assert!(there.attitude.angle_to(&alone.state.attitude) <= 1e-9);
-    /// assert!(motion.state(20.1).is_err());
+    /// assert!(motion.try_state(20.1).is_err());
     /// # Ok(())
     /// # }
     /// ```
@@ -83,6 +86,12 @@ impl<E: Effect> Scene<E> {
                 span: [limits.t_start, t_end],
             },
             breaks: given.breaks,
+            kept: (self.invariants())
+                .map(|invariant| {
+                    let (name, unit) = invariant.name_and_unit();
+                    Kept::new(name, unit, self.value(invariant, start))
+                })
+                .collect(),
         })
     }
 
@@ -107,7 +116,7 @@ impl<E: Effect> Scene<E> {
         };
         in_order(limits.t_start, times)?;
         let motion = self.solve_along(start, t_end, tolerance, limits)?;
-        times.iter().map(|t| motion.state(*t)).collect()
+        motion.try_states(times)
     }
 }
 
@@ -130,6 +139,28 @@ fn in_order(t_start: f64, times: &[f64]) -> Result<()> {
     Ok(())
 }
 
+impl Motion for SolvedMotion<'_> {
+    type State = State;
+
+    fn name(&self) -> &'static str {
+        self.solved.method
+    }
+
+    fn try_state(&self, t: f64) -> Result<State> {
+        self.found(t)
+    }
+
+    fn kept(&self) -> Vec<Kept> {
+        self.kept.clone()
+    }
+
+    /// The largest of the whole way.
+    fn condition(&self, t: f64) -> Result<f64> {
+        self.inside(t)?;
+        Ok(self.solved.condition)
+    }
+}
+
 impl SolvedMotion<'_> {
     /// What was solved: the state at the end, the method, estimates for the whole of the
     /// way, work.
@@ -142,11 +173,7 @@ impl SolvedMotion<'_> {
         self.onward.span
     }
 
-    /// The state at the time `t` (s).
-    ///
-    /// # Errors
-    /// A time that is not finite, or outside the span.
-    pub fn state(&self, t: f64) -> Result<State> {
+    fn inside(&self, t: f64) -> Result<()> {
         finite("time", t)?;
         let [from, to] = self.span();
         let (first, last) = (from.min(to), from.max(to));
@@ -157,6 +184,12 @@ impl SolvedMotion<'_> {
                 end: last,
             });
         }
+        Ok(())
+    }
+
+    fn found(&self, t: f64) -> Result<State> {
+        self.inside(t)?;
+        let [from, _] = self.span();
         match &self.form {
             Form::Still(state) => Ok(*state),
             Form::Exact(motion) => motion.at(t - from),

@@ -40,11 +40,11 @@ impl ExactMotion {
 
 fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     let rates = body.angular_velocity(start);
-    let motion = FreeBody::new(body.moments(), rates, start.attitude).ok()?;
+    let motion = FreeBody::new(body.moments(), start.attitude, rates).ok()?;
     let momentum = start.angular_momentum;
     Some(ExactMotion {
         name: "closed form of the free body",
-        at: Box::new(move |t| State::new(motion.attitude_at(t), momentum)),
+        at: Box::new(move |t| State::new(motion.attitude(t), momentum)),
     })
 }
 
@@ -66,8 +66,8 @@ fn heavy_top(
     Some(ExactMotion {
         name: "closed form of the heavy top",
         at: Box::new(move |t| {
-            let (attitude, rates) = motion.state(t);
-            body.state(attitude, rates)
+            let now = motion.kinematics(t);
+            body.state(now.attitude, now.angular_velocity)
         }),
     })
 }

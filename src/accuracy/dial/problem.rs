@@ -361,8 +361,8 @@ impl<'e, E: Effect> Problem<'e, E> {
                     *sum += (apart / by) * (apart / by);
                 }
             }
-            let late = self.body.angular_velocity(place).norm()
-                * self.t_end.abs().max(self.t_start.abs());
+            let late =
+                self.body.angular_velocity(place).norm() * self.t_end.abs().max(self.t_start.abs());
             let rows = changed.len() as f64;
             for (slope, sum) in slopes.iter_mut().zip(sum) {
                 *slope = larger(*slope, hypot((sum / rows).sqrt(), late));

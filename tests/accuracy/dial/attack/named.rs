@@ -15,8 +15,8 @@ fn turned(phi: f64, theta: f64, zeta: f64) -> Attitude {
     Attitude::from_euler(EulerAngles { phi, theta, zeta }).expect("angles")
 }
 
-/// A motion that doubles do not determine is refused at every tolerance, and where its
-/// beginning is asked for, that is granted and right.
+/// A motion that doubles do not determine is refused, or what is granted of it is right;
+/// where its beginning is asked for, that is granted.
 #[test]
 fn on_a_separatrix_nothing_is_promised() {
     let free = |moments: [f64; 3], attitude: Attitude, rates: [f64; 3]| {
@@ -41,6 +41,7 @@ fn on_a_separatrix_nothing_is_promised() {
     ] {
         let (body, start) = free(moments, attitude, rates);
         let scene = Scene::new(body);
+        let exact = truth::attitude(&body, 0.0, &start, t_end);
         for tolerance in [1e-1, 3e-3, 4e-5, 1e-10] {
             for stepped in [false, true] {
                 let solved = if stepped {
@@ -51,17 +52,22 @@ fn on_a_separatrix_nothing_is_promised() {
                 match solved {
                     Err(Error::BeyondCondition { attainable, .. }) => {
                         assert!(attainable > tolerance);
+                        refused += 1;
+                    }
+                    Ok(solved) => {
+                        let error = exact.angle_to(&solved.state.attitude);
+                        assert!(error <= tolerance, "{rates:?} {tolerance:e}: {error:e}");
                     }
                     other => panic!("{moments:?} {rates:?} {tolerance:e}: {other:?}"),
                 }
-                refused += 1;
             }
         }
         let early = scene.solve(&start, 10.0, 1e-9).expect("not yet");
         let exact = truth::attitude(&body, 0.0, &start, 10.0);
         assert!(exact.angle_to(&early.state.attitude) <= 1e-9);
     }
-    assert_eq!(refused, 24);
+    // The others are granted: one flip is over, and the next far away.
+    assert_eq!(refused, 16);
     // A top that swings up to the vertical, where it would stay.
     let gravity = GravityAtLever::new(1.0, 1.0).expect("gravity");
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5).expect("a body"));

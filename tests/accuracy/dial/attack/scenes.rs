@@ -133,11 +133,11 @@ fn along(
     let attitude = Attitude::from_euler(dice.attitude())?;
     let body = RigidBody::new(moments);
     let start = body.state(attitude, rates)?;
-    let free = FreeBody::new(moments, rates, attitude)?;
+    let free = FreeBody::new(moments, attitude, rates)?;
     Ok(Case {
         kind,
         text: format!("{moments:?} {rates:?} {t_end} {text}"),
-        exact: free.attitude_at(inner(t_end)),
+        exact: free.attitude(inner(t_end)),
         solve: Box::new(move |tolerance| solve(&body, &start, tolerance)),
     })
 }
@@ -343,7 +343,7 @@ fn long(dice: &mut Dice) -> Result<Case> {
     let t_end = core::f64::consts::TAU * dice.scale(100.0, 3000.0) / rates.norm();
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(attitude, rates)?;
-    let exact = FreeBody::new(moments, rates, attitude)?.attitude_at(t_end);
+    let exact = FreeBody::new(moments, attitude, rates)?.attitude(t_end);
     Ok(Case {
         kind: "long",
         text: format!("{moments:?} {rates:?} {t_end}"),
