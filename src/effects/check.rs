@@ -425,7 +425,12 @@ impl<'e> Checked<'e> {
         };
         let (before, after) = (moved(-dt)?, moved(dt)?);
         let found = torque.dot(&omega) + (after - before) / (2.0 * dt);
-        let off = (found - effect.power(t, body, state)).abs();
+        let power = if E::NATURE.keeps.energy {
+            0.0
+        } else {
+            effect.power(t, body, state)
+        };
+        let off = (found - power).abs();
         let rounding = 4.0 * EPS * before.abs().max(after.abs()) / dt;
         let allowed = POWER * self.largest.max(torque.norm()) * rate + rounding;
         let claim = if self.nature.keeps.energy {

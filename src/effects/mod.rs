@@ -9,6 +9,7 @@
 //! | effect | torque |
 //! |---|---|
 //! | [`GravityAtLever`] | the weight of a body held at a point of its axis |
+//! | [`GravityGradient`] | an attracting body's on a satellite, near side against far side |
 //! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
 //!
 //! Not for: contacts, which switch on and off ([`crate::planar`]).
@@ -17,6 +18,7 @@ mod check;
 mod closure;
 mod erased;
 mod gravity;
+mod gravity_gradient;
 mod nature;
 mod pair;
 
@@ -26,6 +28,7 @@ pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub(crate) use erased::{AnyEffect, Erased};
 pub use gravity::GravityAtLever;
+pub use gravity_gradient::GravityGradient;
 pub use nature::{Feature, Keeps, Known, Nature};
 
 use crate::attitude::Attitude;

@@ -2,5 +2,6 @@
 
 mod dial;
 mod drift;
+mod gravity_gradient;
 mod measures;
 mod sweep;

@@ -1,0 +1,251 @@
+//! The gravity gradient: point masses, claims, libration, Jacobi's integral.
+
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::Limits;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, GravityGradient, Keeps, Nature, check};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::math::sin;
+use rotation_dynamics::scene::Scene;
+use support::{Errors, assert_error};
+
+const N0: f64 = 1.1e-3;
+
+fn tilted_orbit() -> GravityGradient {
+    let (normal, towards) = (
+        SpaceVector::new(2.0, -1.0, 3.0),
+        SpaceVector::new(1.0, 5.0, 1.0),
+    );
+    GravityGradient::on_orbit(N0, normal, towards).expect("an orbit")
+}
+
+fn satellite() -> RigidBody {
+    RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0).expect("a body"))
+}
+
+fn tumbling(body: &RigidBody) -> State {
+    let angles = EulerAngles {
+        phi: 0.4,
+        theta: 1.1,
+        zeta: -0.7,
+    };
+    let attitude = Attitude::from_euler(angles).expect("angles");
+    body.state(attitude, BodyVector::new(0.7 * N0, -1.3 * N0, 2.1 * N0))
+        .expect("a state")
+}
+
+/// Six masses on the body's axes, each attracted by the inverse square of its own distance:
+/// the torque of all, against that of the formula times `sign`, as a part of its scale.
+fn against_point_masses(size: f64, sign: f64) -> Errors {
+    let gradient = tilted_orbit();
+    let (distance, mass) = (7e6, 2.0);
+    let arms = [1.0, 0.6, 0.3].map(|part| part * size * distance);
+    let [a, b, c] = arms.map(|arm| 2.0 * mass * arm * arm);
+    let body = RigidBody::new(PrincipalMoments::new(b + c, a + c, a + b).expect("a body"));
+    let strength = N0 * N0 * distance * distance * distance;
+    let mut errors = Errors::of("torque against point masses");
+    for i in 0..40 {
+        let t = 333.0 * f64::from(i);
+        let angles = EulerAngles {
+            phi: 0.7 * f64::from(i),
+            theta: 0.08 * f64::from(i),
+            zeta: -0.3 * f64::from(i),
+        };
+        let state = State {
+            attitude: Attitude::from_euler(angles).expect("angles"),
+            angular_momentum: SpaceVector::zero(),
+        };
+        let attracting = gradient.direction(t) * distance;
+        let mut torque = SpaceVector::zero();
+        for axis in 0..3 {
+            for arm in [arms[axis], -arms[axis]] {
+                let mut place = [0.0; 3];
+                place[axis] = arm;
+                let place = state.attitude.to_space(BodyVector::from_array(place));
+                let way = attracting - place;
+                let force = way * (strength * mass / (way.norm() * way.dot(&way)));
+                torque += place.cross(&force);
+            }
+        }
+        let formula = gradient.torque(t, &body, &state) * sign;
+        errors.push((torque - formula).norm() / gradient.torque_scale(&body, &state));
+    }
+    errors
+}
+
+#[test]
+fn it_is_what_point_masses_feel() {
+    // The next term that an even body has: a hundredth where the size is a tenth.
+    against_point_masses(1e-2, 1.0).attain(1.9e-4..=2.0e-4, 40);
+    against_point_masses(1e-3, 1.0).attain(1.9e-6..=2.0e-6, 40);
+    // Turned round, even where the torque is short.
+    against_point_masses(1e-3, -1.0).exceed(1e-2, 40);
+}
+
+/// It claims what the gradient claims, but for what is damaged.
+struct Twin<const DAMAGE: u8>(GravityGradient);
+const WRONG_SIGN: u8 = 0;
+const POWER_FORGOTTEN: u8 = 1;
+const KEEPS_ENERGY: u8 = 2;
+const NO_TIME: u8 = 3;
+
+impl<const DAMAGE: u8> Effect for Twin<DAMAGE> {
+    const NATURE: Nature = Nature {
+        on_time: DAMAGE != NO_TIME,
+        keeps: Keeps {
+            energy: DAMAGE == KEEPS_ENERGY,
+            ..Keeps::NONE
+        },
+        ..GravityGradient::<false>::NATURE
+    };
+    fn name(&self) -> &'static str {
+        "twin"
+    }
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        let sign = if DAMAGE == WRONG_SIGN { -1.0 } else { 1.0 };
+        sign * self.0.potential_energy(t, body, state)
+    }
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        if DAMAGE == POWER_FORGOTTEN {
+            return 0.0;
+        }
+        self.0.power(t, body, state)
+    }
+}
+
+#[test]
+fn its_claims_hold_and_damaged_ones_do_not() {
+    let span = [0.0, 20_000.0];
+    let bodies = [
+        PrincipalMoments::new(20.0, 90.0, 100.0),
+        PrincipalMoments::new(100.0, 20.0, 90.0),
+        PrincipalMoments::symmetric(3.0, 1.0),
+        PrincipalMoments::symmetric(1.0, 1.0),
+    ];
+    let mut ran = 0;
+    for moments in bodies {
+        let body = RigidBody::new(moments.expect("a body"));
+        let state = tumbling(&body);
+        check(&tilted_orbit(), &body, span, &state).expect("on an orbit");
+        let towards = SpaceVector::new(1.0, -2.0, 0.5);
+        let fixed = GravityGradient::fixed(N0, towards).expect("a direction");
+        check(&fixed, &body, span, &state).expect("fixed");
+        ran += 2;
+    }
+    assert_eq!(ran, 8);
+    let (body, orbit) = (satellite(), tilted_orbit());
+    let state = tumbling(&body);
+    let told = |checked: Result<()>| checked.expect_err("damaged").to_string();
+    let power = "says at what power it changes the energy";
+    assert!(told(check(&Twin::<WRONG_SIGN>(orbit), &body, span, &state)).contains(power));
+    assert!(told(check(&Twin::<POWER_FORGOTTEN>(orbit), &body, span, &state)).contains(power));
+    let keeps = told(check(&Twin::<KEEPS_ENERGY>(orbit), &body, span, &state));
+    assert!(keeps.contains("says that it keeps the energy"), "{keeps}");
+    let time = told(check(&Twin::<NO_TIME>(orbit), &body, span, &state));
+    assert!(time.contains("does not depend on the time"), "{time}");
+}
+
+/// The pitch (rad) after a quarter of the period of small librations, over that at the start.
+fn quarter(amplitude: f64, factor: f64) -> f64 {
+    let (normal, down) = (
+        SpaceVector::new(0.0, 0.0, 1.0),
+        SpaceVector::new(1.0, 0.0, 0.0),
+    );
+    let gradient = GravityGradient::on_orbit(N0, normal, down).expect("an orbit");
+    let body = satellite();
+    let [a, b, c] = body.moments().to_array();
+    let frequency = (factor * (b - a) / c).sqrt() * N0;
+    let t = core::f64::consts::FRAC_PI_2 / frequency;
+    let attitude = Attitude::about_space_axis(normal, amplitude).expect("an axis");
+    let start = (body.state(attitude, BodyVector::new(0.0, 0.0, N0))).expect("a state");
+    let end = (Scene::new(body).with(gradient).solve(&start, t, 1e-10)).expect("solved");
+    let round = Attitude::about_space_axis(normal, N0 * t).expect("an axis");
+    let pitch = end.state.attitude.then(&round.inverse());
+    pitch.rotation_vector().z() / amplitude
+}
+
+/// Pitch librates at sqrt(3 (B - A)/C) n0 (Hughes 9.3).
+#[test]
+fn it_librates() {
+    // What the amplitude adds to the period: pi/8 of its square, 3.9e-5 at 0.01.
+    assert_error!(quarter(1e-2, 3.0), 3.9e-5);
+    assert_error!(quarter(1e-3, 3.0), 3.9e-7);
+    // Without the force's own change along the orbit, as on a string: 2 for 3.
+    assert!(quarter(1e-3, 2.0).abs() > 0.3);
+}
+
+/// The energy in the axes that turn with the orbit, E - n0 . L, is kept; the energy is not.
+#[test]
+fn jacobis_integral_is_kept() {
+    let (body, gradient) = (satellite(), tilted_orbit());
+    let normal = gradient.direction(0.0).cross(&gradient.direction(0.5 / N0)) / sin(0.5);
+    let scene = Scene::new(body).with(gradient);
+    let start = tumbling(&body);
+    let day = 86_400.0;
+    let motion = (scene.solve_along(&start, day, 1e-9, &Limits::default())).expect("solved");
+    let energy = |t: f64| scene.energy_at(t, &motion.state(t).expect("a state"));
+    let jacobi = |t: f64| {
+        let state = motion.state(t).expect("a state");
+        energy(t) - N0 * normal.dot(&state.angular_momentum)
+    };
+    let mut kept = Errors::of("Jacobi's integral");
+    let mut lost: f64 = 0.0;
+    for i in 1..=50 {
+        let t = day * f64::from(i) / 50.0;
+        kept.add(jacobi(t), jacobi(0.0), energy(0.0));
+        lost = lost.max((energy(t) / energy(0.0) - 1.0).abs());
+    }
+    kept.attain(4.6e-15..=4.7e-15, 50);
+    assert!(lost > 0.1, "{lost:e}");
+    // The power is what the energy changes by.
+    let (t, h) = (12_345.0, 2.0);
+    let slope = (8.0 * (energy(t + h) - energy(t - h))
+        - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
+        / (12.0 * h);
+    let power = scene.power(t, &motion.state(t).expect("a state"));
+    assert_error!(slope, power, 1e-9);
+}
+
+/// In a fixed direction the energy is kept, and L about that direction.
+#[test]
+fn a_fixed_direction_keeps_the_energy() {
+    let body = satellite();
+    let towards = SpaceVector::new(0.6, 0.0, 0.8);
+    let scene = Scene::new(body).with(GravityGradient::fixed(N0, towards).expect("a direction"));
+    let start = tumbling(&body);
+    let end = scene.solve(&start, 20_000.0, 1e-10).expect("solved").state;
+    assert_error!(scene.energy(&end), scene.energy(&start), 7.2e-15);
+    let about = |state: &State| state.angular_momentum.dot(&towards);
+    assert_error!(about(&end), about(&start), 1e-12);
+    assert!((end.angular_momentum - start.angular_momentum).norm() > 0.1 * about(&start).abs());
+}
+
+#[test]
+fn bad_input() {
+    let (x, z) = (
+        SpaceVector::new(1.0, 0.0, 0.0),
+        SpaceVector::new(0.0, 0.0, 1.0),
+    );
+    let refused = |n0, normal, towards| {
+        let refused = GravityGradient::on_orbit(n0, normal, towards).expect_err("refused");
+        refused.to_string()
+    };
+    assert_eq!(
+        refused(0.0, z, x),
+        "mean motion = 0 is not allowed: it must be greater than 0"
+    );
+    assert_eq!(
+        refused(f64::NAN, z, x),
+        "mean motion = NaN is not a finite number"
+    );
+    assert!(refused(1e200, z, x).contains("mean motion squared = inf"));
+    assert!(refused(N0, SpaceVector::zero(), x).contains("length of a direction = 0"));
+    assert!(refused(N0, z, x * f64::INFINITY).contains("towards, X = inf"));
+    assert!(refused(N0, z, x + z).contains("0: the attracting body lies in the plane"));
+    assert!(GravityGradient::fixed(-1.0, x).is_err());
+}
