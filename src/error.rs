@@ -51,6 +51,8 @@ pub enum Error {
     },
     /// Effects that see more than the body's axis, where only the axis is carried.
     SeesMore { effects: String },
+    /// Effects that turn the body beyond I^-1 L, where only that is carried.
+    Slips { effects: String },
     /// A scene in which gravity stands twice.
     TwoGravities { effects: String },
     /// A list of times, or the like, in which one does not come after the one before it.
@@ -260,6 +262,11 @@ impl fmt::Display for Error {
                 f,
                 "splittings, and variables other than those in space, see the body's axis only: \
                  an effect that sees more ({effects}) is not allowed there"
+            ),
+            Self::Slips { effects } => write!(
+                f,
+                "a method that steps the angular velocity turns the body by that alone: an effect \
+                 that turns it further ({effects}) is not allowed there"
             ),
             Self::TwoGravities { effects } => write!(
                 f,

@@ -7,7 +7,10 @@
 
 use crate::body::{RigidBody, State};
 use crate::effects::{Effect, Keeps};
-use crate::frame::SpaceVector;
+use crate::frame::{BodyVector, SpaceVector};
+
+/// The angle (rad) over which a potential is differentiated along a slip.
+const SLIPPED: f64 = 1e-5;
 
 /// A body and the effects that act on it.
 ///
@@ -95,6 +98,18 @@ impl<E: Effect> Scene<E> {
         self.effects.torque(t, &self.body, state)
     }
 
+    /// The angular velocity of the body's axes, on those axes (rad/s): I^-1 R^T L, and what
+    /// effects that slip add to it ([`Effect::slip`]).
+    #[inline(always)]
+    pub fn angular_velocity(&self, t: f64, state: &State) -> BodyVector {
+        let omega = self.body.angular_velocity(state);
+        if !E::NATURE.slips {
+            return omega;
+        }
+        let slip = self.effects.slip(t, &self.body, state);
+        omega + state.attitude.to_body(slip)
+    }
+
     /// Kinetic plus potential energy at the time `t` (J).
     #[inline]
     pub fn energy_at(&self, t: f64, state: &State) -> f64 {
@@ -102,8 +117,27 @@ impl<E: Effect> Scene<E> {
     }
 
     /// The rate at which the effects change that energy (W).
+    ///
+    /// Of a body that slips through a potential that part is differenced, to 1e-10 of it.
     pub fn power(&self, t: f64, state: &State) -> f64 {
-        self.effects.power(t, &self.body, state)
+        let power = self.effects.power(t, &self.body, state);
+        if !E::NATURE.slips {
+            return power;
+        }
+        let slip = self.effects.slip(t, &self.body, state);
+        let rate = slip.norm();
+        if rate == 0.0 {
+            return power;
+        }
+        let dt = SLIPPED / rate;
+        let potential = |by: f64| {
+            let turned = state.attitude.turned_in_space(slip * by);
+            turned.map_or(f64::NAN, |attitude| {
+                let state = State { attitude, ..*state };
+                self.effects.potential_energy(t, &self.body, &state)
+            })
+        };
+        power + (potential(dt) - potential(-dt)) / (2.0 * dt)
     }
 
     /// Kinetic plus potential energy (J), of potentials that do not depend on the time; of

@@ -233,10 +233,21 @@ impl<'e> Checked<'e> {
         self.held(above, t, scale, SCALE_ABOVE * self.largest)
     }
 
+    /// What changes L on the body's axes, beside their turning by I^-1 L: the torque, and
+    /// L x slip.
+    fn acting(&self, t: f64, state: &State) -> SpaceVector {
+        let torque = self.effect.torque(t, &self.body, state);
+        if !self.nature.slips {
+            return torque;
+        }
+        let slip = self.effect.slip(t, &self.body, state);
+        torque + state.angular_momentum.cross(&slip)
+    }
+
     /// A torque that is called smooth has no jump: not in time between its break points,
     /// not while the body is turned about its axes or slows down and turns back.
     fn smooth(&self) -> Result<()> {
-        let (effect, body, start) = (self.effect, &self.body, &self.start);
+        let (effect, start) = (self.effect, &self.start);
         if !self.nature.smooth {
             return Ok(());
         }
@@ -249,7 +260,7 @@ impl<'e> Checked<'e> {
             ends.sort_by(f64::total_cmp);
             for piece in ends.windows(2) {
                 let piece = [piece[0].next_up(), piece[1].next_down()];
-                self.no_jump(piece, |t| Ok(effect.torque(t, body, start)))?;
+                self.no_jump(piece, |t| Ok(self.acting(t, start)))?;
             }
         }
         for axis in 0..3 {
@@ -258,7 +269,7 @@ impl<'e> Checked<'e> {
             let about = BodyVector::from_array(about);
             self.no_jump([0.0, core::f64::consts::TAU], |angle| {
                 let attitude = start.attitude.turned_in_body(about * angle)?;
-                Ok(effect.torque(from, body, &State { attitude, ..*start }))
+                Ok(self.acting(from, &State { attitude, ..*start }))
             })?;
         }
         if self.nature.on_rates {
@@ -268,7 +279,7 @@ impl<'e> Checked<'e> {
                     angular_momentum,
                     ..*start
                 };
-                Ok(effect.torque(from, body, &state))
+                Ok(self.acting(from, &state))
             })?;
         }
         Ok(())
@@ -304,7 +315,12 @@ impl<'e> Checked<'e> {
         }
         // A smooth torque would have come 2^40 times nearer; rounding leaves a little.
         let left = (high - low).norm();
-        let allowed = (1e-3 * first).max(ROUNDING * self.largest);
+        let mut size = self.largest;
+        if self.nature.slips {
+            let rate = self.body.angular_velocity(&self.start).norm();
+            size = size.max(self.start.angular_momentum.norm() * rate);
+        }
+        let allowed = (1e-3 * first).max(ROUNDING * size);
         self.held(
             "that it is smooth between its break points",
             a,
@@ -347,6 +363,7 @@ impl<'e> Checked<'e> {
         };
         let [from, to] = self.span;
         let later = t + 0.381_966 * (to - from);
+        self.slip(t, state, later, &pushed)?;
         let rates = "that it does not depend on how the body turns";
         let time = "that it does not depend on the time";
         if !nature.on_rates {
@@ -395,6 +412,36 @@ impl<'e> Checked<'e> {
         self.power(t, state, torque)
     }
 
+    /// What turns the body beyond I^-1 L is said, and does what is claimed.
+    fn slip(&self, t: f64, state: &State, later: f64, pushed: &State) -> Result<()> {
+        let (effect, body, nature) = (self.effect, &self.body, self.nature);
+        let slip = effect.slip(t, body, state);
+        if !nature.slips {
+            let claim = "that nothing but its torque acts (slips: false)";
+            return self.held(claim, t, slip.norm(), 0.0);
+        }
+        let claim = "that it slips and that only a torque on the axis acts, or none";
+        let both = nature.axis_only || nature.torque_free;
+        self.held(claim, t, f64::from(u8::from(both)), 0.0)?;
+        let slack = ROUNDING * slip.norm();
+        let off = |other: SpaceVector| (other - slip).norm();
+        if !nature.on_rates {
+            let claim = "that its slip does not depend on how the body turns";
+            self.held(claim, t, off(effect.slip(t, body, pushed)), slack)?;
+        }
+        if !nature.on_time {
+            let claim = "that its slip does not depend on the time";
+            self.held(claim, t, off(effect.slip(later, body, state)), slack)?;
+        }
+        if nature.keeps.axial_momentum {
+            let claim = "that its slip leaves L_z alone";
+            let rate = state.angular_momentum.cross(&slip);
+            let slack = slack * state.angular_momentum.norm();
+            self.held(claim, t, rate.dot(&state.attitude.axis()).abs(), slack)?;
+        }
+        Ok(())
+    }
+
     /// The closed form's torque is the effect's.
     fn known(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let claimed = match self.effect.known() {
@@ -406,8 +453,8 @@ impl<'e> Checked<'e> {
         self.held(claim, t, (torque - claimed).norm(), slack)
     }
 
-    /// Torque . omega changes the kinetic energy: with the change of the potential along
-    /// the motion it must give the power.
+    /// Torque . omega, with (L x slip) . omega, changes the kinetic energy: with the change
+    /// of the potential as the body turns by omega it must give the power.
     fn power(&self, t: f64, state: &State, torque: SpaceVector) -> Result<()> {
         let (effect, body) = (self.effect, &self.body);
         let omega = state.attitude.to_space(body.angular_velocity(state));
@@ -415,6 +462,7 @@ impl<'e> Checked<'e> {
         if rate == 0.0 {
             return Ok(());
         }
+        let acting = self.acting(t, state);
         let dt = STEP / rate;
         let moved = |by: f64| -> Result<f64> {
             let state = State {
@@ -424,15 +472,16 @@ impl<'e> Checked<'e> {
             Ok(effect.potential_energy(t + by, body, &state))
         };
         let (before, after) = (moved(-dt)?, moved(dt)?);
-        let found = torque.dot(&omega) + (after - before) / (2.0 * dt);
-        let power = if E::NATURE.keeps.energy {
+        let found = acting.dot(&omega) + (after - before) / (2.0 * dt);
+        let power = if self.nature.keeps.energy {
             0.0
         } else {
             effect.power(t, body, state)
         };
         let off = (found - power).abs();
         let rounding = 4.0 * EPS * before.abs().max(after.abs()) / dt;
-        let allowed = POWER * self.largest.max(torque.norm()) * rate + rounding;
+        let size = self.largest.max(torque.norm()).max(acting.norm());
+        let allowed = POWER * size * rate + rounding;
         let claim = if self.nature.keeps.energy {
             "that it keeps the energy"
         } else {

@@ -9,6 +9,7 @@ pub(crate) trait AnyEffect {
     fn nature(&self) -> Nature;
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3];
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn torque_scale(&self, body: &RigidBody, state: &State) -> f64;
@@ -27,6 +28,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
         self.torques_on_axis(body, axis)
+    }
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        Effect::slip(self, t, body, state)
     }
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         Effect::potential_energy(self, t, body, state)
@@ -51,17 +55,18 @@ impl<E: Effect> AnyEffect for E {
     }
 }
 
-/// An effect of which no more is known than whether it sees the axis only, and whether it
-/// is smooth.
+/// An effect of which no more is known than whether it sees the axis only, whether it is
+/// smooth, and whether the body may slip.
 #[derive(Clone, Copy)]
-pub(crate) struct Erased<'e, const AXIS_ONLY: bool, const SMOOTH: bool>(pub &'e dyn AnyEffect);
+pub(crate) struct Erased<'e, const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool>(pub &'e dyn AnyEffect);
 
-impl<const AXIS_ONLY: bool, const SMOOTH: bool> Effect for Erased<'_, AXIS_ONLY, SMOOTH> {
+impl<const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool> Effect for Erased<'_, AXIS_ONLY, SMOOTH, SLIPS> {
     const NATURE: Nature = Nature {
         axis_only: AXIS_ONLY,
         on_rates: !AXIS_ONLY,
         on_time: !AXIS_ONLY,
         smooth: SMOOTH,
+        slips: SLIPS,
         torque_free: false,
         keeps: Keeps::NONE,
     };
@@ -73,6 +78,11 @@ impl<const AXIS_ONLY: bool, const SMOOTH: bool> Effect for Erased<'_, AXIS_ONLY,
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         self.0.torque(t, body, state)
+    }
+
+    #[inline]
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.slip(t, body, state)
     }
 
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {

@@ -9,6 +9,7 @@
 //! | effect | torque |
 //! |---|---|
 //! | [`GravityAtLever`] | the weight of a body held at a point of its axis |
+//! | [`InternalDissipation`] | none: the axes drift at constant L, and energy is lost |
 //! | [`GravityGradient`] | an attracting body's on a satellite, near side against far side |
 //! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
 //!
@@ -19,6 +20,7 @@ mod closure;
 mod erased;
 mod gravity;
 mod gravity_gradient;
+mod internal_dissipation;
 mod nature;
 mod pair;
 
@@ -29,6 +31,7 @@ pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub(crate) use erased::{AnyEffect, Erased};
 pub use gravity::GravityAtLever;
 pub use gravity_gradient::GravityGradient;
+pub use internal_dissipation::InternalDissipation;
 pub use nature::{Feature, Keeps, Known, Nature};
 
 use crate::attitude::Attitude;
@@ -101,20 +104,35 @@ pub trait Effect {
         one_by_one(self, body, axis)
     }
 
+    /// The angular velocity, on the fixed axes (rad/s), that the body's axes have beyond
+    /// I^-1 L: of a body that is not quite rigid. Asked for only of effects whose nature
+    /// says that they slip ([`Nature::slips`]).
+    #[inline(always)]
+    fn slip(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
+        SpaceVector::zero()
+    }
+
     /// The potential energy U (J); 0 for an effect that has none.
     fn potential_energy(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }
 
     /// The rate at which the effect changes kinetic plus potential energy (W): 0 for one
-    /// that keeps the energy, torque . omega for one without a potential. An effect whose
-    /// potential depends on the time gives its own.
+    /// that keeps the energy, torque . omega for one without a potential (and omega . (L x
+    /// slip) for one that slips). An effect whose potential depends on the time gives its own.
+    /// Where the body slips, too, through a potential, [`Scene::power`](crate::scene::Scene::power)
+    /// adds what that makes.
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         if Self::NATURE.keeps.energy {
             return 0.0;
         }
         let omega = state.attitude.to_space(body.angular_velocity(state));
-        self.torque(t, body, state).dot(&omega)
+        let torque = self.torque(t, body, state);
+        if Self::NATURE.slips {
+            let slip = self.slip(t, body, state);
+            return (torque + state.angular_momentum.cross(&slip)).dot(&omega);
+        }
+        torque.dot(&omega)
     }
 
     /// A bound on the length of the torque (N m), or an estimate of its usual size: the

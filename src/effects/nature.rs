@@ -61,6 +61,9 @@ pub struct Nature {
     /// function of time and state. Then methods of high order with equal steps apply;
     /// otherwise DOP853 alone is trusted, which shortens its steps where something jumps.
     pub smooth: bool,
+    /// The effect turns the body beyond I^-1 L, by its [`slip`](super::Effect::slip). Without
+    /// this the slip is not asked for; an effect that has one and does not say so is refused.
+    pub slips: bool,
     /// What the effect leaves alone.
     pub keeps: Keeps,
 }
@@ -73,16 +76,18 @@ impl Nature {
         on_rates: false,
         on_time: false,
         smooth: true,
+        slips: false,
         keeps: Keeps::ALL,
     };
 
-    /// No claim: true of every torque.
+    /// No claim: true of every effect that is a torque and nothing else.
     pub const ANYTHING: Self = Self {
         torque_free: false,
         axis_only: false,
         on_rates: true,
         on_time: true,
         smooth: false,
+        slips: false,
         keeps: Keeps::NONE,
     };
 
@@ -94,6 +99,7 @@ impl Nature {
             on_rates: self.on_rates || other.on_rates,
             on_time: self.on_time || other.on_time,
             smooth: self.smooth && other.smooth,
+            slips: self.slips || other.slips,
             keeps: self.keeps.and(other.keeps),
         }
     }

@@ -61,6 +61,16 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         [a + d, b + e, c + f]
     }
 
+    #[inline(always)]
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        match (A::NATURE.slips, B::NATURE.slips) {
+            (false, false) => SpaceVector::zero(),
+            (true, false) => self.0.slip(t, body, state),
+            (false, true) => self.1.slip(t, body, state),
+            (true, true) => self.0.slip(t, body, state) + self.1.slip(t, body, state),
+        }
+    }
+
     #[inline]
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         self.0.potential_energy(t, body, state) + self.1.potential_energy(t, body, state)

@@ -9,7 +9,7 @@ use super::{Integrator, Work, ode::check_span};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::State;
 use crate::effects::Effect;
-use crate::error::{Result, finite};
+use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
 use crate::scene::Scene;
 
@@ -99,6 +99,16 @@ fn euler_work(steps: u64) -> Work {
     }
 }
 
+/// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.
+fn rigid<E: Effect>(scene: &Scene<E>) -> Result<()> {
+    if E::NATURE.slips {
+        return Err(Error::Slips {
+            effects: scene.effects().names().join(", "),
+        });
+    }
+    Ok(())
+}
+
 impl<E: Effect> Integrator<Scene<E>, State> for EulerOnAngles {
     fn advance(
         &self,
@@ -108,6 +118,7 @@ impl<E: Effect> Integrator<Scene<E>, State> for EulerOnAngles {
         t_end: f64,
     ) -> Result<(State, Work)> {
         check_span(t, &components(start), t_end)?;
+        rigid(scene)?;
         if t == t_end {
             return Ok((*start, Work::default()));
         }
@@ -140,6 +151,7 @@ impl<E: Effect> Integrator<Scene<E>, State> for SemiImplicitEuler {
         t_end: f64,
     ) -> Result<(State, Work)> {
         check_span(t, &components(start), t_end)?;
+        rigid(scene)?;
         if t == t_end {
             return Ok((*start, Work::default()));
         }

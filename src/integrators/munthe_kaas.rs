@@ -115,9 +115,7 @@ impl<E: Effect> Integrator<Scene<E>, State> for MuntheKaas4 {
                     attitude: Attitude::from_unit(sum(q.value, turning(theta, q.value))),
                     angular_momentum: SpaceVector::new(x + lx, y + ly, z + lz),
                 };
-                let omega = stage
-                    .attitude
-                    .to_space(scene.body().angular_velocity(&stage));
+                let omega = stage.attitude.to_space(scene.angular_velocity(at, &stage));
                 let [a, b, c] = rotation_vector_rate(theta, omega).to_array();
                 let [tx, ty, tz] = scene.torque(at, &stage).to_array();
                 k[i] = finite_derivative(at, &components(&stage), [a, b, c, tx, ty, tz, 0.0])

@@ -7,6 +7,8 @@
 //! q' = q (0, omega) / 2,   omega = I^-1 R^T L,   L' = torque(t, q, L).
 //! ```
 //!
+//! (with what effects add to omega that slip, [`Scene::angular_velocity`]).
+//!
 //! *The length of q.* The derivative is that of q/|q|, times |q|: it is
 //! homogeneous of degree one. So |q| has no influence on the motion, is not
 //! corrected on the way (which would break steps and interpolants), and is
@@ -44,7 +46,7 @@ impl<E: Effect> Ode<7> for Scene<E> {
             attitude: Attitude::from_unit([w / norm, x / norm, y / norm, z / norm]),
             angular_momentum: SpaceVector::new(lx, ly, lz),
         };
-        let [p, q, r] = self.body().angular_velocity(&state).to_array();
+        let [p, q, r] = self.angular_velocity(t, &state).to_array();
         let [tx, ty, tz] = self.torque(t, &state).to_array();
         [
             0.5 * (-x * p - y * q - z * r),

@@ -3,5 +3,6 @@
 mod dial;
 mod drift;
 mod gravity_gradient;
+mod internal_dissipation;
 mod measures;
 mod sweep;

@@ -117,12 +117,15 @@ impl<'s> Given<'s> {
             Known::Free => by.of(&self.problem(&(), &asked)),
             Known::HeavyTop(gravity) => by.of(&self.problem(&gravity, &asked)),
             Known::No if nature.axis_only && nature.smooth => {
-                by.of(&self.problem(&Erased::<true, true>(self.effects), &asked))
+                by.of(&self.problem(&Erased::<true, true, false>(self.effects), &asked))
+            }
+            Known::No if nature.smooth && nature.slips => {
+                by.of(&self.problem(&Erased::<false, true, true>(self.effects), &asked))
             }
             Known::No if nature.smooth => {
-                by.of(&self.problem(&Erased::<false, true>(self.effects), &asked))
+                by.of(&self.problem(&Erased::<false, true, false>(self.effects), &asked))
             }
-            Known::No => by.of(&self.problem(&Erased::<false, false>(self.effects), &asked)),
+            Known::No => by.of(&self.problem(&Erased::<false, false, true>(self.effects), &asked)),
         }
     }
 }
@@ -169,15 +172,19 @@ impl Onward<'_> {
             Known::Free => method.run(&given.problem(&(), &asked), span, start, fine),
             Known::HeavyTop(g) => method.run(&given.problem(&g, &asked), span, start, fine),
             Known::No if nature.axis_only && nature.smooth => {
-                let effects = Erased::<true, true>(self.effects);
+                let effects = Erased::<true, true, false>(self.effects);
+                method.run(&given.problem(&effects, &asked), span, start, fine)
+            }
+            Known::No if nature.smooth && nature.slips => {
+                let effects = Erased::<false, true, true>(self.effects);
                 method.run(&given.problem(&effects, &asked), span, start, fine)
             }
             Known::No if nature.smooth => {
-                let effects = Erased::<false, true>(self.effects);
+                let effects = Erased::<false, true, false>(self.effects);
                 method.run(&given.problem(&effects, &asked), span, start, fine)
             }
             Known::No => {
-                let effects = Erased::<false, false>(self.effects);
+                let effects = Erased::<false, false, true>(self.effects);
                 method.run(&given.problem(&effects, &asked), span, start, fine)
             }
         };

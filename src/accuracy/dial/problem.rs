@@ -76,6 +76,12 @@ impl<E: Effect> Effect for Strengthened<'_, E> {
     }
 
     #[inline]
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        let t = t.max(self.piece[0]).min(self.piece[1]);
+        self.effects.slip(t, body, state) * self.strength
+    }
+
+    #[inline]
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         self.effects.potential_energy(t, body, state) * self.strength
     }

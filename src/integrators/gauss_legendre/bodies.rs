@@ -46,9 +46,15 @@ impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
         let square = (w * w + x * x) + (y * y + z * z);
         let by = L::of(1.0) / square.sqrt();
         let unit = [w * by, x * by, y * by, z * by];
-        let [a, b, c] = self.torques(t, unit, [lx, ly, lz]);
+        let torque = |t, state: &State| self.scene.torque(t, state);
+        let [a, b, c] = one_by_one(t, unit, [lx, ly, lz], torque);
         let l = turned_back(unit, [lx, ly, lz]);
-        let [p, q, r] = rates_of(&self.inverse, l);
+        let [mut p, mut q, mut r] = rates_of(&self.inverse, l);
+        if E::NATURE.slips {
+            let slip = |t, state: &State| self.scene.effects().slip(t, self.scene.body(), state);
+            let slip = turned_back(unit, one_by_one(t, unit, [lx, ly, lz], slip));
+            (p, q, r) = (p + slip[0], q + slip[1], r + slip[2]);
+        }
         let (p, q, r) = (p * 0.5, q * 0.5, r * 0.5);
         [
             -(x * p + y * q + z * r),
@@ -66,35 +72,34 @@ impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
     }
 }
 
-impl<E: Effect> SideBySide<'_, E> {
-    /// The torque at each time and state, one after the other.
-    #[inline(always)]
-    fn torques<L: Lane>(&self, t: L, q: [L; 4], l: [L; 3]) -> [L; 3] {
-        let mut times = [0.0; WIDEST];
-        t.store(&mut times);
-        let (mut turned, mut momenta) = ([[0.0; WIDEST]; 4], [[0.0; WIDEST]; 3]);
-        for (from, to) in q.iter().zip(&mut turned) {
-            from.store(to);
-        }
-        for (from, to) in l.iter().zip(&mut momenta) {
-            from.store(to);
-        }
-        let ([w, x, y, z], [lx, ly, lz]) = (&turned, &momenta);
-        let mut torques = [[0.0; WIDEST]; 3];
-        for i in 0..L::WIDTH {
-            let state = State {
-                attitude: Attitude::from_unit([w[i], x[i], y[i], z[i]]),
-                angular_momentum: SpaceVector::new(lx[i], ly[i], lz[i]),
-            };
-            let torque = self.scene.torque(times[i], &state);
-            (torques[0][i], torques[1][i], torques[2][i]) = (torque.x(), torque.y(), torque.z());
-        }
-        [
-            L::load(&torques[0]),
-            L::load(&torques[1]),
-            L::load(&torques[2]),
-        ]
+/// A vector at each time and state, one after the other.
+#[inline(always)]
+fn one_by_one<L: Lane>(
+    t: L,
+    q: [L; 4],
+    l: [L; 3],
+    vector: impl Fn(f64, &State) -> SpaceVector,
+) -> [L; 3] {
+    let mut times = [0.0; WIDEST];
+    t.store(&mut times);
+    let (mut turned, mut momenta) = ([[0.0; WIDEST]; 4], [[0.0; WIDEST]; 3]);
+    for (from, to) in q.iter().zip(&mut turned) {
+        from.store(to);
     }
+    for (from, to) in l.iter().zip(&mut momenta) {
+        from.store(to);
+    }
+    let ([w, x, y, z], [lx, ly, lz]) = (&turned, &momenta);
+    let mut vectors = [[0.0; WIDEST]; 3];
+    for i in 0..L::WIDTH {
+        let state = State {
+            attitude: Attitude::from_unit([w[i], x[i], y[i], z[i]]),
+            angular_momentum: SpaceVector::new(lx[i], ly[i], lz[i]),
+        };
+        let [a, b, c] = vector(times[i], &state).to_array();
+        (vectors[0][i], vectors[1][i], vectors[2][i]) = (a, b, c);
+    }
+    vectors.map(|components| L::load(&components))
 }
 
 /// R^T v of the unit quaternion q.
