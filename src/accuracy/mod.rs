@@ -7,6 +7,7 @@
 //! | [`Errors`] | how far a state is from the exact one, measured in five ways |
 //! | [`Sweep`] | a method run coarser and finer: what each run cost and delivered |
 //! | [`dial`] | [`Scene::solve`](crate::scene::Scene::solve): an error asked for at the end, delivered or refused |
+//! | [`CalledFor`] | which effects a scene calls for: the predicted error of leaving each out |
 //! | [`WorkPrecision`] | such runs in one measure: least work, price of a digit, floor, Pareto front |
 //!
 //! Not for: the exact solutions that errors are measured against
@@ -14,12 +15,14 @@
 //! ([`Work`](crate::integrators::Work)).
 
 mod asked;
+mod called_for;
 mod carry;
 pub mod dial;
 mod measures;
 mod problem;
 mod sweep;
 
+pub use called_for::{CalledFor, Weighed};
 pub use carry::{Carrier, Fineness, Variables, applies};
 pub use dial::{ExactMotion, Limits, Solved, SolvedMotion};
 pub(crate) use measures::larger;
