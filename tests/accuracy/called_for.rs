@@ -207,6 +207,32 @@ fn what_is_not_small_is_called_for_whatever_the_tolerance() {
     assert_eq!(ran, 6);
 }
 
+/// A body at rest on which nothing else acts: a torque about e3 turns it by torque t^2/(2 I3),
+/// and one that begins later by as much less, though at the start it is 0.
+#[test]
+fn a_body_at_rest_has_a_response() {
+    let body = gyroscope();
+    let i3 = body.moments().i3();
+    let start = tilted(&body, [0.0; 3]);
+    let scene = Scene::new(body);
+    let mut errors = Errors::of("the angle from rest");
+    for from in [0.0, 6.0] {
+        let push = Torque::on_body("push", move |t, _, _: &State| {
+            BodyVector::new(0.0, 0.0, if t < from { 0.0 } else { 1e-9 })
+        })
+        .smooth()
+        .with_break_points(&[from])
+        .expect("rising");
+        let called = scene.called_for(&start, 10.0, 1e-3).expect("posed");
+        let called = called.candidate(&push, f64::INFINITY).expect("weighed");
+        let time: f64 = 10.0 - from;
+        let angle = 0.5e-9 * time * time / i3;
+        errors.add(called.rows()[0].predicted, angle, angle);
+        assert!(called.rows()[0].linear && !called.rows()[0].called_for);
+    }
+    errors.attain(1e-15..=1.5e-15, 2);
+}
+
 /// In or out by the tolerance, in the order in which they are given.
 #[test]
 fn the_tolerance_decides() {

@@ -68,8 +68,7 @@ fn a_body_ends_about_its_major_axis() {
     );
     // From near the axis of the least moment, 1/0.3, to that of the largest.
     assert!((lost[0] - 1.0 / 0.3).abs() < 0.03, "{}", lost[0]);
-    println!("{:e}", lost[100] * 1.2 - 1.0);
-    assert_error!(lost[100], 1.0 / 1.2, 1e-6);
+    assert_error!(lost[100], 1.0 / 1.2, 7.1e-13);
     // A gain ends where it began, about the minor axis.
     let gained = energies(&Scene::new(body).with(Gain(loss(0.02))), &start, 400.0);
     assert!(
@@ -129,9 +128,8 @@ fn a_symmetric_body_relaxes_exponentially() {
             .sum();
         power.add(sum * h / 3.0, t, t);
     }
-    println!("{:e} {:e}", law.largest(), power.largest());
     law.attain(4.3e-13..=4.4e-13, 3);
-    power.attain(1e-11..=1.5e-11, 3);
+    power.attain(3.0e-13..=3.1e-13, 3);
     turned_round.exceed(0.5, 3);
 }
 
@@ -217,18 +215,17 @@ fn a_heavy_body_loses_what_its_power_says() {
     let (body, start) = rod();
     let gravity = GravityAtLever::new(2.0, 0.3).expect("gravity");
     let scene = Scene::new(body).with(gravity).with(loss(0.02));
-    let (t, h) = (3.0, 1e-2);
+    let (t, h) = (3.0, 2e-3);
     let motion = (scene.solve_along(&start, 4.0, 1e-11, &Limits::default())).expect("solved");
     let energy = |t: f64| scene.energy(&motion.state(t).expect("a state"));
     let slope = (8.0 * (energy(t + h) - energy(t - h))
         - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
         / (12.0 * h);
     let state = motion.state(t).expect("a state");
-    println!("{:e}", scene.power(t, &state) / slope - 1.0);
     // Without the way through the potential.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-3, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 1e-9);
+    assert_error!(scene.power(t, &state), slope, 1.6e-11);
 }
 
 /// Methods that carry attitude and L agree; those that see less refuse.
