@@ -140,7 +140,7 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     check(&loss(0.02), &body, span, &start).expect("sound");
     check(&((), loss(0.02)), &body, span, &start).expect("sound");
     let gravity = GravityAtLever::new(2.0, 0.3).expect("gravity");
-    check(&((((), gravity)), loss(0.02)), &body, span, &start).expect("sound");
+    check(&(((), gravity), loss(0.02)), &body, span, &start).expect("sound");
     let sphere = RigidBody::new(PrincipalMoments::symmetric(1.0, 1.0).expect("a body"));
     check(&loss(0.02), &sphere, span, &start).expect("sound, and it does nothing");
 
