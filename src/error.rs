@@ -55,6 +55,19 @@ pub enum Error {
     Slips { effects: String },
     /// A scene in which gravity stands twice.
     TwoGravities { effects: String },
+    /// An effect that must have the body's axis to itself, among others with a torque there.
+    NotAlone {
+        effect: &'static str,
+        others: String,
+    },
+    /// An effect that was made for one motion, in a scene that starts another.
+    OtherMotion {
+        effect: &'static str,
+        name: &'static str,
+        t: f64,
+        value: f64,
+        expected: f64,
+    },
     /// A list of times, or the like, in which one does not come after the one before it.
     NotRising {
         name: &'static str,
@@ -272,6 +285,24 @@ impl fmt::Display for Error {
                 f,
                 "gravity acts twice in this scene ({effects}): one weight at one place is allowed"
             ),
+            Self::NotAlone { effect, others } => write!(
+                f,
+                "\"{effect}\" must be the only torque about the body's axis; here are also: {others}"
+            ),
+            Self::OtherMotion {
+                effect,
+                name,
+                t,
+                value,
+                expected,
+            } => write!(
+                f,
+                "\"{effect}\" was made for a motion in which {name} is {} at t = {}, and here it \
+                 is {}: make it anew from this body and this start",
+                plain(*expected),
+                plain(*t),
+                plain(*value)
+            ),
             Self::NotRising {
                 name,
                 index,
@@ -482,6 +513,20 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64> {
             name,
             value,
             allowed: "it must be greater than 0",
+        })
+    }
+}
+
+/// Returns `value` if it is finite and not less than zero.
+pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64> {
+    finite(name, value)?;
+    if value >= 0.0 {
+        Ok(value)
+    } else {
+        Err(Error::OutOfRange {
+            name,
+            value,
+            allowed: "it must not be negative",
         })
     }
 }

@@ -11,6 +11,11 @@
 //! | [`GravityAtLever`] | the weight of a body held at a point of its axis |
 //! | [`InternalDissipation`] | none: the axes drift at constant L, and energy is lost |
 //! | [`GravityGradient`] | an attracting body's on a satellite, near side against far side |
+//! | [`Gravity`] | the weight of a body held at any point |
+//! | [`ViscousFriction`] | friction in proportion to the rates |
+//! | [`CoulombBearing`] | dry friction about the axis, until the spin stops |
+//! | [`DiscDrag`] | the drag of still air on a disc that spins, laminar or turbulent |
+//! | [`PrescribedTorque`] | a torque known as a function of time, with jumps or as a pulse |
 //! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
 //!
 //! Not for: contacts, which switch on and off ([`crate::planar`]).
@@ -21,8 +26,14 @@ mod erased;
 mod gravity;
 mod gravity_gradient;
 mod internal_dissipation;
+mod coulomb;
+mod disc_drag;
+mod gravity;
+mod gravity_anywhere;
 mod nature;
 mod pair;
+mod prescribed;
+mod viscous;
 
 pub(crate) use check::Checked;
 pub use check::check;
@@ -32,10 +43,17 @@ pub(crate) use erased::{AnyEffect, Erased};
 pub use gravity::GravityAtLever;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
+pub use coulomb::CoulombBearing;
+pub use disc_drag::{DiscDrag, Regime};
+pub use gravity::GravityAtLever;
+pub use gravity_anywhere::Gravity;
 pub use nature::{Feature, Keeps, Known, Nature};
+pub use prescribed::{PrescribedTorque, Profile};
+pub use viscous::ViscousFriction;
 
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
+use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 use crate::math::lane::WIDEST;
@@ -158,10 +176,44 @@ pub trait Effect {
         Known::No
     }
 
+    /// Whether the effect holds in a scene with this body and a start at the time `t` (s),
+    /// in which the effects named in `about_axis` have a torque about the body's axis: an
+    /// effect that takes something for granted says here that it is not so.
+    ///
+    /// # Errors
+    /// What is not so, with the numbers.
+    fn holds_from(
+        &self,
+        _t: f64,
+        _body: &RigidBody,
+        _start: &State,
+        _about_axis: &[&'static str],
+    ) -> Result<()> {
+        Ok(())
+    }
+
+    /// The names of those that may have a torque about the body's axis.
+    fn about_axis(&self) -> Vec<&'static str> {
+        if Self::NATURE.keeps.axial_momentum {
+            Vec::new()
+        } else {
+            vec![self.name()]
+        }
+    }
+
     /// The names of the effects that this one is made of.
     fn names(&self) -> Vec<&'static str> {
         vec![self.name()]
     }
+}
+
+/// |torque|/(|L| |omega|): the part of the momentum that a torque of this length changes
+/// while the body turns by one radian; infinite at rest.
+fn part_per_radian(torque: f64, body: &RigidBody, state: &State) -> f64 {
+    if torque == 0.0 {
+        return 0.0;
+    }
+    torque / (state.angular_momentum.norm() * body.angular_velocity(state).norm())
 }
 
 /// [`Effect::torque`] for several axes, one after the other.

@@ -2,6 +2,7 @@
 
 use super::{Effect, Feature, Known, Nature};
 use crate::body::{RigidBody, State};
+use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 
@@ -102,6 +103,23 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
             (Known::Free, other) | (other, Known::Free) => other,
             _ => Known::No,
         }
+    }
+
+    fn holds_from(
+        &self,
+        t: f64,
+        body: &RigidBody,
+        start: &State,
+        about_axis: &[&'static str],
+    ) -> Result<()> {
+        self.0.holds_from(t, body, start, about_axis)?;
+        self.1.holds_from(t, body, start, about_axis)
+    }
+
+    fn about_axis(&self) -> Vec<&'static str> {
+        let mut all = self.0.about_axis();
+        all.extend(self.1.about_axis());
+        all
     }
 
     fn names(&self) -> Vec<&'static str> {
