@@ -1,0 +1,244 @@
+//! Every claim of every effect is true, and its damaged twin is refused.
+
+use super::{body, tilted};
+use rotation_dynamics::Result;
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{
+    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, Known, Nature,
+    PrescribedTorque, Profile, ViscousFriction, check,
+};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+
+/// What a twin says that may be false. One claim is left out: that a torque is an analytic
+/// function where it has no jump cannot be seen by looking at it.
+const LIES: [&str; 15] = [
+    "that there is no torque",
+    "sees the axis only",
+    "does not depend on the rates",
+    "does not depend on the time",
+    "keeps the energy",
+    "no torque about X",
+    "no torque about Y",
+    "no torque about Z",
+    "no torque about the body's axis",
+    "the potential with the other sign",
+    "the power with the other sign",
+    "a scale a hundred thousand times too small",
+    "a scale a hundred million times too large",
+    "no break points",
+    "a closed form: the free body's",
+];
+
+const fn damaged(mut nature: Nature, lie: usize) -> Nature {
+    match lie {
+        0 => nature.torque_free = true,
+        1 => nature.axis_only = true,
+        2 => nature.on_rates = false,
+        3 => nature.on_time = false,
+        4 => nature.keeps.energy = true,
+        5..=7 => nature.keeps.momentum[lie - 5] = true,
+        8 => nature.keeps.axial_momentum = true,
+        _ => {}
+    }
+    nature
+}
+
+/// An effect that says the same of itself but for one thing.
+struct Twin<'e, E, const LIE: usize>(&'e E);
+
+impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
+    const NATURE: Nature = damaged(E::NATURE, LIE);
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        let sign = if LIE == 9 { -1.0 } else { 1.0 };
+        sign * self.0.potential_energy(t, body, state)
+    }
+
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        match LIE {
+            4 => 0.0,
+            10 => -self.0.power(t, body, state),
+            _ => self.0.power(t, body, state),
+        }
+    }
+
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        let factor = match LIE {
+            11 => 1e-5,
+            12 => 1e8,
+            _ => 1.0,
+        };
+        factor * self.0.torque_scale(body, state)
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        if LIE == 13 {
+            Vec::new()
+        } else {
+            self.0.break_points()
+        }
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.0.narrowest()
+    }
+
+    fn known(&self) -> Known {
+        if LIE == 14 {
+            Known::Free
+        } else {
+            self.0.known()
+        }
+    }
+}
+
+/// Effects, refusals of false claims and true claims so far.
+#[derive(Default)]
+struct Tally {
+    checked: usize,
+    refused: usize,
+    allowed: usize,
+}
+
+const SPAN: [f64; 2] = [0.0, 10.0];
+
+impl Tally {
+    /// The effect itself passes, and every twin whose claim is false is refused.
+    fn judge<E: Effect>(&mut self, effect: &E, body: &RigidBody, state: &State) {
+        check(effect, body, SPAN, state).expect("true claims");
+        self.checked += 1;
+        let twins: [Result<()>; LIES.len()] = [
+            check(&Twin::<E, 0>(effect), body, SPAN, state),
+            check(&Twin::<E, 1>(effect), body, SPAN, state),
+            check(&Twin::<E, 2>(effect), body, SPAN, state),
+            check(&Twin::<E, 3>(effect), body, SPAN, state),
+            check(&Twin::<E, 4>(effect), body, SPAN, state),
+            check(&Twin::<E, 5>(effect), body, SPAN, state),
+            check(&Twin::<E, 6>(effect), body, SPAN, state),
+            check(&Twin::<E, 7>(effect), body, SPAN, state),
+            check(&Twin::<E, 8>(effect), body, SPAN, state),
+            check(&Twin::<E, 9>(effect), body, SPAN, state),
+            check(&Twin::<E, 10>(effect), body, SPAN, state),
+            check(&Twin::<E, 11>(effect), body, SPAN, state),
+            check(&Twin::<E, 12>(effect), body, SPAN, state),
+            check(&Twin::<E, 13>(effect), body, SPAN, state),
+            check(&Twin::<E, 14>(effect), body, SPAN, state),
+        ];
+        for (lie, verdict) in twins.into_iter().enumerate() {
+            let breaks = !effect.break_points().is_empty();
+            let true_all_the_same = match lie {
+                9 | 10 => E::NATURE.keeps.energy == (lie == 10),
+                11 => false,
+                // It may be that none of the places lie where it is that large.
+                12 => breaks || effect.narrowest() != Some(Feature::WIDE),
+                13 => !breaks,
+                14 => false,
+                _ => damaged(E::NATURE, lie) == E::NATURE,
+            };
+            let name = effect.name();
+            assert_eq!(
+                verdict.is_ok(),
+                true_all_the_same,
+                "{name}, {}: {verdict:?}",
+                LIES[lie]
+            );
+            if let Err(error) = verdict {
+                let told = error.to_string();
+                assert!(told.contains(&format!("\"{name}\" says")), "{told}");
+                self.refused += 1;
+            } else {
+                self.allowed += 1;
+            }
+        }
+    }
+}
+
+#[test]
+fn every_claim_is_true_and_its_twin_is_refused() {
+    let mut tally = Tally::default();
+    let weight = 9.8;
+    let lever = GravityAtLever::new(weight, 0.3).expect("gravity");
+    let centre = BodyVector::new(0.2, -0.1, 0.3);
+    let gravity = Gravity::new(weight, centre).expect("gravity");
+    let viscous = ViscousFriction::new(0.02, 0.05).expect("friction");
+    let steps = Profile::steps(&[(1.0, 1.0), (3.0, -0.5), (7.5, 0.0)]).expect("steps");
+    let lines = Profile::lines(&[(2.0, 1.0), (4.0, -0.5), (8.0, 0.4)]).expect("lines");
+    let pulse = Profile::pulse(5.0, 1.5).expect("a pulse");
+    let torque = [0.3, -0.2, 0.5];
+    let on_space = |profile: &Profile| {
+        let torque = SpaceVector::from_array(torque);
+        PrescribedTorque::on_space(torque, profile.clone()).expect("a torque")
+    };
+    let on_body = |profile: &Profile| {
+        let torque = BodyVector::from_array(torque);
+        PrescribedTorque::on_body(torque, profile.clone()).expect("a torque")
+    };
+    for moments in [[1.0, 1.5, 0.8], [1.0, 1.0, 0.6]] {
+        for rates in [[0.3, 0.1, 2.0], [-0.7, 1.1, -0.4]] {
+            let body = body(moments[0], moments[1], moments[2]);
+            let start = tilted(&body, rates);
+            tally.judge(&lever, &body, &start);
+            tally.judge(&gravity, &body, &start);
+            tally.judge(&viscous, &body, &start);
+            for spin in [10.0, 1e3] {
+                let drag = DiscDrag::new(0.1, 1.2, 1.5e-5, spin).expect("drag");
+                tally.judge(&drag, &body, &start);
+            }
+            for profile in [&steps, &lines, &pulse] {
+                tally.judge(&on_space(profile), &body, &start);
+                tally.judge(&on_body(profile), &body, &start);
+            }
+            if body.moments().is_symmetric() {
+                let bearing = CoulombBearing::new(0.3, &body, &start, 0.0).expect("a bearing");
+                tally.judge(&bearing, &body, &start);
+            }
+        }
+    }
+    assert_eq!(tally.checked, 4 * 11 + 2);
+    // False claims: 7 of gravity at a lever, 9 of gravity anywhere, 12 of friction and of
+    // drag, 12 of steps and of lines, 11 of a pulse, each on both axes; 12 of the bearing.
+    let of_all = 7 + 9 + 3 * 12 + 4 * 12 + 2 * 11;
+    assert_eq!(tally.refused, 4 * of_all + 2 * 12);
+    assert_eq!(tally.refused + tally.allowed, 46 * LIES.len());
+}
+
+/// A body at rest, a start without spin, a torque of size zero: nothing is claimed falsely.
+#[test]
+fn nothing_is_claimed_of_nothing() {
+    let body = body(1.0, 1.0, 0.6);
+    let mut ran = 0;
+    for rates in [[0.0; 3], [0.3, 0.0, 0.0]] {
+        let start = tilted(&body, rates);
+        let centre = BodyVector::zero();
+        check(
+            &Gravity::new(1.0, centre).expect("gravity"),
+            &body,
+            SPAN,
+            &start,
+        )
+        .expect("gravity");
+        let viscous = ViscousFriction::isotropic(0.0).expect("friction");
+        check(&viscous, &body, SPAN, &start).expect("friction");
+        let viscous = ViscousFriction::isotropic(0.1).expect("friction");
+        check(&viscous, &body, SPAN, &start).expect("friction");
+        for tau in [0.0, 0.1] {
+            let bearing = CoulombBearing::new(tau, &body, &start, 0.0).expect("a bearing");
+            check(&bearing, &body, SPAN, &start).expect("a bearing");
+        }
+        let drag = DiscDrag::new(0.1, 1.2, 1.5e-5, 0.0).expect("drag");
+        check(&drag, &body, SPAN, &start).expect("drag");
+        let none = Profile::steps(&[(20.0, 1.0)]).expect("steps");
+        let later = PrescribedTorque::on_space(SpaceVector::new(1.0, 0.0, 0.0), none);
+        check(&later.expect("a torque"), &body, SPAN, &start).expect("a torque");
+        ran += 7;
+    }
+    assert_eq!(ran, 14);
+}
