@@ -2,8 +2,9 @@
 
 use super::rotor::ROTOR;
 use rotation_dynamics::Result;
+use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
-use rotation_dynamics::math::{pow, sin, sincos};
+use rotation_dynamics::math::{sin, sincos};
 use rotation_dynamics::report::{Report, claim};
 
 use core::f64::consts::TAU;
@@ -53,10 +54,10 @@ pub fn add(report: &mut Report) -> Result<()> {
     let (theta, spin) = (rotor.theta, rotor.spin);
     let (rate, s) = (rotor.steady_rate(theta, momentum), sin(theta));
     let turn = TAU / rate;
-    // Disc of radius 6 cm in air, both faces, laminar: C_m = 3.87 / sqrt(Re).
-    let (air, viscosity, radius) = (1.204, 1.51e-5, 0.06);
-    let reynolds = spin * radius * radius / viscosity;
-    let air_torque = 0.5 * air * spin * spin * pow(radius, 5.0) * 3.87 / reynolds.sqrt();
+    // Disc of radius 6 cm in air.
+    let radius = 0.06;
+    let air = DiscDrag::new(radius, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, spin)?;
+    let air_torque = -air.axial_torque(spin);
     // Ball bearing: coefficient 0.0015 at a radius of 2 mm.
     let bearing_torque = 0.0015 * rotor.mass * rotor.gravity * 2e-3;
     let (pivot_torque, fork, earth) = (1e-4, 2e-4, 7.292115e-5);

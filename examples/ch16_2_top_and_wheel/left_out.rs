@@ -4,9 +4,10 @@
 use super::slowing::lead;
 use super::{Body, TOP, WHEEL};
 use rotation_dynamics::Result;
+use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::integrators::{Dop853, Ode};
-use rotation_dynamics::math::{cbrt, hypot, pow, sincos};
+use rotation_dynamics::math::{cbrt, hypot, sincos};
 use rotation_dynamics::report::heavy_top::Newton;
 use rotation_dynamics::report::{Report, claim, effect, sampled, times};
 
@@ -132,13 +133,13 @@ pub fn add(report: &mut Report) -> Result<()> {
         let line = effect(name).number("torque x turn / L_z", part);
         Ok(line.costs(lead.estimated, "rad a turn, in φ"))
     };
-    let top_air = slows("top_air_lead", "top: air", &TOP, air_torque(&TOP, radius))?;
+    let top_air = slows("top_air_lead", "top: air", &TOP, air_torque(&TOP, radius)?)?;
     let drill = slows("top_drill_lead", "top: the tip drills", &TOP, drilling)?;
     let wheel_air = slows(
         "wheel_air_lead",
         "wheel: air",
         &WHEEL,
-        air_torque(&WHEEL, 0.35),
+        air_torque(&WHEEL, 0.35)?,
     )?;
     let bearings = slows("wheel_bearing_lead", "wheel: bearings", &WHEEL, bearing)?;
 
@@ -174,13 +175,9 @@ pub fn add(report: &mut Report) -> Result<()> {
     ])
 }
 
-/// Torque of the air on a disc of this radius, both faces (laminar below Re = 3e5), N m.
-fn air_torque(body: &Body, radius: f64) -> f64 {
-    let reynolds = body.spin * radius * radius / 1.51e-5;
-    let coefficient = if reynolds < 3e5 {
-        3.87 / reynolds.sqrt()
-    } else {
-        0.146 / pow(reynolds, 0.2)
-    };
-    0.5 * 1.204 * body.spin * body.spin * pow(radius, 5.0) * coefficient
+/// Torque of the air on a disc of this radius, N m.
+fn air_torque(body: &Body, radius: f64) -> Result<f64> {
+    let (density, viscosity) = (DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY);
+    let drag = DiscDrag::new(radius, density, viscosity, body.spin)?;
+    Ok(-drag.axial_torque(body.spin))
 }

@@ -2,6 +2,7 @@
 
 use super::{Effect, Feature, Keeps, Known, Nature};
 use crate::body::{RigidBody, State};
+use crate::error::Result;
 use crate::frame::SpaceVector;
 
 /// What is asked of any effect, whatever its type.
@@ -17,6 +18,7 @@ pub(crate) trait AnyEffect {
     fn narrowest(&self) -> Option<Feature>;
     fn known(&self) -> Known;
     fn names(&self) -> Vec<&'static str>;
+    fn holds_from(&self, t: f64, body: &RigidBody, start: &State) -> Result<()>;
 }
 
 impl<E: Effect> AnyEffect for E {
@@ -52,6 +54,10 @@ impl<E: Effect> AnyEffect for E {
     }
     fn names(&self) -> Vec<&'static str> {
         Effect::names(self)
+    }
+    /// Among all effects that this one is made of.
+    fn holds_from(&self, t: f64, body: &RigidBody, start: &State) -> Result<()> {
+        Effect::holds_from(self, t, body, start, &self.about_axis())
     }
 }
 
