@@ -104,7 +104,7 @@ impl<'e> Checked<'e> {
                 effects: names.join(", "),
             });
         }
-        effect.holds_from(span[0], body, state, &effect.about_axis())?;
+        effect.holds_from(span[0], body, state)?;
         declared(effect, body, state)?;
         let mut checked = Self::unlooked(effect, body, span, state);
         if checked.nature.torque_free && names.is_empty() {

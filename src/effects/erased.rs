@@ -64,9 +64,13 @@ impl<E: Effect> AnyEffect for E {
 /// An effect of which no more is known than whether it sees the axis only, whether it is
 /// smooth, and whether the body may slip.
 #[derive(Clone, Copy)]
-pub(crate) struct Erased<'e, const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool>(pub &'e dyn AnyEffect);
+pub(crate) struct Erased<'e, const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool>(
+    pub &'e dyn AnyEffect,
+);
 
-impl<const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool> Effect for Erased<'_, AXIS_ONLY, SMOOTH, SLIPS> {
+impl<const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool> Effect
+    for Erased<'_, AXIS_ONLY, SMOOTH, SLIPS>
+{
     const NATURE: Nature = Nature {
         axis_only: AXIS_ONLY,
         on_rates: !AXIS_ONLY,

@@ -4,8 +4,8 @@
 mod called_for;
 mod dial;
 mod drift;
+mod effects;
 mod gravity_gradient;
 mod internal_dissipation;
-mod effects;
 mod measures;
 mod sweep;

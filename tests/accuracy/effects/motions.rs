@@ -81,8 +81,8 @@ fn viscous_friction_slows_a_precession_like_a_clock() {
     let friction = ViscousFriction::new(k * 1.0, k * 0.6).expect("friction");
     let free = FreeBody::new(
         body.moments(),
-        body.angular_velocity(&start),
         start.attitude,
+        body.angular_velocity(&start),
     );
     let free = free.expect("a motion");
     judge(
@@ -90,8 +90,8 @@ fn viscous_friction_slows_a_precession_like_a_clock() {
         &Scene::new(body).with(friction),
         &start,
         &[1.0, 5.0, 20.0],
-        |t| free.attitude_at((1.0 - exp(-k * t)) / k),
-        |t| free.attitude_at(t),
+        |t| free.attitude((1.0 - exp(-k * t)) / k),
+        |t| free.attitude(t),
     );
     delivered.attain(3.1e-4..=3.2e-4, 9);
     twin.exceed(0.1, 9);
