@@ -49,7 +49,7 @@ use crate::math::EPS;
 /// let motion = FreeBody::new(rigid.moments(), rates, start.attitude)?;
 ///
 /// // A leg is not a principal axis: half a second later it turns about another line.
-/// let later = rigid.state(motion.attitude_at(0.5), motion.angular_velocity_at(0.5))?;
+/// let later = rigid.state(motion.attitude(0.5), motion.angular_velocity(0.5))?;
 /// let rates = body.angular_velocity(&later);
 /// assert_eq!(format!("{rates:.3} rad/s"), "(11.057, -4.591, 4.078) rad/s");
 /// let long_leg = body.to_space(&later, DesignVector::new(1.0, 0.0, 0.0));

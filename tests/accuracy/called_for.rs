@@ -9,6 +9,7 @@ use rotation_dynamics::effects::{
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{log, sin};
+use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use support::Errors;
 
@@ -43,7 +44,7 @@ fn held<E: Effect + Clone, C: Effect>(
     let mut simulated: f64 = 0.0;
     for i in 1..=TIMES {
         let t = t_end * f64::from(i) / f64::from(TIMES);
-        let [a, b] = [with.state(t), without.state(t)].map(|state| state.expect("a state"));
+        let [a, b] = [with.try_state(t), without.try_state(t)].map(|state| state.expect("a state"));
         simulated = simulated.max(a.attitude.angle_to(&b.attitude));
     }
     // Each derivative of the prediction asks for three torques of the scene, one of the effect.

