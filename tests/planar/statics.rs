@@ -34,6 +34,8 @@ impl Mechanism<3, 6, 2> for Box {
 struct Stands {
     pushes: Errors,
     friction: Errors,
+    /// Of the upper foot, in the middle of what both feet allow.
+    share: Errors,
     speed: Errors,
     slides: Errors,
 }
@@ -42,6 +44,7 @@ fn stands(damage: f64) -> Stands {
     let mut found = Stands {
         pushes: Errors::in_units_of(EPS, "both pushes"),
         friction: Errors::in_units_of(EPS, "both frictions"),
+        share: Errors::in_units_of(EPS, "friction of the upper foot"),
         speed: Errors::of("speed of a box that holds"),
         slides: Errors::in_units_of(EPS, "speed of a box that slides"),
     };
@@ -66,6 +69,9 @@ fn stands(damage: f64) -> Stands {
                 for foot in [upper, lower] {
                     assert!(foot.tangential.abs() <= body.mu * foot.normal);
                 }
+                let [high, low] = [upper, lower].map(|foot| body.mu * foot.normal);
+                let middle = 0.5 * ((-high).max(along - low) + high.min(along + low));
+                found.share.add(upper.tangential, middle, weight);
                 for v in end.v {
                     found.speed.push(v);
                 }
@@ -86,11 +92,13 @@ fn a_box_on_two_feet() {
     let found = stands(0.0);
     found.pushes.attain(1.3..=1.4, 12);
     found.friction.attain(1.3..=1.4, 12);
+    found.share.attain(0.65..=0.66, 9);
     found.speed.attain(1.0e-15..=1.1e-15, 27);
     found.slides.attain(1.2..=1.3, 3);
     // The damaged twin slides with another friction.
     let damaged = stands(1e-9);
     assert!(damaged.friction.largest() > 1e4);
+    assert!(damaged.share.largest() < 1e3);
     damaged.slides.exceed(1e4, 3);
     // What does not depend on it, does not.
     damaged.pushes.attain(1.3..=1.4, 12);

@@ -252,6 +252,7 @@ mod tests {
             (r"\qquad a", 1),
             (r"\leftarrow \qquad \rightarrow \\ \qquad x", 3),
             (r"\alpha \qquad {b}", 2),
+            (r"\{ a \qquad b \}", 2),
         ];
         for (tex, count) in cases {
             assert_eq!(parts(tex).len(), count, "{tex}: {:?}", parts(tex));

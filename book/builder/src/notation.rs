@@ -164,6 +164,7 @@ mod tests {
             ("4 kg/m, 100 s, 1.0 to -2", "4 kg/m, 100 s, 1.0 to −2"),
             ("at the end 2. Then (b", "at the end 2. Then (|b|"),
             ("heavy_top: x < 5", "heavy_top: |x<5|"),
+            ("b) + (c", "|b|) + (|c|"),
             ("4-5 to 6, a = 2. Then", "4-5 to 6, |a=2|. Then"),
         ];
         for (cell, expected) in cases {
