@@ -228,6 +228,8 @@ fn a_disc_unwinds_from_its_string() {
 /// Two discs pressed together (exercise 15.1): inertias 0.03 and 0.05 kg m^2.
 struct Discs {
     force: f64,
+    /// On the first one, N m.
+    torque: f64,
 }
 
 impl Mechanism<2, 4, 1> for Discs {
@@ -235,7 +237,7 @@ impl Mechanism<2, 4, 1> for Discs {
         [[0.03, 0.0], [0.0, 0.05]]
     }
     fn force(&self, _: &State<2>) -> [f64; 2] {
-        [0.0; 2]
+        [self.torque, 0.0]
     }
     fn contacts(&self, _: &State<2>) -> [Contact<2>; 1] {
         // A torque of 0.5 N m by 10 N: a mean radius of 0.1 m, mu = 1/2.
@@ -253,6 +255,7 @@ fn pressed_discs_end_at_one_rate() {
         };
         let discs = Discs {
             force: 10.0 * (1.0 + damage),
+            torque: 0.0,
         };
         let motion = motion_within(discs, 1e-12, start, 3.0).unwrap();
         assert_eq!(motion.events().len(), 1);
@@ -269,4 +272,29 @@ fn pressed_discs_end_at_one_rate() {
     let (sooner, same, harder) = run(1e-12);
     assert!((sooner / 1.875 - 1.0).abs() > 1e3 * EPS && (harder / 5.0 + 1.0).abs() > 1e3 * EPS);
     assert!((same[0] / 8.75 - 1.0).abs() <= 10.0 * EPS);
+}
+
+/// Together they are turned by up to 0.8 N m, of which friction hands on 5/8.
+#[test]
+fn pressed_discs_hold_up_to_their_friction() {
+    for (torque, holds) in [
+        (0.799, true),
+        (-0.799, true),
+        (0.801, false),
+        (-0.801, false),
+    ] {
+        let discs = Discs {
+            force: 10.0,
+            torque,
+        };
+        let motion = motion_within(discs, 1e-12, State::rest([0.0; 2]), 1.0).unwrap();
+        assert_eq!(
+            motion.modes(1.0).unwrap() == [Mode::Stick],
+            holds,
+            "{torque}"
+        );
+        assert!(motion.events().is_empty());
+        let [first, second] = motion.at(1.0).unwrap().v;
+        assert_eq!((first - second).abs() < 1e-12, holds, "{first} {second}");
+    }
 }
