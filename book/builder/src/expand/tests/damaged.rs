@@ -2,6 +2,9 @@
 
 use super::Sample;
 
+/// A page, what is left of it, and what is said of it, with the line.
+type Case<'a> = (&'a str, &'a str, &'a [(usize, &'a str)]);
+
 #[test]
 fn damage_is_named_with_its_line() {
     let sample = Sample::new("damage");
@@ -12,7 +15,7 @@ fn damage_is_named_with_its_line() {
     let caption = "a figure is followed by a paragraph, its caption";
     let bold = "a caption begins with what the figure shows, in bold: **…**";
     let known = "s claims no 'no'; its keys are: period, turns";
-    let cases: [(&str, &str, &[(usize, &str)]); 39] = [
+    let cases: [Case; 39] = [
         // A number that is typed, whatever stands before it.
         ("3.1416", "3.1416", &[(5, typed)]),
         ("a\n\n3.1416\n", "a\n\n3.1416\n", &[(7, typed)]),
