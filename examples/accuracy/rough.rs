@@ -60,6 +60,7 @@ pub struct Push {
 impl Effect for Push {
     const NATURE: Nature = Nature {
         on_rates: false,
+        smooth: true, // but for its jumps
         keeps: Keeps {
             momentum: [true, true, false],
             ..Keeps::NONE
@@ -78,6 +79,10 @@ impl Effect for Push {
             0.0
         };
         SpaceVector::new(0.0, 0.0, now)
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        vec![self.on, self.off]
     }
     // ANCHOR_END: push
 

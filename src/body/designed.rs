@@ -46,7 +46,7 @@ use crate::math::EPS;
 /// let start = body.state(Attitude::IDENTITY, spin)?;
 /// let rigid = body.rigid_body();
 /// let rates = rigid.angular_velocity(&start);
-/// let motion = FreeBody::new(rigid.moments(), rates, start.attitude)?;
+/// let motion = FreeBody::new(rigid.moments(), start.attitude, rates)?;
 ///
 /// // A leg is not a principal axis: half a second later it turns about another line.
 /// let later = rigid.state(motion.attitude(0.5), motion.angular_velocity(0.5))?;

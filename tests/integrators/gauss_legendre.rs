@@ -476,7 +476,7 @@ fn torques_side_by_side() {
         compared += 1;
     }
     assert_eq!(compared, 50);
-    plain.attain(1e-16..=1.4e-16, 50);
+    plain.attain(8.7e-17..=8.8e-17, 50);
     // And the whole motion: an effect without a form on lanes.
     let (scene, start) = top::figure_3();
     let plain = Scene::new(*scene.body()).with(Plain(scene.effects().1));

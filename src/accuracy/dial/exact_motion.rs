@@ -9,6 +9,7 @@ use crate::exact::heavy_top::{HeavyTop, SymmetricTop};
 /// A motion known at any time without stepping: its name, and the state at a time (s).
 pub struct ExactMotion {
     name: &'static str,
+    near_separatrix: bool,
     at: Box<dyn Fn(f64) -> Result<State>>,
 }
 
@@ -17,6 +18,7 @@ impl ExactMotion {
     pub fn new(name: &'static str, at: impl Fn(f64) -> Result<State> + 'static) -> Self {
         Self {
             name,
+            near_separatrix: false,
             at: Box::new(at),
         }
     }
@@ -33,6 +35,12 @@ impl ExactMotion {
         }
     }
 
+    /// True within 1e-6 of a separatrix, in the parameter of the elliptic functions: there a
+    /// small change of the start may carry the motion past its own steepness.
+    pub(super) const fn is_near_separatrix(&self) -> bool {
+        self.near_separatrix
+    }
+
     /// The name.
     pub const fn name(&self) -> &'static str {
         self.name
@@ -46,12 +54,26 @@ impl ExactMotion {
     }
 }
 
+/// 1 - m below which a motion is near a separatrix.
+const NEAR: f64 = 1e-6;
+
 fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     let rates = body.angular_velocity(start);
     let motion = FreeBody::new(body.moments(), start.attitude, rates).ok()?;
     let momentum = start.angular_momentum;
+    // 2 E I_mid - L^2, as sum of I_i (I_mid - I_i) omega_i^2, beside L^2.
+    let [mut inertia, omega] = [body.moments().to_array(), rates.to_array()];
+    let momenta = [0, 1, 2].map(|i| inertia[i] * omega[i]);
+    let square: f64 = momenta.iter().map(|l| l * l).sum();
+    let moments = inertia;
+    inertia.sort_by(f64::total_cmp);
+    let middle = inertia[1];
+    let off: f64 = (moments.iter().zip(omega))
+        .map(|(i, w)| i * (middle - i) * w * w)
+        .sum();
     Some(ExactMotion {
         name: "closed form of the free body",
+        near_separatrix: off.abs() < NEAR * square,
         at: Box::new(move |t| State::new(motion.attitude(t), momentum)),
     })
 }
@@ -73,6 +95,7 @@ fn heavy_top(
     let body = *body;
     Some(ExactMotion {
         name: "closed form of the heavy top",
+        near_separatrix: motion.complementary_parameter() < NEAR,
         at: Box::new(move |t| {
             let now = motion.kinematics(t);
             body.state(now.attitude, now.angular_velocity)

@@ -284,7 +284,12 @@ fn by_closed_form<E: Effect>(
         })?;
         on_the_way(&motion, &changed)
     };
-    let condition: Apart = problem.condition(&Feeler::EXACT, |by| {
+    let feeler = if motion.is_near_separatrix() {
+        Feeler::STEEP
+    } else {
+        Feeler::EXACT
+    };
+    let condition: Apart = problem.condition(&feeler, |by| {
         work.samples += ALL_ROWS as u64;
         let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
         Ok((states.clone(), changed.collect::<Result<_>>()?))

@@ -148,7 +148,12 @@ impl Feeler {
     pub const EXACT: Self = Self {
         changes: &[1e-9, 1e-12, 8.0 * EPS],
         linear: 1e-4,
+        again: None,
+    };
+    /// The same near a separatrix.
+    pub const STEEP: Self = Self {
         again: Some(16.0 * EPS),
+        ..Self::EXACT
     };
     /// For stepping.
     pub const STEPPED: Self = Self {
