@@ -35,6 +35,8 @@ mod solid;
 mod stack;
 mod stations;
 mod svg;
+#[cfg(test)]
+mod tests;
 mod ticks;
 mod view;
 mod words;

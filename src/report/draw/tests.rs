@@ -1,0 +1,121 @@
+//! What no locked figure of the book shows.
+
+use super::canvas::Paint;
+use super::display::{Dash, Shape, Stroke};
+use super::label::{Label, SIZE};
+use super::ticks::angle_ticks;
+use super::{Axis, Curve, Ink, Panel, Sketch};
+use crate::Result;
+use core::f64::consts::PI;
+
+fn sheet() -> Sketch {
+    Sketch::new("sheet", "what is drawn on a sheet for a test").window((-1.0, 4.0), (-1.0, 4.0))
+}
+
+/// A plane rises by its length times the sine, to either side, and its hatched ground is
+/// below it.
+#[test]
+fn a_plane_rises_to_its_top() -> Result<()> {
+    for (angle, top) in [
+        (PI / 6.0, (1.0 + 3.0_f64.sqrt(), 1.0)),
+        (5.0 * PI / 6.0, (1.0 - 3.0_f64.sqrt(), 1.0)),
+    ] {
+        let foot = (1.0, 0.0);
+        let (from, to) = if top.0 > 1.0 {
+            (foot, top)
+        } else {
+            (top, foot)
+        };
+        let by_hand = sheet()
+            .curve(Curve::new([foot, (top.0, 0.0), top], Ink::Frame).thin())
+            .wall(from, to);
+        let plane = sheet().incline(foot, 2.0, angle);
+        assert_eq!(plane.figure()?.svg, by_hand.figure()?.svg);
+        let lower = sheet().incline(foot, 1.9, angle);
+        assert_ne!(lower.figure()?.svg, by_hand.figure()?.svg);
+    }
+    Ok(())
+}
+
+/// Multiples of five, ten and more half turns are labelled as what they are.
+#[test]
+fn many_turns_have_their_labels() {
+    let labels = |high: f64| -> Vec<String> {
+        let ticks = angle_ticks(0.0, high, 5);
+        assert!(ticks.iter().all(|(place, _)| *place <= high));
+        ticks.into_iter().map(|(_, label)| label).collect()
+    };
+    assert_eq!(
+        labels(40.1 * PI),
+        ["$0$", "$10\\pi$", "$20\\pi$", "$30\\pi$", "$40\\pi$"]
+    );
+    assert_eq!(
+        labels(15.1 * PI),
+        ["$0$", "$5\\pi$", "$10\\pi$", "$15\\pi$"]
+    );
+    assert_eq!(
+        labels(2.1 * PI),
+        ["$0$", "$\\pi/2$", "$\\pi$", "$3\\pi/2$", "$2\\pi$"]
+    );
+}
+
+/// The alternative text is a sentence: twenty letters, spaces around it not counted.
+#[test]
+fn a_figure_says_what_is_to_be_seen() {
+    let figure = |alt: &str| {
+        Sketch::new("sheet", alt)
+            .window((0.0, 1.0), (0.0, 1.0))
+            .figure()
+    };
+    assert!(figure("a sheet of 20 lettrs").is_ok());
+    assert!(figure("a sheet of 19 lettr").is_err());
+    assert!(figure(" a sheet of 19 lettr ").is_err());
+}
+
+#[test]
+fn a_thin_space_in_a_formula_is_no_comma() {
+    assert_eq!(Label::new(r"$a\,b$"), Label::new("$a\u{2009}b$"));
+    assert_ne!(Label::new(r"$a\,b$"), Label::new("$a,b$"));
+}
+
+/// With equal units the plot is as high as its data ask, and margins are added to that.
+#[test]
+fn equal_units_make_the_height() {
+    let panel = Panel::new("sheet", "a panel with equal units on both axes")
+        .y(Axis::linear("y"))
+        .equal_aspect();
+    let height = |up: f64| panel.fitted_size(40.0, (0.0, 2.0), (0.0, up)).1;
+    // Of 340 px 40 and 12 are margins; 288 px are two units.
+    let [half, one] = [height(1.0), height(1.5)].map(f64::from);
+    assert_eq!(one - half, 72.0);
+    let margins = half - 144.0;
+    assert!((27.0..=27.0 + 3.0 * SIZE).contains(&margins), "{margins}");
+    // Flat and tall ones have their limits.
+    assert_eq!([height(0.01), height(9.0)], [120, 340]);
+}
+
+/// The open head of a dashed arrow is drawn in full.
+#[test]
+fn heads_are_not_dashed() -> Result<()> {
+    let dashed = Stroke {
+        dash: Dash::Dashed,
+        ..Stroke::new(Ink::Ink, 1.0)
+    };
+    let figure = super::canvas::figure("sheet", "an arrow that is dashed", (100, 100), |canvas| {
+        canvas.sheet().draw(
+            &[(10.0, 10.0), (90.0, 90.0)],
+            &Paint::Arrow(dashed, 9.0, true),
+        )
+    })?;
+    let dashes: Vec<Dash> = figure
+        .display
+        .shapes
+        .iter()
+        .filter_map(|shape| match shape {
+            Shape::Line(_, _, stroke) => Some(stroke.dash),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(dashes, [Dash::Dashed, Dash::Solid]);
+    Ok(())
+}
