@@ -255,7 +255,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slope = if q < 1.0 { q / sin(cone(q)) } else { 0.0 };
     let stretch = m * (l * w * w).max(p.gravity) / (3e9 * area);
     let (string, size, earth) = (1150.0 * area * l / m, 0.4 * r * r / (l * l), 1.4584e-4 / w);
-    rotation_dynamics::effects! { report,
+    rotation_dynamics::effect_card! { report,
         "air drag, bob left to itself":
             "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn";
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";

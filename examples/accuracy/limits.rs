@@ -75,7 +75,7 @@ fn effects(report: &mut Report) -> Result<()> {
     let earth = 7.292e-5 / rate;
     let gradient = 3.0 * gravity / radius * (8.0 / 3.0 - 1.0) / 2.0 / (rate * rate);
     let stretch = 7850.0 * rate * rate * size * size / 2e11;
-    rotation_dynamics::effects! { report,
+    rotation_dynamics::effect_card! { report,
         "rotation of the Earth, laboratory axes":
             "Omega_E / omega" = earth, costs earth * turned, "rad";
         "gravity gradient of the Earth":

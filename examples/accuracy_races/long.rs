@@ -43,7 +43,7 @@ pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
     // A block of steel that turns at 0.6 rad/s for a thousand periods in a laboratory.
     let (rate, time): (f64, f64) = (0.6, 14_700.0);
     let earth = 7.292e-5 / rate;
-    rotation_dynamics::effects! { report,
+    rotation_dynamics::effect_card! { report,
         "rotation of the Earth, laboratory axes":
             "Omega_E / omega" = earth, costs earth * rate * time, "rad";
         "rounding of the numbers": "2^-53" = EPS, costs EPS * rate * time, "rad", included;

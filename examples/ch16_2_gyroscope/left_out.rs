@@ -112,7 +112,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let heavier = fork / (rotor.i1 * s * s);
     let by_fork = rotor.motion()?.exact.nutation_period() * 0.5 * heavier;
 
-    rotation_dynamics::effects! { report,
+    rotation_dynamics::effect_card! { report,
         "air on the rotor":
             "torque x turn / L_z" = air_torque * turn / momentum, costs by_air, "rad a turn, in φ";
         "bearings of the axle":

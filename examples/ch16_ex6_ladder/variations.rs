@@ -113,7 +113,7 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     let later = rubbing(p, 0.1)?.end_time() / exact.landing_time() - 1.0;
     let (drag, lost) = air(p, exact)?;
     let kept = landing_error(exact, &solved.naive)?;
-    rotation_dynamics::effects! { report,
+    rotation_dynamics::effect_card! { report,
         "friction, a tenth of what would hold the ladder":
             "mu / tan(theta0/2)" = 0.1, costs later, "of t_floor";
         "air drag on a light ladder (4 kg/m, 8 cm solid width)":

@@ -22,7 +22,7 @@ use crate::scene::Scene;
 ///
 /// How it fails: the rates have 1/sin theta in them, so a passage near the pole
 /// needs ever smaller steps, and a start on it is refused
-/// ([`Error::AtPole`](crate::Error::AtPole)). As measured, with steps of 1e-3 rad past
+/// ([`Error::AtPole`]). As measured, with steps of 1e-3 rad past
 /// the pole: 6.1e-3 rad off, where [`SemiImplicitEuler`] is off by 9.5e-6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EulerOnAngles {

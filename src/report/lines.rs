@@ -86,7 +86,7 @@ macro_rules! limits {
 /// use rotation_dynamics::report::Report;
 /// let mut report = Report::new("A pendulum", "a weight on a string")?;
 /// let (drag, angle) = (1e-3, 0.1_f64);
-/// rotation_dynamics::effects! { report,
+/// rotation_dynamics::effect_card! { report,
 ///     "air": "rho C S l/M" = drag, costs 4.0 / 3.0 * drag * angle, "of the swing";
 ///     "size of the swing": "theta^2" = angle * angle, costs 0.0, "of the period", included;
 /// }?;
@@ -97,7 +97,7 @@ macro_rules! limits {
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite) for a NaN or an infinity.
 #[macro_export]
-macro_rules! effects {
+macro_rules! effect_card {
     ($report:expr,
      $( $effect:literal : $number:literal = $value:expr, costs $error:expr, $of:literal $(, $included:ident)?; )+) => {
         $report.add(vec![ $(

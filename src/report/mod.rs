@@ -8,7 +8,7 @@
 //!
 //! What an example is made of: its [`parameters!`](crate::parameters); a [`Report`] with
 //! its [`claims!`](crate::claims), its [`limits!`](crate::limits) and its card of
-//! [`effects!`](crate::effects); figures by [`draw`], a [`MovingPicture`], and [`times`] and
+//! [`effect_card!`](crate::effect_card); figures by [`draw`], a [`MovingPicture`], and [`times`] and
 //! [`sampled`] to sample a motion; at the end [`example!`](crate::example), which makes an
 //! [`Example`] of them. What the pages on the heavy top share is in [`heavy_top`].
 //!

@@ -131,11 +131,11 @@ impl<E: Effect> Scene<E> {
     /// missed by all runs alike; [`Solved::longest_step`] says how long the steps were.
     ///
     /// # Errors
-    /// A tolerance outside its range, anything not finite; [`Error::Contradiction`] if an
+    /// A tolerance outside its range, anything not finite; [`Error::Contradiction`](crate::Error::Contradiction) if an
     /// effect says of itself what its torque does not bear out, at the start or along the
-    /// way; [`Error::BeyondCondition`] if the inputs, as doubles, do not determine the end
-    /// so closely; [`Error::NotDelivered`] if no method converges to it;
-    /// [`Error::OverBudget`] if it takes more torques than [`Limits::budget`].
+    /// way; [`Error::BeyondCondition`](crate::Error::BeyondCondition) if the inputs, as doubles, do not determine the end
+    /// so closely; [`Error::NotDelivered`](crate::Error::NotDelivered) if no method converges to it;
+    /// [`Error::OverBudget`](crate::Error::OverBudget) if it takes more torques than [`Limits::budget`].
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())
     }
@@ -144,7 +144,7 @@ impl<E: Effect> Scene<E> {
     /// budget or a way to cancel.
     ///
     /// # Errors
-    /// As [`Scene::solve`]; limits that contradict the span; [`Error::Cancelled`].
+    /// As [`Scene::solve`]; limits that contradict the span; [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn solve_with(
         &self,
         start: &State,
