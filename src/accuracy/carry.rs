@@ -148,14 +148,47 @@ impl Carrier {
         match (self, variables) {
             (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::GaussLegendre(m), Variables::Body) if E::NATURE.torque_free => {
+            // By constants: no code is made for what the effects rule out.
+            _ => {
+                if const { E::NATURE.torque_free } {
+                    self.advance_free(scene, variables, [t, t_end], start)
+                } else if const { E::NATURE.axis_only } {
+                    self.advance_axis(scene, variables, [t, t_end], start)
+                } else {
+                    Err(Error::SeesMore {
+                        effects: scene.effects().names().join(", "),
+                    })
+                }
+            }
+        }
+    }
+
+    /// A body without torque on its own axes; in all else it is one whose axis alone is seen.
+    fn advance_free<E: Effect>(
+        &self,
+        scene: &Scene<E>,
+        variables: Variables,
+        [t, t_end]: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        match (self, variables) {
+            (Self::GaussLegendre(m), Variables::Body) => {
                 let free = FreeRotation::new(&Scene::new(*scene.body()));
                 m.advance(&free, t, start, t_end)
             }
-            // What follows sees the axis alone; here no code is made for effects that see more.
-            _ if !E::NATURE.axis_only => Err(Error::SeesMore {
-                effects: scene.effects().names().join(", "),
-            }),
+            _ => self.advance_axis(scene, variables, [t, t_end], start),
+        }
+    }
+
+    /// Effects that see the axis alone.
+    fn advance_axis<E: Effect>(
+        &self,
+        scene: &Scene<E>,
+        variables: Variables,
+        [t, t_end]: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        match (self, variables) {
             (Self::Splitting(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Body) => {
                 m.advance(&BodyAxes::new(scene)?, t, start, t_end)

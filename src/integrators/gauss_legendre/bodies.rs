@@ -194,7 +194,7 @@ impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
             scale: core::array::from_fn(|i| if i < 4 { scale[i] } else { scale[i] / twice }),
         };
         let [_, _, vertical] = start.angular_momentum.to_array();
-        let ([w, x, y, z], [lx, ly, lz], work) = if E::NATURE.keeps.momentum[2] {
+        let ([w, x, y, z], [lx, ly, lz], work) = if const { E::NATURE.keeps.momentum[2] } {
             let from = Compensated {
                 value: [w, x, y1, z, p.hi(), q.hi()],
                 carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo()],

@@ -75,10 +75,12 @@ impl GaussLegendre {
         {
             // A sweep of few components waits for its chain of operations, not for
             // room in the registers, and the narrower ones answer sooner.
-            let wide = N > 4 && self.registers >= Registers::Avx512;
-            if wide && std::is_x86_feature_detected!("avx512f") {
-                // SAFETY: the processor has the feature, as just detected.
-                return unsafe { self.run_avx512(ode, t, start, t_end, companion) };
+            if const { N > 4 } {
+                let wide = self.registers >= Registers::Avx512;
+                if wide && std::is_x86_feature_detected!("avx512f") {
+                    // SAFETY: the processor has the feature, as just detected.
+                    return unsafe { self.run_avx512(ode, t, start, t_end, companion) };
+                }
             }
             if self.registers >= Registers::Avx2 && std::is_x86_feature_detected!("avx2") {
                 // SAFETY: the processor has the feature, as just detected.
