@@ -39,7 +39,6 @@ use core::f64::consts::FRAC_1_SQRT_2;
 /// J. Astronaut. Sci. 41, 439 (1993); for all twelve from a quaternion, E. Bernardes,
 /// S. Viollet, PLoS ONE 17, e0276302 (2022).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs)]
 pub enum Sequence {
     Xyx,
     Xzx,

@@ -35,6 +35,36 @@ pub(super) struct Answer {
     pub form: Form,
 }
 
+/// What is done with effects of any type, by the few types for which the dial is compiled.
+macro_rules! by_kind {
+    ($any:expr, $effects:ident => $run:expr) => {{
+        let nature = $any.nature();
+        match $any.known() {
+            Known::Free => {
+                let $effects = ();
+                $run
+            }
+            Known::HeavyTop($effects) => $run,
+            Known::No if nature.axis_only && nature.smooth => {
+                let $effects = Erased::<true, true, false>($any);
+                $run
+            }
+            Known::No if nature.smooth && nature.slips => {
+                let $effects = Erased::<false, true, true>($any);
+                $run
+            }
+            Known::No if nature.smooth => {
+                let $effects = Erased::<false, true, false>($any);
+                $run
+            }
+            Known::No => {
+                let $effects = Erased::<false, false, true>($any);
+                $run
+            }
+        }
+    }};
+}
+
 /// What is asked: a scene, its start, its end, and within which limits.
 pub(super) struct Given<'s> {
     effects: &'s dyn AnyEffect,
@@ -112,21 +142,7 @@ impl<'s> Given<'s> {
             places,
             step,
         };
-        let nature = self.effects.nature();
-        match self.effects.known() {
-            Known::Free => by.of(&self.problem(&(), &asked)),
-            Known::HeavyTop(gravity) => by.of(&self.problem(&gravity, &asked)),
-            Known::No if nature.axis_only && nature.smooth => {
-                by.of(&self.problem(&Erased::<true, true, false>(self.effects), &asked))
-            }
-            Known::No if nature.smooth && nature.slips => {
-                by.of(&self.problem(&Erased::<false, true, true>(self.effects), &asked))
-            }
-            Known::No if nature.smooth => {
-                by.of(&self.problem(&Erased::<false, true, false>(self.effects), &asked))
-            }
-            Known::No => by.of(&self.problem(&Erased::<false, false, true>(self.effects), &asked)),
-        }
+        by_kind!(self.effects, effects => by.of(&self.problem(&effects, &asked)))
     }
 }
 
@@ -167,27 +183,9 @@ impl Onward<'_> {
             checked,
         };
         let (asked, span) = (Cell::new(0), [from, to]);
-        let nature = self.effects.nature();
-        let passed = match self.effects.known() {
-            Known::Free => method.run(&given.problem(&(), &asked), span, start, fine),
-            Known::HeavyTop(g) => method.run(&given.problem(&g, &asked), span, start, fine),
-            Known::No if nature.axis_only && nature.smooth => {
-                let effects = Erased::<true, true, false>(self.effects);
-                method.run(&given.problem(&effects, &asked), span, start, fine)
-            }
-            Known::No if nature.smooth && nature.slips => {
-                let effects = Erased::<false, true, true>(self.effects);
-                method.run(&given.problem(&effects, &asked), span, start, fine)
-            }
-            Known::No if nature.smooth => {
-                let effects = Erased::<false, true, false>(self.effects);
-                method.run(&given.problem(&effects, &asked), span, start, fine)
-            }
-            Known::No => {
-                let effects = Erased::<false, false, true>(self.effects);
-                method.run(&given.problem(&effects, &asked), span, start, fine)
-            }
-        };
+        let passed = by_kind!(self.effects, effects => {
+            method.run(&given.problem(&effects, &asked), span, start, fine)
+        });
         Ok(passed?.state)
     }
 }
