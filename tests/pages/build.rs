@@ -1,4 +1,6 @@
 //! Finds the examples and their tests in their directories: a new page is a new file.
+//!
+//! `PAGES=STEM,STEM` in the environment leaves out all others: for one who writes a page.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -28,15 +30,21 @@ fn modules(directory: &Path, stems: &[String], public: &str) -> String {
 fn main() {
     let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("set by cargo"));
+    println!("cargo::rerun-if-env-changed=PAGES");
+    let only = env::var("PAGES").unwrap_or_default();
+    let wanted = |stem: &String| only.is_empty() || only.split(',').any(|page| page == stem);
     let examples = here.join("../../examples");
-    let pages = stems(&examples);
+    let all = stems(&examples);
+    let (pages, others): (Vec<_>, Vec<_>) = all.into_iter().partition(wanted);
     let list: String = pages
         .iter()
         .map(|stem| format!("&{stem}::EXAMPLE, "))
         .collect();
     let library = format!(
-        "{}\n/// Every example, in the order of the stems.\npub const ALL: &[&dyn Page] = &[{list}];\n",
-        modules(&examples, &pages, "pub ")
+        "{}\n/// Every example, in the order of the stems.\npub const ALL: &[&dyn Page] = &[{list}];\n\
+         /// Whether none was left out.\npub const WHOLE: bool = {};\n",
+        modules(&examples, &pages, "pub "),
+        others.is_empty()
     );
     fs::write(out.join("examples.rs"), library).expect("the output can be written");
 
@@ -44,6 +52,7 @@ fn main() {
     let tests: Vec<String> = stems(&here)
         .into_iter()
         .filter(|stem| !["build", "lib", "tests"].contains(&stem.as_str()))
+        .filter(|stem| !others.contains(stem))
         .collect();
     fs::write(out.join("tests.rs"), modules(&here, &tests, "")).expect("the output can be written");
 }

@@ -7,7 +7,7 @@
 
 use insta::Settings;
 use rotation_dynamics::report::draw::PALETTE;
-use pages::ALL;
+use pages::{ALL, WHOLE};
 use rotation_dynamics::report::{Figure, Page, parse};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -95,20 +95,22 @@ fn examples_are_locked() {
             }
         });
     }
-    assert_eq!(all.len(), files("examples").len());
+    assert_eq!(WHOLE, all.len() == files("examples").len());
 }
 
 #[test]
 fn nothing_is_locked_twice_or_without_an_example() {
     let all = all();
     let stems: BTreeSet<String> = all.iter().map(|e| format!("{}.rs", e.stem)).collect();
-    assert_eq!(
-        stems,
-        files("examples"),
-        "the files in examples/ are those listed here"
-    );
     let texts: BTreeSet<String> = all.iter().map(|e| format!("{}.snap", e.stem)).collect();
-    assert_eq!(texts, files("tests/snapshots"));
+    if WHOLE {
+        assert_eq!(
+            stems,
+            files("examples"),
+            "the files in examples/ are those listed here"
+        );
+        assert_eq!(texts, files("tests/snapshots"));
+    }
     let mut figures = BTreeSet::new();
     for example in all {
         for figure in &example.figures {
@@ -118,7 +120,11 @@ fn nothing_is_locked_twice_or_without_an_example() {
             }
         }
     }
-    assert_eq!(figures, files("tests/snapshots/figures"));
+    let locked = files("tests/snapshots/figures");
+    assert!(figures.is_subset(&locked), "all are locked");
+    if WHOLE {
+        assert_eq!(figures, locked);
+    }
 }
 
 #[test]
