@@ -2,6 +2,8 @@
 //! stops the build at its file and line. The pages themselves are checked by the
 //! builder (`book/builder`), which is run here as a reader runs it.
 
+#[path = "book/inventory.rs"]
+mod inventory;
 #[path = "book/sample.rs"]
 mod sample;
 
@@ -108,6 +110,11 @@ fn every_stem_is_complete() {
         .filter(|name| !["SUMMARY", "index"].contains(&name.as_str()))
         .collect();
     assert_eq!(examples, stems, "examples and pages");
+}
+
+#[test]
+fn what_the_notes_compute_has_a_page_a_check_and_a_figure() {
+    inventory::check(&root());
 }
 
 /// Tests are found by no directory: a file that its package does not name never runs.
