@@ -10,7 +10,7 @@
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
 //! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip; a caption as for `figure` |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
-//! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs` |
+//! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs`; `STEM/FILE:ANCHOR` in `examples/STEM/FILE.rs` |
 //! | `{{output STEM}}` | the locked output with its command, folded |
 //! | `{{output STEM:SECTION}}` | one section of it |
 //! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` as two lines and a fold, with its times |
@@ -53,8 +53,8 @@ pub enum Directive {
     Figure(Vec<(String, String)>),
     /// The frames of a moving figure.
     Stills { stem: String },
-    /// Lines of an example.
-    Listing { stem: String, anchor: String },
+    /// Lines of an example: in its file, or in one of its directory (`STEM/FILE`).
+    Listing { file: String, anchor: String },
     /// The locked output, or one section of it.
     Output {
         stem: String,
@@ -145,8 +145,13 @@ impl Directive {
             }
             ("figure", _) => Err(wrong("figure STEM:NAME NAME …")),
             ("listing", [word]) => {
-                let (stem, anchor) = pair(word).ok_or_else(|| wrong("listing STEM:ANCHOR"))?;
-                Ok(Self::Listing { stem, anchor })
+                let found = word.split_once(':').filter(|(file, anchor)| {
+                    let parts: Vec<&str> = file.split('/').collect();
+                    parts.len() <= 2 && parts.into_iter().all(is_name) && is_name(anchor)
+                });
+                let (file, anchor) = found.ok_or_else(|| wrong("listing STEM:ANCHOR"))?;
+                let (file, anchor) = (file.to_owned(), anchor.to_owned());
+                Ok(Self::Listing { file, anchor })
             }
             ("listing", _) => Err(wrong("listing STEM:ANCHOR")),
             ("output", [word]) if is_name(word) => Ok(Self::Output {
@@ -385,10 +390,11 @@ pub fn block(
             let marks = panels(page, &frames)?;
             Ok(page.row(&marks, caption, indent, "fig-frames", Some(stem)))
         }
-        Directive::Listing { stem, anchor } => {
-            page.stems.push(stem.clone());
-            let (code, line) = project.listing(stem, anchor)?;
-            let file = format!("examples/{stem}.rs");
+        Directive::Listing { file, anchor } => {
+            let stem = file.split_once('/').map_or(file.as_str(), |(stem, _)| stem);
+            page.stems.push(stem.to_owned());
+            let file = format!("examples/{file}.rs");
+            let (code, line) = project.listing(&file, anchor)?;
             page.sources.push(file.clone());
             let head = format!(
                 "<div class=\"code\"><div class=\"listing\"><a href=\"{}#L{line}\">{file}</a></div>",

@@ -192,11 +192,10 @@ impl Project {
         self.read(&file)
     }
 
-    /// The lines between `// ANCHOR: name` and `// ANCHOR_END: name`, dedented, without
+    /// The lines of `file` between `// ANCHOR: name` and `// ANCHOR_END: name`, dedented, without
     /// other anchors, with the number of the first.
-    pub fn listing(&self, stem: &str, anchor: &str) -> Result<(String, usize), String> {
-        let file = format!("examples/{stem}.rs");
-        let text = self.read(&file)?;
+    pub fn listing(&self, file: &str, anchor: &str) -> Result<(String, usize), String> {
+        let text = self.read(file)?;
         let mark = |line: &str, kind: &str| -> Option<String> {
             let comment = line.trim().strip_prefix("//")?.trim_start();
             comment
