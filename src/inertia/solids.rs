@@ -84,6 +84,35 @@ pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
     solid(mass, [2.0 * r * r / 3.0; 3])
 }
 
+/// A solid ellipsoid with semi-axes a, b, c along e1, e2, e3: I1 = m (b^2 + c^2)/5 and so on.
+pub fn ellipsoid(mass: f64, a: f64, b: f64, c: f64) -> Result<MassProperties> {
+    let [a, b, c] = [
+        positive("semi-axis a", a)?,
+        positive("semi-axis b", b)?,
+        positive("semi-axis c", c)?,
+    ]
+    .map(|axis| 0.2 * axis * axis);
+    solid(mass, [b + c, a + c, a + b])
+}
+
+/// A solid torus about e3, from the axis to the middle of the tube R, radius of the tube r:
+/// I1 = I2 = m (R^2/2 + 5 r^2/8), I3 = m (R^2 + 3 r^2/4).
+///
+/// Errors: also if the tube is thicker than it is far from the axis.
+pub fn torus(mass: f64, radius: f64, tube: f64) -> Result<MassProperties> {
+    let ring = positive("radius", radius)?;
+    let r = positive("radius of the tube", tube)?;
+    if r > ring {
+        return Err(Error::OutOfRange {
+            name: "radius of the tube",
+            value: r,
+            allowed: "it must not exceed the radius of the ring",
+        });
+    }
+    let across = ring * ring / 2.0 + 5.0 * r * r / 8.0;
+    solid(mass, [across, across, ring * ring + 3.0 * r * r / 4.0])
+}
+
 /// A box with edges a, b, c along e1, e2, e3: I1 = m (b^2 + c^2)/12 and so on.
 pub fn cuboid(mass: f64, a: f64, b: f64, c: f64) -> Result<MassProperties> {
     let [a, b, c] = [

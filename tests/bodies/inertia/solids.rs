@@ -101,6 +101,26 @@ fn solids_against_sums_over_cells() {
                 (u * u, 0.25 * square, 0.25 * square, z * z)
             }),
         ),
+        (
+            "ellipsoid",
+            moments(solids::ellipsoid(mass, 0.3, r, l)),
+            Box::new(move |u| {
+                // Slices across e3.
+                let height = 2.0 * u - 1.0;
+                let part = 0.25 * (1.0 - height * height);
+                (part, 0.09 * part, r * r * part, l * l * height * height)
+            }),
+        ),
+        (
+            "torus",
+            moments(solids::torus(mass, l, r)),
+            Box::new(move |u| {
+                // Shells of the tube, each the heavier the farther from the axis.
+                let square = r * r * u * u;
+                let across = 0.5 * (l * l + 1.5 * square);
+                (u, across, across, 0.5 * square)
+            }),
+        ),
     ];
     let mut errors = Errors::in_units_of(EPS, "solids");
     let mut damaged = Errors::in_units_of(EPS, "solids off by 1e-14");
@@ -131,7 +151,7 @@ fn solids_against_sums_over_cells() {
         );
     }
     // Of the sums.
-    errors.attain(8.1..=8.2, 10);
+    errors.attain(8.1..=8.2, 12);
     // A moment off by 1e-14 is seen in every solid.
-    damaged.exceed(8.2, 10);
+    damaged.exceed(8.2, 12);
 }
