@@ -4,17 +4,12 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
-use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, Solution, Work};
-use rotation_dynamics::integrators::{ode, small_frequency};
-use rotation_dynamics::interval::from_to;
-use rotation_dynamics::math::{atan2, cbrt, cos, hypot, sin, sincos};
-use rotation_dynamics::report::{ClosedForm, Report};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, after, newton};
+use rotation_dynamics::integrators::{place_and_velocity, second_order, small_frequency};
+use rotation_dynamics::report::prelude::*;
 
-rotation_dynamics::parameters! {
+parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the bob
@@ -35,9 +30,8 @@ rotation_dynamics::parameters! {
 /// q = g/(l w^2), the one number that decides.
 fn ratio(p: &Parameters) -> Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
-    let [fast, slow] = [from_to(1e-6, 0.999), from_to(1.001, 1e6)];
-    let allowed = if q > 1.0 { slow } else { fast };
-    allowed.check("g/(l w^2), 1 at the threshold where nothing settles,", q)
+    let (low, high) = if q > 1.0 { (1.001, 1e6) } else { (1e-6, 0.999) };
+    from_to(low, high).check("g/(l w^2), 1 at the threshold where nothing settles,", q)
 }
 
 /// The angle whose cosine is q, or 0 if there is none: that of the cone, rad.
@@ -69,34 +63,21 @@ pub fn period(q: f64, angle: f64) -> Result<f64> {
 // ANCHOR: motions
 /// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w.
 pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
-    let law = move |_, [theta, rate]: &[f64; 2]| {
-        let (s, c) = sincos(*theta);
-        [*rate, (c - q) * s - 2.0 * damping * rate]
-    };
-    ode(law).scaled(|[theta, rate]| [hypot(*theta, *rate).max(1e-30); 2])
+    second_order(move |_, theta, rate| (cos(theta) - q) * sin(theta) - 2.0 * damping * rate)
 }
 
 /// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`, the
 /// support at the origin, lengths in l, time in 1/w; with quadratic air drag.
 pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
-    ode(move |_, state| {
-        let [r, v] = vectors(state);
-        let a = r * -tension(q, state) - v * (drag * v.norm());
-        [v.x(), v.y(), v.z(), a.x(), a.y(), a.z() - q]
-    })
+    let weight = SpaceVector::new(0.0, 0.0, -q);
+    newton(move |_, [r, v]| weight - r * tension(q, [r, v]) - v * (drag * v.norm()))
 }
 
 /// Tension over M l w^2: what keeps the bob at its distance from the support.
-pub fn tension(q: f64, state: &[f64; 6]) -> f64 {
-    let [r, v] = vectors(state);
+pub fn tension(q: f64, [r, v]: [SpaceVector; 2]) -> f64 {
     (v.dot(&v) - q * r.z()) / r.dot(&r)
 }
 // ANCHOR_END: motions
-
-/// Place and velocity.
-fn vectors(&[x, y, z, vx, vy, vz]: &[f64; 6]) -> [SpaceVector; 2] {
-    [[x, y, z], [vx, vy, vz]].map(SpaceVector::from_array)
-}
 
 /// The state in space, the plane having turned by `turn`.
 pub fn in_space([theta, rate]: [f64; 2], turn: f64) -> [f64; 6] {
@@ -136,42 +117,28 @@ pub fn measured_free(q: f64) -> Result<f64> {
     small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| y[2] - rest)
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "A bob on a string, in a vertical plane that turns at a constant rate.";
-    let mut report = Report::new("The conical pendulum", about)?;
-    claims(p, &mut report)?;
-    limits(&mut report)?;
-    effects(p, &mut report)?;
-    let (q, release, whole) = (ratio(p)?, p.release, period(ratio(p)?, p.release)?);
-    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    let swing = move |step| turning(q, release, 2, step);
-    let error = move |(back, _): &(LocatedEvent<2>, Work)| {
-        let [theta, _] = back.state;
-        Ok(largest([back.t / whole - 1.0, theta - release]))
-    };
-    report.dial("DOP853, error of a step", asked, swing, |run| run.1, error)?;
-    report.set_closed_form(ClosedForm::new(move |_| period(q, release)));
-    Ok(report)
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (q, m, g, l, w) = (ratio(p)?, p.mass, p.gravity, p.length, p.rate);
     let (theta, w0, bound) = (cone(q), (g / l).sqrt(), 100.0 * p.tolerance);
     let (s, c) = sincos(theta);
     // Below the threshold the square of the frequency is q - 1: here in a plane with q = 2.
     let slower = w0 * (0.5 + 0.5 * measured_driven(2.0)? * measured_driven(2.0)?).sqrt();
-    let (method, start) = (Dop853::new(p.tolerance)?, in_space([theta, 0.0], 0.0));
-    let (end, _) = method.advance(&on_string(q, 0.0), 0.0, &start, 2.0 * PI)?;
-    let (unit, newton) = (m * (l * w * w), (m * (l * w * w)).max(m * g));
-    let (pull, out) = (unit * tension(q, &end), hypot(end[0], end[1]));
+    let (start, unit) = (in_space([theta, 0.0], 0.0), m * (l * w * w));
+    let end = after(2.0 * PI, &on_string(q, 0.0), &start, p.tolerance)?;
+    let [r, v] = place_and_velocity(&end);
+    let (pull, out, newton) = (
+        unit * tension(q, [r, v]),
+        hypot(r.x(), r.y()),
+        unit.max(m * g),
+    );
     let turns = |angle, n| Ok(turning(q, angle, n, p.tolerance)?.0);
     let [wide, back] = [turns(p.release, 1)?, turns(p.release, 2)?];
     // If no angle has that cosine, the wide swing goes through the vertical.
     let other = 2.0 * q - cos(p.release);
     let far = if other < 1.0 { cone(other) } else { -p.release };
-    let (small, time) = (w * driven(q), period(q, p.release)? / w);
-    rotation_dynamics::claims! { report,
+    let (small, time, free) = (w * driven(q), period(q, p.release)? / w, w * free(q));
+    let touched = 0.5 * period(q, 1e-9)? / w;
+    claims! { report,
         /// angle from the vertical
         theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound,
         in "The angle":
@@ -184,8 +151,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The angle":
             g / l => "that is its square";
         /// reaction: tension of the string
-        tension: newton, "N", "a turn in space" => pull, within bound * newton,
-        in "The reaction":
+        tension: newton, "N", "a turn in space" => pull, within bound * newton, in "The reaction":
             m * g => "that is its vertical part only",
             unit * s => "that is its horizontal part only",
             m * g * c => "along the string the bob is accelerated";
@@ -199,33 +165,26 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             w * c => "look at the second derivative again",
             w0 => "that is for a plane at rest";
         /// where it turns back
-        far: far, "rad", "located event" => wide.state[0], within bound,
-        in "The wide swing":
+        far: far, "rad", "located event" => wide.state[0], within bound, in "The wide swing":
             2.0 * theta - p.release => "in the angle, the cone is not halfway between the two";
         /// period
         period: time, "s", "located event" => back.t / w, within 10.0 * bound * time,
         in "The wide swing":
             2.0 * PI / small => "that is for small oscillations";
-    }?;
-    if q > 1.0 {
-        return Ok(());
-    }
-    let (free, touched) = (w * free(q), 0.5 * period(q, 1e-9)? / w);
-    let (reached, near) = (turns(1e-9, 1)?.t / w, bound * 10.0 * touched);
-    rotation_dynamics::claims! { report,
         /// the bob left to itself
-        free: free, "rad/s", "simulated" => w * measured_free(q)?, within 1e-9 * free,
+        free: free, "rad/s", "simulated" => w * measured_free(q)?, within 1e-9 * free, if q < 1.0,
         in "Angular frequency of small oscillations":
             small => "further in, the bob now turns faster";
         /// far turning point, from 1e-9 rad
-        touched: touched, "s", "located event" => reached, within near;
+        touched: touched, "s", "located event" => turns(1e-9, 1)?.t / w,
+        within bound * 10.0 * touched, if q < 1.0;
     }
 }
 
 /// Just above the threshold, far above it, and in a plane at rest.
-fn limits(report: &mut Report) -> Result<()> {
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let (near, still) = (1.0 - 1e-8, legendre::k(Modulus::from_k(sin(0.25))?)?);
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// cos(theta) = 1 - theta^2/2 for a small angle
         "q = 1 - x: theta/sqrt(2 x)": cone(near) / 2e-8_f64.sqrt() => 1.0, within 1e-8;
         /// at the threshold nothing drives the bob back or away
@@ -255,7 +214,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slope = if q < 1.0 { q / sin(cone(q)) } else { 0.0 };
     let stretch = m * (l * w * w).max(p.gravity) / (3e9 * area);
     let (string, size, earth) = (1150.0 * area * l / m, 0.4 * r * r / (l * l), 1.4584e-4 / w);
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "air drag, bob left to itself":
             "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn";
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
@@ -266,7 +225,18 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+/// The accuracy strip: the wide swing, for a period.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (q, release) = (ratio(p)?, p.release);
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    let swing = move |step| turning(q, release, 2, step);
+    report.set_closed_form(ClosedForm::new(move |_| period(q, release)));
+    report.dial_of_return(asked, swing, period(q, release)?, release)
+}
+
+example! {
     ch16_ex2_conical_pendulum: "Exercise 16.2: a bob on a string that is turned about the vertical";
-    report, figures::figures, figures::trajectory, figures::moving_picture
+    "The conical pendulum", "A bob on a string, in a vertical plane that turns at a constant rate.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -34,12 +34,12 @@ mod spin_free;
 pub mod splitting;
 mod work;
 
-pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution, small_frequency};
+pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution, after, small_frequency};
 pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use method::{About, Method};
 pub use munthe_kaas::MuntheKaas4;
-pub use ode::{ByClosure, Ode, Scale, ode};
+pub use ode::{ByClosure, Ode, Scale, newton, ode, place_and_velocity, second_order};
 pub use projected::{Kept, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;

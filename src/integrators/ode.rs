@@ -1,6 +1,8 @@
 //! A system of first-order differential equations.
 
 use crate::error::{Error, Result, finite};
+use crate::frame::SpaceVector;
+use crate::math::hypot;
 
 /// A system y' = f(t, y) of `N` first-order equations.
 pub trait Ode<const N: usize> {
@@ -51,6 +53,51 @@ pub fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(
 ) -> ByClosure<F, Scale<N>> {
     let scale = |y: &[f64; N]| y.map(|c| c.abs().max(1.0));
     ByClosure { derivative, scale }
+}
+
+/// A point of mechanics with one coordinate, `[x, x']`: x'' = `acceleration(t, x, x')`.
+///
+/// An error counts against x and x' together, so both should be of one size: take a unit
+/// of time in which the motion is neither slow nor fast.
+///
+/// ```
+/// use rotation_dynamics::integrators::{Dop853, Integrator, second_order};
+/// let damped = |rate: f64| second_order(move |_t, x, v| -x - 2.0 * rate * v);
+/// let (end, _) = Dop853::new(1e-13)?.advance(&damped(1.0), 0.0, &[1.0, -1.0], 1.0)?;
+/// assert!((end[0] - rotation_dynamics::math::exp(-1.0)).abs() < 1e-13);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub fn second_order(acceleration: impl Fn(f64, f64, f64) -> f64) -> impl Ode<2> {
+    ode(move |t, &[x, v]: &[f64; 2]| [v, acceleration(t, x, v)])
+        .scaled(|&[x, v]| [hypot(x, v).max(1e-30); 2])
+}
+
+/// A particle in space, `[x, y, z, x', y', z']`, by Newton's law: its acceleration at the
+/// time t, of its place and its velocity.
+///
+/// ```
+/// use rotation_dynamics::integrators::{Dop853, Integrator, newton, place_and_velocity};
+/// // About a centre that attracts with 1/r^2, on a circle.
+/// let attracted = newton(|_t, [r, _v]| r * -r.norm().powi(-3));
+/// let turn = core::f64::consts::TAU;
+/// let start = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+/// let (end, _) = Dop853::new(1e-13)?.advance(&attracted, 0.0, &start, turn)?;
+/// let [place, velocity] = place_and_velocity(&end);
+/// assert!((place.x() - 1.0).abs() < 1e-12 && (velocity.y() - 1.0).abs() < 1e-12);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub fn newton(acceleration: impl Fn(f64, [SpaceVector; 2]) -> SpaceVector) -> impl Ode<6> {
+    ode(move |t, state| {
+        let [place, velocity] = place_and_velocity(state);
+        let [ax, ay, az] = acceleration(t, [place, velocity]).to_array();
+        let [vx, vy, vz] = velocity.to_array();
+        [vx, vy, vz, ax, ay, az]
+    })
+}
+
+/// Place and velocity of a particle, from a state of [`newton`].
+pub fn place_and_velocity(&[x, y, z, vx, vy, vz]: &[f64; 6]) -> [SpaceVector; 2] {
+    [[x, y, z], [vx, vy, vz]].map(SpaceVector::from_array)
 }
 
 impl<F, S> ByClosure<F, S> {

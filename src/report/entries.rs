@@ -3,6 +3,8 @@
 use super::claim::{Claim, Oracle, Slip};
 use super::sections::{EffectEntry, Limit, Price, Report};
 use super::table::Table;
+use crate::accuracy::CalledFor;
+use crate::effects::Effect;
 use crate::error::Result;
 
 /// Something that a report can hold; added by [`Report::add`], which checks it.
@@ -196,6 +198,56 @@ impl EffectLine {
     pub fn included(mut self) -> Self {
         self.0.included = true;
         self
+    }
+}
+
+impl<E: Effect> CalledFor<'_, E> {
+    /// The line of the card for an effect that the scene leaves out: what the page calls it,
+    /// the number that measures it, as a formula and its value, the effect, and what the
+    /// predicted angle is: `"rad a turn, of the axis"`.
+    ///
+    /// ```
+    /// use rotation_dynamics::attitude::{Attitude, EulerAngles};
+    /// use rotation_dynamics::body::RigidBody;
+    /// use rotation_dynamics::effects::{DiscDrag, GravityAtLever};
+    /// use rotation_dynamics::frame::BodyVector;
+    /// use rotation_dynamics::inertia::PrincipalMoments;
+    /// use rotation_dynamics::report::Report;
+    /// use rotation_dynamics::scene::Scene;
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// let body = RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9.0e-4)?);
+    /// let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 })?;
+    /// let start = body.state(tilted, BodyVector::new(0.0, 0.0, 314.0))?;
+    /// let scene = Scene::new(body).with(GravityAtLever::new(4.9, 0.1)?);
+    /// let air = DiscDrag::new(0.06, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, 314.0)?;
+    ///
+    /// let left_out = scene.called_for(&start, 0.2, 1e-3)?.of_axis();
+    /// let mut report = Report::new("A rotor", "a disc on an axle")?;
+    /// let number = air.number(&body, &start);
+    /// report.add(left_out.line("air", "torque / |L| omega", number, &air, "rad in 0.2 s")?)?;
+    /// assert!(report.text()?.contains("rad in 0.2 s"));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`CalledFor::weigh`].
+    pub fn line(
+        &self,
+        name: impl Into<String>,
+        formula: impl Into<String>,
+        number: f64,
+        candidate: &impl Effect,
+        of: &str,
+    ) -> Result<EffectLine> {
+        let weighed = self.weigh(candidate, number)?;
+        let order = if weighed.linear {
+            ""
+        } else {
+            ", to first order"
+        };
+        let line = effect(name).number(formula, number);
+        Ok(line.costs(weighed.predicted, format!("{of}{order}")))
     }
 }
 

@@ -97,6 +97,9 @@ impl<P: ParameterSet> Example<P> {
 /// `--help`, and the functions `report`, `figures`, `trajectory` and, if something moves,
 /// `moving_picture`, in this order. The parameters are the type `Parameters` of the file.
 ///
+/// In place of the function `report` may stand the report's title and description, and the
+/// functions that add its sections.
+///
 /// ```
 /// use rotation_dynamics::Result;
 /// use rotation_dynamics::report::{Figure, Page, Report, Trajectory};
@@ -118,8 +121,45 @@ impl<P: ParameterSet> Example<P> {
 /// # #[cfg(feature = "cli")]
 /// # fn checked() { assert_eq!(EXAMPLE.stem(), "rod"); }
 /// ```
+///
+/// ```
+/// # use rotation_dynamics::report::prelude::*;
+/// # fn figures(_: &Parameters) -> Result<Vec<Figure>> { Ok(Vec::new()) }
+/// # fn trajectory(_: &Parameters) -> Result<Trajectory> { Trajectory::new(["t [s]"]) }
+/// # parameters! {
+/// #     /// A thin rod.
+/// #     pub struct Parameters {
+/// #         /// length of the rod
+/// #         length: number(3.0, "m", above(0.0));
+/// #     }
+/// # }
+/// fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+///     claims! { report,
+///         /// half of it
+///         half: 0.5 * p.length, "m", "to the end" => p.length - 0.5 * p.length, within 1e-15;
+///     }
+/// }
+/// # #[cfg(feature = "cli")]
+/// example! {
+///     rod: "A thin rod"; "A rod", "a thin rod about its middle", [claims]; figures, trajectory
+/// }
+/// # #[cfg(not(feature = "cli"))]
+/// # fn main() {}
+/// ```
 #[macro_export]
 macro_rules! example {
+    ($stem:ident: $about:literal;
+     $title:literal, $description:literal, [$($section:path),+ $(,)?];
+     $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
+        /// Every number of the page.
+        fn report(p: &Parameters) -> $crate::Result<$crate::report::Report> {
+            let mut report = $crate::report::Report::new($title, $description)?;
+            $( $section(p, &mut report)?; )+
+            Ok(report)
+        }
+
+        $crate::example! { $stem: $about; report, $figures, $trajectory $(, $moves)? }
+    };
     ($stem:ident: $about:literal; $report:expr, $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
         /// The example, as the command line, the tests and the book see it.
         pub const EXAMPLE: $crate::report::Example<Parameters> = $crate::report::Example {

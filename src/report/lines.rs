@@ -1,9 +1,10 @@
-//! Claims, limits and effects as a table in the source, one entry a line.
+//! Claims, limits, effects and figures as a table in the source, one entry a line.
 
 /// Adds claims to a report: what it is as a doc comment, then the key, the value, its unit,
 /// the independent route and what it gives, and the bound. What a student would compute goes
 /// `in` a group of the answer box; below it stand wrong answers that people give, each with a
-/// hint. Evaluates to a `Result`.
+/// hint. A claim with an `if` is made only where that is true, and not computed elsewhere.
+/// Evaluates to a `Result`.
 ///
 /// ```
 /// use rotation_dynamics::report::Report;
@@ -16,7 +17,10 @@
 ///         tau * (9.81 / length).sqrt() => "look at the unit";
 ///     /// the same, squared
 ///     square: tau * tau * length / 9.81, "s^2", "by hand" => 8.049, within 1e-3;
+///     /// the time in which a beam tips over
+///     tip: f64::NAN, "s", "nothing" => 0.0, within 0.0, if length < 0.0;
 /// }?;
+/// assert_eq!(report.claims().len(), 2);
 /// assert_eq!(report.claims()[0].slips().len(), 2);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
@@ -31,14 +35,19 @@ macro_rules! claims {
     ($report:expr,
      $( $(#[doc = $meaning:literal])+
         $key:ident : $value:expr, $unit:literal, $oracle:expr => $gives:expr, within $bound:expr
-        $(, in $group:literal $(: $( $wrong:expr => $hint:literal ),+ )? )? ; )+) => {
-        $report.add(vec![ $(
-            $crate::report::claim(stringify!($key), concat!($($meaning),+).trim(), $value, $unit)
-                .within($bound)
-                .against($oracle, $gives)
-                $( .answer($group) $( $( .slip($wrong, $hint) )+ )? )?,
-        )+ ])
-    };
+        $(, if $holds:expr)?
+        $(, in $group:literal $(: $( $wrong:expr => $hint:literal ),+ )? )? ; )+) => { {
+        let mut claims = Vec::new();
+        $( $( if $holds )? {
+            claims.push(
+                $crate::report::claim(stringify!($key), concat!($($meaning),+).trim(), $value, $unit)
+                    .within($bound)
+                    .against($oracle, $gives)
+                    $( .answer($group) $( $( .slip($wrong, $hint) )+ )? )?,
+            );
+        } )+
+        $report.add(claims)
+    } };
 }
 
 /// Adds limits to a report: why it must come out as a doc comment, then the limit, what the
@@ -103,5 +112,48 @@ macro_rules! effect_card {
         $report.add(vec![ $(
             $crate::report::effect($effect).number($number, $value).costs($error, $of) $( .$included() )?,
         )+ ])
+    };
+}
+
+/// Writes the function `figures` of a page, given its parameters; each figure is an entry: what is to be seen as a
+/// doc comment, then the name and the [`Drawing`](crate::report::draw::Drawing). Where what is
+/// to be seen holds a number, it follows the name in brackets.
+///
+/// ```
+/// use rotation_dynamics::math::sin;
+/// use rotation_dynamics::report::draw::{Curve, Ink, Panel, Side, Sketch};
+/// use rotation_dynamics::report::times;
+/// struct Parameters { swing: f64 }
+///
+/// rotation_dynamics::figures! { p: &Parameters;
+///     /// A weight hangs from a ceiling on a string of length l.
+///     setup: Sketch::within((-1.0, 1.0), (-1.2, 0.2))
+///         .wall((0.5, 0.0), (-0.5, 0.0))
+///         .string((0.0, 0.0), (0.0, -0.9), "$l$", Side::Left)
+///         .weight((0.0, -0.9), 0.08, "$M$");
+///
+///     swing(format!("The angle against time, a wave of the height {} rad.", p.swing)):
+///         Panel::over_axes("$t$ / s", r"$\theta$ / rad")
+///             .curve(Curve::of(times(0.0, 9.0, 90), |t| p.swing * sin(t), Ink::Body));
+/// }
+/// let [setup, swing] = &figures(&Parameters { swing: 0.5 })?[..] else { unreachable!() };
+/// assert_eq!(setup.alt, "A weight hangs from a ceiling on a string of length l.");
+/// assert!(swing.name == "swing" && swing.alt.ends_with("height 0.5 rad."));
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+/// The function returns those of the drawings.
+#[macro_export]
+macro_rules! figures {
+    ($p:tt : $parameters:ty;
+     $( $(#[doc = $alt:literal])* $name:ident $( ($told:expr) )? : $drawing:expr ; )+) => {
+        /// All figures of the page.
+        pub fn figures($p: $parameters) -> $crate::Result<Vec<$crate::report::Figure>> {
+            Ok(vec![ $( {
+                let alt: String = [ $( String::from($alt), )* $( String::from($told) )? ].concat();
+                $crate::report::draw::Drawing::drawn($drawing, stringify!($name), alt.trim())?
+            }, )+ ])
+        }
     };
 }

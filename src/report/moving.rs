@@ -1,6 +1,7 @@
 //! A drawing that moves.
 
 use super::Figure;
+use super::draw::{Panel, Scene, Stack};
 use crate::error::{Error, Result, finite};
 use core::ops::RangeInclusive;
 
@@ -52,6 +53,37 @@ impl MovingPicture {
             picture.check(t)?;
         }
         Ok(picture)
+    }
+
+    /// The usual picture: `scene` is what it looks like at a time, with what is to be seen
+    /// in words; below it stands `graph`, with a mark at that time.
+    ///
+    /// ```
+    /// use rotation_dynamics::math::cos;
+    /// use rotation_dynamics::report::draw::{Curve, Ink, Panel, Sketch};
+    /// use rotation_dynamics::report::{MovingPicture, times};
+    /// let graph = Panel::over_axes("$t$ / s", "$x$ / m");
+    /// let graph = graph.curve(Curve::of(times(0.0, 6.0, 60), cos, Ink::Body));
+    /// let picture = MovingPicture::above(graph, 0.0..=6.0, [0.0, 3.0], |t| {
+    ///     let ball = Sketch::within((-1.3, 1.3), (-0.2, 0.6)).disc((cos(t), 0.2), 0.2, Ink::Body, 0.3);
+    ///     Ok((format!("a ball after {t} s of swinging; below it its place against time"), ball))
+    /// })?;
+    /// assert_eq!(picture.stills()?.len(), 2);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`MovingPicture::new`].
+    pub fn above<S: Into<Scene>>(
+        graph: Panel,
+        span: RangeInclusive<f64>,
+        stills: impl Into<Vec<f64>>,
+        scene: impl Fn(f64) -> Result<(String, S)> + Send + Sync + 'static,
+    ) -> Result<Self> {
+        Self::new(span, stills, move |t| {
+            let (alt, scene) = scene(t)?;
+            Stack::frame(&alt, scene, &graph, t)
+        })
     }
 
     fn check(&self, t: f64) -> Result<()> {

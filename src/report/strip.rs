@@ -1,10 +1,12 @@
 //! The accuracy strip: what the dial delivers and pays, and what each method would.
 
 use super::{ClosedForm, Computation, Price, Report};
-use crate::accuracy::{Fineness, Problem, Solved, applies};
+use crate::accuracy::{Fineness, Problem, Solved, applies, largest};
 use crate::effects::Effect;
 use crate::error::{Error, Result};
-use crate::integrators::{Method, Work};
+#[cfg(doc)]
+use crate::integrators::Dop853;
+use crate::integrators::{LocatedEvent, Method, Work};
 
 /// The methods whose least work is shown, where they apply.
 const SHOWN: [Method; 6] = [
@@ -97,6 +99,39 @@ impl Report {
             });
         }
         Ok(())
+    }
+
+    /// The lines of [`dial`](Self::dial) for DOP853 by its error of a step, on a motion that
+    /// comes back: `back` finds that event (as [`Dop853::zero`] does), which is known to be at
+    /// the time `period`, with `place` as the first of its components. The larger of the
+    /// relative error of the time and the error of the place counts.
+    ///
+    /// ```
+    /// use rotation_dynamics::integrators::{Dop853, second_order};
+    /// use rotation_dynamics::report::Report;
+    /// let mut report = Report::new("A spring", "a weight on a spring, for a swing")?;
+    /// let swing = |step| {
+    ///     Dop853::new(step)?.zero(&second_order(|_, x, _| -x), [1.0, 0.0], 2, 10.0, |y| y[1])
+    /// };
+    /// report.dial_of_return([1e-3, 1e-6, 1e-9], swing, core::f64::consts::TAU, 1.0)?;
+    /// assert!(report.prices()[2].delivered < 1e-9);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`dial`](Self::dial).
+    pub fn dial_of_return<const N: usize>(
+        &mut self,
+        tolerances: impl IntoIterator<Item = f64>,
+        back: impl Fn(f64) -> Result<(LocatedEvent<N>, Work)> + Clone + Send + Sync + 'static,
+        period: f64,
+        place: f64,
+    ) -> Result<()> {
+        let error = move |(back, _): &(LocatedEvent<N>, Work)| {
+            Ok(largest([back.t / period - 1.0, back.state[0] - place]))
+        };
+        let label = "DOP853, error of a step";
+        self.dial(label, tolerances, back, |run| run.1, error)
     }
 
     /// Adds what the dial delivers, or that it refuses and the least it could.

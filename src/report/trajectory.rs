@@ -1,6 +1,8 @@
 //! A motion as samples, and as CSV.
 
+use super::times;
 use crate::error::{Error, Result};
+use crate::integrators::Solution;
 use core::fmt::Write;
 
 /// Samples of a motion: named columns, one row per instant.
@@ -44,6 +46,30 @@ impl Trajectory {
             trajectory.push(sample(t)?)?;
         }
         Ok(trajectory)
+    }
+
+    /// A solved motion: what `row` makes of each of `count + 1` times, from the start to the
+    /// end, and of the state then.
+    ///
+    /// ```
+    /// use rotation_dynamics::integrators::{Dop853, second_order};
+    /// use rotation_dynamics::report::Trajectory;
+    /// let run = Dop853::new(1e-9)?.solve(&second_order(|_, x, _| -x), 0.0, &[1.0, 0.0], 3.0, &[])?;
+    /// let file = Trajectory::of(&run, ["t [s]", "x [m]"], 6, |t, [x, _]| [t, x])?;
+    /// assert_eq!(file.rows()[6][0], 3.0);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Trajectory::new`] and [`Trajectory::push`].
+    pub fn of<S: Into<String>, R: Into<Vec<f64>>, const N: usize>(
+        run: &Solution<N>,
+        columns: impl IntoIterator<Item = S>,
+        count: u32,
+        row: impl Fn(f64, [f64; N]) -> R,
+    ) -> Result<Self> {
+        let span = times(run.start_time(), run.end_time(), count);
+        Self::sampled(columns, span, |t| Ok(row(t, run.at(t)?)))
     }
 
     /// Appends the sample `row`.

@@ -3,15 +3,10 @@
 
 use crate::told::{confirmed, refused, value};
 use pages::ch16_ex2_conical_pendulum::*;
-use rotation_dynamics::integrators::{Dop853, Integrator, Solution};
-use rotation_dynamics::math::acos;
+use rotation_dynamics::integrators::{after, place_and_velocity};
+use rotation_dynamics::report::prelude::*;
 use std::f64::consts::PI;
-use support::Errors;
-
-/// The motion from rest at `angle` in the turning plane, as accurate as it gets.
-fn swing(q: f64, angle: f64, end: f64) -> Solution<2> {
-    swung(q, 0.0, angle, end, 1e-15).unwrap()
-}
+use support::{Errors, second_derivative};
 
 #[test]
 fn formulas_and_simulations_agree_at_every_rate() {
@@ -46,15 +41,15 @@ fn what_is_no_pendulum_is_refused() {
 /// string, with the acceleration from the places at five times.
 #[test]
 fn the_tension_is_what_the_motion_needs() {
-    let (q, h, motion) = (0.49, 0.01, swing(0.49, 0.3, 21.0));
+    let (q, motion) = (0.49, swung(0.49, 0.0, 0.3, 21.0, 1e-15).unwrap());
     let (mut errors, mut damaged) = (Errors::of("tension"), Errors::of("at rest"));
     for t in (1..200).map(|i| 0.1 * f64::from(i)) {
-        let at = |k: f64| in_space(motion.at(t + k * h).unwrap(), t + k * h);
-        let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(at);
-        let push = |i: usize| (a[i] + e[i] + 30.0 * c[i] - 16.0 * (b[i] + d[i])) * c[i];
-        let needed = (push(0) + push(1) + push(2)) / (12.0 * h * h) - q * c[2];
-        errors.push(tension(q, &c) - needed);
-        damaged.push(-q * c[2] - needed);
+        let at = |t| in_space(motion.at(t).unwrap(), t);
+        let [ax, ay, az, ..] = second_derivative(at, t, 0.01);
+        let [r, v] = place_and_velocity(&at(t));
+        let needed = -r.dot(&SpaceVector::new(ax, ay, az + q));
+        errors.push(tension(q, [r, v]) - needed);
+        damaged.push(-q * r.z() - needed);
     }
     errors.attain(2.06e-9..=2.07e-9, 199);
     damaged.exceed(0.01, 199);
@@ -65,10 +60,9 @@ fn the_tension_is_what_the_motion_needs() {
 fn air_lowers_the_cone_as_predicted() {
     let mut errors = Errors::of("sinking over prediction, less one");
     for (q, drag) in [(0.49, 9.4e-4), (0.9, 1e-4), (0.1, 1e-3)] {
-        let (method, start) = (Dop853::new(1e-15).unwrap(), in_space([cone(q), 0.0], 0.0));
-        let fall = method.advance(&on_string(q, drag), 0.0, &start, 20.0 * PI);
-        let angle = acos(-fall.unwrap().0[2]);
-        errors.push((cone(q) - angle) / (10.0 * sinking(q, drag)) - 1.0);
+        let (turns, start) = (20.0 * PI, in_space([cone(q), 0.0], 0.0));
+        let [_, _, z, ..] = after(turns, &on_string(q, drag), &start, 1e-15).unwrap();
+        errors.push((cone(q) - acos(-z)) / (10.0 * sinking(q, drag)) - 1.0);
     }
     errors.attain(0.0358..=0.0359, 3);
 }
@@ -76,8 +70,10 @@ fn air_lowers_the_cone_as_predicted() {
 /// Started at exactly zero it stays for a thousand turns, however fast; a touch is enough.
 #[test]
 fn exactly_zero_stays() {
-    assert_eq!(swing(0.01, 0.0, 2000.0 * PI).end_state(), &[0.0, 0.0]);
-    assert!(swing(0.49, 1e-9, 32.0).end_state()[0] > cone(0.49));
+    let still = swung(0.01, 0.0, 0.0, 2000.0 * PI, 1e-15).unwrap();
+    assert_eq!(still.end_state(), &[0.0, 0.0]);
+    let touched = swung(0.49, 0.0, 1e-9, 32.0, 1e-15).unwrap();
+    assert!(touched.end_state()[0] > cone(0.49));
     // Below the threshold the formula alone is not a number.
     assert!(acos(1.2).is_nan() && cone(1.2) == 0.0);
 }

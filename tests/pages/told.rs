@@ -1,5 +1,7 @@
 //! What the tests of a page ask of it: is it confirmed, is it refused, what does it say?
 
+#![allow(dead_code, reason = "a page asks some of it, and one page alone can be tested")]
+
 use rotation_dynamics::report::{Page, parse};
 
 /// Asserts that the page answers each of these command lines, flags parted by spaces: a claim

@@ -40,3 +40,11 @@ pub fn relative(got: f64, want: f64, scale: f64) -> f64 {
         difference / scale
     }
 }
+
+/// The second derivative of `f` at `t`, component by component, by five values `h` apart;
+/// off by about h^4/90 of the sixth.
+pub fn second_derivative<const N: usize>(f: impl Fn(f64) -> [f64; N], t: f64, h: f64) -> [f64; N] {
+    let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k: f64| f(t + k * h));
+    let over = |i: usize| 16.0 * (b[i] + d[i]) - 30.0 * c[i] - (a[i] + e[i]);
+    core::array::from_fn(|i| over(i) / (12.0 * h * h))
+}

@@ -55,6 +55,14 @@ impl Line {
     /// Method, work and time in words.
     fn words(&self) -> String {
         let method = self.method.trim_start_matches("least: ");
+        // Where what is asked for is no error of the result, it stands beside its value.
+        let method = match method.strip_suffix(", error of a step") {
+            Some(method) => {
+                let value = number_html(&format!("{:e}", self.requested)).unwrap_or_default();
+                format!("{} with {value} as the error of a step", escape(method))
+            }
+            None => escape(method),
+        };
         let time = match self.time {
             Some(time) => format!(
                 "the time of {} samples of the closed form",
@@ -62,7 +70,7 @@ impl Line {
             ),
             None => "not timed".into(),
         };
-        format!("{}: {}, {time}", escape(method), escape(&self.work))
+        format!("{method}: {}, {time}", escape(&self.work))
     }
 }
 
@@ -328,6 +336,15 @@ mod tests {
         }
         assert_eq!(least(&table), [2]);
         // In words: what delivers and is timed is the cheapest, and the dial is compared with it.
+        let asked = ["DOP853, error of a step", "1e-9", "5e-10", "3 steps", "2"];
+        let line = |row: [&str; 5]| {
+            let mut table = Table::new(SECTION, columns).expect("sound");
+            table.push(row).expect("sound");
+            lines(&table)[0].words()
+        };
+        assert!(
+            line(asked).starts_with("DOP853 with 10<sup>−9</sup> as the error of a step: 3 steps")
+        );
         table
             .push(["dial: slow", "1e-9", "1e-12", "90 steps", "50"])
             .expect("sound");

@@ -23,7 +23,7 @@ use crate::error::{Error, Result, finite};
 use crate::integrators::scene::components;
 use crate::integrators::{Dop853, Work};
 use crate::scene::Scene;
-use variation::{Variation, turned};
+use variation::{Variation, leaned, turned};
 
 /// The error of a step, as a part of the motion and of the response.
 const PRECISION: f64 = 1e-6;
@@ -65,6 +65,8 @@ pub struct CalledFor<'s, E> {
     start: State,
     t_end: f64,
     tolerance: f64,
+    /// The angle (rad) by which a response counts.
+    angle: fn(&[f64; 14]) -> f64,
     rows: Vec<Weighed>,
 }
 
@@ -126,18 +128,54 @@ impl<E: Effect> Scene<E> {
             start,
             t_end,
             tolerance,
+            angle: turned,
             rows: Vec::new(),
         })
     }
 }
 
 impl<E: Effect> CalledFor<'_, E> {
+    /// The same for the direction of the axis e3 alone: how far the body has spun about it
+    /// is not asked. For a symmetric body, whose motion does not depend on that.
+    ///
+    /// ```
+    /// # use rotation_dynamics::{attitude::Attitude, body::RigidBody, frame::BodyVector};
+    /// # use rotation_dynamics::{effects::CoulombBearing, inertia::PrincipalMoments};
+    /// # use rotation_dynamics::scene::Scene;
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// // A bearing that brakes a free spin leaves its axis where it is.
+    /// let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+    /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 4.0))?;
+    /// let bearing = CoulombBearing::new(1e-4, &body, &start, 0.0)?;
+    /// let scene = Scene::new(body);
+    /// let candidates = scene.called_for(&start, 10.0, 1e-3)?;
+    /// let number = bearing.number(&body, &start);
+    /// assert!((candidates.weigh(&bearing, number)?.predicted - 1e-2).abs() < 1e-5);
+    /// assert!(candidates.of_axis().weigh(&bearing, number)?.predicted < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn of_axis(mut self) -> Self {
+        self.angle = leaned;
+        self
+    }
+
     /// The same with this effect weighed, whose dimensionless number is `number`.
+    ///
+    /// # Errors
+    /// As [`CalledFor::weigh`].
+    pub fn candidate<C: Effect>(mut self, effect: &C, number: f64) -> Result<Self> {
+        self.rows.push(self.weigh(effect, number)?);
+        Ok(self)
+    }
+
+    /// What leaving out this effect would cost, whose dimensionless number is `number`.
     ///
     /// # Errors
     /// A number that is NaN; what [`check`] finds wrong with the effect; what stepping
     /// refuses.
-    pub fn candidate<C: Effect>(mut self, effect: &C, number: f64) -> Result<Self> {
+    pub fn weigh<C: Effect>(&self, effect: &C, number: f64) -> Result<Weighed> {
         if number.is_nan() {
             return Err(Error::NotFinite {
                 name: "dimensionless number",
@@ -147,15 +185,14 @@ impl<E: Effect> CalledFor<'_, E> {
         check(effect, self.scene.body(), [0.0, self.t_end], &self.start)?;
         let (predicted, work) = self.response(effect)?;
         let linear = predicted <= LINEAR;
-        self.rows.push(Weighed {
+        Ok(Weighed {
             name: effect.name(),
             number,
             predicted,
             linear,
             called_for: !linear || MARGIN * predicted > self.tolerance,
             work,
-        });
-        Ok(self)
+        })
     }
 
     /// What has been weighed, in order.
@@ -188,7 +225,7 @@ impl<E: Effect> CalledFor<'_, E> {
                 } else {
                     from + (to - from) * (look as f64 / looks as f64)
                 };
-                angle = larger(angle, turned(&solution.at(t)?));
+                angle = larger(angle, (self.angle)(&solution.at(t)?));
             }
             y = *solution.end_state();
             work += solution.work();

@@ -4,6 +4,7 @@ use crate::effects::Effect;
 use crate::error::Result;
 use crate::integrators::Ode;
 use crate::integrators::scene::state;
+use crate::math::hypot;
 use crate::scene::Scene;
 
 /// The change of y along the response that tells the slope of its rates, as a part of y.
@@ -17,6 +18,14 @@ pub(super) fn turned(y: &[f64; 14]) -> f64 {
     let along = dot(q, d) / dot(q, q);
     let across: [f64; 4] = core::array::from_fn(|i| d[i] - along * q[i]);
     2.0 * (dot(&across, &across) / dot(q, q)).sqrt()
+}
+
+/// The angle (rad) by which the response turns the body's axis e3.
+pub(super) fn leaned(y: &[f64; 14]) -> f64 {
+    let [w, x, v, z, _, _, _, a, b, c, d, ..] = *y;
+    // What q^-1 dq has along e1 and e2: half of the turns about them.
+    let (about_1, about_2) = (w * b - x * a - v * d + z * c, w * c + x * d - v * a - z * b);
+    2.0 * hypot(about_1, about_2) / (w * w + x * x + v * v + z * z)
 }
 
 /// The motion of a scene and its linear response to an effect, side by side.

@@ -14,7 +14,7 @@ mod zero;
 
 pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
-pub use zero::small_frequency;
+pub use zero::{after, small_frequency};
 
 use super::ode::check_span;
 use super::{Integrator, Ode, Work};

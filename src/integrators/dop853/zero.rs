@@ -1,6 +1,6 @@
 //! Zeros of a function along a motion, and frequencies measured by them.
 
-use super::{Direction, Dop853, Event, LocatedEvent, Ode, Work};
+use super::{Direction, Dop853, Event, Integrator, LocatedEvent, Ode, Work};
 use crate::error::{Error, Result};
 use core::f64::consts::PI;
 
@@ -50,6 +50,27 @@ impl Dop853 {
         let name = "zero";
         Ok((last.ok_or(Error::NotReached { name, until })?, work))
     }
+}
+
+/// Where a motion that starts so at t = 0 is at the time `t_end`, by DOP853 with this error of
+/// a step.
+///
+/// ```
+/// use rotation_dynamics::integrators::{after, second_order};
+/// let [x, _] = after(1.5, &second_order(|_, x, _| -x), &[1.0, 0.0], 1e-14)?;
+/// assert!((x - rotation_dynamics::math::cos(1.5)).abs() < 1e-14);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`Dop853::new`] and [`Dop853::advance`](Integrator::advance).
+pub fn after<const N: usize>(
+    t_end: f64,
+    ode: &impl Ode<N>,
+    start: &[f64; N],
+    tolerance: f64,
+) -> Result<[f64; N]> {
+    Ok(Dop853::new(tolerance)?.advance(ode, 0.0, start, t_end)?.0)
 }
 
 /// The angular frequency of the smallest oscillations, measured: two zeros of `f` make a

@@ -30,6 +30,12 @@ pub struct Axis {
     step: Option<Step>,
 }
 
+impl From<&str> for Axis {
+    fn from(label: &str) -> Self {
+        Self::linear(label)
+    }
+}
+
 impl Axis {
     fn new(label: &str, scale: Scale) -> Self {
         Self {

@@ -5,7 +5,11 @@
 //! | [`Panel`] | curves over two axes: time series, potentials, phase portraits, work against error |
 //! | [`Sketch`] | set-ups and mechanisms: lines, arrows, springs, rollers, hatched walls, labels |
 //! | [`View`] | three dimensions: the sphere with a trace, arrows, solids that hide each other |
+//! | [`Sweep`] | makes panels over one parameter, with exact lines and simulated dots |
 //! | [`Stack`] | scenes above panels over one time axis; with [`Panel::now`] one moment of a motion |
+//!
+//! [`figures!`](crate::figures) makes a page's figures of them, with their names and what is
+//! to be seen in them.
 //!
 //! Colours have meanings ([`Ink`]), methods of integration look the same everywhere
 //! ([`Method`]), lines are labelled directly, labels speak a little TeX (`"$U_{eff}$"`),
@@ -20,6 +24,7 @@ mod clip;
 mod curve;
 mod depth;
 mod display;
+mod drawing;
 mod hidden;
 mod ink;
 mod label;
@@ -35,6 +40,7 @@ mod solid;
 mod stack;
 mod stations;
 mod svg;
+mod sweep;
 #[cfg(test)]
 mod tests;
 mod ticks;
@@ -44,11 +50,13 @@ mod words;
 pub use axis::Axis;
 pub use curve::Curve;
 pub use display::{Anchor, Dash, Display, Place, Run, Shape, Stroke, Text};
+pub use drawing::Drawing;
 pub use ink::{Colour, Ink, PALETTE, css_variables};
 pub use method::{Marker, Method};
 pub use panel::Panel;
 pub use sketch::Sketch;
 pub use solid::{Camera, Solid};
 pub use stack::{Scene, Stack};
+pub use sweep::Sweep;
 pub use view::View;
 pub use words::Side;

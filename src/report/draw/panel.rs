@@ -68,6 +68,22 @@ impl Panel {
         }
     }
 
+    /// An empty panel over these axes, for [`figures!`](crate::figures), which names it and
+    /// says what is to be seen, and as a graph below a scene. A text is a linear axis.
+    ///
+    /// ```
+    /// use rotation_dynamics::report::draw::{Axis, Panel};
+    /// let graph = Panel::over_axes("$t$ / s", Axis::angle(r"$\theta$ / rad").range(0.0, 1.6));
+    /// ```
+    pub fn over_axes(x: impl Into<Axis>, y: impl Into<Axis>) -> Self {
+        Self::new("", "").x(x.into()).y(y.into())
+    }
+
+    pub(super) fn called(mut self, name: &str, alt: &str) -> Self {
+        (self.name, self.alt) = (name.into(), alt.into());
+        self
+    }
+
     /// Sets the size in px; the width should stay 340, which fits a phone.
     #[must_use]
     pub fn size(mut self, width: u32, height: u32) -> Self {

@@ -64,6 +64,17 @@ impl Sketch {
         }
     }
 
+    /// An empty sketch that shows this, for [`figures!`](crate::figures), which names it and
+    /// says what is to be seen.
+    pub fn within(x: (f64, f64), y: (f64, f64)) -> Self {
+        Self::new("", "").window(x, y)
+    }
+
+    pub(super) fn called(mut self, name: &str, alt: &str) -> Self {
+        (self.name, self.alt) = (name.into(), alt.into());
+        self
+    }
+
     /// Sets what is shown: from left to right, from bottom to top.
     #[must_use]
     pub fn window(mut self, x: (f64, f64), y: (f64, f64)) -> Self {
@@ -83,6 +94,35 @@ impl Sketch {
     pub fn curve(mut self, curve: Curve) -> Self {
         self.elements.push(Element::Curve(curve));
         self
+    }
+
+    /// Adds a thin dashed line: an axis, a path, the edge that one does not see.
+    #[must_use]
+    pub fn guide(self, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        self.curve(Curve::new(points, Ink::Frame).thin().dashed())
+    }
+
+    /// Adds a string or a thin rod, with a label beside its middle.
+    #[must_use]
+    pub fn string(self, from: (f64, f64), to: (f64, f64), label: &str, side: Side) -> Self {
+        let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
+        self.curve(Curve::new([from, to], Ink::Ink))
+            .text(middle, label, Ink::Ink, side)
+    }
+
+    /// Adds a round weight, with a label to its right.
+    #[must_use]
+    pub fn weight(self, centre: (f64, f64), radius: f64, label: &str) -> Self {
+        let beside = (centre.0 + radius, centre.1);
+        self.disc(centre, radius, Ink::Body, 1.0)
+            .text(beside, label, Ink::Body, Side::Right)
+    }
+
+    /// Adds the arrow that says which way the acceleration of gravity points, so long.
+    #[must_use]
+    pub fn gravity(self, from: (f64, f64), length: f64) -> Self {
+        let to = (from.0, from.1 - length);
+        self.arrow(from, to, Ink::Frame, "$g$", Side::Left)
     }
 
     /// Adds an arrow with a label beside its middle. A force or torque has an open head.

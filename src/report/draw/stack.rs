@@ -94,6 +94,11 @@ impl Stack {
         stack.panel(graph.clone().now(t)).figure()
     }
 
+    pub(super) fn called(mut self, name: &str, alt: &str) -> Self {
+        (self.name, self.alt) = (name.into(), alt.into());
+        self
+    }
+
     /// Sets the height of a panel's row, in px (130 if never set).
     #[must_use]
     pub fn row_height(mut self, height: u32) -> Self {

@@ -75,6 +75,17 @@ impl View {
         }
     }
 
+    /// An empty view of at least `reach` to every side of `centre`, for
+    /// [`figures!`](crate::figures), which names it and says what is to be seen, and as a scene.
+    pub fn of(centre: SpaceVector, reach: f64) -> Self {
+        Self::new("", "").around(centre, reach)
+    }
+
+    pub(super) fn called(mut self, name: &str, alt: &str) -> Self {
+        (self.name, self.alt) = (name.into(), alt.into());
+        self
+    }
+
     /// Sets the size in px (340 by 300 if never set).
     #[must_use]
     pub fn size(mut self, width: u32, height: u32) -> Self {
