@@ -4,6 +4,8 @@
 
 #[path = "book/inventory.rs"]
 mod inventory;
+#[path = "book/prose.rs"]
+mod prose;
 #[path = "book/sample.rs"]
 mod sample;
 
@@ -107,7 +109,7 @@ fn every_stem_is_complete() {
     assert_eq!(examples, figures, "examples and locked figures");
     let stems: BTreeSet<String> = pages
         .into_iter()
-        .filter(|name| !["SUMMARY", "index"].contains(&name.as_str()))
+        .filter(|name| !["SUMMARY", "index", "errata", "notation"].contains(&name.as_str()))
         .collect();
     assert_eq!(examples, stems, "examples and pages");
 }
@@ -115,6 +117,16 @@ fn every_stem_is_complete() {
 #[test]
 fn what_the_notes_compute_has_a_page_a_check_and_a_figure() {
     inventory::check(&root());
+}
+
+#[test]
+fn the_errata_name_their_proofs() {
+    prose::check_errata(&root());
+}
+
+#[test]
+fn the_notation_names_what_the_library_has() {
+    prose::check_notation(&root());
 }
 
 /// Tests are found by no directory: a file that its package does not name never runs.
