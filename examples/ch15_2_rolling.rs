@@ -1,0 +1,443 @@
+//! Chapter 15, Section 2, examples 1, 2, 4 and 5: three bodies that roll, and one that only
+//! goes round.
+
+#[path = "ch15_2_rolling/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, ode};
+use rotation_dynamics::interval::from_to;
+use rotation_dynamics::math::{atan2, cos, hypot, sin, sincos};
+use rotation_dynamics::report::{ClosedForm, Report};
+use rotation_dynamics::{Error, Result};
+
+rotation_dynamics::parameters! {
+    /// The four bodies; the notes leave all numbers open.
+    pub struct Parameters {
+        /// radius of the wheel on a road
+        wheel_radius: number(0.35, "m", from_to(1e-3, 1e3).usually(0.1, 1.0));
+        /// its angular velocity
+        wheel_rate: number(20.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 50.0));
+        /// radius of either coin
+        coin_radius: number(0.0121, "m", from_to(1e-3, 1e3).usually(0.005, 0.05));
+        /// angle through which the line of centres turns
+        orbit: number(FRAC_PI_2, "rad", from_to(0.01, 100.0).usually(0.1, 6.3));
+        /// radius of the cycle wheel
+        radius: number(0.3, "m", from_to(1e-3, 1e3).usually(0.1, 1.0));
+        /// length of its shaft
+        shaft: number(0.5, "m", from_to(1e-3, 1e3).usually(0.0, 2.0));
+        /// rate at which the shaft goes round Z
+        rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
+        /// rate at which the cylinder goes round Z
+        cylinder_rate: number(3.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
+        /// angle of the cylinder's axis from Z
+        tilt: number(0.5, "rad", from_to(0.001, 3.14).usually(0.1, 1.5));
+        /// error of a step of the simulations
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+/// The vertical, and the direction of the shaft at the start.
+const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+const RHO: SpaceVector = SpaceVector::new(1.0, 0.0, 0.0);
+
+// ANCHOR: rolling
+/// The velocity of the point `r` of a body whose point `c` is at rest.
+fn velocity(angular_velocity: SpaceVector, r: SpaceVector, c: SpaceVector) -> SpaceVector {
+    angular_velocity.cross(&(r - c))
+}
+
+/// A wheel on a road, in units of its radius; it touches the road below its centre. Along X
+/// its centre, along X and Z a point of its rim, and the path of that point; time in 1/omega.
+pub fn on_a_road() -> impl Ode<4> {
+    let spin = SpaceVector::new(0.0, 1.0, 0.0);
+    ode(move |_, &[x, rim_x, rim_z, _]: &[f64; 4]| {
+        let contact = SpaceVector::new(x, 0.0, 0.0);
+        let centre = velocity(spin, contact + UP, contact);
+        let rim = velocity(spin, SpaceVector::new(rim_x, 0.0, rim_z), contact);
+        [centre.x(), rim.x(), rim.z(), rim.norm()]
+    })
+}
+
+/// A coin on a fixed one of `fixed` times its radius, which is the unit: its centre, a point of
+/// its rim, the angle of the line of centres, and the path of the point; time in radians of turn.
+pub fn on_a_coin(fixed: f64) -> impl Ode<6> {
+    ode(move |_, &[x, y, rim_x, rim_y, _, _]: &[f64; 6]| {
+        let centre = SpaceVector::new(x, y, 0.0);
+        let contact = centre * (fixed / (fixed + 1.0));
+        let v = velocity(UP, centre, contact);
+        let rim = velocity(UP, SpaceVector::new(rim_x, rim_y, 0.0), contact);
+        let orbit = (x * v.y() - y * v.x()) / centre.dot(&centre);
+        [v.x(), v.y(), rim.x(), rim.y(), orbit, rim.norm()]
+    })
+}
+// ANCHOR_END: rolling
+
+/// How far the coin has turned when the line of centres has turned by `orbit`, rad, and the
+/// path of the point of its rim that touched the fixed coin at the start, in radii.
+pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<[f64; 2]> {
+    let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
+    let start = [fixed + 1.0, 0.0, fixed, 0.0, 0.0, 0.0];
+    let long = 2.0 * (fixed + 1.0) * orbit;
+    let run = Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])?;
+    Ok([run.end_time(), run.end_state()[5]])
+}
+
+/// The places of a corner of a regular polygon that tips along the ground, from one side to the
+/// next through a turn, and the distances of that corner from those about which it tipped. The
+/// circle through its corners has the radius 1.
+pub fn tipping(sides: u32) -> (Vec<SpaceVector>, f64) {
+    let angle = TAU / f64::from(sides);
+    let ((s, c), side) = (sincos(angle), 2.0 * sin(0.5 * angle));
+    let (mut corner, mut distances, mut places) = (SpaceVector::zero(), 0.0, Vec::new());
+    for k in 1..=sides {
+        places.push(corner);
+        let pivot = SpaceVector::new(f64::from(k) * side, 0.0, 0.0);
+        let arm = corner - pivot;
+        distances += arm.norm();
+        corner =
+            pivot + SpaceVector::new(c * arm.x() + s * arm.z(), 0.0, c * arm.z() - s * arm.x());
+    }
+    places.push(corner);
+    (places, distances)
+}
+
+/// How far the polygon gets in a turn, and the path of its corner, for ever more sides: the
+/// errors are a series in the square of the length of a side.
+fn polygons() -> [f64; 2] {
+    let run = |sides| {
+        let (places, distances) = tipping(sides);
+        [
+            places[sides as usize].x(),
+            distances * TAU / f64::from(sides),
+        ]
+    };
+    let [a, b, c] = [run(64), run(128), run(256)];
+    [0, 1].map(|i| {
+        let [d, e] = [(4.0 * b[i] - a[i]) / 3.0, (4.0 * c[i] - b[i]) / 3.0];
+        (16.0 * e - d) / 15.0
+    })
+}
+
+// ANCHOR: cycle
+/// (15.5.16): the angular velocity of the cycle wheel when its shaft points along `rho`.
+pub fn cycle_rate(p: &Parameters, rho: SpaceVector) -> SpaceVector {
+    let spin = -p.rate * p.shaft / p.radius; // (15.5.15)
+    UP * p.rate + rho * spin // (15.5.14)
+}
+
+/// Where the cycle wheel is after `t` by turns alone: `spin` about its shaft, which points along
+/// X, and then with the shaft about Z.
+pub fn cycle_turned(p: &Parameters, spin: f64, t: f64) -> Result<Attitude> {
+    let about_shaft = Attitude::about_space_axis(RHO, spin * t)?;
+    Ok(Attitude::about_space_axis(UP, p.rate * t)? * about_shaft * upright()?)
+}
+
+/// The attitude that follows from an angular velocity: the quaternion q with q' = omega q/2.
+pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
+    ode(move |t, &[w, x, y, z]: &[f64; 4]| {
+        let [a, b, c] = (angular_velocity(t) * 0.5).to_array();
+        [
+            -a * x - b * y - c * z,
+            a * w + b * z - c * y,
+            b * w + c * x - a * z,
+            c * w + a * y - b * x,
+        ]
+    })
+}
+// ANCHOR_END: cycle
+
+/// The cycle wheel at the start: its axis z points along the shaft towards the rod.
+pub fn upright() -> Result<Attitude> {
+    let (phi, theta) = (-FRAC_PI_2, FRAC_PI_2);
+    Attitude::from_euler(EulerAngles {
+        phi,
+        theta,
+        zeta: 0.0,
+    })
+}
+
+/// The direction of the shaft after `t`.
+fn along_shaft(p: &Parameters, t: f64) -> SpaceVector {
+    let (s, c) = sincos(p.rate * t);
+    SpaceVector::new(c, s, 0.0)
+}
+
+/// The attitude after `t` by steps, from the angular velocity.
+fn cycle_carried(
+    p: &Parameters,
+    t: f64,
+    step: f64,
+) -> Result<(Attitude, rotation_dynamics::integrators::Work)> {
+    let law = carried(|t| cycle_rate(p, along_shaft(p, t)));
+    let (q, work) = Dop853::new(step)?.advance(&law, 0.0, &upright()?.quaternion(), t)?;
+    Ok((Attitude::from_quaternion(q)?, work))
+}
+
+/// The angular velocity at the time 0, on the fixed axes, from where the body is a little
+/// before and a little after; `t` is the time in which it turns about once.
+pub fn measured(at: impl Fn(f64) -> Result<Attitude>, t: f64) -> Result<SpaceVector> {
+    let turn = |h: f64| -> Result<SpaceVector> {
+        let step = at(h)? * at(-h)?.inverse();
+        Ok(step.rotation_vector() / (2.0 * h))
+    };
+    Ok((turn(1e-3 * t)? * 4.0 - turn(2e-3 * t)?) / 3.0)
+}
+
+/// The velocity of the lowest point of the cycle wheel along the ground, from where that point
+/// is shortly before and after.
+pub fn slip(p: &Parameters, spin: f64) -> Result<f64> {
+    let lowest = upright()?.to_body(UP * -p.radius);
+    let h = 1e-3 / hypot(p.rate, spin);
+    let at = |t: f64| -> Result<f64> {
+        let place = along_shaft(p, t) * p.shaft + cycle_turned(p, spin, t)?.to_space(lowest);
+        Ok(place.y())
+    };
+    Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
+}
+
+/// The spin with which the lowest point stands still: the slip is linear in it.
+pub fn spin_without_slip(p: &Parameters) -> Result<f64> {
+    let (guess, at_rest) = (p.rate, slip(p, 0.0)?);
+    Ok(guess * at_rest / (at_rest - slip(p, guess)?))
+}
+
+/// The cylinder after `t`: it goes round Z and does not turn about its own axis.
+pub fn cylinder(p: &Parameters, t: f64) -> Result<Attitude> {
+    let (phi, theta) = (p.cylinder_rate * t, p.tilt);
+    Attitude::from_euler(EulerAngles {
+        phi,
+        theta,
+        zeta: 0.0,
+    })
+}
+
+/// The angle that `direction` sweeps out about Z in `t`, counted on through all turns, rad.
+fn swept(direction: impl Fn(f64) -> Result<SpaceVector>, t: f64) -> Result<f64> {
+    let (mut sum, mut last) = (0.0, direction(0.0)?);
+    for k in 1..=40 {
+        let next = direction(t * f64::from(k) / 40.0)?;
+        let (across, along) = (
+            last.x() * next.y() - last.y() * next.x(),
+            last.x() * next.x() + last.y() * next.y(),
+        );
+        sum += atan2(across, along);
+        last = next;
+    }
+    Ok(sum)
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    from_to(1e-3, 1e3).check("shaft/radius", p.shaft / p.radius)?;
+    let about =
+        "A wheel on a road, a coin on a coin, a wheel on a shaft, a cylinder carried round.";
+    let mut report = Report::new("Rolling", about)?;
+    road(p, &mut report)?;
+    coins(p, &mut report)?;
+    cycle(p, &mut report)?;
+    orbiting(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let (wheel, circuit) = (p.clone(), TAU / p.rate);
+    let spin = -p.rate * p.shaft / p.radius;
+    let exact = cycle_turned(p, spin, circuit)?;
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    let run = move |step| cycle_carried(&wheel, circuit, step);
+    report.dial(
+        "DOP853, error of a step",
+        asked,
+        run,
+        |run| run.1,
+        move |run| Ok(run.0.angle_to(&exact)),
+    )?;
+    let wheel = p.clone();
+    report.set_closed_form(ClosedForm::new(move |part| {
+        cycle_turned(&wheel, spin, part * circuit)
+    }));
+    Ok(report)
+}
+
+fn road(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (r, speed, bound) = (
+        p.wheel_radius,
+        p.wheel_rate * p.wheel_radius,
+        100.0 * p.tolerance,
+    );
+    let ([distance, path], method) = (polygons(), Dop853::new(p.tolerance)?);
+    let start = [0.0; 4];
+    let (half, _) = method.advance(&on_a_road(), 0.0, &start, 0.5 * TAU)?;
+    let (full, _) = method.advance(&on_a_road(), 0.0, &start, TAU)?;
+    let [at_top, at_contact] = [half, full].map(|y| on_a_road().derivative(0.0, &y)[3]);
+    rotation_dynamics::claims! { report,
+        /// wheel: speed of its centre
+        wheel_speed: speed, "m/s", "polygons that tip along" => p.wheel_rate * r * distance / TAU, within 1e-11 * speed,
+        in "The wheel":
+            speed / TAU => "the rate is in radians, not in turns",
+            TAU * speed => "radians a second are meant, not turns";
+        /// wheel: speed of its highest point
+        top_speed: 2.0 * speed, "m/s", "simulated" => speed * at_top, within bound * speed,
+        in "The wheel":
+            speed => "that is the centre; the highest point is farther from the point at rest";
+        /// wheel: speed of the point that touches the road
+        contact_speed: 0.0, "m/s", "simulated" => speed * at_contact, within bound * speed;
+        /// path of a point of its rim in a turn
+        cycloid: 8.0 * r, "m", "polygons that tip along" => r * path, within 1e-11 * r,
+        in "The wheel":
+            TAU * r => "that is the path of the centre",
+            4.0 * r => "that is half of it";
+    }
+}
+
+fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (theta, bound) = (p.orbit, 100.0 * p.tolerance);
+    let ([part, _], [whole, path]) = (
+        coin_rolled(1.0, theta, p.tolerance)?,
+        coin_rolled(1.0, TAU, p.tolerance)?,
+    );
+    rotation_dynamics::claims! { report,
+        /// coin: turned, when the line of centres has turned by --orbit
+        coin_part: 2.0 * theta, "rad", "rolled about the contact" => part, within bound * theta,
+        in "The coins":
+            theta => "that is seen from the line of centres, which turns as well";
+        /// coin: turned, when it is back at its place
+        coin_circuit: 2.0 * TAU, "rad", "rolled about the contact" => whole, within 10.0 * bound,
+        in "The coins":
+            TAU => "look how far the centre of the coin has come",
+            2.0 => "an angle in radians is asked for";
+        /// coin: turned as seen from the line of centres, in that circuit
+        coin_seen: TAU, "rad", "the same, less the turn of the line" => whole - TAU, within 10.0 * bound;
+        /// path of a point of its rim in that circuit
+        cardioid: 16.0 * p.coin_radius, "m", "rolled about the contact" => p.coin_radius * path, within 100.0 * bound * p.coin_radius;
+    }
+}
+
+fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (rate, ratio) = (p.rate, p.shaft / p.radius);
+    let (spin, net) = (-rate * ratio, rate * hypot(1.0, ratio));
+    let still = |t| cycle_turned(p, spin, t);
+    let turning = measured(still, 1.0 / net)?;
+    let angles = |t: f64| Ok::<_, Error>(still(t)?.euler_angles().zeta);
+    let h = 1e-3 / net;
+    let euler = (angles(h)? - angles(-h)?) / (2.0 * h);
+    let circuit = TAU / rate;
+    // About the shaft, seen from the shaft: the wheel less the turn about Z.
+    let mark = |t: f64| -> Result<SpaceVector> {
+        let seen = Attitude::about_space_axis(UP, -rate * t)? * cycle_carried(p, t, p.tolerance)?.0;
+        let mark = seen.to_space(BodyVector::new(1.0, 0.0, 0.0));
+        Ok(SpaceVector::new(mark.y(), mark.z(), 0.0))
+    };
+    let parts = (ratio.max(1.0)).ceil();
+    let once = swept(mark, circuit / parts)? * parts;
+    rotation_dynamics::claims! { report,
+        /// cycle wheel: spin about its shaft, along rho
+        spin: spin, "rad/s", "the lowest point stands still" => spin_without_slip(p)?, within 1e-11 * net,
+        in "The cycle wheel":
+            -spin => "which way does the wheel turn, seen from outside?",
+            -rate / ratio => "the shaft is the long way round, the wheel's rim the short one";
+        /// cycle wheel: its angular velocity
+        net_rate: net, "rad/s", "turned in a short time" => turning.norm(), within 1e-11 * net,
+        in "The cycle wheel":
+            rate - spin => "the two are at right angles",
+            -spin => "that is the spin alone";
+        /// angle of its angular velocity from Z
+        net_tilt: atan2(ratio, 1.0), "rad", "turned in a short time" => atan2(hypot(turning.x(), turning.y()), turning.z()), within 1e-11;
+        /// cycle wheel: speed of the point that touches the ground
+        cycle_contact: 0.0, "m/s", "its places differenced" => slip(p, spin)?, within 1e-11 * net * p.radius;
+        /// rate of the Euler angle zeta, with z = -rho
+        zeta_rate: -spin, "rad/s", "Euler angles of the turns" => euler, within 1e-11 * net,
+        in "The cycle wheel":
+            spin => "which way does z point?";
+        /// cycle wheel: turned about its shaft in a circuit, seen from the shaft
+        circuit: -TAU * ratio, "rad", "attitude carried by (15.5.16)" => once, within 1e4 * p.tolerance * net * circuit;
+    }
+}
+
+fn orbiting(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((s, c), rate) = (sincos(p.tilt), p.cylinder_rate);
+    let turning = cylinder(p, 0.0)?.to_body(measured(|t| cylinder(p, t), 1.0 / rate)?);
+    let axis = |t| Ok(cylinder(p, t)?.axis());
+    rotation_dynamics::claims! { report,
+        /// cylinder: angular velocity along its axis
+        along: rate * c, "rad/s", "turned in a short time" => turning.z(), within 1e-11 * rate,
+        in "The cylinder":
+            0.0 => "it does not spin, but does a mark on it keep its direction?",
+            rate * s => "that is the other component";
+        /// cylinder: angular velocity across its axis
+        across: rate * s, "rad/s", "turned in a short time" => turning.y(), within 1e-11 * rate,
+        in "The cylinder":
+            rate * c => "that is the other component";
+        /// angle that the line OP covers in an orbit
+        line: TAU, "rad", "followed through an orbit" => swept(axis, TAU / rate)?, within 1e-12;
+    }
+}
+
+/// The cycle wheel with this shaft and the radius and rate 1.
+fn unit(shaft: f64) -> Parameters {
+    Parameters {
+        radius: 1.0,
+        shaft,
+        rate: 1.0,
+        ..Parameters::default()
+    }
+}
+
+/// The cylinder's component along its axis at this tilt, measured, over its rate.
+fn along_axis(tilt: f64) -> Result<f64> {
+    let p = Parameters {
+        tilt,
+        cylinder_rate: 1.0,
+        ..Parameters::default()
+    };
+    Ok(cylinder(&p, 0.0)?
+        .to_body(measured(|t| cylinder(&p, t), 1.0)?)
+        .z())
+}
+
+/// Short shafts and long ones, upright and lying cylinders, few corners and many.
+fn limits(report: &mut Report) -> Result<()> {
+    let over = |shaft: f64| cycle_rate(&unit(shaft), RHO).norm();
+    let six = tipping(6).1 * TAU / 6.0;
+    rotation_dynamics::limits! { report,
+        /// a wheel that turns on the spot
+        "a = R/1000: |Omega|/Omega less 1": over(1e-3) - 1.0 => 0.0, within 1e-6;
+        /// a wheel that rolls nearly straight ahead, at the speed Omega a
+        "a = 1000 R: |Omega| R/(Omega a)": over(1e3) / 1e3 => 1.0, within 1e-6;
+        /// upright it turns about its own axis
+        "theta = 0.001: Omega_z/Omega": along_axis(1e-3)? => 1.0, within 1e-6;
+        /// lying it turns end over end
+        "theta = pi/2: Omega_z/Omega": along_axis(FRAC_PI_2)? => 0.0, within 1e-9;
+        /// 2 + 2 sqrt(3) + 2 radii, each with a sixth of a turn
+        "a wheel of six corners: path/R": six => TAU / 6.0 * (4.0 + 2.0 * 3.0_f64.sqrt()), within 1e-14;
+    }
+}
+
+/// The card of effects: what real contacts, coins and tyres do to these numbers.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let speed = p.wheel_rate * p.wheel_radius;
+    // A tyre of solid rubber, flattened by a hundredth of its radius: on the flat its tread is
+    // pressed from the arc 2 b R into the chord 2 R sin(b).
+    let (flat, resistance) = (0.01_f64, 0.005);
+    let turn = TAU / p.wheel_rate;
+    // Milled edges, half a hundredth of a millimetre more or less on the radius.
+    let edge = 5e-6 / p.coin_radius;
+    // A tyre that touches over 2 cm.
+    let width = 0.02 / (2.0 * p.shaft);
+    rotation_dynamics::effect_card! { report,
+        "flattening of a solid tyre":
+            "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed";
+        "rolling resistance of a hoop":
+            "C" = resistance, costs 0.5 * resistance * 9.80665 * turn, "m/s a turn";
+        "coins that differ a little":
+            "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit";
+        "width of the tyre on the circle":
+            "b/(2 a)" = width, costs p.rate * 0.01, "m/s of slip at its edges";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_2_rolling: "Rolling: a wheel, a coin on a coin, a wheel on a shaft; and a cylinder carried round";
+    report, figures::figures, figures::trajectory, figures::moving_picture
+}
