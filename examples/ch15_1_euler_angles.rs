@@ -50,7 +50,7 @@ pub const SMALL: f64 = 1e-7;
 pub type Matrix = [[f64; 3]; 3];
 
 // ANCHOR: matrix
-/// R = Rz(phi) Rx(theta) Rz(zeta), by rows. Its columns are the axes x', y', z of the body.
+/// R = Rz(phi) Rx(theta) Rz(zeta), by rows. Its columns are the axes x', y', z.
 pub fn matrix([phi, theta, zeta]: [f64; 3]) -> Matrix {
     let ((sp, cp), (st, ct), (sz, cz)) = (sincos(phi), sincos(theta), sincos(zeta));
     [
@@ -73,8 +73,8 @@ pub fn angles(r: &Matrix) -> [f64; 3] {
 // ANCHOR_END: matrix
 
 // ANCHOR: screw
-/// Any displacement: a rotation by `angle` about the line through `point` along the unit
-/// vector `axis`, and an `advance` along it.
+/// Any displacement: a turn by `angle` about the line through `point` along the
+/// unit vector `axis`, and an `advance` along it.
 #[derive(Debug, Clone, Copy)]
 pub struct Screw {
     pub axis: SpaceVector,
@@ -93,7 +93,7 @@ impl Screw {
         let sign = 1.0_f64.copysign(cos_sum);
         let half = SpaceVector::new(s * cos_diff, s * diff, c * sum) * sign;
         let angle = 2.0 * atan2(half.norm(), c * cos_sum.abs());
-        let angle = from_to(1e-4, 3.1415).check("angle of the whole rotation", angle)?;
+        let angle = from_to(1e-4, PI - 1e-4).check("angle of the whole rotation", angle)?;
         let axis = half / half.norm();
         let advance = axis.dot(&shift);
         let across = shift - axis * advance;
@@ -346,7 +346,7 @@ fn conventions(p: &Parameters, report: &mut Report) -> Result<()> {
             "-pi/2, pi/2"
         };
         let error = below(again.angle_to(&attitude), 1e-17);
-        table.push([format!("{i}-{j}'-{k}''"), a, b, c, lock.into(), error])?;
+        table.push([format!("{i} {j}' {k}''"), a, b, c, lock.into(), error])?;
     }
     report.add(table)
 }
@@ -358,7 +358,7 @@ fn limits(report: &mut Report) -> Result<()> {
         Screw::of([0.0, 0.7, 0.0], shift)?,
         Screw::of([0.3, 0.0, 0.4], shift)?,
     );
-    let flat = Screw::of([0.3, 3.1414, -0.4], shift)?;
+    let flat = Screw::of([0.3, PI - 2e-4, -0.4], shift)?;
     let small = Screw::of([3e-4, 4e-4, 0.0], shift)?;
     let library = |theta| {
         let attitude = Attitude::from_euler(EulerAngles {
@@ -402,8 +402,8 @@ fn effects(report: &mut Report) -> Result<()> {
     rotation_dynamics::effect_card! { report,
         "stretch by its own weight, hung up": "rho g l/E" = weight, costs 0.5 * weight * length, "m of the distance";
         "stretch by spinning at 100 rad/s": "rho omega^2 l^2/E" = spin, costs spin * length / 12.0, "m of the distance";
-        "warmer by 10 K": "alpha T" = warm, costs warm * length, "m of the distance";
-        "a push of 1 m/s arrives late": "v/c" = late, costs late * length, "m of the distance, for a moment";
+        "warmer by ten kelvin": "alpha T" = warm, costs warm * length, "m of the distance";
+        "a push at a metre a second arrives late": "v/c" = late, costs late * length, "m of the distance, for a moment";
     }
 }
 

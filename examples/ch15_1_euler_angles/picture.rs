@@ -46,7 +46,7 @@ fn scene(name: &str, alt: &str, angles: [f64; 3], names: [&str; 3]) -> View {
     let view = View::new(name, alt)
         .camera(Camera::new(0.15, 0.5))
         .around(SpaceVector::new(0.0, 0.0, 0.35), 1.15)
-        .size(340, 280);
+        .size(250, 230);
     let view = triad(
         body(view, last),
         fixed,

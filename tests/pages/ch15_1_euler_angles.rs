@@ -13,7 +13,7 @@ use support::Errors;
 /// Angles all over their range, none at a pole.
 fn many() -> Vec<[f64; 3]> {
     let turns = [-3.0, -1.7, -0.4, 0.3, 1.1, 2.9];
-    let tilts = [1e-9, 1e-3, 0.7, 1.6, 2.5, 3.1415];
+    let tilts = [1e-9, 1e-3, 0.7, 1.6, 2.5, 3.13];
     let both = turns.into_iter().flat_map(|phi| turns.map(|zeta| (phi, zeta)));
     both.flat_map(|(phi, zeta)| tilts.map(|theta| [phi, theta, zeta])).collect()
 }
@@ -24,7 +24,7 @@ fn vector(v: [f64; 3]) -> SpaceVector {
 
 #[test]
 fn two_routes_agree_all_over_the_range() {
-    let runs = many().into_iter().step_by(7).filter(|[_, theta, _]| (1e-3..3.1).contains(theta));
+    let runs = many().into_iter().step_by(7).filter(|[_, theta, _]| (1e-3..3.0).contains(theta));
     let runs: Vec<String> =
         runs.map(|[a, b, c]| format!("--phi={a} --theta={b} --zeta={c} --shift-x=-3.5 --closest=0.01")).collect();
     confirmed(&EXAMPLE, runs, 20);
@@ -92,7 +92,7 @@ fn the_rotation_does_not_depend_on_the_point() {
 #[test]
 fn every_displacement_is_a_screw() {
     let (mut errors, mut damaged) = (Errors::of("screw"), Errors::of("axis through the origin"));
-    for angles in many().into_iter().filter(|a| (1e-2..3.1).contains(&a[1])) {
+    for angles in many().into_iter().filter(|a| (1e-2..3.0).contains(&a[1])) {
         let (r, shift) = (matrix(angles), vector([1.0, -2.0, 0.5]));
         let screw = Screw::of(angles, shift).expect("it turns");
         for point in POINTS {
@@ -164,7 +164,7 @@ fn the_lock_and_beside_it() {
 #[test]
 fn the_rates_of_the_angles() {
     let (mut errors, mut damaged) = (Errors::of("angular velocity"), Errors::of("without cos(theta)"));
-    for [phi, theta, zeta] in many().into_iter().filter(|a| (1e-3..3.1).contains(&a[1])) {
+    for [phi, theta, zeta] in many().into_iter().filter(|a| (1e-3..3.0).contains(&a[1])) {
         let at = EulerAngles { phi, theta, zeta };
         let attitude = Attitude::from_euler(at).expect("finite");
         let off = |[phi, theta, zeta]: [f64; 3]| {
