@@ -140,15 +140,31 @@ pub fn rates([x, y, z]: [f64; 3], theta: f64) -> [f64; 3] {
 // ANCHOR_END: gyroscope
 
 impl Gyroscope {
+    /// With these angles and rates, of phi, theta and zeta.
+    pub fn new([phi, theta, zeta]: [f64; 3], rates: [f64; 3]) -> Self {
+        let angles = EulerAngles { phi, theta, zeta };
+        let [phi, theta, zeta] = rates;
+        let rates = EulerRates { phi, theta, zeta };
+        Self { angles, rates }
+    }
+
     /// As the parameters have it, with so many times the spin.
     pub fn of(p: &Parameters, spin: f64) -> Self {
-        let (phi, theta, zeta) = (p.precession, p.nutation, p.spin * spin);
-        let rates = EulerRates { phi, theta, zeta };
-        let (phi, theta, zeta) = (p.phi, p.theta, p.zeta);
-        Self {
-            angles: EulerAngles { phi, theta, zeta },
-            rates,
-        }
+        Self::new(
+            [p.phi, p.theta, p.zeta],
+            [p.precession, p.nutation, p.spin * spin],
+        )
+    }
+
+    /// The same a little later, if the rates stay.
+    pub fn after(&self, t: f64) -> Self {
+        let (a, r) = (self.angles, self.rates);
+        let angles = [
+            a.phi + r.phi * t,
+            a.theta + r.theta * t,
+            a.zeta + r.zeta * t,
+        ];
+        Self::new(angles, [r.phi, r.theta, r.zeta])
     }
 
     /// The attitude matrix with its exact derivative; without the spin that of x, y, z.
@@ -346,19 +362,7 @@ fn of_gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The rates as ratios of volumes: that of Omega and two of Z, x, z over that of the three.
 fn by_volumes([a, b, c]: [f64; 3], theta: f64) -> [f64; 3] {
-    let [x, y, z] = Gyroscope {
-        angles: EulerAngles {
-            phi: 0.0,
-            theta,
-            zeta: 0.0,
-        },
-        rates: EulerRates {
-            phi: 0.0,
-            theta: 0.0,
-            zeta: 0.0,
-        },
-    }
-    .triad();
+    let [x, y, z] = Gyroscope::new([0.0, theta, 0.0], [0.0; 3]).triad();
     let (omega, volume) = (x * a + y * b + z * c, UP.dot(&x.cross(&z)));
     let ratios = [
         omega.dot(&x.cross(&z)),

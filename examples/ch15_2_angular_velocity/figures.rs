@@ -83,7 +83,7 @@ fn field() -> Result<Figure> {
     ];
     let corner = |x: f64, y: f64| SpaceVector::new(0.65 * x, 0.45 * y, 0.15);
     let view = View::new("field", alt)
-        .around(UP * 0.15, 1.12)
+        .around(UP * 0.2, 0.95)
         .solid(Solid::cuboid(ORIGIN, edges), Ink::Body)
         .dashed([omega * -0.7, omega * 1.1], Ink::Frame)
         .arrow(
@@ -143,7 +143,7 @@ fn disc() -> Result<Figure> {
         )
         .text(
             flat(A + of_o + about * 0.4),
-            "$\\Omega\\timesr'$",
+            "$\\Omega$ × $r'$",
             Ink::Ink,
             Side::Right,
         )
@@ -375,17 +375,6 @@ fn pole(p: &Parameters) -> Result<Figure> {
 /// How long the gyroscope is watched, s.
 const END: f64 = 6.0;
 
-/// The gyroscope a little later, all rates being constant.
-fn later(g: &Gyroscope, t: f64) -> Gyroscope {
-    let (a, r) = (g.angles, g.rates);
-    let angles = EulerAngles {
-        phi: a.phi + r.phi * t,
-        theta: a.theta + r.theta * t,
-        zeta: a.zeta + r.zeta * t,
-    };
-    Gyroscope { angles, ..*g }
-}
-
 /// Its angles, its angular velocity on x, y, z and in space, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let g = Gyroscope::of(p, 1.0);
@@ -402,7 +391,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
         "Omega_Z [rad/s]",
     ];
     Trajectory::sampled(columns, times(0.0, END, 300), |t| {
-        let now = later(&g, t);
+        let now = g.after(t);
         let EulerAngles { phi, theta, zeta } = now.angles;
         let ([x, y, z], space) = (now.nodal(), now.angular_velocity().to_array());
         Ok([&[t, phi, theta, zeta, x, y, z][..], &space[..]].concat())
@@ -414,9 +403,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let g = Gyroscope::of(p, 0.1);
     let rate = p.precession.abs() + p.nutation.abs() + g.rates.zeta.abs();
     // The sum of the arrows is at most as long as for the default rates.
-    let scale = 2.1 / rate.max(1e-9);
+    let scale = 1.75 / rate.max(1e-9);
     let component = |i: usize, name: &str| {
-        let curve = sampled(times(0.0, END, 200), |t| Ok((t, later(&g, t).nodal()[i])));
+        let curve = sampled(times(0.0, END, 200), |t| Ok((t, g.after(t).nodal()[i])));
         Ok::<_, rotation_dynamics::Error>(Curve::new(curve?, Ink::Velocity).label(name))
     };
     let graph = Panel::new("graph", "").over("$t$ / s", "rad/s");
@@ -424,7 +413,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = graph.curve(component(1, "$\\Omega_y$")?.dashed());
     let graph = graph.curve(component(2, "$\\Omega_z$")?);
     MovingPicture::new(0.0..=END, [0.0, 1.14, 4.28], move |t| {
-        let now = later(&g, t);
+        let now = g.after(t);
         let ([x, _, z], rates, omega) = (now.triad(), now.rates, now.angular_velocity());
         let first = UP * (rates.phi * scale);
         let second = first + x * (rates.theta * scale);
@@ -437,7 +426,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             omega.norm()
         );
         let scene = gimbals("scene", &alt, &now)
-            .around(UP * 0.3, 1.95)
+            .around(UP * 0.05, 1.6)
             .size(340, 320)
             .arrow(ORIGIN, first, Ink::Velocity, "", Side::Left)
             .text(first * 0.8, "$\\dot\\phi$", Ink::Velocity, Side::Left)

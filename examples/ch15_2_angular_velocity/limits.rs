@@ -59,16 +59,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
 /// By how much the turn between two pictures, over the time between them, misses the angular
 /// velocity in the middle (rad/s).
 fn filmed(g: &Gyroscope, time: f64) -> Result<f64> {
-    let picture = |t: f64| {
-        let (a, r) = (g.angles, g.rates);
-        let angles = [
-            a.phi + r.phi * t,
-            a.theta + r.theta * t,
-            a.zeta + r.zeta * t,
-        ];
-        let [phi, theta, zeta] = angles;
-        Attitude::from_euler(EulerAngles { phi, theta, zeta })
-    };
+    let picture = |t: f64| Attitude::from_euler(g.after(t).angles);
     let (before, after) = (picture(-0.5 * time)?, picture(0.5 * time)?);
     let turn = before.inverse().then(&after).rotation_vector();
     Ok((turn / time - g.angular_velocity()).norm())

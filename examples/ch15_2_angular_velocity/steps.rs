@@ -49,10 +49,10 @@ const PAST: f64 = 1.7;
 pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let columns = [
         "least tilt / rad",
-        "by angles: steps",
-        "error / rad",
-        "by quaternion: steps",
-        "error, rad",
+        "angles: steps",
+        "angles: error / rad",
+        "quaternion: steps",
+        "quaternion: error / rad",
     ];
     let mut table = Table::new("poles", columns)?;
     for tilt in [0.1, 0.01, 1e-3, 1e-4] {
