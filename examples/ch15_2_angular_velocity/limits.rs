@@ -1,0 +1,89 @@
+//! Limits where the answer is known, and the card of effects.
+
+use super::{
+    Attitude, EulerAngles, FRAC_PI_2, Gyroscope, Parameters, Report, Result, SpaceVector, UP, body,
+    from_two_points, gap, rates, seen_from, velocity,
+};
+use rotation_dynamics::report::{Table, short};
+
+/// Tests the formulas where one knows what must come out, and sizes what is left out.
+pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
+    let g = Gyroscope::of(p, 1.0);
+    let at = |theta| Gyroscope {
+        angles: EulerAngles { theta, ..g.angles },
+        ..g
+    };
+    let (upright, level) = (at(1e-9), at(FRAC_PI_2));
+    let omega = SpaceVector::new(0.4, -0.3, 2.0);
+    let [r, s] = [
+        SpaceVector::new(0.1, 0.2, 0.3),
+        SpaceVector::new(0.7, -0.2, 0.5),
+    ];
+    let found = from_two_points(velocity(omega, r), velocity(omega, s), s);
+    let sum = p.precession.abs() + p.nutation.abs() + p.spin.abs();
+    let near = 1e-14 * sum;
+    // What a solver of the angles meets at a small tilt, the components being the same.
+    let [quick, _, _] = rates(g.nodal(), 1e-9);
+    rotation_dynamics::limits! { report,
+        /// z lies along Z: precession and spin are one rotation
+        "upright, theta = 0: Omega_z": upright.nodal()[2] => p.precession + p.spin, within near;
+        /// Z lies along y
+        "level, theta = pi/2: Omega_y": level.nodal()[1] => p.precession, within near;
+        /// the rate of phi grows as 1/theta, the component stays
+        "theta = 1e-9: theta times the rate of phi": 1e-9 * quick => g.nodal()[1], within near;
+        /// the plate turns with the frame and seems at rest
+        "frame as fast as the body: Omega seen":
+            seen_from(1.0, UP)?.norm() => 0.0, within 1e-14;
+        /// the second order is what the two orders differ by
+        "turns of x = 1e-6: gap / x^2": gap(1e-6) * 1e12 => 1.0, within 1e-12;
+        /// Omega is what moves them
+        "from two points: Omega off by": (found - omega).norm() => 0.0,
+        within 1e-14;
+    }?;
+    report.add(variations(p)?)?;
+    let size = g.angular_velocity().norm();
+    let earth = 7.292_115e-5;
+    // A camera with a thousand pictures a second: the turn from one to the next over the time.
+    let watched = filmed(&g, 1e-3)?;
+    // A rotor of steel with 6 cm radius: 7850 kg/m^3, 200 GPa.
+    let stretch = 7850.0 * p.spin * p.spin * 0.06 * 0.06 / 2e11;
+    let drift = size * 1e-3;
+    rotation_dynamics::effect_card! { report,
+        "pictures 1 ms apart, not a rate": "Omega dt" = drift, costs watched, "rad/s of Omega";
+        "turning of the laboratory with the Earth":
+            "Omega_E/Omega" = earth / size.max(1e-300), costs earth, "rad/s of Omega";
+        "stretch of the spinning rotor": "rho Omega^2 R^2/E" = stretch, costs stretch, "of v";
+    }
+}
+
+/// By how much the turn between two pictures, over the time between them, misses the angular
+/// velocity in the middle (rad/s).
+fn filmed(g: &Gyroscope, time: f64) -> Result<f64> {
+    let picture = |t: f64| Attitude::from_euler(g.after(t).angles);
+    let (before, after) = (picture(-0.5 * time)?, picture(0.5 * time)?);
+    let turn = before.inverse().then(&after).rotation_vector();
+    Ok((turn / time - g.angular_velocity()).norm())
+}
+
+/// What the page asks its reader to try, one flag changed at a time.
+fn variations(p: &Parameters) -> Result<Table> {
+    let with = |change: fn(&mut Parameters)| {
+        let mut changed = p.clone();
+        change(&mut changed);
+        changed
+    };
+    let backward = Gyroscope::of(&with(|p| p.spin = -30.0), 1.0).angular_velocity();
+    let level = Gyroscope::of(&with(|p| p.theta = FRAC_PI_2), 1.0).nodal();
+    let upright = Gyroscope::of(&with(|p| p.theta = 1e-6), 1.0).nodal();
+    let against = seen_from(-2.0, body(p)[0])?;
+    let mut table = Table::new("variations", ["flag", "key", "value", "unit"])?;
+    for (flag, key, value) in [
+        ("--spin -30", "size", backward.norm()),
+        ("--theta 1.5707963", "omega_z", level[2]),
+        ("--theta 1e-6", "omega_z", upright[2]),
+        ("--frame -2", "seen_z", against.z()),
+    ] {
+        table.push([flag, key, &short(value, 6), "rad/s"])?;
+    }
+    Ok(table)
+}
