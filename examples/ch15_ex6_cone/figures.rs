@@ -146,22 +146,22 @@ fn vectors() -> Result<Figure> {
 }
 
 fn regimes() -> Result<Figure> {
-    let alt = "The rate at which a cone tips or slips against its half angle. The tipping rate falls \
-               steeply from slender cones to a wide bottom near 0.4 rad and rises to 2.6. For a \
-               coefficient of friction of 0.3 the slipping rate runs below it everywhere; for 1 the \
-               two run close together, and tipping comes first from 0.25 to 0.9 rad.";
+    let alt = "The square of the rate at which a cone tips or slips, as h Omega^2 over g, against its \
+               half angle. Tipping falls steeply from slender cones to a wide bottom near 0.4 rad and \
+               rises to more than 6. For a coefficient of friction of 0.3 slipping runs below it \
+               everywhere; for 1 the two run close together from 0.25 to 1.2 rad.";
     let axes = Panel::new("regimes", alt)
         .x(Axis::linear(r"$\alpha$ / rad").range(0.0, 1.5))
-        .y(Axis::linear(r"$\Omega\,\sqrt{h/g}$").range(0.0, 3.0));
-    let tip = Curve::of(times(0.05, 1.5, 200), |a| tips(a).sqrt(), Ink::Ink);
-    let slip = |mu: f64, a: f64| {
-        let at = move |a: f64| (mu / needed(a, 1.0)).sqrt();
+        .y(Axis::linear(r"$h\Omega^2/g$").range(0.0, 7.0));
+    let tip = Curve::of(times(0.05, 1.5, 200), tips, Ink::Ink);
+    let slip = |mu: f64, a: f64, side| {
+        let at = move |a: f64| mu / needed(a, 1.0);
         let curve = Curve::of(times(0.0, 1.5, 150), at, Ink::Force).dashed();
-        curve.label_at(&format!(r"slips, $\mu={mu}$"), a, at(a), Side::BelowRight)
+        curve.label_at(&format!(r"slips, $\mu={mu}$"), a, at(a), side)
     };
-    axes.curve(tip.label_at("tips", 0.2, tips(0.2).sqrt(), Side::Right))
-        .curve(slip(0.3, 0.5))
-        .curve(slip(1.0, 0.05))
+    axes.curve(tip.label_at("tips", 0.1, tips(0.1), Side::Right))
+        .curve(slip(0.3, 0.8, Side::BelowRight))
+        .curve(slip(1.0, 0.85, Side::AboveLeft))
         .figure()
 }
 
