@@ -33,7 +33,7 @@ rotation_dynamics::parameters! {
         /// rate at which the cylinder goes round Z
         cylinder_rate: number(3.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
         /// angle of the cylinder's axis from Z
-        tilt: number(0.5, "rad", from_to(0.001, 3.14).usually(0.1, 1.5));
+        tilt: number(0.5, "rad", from_to(0.001, 3.1).usually(0.1, 1.5));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }

@@ -49,7 +49,7 @@ fn confirmed_far_from_the_notes() {
     let coins = ["0.01", "3", "100"].map(|o| format!("--orbit={o} --coin-radius=0.5"));
     let cycles = [(1.0, 0.01), (0.1, 5.0), (2.0, 200.0), (0.01, 0.02)];
     let cycles = cycles.map(|(r, a)| format!("--radius={r} --shaft={a} --rate=31"));
-    let cylinders = ["0.001", "1.57", "3.14"].map(|t| format!("--tilt={t} --cylinder-rate=900"));
+    let cylinders = ["0.001", "1.57", "3.1"].map(|t| format!("--tilt={t} --cylinder-rate=900"));
     let steps = ["1e-15", "1e-9", "1e-6"].map(|e| format!("--tolerance={e}"));
     let runs = wheels.into_iter().chain(coins).chain(cycles);
     confirmed(&EXAMPLE, runs.chain(cylinders).chain(steps), 16);

@@ -1,0 +1,260 @@
+//! Exercise 15.6: a solid cone that lies on a table and rolls about its vertex.
+
+#[path = "ch15_ex6_cone/cone.rs"]
+pub mod cone;
+#[path = "ch15_ex6_cone/figures.rs"]
+mod figures;
+
+use cone::{Cone, Sums, carried, level, placed, spin_at_rest};
+use core::f64::consts::TAU;
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Work, ode};
+use rotation_dynamics::interval::above_to;
+use rotation_dynamics::math::{cos, hypot, sin, tan};
+use rotation_dynamics::report::{ClosedForm, Report};
+
+rotation_dynamics::parameters! {
+    /// The cone of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the cone
+        mass: number(2.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
+        /// its height
+        height: number(0.3, "m", from_to(1e-3, 1e3).usually(0.05, 1.0));
+        /// half of the angle at its vertex
+        half_angle: number(0.4, "rad", from_to(0.01, 1.5).usually(0.1, 1.2));
+        /// rate at which the line of contact turns about the vertical
+        rate: number(1.5, "rad/s", above_to(0.0, 1e3).usually(0.5, 6.0));
+        /// coefficient of friction of cone and table
+        friction: number(0.5, "-", above_to(0.0, 100.0).usually(0.1, 1.5));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// error of a step of the simulations
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+/// The cone of these parameters.
+fn body(p: &Parameters) -> Cone {
+    Cone {
+        mass: p.mass,
+        height: p.height,
+        half_angle: p.half_angle,
+    }
+}
+
+// ANCHOR: forms
+/// omega along the line of contact, outward, over Omega.
+pub fn angular_velocity(a: f64) -> f64 {
+    -1.0 / tan(a)
+}
+
+/// L over M h^2 Omega, outward along the line of contact and upward.
+pub fn angular_momentum(a: f64) -> [f64; 2] {
+    let square = cos(a) * cos(a);
+    [
+        -0.15 * tan(a) * (1.0 + 5.0 * square),
+        0.15 * (5.0 * square - 1.0),
+    ]
+}
+
+/// T over M h^2 Omega^2.
+pub fn kinetic_energy(a: f64) -> f64 {
+    0.075 * (1.0 + 5.0 * cos(a) * cos(a))
+}
+
+/// Where the table bears the cone, over h, from the vertex, with w = h Omega^2/g.
+pub fn centre_of_pressure(a: f64, w: f64) -> f64 {
+    0.75 * cos(a) - angular_momentum(a)[0] * w
+}
+
+/// The w at which it tips over the rim.
+pub fn tips(a: f64) -> f64 {
+    (1.0 - 0.75 * cos(a) * cos(a)) / (-cos(a) * angular_momentum(a)[0])
+}
+
+/// The friction that the motion needs, over the weight.
+pub fn needed(a: f64, w: f64) -> f64 {
+    0.75 * w * cos(a)
+}
+// ANCHOR_END: forms
+
+// ANCHOR: sums
+/// The cone after the line of contact has turned by `turn`, by turns alone: about its own axis,
+/// and with it about the vertical.
+pub fn rolled(a: f64, turn: f64) -> Result<Attitude> {
+    placed(a, turn, -turn / sin(a))
+}
+
+/// The sums over the particles at this rate, when the line of contact has the azimuth 0.
+pub fn summed(p: &Parameters, rate: f64) -> Result<Sums> {
+    body(p).sums(
+        |t| rolled(p.half_angle, rate * t),
+        0.02 * sin(p.half_angle) / rate,
+    )
+}
+
+/// Where the table must bear the cone, m from the vertex, by the particles: what they need beyond
+/// their weight comes from the table, whose upward part has this moment about the vertex.
+pub fn borne_at(p: &Parameters, rate: f64) -> Result<f64> {
+    let (sums, weight) = (summed(p, rate)?, p.mass * p.gravity);
+    let centre: SpaceVector = body(p)
+        .particles()
+        .iter()
+        .map(|(m, r)| Ok(rolled(p.half_angle, 0.0)?.to_space(*r) * *m))
+        .sum::<Result<_>>()?;
+    // About phi = Z x rho, which is Y here: N d = (moment of the weight) - (moment needed).
+    Ok((p.gravity * centre.x() - sums.moment.y()) / (weight + sums.force.z()))
+}
+// ANCHOR_END: sums
+
+/// The rate at which the force has come to the rim, when the cone is made to roll ever faster.
+pub fn tipping(p: &Parameters) -> Result<f64> {
+    let (a, unit) = (p.half_angle, (p.gravity / p.height).sqrt());
+    let slant = p.height / cos(a);
+    let off = |rate: f64| borne_at(p, rate).map_or(f64::NAN, |d| d / slant - 1.0);
+    let rim = Event::rising("at the rim", |_, y: &[f64; 1]| off(unit * y[0])).terminal();
+    let law = ode(|_, _: &[f64; 1]| [1.0]);
+    let run = Dop853::new(1e-12)?.solve(&law, 0.0, &[0.01], 100.0, &[rim])?;
+    Ok(unit * run.end_state()[0])
+}
+
+/// The attitude after one circuit by steps, from the angular velocity alone.
+fn circuit(a: f64, step: f64) -> Result<(Attitude, Work)> {
+    let law = carried(|turn| level(turn) * angular_velocity(a));
+    let (q, work) = Dop853::new(step)?.advance(&law, 0.0, &rolled(a, 0.0)?.quaternion(), TAU)?;
+    Ok((Attitude::from_quaternion(q)?, work))
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let (a, unit) = (p.half_angle, (p.gravity / p.height).sqrt());
+    let slips = unit * (p.friction / needed(a, 1.0)).sqrt();
+    above_to(0.0, unit * tips(a).sqrt()).check("rate, beyond which the cone tips,", p.rate)?;
+    above_to(0.0, slips).check("rate, beyond which the cone slips,", p.rate)?;
+    let about = "A solid cone lies on a table and rolls, without slipping, about its vertex.";
+    let mut report = Report::new("A cone that rolls about its vertex", about)?;
+    claims(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let exact = rolled(a, TAU)?;
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
+    report.dial(
+        "DOP853, error of a step",
+        asked,
+        move |step| circuit(a, step),
+        |run| run.1,
+        error,
+    )?;
+    report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
+    Ok(report)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
+    let (s, c, unit, w) = (
+        sin(a),
+        cos(a),
+        m * h * h * rate,
+        h * rate * rate / p.gravity,
+    );
+    let (omega, [rho, up], energy) = (
+        rate * angular_velocity(a),
+        angular_momentum(a),
+        kinetic_energy(a),
+    );
+    let spin = spin_at_rest(a, level(0.0), rate)?;
+    // The spin about the axis and the turning about the vertical, added.
+    let net = SpaceVector::new(spin * c, 0.0, rate + spin * s);
+    let (sums, near) = (summed(p, rate)?, 3e-11 / (s * s * c * c));
+    let (tips, slips) = (tips(a), p.friction / needed(a, 1.0));
+    let frequency = (p.gravity / h).sqrt();
+    let size = unit * hypot(rho, up);
+    // With the friction needed at two rates, which grows as the square of the rate.
+    let friction = |rate: f64| -> Result<f64> { Ok(-summed(p, rate)?.force.x() / (m * p.gravity)) };
+    rotation_dynamics::claims! { report,
+        /// angular velocity, along rho
+        omega: omega, "rad/s", "the line of contact at rest" => net.x(), within near * omega.abs(),
+        in "The motion":
+            rate => "that is how fast the line of contact turns, not the cone",
+            rate / s => "that is the spin about the axis of the cone, relative to the line of contact",
+            -omega => "which way must the axis of the cone move?";
+        /// its upward part
+        omega_up: 0.0, "rad/s", "the line of contact at rest" => net.z(), within near * omega.abs();
+        /// angular momentum about the vertex, along rho
+        l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size,
+        in "The motion":
+            -0.3 * unit * tan(a) => "the axis of the cone is not along rho";
+        /// angular momentum about the vertex, upward
+        l_up: unit * up, "kg m^2/s", "24 particles" => sums.angular_momentum.z(), within near * size,
+        in "The motion":
+            0.0 => "the angular velocity is level; is the angular momentum parallel to it?";
+        /// kinetic energy
+        energy: unit * rate * energy, "J", "24 particles" => sums.kinetic_energy, within near * unit * rate,
+        in "The motion":
+            unit * rate * energy * 2.0 => "half of that",
+            0.5 * m * (0.75 * h * c * rate) * (0.75 * h * c * rate) => "that is the part of the centre of mass only";
+        /// turns about its axis in a circuit, seen from the line of contact
+        turns: 1.0 / s, "-", "the line of contact at rest" => -spin / rate, within near / s,
+        in "The motion":
+            1.0 / tan(a) => "the table meets the slanted side, not the base";
+        /// where the table bears the cone, from the vertex
+        borne_at: h * centre_of_pressure(a, w), "m", "24 particles" => borne_at(p, rate)?, within near * h,
+        in "The forces":
+            0.75 * h * c => "so it is at rest";
+        /// friction needed, over the weight
+        needed: needed(a, w), "-", "24 particles" => friction(rate)?, within near * needed(a, w),
+        in "The forces";
+        /// rate at which it tips over the rim
+        omega_tip: frequency * tips.sqrt(), "rad/s", "made to roll ever faster" => tipping(p)?, within near * frequency * tips.sqrt(),
+        in "The forces";
+        /// rate at which it slips
+        omega_slip: frequency * slips.sqrt(), "rad/s", "24 particles" => rate * (p.friction / friction(rate)?).sqrt(), within near * frequency * slips.sqrt(),
+        in "The forces";
+        /// coefficient of friction above which it tips before it slips
+        mu_tip: needed(a, tips), "-", "24 particles" => friction(tipping(p)?)?, within near * needed(a, tips);
+    }
+}
+
+/// Slender cones, flat ones, and a rate so slow that it hardly moves.
+fn limits(report: &mut Report) -> Result<()> {
+    rotation_dynamics::limits! { report,
+        /// a rod 3/5 M h^2 on end, and the spin, ever faster: 3/10 + 3/20
+        "alpha = 0.001: T/(M h^2 Omega^2)": kinetic_energy(1e-3) => 0.45, within 1e-6;
+        /// a rod that sweeps round
+        "alpha = 0.001: L_z/(M h^2 Omega)": angular_momentum(1e-3)[1] => 0.6, within 1e-6;
+        /// a wobbling plate of the radius R: 3/20 M R^2 about a diameter, at Omega h/R
+        "alpha = pi/2 - 0.001: T/(M h^2 Omega^2)": kinetic_energy(TAU / 4.0 - 1e-3) => 0.075, within 1e-6;
+        /// at rest the table bears it below its centre of mass
+        "w = 0: d/(h cos(alpha))": centre_of_pressure(0.4, 0.0) / cos(0.4) => 0.75, within 1e-15;
+        /// then the moment 3/20 M h R Omega^2, which turns L, is M g R
+        "alpha = pi/2 - 0.001: w at tipping": tips(TAU / 4.0 - 1e-3) => 20.0 / 3.0, within 1e-4;
+    }
+}
+
+/// The card of effects: hard wood on hard wood, in air.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, h, rate) = (p.half_angle, p.height, p.rate);
+    let w = h * rate * rate / p.gravity;
+    // The pressure of a rolling body lies ahead of the contact by this lever, m.
+    let lever = 2e-5;
+    let rolling = p.mass * p.gravity * lever * -angular_velocity(a) * TAU;
+    let energy = p.mass * h * h * rate * rate * kinetic_energy(a);
+    let (side, speed) = (h * h * tan(a), 0.75 * h * rate * cos(a));
+    let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a);
+    rotation_dynamics::effect_card! { report,
+        "friction, as far as it is needed":
+            "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
+        "rolling resistance":
+            "b/h" = lever / h, costs rolling / energy, "of the energy in a circuit";
+        "drag of the air":
+            "rho h S/M" = 1.204 * h * side / p.mass, costs air / energy, "of the energy in a circuit";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_ex6_cone: "Exercise 15.6: a solid cone that rolls on a table about its vertex";
+    report, figures::figures, figures::trajectory, figures::moving_picture
+}

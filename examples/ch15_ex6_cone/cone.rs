@@ -1,0 +1,155 @@
+//! A solid cone as a few particles, its places, and how it is drawn: for the two exercises on
+//! cones. The vertex is the origin of the body's axes, and e3 points from it to the base.
+
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::integrators::{Ode, ode};
+use rotation_dynamics::math::{sincos, tan};
+use rotation_dynamics::report::draw::{Ink, Solid, View};
+
+use core::f64::consts::FRAC_PI_2;
+
+/// The vertical.
+pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+
+/// Mass, height and half angle at the vertex.
+#[derive(Debug, Clone, Copy)]
+pub struct Cone {
+    pub mass: f64,
+    pub height: f64,
+    pub half_angle: f64,
+}
+
+/// What the particles of a cone that moves about its vertex add up to.
+#[derive(Debug, Clone, Copy)]
+pub struct Sums {
+    /// Sum of r x m v, about the vertex.
+    pub angular_momentum: SpaceVector,
+    /// Sum of m v^2/2.
+    pub kinetic_energy: f64,
+    /// Sum of m a: the force that the motion needs.
+    pub force: SpaceVector,
+    /// Sum of r x m a: its moment about the vertex.
+    pub moment: SpaceVector,
+}
+
+impl Cone {
+    /// 24 particles whose sums of masses times squares and products of coordinates are the
+    /// integrals over the cone: Gauss's nodes along the axis and outward, four directions.
+    pub fn particles(&self) -> Vec<(f64, BodyVector)> {
+        let (outer, half) = (0.15_f64.sqrt(), 1.0 / 12.0_f64.sqrt());
+        let mut all = Vec::new();
+        for (height, weight) in [(0.5 - outer, 5.0), (0.5, 8.0), (0.5 + outer, 5.0)] {
+            for out in [0.5 - half, 0.5 + half] {
+                for quarter in 0..4 {
+                    let (s, c) = sincos(FRAC_PI_2 * (f64::from(quarter) + 0.3));
+                    let mass = self.mass * weight / 18.0 * 0.75 * height * height * out;
+                    let axial = self.height * height;
+                    let radial = axial * out * tan(self.half_angle);
+                    all.push((mass, BodyVector::new(radial * c, radial * s, axial)));
+                }
+            }
+        }
+        all
+    }
+
+    /// The sums at the time 0 of a motion about the vertex, from the places of the particles at
+    /// seven times `h` apart: no formula for a moment of inertia, for L or for T.
+    pub fn sums(&self, at: impl Fn(f64) -> Result<Attitude>, h: f64) -> Result<Sums> {
+        const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0]; // over 60 h
+        const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0]; // over 180 h^2
+        let attitudes: Vec<Attitude> = (-3..=3)
+            .map(|k| at(f64::from(k) * h))
+            .collect::<Result<_>>()?;
+        let zero = SpaceVector::zero();
+        let mut sums = Sums {
+            angular_momentum: zero,
+            kinetic_energy: 0.0,
+            force: zero,
+            moment: zero,
+        };
+        for (mass, place) in self.particles() {
+            let places = attitudes.iter().map(|attitude| attitude.to_space(place));
+            let places: Vec<SpaceVector> = places.collect();
+            let sum =
+                |weights: [f64; 7]| (0..7).map(|k| places[k] * weights[k]).sum::<SpaceVector>();
+            let (r, v, a) = (
+                places[3],
+                sum(FIRST) / (60.0 * h),
+                sum(SECOND) / (180.0 * h * h),
+            );
+            sums.angular_momentum += r.cross(&v) * mass;
+            sums.kinetic_energy += 0.5 * mass * v.dot(&v);
+            sums.force += a * mass;
+            sums.moment += r.cross(&a) * mass;
+        }
+        Ok(sums)
+    }
+}
+
+/// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned
+/// about itself by `spin` since.
+pub fn placed(rise: f64, azimuth: f64, spin: f64) -> Result<Attitude> {
+    let (phi, theta) = (azimuth + FRAC_PI_2, FRAC_PI_2 - rise);
+    Attitude::from_euler(EulerAngles {
+        phi,
+        theta,
+        zeta: spin,
+    })
+}
+
+/// The level direction at this azimuth.
+pub fn level(azimuth: f64) -> SpaceVector {
+    let (s, c) = sincos(azimuth);
+    SpaceVector::new(c, s, 0.0)
+}
+
+/// The rate of spin about the axis with which the point `contact` of the body (on the fixed
+/// axes, with the azimuth 0) is at rest while the axis goes round at `rate`: the velocity of
+/// that point, from where it is before and after, is linear in the spin.
+pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
+    let sliding = |spin: f64| -> Result<f64> {
+        let point = placed(rise, 0.0, 0.0)?.to_body(contact);
+        let h = 1e-3 / (rate + spin);
+        let at = |t: f64| {
+            Ok::<_, rotation_dynamics::Error>(placed(rise, rate * t, spin * t)?.to_space(point).y())
+        };
+        Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
+    };
+    let (still, turned) = (sliding(0.0)?, sliding(rate)?);
+    Ok(rate * still / (still - turned))
+}
+
+/// The attitude that follows from an angular velocity on the fixed axes: q' = omega q/2.
+pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
+    ode(move |t, &[w, x, y, z]: &[f64; 4]| {
+        let [a, b, c] = (angular_velocity(t) * 0.5).to_array();
+        [
+            -a * x - b * y - c * z,
+            a * w + b * z - c * y,
+            b * w + c * x - a * z,
+            c * w + a * y - b * x,
+        ]
+    })
+}
+
+/// Adds the cone of this half angle and the height 1, with its vertex here, and a stripe from the
+/// vertex to the rim and on to the middle of the base.
+pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitude) -> View {
+    let (axis, radius) = (attitude.axis(), tan(half_angle));
+    let place = |x: f64, z: f64| vertex + attitude.to_space(BodyVector::new(x, 0.0, z));
+    let stripe = [
+        place(0.0, 0.0),
+        place(1.02 * radius, 1.0),
+        place(1.02 * radius, 1.005),
+        place(0.0, 1.005),
+    ];
+    view.solid(Solid::cone(vertex + axis, vertex, radius), Ink::Body)
+        .line(stripe, Ink::Ink)
+}
+
+/// The directions through which a level direction turns between two azimuths, times `radius`.
+pub fn sweep(from: f64, to: f64, radius: f64) -> impl Iterator<Item = SpaceVector> + Clone {
+    rotation_dynamics::report::times(from, to, 48).map(move |azimuth| level(azimuth) * radius)
+}
