@@ -18,7 +18,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids as uniform};
 use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sincos};
-use rotation_dynamics::report::{Report, Table, Trajectory, short, supported_digits, times};
+use rotation_dynamics::report::{Report, Table, Trajectory, short, times};
 pub use solids::points_of;
 
 rotation_dynamics::parameters! {
@@ -54,11 +54,24 @@ impl Parameters {
     }
 }
 
+// ANCHOR: masses
+/// The four masses of the page.
+pub const FOUR: [(f64, [f64; 3]); 4] = [
+    (1.0, [0.1, 0.2, 0.3]),
+    (2.0, [-0.4, 0.5, 0.0]),
+    (1.5, [0.3, -0.2, 0.6]),
+    (0.5, [0.0, 0.7, -0.4]),
+];
+
+/// The velocity of their origin, m/s.
+pub const REFERENCE: DesignVector = DesignVector::new(0.5, -0.2, 0.1);
+// ANCHOR_END: masses
+
 // ANCHOR: motion
 /// A mass (kg) and its place (m).
 pub type Mass = (f64, DesignVector);
 
-/// How a rigid body moves at one instant: the velocity of one of its points, and its turning.
+/// A motion at one instant: the velocity of a point of the body, and its turning.
 #[derive(Debug, Clone, Copy)]
 pub struct Rigid {
     pub point: DesignVector,
@@ -182,7 +195,7 @@ fn energies(p: &Parameters, report: &mut Report) -> Result<()> {
     rotation_dynamics::claims! { report,
         /// velocity of the first mass along x
         v_x: x, "m/s", "two places of it" => dx, within speed, in "The first mass":
-            x + 2.0 * (omega[1] * 0.3 - omega[2] * 0.2) * -1.0 => "Omega x r, not r x Omega";
+            x - 2.0 * (omega[1] * 0.3 - omega[2] * 0.2) => "Omega x r, not r x Omega";
         /// velocity of the first mass along y
         v_y: y, "m/s", "two places of it" => dy, within speed, in "The first mass";
         /// velocity of the first mass along z
@@ -325,10 +338,10 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let [ball, ..] = diagonal(&uniform::ellipsoid(1.0, 1.0, 1.0, 1.0)?);
     rotation_dynamics::limits! { report,
         /// each mass is counted by two of the three distances from the axes
-        "four masses: trace of I - 2 sum m r^2": trace - spread => 0.0, within 8.0 * EPS;
+        "four masses: trace of I over the sum of 2 m r^2": trace / spread => 1.0, within 4.0 * EPS;
         /// half a turn of the axes brings back the same
-        "plate about a corner: I_x'y'(pi) - I_xy":
-            turned(about_corner(1.0, 1.0, 0.7), PI)[2] + 0.175 => 0.0, within 2.0 * EPS;
+        "plate about a corner: I_xy after half a turn, over I_xy":
+            turned(about_corner(1.0, 1.0, 0.7), PI)[2] / -0.175 => 1.0, within 4.0 * EPS;
         /// the sum of m (y - 3 b x/4 a)^2, which this slope makes least
         "narrow plate, corner: I_1/(M b^2)": strip / 1e-12 => 7.0 / 48.0, within 1e-11;
         /// all its mass is at the distance d
@@ -360,7 +373,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     rotation_dynamics::effect_card! { report,
         "air that turns with the plate, at most": "3 pi rho a^3/(32 M)" = air, costs air, "of I_xx";
-        "warmer by 10 K": "2 alpha dT" = warm, costs warm, "of I_xx";
+        "warmer by ten kelvin": "2 alpha dT" = warm, costs warm, "of I_xx";
         "thickness of aluminium": "h^2/a^2" = flat * flat, costs flat * flat, "of I_xx";
         "stretch by the turning": "rho_p Omega^2 a^2/(5 E)" = stretch, costs stretch, "of I_xx";
     }
@@ -382,22 +395,19 @@ fn references(_: &Parameters) -> Result<Table> {
 /// A number to the digits that matter; what is below `size` is zero.
 fn rounded(x: f64, size: f64) -> String {
     if x.abs() < size {
-        return "0".into();
+        "0".into()
+    } else {
+        short(x, 4)
     }
-    supported_digits(x, 1e-6 * x.abs())
 }
 
 /// The square about its centre with a fly on one corner: where its first axis lies.
 fn fly(p: &Parameters) -> Result<Table> {
-    let columns = "fly / kg, angle of the first axis / rad, I_1 / (kg m^2), I_2 - I_1 / (kg m^2)";
+    let columns = "fly / kg, first axis / rad, I_2 - I_1";
     let mut table = Table::new("fly", columns.split(", "))?;
     for fly in [0.0, 1e-6, 1e-3, 0.1] {
-        let [angle, first, apart] = with_fly(p, fly)?;
-        let cells = [
-            rounded(angle, 1e-12),
-            rounded(first, 1e-12),
-            rounded(apart, 1e-15),
-        ];
+        let [angle, apart] = with_fly(p, fly)?;
+        let cells = [rounded(angle, 1e-12), rounded(apart, 1e-15)];
         let mass = if fly == 0.0 {
             "none".into()
         } else {
@@ -410,8 +420,7 @@ fn fly(p: &Parameters) -> Result<Table> {
 
 /// The plates that the page asks about.
 fn tries(p: &Parameters) -> Result<Table> {
-    let columns = "plate / m, I_xx / (kg m^2), I_x'x' / (kg m^2), I_x'y' / (kg m^2), \
-                   first axis at the corner / rad";
+    let columns = "plate / m, I_xx, I_xx turned, product turned, first axis / rad";
     let mut table = Table::new("try", columns.split(", "))?;
     for part in [1.0, 0.75, 0.1] {
         let (a, b) = (p.width, part * p.height);
@@ -426,8 +435,8 @@ fn tries(p: &Parameters) -> Result<Table> {
 }
 
 /// With a fly of this mass at (a/2, b/2): the angle of the first principal axis about the common
-/// centre of mass, the smallest moment, and by how much the next is larger.
-pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 3]> {
+/// centre of mass, and by how much the next moment is larger than the smallest.
+pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 2]> {
     let plate = uniform::plate(p.mass, p.width, p.height)?;
     let place = DesignVector::new(0.5 * p.width, 0.5 * p.height, 0.0);
     let mut parts = vec![plate];
@@ -438,11 +447,8 @@ pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 3]> {
         .about_centre_of_mass()
         .principal_axes();
     let ([first, ..], moments) = (axes.axes(), axes.moments());
-    Ok([
-        atan2(first.y() * first.x().signum(), first.x().abs()),
-        moments[0],
-        moments[1] - moments[0],
-    ])
+    let angle = atan2(first.y() * first.x().signum(), first.x().abs());
+    Ok([angle, moments[1] - moments[0]])
 }
 
 /// Moments and product of the plate against the angle of its axes.

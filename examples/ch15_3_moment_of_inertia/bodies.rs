@@ -1,21 +1,10 @@
 //! Bodies of a few masses, other routes to their energy and velocity, other axes.
 
-use super::{Mass, Rigid, velocity};
+use super::{FOUR, Mass, Rigid, velocity};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::{Error, Result};
-
-/// The four masses of the page.
-pub const FOUR: [(f64, [f64; 3]); 4] = [
-    (1.0, [0.1, 0.2, 0.3]),
-    (2.0, [-0.4, 0.5, 0.0]),
-    (1.5, [0.3, -0.2, 0.6]),
-    (0.5, [0.0, 0.7, -0.4]),
-];
-
-/// The velocity of their origin, m/s.
-pub const REFERENCE: DesignVector = DesignVector::new(0.5, -0.2, 0.1);
 
 /// [`FOUR`] with places as vectors.
 pub fn four() -> Vec<Mass> {

@@ -175,7 +175,10 @@ fn ellipsoid() -> Result<Figure> {
     let scene = view("ellipsoid", alt)
         .around(SpaceVector::new(0.0, 0.05, 0.05), 0.95)
         .triad();
-    with_axes(scene.solid(solid, Ink::Frame), |i| lengths[i] + 0.22)?.figure()
+    with_axes(scene.solid(solid, Ink::Frame), |i| {
+        lengths[i] + [0.22, 0.22, 0.6][i]
+    })?
+    .figure()
 }
 
 /// The square with its lower left corner at `at`, edges 1.

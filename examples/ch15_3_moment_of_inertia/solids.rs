@@ -103,24 +103,24 @@ fn rows() -> [Row; 12] {
             [Line, Line, Line], |[u, v, w]| (1.0, [AXES[0] * u, AXES[1] * v, AXES[2] * w])),
         row("cylinder", ["M (r^2/4 + l^2/12)", "M (r^2/4 + l^2/12)", "M r^2/2"], uniform::cylinder(1.0, R, L),
             [Line, Turn, Line], |[u, v, w]| (u, round(R * u, v, L * w))),
-        row("tube, inner radius s", ["M ((r^2 + s^2)/4 + l^2/12)", "M ((r^2 + s^2)/4 + l^2/12)", "M (r^2 + s^2)/2"],
+        row("tube, inner radius b", ["M ((r^2 + b^2)/4 + l^2/12)", "M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"],
             uniform::hollow_cylinder(1.0, INNER, R, L), [Line, Turn, Line],
             |[u, v, w]| {
                 let radius = INNER + (R - INNER) * u;
                 (radius, round(radius, v, L * w))
             }),
-        row("cone", ["3 M (4 r^2 + h^2)/80", "3 M (4 r^2 + h^2)/80", "3 M r^2/10"], uniform::cone(1.0, R, L),
+        row("cone", ["M (12 r^2 + 3 h^2)/80", "M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"], uniform::cone(1.0, R, L),
             [Line, Turn, Line], |[u, v, w]| (u * w * w, round(R * u * w, v, L * w))),
-        row("sphere", same("2 M r^2/5"), uniform::sphere(1.0, R), [Line, Turn, Line],
+        row("sphere", same("M (2 r^2/5)"), uniform::sphere(1.0, R), [Line, Turn, Line],
             |[u, v, w]| (u * u, direction(2.0 * w - 1.0, v).map(|x| R * u * x))),
-        row("spherical shell", same("2 M r^2/3"), uniform::spherical_shell(1.0, R), [Nothing, Turn, Line],
+        row("spherical shell", same("M (2 r^2/3)"), uniform::spherical_shell(1.0, R), [Nothing, Turn, Line],
             |[_, v, w]| (1.0, direction(2.0 * w - 1.0, v).map(|x| R * x))),
         row("ellipsoid", ["M (b^2 + c^2)/5", "M (a^2 + c^2)/5", "M (a^2 + b^2)/5"], uniform::ellipsoid(1.0, a, b, c),
             [Line, Turn, Line], |[u, v, w]| {
                 let [x, y, z] = direction(2.0 * w - 1.0, v).map(|x| u * x);
                 (u * u, [AXES[0] * x, AXES[1] * y, AXES[2] * z])
             }),
-        row("torus, tube s", ["M (r^2/2 + 5 s^2/8)", "M (r^2/2 + 5 s^2/8)", "M (r^2 + 3 s^2/4)"],
+        row("torus, tube of radius b", ["M (r^2/2 + 5 b^2/8)", "M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"],
             uniform::torus(1.0, R, TUBE), [Line, Turn, Turn], |[u, v, w]| {
                 let (s, c) = sincos(w);
                 let radius = R + TUBE * u * c;
@@ -213,11 +213,14 @@ fn sliced(n: u32, slice: impl Fn(f64) -> (f64, f64)) -> f64 {
     1.0 + sum / weights
 }
 
+/// A way of cutting: the thickness of the tube, and the number of slices.
+type Rule = fn(f64, u32) -> f64;
+
 /// More slices would take a second.
 const MOST: u32 = 1 << 22;
 
 /// Doubles the slices until they agree with half as many; the value, and all slices cut.
-fn agreed(rule: fn(f64, u32) -> f64, tolerance: f64) -> Result<(f64, u32)> {
+fn agreed(rule: Rule, tolerance: f64) -> Result<(f64, u32)> {
     let (mut n, mut all) = (4, 4);
     let mut last = rule(TUBE / R, n);
     loop {
@@ -252,9 +255,9 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
         .against("slices at equal angles", cut)
         .within(2.0 * p.tolerance),
     )?;
-    let rules: [(&str, fn(f64, u32) -> f64); 2] = [
-        ("slices of equal thickness", equal_slices),
-        ("slices at equal angles", equal_angles),
+    let rules: [(&str, Rule); 2] = [
+        ("dial: slices at equal angles", equal_angles),
+        ("dial: slices of equal thickness", equal_slices),
     ];
     let mut asked = vec![1e-3, 1e-5, 1e-7, p.tolerance, 1e-12];
     asked.sort_by(|a, b| b.total_cmp(a));

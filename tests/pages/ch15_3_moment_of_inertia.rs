@@ -398,7 +398,7 @@ fn the_effects_are_what_the_bodies_say() {
     let card = |row| cell(&EXAMPLE, "", ["effects", row, "error if left out"]);
     assert_error!(thick / flat - 1.0 - card("thickness of aluminium"), 3.5e-7);
     let warm = solids::plate(1.5, a * (1.0 + 23e-5), a).unwrap().about_centre_of_mass().matrix()[1][1];
-    assert_error!(warm / flat - 1.0 - card("warmer by 10 K"), 5.3e-8);
+    assert_error!(warm / flat - 1.0 - card("warmer by ten kelvin"), 5.3e-8);
 }
 
 #[test]
