@@ -1,0 +1,405 @@
+//! The drawings of section 15.3.
+
+use super::bodies;
+use super::{
+    Mass, Parameters, Plane, about_centre, about_corner, corner_axes, four, tensor, turned,
+};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use rotation_dynamics::Result;
+use rotation_dynamics::frame::{DesignVector, SpaceVector};
+use rotation_dynamics::inertia::InertiaTensor;
+use rotation_dynamics::math::{cbrt, cos, sin, sincos};
+use rotation_dynamics::report::draw::{
+    Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View,
+};
+use rotation_dynamics::report::{Figure, MovingPicture, times};
+
+/// All figures of the page.
+pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
+    let drawn = [
+        velocities, wheel, body, ellipsoid, square, corner, principal,
+    ];
+    let mut figures: Vec<Figure> = drawn
+        .into_iter()
+        .map(|draw| draw())
+        .collect::<Result<_>>()?;
+    figures.push(mohr(p)?);
+    figures.push(parallel()?);
+    Ok(figures)
+}
+
+fn polar(length: f64, angle: f64) -> (f64, f64) {
+    let (s, c) = sincos(angle);
+    (length * c, length * s)
+}
+
+fn sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (a.0 + b.0, a.1 + b.1)
+}
+
+/// Equation (1): a point of a body moves with P and around P.
+fn velocities() -> Result<Figure> {
+    let alt = "A flat body with the point P and a point a. From P an arrow V_P to the right; at a the \
+               same arrow, at its tip the arrow Omega x r', at right angles to the line from P to a, \
+               and the sum v_a from a.";
+    let outline = times(0.0, TAU, 72).map(|t| {
+        let bump = 1.0 + 0.1 * cos(2.0 * t + 0.5) + 0.06 * sin(3.0 * t);
+        (0.62 + 0.82 * bump * cos(t), 0.52 + 0.62 * bump * sin(t))
+    });
+    let (p, a, carried) = ((0.25, 0.3), (1.05, 0.7), (0.42, 0.1));
+    let around = (-0.65 * (a.1 - p.1), 0.65 * (a.0 - p.0));
+    let (tip, end) = (sum(a, carried), sum(sum(a, carried), around));
+    Sketch::new("velocities", alt)
+        .window((-0.35, 1.95), (-0.25, 1.5))
+        .body(outline, Ink::Body, 0.12)
+        .curve(Curve::new([p, a], Ink::Frame))
+        .text((0.66, 0.5), "$r'_a$", Ink::Frame, Side::Above)
+        .arrow(p, sum(p, carried), Ink::Ink, "$V_P$", Side::Below)
+        .arrow(a, tip, Ink::Ink, "$V_P$", Side::Below)
+        .arrow(tip, end, Ink::Ink, r"$\Omega\times r'_a$", Side::Right)
+        .arrow(a, end, Ink::Body, "$v_a$", Side::Left)
+        .dot(p, Ink::Ink, "$P$", Side::Left)
+        .dot(a, Ink::Ink, "$a$", Side::BelowRight)
+        .turn(p, 0.22, (1.4, 3.3), Ink::Velocity)
+        .text((0.08, 0.52), r"$\Omega$", Ink::Velocity, Side::AboveLeft)
+        .figure()
+}
+
+/// The wheel of the table: where the third term vanishes.
+fn wheel() -> Result<Figure> {
+    let alt = "A wheel rolls to the right on the ground. A dashed circle has the line from its centre to \
+               the contact point as diameter. Arrows show the velocities of the centre, of a point of the \
+               dashed circle and of the top; that of the point on the circle is at right angles to the \
+               velocity with which the centre turns around it.";
+    let circle = times(0.0, TAU, 60).map(|t| sum((0.0, -0.5), polar(0.5, t)));
+    let (centre, on) = ((0.0, 0.0), (0.5, -0.5));
+    Sketch::new("wheel", alt)
+        .window((-1.3, 1.75), (-1.2, 1.3))
+        .wall((1.7, -1.0), (-1.25, -1.0))
+        .disc(centre, 1.0, Ink::Body, 0.12)
+        .curve(Curve::new(circle, Ink::Ink).dashed().width(1.2))
+        .arrow(centre, (0.6, 0.0), Ink::Ink, "$V$", Side::Above)
+        .arrow((0.0, 1.0), (1.2, 1.0), Ink::Ink, "$2V$", Side::Above)
+        .arrow(on, (0.8, -0.8), Ink::Ink, "", Side::Right)
+        .arrow(on, (0.8, -0.2), Ink::Frame, "", Side::Right)
+        .text((0.8, -0.8), "$V_P$", Ink::Ink, Side::Right)
+        .text(
+            (0.8, -0.2),
+            r"$\Omega\times R_{CM}$",
+            Ink::Frame,
+            Side::Right,
+        )
+        .curve(Curve::new([on, centre], Ink::Frame).thin())
+        .dot(centre, Ink::Ink, "CM", Side::Left)
+        .dot(on, Ink::Ink, "$P$", Side::Left)
+        .dot((0.0, -1.0), Ink::Ink, "", Side::Below)
+        .text((-0.04, -0.97), "$V_P=0$", Ink::Ink, Side::AboveLeft)
+        .turn(centre, 0.8, (2.9, 1.9), Ink::Velocity)
+        .text((-0.62, 0.62), r"$\Omega$", Ink::Velocity, Side::BelowRight)
+        .figure()
+}
+
+fn space(v: DesignVector) -> SpaceVector {
+    v.to_array().into()
+}
+
+/// Where the four masses and their ellipsoid are seen from.
+fn view(name: &str, alt: &str) -> View {
+    View::new(name, alt)
+        .camera(Camera::new(0.6, 0.38))
+        .size(340, 320)
+}
+
+/// The axes, to both sides, with a label at one end.
+fn with_axes(view: View, length: impl Fn(usize) -> f64) -> Result<View> {
+    let axes = InertiaTensor::new(tensor(&four()))?.principal_axes().axes();
+    let named = axes.into_iter().zip(["$x'$", "$y'$", "$z'$"]).enumerate();
+    Ok(named.fold(view, |view, (i, (axis, name))| {
+        let end = space(axis) * length(i);
+        view.line([-end, end], Ink::Body)
+            .arrow(end * 0.9, end, Ink::Body, name, Side::Above)
+    }))
+}
+
+fn body() -> Result<Figure> {
+    let alt = "Four balls of different size at the ends of rods that meet at the origin, and three green \
+               lines at right angles through the origin, x prime, y prime and z prime.";
+    let scene = view("body", alt)
+        .around(SpaceVector::new(0.0, 0.05, 0.05), 0.95)
+        .triad();
+    let scene = four().into_iter().fold(scene, |scene, (m, r): Mass| {
+        let place = space(r);
+        scene
+            .solid(Solid::rod(SpaceVector::zero(), place, 0.012), Ink::Frame)
+            .solid(Solid::ball(place, 0.09 * cbrt(m)), Ink::Body)
+    });
+    with_axes(scene, |_| 0.8)?.figure()
+}
+
+/// A ball stretched along the principal axes: its faces see outwards as the ball's do.
+fn stretched(axes: [SpaceVector; 3], lengths: [f64; 3]) -> Solid {
+    let (rings, sides) = (16, 32);
+    let place = |i: usize, j: usize| {
+        let (s, c) = sincos(PI * i as f64 / rings as f64);
+        let (sp, cp) = sincos(TAU * j as f64 / sides as f64);
+        axes[0] * (lengths[0] * s * cp)
+            + axes[1] * (lengths[1] * s * sp)
+            + axes[2] * (lengths[2] * c)
+    };
+    let face = |(i, j): (usize, usize)| {
+        let corners = vec![
+            place(i, j),
+            place(i + 1, j),
+            place(i + 1, j + 1),
+            place(i, j + 1),
+        ];
+        match i {
+            0 => corners[..3].to_vec(),
+            _ if i + 1 == rings => vec![corners[0], corners[1], corners[3]],
+            _ => corners,
+        }
+    };
+    Solid::new(
+        (0..rings)
+            .flat_map(|i| (0..sides).map(move |j| (i, j)))
+            .map(face),
+    )
+}
+
+fn ellipsoid() -> Result<Figure> {
+    let alt = "An ellipsoid about the origin, longest along x prime and shortest along z prime; the three \
+               axes pass through it and come out at right angles to its surface.";
+    let found = InertiaTensor::new(tensor(&four()))?.principal_axes();
+    let lengths = found.moments().map(|moment| 0.45 / moment.sqrt());
+    let solid = stretched(found.axes().map(space), lengths);
+    let scene = view("ellipsoid", alt)
+        .around(SpaceVector::new(0.0, 0.05, 0.05), 0.95)
+        .triad();
+    with_axes(scene.solid(solid, Ink::Frame), |i| {
+        lengths[i] + [0.22, 0.22, 0.6][i]
+    })?
+    .figure()
+}
+
+/// The square with its lower left corner at `at`, edges 1.
+fn plate(sketch: Sketch, at: (f64, f64)) -> Sketch {
+    let edge = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+    sketch.body(edge.map(|corner| sum(at, corner)), Ink::Body, 0.15)
+}
+
+/// Two axes through `at`, turned by `angle`.
+fn two_axes(sketch: Sketch, at: (f64, f64), angle: f64, length: f64, names: [&str; 2]) -> Sketch {
+    let sides = [
+        (angle, names[0], Side::Right),
+        (angle + FRAC_PI_2, names[1], Side::Above),
+    ];
+    sides
+        .into_iter()
+        .fold(sketch, |sketch, (angle, name, side)| {
+            let end = sum(at, polar(length, angle));
+            sketch
+                .arrow_along([at, end], Ink::Ink)
+                .text(end, name, Ink::Ink, side)
+        })
+}
+
+fn sketch(name: &str, alt: &str) -> Sketch {
+    Sketch::new(name, alt)
+        .window((-0.95, 1.75), (-0.4, 1.7))
+        .width(300)
+}
+
+fn square() -> Result<Figure> {
+    let alt = "A square plate of edge a with the axes x and y through its centre, along its edges; dashed, \
+               a pair of axes turned by an angle.";
+    let centre = (0.5, 0.5);
+    let drawn = plate(sketch("square", alt), (0.0, 0.0)).dimension(
+        (0.0, -0.12),
+        (1.0, -0.12),
+        "$a$",
+        Side::Below,
+    );
+    let turned = |angle| Curve::new([centre, sum(centre, polar(0.95, angle))], Ink::Frame).dashed();
+    two_axes(drawn, centre, 0.0, 0.9, ["$x$", "$y$"])
+        .curve(turned(0.6).label_end("$x'$"))
+        .curve(turned(0.6 + FRAC_PI_2))
+        .text(
+            sum(centre, polar(0.97, 0.6 + FRAC_PI_2)),
+            "$y'$",
+            Ink::Frame,
+            Side::Left,
+        )
+        .dot(centre, Ink::Ink, "CM", Side::BelowLeft)
+        .figure()
+}
+
+fn corner() -> Result<Figure> {
+    let alt = "The same plate with the axes x and y along two edges, from their common corner P.";
+    let drawn = plate(sketch("corner", alt), (0.0, 0.0));
+    two_axes(drawn, (0.0, 0.0), 0.0, 1.4, ["$x$", "$y$"])
+        .dot((0.0, 0.0), Ink::Ink, "$P$", Side::BelowLeft)
+        .dot((0.5, 0.5), Ink::Ink, "CM", Side::Right)
+        .figure()
+}
+
+fn principal() -> Result<Figure> {
+    let alt = "The plate with axes through the corner P turned by 45 degrees: x prime along the diagonal \
+               through the centre of mass, y prime at right angles, outside the plate.";
+    let [.., angle] = corner_axes(1.0, 1.0, 1.0);
+    let drawn = plate(sketch("principal", alt), (0.0, 0.0));
+    two_axes(drawn, (0.0, 0.0), angle, 1.75, ["", ""])
+        .curve(Curve::new([(0.0, 0.0), (1.5, 0.0)], Ink::Frame).dashed())
+        .angle((0.0, 0.0), 0.34, (0.0, angle), "$45°$")
+        .text(polar(1.75, angle), "$x'$", Ink::Ink, Side::Right)
+        .text(
+            sum((0.03, 0.0), polar(1.2, angle + FRAC_PI_2)),
+            "$y'$",
+            Ink::Ink,
+            Side::AboveRight,
+        )
+        .dot((0.0, 0.0), Ink::Ink, "$P$", Side::Below)
+        .dot((0.5, 0.5), Ink::Ink, "CM", Side::BelowRight)
+        .figure()
+}
+
+/// Where (I_x'x', I_x'y') goes while the axes turn.
+fn circle(plane: Plane, ink: Ink) -> Curve {
+    let point = |angle| {
+        let [xx, _, xy] = turned(plane, angle);
+        (xx, xy)
+    };
+    Curve::new(times(0.0, PI, 120).map(point), ink)
+}
+
+fn mohr(p: &Parameters) -> Result<Figure> {
+    let alt = "Product of inertia against moment of inertia of a plate on turned axes. About a corner of the \
+               square the point runs on a large circle, from angle 0 clockwise, twice as fast as the axes; \
+               about the centre of a rectangle on a small circle; about the centre of the square it stays in one \
+               place, where the moment is a twelfth and the product zero.";
+    let (square, long) = (about_corner(1.0, 1.0, 1.0), about_centre(1.0, 1.0, 0.5));
+    let [xx, _, xy] = square;
+    let [ax, _, ay] = turned(square, p.turn);
+    let label = format!("${:.2}$ rad", p.turn);
+    Panel::new("mohr", alt)
+        .x(Axis::linear("$I_{x'x'}/Ma^2$").range(0.0, 0.65))
+        .y(Axis::linear("$I_{x'y'}/Ma^2$").range(-0.28, 0.28))
+        .equal_aspect()
+        .level(0.0, Ink::Frame, "")
+        .curve(circle(square, Ink::Ink).arrow(0.4))
+        .note(0.5, 0.19, Ink::Ink, "square, corner", Side::AboveLeft)
+        .curve(circle(long, Ink::Energy))
+        .note(0.06, -0.032, Ink::Energy, "rectangle", Side::Below)
+        .dot(
+            1.0 / 12.0,
+            0.0,
+            Ink::Body,
+            "square, centre",
+            Side::AboveRight,
+        )
+        .curve(Curve::new([(xx, 0.0), (xx, xy)], Ink::Frame).thin())
+        .curve(Curve::new([(xx, 0.0), (ax, ay)], Ink::Frame).thin())
+        .dot(xx, xy, Ink::Ink, "$0$", Side::AboveRight)
+        .dot(ax, ay, Ink::Ink, &label, Side::AboveRight)
+        .figure()
+}
+
+/// Moments about parallel axes, along the diagonal through the centre.
+fn parallel() -> Result<Figure> {
+    let alt = "Moment of inertia of a square plate about an axis at right angles to it, against the place of the axis \
+               along a diagonal: a parabola with its lowest point at the centre, a sixth, and two thirds at the \
+               corners. Dashed, what one gets by stepping from the left corner instead of the centre: right only \
+               at that corner.";
+    let half = 0.5 * 2.0_f64.sqrt();
+    let points = bodies::plate_points(1.0, [1.0, 1.0], [0.0, 0.0]);
+    let summed = |d: f64| {
+        let at = DesignVector::new(d * half, d * half, 0.0);
+        let moved: Vec<Mass> = points.iter().map(|(m, r)| (*m, *r - at)).collect();
+        tensor(&moved)[2][2]
+    };
+    let exact = |d: f64| 1.0 / 6.0 + d * d;
+    let wrong = |d: f64| 2.0 / 3.0 + (d + half) * (d + half);
+    Panel::new("parallel", alt)
+        .x(Axis::linear("place of the axis / $a$").range(-half, half))
+        .y(Axis::linear("$I_{zz}/Ma^2$").range(0.0, 1.4))
+        .curve(
+            Curve::of(times(-half, half, 120), exact, Ink::Ink).label_at(
+                "$I_{CM}+Md^2$",
+                0.25,
+                0.22,
+                Side::BelowRight,
+            ),
+        )
+        .curve(Curve::of(times(-half, half, 9), summed, Ink::Body).dots())
+        .curve(
+            Curve::of(times(-half, 0.15, 60), wrong, Ink::Wrong)
+                .dashed()
+                .label_at("wrong: from the corner", -0.1, wrong(-0.1), Side::AboveLeft),
+        )
+        .upright(0.0, Ink::Frame, "CM")
+        .ring(-half, 2.0 / 3.0, Ink::Ink, "corner", Side::Right)
+        .figure()
+}
+
+/// Two squares with the axis at `angle` through the centre and through a corner, and how far each
+/// piece is from it.
+fn two_plates(angle: f64) -> Sketch {
+    let along = polar(1.0, angle);
+    let piece = |i: u32, j: u32| ((f64::from(i) + 0.5) / 6.0, (f64::from(j) + 0.5) / 6.0);
+    let mut drawn = Sketch::new("scene", "").window((-0.62, 3.28), (-0.78, 1.5));
+    for (left, axis) in [(0.0, (0.5, 0.5)), (1.85, (0.0, 0.0))] {
+        drawn = plate(drawn, (left, 0.0));
+        let through = (left + axis.0, axis.1);
+        let at = |by: f64| sum(through, (by * along.0, by * along.1));
+        let (mut back, mut front) = (0.0_f64, 0.0_f64);
+        for (x, y) in (0..6).flat_map(|i| (0..6).map(move |j| piece(i, j))) {
+            let place = (left + x, y);
+            let by = (place.0 - through.0) * along.0 + (place.1 - through.1) * along.1;
+            (back, front) = (back.max(-by), front.max(by));
+            drawn = drawn
+                .curve(Curve::new([at(by), place], Ink::Frame).width(0.9))
+                .curve(Curve::new([place], Ink::Body).dots());
+        }
+        let (start, end) = (at(-0.25 - back), at(0.25 + front));
+        drawn =
+            drawn
+                .arrow_along([start, end], Ink::Velocity)
+                .dot(through, Ink::Ink, "", Side::Below);
+    }
+    drawn
+}
+
+/// The axis turns in the plane of the plate, through the centre and through a corner.
+pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
+    let moment = |plane: Plane| move |angle| turned(plane, angle)[0];
+    let (corner, centre) = (
+        moment(about_corner(1.0, 1.0, 1.0)),
+        moment(about_centre(1.0, 1.0, 1.0)),
+    );
+    let all = || times(0.0, PI, 120);
+    let graph = Panel::new("graph", "")
+        .x(Axis::angle("angle of the axis / rad").range(0.0, PI))
+        .y(Axis::linear("$I/Ma^2$").range(0.0, 0.6))
+        .curve(Curve::of(all(), corner, Ink::Ink).label_at(
+            "corner",
+            2.0,
+            corner(2.0),
+            Side::AboveLeft,
+        ))
+        .curve(Curve::of(all(), centre, Ink::Body).label_at(
+            "centre",
+            2.4,
+            centre(2.4),
+            Side::Above,
+        ));
+    MovingPicture::new(0.0..=PI, [0.0, 0.25 * PI, 0.75 * PI], move |angle| {
+        let alt = format!(
+            "A square plate twice, with its pieces and their distances from an axis in the plane, \
+             {:.0} degrees from an edge: on the left through the centre, on the right through a corner. Below, the two \
+             moments over M a^2 against the angle: {:.3} and {:.3} now.",
+            angle.to_degrees(),
+            centre(angle),
+            corner(angle)
+        );
+        Stack::frame(&alt, two_plates(angle), &graph, angle)
+    })
+}
