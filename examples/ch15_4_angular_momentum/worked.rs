@@ -203,7 +203,7 @@ pub fn plate(p: &Parameters) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
     let half = BodyVector::new(0.5 * p.plate_side, 0.5 * p.plate_side, 0.0);
     let mut grains = cuboid(p.plate_mass, [p.plate_side, p.plate_side, 0.0]);
     for (_, place) in &mut grains {
-        *place = *place + half;
+        *place += half;
     }
     turning(grains, SpaceVector::new(0.0, p.plate_rate, 0.0), ORIGIN)
 }

@@ -3,7 +3,7 @@
 
 use crate::told::{confirmed, number, refused, value};
 use pages::ch15_4_angular_momentum::swarm::{Swarm, angle, ball, chord, cuboid, cylinder, rate};
-use pages::ch15_4_angular_momentum::worked::{Earth, Runner, on_axes, plate, rolling, runner};
+use pages::ch15_4_angular_momentum::worked::{Earth, Runner, plate, rolling, runner};
 use pages::ch15_4_angular_momentum::{
     EXAMPLE, FOUR, MOVING, Parameters, Shaft, TURNING, euler, four, tensor_of_four, turning,
 };
@@ -106,7 +106,7 @@ fn parallel_a_with_three_equal_moments() {
         // About a corner the same cube has two moments.
         let mut moved = cuboid(1.0, [1.0; 3]);
         for (_, place) in &mut moved {
-            *place = *place + BodyVector::new(0.5, 0.5, 0.5);
+            *place += BodyVector::new(0.5, 0.5, 0.5);
         }
         corner.push(about(moved, omega));
     }
