@@ -1,0 +1,364 @@
+//! Angular momentum of a rigid body: the notes, Chapter 15, Section 4, with its examples.
+//!
+//! The flags without a prefix are the cylinder on a slanting shaft; those of the other
+//! examples begin with the name of theirs.
+
+#[path = "ch15_4_angular_momentum/figures.rs"]
+mod figures;
+#[path = "ch15_4_angular_momentum/picture.rs"]
+mod picture;
+#[path = "ch15_4_angular_momentum/setups.rs"]
+mod setups;
+#[path = "ch15_4_angular_momentum/swarm.rs"]
+pub mod swarm;
+#[path = "ch15_4_angular_momentum/worked.rs"]
+pub mod worked;
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::Problem;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::{Effect, Torque};
+use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
+use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
+use rotation_dynamics::math::{atan2, pow, sin, sincos};
+use rotation_dynamics::report::{Report, Table, short};
+use rotation_dynamics::scene::Scene;
+use swarm::{Grain, Swarm, angle, step};
+
+rotation_dynamics::parameters! {
+    /// The cylinder of the notes' fifth example, and the bodies of the others.
+    pub struct Parameters {
+        /// mass of the cylinder
+        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0));
+        /// radius of the cylinder
+        radius: number(0.05, "m", above(0.0).usually(0.02, 0.3));
+        /// height of the cylinder
+        height: number(0.3, "m", above(0.0).usually(0.02, 0.5));
+        /// angle between the cylinder and the shaft
+        tilt: number(0.5, "rad", from_to(0.0, FRAC_PI_2).usually(0.0, FRAC_PI_2));
+        /// angular velocity of the shaft
+        rate: number(10.0, "rad/s", above(0.0).usually(2.0, 20.0));
+        /// mass of the rolling wheel
+        wheel_mass: number(2.0, "kg", above(0.0));
+        /// radius of the rolling wheel
+        wheel_radius: number(0.35, "m", above(0.0));
+        /// angular velocity of the rolling wheel
+        wheel_rate: number(20.0, "rad/s", above(0.0));
+        /// mass of the coin
+        coin_mass: number(0.0057, "kg", above(0.0));
+        /// radius of the coin, and of the fixed one
+        coin_radius: number(0.0121, "m", above(0.0));
+        /// angular velocity of the line of centres
+        coin_rate: number(2.0, "rad/s", above(0.0));
+        /// mass of the wheel on the shaft
+        runner_mass: number(1.5, "kg", above(0.0));
+        /// radius of the wheel on the shaft
+        runner_radius: number(0.3, "m", above(0.0));
+        /// length of the shaft
+        runner_shaft: number(0.5, "m", above(0.0));
+        /// angular velocity of the shaft about the vertical
+        runner_rate: number(2.0, "rad/s", above(0.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", at_least(0.0));
+        /// mass of the square plate
+        plate_mass: number(1.5, "kg", above(0.0));
+        /// side of the plate
+        plate_side: number(0.4, "m", above(0.0));
+        /// angular velocity of the plate about an edge
+        plate_rate: number(3.0, "rad/s", above(0.0));
+        /// error asked of the cylinder's attitude after ten turns: above 0, at most pi
+        tolerance: number(1e-9, "rad", any());
+    }
+}
+
+/// Four masses, rigidly joined by rods without mass: kg, m.
+pub const FOUR: [(f64, [f64; 3]); 4] = [
+    (1.0, [0.1, 0.2, 0.3]),
+    (2.0, [-0.4, 0.5, 0.0]),
+    (1.5, [0.3, -0.2, 0.6]),
+    (0.5, [0.0, 0.7, -0.4]),
+];
+/// How they turn (rad/s), and how fast their origin moves (m/s) where it does.
+pub const TURNING: [f64; 3] = [0.4, -0.3, 2.0];
+pub const MOVING: [f64; 3] = [0.5, -0.2, 0.1];
+
+// ANCHOR: tensor
+/// I about the point `about`, from masses and places.
+pub fn tensor_of_four(about: DesignVector) -> Result<InertiaTensor> {
+    let points = FOUR.map(|(mass, place)| (mass, DesignVector::from_array(place)));
+    MassProperties::of_points(&points)?.about(about)
+}
+// ANCHOR_END: tensor
+
+/// The four as grains that turn about the origin, which moves.
+pub fn four(omega: [f64; 3], moving: [f64; 3]) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
+    let [omega, velocity] = [omega, moving].map(SpaceVector::from_array);
+    let grains = FOUR.map(|(mass, place)| (mass, BodyVector::from_array(place)));
+    turning(grains.into(), omega, velocity)
+}
+
+/// A body that turns about its origin at this rate, the origin moving at this velocity.
+pub fn turning(
+    grains: Vec<Grain>,
+    omega: SpaceVector,
+    velocity: SpaceVector,
+) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
+    let place = move |t, grain: BodyVector| {
+        let turned = Attitude::from_rotation_vector(omega * t).unwrap_or(Attitude::IDENTITY);
+        velocity * t + turned.to_space(grain)
+    };
+    Swarm {
+        grains,
+        place,
+        step: step(omega.norm()),
+    }
+}
+
+/// The attitude with these angles, z-x'-z''; those of the page are finite.
+pub fn euler(phi: f64, theta: f64, zeta: f64) -> Attitude {
+    let angles = EulerAngles { phi, theta, zeta };
+    Attitude::from_euler(angles).unwrap_or(Attitude::IDENTITY)
+}
+
+/// The cylinder on its shaft: z along the cylinder, x level, y square to both.
+pub struct Shaft {
+    /// Moments across the cylinder and along it, kg m^2.
+    pub i1: f64,
+    pub i3: f64,
+    pub tilt: f64,
+    pub rate: f64,
+}
+
+impl Shaft {
+    /// The shaft of these parameters.
+    pub fn of(p: &Parameters) -> Result<Self> {
+        let tensor = solids::cylinder(p.mass, p.radius, p.height)?.about_centre_of_mass();
+        let [[i1, ..], _, [.., i3]] = tensor.matrix();
+        let (tilt, rate) = (p.tilt, p.rate);
+        Ok(Self { i1, i3, tilt, rate })
+    }
+
+    // ANCHOR: cylinder
+    /// Angular velocity along x, y and z.
+    pub fn angular_velocity(&self) -> BodyVector {
+        let (s, c) = sincos(self.tilt);
+        BodyVector::new(0.0, self.rate * s, self.rate * c)
+    }
+
+    /// Each component times its own moment: L along x, y and z.
+    pub fn momentum(&self) -> BodyVector {
+        let omega = self.angular_velocity();
+        BodyVector::new(0.0, self.i1 * omega.y(), self.i3 * omega.z())
+    }
+
+    /// What the bearings must exert, Omega x L, along x, y and z.
+    pub fn torque(&self) -> BodyVector {
+        self.angular_velocity().cross(&self.momentum())
+    }
+    // ANCHOR_END: cylinder
+
+    /// How the cylinder stands at the time t.
+    pub fn attitude(&self, t: f64) -> Attitude {
+        euler(self.rate * t, self.tilt, 0.0)
+    }
+
+    /// The angle from Omega to L, rad.
+    pub fn angle(&self) -> f64 {
+        let (omega, momentum) = (self.angular_velocity(), self.momentum());
+        atan2(omega.cross(&momentum).norm(), omega.dot(&momentum))
+    }
+
+    /// The same body left to the equations of motion, with nothing but that torque: ten turns.
+    pub fn driven(&self) -> Result<Problem<((), impl Effect + Clone + use<>)>> {
+        let (torque, omega) = (self.torque(), self.angular_velocity());
+        let bearings = Torque::on_body("bearings", move |_, _, _| torque).smooth();
+        let body = RigidBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?);
+        let start = body.state(self.attitude(0.0), omega)?;
+        let end = 10.0 * TAU / self.rate;
+        let reached = body.state(self.attitude(end), omega)?;
+        let scene = Scene::new(body).with(bearings);
+        let (tilt, rate) = (self.tilt, self.rate);
+        let exact = move |t| euler(rate * t, tilt, 0.0);
+        Ok(Problem::new(scene, start, end, reached).in_closed_form(exact))
+    }
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "Sums over the particles of a body, its tensor of inertia, and six examples.";
+    let mut report = Report::new("Angular momentum", about)?;
+    bodies(&mut report)?;
+    worked::claims(p, &mut report)?;
+    tries(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let problem = Shaft::of(p)?.driven()?;
+    report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-12])?;
+    Ok(report)
+}
+
+/// The four masses, and a body on its principal axes.
+fn bodies(report: &mut Report) -> Result<()> {
+    let (origin, away) = (DesignVector::zero(), SpaceVector::new(1.0, 0.0, 0.0));
+    let tensor = tensor_of_four(origin)?;
+    let [x, y, z] = tensor
+        .angular_momentum(DesignVector::from_array(TURNING))
+        .to_array();
+    let [u, v, w] = tensor
+        .angular_momentum(DesignVector::new(0.0, 0.0, 2.0))
+        .to_array();
+    let sum = four(TURNING, [0.0; 3]).angular_momentum(SpaceVector::zero());
+    let about_z = four([0.0, 0.0, 2.0], [0.0; 3]).angular_momentum(SpaceVector::zero());
+    // With the origin moving: about it, and about a point one metre to the side.
+    let moving = four(TURNING, MOVING);
+    let there = moving.angular_momentum(away);
+    let here = moving.angular_momentum(SpaceVector::zero());
+    let shifted = here - away.cross(&moving.linear_momentum());
+    let momentum = SpaceVector::new(0.02, 0.06, 0.12);
+    let omega = SpaceVector::new(1.0, 2.0, 3.0);
+    let pairs = turning(
+        worked::on_axes([0.02, 0.03, 0.04]),
+        omega,
+        SpaceVector::zero(),
+    );
+    rotation_dynamics::claims! { report,
+        /// four masses: I Omega, along x
+        four_x: x, "kg m^2/s", "sum of r x m v" => sum.x(), within 1e-12;
+        /// along y
+        four_y: y, "kg m^2/s", "sum of r x m v" => sum.y(), within 1e-12;
+        /// along z
+        four_z: z, "kg m^2/s", "sum of r x m v" => sum.z(), within 1e-12;
+        /// four masses, turning about z at 2 rad/s: L along x
+        about_z_x: u, "kg m^2/s", "sum of r x m v" => about_z.x(), within 1e-12,
+        in "Four masses":
+            0.0 => "Omega has no such component, L has";
+        /// along y
+        about_z_y: v, "kg m^2/s", "sum of r x m v" => about_z.y(), within 1e-12;
+        /// along z
+        about_z_z: w, "kg m^2/s", "sum of r x m v" => about_z.z(), within 1e-12,
+        in "Four masses";
+        /// moments 0.02, 0.03, 0.04 kg m^2, Omega (1, 2, 3) rad/s: from L to Omega
+        principal_angle: angle(momentum, omega), "rad",
+        "six particles" => angle(pairs.angular_momentum(SpaceVector::zero()), omega),
+        within 1e-12, in "Four masses";
+        /// four masses, their origin moving: L about (1, 0, 0) m, along x
+        shifted_x: shifted.x(), "kg m^2/s", "sum about that point" => there.x(), within 1e-12;
+        /// along y
+        shifted_y: shifted.y(), "kg m^2/s", "sum about that point" => there.y(), within 1e-12;
+        /// along z
+        shifted_z: shifted.z(), "kg m^2/s", "sum about that point" => there.z(), within 1e-12;
+    }
+}
+
+/// The cylinder of these parameters with one of them changed: what the page asks for.
+fn tries(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = ["flag", "from Omega to L", "torque along x", "unit"];
+    let mut table = Table::new("tries", columns)?;
+    let all: [(&str, Parameters); 4] = [
+        ("none", p.clone()),
+        (
+            "--rate 20",
+            Parameters {
+                rate: 20.0,
+                ..p.clone()
+            },
+        ),
+        (
+            "--height 0.02",
+            Parameters {
+                height: 0.02,
+                ..p.clone()
+            },
+        ),
+        (
+            "--height 0.0866",
+            Parameters {
+                height: 0.0866,
+                ..p.clone()
+            },
+        ),
+    ];
+    for (flag, changed) in all {
+        let shaft = Shaft::of(&changed)?;
+        let (angle, torque) = (short(shaft.angle(), 4), short(shaft.torque().x(), 4));
+        table.push([flag.into(), format!("{angle} rad"), torque, "N m".into()])?;
+    }
+    report.add(table)
+}
+
+/// A cylinder with these proportions at this tilt, of mass and angular velocity 1.
+pub fn shape(height_over_radius: f64, tilt: f64) -> Shaft {
+    let (i3, i1) = (0.5, 0.25 + height_over_radius * height_over_radius / 12.0);
+    Shaft {
+        i1,
+        i3,
+        tilt,
+        rate: 1.0,
+    }
+}
+
+/// Where the answer is known without the tensor.
+fn limits(report: &mut Report) -> Result<()> {
+    let runner = worked::Runner {
+        mass: 1.0,
+        radius: 1e-9,
+        shaft: 2.0,
+        rate: 3.0,
+    };
+    rotation_dynamics::limits! { report,
+        /// along a principal axis L follows Omega
+        "cylinder, theta = 0: angle from Omega to L": shape(6.0, 0.0).angle() => 0.0, within 1e-15;
+        /// so it does across it
+        "cylinder, theta = pi/2: the same": shape(6.0, FRAC_PI_2).angle() => 0.0, within 1e-15;
+        /// three equal moments: any direction is a principal axis
+        "cylinder, H = sqrt(3) R: the same": shape(3.0_f64.sqrt(), 0.7).angle() => 0.0, within 1e-15;
+        /// a needle has no moment about itself: L is square to it
+        "cylinder, R to 0: the same + theta": shape(1e6, 0.7).angle() + 0.7 => FRAC_PI_2, within 1e-10;
+        /// a disc has twice the moment about its axis
+        "cylinder, H = 0, theta = pi/4: L_z/L_y": disc_ratio() => 2.0, within 1e-15;
+        /// a particle on a circle
+        "wheel on a shaft, R to 0: L_Z/(M a^2 Omega)": runner.momentum()[1] / 12.0 => 1.0, within 1e-15;
+        /// and nothing presses but its weight
+        "wheel on a shaft, R to 0: N/(M g)": runner.force(10.0) / 10.0 => 1.0, within 1e-8;
+    }
+}
+
+fn disc_ratio() -> f64 {
+    let momentum = shape(0.0, 0.25 * PI).momentum();
+    momentum.z() / momentum.y()
+}
+
+/// The card of effects. Air: 1.2 kg/m^3 and a drag coefficient of 1.2; Earth and Moon: their
+/// measured masses, distance and moment.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let shaft = Shaft::of(p)?;
+    let s = sin(p.tilt);
+    let air = 1.2 * 1.2 * p.radius * s * s * s * pow(p.height, 4.0) / 32.0;
+    let (spin, whole) = (
+        worked::EARTH.spin() + worked::EARTH.third(),
+        worked::EARTH.orbital(),
+    );
+    let moon = 7.2534e22 * 3.844e8 * 3.844e8 * 2.6617e-6;
+    let off = 1e-4;
+    rotation_dynamics::effect_card! { report,
+        "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I1)" = air / shaft.i1,
+            costs air * p.rate * p.rate * p.rate, "W of the motor";
+        "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
+            costs p.mass * off * p.rate * p.rate, "N, going round";
+        "rolling wheel: resistance": "C_rr g/(1.5 R Omega)" = 0.005 * p.gravity / (1.5 * p.wheel_radius * p.wheel_rate),
+            costs 0.005 * p.gravity / (1.5 * p.wheel_radius * p.wheel_rate), "of L a second";
+        "Earth: denser inside": "0.4/0.330675 - 1" = 0.4 / 0.330675 - 1.0,
+            costs 0.4 / 0.330675 - 1.0, "of the spin";
+        "Earth: the orbit is an ellipse": "e^2/2" = 0.5 * 0.0167 * 0.0167,
+            costs 0.5 * 0.0167 * 0.0167, "of the orbital L";
+        "Earth: the Moon": "L_Moon/L_spin" = moon / (spin * 0.330675 / 0.4),
+            costs moon / whole, "of the orbital L";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_4_angular_momentum: "Angular momentum of a rigid body, and where it points";
+    report, figures::figures, picture::trajectory, picture::moving
+}
