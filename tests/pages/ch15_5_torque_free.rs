@@ -1,0 +1,408 @@
+//! Torque-free motion of a symmetric top. The equations are judged by bodies of six particles
+//! that move by Newton's law in steps: what is measured on them knows none of (1) to (17).
+
+use crate::told::{confirmed, refused, value};
+use core::ops::RangeInclusive;
+use pages::ch15_5_torque_free::*;
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::GravityGradient;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Dop853, Integrator};
+use rotation_dynamics::math::{atan2, cos, sin};
+use rotation_dynamics::scene::Scene;
+use support::Errors;
+
+/// What is measured at one moment of a stepped motion.
+struct Seen {
+    i1: f64,
+    i3: f64,
+    z: SpaceVector,
+    omega: SpaceVector,
+    momentum: SpaceVector,
+    /// Rate of the axis about L, of a mark about the axis, of omega about the axis in the body.
+    rates: [f64; 3],
+}
+
+impl Seen {
+    fn l(&self) -> f64 {
+        self.momentum.norm()
+    }
+    fn theta(&self) -> f64 {
+        angle(self.z, self.momentum)
+    }
+    fn along(&self) -> f64 {
+        self.omega.dot(&self.z)
+    }
+    fn across(&self) -> f64 {
+        self.omega.cross(&self.z).norm()
+    }
+}
+
+fn angle(a: SpaceVector, b: SpaceVector) -> f64 {
+    atan2(a.cross(&b).norm(), a.dot(&b))
+}
+
+/// The derivative at the middle of values at five times, h apart.
+fn slope(h: f64, v: impl Fn(f64) -> f64) -> f64 {
+    (8.0 * (v(h) - v(-h)) - (v(2.0 * h) - v(-2.0 * h))) / (12.0 * h)
+}
+
+fn measured(top: Top, t: f64) -> Seen {
+    let stepped = Stepped::new(top).unwrap();
+    let h = 2e-3 / (top.omega_y + top.omega_z);
+    let run = stepped.until(t + 2.0 * h).unwrap();
+    let at = |by: f64| stepped.at(&run, t + by).unwrap();
+    let place = |body: BodyVector, by: f64| at(by).0.to_space(body);
+    let velocity = |body: BodyVector| {
+        SpaceVector::from_array([0, 1, 2].map(|i| slope(h, |by| place(body, by).to_array()[i])))
+    };
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(BodyVector::from_array);
+    // Six particles of mass 1 with these moments.
+    let (a, c) = ((top.i3 / 4.0).sqrt(), ((top.i1 - 0.5 * top.i3) / 2.0).sqrt());
+    let (mut omega, mut momentum) = (SpaceVector::zero(), SpaceVector::zero());
+    for (axis, size) in axes.into_iter().zip([a, a, c]) {
+        let turning = place(axis, 0.0).cross(&velocity(axis));
+        omega += turning * 0.5;
+        momentum += turning * (2.0 * size * size);
+    }
+    let up = momentum / momentum.norm();
+    // From the line of nodes at t: to itself, and to a mark on the body.
+    let node = |by: f64| up.cross(&place(axes[2], by));
+    let about = |axis: SpaceVector, from: SpaceVector, to: SpaceVector| atan2(axis.dot(&from.cross(&to)), from.dot(&to));
+    let precession = slope(h, |by| about(up, node(0.0), node(by)));
+    let mark = |by: f64| about(place(axes[2], by), node(by), place(axes[0], by));
+    let turned = |by: f64| atan2(sin(mark(by) - mark(0.0)), cos(mark(by) - mark(0.0)));
+    let in_body = |by: f64| at(by).1.to_array();
+    let [p, q, _] = in_body(0.0);
+    let pole = slope(h, |by| atan2(p * in_body(by)[1] - q * in_body(by)[0], p * in_body(by)[0] + q * in_body(by)[1]));
+    let z = place(axes[2], 0.0);
+    Seen { i1: top.i1, i3: top.i3, z, omega, momentum, rates: [precession, slope(h, turned), pole] }
+}
+
+fn bodies() -> [Top; 5] {
+    let notes = [Top::cylinder(&Parameters::default()), Top::cylinder(&DISC)];
+    let other = [[1.0, 0.1, 3.0, 1.0], [1.0, 1.9, 2.0, 0.5], [2.0, 3.0, 0.4, 5.0]];
+    let [a, b, c] = other.map(|[i1, i3, omega_y, omega_z]| Top { i1, i3, omega_y, omega_z });
+    [notes[0], notes[1], a, b, c]
+}
+
+fn everywhere() -> impl Iterator<Item = (Top, Seen)> {
+    let times = [0.13, 0.4, 0.77].map(|part: f64| part);
+    let all = bodies().into_iter().flat_map(move |top| times.map(|part| (top, part)));
+    all.map(|(top, part)| (top, measured(top, part * top.round())))
+}
+
+/// An equation holds to this, relative to its right side, and a damaged one misses by more
+/// than `far`: what is measured, the right side, the damaged one.
+#[track_caller]
+fn equation(within: RangeInclusive<f64>, far: f64, sides: impl Fn(&Seen) -> [f64; 3]) {
+    let (mut right, mut wrong) = (Errors::of("the equation"), Errors::of("damaged"));
+    for (_, seen) in everywhere() {
+        let [got, good, bad] = sides(&seen);
+        right.add(got, good, good.abs());
+        wrong.add(got, bad, good.abs());
+    }
+    right.attain(within, 15);
+    wrong.exceed(far, 15);
+}
+
+/// Omega has no part across the plane of z and L. The twin has I1 and I2 apart by a tenth.
+#[test]
+fn eq_15_5_1_one_plane() {
+    let mut errors = Errors::of("sine of the angle between Omega and the plane");
+    for (_, seen) in everywhere() {
+        let normal = seen.z.cross(&seen.momentum);
+        errors.push(normal.dot(&seen.omega) / (normal.norm() * seen.omega.norm()));
+    }
+    errors.attain(1.9e-13..=2.0e-13, 15);
+    let damaged = |w: [f64; 3]| {
+        let [l, m] = [w, [1.1 * w[0], w[1], 0.5 * w[2]]].map(SpaceVector::from_array);
+        let normal = SpaceVector::new(0.0, 0.0, 1.0).cross(&m);
+        normal.dot(&l) / (normal.norm() * l.norm())
+    };
+    assert!(damaged([1.0, 1.0, 1.0]).abs() > 0.03);
+}
+
+#[test]
+fn eq_15_5_2_two_turns_not_at_right_angles() {
+    let (mut right, mut wrong) = (Errors::of("Omega_S + Omega_P"), Errors::of("with -Omega_P"));
+    for (_, seen) in everywhere() {
+        let [precession, spin, _] = seen.rates;
+        let (along, up) = (seen.z * spin, seen.momentum / seen.l() * precession);
+        right.push((along + up - seen.omega).norm() / seen.omega.norm());
+        wrong.push((along - up - seen.omega).norm() / seen.omega.norm());
+        assert!(along.dot(&up).abs() / (along.norm() * up.norm()) > 0.03);
+    }
+    right.attain(4.7e-13..=4.8e-13, 15);
+    wrong.exceed(0.5, 15);
+}
+
+#[test]
+fn eq_15_5_3_along_the_axis() {
+    equation(5.6e-13..=5.7e-13, 5e-4, |s| {
+        let [p, spin, _] = s.rates;
+        [s.along(), spin + p * cos(s.theta()), spin + p]
+    });
+}
+
+#[test]
+fn eq_15_5_4_across_the_axis() {
+    equation(3.7e-12..=3.8e-12, 1e-4, |s| {
+        [s.across(), s.rates[0] * sin(s.theta()), s.rates[0] * s.theta()]
+    });
+}
+
+#[test]
+fn eq_15_5_5_momentum_across() {
+    equation(3.3e-12..=3.4e-12, 0.3, |s| [s.l() * sin(s.theta()), s.i1 * s.across(), s.i3 * s.across()]);
+}
+
+#[test]
+fn eq_15_5_6_momentum_along() {
+    equation(2.4e-15..=2.5e-15, 0.3, |s| [s.l() * cos(s.theta()), s.i3 * s.along(), s.i1 * s.along()]);
+}
+
+#[test]
+fn eq_15_5_7_rate_across() {
+    equation(3.3e-12..=3.4e-12, 0.3, |s| {
+        let l = s.l() * sin(s.theta());
+        [s.across(), l / s.i1, l / s.i3]
+    });
+}
+
+#[test]
+fn eq_15_5_8_rate_along() {
+    equation(2.5e-15..=2.6e-15, 0.3, |s| {
+        let l = s.l() * cos(s.theta());
+        [s.along(), l / s.i3, l / s.i1]
+    });
+}
+
+#[test]
+fn eq_15_5_9_precession() {
+    equation(7.0e-13..=7.1e-13, 0.3, |s| [s.rates[0], s.l() / s.i1, s.l() / s.i3]);
+}
+
+#[test]
+fn eq_15_5_10_spin() {
+    equation(1.4e-12..=1.5e-12, 0.3, |s| {
+        let part = 1.0 - s.i3 / s.i1;
+        [s.rates[1], s.along() * part, s.along() * -part]
+    });
+}
+
+#[test]
+fn eq_15_5_11_spin_by_precession() {
+    equation(7.4e-13..=7.5e-13, 1e-4, |s| {
+        let along = s.rates[0] * (s.i1 / s.i3 - 1.0);
+        [s.rates[1], along * cos(s.theta()), along]
+    });
+}
+
+#[test]
+fn eq_15_5_12_precession_by_rate() {
+    equation(7.0e-13..=7.1e-13, 1e-4, |s| {
+        let along = s.along() * s.i3 / s.i1;
+        [s.rates[0], along / cos(s.theta()), along]
+    });
+}
+
+#[test]
+fn eq_15_5_13_lean() {
+    let lean = |s: &Seen| angle(s.z, s.omega);
+    equation(4.4e-16..=4.5e-16, 0.3, |s| {
+        [sin(lean(s)) / cos(lean(s)), s.across() / s.along(), s.along() / s.across()]
+    });
+}
+
+#[test]
+fn eq_15_5_14_ratio_of_rates() {
+    let tan = |x: f64| sin(x) / cos(x);
+    equation(3.3e-12..=3.4e-12, 0.3, |s| {
+        [s.across() / s.along(), tan(s.theta()) * s.i3 / s.i1, tan(s.theta()) * s.i1 / s.i3]
+    });
+}
+
+#[test]
+fn eq_15_5_15_two_tangents() {
+    let tan = |x: f64| sin(x) / cos(x);
+    equation(3.3e-12..=3.4e-12, 0.3, |s| {
+        let tilt = tan(s.theta());
+        [tan(angle(s.z, s.omega)), tilt * s.i3 / s.i1, tilt]
+    });
+}
+
+/// Omega - 2 Omega_P z, over Omega_P theta, for three small tilts; likewise with 1/2.
+fn nearly_along(of: &Parameters, factor: f64) -> Errors {
+    let mut errors = Errors::of("what is left, over theta, less one");
+    for theta in [1e-3, 1e-2, 3e-2] {
+        let seen = measured(Top::cylinder(of).tilted(theta), 0.01);
+        let left = seen.omega - seen.z * (factor * seen.rates[0]);
+        errors.push(left.norm() / (seen.rates[0] * theta) - 1.0);
+    }
+    errors
+}
+
+#[test]
+fn eq_15_5_16_the_cylinder() {
+    nearly_along(&Parameters::default(), 2.0).attain(2.9e-4..=3.0e-4, 3);
+    nearly_along(&Parameters::default(), 0.5).exceed(10.0, 3);
+}
+
+#[test]
+fn eq_15_5_17_the_disc() {
+    nearly_along(&DISC, 0.5).attain(1.2e-4..=1.3e-4, 3);
+    nearly_along(&DISC, 2.0).exceed(10.0, 3);
+}
+
+/// The order is z, Omega, L for a thin top and z, L, Omega for a flat one.
+#[test]
+fn fig_15_5_1_order() {
+    let mut ran = 0;
+    for (top, seen) in everywhere() {
+        let (alpha, theta) = (angle(seen.z, seen.omega), seen.theta());
+        let between = angle(seen.omega, seen.momentum);
+        assert_eq!(top.i1 > top.i3, alpha < theta);
+        // The outer angle is the sum of the two inner ones.
+        let sum = if alpha < theta { alpha + between - theta } else { theta + between - alpha };
+        assert!(sum.abs() < 1e-11, "{sum}");
+        ran += 1;
+    }
+    assert_eq!(ran, 15);
+}
+
+/// The body's points on the line where the cones touch are at rest; those of the opposite
+/// side of the body cone are not. And the arcs rolled off on the two cones are as long.
+#[test]
+fn the_cones_roll_on_each_other() {
+    let (mut rest, mut moves) = (Errors::of("speed on the line"), Errors::of("opposite"));
+    let mut arcs = Errors::of("arc on the space cone over that on the body cone, less one");
+    for (_, seen) in everywhere() {
+        let line = seen.omega / seen.omega.norm();
+        let other = seen.z * (2.0 * seen.z.dot(&line)) - line;
+        let speed = |point: SpaceVector| seen.omega.cross(&point).norm() / seen.omega.norm();
+        rest.push(speed(line));
+        moves.push(speed(other));
+        let body = seen.rates[2].abs() * sin(angle(seen.z, seen.omega));
+        let space = seen.rates[0] * sin(angle(seen.momentum, seen.omega));
+        arcs.push(space / body - 1.0);
+    }
+    rest.attain(3.5e-17..=3.6e-17, 15);
+    moves.exceed(0.05, 15);
+    arcs.attain(3.3e-12..=3.4e-12, 15);
+}
+
+/// In space Omega goes round L, in the body round the axis, at -Omega_S: there the notes'
+/// "not about the spin axis" fails.
+#[test]
+fn e23_in_the_body_omega_goes_round_the_axis() {
+    let (mut right, mut printed) = (Errors::of("-Omega_S"), Errors::of("no rate"));
+    for (top, seen) in everywhere() {
+        right.add(seen.rates[2], -top.spin(), top.spin().abs());
+        printed.add(seen.rates[2], 0.0, top.spin().abs());
+    }
+    right.attain(3.4e-13..=3.5e-13, 15);
+    printed.exceed(0.9, 15);
+}
+
+/// Of the notes' figures it is 2 and 3, not 1, that show the line OP: a full circle of it in
+/// half a turn of the cylinder's axis, half a circle in a whole turn of the disc's.
+#[test]
+fn e43_the_full_circle_of_figure_2() {
+    let mut errors = Errors::of("turns, less those of the captions, over theta^2");
+    for theta in [0.01, 0.03, 0.1] {
+        let [cylinder, disc] = [Parameters::default(), DISC].map(|of| {
+            let top = Top::cylinder(&of).tilted(theta);
+            Stepped::new(top).unwrap().line_turns().unwrap()
+        });
+        errors.push((0.5 * cylinder - 1.0) / (theta * theta));
+        errors.push((disc - 0.5) / (theta * theta));
+    }
+    errors.attain(0.24..=0.26, 6);
+}
+
+/// The page's closed form, the library's and the stepped motion, over five turns of the axis.
+#[test]
+fn three_routes_give_one_motion() {
+    let (mut closed, mut steps) = (Errors::of("library's"), Errors::of("stepped"));
+    let mut damaged = Errors::of("with the spin of the other sign");
+    for top in bodies() {
+        let (exact, stepped) = (top.free_body().unwrap(), Stepped::new(top).unwrap());
+        let run = stepped.until(5.0 * top.round()).unwrap();
+        for t in [0.3, 1.7, 4.9].map(|part| part * top.round()) {
+            let ours = top.attitude(t).unwrap();
+            closed.push(ours.angle_to(&exact.attitude(t)));
+            steps.push(ours.angle_to(&stepped.at(&run, t).unwrap().0));
+            let other = ours.turned_in_body(BodyVector::new(0.0, 0.0, -2.0 * top.spin() * t));
+            damaged.push(ours.angle_to(&other.unwrap()));
+        }
+    }
+    closed.attain(3.9e-15..=4.0e-15, 15);
+    steps.attain(3.2e-14..=3.3e-14, 15);
+    damaged.exceed(0.01, 15);
+}
+
+/// The gradient of gravity turns L as the card says, at 45 degrees to the vertical.
+#[test]
+fn gravity_turns_the_momentum_as_the_card_says() {
+    let mut errors = Errors::of("turning over prediction, less one");
+    for top in [Top::cylinder(&Parameters::default()), Top::cylinder(&DISC)] {
+        let moments = PrincipalMoments::symmetric(top.i1, top.i3).unwrap();
+        let body = RigidBody::new(moments);
+        let down = SpaceVector::new(0.0, 1.0, 1.0);
+        let gradient = GravityGradient::fixed(GRADIENT.sqrt(), down).unwrap();
+        let start = body.state(top.attitude(0.0).unwrap(), BodyVector::new(0.0, top.omega_y, top.omega_z)).unwrap();
+        let (scene, end) = (Scene::new(body).with(gradient), 20.0 * top.round());
+        let (state, _) = Dop853::new(1e-14).unwrap().advance(&scene, 0.0, &start, end).unwrap();
+        let turned = angle(start.angular_momentum, state.angular_momentum);
+        errors.push(turned / (gradient_rate(top) * end) - 1.0);
+    }
+    errors.attain(5.4e-9..=5.5e-9, 2);
+}
+
+#[test]
+fn every_top_asked_for_is_confirmed() {
+    let heights = [0.0, 0.01, 0.08, 0.1, 0.15, 2.0];
+    let rates = [[1.0, 20.0], [40.0, 20.0], [0.01, 5.0], [100.0, 3.0], [1e-3, 400.0]];
+    let flags = heights.into_iter().flat_map(|h| rates.map(|[y, z]| format!("--height={h} --omega-y={y} --omega-z={z}")));
+    confirmed(&EXAMPLE, flags, 30);
+}
+
+/// The inventory's instances.
+#[test]
+fn the_notes_numbers_come_out() {
+    let instances = [
+        ("thin_above", 0.086_602_540_378_443_9),
+        ("omega", 20.024_984_394_500_8),
+        ("omega_p", 10.049_875_621_120_9),
+        ("omega_s", 10.0),
+        ("momentum", 0.030_149_626_863_362_7),
+        ("theta", 0.099_668_652_491_162),
+        ("alpha", 0.049_958_395_721_942_8),
+        ("op_turns", 1.995_037_190_209_99),
+        ("disc_omega_p", 20.006_249_023_742_6),
+        ("disc_omega_s", -10.0),
+        ("disc_op_turns", 0.500_156_176_795_939),
+    ];
+    let mut errors = Errors::of("relative");
+    for (key, number) in instances {
+        errors.add(value(&EXAMPLE, key), number, number.abs());
+    }
+    errors.attain(2.3e-15..=2.4e-15, 11);
+}
+
+#[test]
+fn what_is_no_wobbling_top_is_refused() {
+    let runs = [
+        ("--mass=0", "mass = 0 is not allowed"),
+        ("--height=-1", "height = -1 is not allowed"),
+        ("--omega-y=0", "omega_y = 0 is not allowed"),
+        ("--height=0.0866", "three equal moments do not wobble"),
+        ("--height=1000", "I3/I1"),
+        ("--omega-y=1e9", "omega_y/omega_z"),
+        ("--drawn-tilt=2", "drawn_tilt = 2 is not allowed"),
+        ("--tolerance=1e-17", "doubles allow"),
+    ];
+    refused(&EXAMPLE, runs);
+}
