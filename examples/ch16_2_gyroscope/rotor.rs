@@ -4,10 +4,13 @@
 use super::Parameters;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::EulerAngles;
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{cos, sin};
-use rotation_dynamics::report::heavy_top::{Motion, Nod};
+use rotation_dynamics::report::heavy_top::{Motion, Nod, Steady};
 use rotation_dynamics::report::{Report, Table, claim, supported_digits};
 
 use core::f64::consts::{PI, TAU};
@@ -61,6 +64,15 @@ impl Rotor {
         // along the line of nodes, at right angles to it and the axis, along the axis
         let omega = BodyVector::new(self.nutation, self.precession * sin(theta), self.spin);
         Motion::new("", HeavyTop::from_body(body, start, omega)?)
+    }
+}
+
+impl Rotor {
+    /// In slow steady precession at its tilt.
+    pub fn steady(&self) -> Result<Steady> {
+        let body = RigidBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?);
+        let gravity = GravityAtLever::new(self.mass * self.gravity, self.length)?;
+        Steady::new(body, gravity, self.theta, self.spin)
     }
 }
 

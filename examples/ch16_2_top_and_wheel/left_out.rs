@@ -1,15 +1,16 @@
 //! What the scene leaves out. What the fixed point must hold comes from the motion; what a
-//! torque against the spin costs is tested by a simulation; the other errors are estimates.
+//! torque against the spin costs is predicted by the library and tested by a simulation; the
+//! other errors are estimates.
 
-use super::slowing::lead;
+use super::slowing::lead_by_angles;
 use super::{Body, TOP, WHEEL};
 use rotation_dynamics::Result;
-use rotation_dynamics::effects::DiscDrag;
+use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Effect};
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::integrators::{Dop853, Ode};
 use rotation_dynamics::math::{cbrt, hypot, sincos};
 use rotation_dynamics::report::heavy_top::Newton;
-use rotation_dynamics::report::{Report, claim, effect, sampled, times};
+use rotation_dynamics::report::{EffectLine, Report, claim, effect, sampled, times};
 
 use core::f64::consts::{PI, TAU};
 
@@ -116,32 +117,23 @@ pub fn add(report: &mut Report) -> Result<()> {
     let (tip, rope) = (hold("top", &TOP)?, hold("wheel", &WHEEL)?);
 
     // A disc of 2.8 cm radius on a steel tip of 1 mm radius; the wheel has 35 cm.
-    let (radius, ball) = (0.0283, 1e-3);
+    let (ball, [top_disc, wheel_disc]) = (1e-3, [disc(&TOP, 0.0283)?, disc(&WHEEL, 0.35)?]);
     // Friction on the contact area (Hertz; steel on wood, E* = 10 GPa).
     let contact = cbrt(0.75 * TOP.mass * TOP.gravity * ball / 1e10);
     let drilling = 3.0 * PI / 16.0 * FRICTION * TOP.mass * TOP.gravity * contact;
     let bearing = 0.0015 * WHEEL.mass * WHEEL.gravity * 5e-3;
-    let mut slows = |key: &str, name: &str, body: &Body, torque: f64| -> Result<_> {
-        let lead = lead(body, torque)?;
-        let meaning = format!("{name}: simulated lead of phi after one turn");
-        report.add(
-            claim(key, meaning, lead.in_vectors, "rad")
-                .within(1e-8)
-                .against("DOP853 on (2), (3), L_z falling", lead.in_angles),
-        )?;
-        let part = torque * TAU / body.steady_rate() / (body.i3 * body.spin);
-        let line = effect(name).number("torque x turn / L_z", part);
-        Ok(line.costs(lead.estimated, "rad a turn, in φ"))
-    };
-    let top_air = slows("top_air_lead", "top: air", &TOP, air_torque(&TOP, radius)?)?;
-    let drill = slows("top_drill_lead", "top: the tip drills", &TOP, drilling)?;
-    let wheel_air = slows(
-        "wheel_air_lead",
-        "wheel: air",
-        &WHEEL,
-        air_torque(&WHEEL, 0.35)?,
-    )?;
-    let bearings = slows("wheel_bearing_lead", "wheel: bearings", &WHEEL, bearing)?;
+    let names = ["top_air_lead", "top: air"];
+    let top_air = brake(report, names, &TOP, top_disc, |spin| {
+        top_disc.axial_torque(spin)
+    })?;
+    let names = ["top_drill_lead", "top: the tip drills"];
+    let drill = brake(report, names, &TOP, dry(&TOP, drilling)?, |_| -drilling)?;
+    let names = ["wheel_air_lead", "wheel: air"];
+    let wheel_air = brake(report, names, &WHEEL, wheel_disc, |spin| {
+        wheel_disc.axial_torque(spin)
+    })?;
+    let names = ["wheel_bearing_lead", "wheel: bearings"];
+    let bearings = brake(report, names, &WHEEL, dry(&WHEEL, bearing)?, |_| -bearing)?;
 
     // A tip that slides has a lever arm for its friction, which lifts the axis.
     let turn = TAU / TOP.steady_rate();
@@ -175,9 +167,34 @@ pub fn add(report: &mut Report) -> Result<()> {
     ])
 }
 
-/// Torque of the air on a disc of this radius, N m.
-fn air_torque(body: &Body, radius: f64) -> Result<f64> {
+/// The drag of the air on a disc of this radius that spins with the body.
+fn disc(body: &Body, radius: f64) -> Result<DiscDrag> {
     let (density, viscosity) = (DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY);
-    let drag = DiscDrag::new(radius, density, viscosity, body.spin)?;
-    Ok(-drag.axial_torque(body.spin))
+    DiscDrag::new(radius, density, viscosity, body.spin)
+}
+
+/// Dry friction of this torque against the spin of the body in steady precession.
+fn dry(body: &Body, torque: f64) -> Result<CoulombBearing> {
+    let steady = body.steady()?;
+    CoulombBearing::new(torque, steady.scene.body(), &steady.start, 0.0)
+}
+
+/// The line of the card for what brakes the spin, and the claim of what a run with it gives,
+/// under this key; `torque` is what it is along the axis (N m), of the spin.
+fn brake(
+    report: &mut Report,
+    [key, name]: [&str; 2],
+    body: &Body,
+    effect: impl Effect,
+    torque: impl Fn(f64) -> f64,
+) -> Result<EffectLine> {
+    let (steady, unit) = (body.steady()?, "rad a turn, of the axis");
+    let part = -torque(body.spin) * steady.turn / (body.i3 * body.spin);
+    let candidates = steady.left_out()?;
+    let line = candidates.line(name, "torque x turn / L_z", part, &effect, unit)?;
+    let meaning = format!("{name}: simulated lead of phi after one turn");
+    let lead = claim(key, meaning, steady.changed_by(effect)?[1], "rad").within(1e-8);
+    let by_angles = lead_by_angles(body, torque)?;
+    report.add(lead.against("DOP853 on (2), (3), L_z falling", by_angles))?;
+    Ok(line)
 }

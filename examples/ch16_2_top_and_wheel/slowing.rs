@@ -2,61 +2,33 @@
 
 use super::{Body, Parameters, TOP};
 use rotation_dynamics::Result;
-use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Solution};
-use rotation_dynamics::math::{acos, atan2, cos, pow, sin, sincos};
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::{CoulombBearing, GravityAtLever};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::scene::{components, state};
+use rotation_dynamics::integrators::{Dop853, Solution, after, ode};
+use rotation_dynamics::math::{acos, cos, pow, sin, sincos};
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::heavy_top::Newton;
+use rotation_dynamics::report::heavy_top::Steady;
 use rotation_dynamics::report::{MovingPicture, sampled, times};
+use rotation_dynamics::scene::Scene;
 
 use core::f64::consts::TAU;
 
-// ANCHOR: braked
-/// Newton's law in vectors, L and then the axis, with a torque against the spin.
-#[derive(Debug, Clone, Copy)]
-struct Braked {
-    free: Newton,
-    /// Along the axis, N m.
-    brake: f64,
-}
-
-impl Ode<6> for Braked {
-    fn derivative(&self, t: f64, state: &[f64; 6]) -> [f64; 6] {
-        let mut rates = self.free.derivative(t, state);
-        for k in 0..3 {
-            rates[k] -= self.brake * state[3 + k];
-        }
-        rates
-    }
-}
-// ANCHOR_END: braked
-
-/// The same by (2) and (3) of the notes: theta, theta', phi, L_z, L_Z.
-struct BrakedAngles(Braked);
-
-impl Ode<5> for BrakedAngles {
-    fn derivative(&self, _t: f64, &[theta, nutation, _, spin, vertical]: &[f64; 5]) -> [f64; 5] {
-        let (Newton { i1, weight_moment }, brake) = (self.0.free, self.0.brake);
-        let (s, c) = sincos(theta);
-        let rate = (vertical - spin * c) / (i1 * s * s);
-        let pull = weight_moment * s - rate * s * (spin - i1 * rate * c);
-        [nutation, pull / i1, rate, -brake, -brake * c]
-    }
-}
-
 impl Body {
-    fn braked(&self, brake: f64) -> Braked {
-        let (i1, weight_moment) = (self.moment(), self.weight_moment());
-        let free = Newton { i1, weight_moment };
-        Braked { free, brake }
+    /// As a rigid body that turns about its fixed point, and its weight.
+    fn parts(&self) -> Result<(RigidBody, GravityAtLever)> {
+        let body = RigidBody::new(PrincipalMoments::symmetric(self.moment(), self.i3)?);
+        let gravity = GravityAtLever::new(self.mass * self.gravity, self.length)?;
+        Ok((body, gravity))
     }
 
-    /// L and the axis at the start.
-    fn vectors(&self) -> Result<[f64; 6]> {
-        let motion = self.motion("")?.exact;
-        let (momentum, axis) = (motion.angular_momentum(0.0), motion.axis(0.0));
-        let ([a, b, c], [x, y, z]) = (momentum.to_array(), axis.to_array());
-        Ok([a, b, c, x, y, z])
+    /// In slow steady precession at its tilt.
+    pub fn steady(&self) -> Result<Steady> {
+        let (body, gravity) = self.parts()?;
+        Steady::new(body, gravity, self.theta, self.spin)
     }
 
     /// The slow root of I1' cos(theta) p^2 - L_z p + m g l = 0, rad/s.
@@ -72,33 +44,24 @@ impl Body {
     }
 }
 
-/// By how much a braked body is ahead after the time of one turn, rad.
-pub struct Lead {
-    pub in_vectors: f64,
-    pub in_angles: f64,
-    /// To first order in the torque and at the tilt of the start.
-    pub estimated: f64,
-}
-
-/// In steady precession, with this torque (N m) against the spin.
-pub fn lead(body: &Body, brake: f64) -> Result<Lead> {
-    let (rate, momentum) = (body.steady_rate(), body.i3 * body.spin);
-    let steady = Body {
-        precession: rate,
-        ..*body
-    };
-    let turn = TAU / rate;
-    let run = Dop853::new(1e-12)?;
-    let (end, _) = run.advance(&body.braked(brake), 0.0, &steady.vectors()?, turn)?;
-    let vertical = momentum * cos(body.theta) + body.moment() * rate * pow(sin(body.theta), 2.0);
+/// By how much a braked body is ahead in steady precession, after the time that a turn takes
+/// without the brake, rad: by (2) and (3) of the notes, in theta, theta', phi, L_z, L_Z.
+/// `torque` is the brake's along the axis (N m), of the spin.
+pub fn lead_by_angles(body: &Body, torque: impl Fn(f64) -> f64) -> Result<f64> {
+    let (i1, weight_moment, rate) = (body.moment(), body.weight_moment(), body.steady_rate());
+    let law = ode(
+        move |_, &[theta, nutation, _, momentum, vertical]: &[f64; 5]| {
+            let ((s, c), brake) = (sincos(theta), torque(momentum / body.i3));
+            let rate = (vertical - momentum * c) / (i1 * s * s);
+            let pull = weight_moment * s - rate * s * (momentum - i1 * rate * c);
+            [nutation, pull / i1, rate, brake, brake * c]
+        },
+    );
+    let momentum = body.i3 * body.spin;
+    let vertical = momentum * cos(body.theta) + i1 * rate * pow(sin(body.theta), 2.0);
     let start = [body.theta, 0.0, 0.0, momentum, vertical];
-    let (by_angles, _) = run.advance(&BrakedAngles(body.braked(brake)), 0.0, &start, turn)?;
-    let faster = rate / (momentum * momentum - body.four_terms()).sqrt();
-    Ok(Lead {
-        in_vectors: atan2(end[3], -end[4]),
-        in_angles: by_angles[2] - TAU,
-        estimated: 0.5 * faster * brake * turn * turn,
-    })
+    let [_, _, azimuth, ..] = after(TAU / rate, &law, &start, 1e-12)?;
+    Ok(azimuth - TAU)
 }
 
 /// From what to what part of the critical spin the top is braked, and how long that
@@ -111,7 +74,7 @@ const UNITS: f64 = 50.0;
 struct Waking {
     body: Body,
     end: f64,
-    run: Solution<6>,
+    run: Solution<7>,
 }
 
 /// One moment of it.
@@ -135,20 +98,24 @@ impl Waking {
             nutation: 0.004 / unit,
             ..body
         };
-        let brake = body.i3 * critical * (FROM - TO) / end;
-        let start = upright.vectors()?;
-        let run = Dop853::new(1e-10)?.solve(&body.braked(brake), 0.0, &start, end, &[])?;
+        let (rigid, gravity) = body.parts()?;
+        let touch = BodyVector::new(upright.nutation, 0.0, upright.spin);
+        let start = rigid.state(Attitude::IDENTITY, touch)?;
+        let torque = body.i3 * critical * (FROM - TO) / end;
+        let brake = CoulombBearing::new(torque, &rigid, &start, 0.0)?;
+        let scene = Scene::new(rigid).with(gravity).with(brake);
+        let run = Dop853::new(1e-10)?.solve(&scene, 0.0, &components(&start), end, &[])?;
         Ok(Self { body, end, run })
     }
 
     fn at(&self, t: f64) -> Result<Moment> {
-        let [a, b, c, x, y, z] = self.run.at(t)?;
-        let (momentum, axis) = (SpaceVector::new(a, b, c), SpaceVector::new(x, y, z));
+        let state = state(&self.run.at(t)?)?;
+        let (momentum, axis) = (state.angular_momentum, state.attitude.axis());
         let critical = self.body.critical_spin();
         let slope = (FROM - TO) / self.end;
         Ok(Moment {
             momentum: momentum / (self.body.i3 * critical),
-            axis: axis / axis.norm(),
+            axis,
             ratio: momentum.dot(&axis) / (self.body.i3 * critical),
             turned: critical * t * (FROM - 0.5 * slope * t),
         })

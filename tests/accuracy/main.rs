@@ -2,6 +2,7 @@
 //! solves.
 
 mod called_for;
+mod called_for_axis;
 mod dial;
 mod drift;
 mod effects;

@@ -6,11 +6,13 @@ mod claims;
 mod moving;
 mod pictures;
 mod routes;
+mod steady;
 mod strip;
 
 pub use moving::Pose;
 pub use pictures::{direction, extents};
 pub use routes::{Newton, Nod};
+pub use steady::Steady;
 pub use strip::Gravity;
 
 use super::{Trajectory, times};
