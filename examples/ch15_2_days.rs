@@ -1,0 +1,384 @@
+//! The day and the stars, notes, Chapter 15, Section 2, example 3: how far the Earth turns from
+//! noon to noon, and why the noons of a sundial are not 24 hours apart.
+
+#[path = "ch15_2_days/figures.rs"]
+mod figures;
+#[path = "ch15_2_days/orbit.rs"]
+pub mod orbit;
+#[path = "ch15_2_days/year.rs"]
+mod year;
+
+use core::f64::consts::{PI, TAU};
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::integrators::{Dop853, Ode, Work, ode};
+use rotation_dynamics::math::{asin, atan2, cos, sin, sincos, tan};
+use rotation_dynamics::report::{ClosedForm, Report, Table, short};
+pub use year::{Extremes, date, extremes};
+
+rotation_dynamics::parameters! {
+    /// The notes' year and day; the Earth's orbit and axis at the epoch J2000.
+    pub struct Parameters {
+        /// solar days in a year
+        year: number(365.24, "d", from_to(20.0, 2000.0).usually(20.0, 500.0));
+        /// length of the mean solar day
+        day: number(86400.0, "s", from_to(1.0, 1e9).usually(3600.0, 200000.0));
+        /// eccentricity of the orbit
+        eccentricity: number(0.0167086342, "-", from_to(0.0, 0.3).usually(0.0, 0.1));
+        /// tilt of the axis, from the normal of the orbit
+        obliquity: number(0.409_092_600_600_583, "rad", from_to(0.0, 1.4).usually(0.0, 0.8));
+        /// longitude at which the Sun is seen when it is nearest
+        perigee: number(4.938_188_300_857_257, "rad", from_to(0.0, 7.0).usually(0.0, 6.28));
+        /// mean longitude of the Sun at noon of 1 January 2000
+        mean_longitude: number(4.895_063_113_086_038, "rad", from_to(0.0, 7.0).usually(0.0, 6.28));
+        /// days in the year of the moving picture
+        picture_year: number(6.0, "d", from_to(2.0, 20.0).usually(2.0, 12.0));
+        /// error of a step of the runs
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+// ANCHOR: days
+/// The angle by which OP turns from one noon to the next: (15.5.11), in a year of `year` days.
+pub fn turn(year: f64) -> f64 {
+    TAU + TAU / year
+}
+
+/// Time in which OP turns by 2 pi, over the solar day.
+pub fn sidereal(year: f64) -> f64 {
+    year / (year + 1.0)
+}
+// ANCHOR_END: days
+
+// ANCHOR: equation
+/// The Sun as it is seen, and a sundial as it goes, at a mean longitude `mean` (rad).
+#[derive(Clone, Copy)]
+pub struct Sun {
+    /// By how much the true Sun is ahead of the mean one along the ecliptic.
+    pub centre: f64,
+    /// By how much its right ascension lags behind its longitude.
+    pub reduction: f64,
+    pub declination: f64,
+}
+
+impl Sun {
+    pub fn at(mean: f64, p: &Parameters) -> Self {
+        let e = p.eccentricity;
+        let (s, c) = sincos(eccentric_anomaly(mean - p.perigee, e));
+        // From the mean over the eccentric to the true anomaly, each step exact.
+        let b = e / (1.0 + ((1.0 - e) * (1.0 + e)).sqrt());
+        let centre = e * s + 2.0 * atan2(b * s, 1.0 - b * c);
+        let longitude = mean + centre;
+        let (half, (s, c)) = (tan(0.5 * p.obliquity), sincos(2.0 * longitude));
+        let y = half * half;
+        let reduction = atan2(y * s, 1.0 + y * c);
+        let declination = asin(sin(p.obliquity) * sin(longitude));
+        Self {
+            centre,
+            reduction,
+            declination,
+        }
+    }
+
+    /// Sundial less clock, as an angle of the turning Earth (rad).
+    pub fn equation_of_time(&self) -> f64 {
+        self.reduction - self.centre
+    }
+}
+
+/// Kepler's equation E - e sin E = M, by Newton's method.
+pub fn eccentric_anomaly(mean: f64, e: f64) -> f64 {
+    let mut x = mean + e * sin(mean);
+    for _ in 0..8 {
+        let (s, c) = sincos(x);
+        x -= (x - e * s - mean) / (1.0 - e * c);
+    }
+    x
+}
+// ANCHOR_END: equation
+
+// ANCHOR: orbit
+/// The Sun about the Earth, x and y in the plane of the orbit, x towards the equinox:
+/// `[x, y, x', y']` in units of the mean distance, time in days.
+fn path(year: f64) -> impl Ode<4> {
+    let pull = TAU / year * (TAU / year);
+    ode(move |_, [x, y, u, v]: &[f64; 4]| {
+        let square = x * x + y * y;
+        let by_cube = pull / (square * square.sqrt());
+        [*u, *v, -by_cube * x, -by_cube * y]
+    })
+}
+
+/// How far the Sun stands past the meridian of P: positive after noon, negative before.
+fn past_meridian(p: &Parameters, t: f64, [x, y, ..]: &[f64; 4]) -> f64 {
+    // The meridian turns evenly, (15.5.11) in a day, and shows the mean Sun at t = 0.
+    let turned = p.mean_longitude + turn(p.year) * t;
+    let ((s, c), across) = (sincos(turned), y * sincos(p.obliquity).1);
+    s * x - c * across
+}
+// ANCHOR_END: orbit
+
+/// The Sun `t` mean days after the epoch.
+pub fn sun(p: &Parameters, t: f64) -> Sun {
+    Sun::at(p.mean_longitude + TAU * t / p.year, p)
+}
+
+/// When the Sun passes the meridian on day `k`, in mean days: the clock shows noon at k.
+pub fn noon(p: &Parameters, k: u32) -> f64 {
+    let mut t = f64::from(k);
+    for _ in 0..30 {
+        t = f64::from(k) - sun(p, t).equation_of_time() / TAU;
+    }
+    t
+}
+
+/// The noons of a year and of the day after.
+pub fn noons(p: &Parameters) -> Vec<f64> {
+    (0..=p.year as u32 + 1).map(|k| noon(p, k)).collect()
+}
+
+/// The same orbit and axis, without one of the two causes.
+pub fn with(p: &Parameters, eccentricity: f64, obliquity: f64) -> Parameters {
+    Parameters {
+        eccentricity,
+        obliquity,
+        ..p.clone()
+    }
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "The Earth turns once more in a year than it has noons, and its noons are uneven.";
+    let mut report = Report::new("The day and the stars", about)?;
+    mean_days(p, &mut report)?;
+    two_kinds_of_star_days(&mut report)?;
+    year::add(p, &mut report)?;
+    limits(p, &mut report)?;
+    effects(p, &mut report)?;
+    report.add(elsewhere()?)?;
+    report.add(variations(p)?)?;
+    let asked = [1e-6, 1e-8, 1e-10, 1e-12, p.tolerance, 1e-15];
+    // From a perigee, for the greater part of a year.
+    let (orbit, t) = (p.clone(), 0.8 * p.year);
+    let wanted = p.perigee + TAU * 0.8 + Sun::at(p.perigee + TAU * 0.8, p).centre;
+    let run = move |step| orbit::longitude(&orbit, t, step);
+    let error = move |(longitude, _): &(f64, Work)| Ok(sin(longitude - wanted).abs());
+    report.dial("DOP853, error of a step", asked, run, |run| run.1, error)?;
+    let closed = p.clone();
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok(sun(&closed, part * closed.year))
+    }));
+    Ok(report)
+}
+
+/// The largest difference of two lists of times, days.
+pub fn apart(a: &[f64], b: &[f64]) -> f64 {
+    largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
+}
+
+/// The notes' example: a circle, and an axis at right angles to it.
+fn mean_days(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (y, day) = (p.year, p.day);
+    let [noon, once] = orbit::facing(turn(y), TAU / y, p.tolerance)?;
+    let (omega, stars) = (turn(y) / day, sidereal(y) * day);
+    // The printed formula has 365.25 in the denominator, whatever the year.
+    let printed = TAU * (y + 1.0) / (365.25 * day);
+    let (minutes, bound) = ((stars / 60.0).floor() * 60.0, 1e-12 + 10.0 * p.tolerance);
+    let whole = turn(y) * noon;
+    rotation_dynamics::claims! { report,
+        /// turn of OP in a solar day
+        turn: turn(y), "rad", "P faces the Sun again" => whole, within bound, in "The mean day":
+            TAU => "then P would face the same star, and not the Sun",
+            TAU - TAU / y => "the Earth goes round the Sun the way it turns";
+        /// angular velocity of the Earth
+        omega: omega, "rad/s", "P faces the Sun again" => whole / day,
+        within bound * omega, in "The mean day":
+            TAU / day => "that is the Sun in the sky, not the Earth",
+            printed => "two different years are in that quotient";
+        /// the same as printed in the notes
+        omega_printed: printed, "rad/s", "from the right one" => omega * y / 365.25,
+        within 1e-14 * omega;
+        /// relative error of the printed value
+        printed_error: y / 365.25 - 1.0, "-", "the two rates" => printed / omega - 1.0,
+        within 1e-12;
+        /// by how much noon would be late, day after day, at the printed rate
+        printed_late: TAU / (printed - TAU / (y * day)) - day, "s", "P faces the Sun again" =>
+        (orbit::facing(printed * day, TAU / y, p.tolerance)?[0] - 1.0) * day,
+        within bound * day * turn(y) * omega / printed;
+        /// sidereal day
+        sidereal: stars, "s", "OP points at the same star again" => once * day,
+        within bound * day, in "The mean day":
+            day * y / (y - 1.0) => "the stars come round sooner than the Sun";
+        /// its seconds beyond whole minutes
+        sidereal_seconds: stars - minutes, "s", "OP points at the same star again" =>
+        once * day - minutes, within bound * day;
+        /// by how much it is shorter than the solar day
+        gain: day / (y + 1.0), "s", "OP points at the same star again" => day - once * day,
+        within bound * day, in "The mean day";
+        /// turns in a year
+        turns: y + 1.0, "-", "angle of OP after a year" => omega * day * y / TAU,
+        within 1e-13 * y, in "The mean day":
+            y => "those are the noons";
+    }
+}
+
+/// Seconds of arc in a whole turn, and days in a Julian century.
+const TURN: f64 = 1_296_000.0;
+const CENTURY: f64 = 36_525.0;
+
+/// A turn relative to the equinox, and one relative to the stars.
+fn two_kinds_of_star_days(report: &mut Report) -> Result<()> {
+    // The tropical year at J2000 (Simon et al. 1994), days; precession of the equinox along the
+    // equator (Capitaine et al. 2003), seconds of arc a Julian century.
+    let (tropical, precession) = (365.242_189_67, 4_612.156_534);
+    let equinox = sidereal(tropical) * 86_400.0;
+    let star = 86_400.0 / (86_400.0 / equinox - precession / TURN / CENTURY);
+    // Turns a day: Aoki et al. 1982; IAU resolution B1.8 of 2000.
+    let [mean_sidereal, stellar] = [1.002_737_909_350_795, 1.002_737_811_911_354_48];
+    let adopted = [86_400.0 / mean_sidereal, 86_400.0 / stellar];
+    rotation_dynamics::claims! { report,
+        /// mean sidereal day, from the tropical year
+        mean_sidereal: equinox, "s", "Aoki et al. 1982" => adopted[0], within 2e-6;
+        /// stellar day
+        stellar: star, "s", "IAU resolution B1.8 (2000)" => adopted[1], within 2e-6;
+        /// the second less the first
+        star_gap: star - equinox, "s", "the two standards" => adopted[1] - adopted[0], within 1e-6;
+        /// angular velocity relative to the stars
+        omega_stars: TAU / star, "rad/s", "IAU resolution B1.8 (2000)" => TAU / adopted[1],
+        within 2e-15;
+    }
+}
+
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let round = with(p, 0.0, 0.0);
+    let (small, slight) = (with(p, 1e-5, 0.0), with(p, 0.0, 1e-3));
+    let year = times_of(p);
+    let most = |p: &Parameters| largest(year.clone().map(|t| sun(p, t).equation_of_time().abs()));
+    // The first terms of the series, with the sizes of the first left out.
+    let ((e, y), half) = ((p.eccentricity, tan(0.5 * p.obliquity)), 0.5 * p.obliquity);
+    let y = y * y;
+    let series = |t: f64| {
+        let l = p.mean_longitude + TAU * t / p.year;
+        let m = l - p.perigee;
+        let first = y * sin(2.0 * l) - 2.0 * e * sin(m);
+        let second = 4.0 * e * y * sin(m) * cos(2.0 * l) - 0.5 * y * y * sin(4.0 * l);
+        first + second - 1.25 * e * e * sin(2.0 * m)
+    };
+    let off = largest(
+        year.clone()
+            .map(|t| (series(t) - sun(p, t).equation_of_time()).abs()),
+    );
+    let third = (e + y) * (e + y) * (e + y) / (cos(half) * cos(half));
+    let mean = year
+        .clone()
+        .map(|t| sun(&with(p, e, 0.0), t).centre)
+        .sum::<f64>();
+    rotation_dynamics::limits! { report,
+        /// the sundial keeps the time of the clock
+        "round orbit, upright axis: E": most(&round) => 0.0, within 1e-14;
+        /// 2 e sin M, Kepler's second law to first order
+        "e = 1e-5, upright axis: largest E/2e": most(&small) / 2e-5 => 1.0, within 1e-4;
+        /// tan^2(tilt/2) sin 2L, a circle seen from the side
+        "round orbit, tilt 0.001: largest E/tan^2": most(&slight) / (tan(5e-4) * tan(5e-4)) => 1.0,
+        within 1e-4;
+        /// a circle takes the Sun round evenly on the average
+        "mean over a year of the first part": mean / f64::from(POINTS) => 0.0, within 1e-14;
+        /// Smart's series; what it leaves out is of third order
+        "E less the series to second order": off => 0.0, within 3.0 * third;
+        /// it shows one face to the Sun, as the Moon to the Earth
+        "one turn in a year: noons in a year": 365.24 / solar_day(365.24, 365.24) => 0.0, within 1e-15;
+        /// three turns less two round the Sun: one noon in two years
+        "Mercury, three turns in two years: day over year": solar_day(2.0, 3.0) / 3.0 => 2.0,
+        within 1e-14;
+    }
+}
+
+/// Points of a year for averages, an even number.
+const POINTS: u32 = 1461;
+
+/// Times spread evenly over a year.
+fn times_of(p: &Parameters) -> impl Iterator<Item = f64> + Clone + use<> {
+    let step = p.year / f64::from(POINTS);
+    (0..POINTS).map(move |k| step * f64::from(k))
+}
+
+/// What the orbit of two bodies and a steady turn leave out, for the Earth.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    // A change of the longitude moves the date at which a value is reached, and the value itself.
+    let second = p.day / TAU;
+    let slope = extremes(p).longest / p.day;
+    let (moon, jupiter) = (4671.0 / 149_597_871.0, 7.2 / TURN * TAU);
+    let aberration = 20.495 / TURN * TAU;
+    // The perihelion moves against the equinox by 61.9 arcsec a year (Simon et al. 1994).
+    let perihelion = 61.9 / TURN * TAU;
+    let tides = 2.4e-3 / 86_400.0;
+    rotation_dynamics::effect_card! { report,
+        "Moon: the Earth circles the common centre": "r/au" = moon, costs moon * second, "s of E";
+        "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E";
+        "aberration of light": "v/c" = aberration,
+        costs aberration * p.year / TAU * slope * p.day, "s of E";
+        "motion of the perihelion": "angle a year" = perihelion,
+        costs 2.0 * p.eccentricity * perihelion * second, "s of E a year";
+        "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day";
+    }
+}
+
+/// Solar days of other bodies, from their turns and years in days (NASA's planetary fact
+/// sheets; negative: it turns against its orbit).
+const OTHERS: [(&str, f64, f64); 4] = [
+    ("Mercury", 58.646, 87.969),
+    ("Venus", -243.02, 224.701),
+    ("Mars", 1.025_957, 686.98),
+    ("Moon", 27.3217, 365.256),
+];
+
+/// The solar day of a body that turns once in `stars` and goes round the Sun in `year`.
+pub fn solar_day(stars: f64, year: f64) -> f64 {
+    1.0 / (1.0 / stars - 1.0 / year)
+}
+
+fn elsewhere() -> Result<Table> {
+    let columns = ["body", "turn / d", "year / d", "solar day / d"];
+    let mut table = Table::new("elsewhere", columns)?;
+    for (body, stars, year) in OTHERS {
+        let day = solar_day(stars, year).abs();
+        table.push([
+            body.into(),
+            format!("{stars}"),
+            format!("{year}"),
+            short(day, 5),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// What the page asks its reader to try, one flag changed at a time.
+fn variations(p: &Parameters) -> Result<Table> {
+    let opposite = Parameters {
+        perigee: p.perigee - PI,
+        ..p.clone()
+    };
+    let mut table = Table::new("variations", ["flag", "key", "value / s", "on"])?;
+    let (flat, round) = (with(p, p.eccentricity, 0.0), with(p, 0.0, p.obliquity));
+    let of = |p: &Parameters| (extremes(p).longest_on, extremes(p).earliest);
+    for (flag, key, (value, k)) in [
+        ("--eccentricity 0", "longest", of(&round).0),
+        ("--obliquity 0", "earliest", of(&flat).1),
+        ("--perigee 1.7966", "earliest", of(&opposite).1),
+        ("--perigee 1.7966", "longest", of(&opposite).0),
+    ] {
+        table.push([flag, key, &short(value, 4), &date(p, k)])?;
+    }
+    table.push([
+        "--year 20",
+        "sidereal",
+        &short(sidereal(20.0) * p.day, 6),
+        "-",
+    ])?;
+    Ok(table)
+}
+
+rotation_dynamics::example! {
+    ch15_2_days: "The day and the stars: solar and sidereal day, and the equation of time";
+    report, figures::figures, figures::trajectory, figures::moving_picture
+}

@@ -1,0 +1,221 @@
+//! The day and the stars: the notes' numbers by a turning arrow, the equation of time by an
+//! orbit that is integrated, and what the notes slip in or leave out.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch15_2_days::*;
+use rotation_dynamics::math::{atan2, cos, sin, tan};
+use std::f64::consts::{PI, TAU};
+use support::{Errors, assert_error};
+
+/// P faces the Sun again after a day of 1, whatever the year; with 2 pi alone it would not yet.
+#[test]
+fn eq_15_5_11_turn_from_noon_to_noon() {
+    let (mut errors, mut damaged) = (Errors::of("a day"), Errors::of("2 pi alone"));
+    for year in [2.5, 20.0, 365.24, 686.98] {
+        let noon = |rate| orbit::facing(rate, TAU / year, 1e-15).unwrap()[0];
+        errors.push(noon(turn(year)) - 1.0);
+        damaged.push(noon(TAU) - 1.0);
+    }
+    errors.attain(2.2e-16..=2.3e-16, 4);
+    damaged.exceed(1e-3, 4);
+    assert_error!(value(&EXAMPLE, "turn"), 6.300_388_202_008_14, 5.1 eps);
+}
+
+/// The rate that the IAU adopted in 2000, to what 365.24 for 365.2422 leaves.
+#[test]
+fn ex3b_angular_velocity_of_the_earth() {
+    let adopted = TAU * 1.002_737_811_911_354_48 / 86_400.0;
+    assert_error!(value(&EXAMPLE, "omega") / adopted - 1.0, 1.14e-7);
+    assert_error!(value(&EXAMPLE, "omega"), 7.292_115_974_546_45e-5, 5.0 eps);
+    // The damaged twin: a turn in 24 hours.
+    assert!((TAU / 86_400.0 / adopted - 1.0).abs() > 1e-3);
+}
+
+/// At the right rate P faces the Sun after a day; at the printed one, in which two years are
+/// mixed, it comes late.
+#[test]
+fn e07_two_years_in_one_quotient() {
+    let late = |omega: f64| {
+        let day = orbit::facing(omega * 86_400.0, TAU / 365.24, 1e-15).unwrap()[0];
+        (day - 1.0) * 86_400.0
+    };
+    assert_error!(late(value(&EXAMPLE, "omega")), 0.0);
+    assert_error!(late(value(&EXAMPLE, "omega_printed")), 2.3720);
+    assert_error!(value(&EXAMPLE, "omega_printed"), 7.291_916_327_291_85e-5, 3.3 eps);
+}
+
+#[test]
+fn ex3c_sidereal_day() {
+    let (mut errors, mut damaged) = (Errors::of("a turn"), Errors::of("the other quotient"));
+    for year in [2.5, 20.0, 365.24, 686.98] {
+        let once = orbit::facing(turn(year), TAU / year, 1e-15).unwrap()[1];
+        errors.push(once - sidereal(year));
+        damaged.push(once - year / (year - 1.0));
+    }
+    errors.attain(1.1e-16..=1.2e-16, 4);
+    damaged.exceed(1e-3, 4);
+    assert_error!(value(&EXAMPLE, "sidereal"), 86_164.089_121_887_3, 1.5 eps);
+    assert_error!(value(&EXAMPLE, "sidereal_seconds"), 4.089_121_887_287, 2.80e3 eps);
+}
+
+/// Turns and years as NASA prints them give the solar days that it prints, in hours.
+#[test]
+fn solar_days_of_others() {
+    let mut errors = Errors::of("solar days");
+    for (stars, year, hours) in [
+        (58.6462, 87.969, 4222.6),
+        (-243.0226, 224.701, 2802.0),
+        (1.025_957, 686.980, 24.6597),
+        (27.3217, 365.256, 708.7),
+    ] {
+        errors.push(solar_day(stars, year).abs() * 24.0 / hours - 1.0);
+    }
+    errors.attain(4.9e-5..=5.0e-5, 4);
+    // The damaged twin: Venus, if it turned the other way.
+    assert!((solar_day(243.0226, 224.701).abs() * 24.0 / 2802.0 - 1.0).abs() > 1.0);
+}
+
+/// The day that follows from the tropical year is one against the equinox.
+#[test]
+fn e06_the_equinox_is_no_star() {
+    let (equinox, star) = (value(&EXAMPLE, "mean_sidereal"), value(&EXAMPLE, "stellar"));
+    assert_error!(star - equinox, 8.372e-3);
+    let notes = value(&EXAMPLE, "sidereal");
+    assert_error!(notes - equinox, 1.410e-3);
+    assert_error!(notes - star, 9.783e-3);
+    // The damaged twin: precession along the ecliptic, 50.29 arcsec a year, is not what counts.
+    let ecliptic = 5_028.796_195 / 1_296_000.0 / 36_525.0 * equinox * equinox / 86_400.0;
+    assert!((ecliptic - (star - equinox)).abs() > 5e-4);
+}
+
+/// On a circle with an upright axis every day has 24 hours; on the Earth's they differ.
+#[test]
+fn e04_the_true_day_is_not_the_mean_day() {
+    let p = Parameters::default();
+    let days = |p: &Parameters| {
+        let noons = orbit::noons(p, 1e-13).unwrap().0;
+        Extremes::of(&noons, p.day)
+    };
+    let (mean, real) = (days(&with(&p, 0.0, 0.0)), days(&p));
+    assert_error!(mean.longest - mean.shortest, 9.8e-9);
+    assert_error!(real.shortest, 21.400);
+    assert_error!(real.longest, 29.876);
+    let tilt = days(&with(&p, 0.0, p.obliquity));
+    assert_error!(tilt.shortest, 19.515);
+    assert_error!(tilt.longest, 21.280);
+}
+
+/// The true angle of the Sun, from the half angles, and Kepler's equation put in.
+#[test]
+fn the_orbit_is_keplers() {
+    let (mut equation, mut angle) = (Errors::of("Kepler's equation"), Errors::of("angle"));
+    let mut first = Errors::of("2 e sin M alone");
+    for e in [1e-9, 0.0167, 0.1, 0.3] {
+        for k in 1..24 {
+            let mean = 0.27 * f64::from(k);
+            let x = eccentric_anomaly(mean, e);
+            equation.push(x - e * sin(x) - mean);
+            let stretched = ((1.0 + e) / (1.0 - e)).sqrt() * sin(0.5 * x);
+            let wanted = 2.0 * atan2(stretched, cos(0.5 * x));
+            let p = Parameters {
+                perigee: 0.0,
+                ..with(&Parameters::default(), e, 0.0)
+            };
+            let centre = Sun::at(mean, &p).centre;
+            angle.push(sin(mean + centre - wanted));
+            first.push(sin(mean + 2.0 * e * sin(mean) - wanted));
+        }
+    }
+    equation.attain(8.8e-16..=8.9e-16, 92);
+    angle.attain(8.8e-16..=8.9e-16, 92);
+    assert!(first.largest() > 0.05);
+}
+
+/// The Sun's place along the equator, from its place in space.
+#[test]
+fn the_tilt_foreshortens() {
+    let (mut errors, mut first) = (Errors::of("the exact form"), Errors::of("y sin 2L alone"));
+    for tilt in [1e-6, 0.1, 0.409, 1.2] {
+        for k in 0..24 {
+            let longitude = 0.27 * f64::from(k);
+            let p = with(&Parameters::default(), 0.0, tilt);
+            let along = longitude - Sun::at(longitude, &p).reduction;
+            let (x, y) = (cos(longitude), cos(tilt) * sin(longitude));
+            errors.push(sin(along - atan2(y, x)));
+            let y2 = tan(0.5 * tilt) * tan(0.5 * tilt);
+            first.push(sin(longitude - y2 * sin(2.0 * longitude) - atan2(y, x)));
+        }
+    }
+    errors.attain(6.4e-16..=6.5e-16, 96);
+    assert!(first.largest() > 0.05);
+}
+
+/// Noon after noon, for the Earth's orbit and for others; the twin: without the tilt.
+#[test]
+fn formulas_and_simulated_noons_agree() {
+    let p = Parameters::default();
+    let (mut errors, mut damaged) = (Errors::of("noons, s"), Errors::of("without the tilt"));
+    for (e, tilt, perigee) in [
+        (0.016_708_6, 0.409_09, p.perigee),
+        (0.1, 0.7, 1.0),
+        (0.3, 1.2, 3.0),
+    ] {
+        let p = Parameters {
+            perigee,
+            ..with(&p, e, tilt)
+        };
+        let (found, _) = orbit::noons(&p, 1e-15).unwrap();
+        assert_eq!((found.len(), noons(&p).len()), (367, 367));
+        errors.push(apart(&found, &noons(&p)) * 86_400.0);
+        damaged.push(apart(&found, &noons(&with(&p, e, 0.0))) * 86_400.0);
+    }
+    errors.attain(4.9e-9..=5.0e-9, 3);
+    damaged.exceed(500.0, 3);
+}
+
+/// Meeus, example 28: 13 October 1992, 0 h. By his mean elements the series gives 13 min 42.7 s,
+/// and the full theory, with the planets and the light's aberration, 13 min 42.6 s.
+#[test]
+fn a_published_instant_is_met() {
+    let degrees = PI / 180.0;
+    let (mean, anomaly) = (201.807_20 * degrees, 278.993_96 * degrees);
+    let p = Parameters {
+        perigee: mean - anomaly + TAU,
+        ..with(&Parameters::default(), 0.016_711_651, 23.440_23 * degrees)
+    };
+    let seconds = Sun::at(mean, &p).equation_of_time() * 86_400.0 / TAU;
+    assert_error!(seconds - 822.6, 0.47);
+    // The damaged twin: the series to first order.
+    let y = tan(0.5 * p.obliquity) * tan(0.5 * p.obliquity);
+    let first = y * sin(2.0 * mean) - 2.0 * p.eccentricity * sin(anomaly);
+    assert!((first * 86_400.0 / TAU - 822.6).abs() > 5.0);
+}
+
+#[test]
+fn other_years_and_orbits_are_confirmed() {
+    let runs = [
+        "--year=20",
+        "--eccentricity=0.3 --obliquity=1.4 --year=25",
+        "--eccentricity=0 --obliquity=0",
+        "--year=1500.5 --perigee=0",
+        "--mean-longitude=0 --day=1 --tolerance=1e-6",
+        "--day=1e9 --picture-year=20",
+    ];
+    confirmed(&EXAMPLE, runs, 6);
+    let p = Parameters::default();
+    assert_eq!(date(&p, 42), "12 February");
+    assert_eq!(date(&p, 366), "1 January");
+    assert_eq!(date(&Parameters { year: 20.0, ..p }, 3), "day 3");
+}
+
+#[test]
+fn what_is_no_year_is_refused() {
+    let runs = [
+        ("--year=1", "year = 1 is not allowed"),
+        ("--eccentricity=0.9", "eccentricity = 0.9 is not allowed"),
+        ("--obliquity=-0.4", "obliquity = -0.4 is not allowed"),
+        ("--day=0", "day = 0 is not allowed"),
+        ("--year=inf", "not a finite number"),
+    ];
+    refused(&EXAMPLE, runs);
+}
