@@ -338,7 +338,7 @@ pub fn solar_day(stars: f64, year: f64) -> f64 {
 }
 
 fn elsewhere() -> Result<Table> {
-    let columns = ["body", "turn / d", "year / d", "solar day / d"];
+    let columns = ["body", "days a turn", "days a year", "solar day in days"];
     let mut table = Table::new("elsewhere", columns)?;
     for (body, stars, year) in OTHERS {
         let day = solar_day(stars, year).abs();

@@ -46,9 +46,11 @@ fn one_day() -> Result<Figure> {
                parallel to OP at alpha, lies short of it by the angle that the Earth has gone round the Sun.";
     let ray = |from: Point| Curve::new([from, sun], Ink::Frame).thin().dashed();
     let upright = at(beta, 0.46, 0.5 * PI);
+    let orbit = times(-0.55, 1.3, 60).map(|a| at(sun, 1.0, down + a));
+    let orbit = Curve::new(orbit, Ink::Frame).thin().dashed();
     let sketch = Sketch::new("one_day", alt)
         .window((-0.55, 1.05), (-1.3, 0.2))
-        .curve(circle(sun, 1.0))
+        .curve(orbit)
         .curve(ray(alpha))
         .curve(ray(beta))
         .disc(sun, 0.08, Ink::Ink, 0.3)

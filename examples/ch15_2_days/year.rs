@@ -121,14 +121,14 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
         /// longest day by the eccentricity alone
         oval_longest: oval.longest, "s", "located events" => oval_found.longest, within near;
     }?;
-    let mut table = Table::new("extremes", ["what", "on", "value", "unit"])?;
+    let mut table = Table::new("extremes", ["what", "on", "seconds"])?;
     for (what, (value, k)) in [
         ("sundial slowest", a.latest),
         ("sundial fastest", a.earliest),
-        ("shortest day, less 24 h", a.shortest_on),
-        ("longest day, less 24 h", a.longest_on),
+        ("shortest day less the mean", a.shortest_on),
+        ("longest day less the mean", a.longest_on),
     ] {
-        table.push([what.into(), date(p, k), short(value, 4), "s".into()])?;
+        table.push([what.into(), date(p, k), short(value, 4)])?;
     }
     report.add(table)
 }
