@@ -28,9 +28,9 @@ rotation_dynamics::parameters! {
         /// tilt of the axis, from the normal of the orbit
         obliquity: number(0.409_092_600_600_583, "rad", from_to(0.0, 1.4).usually(0.0, 0.8));
         /// longitude at which the Sun is seen when it is nearest
-        perigee: number(4.938_188_300_857_257, "rad", from_to(0.0, 7.0).usually(0.0, 6.28));
+        perigee: number(4.938_188_300_857_257, "rad", from_to(0.0, TAU));
         /// mean longitude of the Sun at noon of 1 January 2000
-        mean_longitude: number(4.895_063_113_086_038, "rad", from_to(0.0, 7.0).usually(0.0, 6.28));
+        mean_longitude: number(4.895_063_113_086_038, "rad", from_to(0.0, TAU));
         /// days in the year of the moving picture
         picture_year: number(6.0, "d", from_to(2.0, 20.0).usually(2.0, 12.0));
         /// error of a step of the runs
@@ -234,7 +234,7 @@ fn two_kinds_of_star_days(report: &mut Report) -> Result<()> {
     let equinox = sidereal(tropical) * 86_400.0;
     let star = 86_400.0 / (86_400.0 / equinox - precession / TURN / CENTURY);
     // Turns a day: Aoki et al. 1982; IAU resolution B1.8 of 2000.
-    let [mean_sidereal, stellar] = [1.002_737_909_350_795, 1.002_737_811_911_354_48];
+    let [mean_sidereal, stellar] = [1.002_737_909_350_795, 1.002_737_811_911_354_5];
     let adopted = [86_400.0 / mean_sidereal, 86_400.0 / stellar];
     rotation_dynamics::claims! { report,
         /// mean sidereal day, from the tropical year
