@@ -29,7 +29,7 @@ fn the_instances_of_the_notes_come_out() {
     let instances = [
         ("wheel_speed", 7.0),
         ("cycloid", 2.8),
-        ("coin_part", 3.141_592_653_589_793),
+        ("coin_part", PI),
         ("coin_circuit", 12.566_370_614_359_172),
         ("spin", -3.333_333_333_333_333_3),
         ("net_rate", 3.887_301_263_230_201_4),
