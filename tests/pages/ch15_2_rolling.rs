@@ -8,7 +8,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{atan2, cos, hypot, sincos};
-use support::{EPS, Errors};
+use support::{EPS, Errors, assert_error};
 
 /// Cycle wheels from a caster to a wheel at the end of a long shaft.
 fn wheels() -> [Parameters; 4] {
@@ -241,6 +241,8 @@ fn e09_the_sign_of_zeta() {
     errors.attain(1.8e-14..=1.9e-14, 2);
     // Printed: zeta' = Omega_S together with z = -rho.
     assert!((rate(false) - spin).abs() > 6.0);
+    // The wheel that turns so slips at 2 Omega a.
+    assert_error!(slip(&p, -spin).expect("a speed") - 2.0 * p.rate * p.shaft, 1.0e-13);
 }
 
 #[test]
