@@ -5,12 +5,12 @@ pub mod cone;
 #[path = "ch15_ex6_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, carried, level, placed, spin_at_rest};
+use cone::{Cone, Sums, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode};
 use rotation_dynamics::interval::above_to;
 use rotation_dynamics::math::{cos, hypot, sin, tan};
 use rotation_dynamics::report::{ClosedForm, Report};
@@ -118,6 +118,19 @@ pub fn tipping(p: &Parameters) -> Result<f64> {
     let law = ode(|_, _: &[f64; 1]| [1.0]);
     let run = Dop853::new(1e-12)?.solve(&law, 0.0, &[0.01], 100.0, &[rim])?;
     Ok(unit * run.end_state()[0])
+}
+
+/// The attitude that follows from an angular velocity on the fixed axes: q' = omega q/2.
+fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
+    ode(move |t, &[w, x, y, z]: &[f64; 4]| {
+        let [a, b, c] = (angular_velocity(t) * 0.5).to_array();
+        [
+            -a * x - b * y - c * z,
+            a * w + b * z - c * y,
+            b * w + c * x - a * z,
+            c * w + a * y - b * x,
+        ]
+    })
 }
 
 /// The attitude after one circuit by steps, from the angular velocity alone.

@@ -4,7 +4,6 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::integrators::{Ode, ode};
 use rotation_dynamics::math::{sincos, tan};
 use rotation_dynamics::report::draw::{Ink, Solid, View};
 
@@ -119,19 +118,6 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
     };
     let (still, turned) = (sliding(0.0)?, sliding(rate)?);
     Ok(rate * still / (still - turned))
-}
-
-/// The attitude that follows from an angular velocity on the fixed axes: q' = omega q/2.
-pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
-    ode(move |t, &[w, x, y, z]: &[f64; 4]| {
-        let [a, b, c] = (angular_velocity(t) * 0.5).to_array();
-        [
-            -a * x - b * y - c * z,
-            a * w + b * z - c * y,
-            b * w + c * x - a * z,
-            c * w + a * y - b * x,
-        ]
-    })
 }
 
 /// Adds the cone of this half angle and the height 1, with its vertex here, and a stripe from the

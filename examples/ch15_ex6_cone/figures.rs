@@ -160,7 +160,7 @@ fn regimes() -> Result<Figure> {
         curve.label_at(&format!(r"slips, $\mu={mu}$"), a, at(a), side)
     };
     axes.curve(tip.label_at("tips", 0.1, tips(0.1), Side::Right))
-        .curve(slip(0.3, 0.8, Side::BelowRight))
+        .curve(slip(0.3, 1.2, Side::BelowRight))
         .curve(slip(1.0, 0.85, Side::AboveLeft))
         .figure()
 }

@@ -8,7 +8,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{atan2, cos, hypot, sincos};
-use support::{EPS, Errors};
+use support::{EPS, Errors, assert_error};
 
 /// Cycle wheels from a caster to a wheel at the end of a long shaft.
 fn wheels() -> [Parameters; 4] {
@@ -29,7 +29,7 @@ fn the_instances_of_the_notes_come_out() {
     let instances = [
         ("wheel_speed", 7.0),
         ("cycloid", 2.8),
-        ("coin_part", 3.141_592_653_589_793),
+        ("coin_part", PI),
         ("coin_circuit", 12.566_370_614_359_172),
         ("spin", -3.333_333_333_333_333_3),
         ("net_rate", 3.887_301_263_230_201_4),
@@ -241,6 +241,8 @@ fn e09_the_sign_of_zeta() {
     errors.attain(1.8e-14..=1.9e-14, 2);
     // Printed: zeta' = Omega_S together with z = -rho.
     assert!((rate(false) - spin).abs() > 6.0);
+    // The wheel that turns so slips at 2 Omega a.
+    assert_error!(slip(&p, -spin).expect("a speed") - 2.0 * p.rate * p.shaft, 1.0e-13);
 }
 
 #[test]

@@ -1,0 +1,219 @@
+//! Exercise 15.3: a coin that rolls around a fixed coin of another size.
+
+#[path = "ch15_ex3_coins/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode};
+use rotation_dynamics::interval::{above, from_to};
+use rotation_dynamics::math::{hypot, sincos};
+use rotation_dynamics::report::{ClosedForm, Report};
+use rotation_dynamics::{Error, Result};
+
+rotation_dynamics::parameters! {
+    /// The coins of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the rolling coin
+        mass: number(0.01, "kg", from_to(1e-6, 1e3).usually(0.001, 0.05));
+        /// radius of the fixed coin
+        inner: number(0.02, "m", from_to(1e-6, 1e3).usually(0.005, 0.05));
+        /// radius of the rolling coin
+        outer: number(0.012, "m", from_to(1e-6, 1e3).usually(0.005, 0.05));
+        /// rate at which the line of centres turns
+        rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 10.0));
+        /// where it rolls: around the fixed coin, or inside a fixed ring of that radius
+        side: choice("outside", "inside");
+        /// error of a step of the simulations
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+// ANCHOR: forms
+/// The radius of the rolling coin over that of the fixed one; negative if it rolls inside.
+pub fn ratio(p: &Parameters) -> Result<f64> {
+    let r = p.outer / p.inner;
+    match p.side {
+        "inside" => Ok(-from_to(0.01, 0.99).check("outer/inner, inside a ring,", r)?),
+        _ => from_to(0.01, 100.0).check("outer/inner", r),
+    }
+}
+
+/// Angular velocity of the coin over Omega; r is the ratio.
+pub fn angular_velocity(r: f64) -> f64 {
+    (1.0 + r) / r
+}
+
+/// Angular momentum about the middle of the fixed coin over M R1^2 Omega.
+pub fn angular_momentum(r: f64) -> f64 {
+    (1.0 + r) * (1.0 + 1.5 * r)
+}
+
+/// Kinetic energy over M R1^2 Omega^2.
+pub fn kinetic_energy(r: f64) -> f64 {
+    0.75 * (1.0 + r) * (1.0 + r)
+}
+// ANCHOR_END: forms
+
+// ANCHOR: rolling
+/// The coin turns about the point at which it touches, which is at rest: its centre, a point of
+/// its rim, the angle of the line of centres, the path of the point; lengths in the radius of the
+/// fixed coin, and in place of the time the angle by which the coin has turned.
+pub fn rolling(r: f64) -> impl Ode<6> {
+    ode(move |_, &[x, y, rim_x, rim_y, _, _]: &[f64; 6]| {
+        let contact = (x / (1.0 + r), y / (1.0 + r));
+        let sense = r.signum();
+        let about = |x: f64, y: f64| (sense * (contact.1 - y), sense * (x - contact.0));
+        let (centre, rim) = (about(x, y), about(rim_x, rim_y));
+        let orbit = (x * centre.1 - y * centre.0) / (x * x + y * y);
+        [centre.0, centre.1, rim.0, rim.1, orbit, hypot(rim.0, rim.1)]
+    })
+}
+// ANCHOR_END: rolling
+
+/// That motion until the line of centres has turned by `orbit`.
+pub fn rolled(r: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
+    let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
+    let (start, long) = (
+        [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0],
+        2.0 * orbit * angular_velocity(r).abs(),
+    );
+    Dop853::new(step)?.solve(&rolling(r), 0.0, &start, long, &[there])
+}
+
+/// The place of a point of the coin, at this distance from its middle and with this angle from
+/// the contact at the start, by turns alone: the coin's own, and that of the line of centres.
+pub fn place(r: f64, turn: f64, distance: f64, angle: f64) -> [f64; 2] {
+    let ((s, c), (t, d)) = (sincos(turn), sincos(angular_velocity(r) * turn + angle));
+    [(1.0 + r) * c - distance * d, (1.0 + r) * s - distance * t]
+}
+
+/// L, T and the force towards the middle over M R1^2 Omega, M R1^2 Omega^2 and M R1 Omega^2, of
+/// four particles that have the mass and the moment of inertia of the coin, from their places
+/// shortly before and after.
+pub fn particles(r: f64) -> [f64; 3] {
+    let h = 1e-2 / angular_velocity(r).abs().max(1.0);
+    let mut sums = [0.0; 3];
+    for quarter in 0..4 {
+        let angle = FRAC_PI_2 * f64::from(quarter) + 0.3;
+        let at = |k: f64| place(r, k * h, r.abs() / SQRT_2, angle);
+        let of = |sign: f64, [far, middle, near]: [f64; 3]| {
+            [0, 1].map(|i| {
+                let pair = |k: f64| at(k)[i] + sign * at(-k)[i];
+                near * pair(1.0) + middle * pair(2.0) + far * pair(3.0)
+            })
+        };
+        let ([x, y], v) = (at(0.0), of(-1.0, [1.0, -9.0, 45.0]).map(|d| d / (60.0 * h)));
+        let twice = of(1.0, [2.0, -27.0, 270.0])[0] - 490.0 * x;
+        sums[0] += 0.25 * (x * v[1] - y * v[0]);
+        sums[1] += 0.125 * (v[0] * v[0] + v[1] * v[1]);
+        sums[2] -= 0.25 * twice / (180.0 * h * h);
+    }
+    sums
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "A coin rolls without slipping around a fixed coin, or inside a fixed ring.";
+    let mut report = Report::new("Coins of two sizes", about)?;
+    let r = ratio(p)?;
+    claims(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    let end = place(r, TAU, r, 0.0);
+    let error = move |run: &Solution<6>| {
+        Ok(hypot(
+            run.end_state()[2] - end[0],
+            run.end_state()[3] - end[1],
+        ))
+    };
+    report.dial(
+        "DOP853, error of a step",
+        asked,
+        move |step| rolled(r, TAU, step),
+        |run| run.work(),
+        error,
+    )?;
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, Error>(place(r, part * TAU, r, 0.0))
+    }));
+    Ok(report)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (r, rate, unit) = (ratio(p)?, p.rate, p.mass * p.inner * p.inner * p.rate);
+    let (net, l, t) = (angular_velocity(r), angular_momentum(r), kinetic_energy(r));
+    let bound = 100.0 * p.tolerance * (1.0 + net.abs());
+    let around = rolled(r, TAU, p.tolerance)?;
+    let turned = r.signum() * around.end_time() / TAU;
+    let [momentum, energy, force] = particles(r);
+    // From contact to contact: an arch, for which the line of centres turns by 2 pi r.
+    let arch = rolled(r, TAU * r.abs(), p.tolerance)?.end_state()[5];
+    let speed = p.inner * rate * (1.0 + r);
+    rotation_dynamics::claims! { report,
+        /// angular velocity of the rolling coin
+        omega: rate * net, "rad/s", "rolled about the contact" => rate * turned, within rate * bound,
+        in "The motion":
+            rate * (net - 1.0) => "that is relative to the line of centres",
+            rate * (1.0 + r) => "which of the two radii is it divided by?";
+        /// how often it turns in a circuit
+        turns: net, "-", "rolled about the contact" => turned, within bound,
+        in "The motion":
+            net - 1.0 => "the line of centres turns as well";
+        /// angular momentum about the middle of the fixed coin
+        momentum: unit * l, "kg m^2/s", "four particles" => unit * momentum, within 1e-11 * unit * (1.0 + r) * (1.0 + r),
+        in "The motion":
+            unit * (1.0 + r) * (1.0 + r) => "the coin also turns about its own middle",
+            unit * 0.5 * r * r * net => "that is about the middle of the coin",
+            unit * ((1.0 + r) * (1.0 + r) + 0.5 * r * r * (net - 1.0)) => "take the rate in the laboratory, not that seen from the line of centres";
+        /// kinetic energy
+        energy: unit * rate * t, "J", "four particles" => unit * rate * energy, within 1e-11 * unit * rate * t,
+        in "The motion":
+            unit * rate * t / 1.5 => "the coin also turns";
+        /// force that keeps its middle on the circle
+        force: p.mass * speed * rate, "N", "four particles" => p.mass * p.inner * rate * rate * force, within 1e-10 * (1.0 + net * net) * p.mass * speed * rate;
+        /// path of a point of the rim, from contact to contact
+        arch: 8.0 * p.inner * (r * (1.0 + r)).abs(), "m", "rolled about the contact" => p.inner * arch, within p.inner * bound * (10.0 + 8.0 * r * r);
+    }
+}
+
+/// Large coins and small ones, outside and inside.
+fn limits(report: &mut Report) -> Result<()> {
+    let part = |r: f64, k: usize| particles(r)[k];
+    rotation_dynamics::limits! { report,
+        /// equal coins: two turns, as in section 15.2
+        "R1 = R2: turns": angular_velocity(1.0) => 2.0, within 1e-15;
+        /// equal coins: 5 M R^2 Omega, as in section 15.4
+        "R1 = R2: L/(M R^2 Omega)": part(1.0, 0) => 5.0, within 1e-11;
+        /// about a point it only turns, with 3/2 M R2^2 about its rim
+        "R2 = 100 R1: L/(M R2^2 Omega)": angular_momentum(1e2) / 1e4 => 1.5, within 0.03;
+        /// a straight road: once for each length of the rim, and once for the bend
+        "R1 = 100 R2: turns": angular_velocity(0.01) => 101.0, within 1e-12;
+        /// inside a ring of 3/2 of its radius: the spin takes what the circling gives
+        "inside, R1 = 3/2 R2: L/(M R1^2 Omega)": part(-2.0 / 3.0, 0) => 0.0, within 1e-12;
+        /// inside a ring of its own size it cannot roll at all
+        "inside, R1 = R2: turns": angular_velocity(-1.0) => 0.0, within 1e-15;
+    }
+}
+
+/// The card of effects, for coins that lie on a table.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let r = ratio(p)?;
+    let (distance, slip, edge) = (p.inner * (1.0 + r), 0.01, 1e-5 / p.outer);
+    above(0.0).check("distance of the middles", distance)?;
+    let energy = p.mass * p.inner * p.inner * p.rate * p.rate * kinetic_energy(r);
+    let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance;
+    rotation_dynamics::effect_card! { report,
+        "rubbing on the table; the rate is held":
+            "mu M g 2 pi (R1 + R2)/T" = rubbed / energy, costs 0.0, "of L";
+        "slip of a hundredth at the contact":
+            "s" = slip, costs slip / r.abs(), "turns a circuit";
+        "a radius off by 0.01 mm":
+            "dR/R2" = edge, costs edge / r.abs(), "turns a circuit";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_ex3_coins: "Exercise 15.3: a coin that rolls around a fixed coin of another size";
+    report, figures::figures, figures::trajectory, figures::moving_picture
+}

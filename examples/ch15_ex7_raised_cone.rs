@@ -1,0 +1,253 @@
+//! Exercise 15.7: a cone whose vertex is held above the table, so that its axis is level.
+
+#[path = "ch15_ex6_cone/cone.rs"]
+pub mod cone;
+#[path = "ch15_ex7_raised_cone/figures.rs"]
+mod figures;
+
+use cone::{Cone, Sums, UP, level, placed, spin_at_rest};
+use core::f64::consts::TAU;
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::Problem;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, Torque};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::interval::from_to;
+use rotation_dynamics::math::{atan2, cos, hypot, sin, tan};
+use rotation_dynamics::report::Report;
+use rotation_dynamics::scene::Scene;
+
+rotation_dynamics::parameters! {
+    /// The cone of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the cone
+        mass: number(2.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
+        /// its height
+        height: number(0.3, "m", from_to(1e-3, 1e3).usually(0.05, 1.0));
+        /// half of the angle at its vertex
+        half_angle: number(0.4, "rad", from_to(0.01, 1.5).usually(0.1, 1.2));
+        /// rate at which its axis turns about the vertical
+        rate: number(1.5, "rad/s", from_to(1e-3, 1e3).usually(0.5, 12.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// error of the solved attitude
+        tolerance: number(1e-9, "rad", from_to(1e-11, 1e-3));
+    }
+}
+
+/// The cone of these parameters.
+fn body(p: &Parameters) -> Cone {
+    Cone {
+        mass: p.mass,
+        height: p.height,
+        half_angle: p.half_angle,
+    }
+}
+
+// ANCHOR: forms
+/// omega over Omega, outward along the axis and upward.
+pub fn angular_velocity(a: f64) -> [f64; 2] {
+    [-1.0 / tan(a), 1.0]
+}
+
+/// L over M h^2 Omega, outward along the axis and upward.
+pub fn angular_momentum(a: f64) -> [f64; 2] {
+    [-0.3 * tan(a), 0.6 * (1.0 + 0.25 * tan(a) * tan(a))]
+}
+
+/// T over M h^2 Omega^2.
+pub fn kinetic_energy(a: f64) -> f64 {
+    0.075 * (5.0 + 1.0 / (cos(a) * cos(a)))
+}
+
+/// The force of the table over the weight, with w = h Omega^2/g, if it only presses upward.
+pub fn pressure(a: f64, w: f64) -> f64 {
+    0.75 - w * angular_momentum(a)[0]
+}
+// ANCHOR_END: forms
+
+/// The cone after its axis has turned by `turn`, by turns alone: about its own axis, and with it
+/// about the vertical.
+pub fn rolled(a: f64, turn: f64) -> Result<Attitude> {
+    placed(0.0, turn, -turn / tan(a))
+}
+
+/// The sums over the particles at this rate, when the axis points along X.
+pub fn summed(p: &Parameters, rate: f64) -> Result<Sums> {
+    let step = 0.02 * sin(p.half_angle) / rate;
+    body(p).sums(|t| rolled(p.half_angle, rate * t), step)
+}
+
+/// The force of the table, N, by the particles: what their motion needs beyond the moment of
+/// their weight about the vertex, the table must supply at the distance h.
+pub fn pressed(p: &Parameters, rate: f64) -> Result<f64> {
+    let particles = body(p).particles();
+    let moment: f64 = particles.iter().map(|(m, r)| m * p.gravity * r.z()).sum();
+    Ok((moment - summed(p, rate)?.moment.y()) / p.height)
+}
+
+// ANCHOR: scene
+/// The cone on its joint, with a constant force `n` in place of the table.
+pub fn without_table(
+    p: &Parameters,
+    n: f64,
+) -> Result<(Scene<impl Effect + Clone + Send + Sync + 'static>, State)> {
+    let (a, h, i) = (p.half_angle, p.height, p.mass * p.height * p.height);
+    let moments = PrincipalMoments::symmetric(
+        0.6 * i * (1.0 + 0.25 * tan(a) * tan(a)),
+        0.3 * i * tan(a) * tan(a),
+    )?;
+    // N at the rim, at the distance h, and the weight at 3 h/4; taken together, since they all
+    // but cancel if the cone is slender.
+    let lever = h * (n - 0.75 * p.mass * p.gravity);
+    let forces = Torque::on_space("table and weight", move |_, _, state: &State| {
+        state.attitude.axis().cross(&(UP * lever))
+    });
+    let scene = Scene::new(RigidBody::new(moments)).with(forces.smooth());
+    let start = rolled(a, 0.0)?;
+    let [along, up] = angular_velocity(a).map(|part| part * p.rate);
+    let rates: BodyVector = start.to_body(level(0.0) * along + UP * up);
+    let state = scene.body().state(start, rates)?;
+    Ok((scene, state))
+}
+// ANCHOR_END: scene
+
+/// For how long that is followed, s: for a circuit, unless it is so slow that the weight would
+/// have brought the cone down many times before.
+fn followed(p: &Parameters) -> f64 {
+    (TAU / p.rate).min(30.0 * (p.height / p.gravity).sqrt())
+}
+
+/// How high the axis points in the end, rad, with that force in place of the table.
+pub fn rises(p: &Parameters, n: f64) -> Result<f64> {
+    let (scene, start) = without_table(p, n)?;
+    let axis = scene
+        .solve(&start, followed(p), p.tolerance)?
+        .state
+        .attitude
+        .axis();
+    Ok(atan2(axis.z(), hypot(axis.x(), axis.y())))
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    from_to(1e-3, 1e3).check("h Omega^2/g", p.height * p.rate * p.rate / p.gravity)?;
+    let about = "A solid cone with a level axis: its vertex is held, its rim rolls on a table.";
+    let mut report = Report::new("A cone with its vertex raised", about)?;
+    claims(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let (a, rate) = (p.half_angle, p.rate);
+    let weight = p.mass * p.gravity;
+    let (scene, start) =
+        without_table(p, weight * pressure(a, p.height * rate * rate / p.gravity))?;
+    let (end, [rho, up]) = (followed(p), angular_momentum(a));
+    let momentum = (level(rate * end) * rho + UP * up) * (p.mass * p.height * p.height * rate);
+    let exact = State::new(rolled(a, rate * end)?, momentum)?;
+    let problem = Problem::new(scene, start, end, exact);
+    let attitude = move |t: f64| rolled(a, rate * t).unwrap_or(Attitude::IDENTITY);
+    report.strip(
+        &problem.in_closed_form(attitude),
+        &[p.tolerance, 1e-6, 1e-10],
+    )?;
+    Ok(report)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
+    let (s, c, unit, weight) = (sin(a), cos(a), m * h * h * rate, m * p.gravity);
+    let ([along, up], [rho, vertical]) = (angular_velocity(a), angular_momentum(a));
+    let (w, energy) = (h * rate * rate / p.gravity, unit * rate * kinetic_energy(a));
+    let contact = level(0.0) * h - UP * (h * tan(a));
+    let (spin, sums) = (spin_at_rest(0.0, contact, rate)?, summed(p, rate)?);
+    let (near, size) = (3e-11 / (s * s * c * c), unit * hypot(rho, vertical));
+    let (n, lifted) = (
+        weight * pressure(a, w),
+        (p.gravity / (1.2 * h * tan(a))).sqrt(),
+    );
+    // As the square of the rate, the force grows from that of the cone at rest.
+    let grown = pressed(p, rate)? / weight - 0.75;
+    rotation_dynamics::claims! { report,
+        /// angular velocity, along rho
+        omega_rho: rate * along, "rad/s", "the lowest point at rest" => spin, within near * rate / s,
+        in "The motion":
+            rate / s => "the axis is not the line of points at rest",
+            -rate * along => "which way must the upper side of the cone move?";
+        /// its size
+        omega: rate * hypot(along, up), "rad/s", "the lowest point at rest" => hypot(spin, rate), within near * rate / s,
+        in "The motion":
+            -rate * along => "that is the spin alone",
+            rate => "that is the part about the vertical alone";
+        /// angular momentum about the vertex, along rho
+        l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size,
+        in "The motion":
+            -unit * rho => "which way does the spin point?";
+        /// angular momentum about the vertex, upward
+        l_up: unit * vertical, "kg m^2/s", "24 particles" => sums.angular_momentum.z(), within near * size,
+        in "The motion":
+            0.6 * unit => "the cone is not a thin rod",
+            unit * (0.0375 + 0.15 * tan(a) * tan(a)) => "that is about the centre of mass";
+        /// kinetic energy
+        energy: energy, "J", "24 particles" => sums.kinetic_energy, within near * energy,
+        in "The motion":
+            2.0 * energy => "half of that",
+            energy * c * c => "that is the cone that lies on the table",
+            0.5 * unit * rate * vertical => "the cone spins as well";
+        /// turns about its axis in a circuit, seen from the axis
+        turns: 1.0 / tan(a), "-", "the lowest point at rest" => -spin / rate, within near / s,
+        in "The motion":
+            1.0 / s => "that is the cone that lies on the table";
+        /// force of the table
+        pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n,
+        in "The forces":
+            weight => "the joint bears a part of the weight",
+            0.75 * weight => "so it is at rest";
+        /// how high the axis points after a circuit, with that force in place of the table
+        level: 0.0, "rad", "solved" => rises(p, n)?, within 10.0 * p.tolerance;
+        /// rate beyond which the joint must pull the vertex down
+        omega_lift: lifted, "rad/s", "24 particles" => rate * (0.25 / grown).sqrt(), within near * lifted * (1.0 + 1.0 / grown),
+        in "The forces";
+    }
+}
+
+/// Slender cones, flat ones, and a cone at rest.
+fn limits(report: &mut Report) -> Result<()> {
+    let flat = TAU / 4.0 - 1e-3;
+    let disc = |x: f64| x / (tan(flat) * tan(flat));
+    rotation_dynamics::limits! { report,
+        /// a slender cone does not care whether its vertex is raised: 3/10 + 3/20
+        "alpha = 0.001: T/(M h^2 Omega^2)": kinetic_energy(1e-3) => 0.45, within 1e-6;
+        /// a plate that stands on its rim and turns about a diameter: 3/40 M R^2
+        "alpha = pi/2 - 0.001: T/(M R^2 Omega^2)": disc(kinetic_energy(flat)) => 0.075, within 1e-6;
+        /// at rest the table bears what the lever leaves to it
+        "w = 0: N/(M g)": pressure(0.4, 0.0) => 0.75, within 1e-15;
+        /// as a thin rod it presses no more for going round
+        "alpha = 0.001, w = 1: N/(M g)": pressure(1e-3, 1.0) => 0.75, within 1e-3;
+    }
+}
+
+/// The card of effects: hard wood on hard wood, in air.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, h, rate) = (p.half_angle, p.height, p.rate);
+    let (w, lever, friction) = (h * rate * rate / p.gravity, 2e-5, 0.05);
+    let energy = p.mass * h * h * rate * rate * kinetic_energy(a);
+    // The pressure of a rolling body lies ahead of the contact by this lever, m.
+    let rolling = p.mass * p.gravity * pressure(a, w) * lever * TAU / tan(a);
+    let (side, speed) = (h * h * tan(a), 0.75 * h * rate);
+    let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h;
+    rotation_dynamics::effect_card! { report,
+        "radial friction at the rim":
+            "mu tan(alpha)" = friction * tan(a), costs friction * tan(a), "of N, at most";
+        "rolling resistance":
+            "b/h" = lever / h, costs rolling / energy, "of the energy in a circuit";
+        "drag of the air":
+            "rho h S/M" = 1.204 * h * side / p.mass, costs air / energy, "of the energy in a circuit";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_ex7_raised_cone: "Exercise 15.7: a cone with a level axis, its vertex held and its rim rolling";
+    report, figures::figures, figures::trajectory, figures::moving_picture
+}

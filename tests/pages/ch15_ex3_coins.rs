@@ -1,0 +1,78 @@
+//! Exercise 15.3, coins of two sizes. That simulations and formulas agree is part of the report:
+//! a claim that differs from its oracle is an error.
+
+use crate::told::{confirmed, refused, value};
+use core::f64::consts::TAU;
+use pages::ch15_ex3_coins::*;
+use rotation_dynamics::math::{atan2, cos, sin};
+use support::{EPS, Errors};
+
+#[test]
+fn the_instances_of_the_notes_come_out() {
+    let mut errors = Errors::in_units_of(EPS, "instances, relative");
+    let instances = [("omega", 16.0 / 3.0), ("momentum", 2.432e-5), ("energy", 3.072e-5)];
+    for (key, instance) in instances {
+        errors.add(value(&EXAMPLE, key), instance, instance);
+    }
+    errors.attain(3.96e0..=3.98e0, 3);
+}
+
+#[test]
+fn formulas_and_simulations_agree_for_all_radii() {
+    let outer = ["0.0005", "0.012", "0.02", "0.3", "1.5"].into_iter();
+    let outside = outer.map(|r| format!("--outer={r} --rate=0.3"));
+    let inside = ["0.001", "0.0133333", "0.0195"].map(|r| format!("--outer={r} --side=inside"));
+    let others = ["--tolerance=1e-6", "--mass=100"].map(String::from);
+    confirmed(&EXAMPLE, outside.chain(inside).chain(others), 10);
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let runs = [
+        ("--outer=0", "outer = 0 is not allowed"),
+        ("--outer=0.02 --side=inside", "inside a ring, = 1 is not allowed"),
+        ("--outer=5", "outer/inner = 250"),
+        ("--rate=-1", "rate = -1 is not allowed"),
+        ("--side=under", "invalid value"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Polygons with equal sides roll on each other: from one side to the next the moving one turns
+/// by what the corners of the two leave open, inside by their difference. Radii are in proportion
+/// to the numbers of sides.
+#[test]
+fn polygons_turn_as_the_coins_do() {
+    let (mut errors, mut damaged) = (Errors::of("turns of a polygon"), Errors::of("one fewer"));
+    for (fixed, moving) in [(10, 6), (3, 1), (4, 4), (5, 50), (9, 3), (7, 6)] {
+        // The direction of the next side as seen from the one that lies on the other.
+        let bend = |sides: i32| {
+            let step = TAU / f64::from(sides);
+            atan2(sin(step), cos(step)).rem_euclid(TAU)
+        };
+        for sense in [1.0, -1.0] {
+            let (r, n) = (sense * f64::from(moving) / f64::from(fixed), f64::from(fixed));
+            if moving < 3 || (sense < 0.0 && moving >= fixed) {
+                continue;
+            }
+            let turns = n * (bend(fixed) + sense * bend(moving)) / TAU;
+            errors.push(turns - angular_velocity(r));
+            damaged.push(turns - (angular_velocity(r) - 1.0));
+        }
+    }
+    errors.attain(8.87e-16..=8.89e-16, 8);
+    damaged.exceed(0.9, 8);
+}
+
+/// The energy knows only the sum of the radii, and the angular momentum more.
+#[test]
+fn the_energy_depends_on_the_distance_of_the_middles() {
+    let (mut errors, mut damaged) = (Errors::of("energy over (R1 + R2)^2"), Errors::of("L"));
+    for r in [0.01, 0.6, 3.0, 50.0, -0.5] {
+        let ([momentum, energy, _], square) = (particles(r), (1.0 + r) * (1.0 + r));
+        errors.push(energy / square - 0.75);
+        damaged.push(momentum / square - 1.1);
+    }
+    errors.attain(2.57e-13..=2.59e-13, 5);
+    damaged.exceed(0.08, 5);
+}

@@ -1,0 +1,82 @@
+//! Exercise 15.7, the cone with its vertex raised. That particles and formulas agree is part of
+//! the report: a claim that differs from its oracle is an error.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch15_ex7_raised_cone::*;
+use rotation_dynamics::math::{cos, sin, tan};
+use support::{EPS, Errors};
+
+#[test]
+fn the_instances_of_the_notes_come_out() {
+    let mut errors = Errors::in_units_of(EPS, "instances, relative");
+    let instances = [
+        ("omega_rho", -3.547_833_630_058_67),
+        ("l_rho", -0.034_246_250_717_791_1),
+        ("l_up", 0.169_239_541_285_344),
+        ("energy", 0.187_679_655_964_008),
+        ("pressure", 14.881_206_253_589),
+    ];
+    for (key, instance) in instances {
+        errors.add(value(&EXAMPLE, key), instance, instance.abs());
+    }
+    errors.attain(2.79e1..=2.80e1, 5);
+}
+
+#[test]
+fn formulas_and_particles_agree_for_every_cone() {
+    let angles = ["0.05", "0.1", "0.8", "1.2", "1.4"].into_iter();
+    let cone = |a| ["0.5", "50"].map(|rate| format!("--half-angle={a} --rate={rate} --height=0.1"));
+    let others = ["--mass=0.01 --gravity=1.62", "--tolerance=1e-6"];
+    confirmed(&EXAMPLE, angles.flat_map(cone).chain(others.map(String::from)), 12);
+}
+
+#[test]
+fn what_is_no_cone_is_refused() {
+    let runs = [
+        ("--half-angle=0", "half_angle = 0 is not allowed"),
+        ("--half-angle=1.6", "from 0.01 to 1.5"),
+        ("--rate=0", "rate = 0 is not allowed"),
+        ("--rate=0.1", "h Omega^2/g = 0.000305"),
+        ("--height=-1", "height = -1 is not allowed"),
+        ("--mass=inf", "not a finite number"),
+        ("--tolerance=1e-15", "tolerance = 1e-15 is not allowed"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Without the table, but with its force N, the axis stays level; with a hundredth less it
+/// does not.
+#[test]
+fn the_force_of_the_table_keeps_the_axis_level() {
+    let (mut errors, mut damaged) = (Errors::of("rise after a circuit"), Errors::of("with 0.99 N"));
+    for rate in [0.8, 1.5, 6.0] {
+        for half_angle in [0.2, 0.4, 0.9] {
+            let p = Parameters { rate, half_angle, tolerance: 1e-10, ..Parameters::default() };
+            let w = p.height * rate * rate / p.gravity;
+            let n = p.mass * p.gravity * pressure(half_angle, w);
+            errors.push(rises(&p, n).expect("solved"));
+            damaged.push(rises(&p, 0.99 * n).expect("solved"));
+        }
+    }
+    errors.attain(4.40e-14..=4.42e-14, 9);
+    damaged.exceed(7e-7, 9);
+}
+
+/// In the body both cones turn about the same line: the raised one has 1/cos(alpha) times the
+/// angular momentum of the lying one, and 1/cos^2(alpha) times the energy.
+#[test]
+fn the_raised_cone_turns_as_the_lying_one_but_faster() {
+    let (mut errors, mut damaged) = (Errors::of("ratios"), Errors::of("ratio of the energies, 1"));
+    for a in [0.1, 0.4, 0.8, 1.2] {
+        let body = cone::Cone { mass: 2.0, height: 0.3, half_angle: a };
+        let h = 0.01 * sin(a);
+        let lying = body.sums(|t| cone::placed(a, t, -t / sin(a)), h).expect("sums");
+        let raised = body.sums(|t| cone::placed(0.0, t, -t / tan(a)), h).expect("sums");
+        let energies = raised.kinetic_energy / lying.kinetic_energy;
+        errors.push(energies * cos(a) * cos(a) - 1.0);
+        errors.push(raised.angular_momentum.norm() / lying.angular_momentum.norm() * cos(a) - 1.0);
+        damaged.push(energies - 1.0);
+    }
+    errors.attain(5.54e-14..=5.56e-14, 8);
+    damaged.exceed(0.01, 4);
+}
