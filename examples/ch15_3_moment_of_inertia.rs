@@ -386,7 +386,7 @@ fn references(_: &Parameters) -> Result<Table> {
     for (name, at) in WHEEL_POINTS {
         let terms = split(&wheel(), &rolling().seen_from(at.into()));
         let sum = terms.iter().sum();
-        let numbers = [terms[0], terms[1], terms[2], sum].map(|x: f64| rounded(x, 1e-12));
+        let numbers = [terms[0], terms[1], terms[2], sum].map(|x: f64| format!("{:.2}", x + 0.0));
         table.push([name.to_owned()].into_iter().chain(numbers))?;
     }
     Ok(table)
