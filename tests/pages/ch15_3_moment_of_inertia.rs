@@ -101,7 +101,7 @@ fn eq_15_3_2_three_terms_of_the_energy() {
     // (a): P is the centre of mass. (b): P is at rest, and its second term is the whole.
     let centre = |masses: &[Mass], motion: &Rigid| motion.seen_from(centre_of_mass(masses));
     error([1.0, 1.0, 0.0], centre).attain(1.6e-14..=1.7e-14, CASES);
-    error([0.0, 1.0, 0.0], |_, motion| about_origin(motion)).attain(1.6e-14..=1.7e-14, CASES);
+    error([0.0, 1.0, 0.0], |_, motion| about_origin(motion)).attain(2.5e-14..=2.6e-14, CASES);
 }
 
 /// The third case: on the cylinder over the circle of Thales between the axis through the centre
