@@ -182,6 +182,10 @@ fn which_way_a_rough_foot_slips() {
         let sense = run.modes(slip.t * (1.0 + 1e-7)).unwrap()[0];
         let backwards = if mu < limit { Sense::Forward } else { Sense::Backward };
         assert_eq!(sense, Mode::Slip(backwards), "mu = {mu}");
+        // What slips backwards turns round or holds before the plank lies down.
+        let ends = ["foot reverses", "foot sticks"];
+        let turns = run.events().iter().any(|at| ends.contains(&at.name.as_str()));
+        assert_eq!(turns, mu < limit, "mu = {mu}");
     }
     errors.attain(6.1e-11..=6.2e-11, 7);
 }
