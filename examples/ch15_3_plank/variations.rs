@@ -85,16 +85,19 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     // A plank as wide as a tenth of its length, of wood (600 kg/m^3), in air, C = 1.2.
     let (width, thickness) = (0.1 * l, p.mass / (600.0 * 0.1 * l * l));
     let drag = 0.5 * 1.204 * 1.2 * width / p.mass;
+    let number = 1.5 * drag * l * l;
     let windy = Plank {
         drag,
         ..Plank::smooth(p)
-    }
-    .fall(1e-7, p.angle, 0.0)?;
-    // A feather has not come down when the run ends.
-    let arrives = windy.event("arrives");
-    let slower = arrives.map_or(1.0, |at| 1.0 - at.before.v[2] / exact.landing().omega);
+    };
+    // What has more drag than this floats down like a leaf, and all of the rate is lost.
+    let slower = if number < 30.0 {
+        let windy = windy.fall(1e-7, p.angle, 0.0)?;
+        1.0 - windy.event("arrives")?.before.v[2] / exact.landing().omega
+    } else {
+        1.0
+    };
     let rubbed = rubbing(p, 0.01)?.event("arrives")?.t / rubbing(p, 0.0)?.event("arrives")?.t - 1.0;
-    let number = 0.5 * drag * l * l * 3.0;
     rotation_dynamics::effect_card! { report,
         "square-cut foot of a wooden plank": "h/l" = thickness / l, costs thickness / l, "rad to tip over";
         "friction, mu = 0.01": "4 mu/(3 theta0)" = 0.04 / (3.0 * p.angle), costs rubbed, "of t_floor";
