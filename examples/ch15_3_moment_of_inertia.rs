@@ -373,7 +373,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     rotation_dynamics::effect_card! { report,
         "air that turns with the plate, at most": "3 pi rho a^3/(32 M)" = air, costs air, "of I_xx";
-        "warmer by ten kelvin": "2 alpha dT" = warm, costs warm, "of I_xx";
+        "warmer by ten kelvin": "2 alpha (T - T_0)" = warm, costs warm, "of I_xx";
         "thickness of aluminium": "h^2/a^2" = flat * flat, costs flat * flat, "of I_xx";
         "stretch by the turning": "rho_p Omega^2 a^2/(5 E)" = stretch, costs stretch, "of I_xx";
     }
@@ -386,7 +386,7 @@ fn references(_: &Parameters) -> Result<Table> {
     for (name, at) in WHEEL_POINTS {
         let terms = split(&wheel(), &rolling().seen_from(at.into()));
         let sum = terms.iter().sum();
-        let numbers = [terms[0], terms[1], terms[2], sum].map(|x: f64| rounded(x, 1e-12));
+        let numbers = [terms[0], terms[1], terms[2], sum].map(|x: f64| format!("{:.2}", x + 0.0));
         table.push([name.to_owned()].into_iter().chain(numbers))?;
     }
     Ok(table)

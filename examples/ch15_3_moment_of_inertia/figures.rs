@@ -75,7 +75,7 @@ fn wheel() -> Result<Figure> {
     let (centre, on) = ((0.0, 0.0), (0.5, -0.5));
     Sketch::new("wheel", alt)
         .window((-1.3, 1.75), (-1.2, 1.3))
-        .wall((1.7, -1.0), (-1.25, -1.0))
+        .wall((-1.25, -1.0), (1.7, -1.0))
         .disc(centre, 1.0, Ink::Body, 0.12)
         .curve(Curve::new(circle, Ink::Ink).dashed().width(1.2))
         .arrow(centre, (0.6, 0.0), Ink::Ink, "$V$", Side::Above)

@@ -1,0 +1,399 @@
+//! Section 15.3, example 3: a plank that stands upright on a frictionless floor and falls.
+//!
+//! ```text
+//! cargo run --example ch15_3_plank -- --angle 1e-6 --check t_floor=2.084
+//! ```
+
+#[path = "ch15_3_plank/figures.rs"]
+mod figures;
+#[path = "ch15_3_plank/variations.rs"]
+mod variations;
+
+pub use variations::rubbing;
+
+use core::f64::consts::FRAC_PI_2;
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::exact::ladder::Ladder;
+use rotation_dynamics::exact::plank::Plank as Exact;
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode};
+use rotation_dynamics::math::{acos, acosh, asinh, cos, cosh, log, sin, sincos, sinh};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, Motion, State, Surface, motion_within,
+};
+use rotation_dynamics::report::{ClosedForm, Report, Trajectory, times};
+
+rotation_dynamics::parameters! {
+    /// The plank of the example; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the plank
+        mass: number(1.0, "kg", from_to(1e-9, 1e9).usually(0.1, 10.0));
+        /// length of the plank
+        length: number(1.0, "m", from_to(1e-9, 1e9).usually(0.2, 4.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-9, 1e9).usually(1.0, 25.0));
+        /// angle from the vertical at which it is released at rest
+        angle: number(0.01, "rad", from_to(1e-30, 1.5).usually(1e-6, 1.0));
+        /// angle at which the rate is asked for, on the way from upright
+        look: number(0.5, "rad", from_to(1e-3, 1.57).usually(0.1, 1.5));
+        /// angle from which the time to the floor is asked for, on the same way
+        from: number(0.1, "rad", from_to(1e-6, 1.5).usually(0.01, 1.0));
+        /// relative error asked for, at every event: from 1e-13 to 0.1
+        tolerance: number(1e-12, "-", from_to(1e-13, 0.1));
+    }
+}
+
+/// A plank on a floor, per unit mass.
+///
+/// Its coordinates are `[x, y, theta]`: its middle, and its angle from the vertical. It falls to
+/// the left; a foot that moves to the right slips backwards.
+#[derive(Debug, Clone, Copy)]
+pub struct Plank {
+    pub length: f64,
+    pub gravity: f64,
+    /// Coefficient of friction of the floor.
+    pub mu: f64,
+    /// rho C w/(2 m), the drag of the air over the mass, for a unit of length and speed, 1/m^2.
+    pub drag: f64,
+    /// The angle at which the scene ends.
+    pub until: f64,
+}
+
+// ANCHOR: scene
+impl Mechanism<3, 6, 1> for Plank {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let turning = self.length * self.length / 12.0;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
+    }
+
+    fn force(&self, plank: &State<3>) -> [f64; 3] {
+        let [x, y, moment] = self.air(plank);
+        [x, y - self.gravity, moment]
+    }
+
+    fn contacts(&self, plank: &State<3>) -> [Contact<3>; 1] {
+        let ((s, c), half) = (sincos(plank.q[2]), 0.5 * self.length);
+        let foot = Contact::corner("foot", plank, [half * s, -half * c], Surface::FLOOR);
+        [foot.friction(self.mu)]
+    }
+
+    fn end(&self, plank: &State<3>) -> Option<(&'static str, f64)> {
+        Some(("arrives", self.until - plank.q[2]))
+    }
+    // ANCHOR_END: scene
+
+    /// Errors count relative to the angle, so a start a hair off upright is followed as closely
+    /// as any other.
+    fn scale(&self, plank: &State<3>) -> State<3> {
+        let rate = (6.0 * self.gravity / self.length).sqrt();
+        let q = [self.length, self.length, plank.q[2].abs().max(1e-300)];
+        State {
+            q,
+            v: q.map(|size| rate * size),
+        }
+    }
+}
+
+/// A motion of the plank.
+pub type Fall = Motion<Plank, 3, 6, 1>;
+
+impl Plank {
+    /// The smooth plank in no air, until it lies on the floor.
+    pub fn smooth(p: &Parameters) -> Self {
+        Self {
+            length: p.length,
+            gravity: p.gravity,
+            mu: 0.0,
+            drag: 0.0,
+            until: FRAC_PI_2,
+        }
+    }
+
+    /// At this angle, turning at this rate, its foot on the floor, its middle above the origin.
+    pub fn state(&self, angle: f64, rate: f64) -> State<3> {
+        let (half, (s, c)) = (0.5 * self.length, sincos(angle));
+        State {
+            q: [0.0, half * c, angle],
+            v: [0.0, -half * s * rate, rate],
+        }
+    }
+
+    /// The fall from there, within this error.
+    pub fn fall(self, tolerance: f64, angle: f64, rate: f64) -> Result<Fall> {
+        // Friction may double the time, and then some.
+        let unit = (self.length / self.gravity).sqrt();
+        let longest = unit * (20.0 + 4.0 * log(1.0 / angle.clamp(1e-300, 1.0)));
+        motion_within(self, tolerance, self.state(angle, rate), longest)
+    }
+
+    /// Force and moment of the air over the mass, by the pieces of the plank: each is pushed at
+    /// right angles to the plank, with the square of its speed in that direction.
+    fn air(&self, plank: &State<3>) -> [f64; 3] {
+        if self.drag == 0.0 {
+            return [0.0; 3];
+        }
+        let ((s, c), [vx, vy, rate]) = (sincos(plank.q[2]), plank.v);
+        let across = -(vx * c + vy * s);
+        let (mut force, mut moment) = (0.0, 0.0);
+        for at in times(-39.0 / 80.0 * self.length, 39.0 / 80.0 * self.length, 39) {
+            let speed = across + rate * at;
+            let push = -self.drag * speed * speed.abs() * self.length / 40.0;
+            (force, moment) = (force + push, moment + push * at);
+        }
+        // The top moves to the left and down.
+        [-force * c, -force * s, moment]
+    }
+}
+
+/// lambda = sqrt(6 g/l), the rate at which a small tilt grows.
+pub fn growth(p: &Parameters) -> f64 {
+    (6.0 * p.gravity / p.length).sqrt()
+}
+
+// ANCHOR: rates
+/// Equation (2): the rate at `angle`, on the way from upright.
+pub fn rate_from_upright(p: &Parameters, angle: f64) -> f64 {
+    2.0 * growth(p) * sin(0.5 * angle) / stretch(angle)
+}
+
+/// The rate at `angle` after a release at rest at `start`.
+pub fn rate_released(p: &Parameters, angle: f64, start: f64) -> f64 {
+    // sin^2(angle/2) - sin^2(start/2), without their difference
+    let fallen = sin(0.5 * (angle - start)) * sin(0.5 * (angle + start));
+    2.0 * growth(p) * fallen.sqrt() / stretch(angle)
+}
+
+/// sqrt(1 + 3 sin^2(angle)).
+fn stretch(angle: f64) -> f64 {
+    (1.0 + 3.0 * sin(angle) * sin(angle)).sqrt()
+}
+// ANCHOR_END: rates
+
+/// The time of the fall by quadrature, in the variable of which the integrand knows no end.
+pub fn time_by_quadrature(p: &Parameters, start: f64) -> f64 {
+    let half = sin(0.5 * start);
+    let end = acosh(0.5_f64.sqrt() / half);
+    let slope = |w: f64| {
+        let sine = half * cosh(w);
+        let square = (1.0 - sine) * (1.0 + sine);
+        ((1.0 + 12.0 * sine * sine * square) / square).sqrt()
+    };
+    let (panels, mut sum) = (400, 0.0);
+    let width = end / f64::from(panels);
+    for n in 0..panels {
+        // Gauss's rule with four points.
+        for (x, weight) in [
+            (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+            (0.339_981_043_584_856_26, 0.652_145_154_862_546_2),
+        ] {
+            for x in [-x, x] {
+                sum += 0.5 * width * weight * slope(width * (f64::from(n) + 0.5 + 0.5 * x));
+            }
+        }
+    }
+    sum / growth(p)
+}
+
+/// A rod of the same length, hinged at its foot: `[theta, theta']`.
+pub fn hinged(p: &Parameters) -> impl Ode<2> {
+    let square = 1.5 * p.gravity / p.length;
+    ode(move |_, [angle, rate]: &[f64; 2]| [*rate, square * sin(*angle)])
+        .scaled(move |[angle, _]| [angle.abs(), square.sqrt() * angle.abs()])
+}
+
+/// When and how the hinged rod comes to the floor, from rest.
+pub fn hinged_fall(p: &Parameters, start: f64) -> Result<LocatedEvent<2>> {
+    let (method, longest) = (Dop853::new(1e-15)?, 1e4 * (p.length / p.gravity).sqrt());
+    Ok(method
+        .zero(&hinged(p), [start, 0.0], 1, longest, |y| y[0] - FRAC_PI_2)?
+        .0)
+}
+
+/// The angle at which the floor pushes least, on the way from upright, and with how much of the
+/// weight: N/mg = (4 - 6 c + 3 c^2)/(4 - 3 c^2)^2 with c its cosine, least where
+/// 3 c^3 - 9 c^2 + 12 c - 4 = 0.
+pub fn least_force() -> [f64; 2] {
+    let c = 1.0 - 2.0 / 3.0_f64.sqrt() * sinh(asinh(3.0_f64.sqrt()) / 3.0);
+    let below = 4.0 - 3.0 * c * c;
+    [
+        acos(c),
+        (1.0 + 3.0 * (1.0 - c) * (1.0 - c)) / (below * below),
+    ]
+}
+
+/// The released plank, exact and simulated.
+struct Solved {
+    exact: Exact,
+    run: Fall,
+}
+
+// ANCHOR: solve
+fn solve(p: &Parameters) -> Result<Solved> {
+    Ok(Solved {
+        exact: Exact::new(p.length, p.gravity, p.angle, 0.0)?,
+        run: Plank::smooth(p).fall(p.tolerance, p.angle, 0.0)?,
+    })
+}
+// ANCHOR_END: solve
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "A plank on a frictionless floor, released at rest near the vertical.";
+    let mut report = Report::new("The falling plank", about)?;
+    let solved = solve(p)?;
+    upright(p, &mut report)?;
+    released(p, &solved, &mut report)?;
+    limits(p, &mut report)?;
+    variations::effects(p, &solved, &mut report)?;
+    strip(p, &solved, &mut report)?;
+    for table in [variations::starts, variations::rough] {
+        report.add(table(p)?)?;
+    }
+    Ok(report)
+}
+
+/// A start as near upright as makes no difference to fifteen digits.
+const HAIR: f64 = 1e-9;
+
+/// On the way from upright, where the energy is m g l/2.
+fn upright(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (l, g, lambda) = (p.length, p.gravity, growth(p));
+    let smooth = Plank::smooth(p);
+    let to = |until| Plank { until, ..smooth }.fall(p.tolerance, HAIR, 0.0);
+    let ([lowest, least], start) = (least_force(), rate_from_upright(p, p.from));
+    let (looked, floor, pushed) = (to(p.look)?, to(FRAC_PI_2)?, to(lowest)?);
+    let [looked, floor, pushed] = [&looked, &floor, &pushed].map(|run| run.event("arrives"));
+    let passing = smooth.fall(p.tolerance, p.from, start)?;
+    let early = Plank {
+        until: 2.0 * HAIR,
+        ..smooth
+    }
+    .fall(p.tolerance, HAIR, 0.0)?;
+    let doubled = early.event("arrives")?.t;
+    let slow = Dop853::new(1e-15)?.zero(&hinged(p), [HAIR, 0.0], 1, 1e9 / lambda, |y| {
+        y[0] - 2.0 * HAIR
+    })?;
+    let rate = rate_from_upright(p, p.look);
+    let (bound, energy) = (4.0 * p.tolerance, 0.5 * p.mass * g * l);
+    let time = Exact::new(l, g, p.from, start)?.landing_time();
+    let pivoted = (1.5 * g / l).sqrt();
+    rotation_dynamics::claims! { report,
+        /// energy of the plank upright, counted from the floor
+        energy: energy, "J", "at the floor" => p.mass * l * l / 6.0 * floor.clone()?.before.v[2] * floor.clone()?.before.v[2],
+            within bound * energy;
+        /// rate at which a small tilt grows
+        growth: lambda, "1/s", "time of doubling" => acosh(2.0) / doubled, within bound * lambda, in "Near upright":
+            pivoted => "that is for a foot that is held",
+            (g / l).sqrt() => "the moment of inertia counts too";
+        /// the same with the foot held
+        growth_held: pivoted, "1/s", "time of doubling" => acosh(2.0) / slow.0.t, within 1e-12 * pivoted, in "Near upright":
+            lambda => "that is for a foot that slides";
+        /// angular velocity at the angle asked for
+        rate_look: rate, "rad/s", "simulation from 1e-9 rad" => looked?.before.v[2], within bound * lambda, in "From upright":
+            lambda * p.look => "the angle is not small",
+            (3.0 * g / l * (1.0 - cos(p.look))).sqrt() => "that is for a foot that is held";
+        /// angular velocity at the floor
+        rate_floor: (3.0 * g / l).sqrt(), "rad/s", "simulation from 1e-9 rad" => floor?.before.v[2], within bound * lambda,
+            in "From upright":
+            (12.0 * g / l).sqrt() => "the middle takes part of the energy";
+        /// time to the floor from the second angle
+        time_from: time, "s", "located event" => passing.end_time(), within bound / lambda, in "From upright":
+            Exact::new(l, g, p.from, 0.0)?.landing_time() => "it passes that angle moving";
+        /// angle at which the floor pushes least
+        theta_least: lowest, "rad", "least of the simulated forces" => variations::lowest(&smooth)?, within 1e-8;
+        /// least force of the floor over the weight
+        n_least: least, "-", "simulation from 1e-9 rad" => pushed?.force[0].normal / g, within bound;
+    }
+}
+
+/// After the release at rest.
+fn released(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
+    let (exact, l, g, lambda) = (&solved.exact, p.length, p.gravity, growth(p));
+    let (lands, landed) = (solved.run.event("arrives")?, exact.landing());
+    let bound = 4.0 * p.tolerance;
+    let held = Ladder::new(l, g, p.angle)?.held_landing_time();
+    let fixed = hinged_fall(p, p.angle)?;
+    let rate = (3.0 * g * cos(p.angle) / l).sqrt();
+    rotation_dynamics::claims! { report,
+        /// time at which the plank lies on the floor
+        t_floor: exact.landing_time(), "s", "located event" => lands.t, within bound / lambda, in "Released at rest":
+            held => "that is for a foot that is held",
+            acosh(FRAC_PI_2 / p.angle) / lambda => "that takes all angles as small";
+        /// angular velocity at the floor
+        omega_floor: landed.omega, "rad/s", "located event" => lands.before.v[2], within bound * lambda, in "Released at rest":
+            (12.0 * g * cos(p.angle) / l).sqrt() => "the middle takes part of the energy";
+        /// velocity of the middle at the floor
+        v_floor: landed.vy_cm, "m/s", "located event" => lands.before.v[1], within bound * lambda * l, in "Released at rest":
+            -landed.vy_cm => "it goes down",
+            -(g * l * cos(p.angle)).sqrt() => "that is a free fall; part of the energy is in the rotation";
+        /// force of the floor over the weight, just before the plank lies on it
+        n_floor: landed.floor_force, "-", "simulation" => lands.force[0].normal / g, within bound, in "Released at rest":
+            1.0 => "the middle accelerates downwards";
+        /// time with the foot held
+        t_held: held, "s", "hinged rod, simulated" => fixed.t, within 1e-12 / lambda, in "With the foot held":
+            exact.landing_time() => "that is for a foot that slides";
+        /// angular velocity at the floor with the foot held
+        omega_held: rate, "rad/s", "hinged rod, simulated" => fixed.state[1], within 1e-12 * lambda, in "With the foot held";
+    }
+}
+
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (l, g, lambda) = (p.length, p.gravity, growth(p));
+    let time =
+        |angle| Ok::<_, rotation_dynamics::Error>(Exact::new(l, g, angle, 0.0)?.landing_time());
+    let held =
+        |angle| Ok::<_, rotation_dynamics::Error>(Ladder::new(l, g, angle)?.held_landing_time());
+    let digit = lambda * (time(1e-9)? - time(1e-8)?) - log(10.0);
+    let double = (held(1e-9)? - held(1e-8)?) / (time(1e-9)? - time(1e-8)?);
+    let (rise, flat) = (1e-6, Exact::new(l, g, FRAC_PI_2 - 1e-6, 0.0)?);
+    let first = Exact::new(l, g, 1e-9, 0.0)?.start().floor_force;
+    rotation_dynamics::limits! { report,
+        /// exp(lambda t) must make up for a factor of ten
+        "nearly upright: time of a factor ten, lambda t - ln 10": digit => 0.0, within 1e-12;
+        /// half the rate, twice the time
+        "nearly upright: foot held, over foot free": double => 2.0, within 1e-12;
+        /// the middle does not accelerate yet
+        "nearly upright: N/(m g) at the start": first => 1.0, within 1e-15;
+        /// the height is fallen with the acceleration 3 g/4, since the floor bears a quarter
+        "nearly flat: t sqrt(3 g/(4 l x))": flat.landing_time() * (0.75 * g / (l * rise)).sqrt() => 1.0, within 1e-9;
+        /// quadrature and closed form are one
+        "0.5 rad: time by quadrature, over the closed form": time_by_quadrature(p, 0.5) / time(0.5)? => 1.0, within 1e-14;
+    }
+}
+
+/// What accuracy costs: the error asked for, the error found, the work.
+fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
+    let (exact, plank, start) = (solved.exact.clone(), Plank::smooth(p), p.angle);
+    let judge = exact.clone();
+    report.dial(
+        "dial: DOP853 on the contact",
+        [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, p.tolerance],
+        move |tolerance| plank.fall(tolerance, start, 0.0),
+        Fall::work,
+        move |run| {
+            let (lands, landed) = (run.event("arrives")?, judge.landing());
+            let rate = lands.before.v[2] / landed.omega - 1.0;
+            Ok(largest([lands.t / judge.landing_time() - 1.0, rate]))
+        },
+    )?;
+    report.set_closed_form(ClosedForm::new(move |part| {
+        exact.at(part * exact.landing_time())
+    }));
+    Ok(())
+}
+
+fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let exact = Exact::new(p.length, p.gravity, p.angle, 0.0)?;
+    let columns = "t [s], theta [rad], omega [rad/s], y_cm [m], vy_cm [m/s], x_foot [m], N/mg";
+    let all = times(0.0, exact.landing_time(), 200);
+    Trajectory::sampled(columns.split(", "), all, |t| {
+        let s = exact.at(t)?;
+        let foot = -0.5 * p.length * sin(s.theta);
+        Ok([t, s.theta, s.omega, s.y_cm, s.vy_cm, foot, s.floor_force])
+    })
+}
+
+rotation_dynamics::example! {
+    ch15_3_plank: "Section 15.3, example 3: a plank falls over on a frictionless floor";
+    report, figures::figures, trajectory, figures::moving_picture
+}
