@@ -168,7 +168,7 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
         let pushed = (0.45 * l * px / start, 0.45 * l * py / start);
         let end = (particle.0 + pushed.0, particle.1 + pushed.1);
         let mut scene = Sketch::new("scene", &alt)
-            .window((-1.0 * l, 0.75 * l), (-0.72 * l, 0.72 * l))
+            .window((-l, 0.75 * l), (-0.72 * l, 0.72 * l))
             .bar(up(-0.5), up(0.5), 0.05 * l, Ink::Body)
             .pivot((0.0, 0.0), 0.0)
             .disc(particle, 0.045 * l, Ink::Ink, 0.8)
