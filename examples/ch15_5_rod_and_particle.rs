@@ -1,0 +1,216 @@
+//! A rod on a hinge is hit by a particle that sticks: example 1 of Section 5 of the notes.
+
+#[path = "ch15_5_rod_and_particle/figures.rs"]
+mod figures;
+#[path = "ch15_5_rod_and_particle/strike.rs"]
+pub mod strike;
+
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::inertia::{MassProperties, solids};
+use rotation_dynamics::report::{ClosedForm, Report};
+use strike::{Blow, Strike};
+
+rotation_dynamics::parameters! {
+    /// Rod and particle; the notes give both the same mass.
+    pub struct Parameters {
+        /// mass of the rod
+        mass: number(0.8, "kg", above(0.0).usually(0.1, 3.0));
+        /// mass of the particle
+        particle: number(0.8, "kg", above(0.0).usually(0.1, 3.0));
+        /// length of the rod
+        length: number(1.2, "m", above(0.0).usually(0.5, 2.0));
+        /// speed of the particle
+        speed: number(5.0, "m/s", above(0.0).usually(1.0, 10.0));
+        /// error of the simulation: from 1e-12 to 1e-3
+        tolerance: number(1e-11, "-", from_to(1e-12, 1e-3));
+    }
+}
+
+// ANCHOR: answer
+/// What the conservation of angular momentum about the hinge gives.
+pub struct Answer {
+    /// Moment of inertia about the hinge, rod and particle.
+    pub inertia: f64,
+    /// Angular momentum about the hinge, before and after.
+    pub momentum: f64,
+    pub angular_velocity: f64,
+    /// Impulse of the hinge on the rod, along the particle's velocity.
+    pub hinge: f64,
+    /// Kinetic energy before and after.
+    pub energies: [f64; 2],
+}
+
+impl Answer {
+    pub fn new(p: &Parameters) -> Self {
+        let (m, v, arm) = (p.particle, p.speed, 0.5 * p.length);
+        let inertia = p.mass * p.length * p.length / 12.0 + m * arm * arm;
+        let momentum = m * v * arm;
+        let angular_velocity = momentum / inertia;
+        // After it the rod's middle rests, and the particle has Omega l/2.
+        let hinge = m * (angular_velocity * arm - v);
+        let energies = [0.5 * m * v * v, 0.5 * momentum * angular_velocity];
+        Self {
+            inertia,
+            momentum,
+            angular_velocity,
+            hinge,
+            energies,
+        }
+    }
+}
+// ANCHOR_END: answer
+
+/// The scene of these parameters.
+pub fn scene(p: &Parameters, hinged: bool) -> Strike {
+    let (rod, particle, length, speed) = (p.mass, p.particle, p.length, p.speed);
+    Strike {
+        rod,
+        particle,
+        length,
+        speed,
+        hinged,
+    }
+}
+
+/// The units of time, l/v, for which the simulation goes on after the impact.
+const END: f64 = 4.2;
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "A particle hits the end of a rod that is hinged at its middle, and sticks.";
+    let mut report = Report::new("A hinged rod hit by a particle", about)?;
+    claims(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let (scene, turned) = (
+        scene(p, true),
+        Answer::new(p).angular_velocity * END * p.length / p.speed,
+    );
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
+    let run = move |tolerance| Blow::new(scene, tolerance, 0.5, END);
+    let error = move |blow: &Blow| Ok(blow.end()?.q[2] - turned);
+    report.dial("contacts by DOP853", asked, run, Blow::work, move |blow| {
+        Ok(largest([error(blow)?]))
+    })?;
+    report.set_closed_form(ClosedForm::new(move |part| Ok(part * turned)));
+    Ok(report)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, m, v, l) = (Answer::new(p), p.particle, p.speed, p.length);
+    let (scene, blow) = (
+        scene(p, true),
+        Blow::new(scene(p, true), p.tolerance, 0.5, END)?,
+    );
+    let (before, after) = (blow.before, blow.after);
+    // The tensor of rod and particle; the rod lies along the third axis.
+    let particle = MassProperties::of_points(&[(m, DesignVector::new(0.0, 0.0, -0.5 * l))])?;
+    let both = MassProperties::of_parts(&[solids::rod(p.mass, l)?, particle])?;
+    let moment = both
+        .about(DesignVector::zero())?
+        .moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
+    let kept = scene.angular_momentum(&after, [0.0, 0.0]);
+    let [push, _] = scene.momentum(&after);
+    let lost = scene.energy(&before) - scene.energy(&after);
+    // The force of the hinge from two values of the momentum, a little later.
+    let (t, h) = (0.5 * scene.unit(), 1e-4 * scene.unit());
+    let [early, late] = [
+        scene.momentum(&blow.at(t - h)?),
+        scene.momentum(&blow.at(t + h)?),
+    ];
+    let pull = rotation_dynamics::math::hypot(late[0] - early[0], late[1] - early[1]) / (2.0 * h);
+    let (w, force) = (
+        a.angular_velocity,
+        m * a.angular_velocity * a.angular_velocity * 0.5 * l,
+    );
+    let bound = 100.0 * p.tolerance;
+    let [energy, rest] = a.energies;
+    rotation_dynamics::claims! { report,
+        /// moment of inertia of rod and particle about the hinge
+        inertia: a.inertia, "kg m^2", "tensors of the parts" => moment, within 1e-14 * a.inertia,
+        in "The impact":
+            a.inertia - m * l * l / 4.0 => "that is the rod alone";
+        /// angular momentum about the hinge, before and after
+        momentum: a.momentum, "kg m^2/s", "contacts simulated, after" => kept, within bound * a.momentum,
+        in "The impact":
+            m * v * l => "the rod is hinged at its middle";
+        /// angular velocity after
+        angular_velocity: w, "rad/s", "contacts simulated" => after.v[2], within bound * w,
+        in "The impact":
+            2.0 * v / l => "momentum is not kept: the hinge pushes",
+            (m * v * v / a.inertia).sqrt() => "energy is not kept: the particle sticks",
+            a.momentum / (a.inertia - m * l * l / 4.0) => "the particle turns with the rod";
+        /// impulse of the hinge on the rod, along the velocity of the particle
+        hinge: a.hinge, "N s", "momentum, simulated" => push - m * v, within bound * m * v,
+        in "The impact":
+            -a.hinge => "that is the impulse on the hinge",
+            0.0 => "what stops the middle of the rod?";
+        /// kinetic energy after
+        energy: rest, "J", "contacts simulated" => scene.energy(&after), within bound * energy,
+        in "The impact":
+            energy => "the particle sticks";
+        /// part of it that is lost
+        lost: 1.0 - rest / energy, "-", "contacts simulated" => lost / energy, within bound,
+        in "The impact";
+        /// momentum after, along the velocity of the particle
+        push: m * v + a.hinge, "kg m/s", "contacts simulated" => push, within bound * m * v;
+        /// force of the hinge from then on, N
+        force: force, "N", "change of the momentum" => pull, within 1e-6 * force;
+    }
+}
+
+/// The answer for the ratio particle over rod, in units of the rod, its length and the speed.
+fn ratio(particle: f64) -> Answer {
+    Answer::new(&Parameters {
+        mass: 1.0,
+        particle,
+        length: 1.0,
+        speed: 1.0,
+        tolerance: 1e-9,
+    })
+}
+
+fn limits(report: &mut Report) -> Result<()> {
+    let ([light, heavy], equal) = ([1e-9, 1e9].map(ratio), ratio(1.0));
+    rotation_dynamics::limits! { report,
+        /// a heavy particle hardly notices the rod: v is the speed of its end
+        "m/M to infinity: Omega l/(2 v)": 0.5 * heavy.angular_velocity => 1.0, within 1e-8;
+        /// and loses no energy
+        "m/M to infinity: energy after/before": heavy.energies[1] / heavy.energies[0] => 1.0, within 1e-8;
+        /// a light one is stopped
+        "m/M to 0: energy after/before": light.energies[1] / light.energies[0] => 0.0, within 1e-8;
+        /// the rod behaves as a third of its mass at its end
+        "m/M to 0: Omega M l/(6 m v)": light.angular_velocity / 6e-9 => 1.0, within 1e-8;
+        /// the notes' case
+        "m = M: Omega l/v": equal.angular_velocity => 1.5, within 1e-15;
+        /// a quarter of the momentum goes into the hinge
+        "m = M: hinge/(M v)": equal.hinge => -0.25, within 1e-15;
+    }
+}
+
+/// Hinge of 5 mm radius with a friction of 0.3, a ball of steel, a rod 2 cm thick; table 0.1.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, l, m) = (Answer::new(p), p.length, p.particle);
+    let hinge = 0.3 * 0.005 * a.hinge.abs() / a.momentum;
+    let thick = p.mass * 0.02 * 0.02 / 12.0 / a.inertia;
+    let radius = rotation_dynamics::math::cbrt(3.0 * m / (4.0 * core::f64::consts::PI * 7850.0));
+    let ball = 0.4 * m * radius * radius / a.inertia;
+    let off = m * radius * radius / a.inertia;
+    let contact = 1e-3 * a.angular_velocity;
+    let rub = 0.1 * 9.80665 * l * (0.25 * p.mass + 0.5 * m)
+        / (a.inertia * a.angular_velocity * a.angular_velocity);
+    rotation_dynamics::effect_card! { report,
+        "friction in the hinge, impact": "mu r_h J_h/L" = hinge, costs hinge * a.angular_velocity, "rad/s";
+        "thickness of the rod": "M b^2/(12 I0)" = thick, costs thick * a.angular_velocity, "rad/s";
+        "size of the particle, a ball": "(2/5 + 1) m r^2/I0" = ball + off, costs (ball + off) * a.angular_velocity, "rad/s";
+        "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
+        "friction of the table": "mu g l (M/4 + m/2)/(I0 Omega^2)" = rub, costs rub * a.angular_velocity, "rad/s in a radian";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_5_rod_and_particle: "A rod on a hinge is hit by a particle that sticks";
+    report, figures::figures, figures::trajectory, figures::moving
+}

@@ -1,0 +1,234 @@
+//! Exercise 15.4: a free rod is hit at its end by a particle that sticks.
+
+#[path = "ch15_ex4_rod_and_particle/figures.rs"]
+mod figures;
+#[path = "ch15_5_rod_and_particle/strike.rs"]
+pub mod strike;
+
+use core::f64::consts::{PI, TAU};
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::math::{cbrt, sincos};
+use rotation_dynamics::report::{ClosedForm, Report};
+use strike::{Blow, Strike};
+
+rotation_dynamics::parameters! {
+    /// Rod and particle; the notes give both the same mass.
+    pub struct Parameters {
+        /// mass of the rod
+        mass: number(0.8, "kg", above(0.0).usually(0.1, 3.0));
+        /// mass of the particle
+        particle: number(0.8, "kg", above(0.0).usually(0.1, 3.0));
+        /// length of the rod
+        length: number(1.2, "m", above(0.0).usually(0.5, 2.0));
+        /// speed of the particle
+        speed: number(5.0, "m/s", above(0.0).usually(1.0, 10.0));
+        /// error of the simulation: from 1e-12 to 1e-3
+        tolerance: number(1e-11, "-", from_to(1e-12, 1e-3));
+    }
+}
+
+// ANCHOR: answer
+/// What the conservation of momentum and of angular momentum gives. Lengths along the rod
+/// are counted from its middle, away from the particle.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    pub length: f64,
+    /// Where the centre of mass is.
+    pub centre: f64,
+    /// Its velocity, before and after.
+    pub velocity: f64,
+    /// Angular momentum about it, before and after.
+    pub momentum: f64,
+    pub angular_velocity: f64,
+    /// Kinetic energy before and after.
+    pub energies: [f64; 2],
+}
+
+impl Answer {
+    pub fn new(p: &Parameters) -> Self {
+        let (length, whole, arm) = (p.length, p.mass + p.particle, 0.5 * p.length);
+        let (centre, velocity) = (-arm * p.particle / whole, p.speed * p.particle / whole);
+        // Two masses at the distance l/2 turn about their centre like this one at that distance.
+        let reduced = p.mass * p.particle / whole;
+        let momentum = reduced * p.speed * arm;
+        let inertia = p.mass * length * length / 12.0 + reduced * arm * arm;
+        let angular_velocity = momentum / inertia;
+        let moving = 0.5 * whole * velocity * velocity;
+        let energies = [
+            0.5 * p.particle * p.speed * p.speed,
+            moving + 0.5 * momentum * angular_velocity,
+        ];
+        Self {
+            length,
+            centre,
+            velocity,
+            momentum,
+            angular_velocity,
+            energies,
+        }
+    }
+
+    /// Velocity of the point at this place on the rod just after the impact, along the particle's.
+    pub fn after(&self, place: f64) -> f64 {
+        self.velocity - self.angular_velocity * (place - self.centre)
+    }
+
+    /// Where a point of the rod is at the time `t` (s) after the impact.
+    pub fn at(&self, t: f64, place: f64) -> (f64, f64) {
+        let ((s, c), far) = (sincos(self.angular_velocity * t), place - self.centre);
+        (self.velocity * t - far * s, self.centre + far * c)
+    }
+}
+// ANCHOR_END: answer
+
+/// The scene of these parameters.
+pub fn scene(p: &Parameters) -> Strike {
+    let (rod, particle, length, speed) = (p.mass, p.particle, p.length, p.speed);
+    Strike {
+        rod,
+        particle,
+        length,
+        speed,
+        hinged: false,
+    }
+}
+
+/// One turn after the impact, in units of l/v.
+fn turn(p: &Parameters) -> f64 {
+    TAU / (Answer::new(p).angular_velocity * scene(p).unit())
+}
+
+/// Every number of the page.
+fn report(p: &Parameters) -> Result<Report> {
+    let about = "A particle hits the end of a free rod, and sticks.";
+    let mut report = Report::new("A rod hit by a particle", about)?;
+    claims(p, &mut report)?;
+    limits(&mut report)?;
+    effects(p, &mut report)?;
+    let (scene, end) = (scene(p), turn(p));
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
+    let run = move |tolerance| Blow::new(scene, tolerance, 0.5, end);
+    let error = |blow: &Blow| Ok(largest([blow.end()?.q[2] - TAU]));
+    report.dial("contacts by DOP853", asked, run, Blow::work, error)?;
+    report.set_closed_form(ClosedForm::new(move |part| Ok(part * TAU)));
+    Ok(report)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, scene, blow) = (
+        Answer::new(p),
+        scene(p),
+        Blow::new(scene(p), p.tolerance, 0.5, turn(p))?,
+    );
+    let (before, after, end) = (blow.before, blow.after, blow.end()?);
+    let (m, v, l, bound) = (p.particle, p.speed, p.length, 100.0 * p.tolerance);
+    let whole = p.mass + m;
+    let [push, _] = scene.momentum(&after);
+    let lost = 1.0 - a.energies[1] / a.energies[0];
+    let lost_there = 1.0 - scene.energy(&after) / scene.energy(&before);
+    let [w, middle] = [after.v[2], after.v[0]];
+    let way = scene.centre(&end)[0] - scene.centre(&after)[0];
+    let (rest, half) = (a.velocity / a.angular_velocity, 0.5 * m * v * l);
+    rotation_dynamics::claims! { report,
+        /// velocity of the centre of mass, before and after
+        velocity: a.velocity, "m/s", "contacts simulated, after" => push / whole, within bound * v,
+        in "(a) The centre of mass":
+            0.75 * v => "that is with the hinge",
+            v => "the rod has to be carried along";
+        /// angular momentum about the centre of mass, before and after
+        about_centre: a.momentum, "kg m^2/s", "contacts simulated, after" => scene.angular_momentum(&after, scene.centre(&after)),
+        within bound * half, in "(b) The angular momentum":
+            half => "that is about the point where the middle of the rod was";
+        /// about the point where the middle of the rod was
+        about_middle: half, "kg m^2/s", "contacts simulated, after" => scene.angular_momentum(&after, [0.0, 0.0]),
+        within bound * half, in "(b) The angular momentum":
+            a.momentum => "that is about the centre of mass";
+        /// angular velocity after
+        angular_velocity: a.angular_velocity, "rad/s", "contacts simulated" => w, within bound * v / l,
+        in "(c) The angular velocity":
+            m * v * 0.5 * l / ((p.mass / 12.0 + 0.25 * m) * l * l) => "that is with the hinge",
+            a.momentum / (p.mass * l * l / 12.0) => "the particle turns with the rod",
+            half / ((p.mass / 12.0 + 0.25 * m) * l * l - whole * a.centre * a.centre) => "moment and angular momentum about the same point";
+        /// distance of the point at rest from the centre of mass, just after
+        rest: rest, "m", "contacts simulated" => middle / w - a.centre, within bound * l,
+        in "(d) The motion":
+            rest + a.centre => "that is from the middle of the rod";
+        /// way of the centre of mass in one turn
+        way: TAU * rest, "m", "contacts simulated" => way, within bound * way,
+        in "(d) The motion";
+        /// velocity of the particle just after
+        particle_after: a.after(-0.5 * l), "m/s", "contacts simulated" => after.v[3], within bound * v,
+        in "(d) The motion";
+        /// of the middle of the rod
+        middle_after: a.after(0.0), "m/s", "contacts simulated" => middle, within bound * v,
+        in "(d) The motion";
+        /// of the far end
+        far_after: a.after(0.5 * l), "m/s", "contacts simulated" => middle - 0.5 * w * l, within bound * v,
+        in "(d) The motion":
+            -a.after(0.5 * l) => "which way does it go?",
+            a.velocity => "the end also turns about the centre of mass";
+        /// impulse of the particle on the rod
+        impulse: p.mass * a.after(0.0), "N s", "contacts simulated" => m * (v - after.v[3]), within bound * m * v;
+        /// kinetic energy after
+        energy: a.energies[1], "J", "contacts simulated" => scene.energy(&after), within bound * a.energies[0];
+        /// part of it that is lost
+        lost: lost, "-", "contacts simulated" => lost_there, within bound,
+        in "(d) The motion":
+            0.5 => "the rod also turns";
+    }
+}
+
+/// The answer for the ratio particle over rod, in units of the rod, its length and the speed.
+pub fn ratio(particle: f64) -> Answer {
+    Answer::new(&Parameters {
+        mass: 1.0,
+        particle,
+        length: 1.0,
+        speed: 1.0,
+        tolerance: 1e-9,
+    })
+}
+
+fn limits(report: &mut Report) -> Result<()> {
+    let ([light, heavy], equal) = ([1e-9, 1e9].map(ratio), ratio(1.0));
+    let rest = |a: Answer| a.centre + a.velocity / a.angular_velocity;
+    rotation_dynamics::limits! { report,
+        /// a heavy particle goes on; the rod swings about it
+        "m/M to infinity: Omega l/v": heavy.angular_velocity => 1.5, within 1e-8;
+        /// a light one gives its impulse m v to a rod at rest
+        "m/M to 0: Omega M l/(m v)": light.angular_velocity / 1e-9 => 6.0, within 1e-7;
+        /// a light one is stopped, as by a wall
+        "m/M to 0: energy after/before": light.energies[1] / light.energies[0] => 0.0, within 1e-8;
+        /// a blow at the end leaves this point of the rod at rest, however strong it is
+        "m/M to 0: point at rest/l": rest(light) => 1.0 / 6.0, within 1e-8;
+        /// and a strong one does the same
+        "m/M to infinity: point at rest/l": rest(heavy) => 1.0 / 6.0, within 1e-8;
+        /// the notes' case
+        "m = M: Omega l/v": equal.angular_velocity => 1.2, within 1e-15;
+    }
+}
+
+/// A rod 2 cm thick, a ball of steel on its face, a table that rubs with 0.1, and a miss by 1 mm.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, m, l) = (Answer::new(p), p.particle, p.length);
+    let inertia = a.momentum / a.angular_velocity;
+    let thick = p.mass * 0.02 * 0.02 / 12.0 / inertia;
+    let radius = cbrt(3.0 * m / (4.0 * PI * 7850.0));
+    let ball = (0.4 * m + m * p.mass / (m + p.mass)) * radius * radius / inertia;
+    let miss = 1e-3 / (0.5 * l);
+    let contact = 1e-3 * a.angular_velocity;
+    let rub = 0.1 * 9.80665 / (a.velocity * a.angular_velocity);
+    rotation_dynamics::effect_card! { report,
+        "thickness of the rod": "M b^2/(12 I)" = thick, costs thick * a.angular_velocity, "rad/s";
+        "size of the particle, a ball": "(2/5 m + mu) r^2/I" = ball, costs ball * a.angular_velocity, "rad/s";
+        "it hits 1 mm off the end": "2 x/l" = miss, costs miss * a.angular_velocity, "rad/s, at most";
+        "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
+        "friction of the table": "mu_k g/(V Omega)" = rub, costs rub * a.velocity, "m/s in a radian, at most";
+    }
+}
+
+rotation_dynamics::example! {
+    ch15_ex4_rod_and_particle: "Exercise 15.4: a free rod is hit at its end by a particle that sticks";
+    report, figures::figures, figures::trajectory, figures::moving
+}

@@ -1,0 +1,134 @@
+//! The hinged rod that is hit by a particle. The simulation knows contacts and impulses and
+//! no conservation law; a claim that it does not confirm is an error.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch15_5_rod_and_particle::strike::Blow;
+use pages::ch15_5_rod_and_particle::{Answer, EXAMPLE, Parameters, scene};
+use rotation_dynamics::math::{cos, sin};
+use rotation_dynamics::planar::contact::{State, misdeclared};
+use support::{EPS, Errors, assert_error};
+
+/// Rods and particles of equal mass: M, l, v.
+const EQUAL: [[f64; 3]; 5] = [[0.8, 1.2, 5.0], [1.0, 1.0, 1.0], [3.0, 0.3, 20.0], [0.1, 2.0, 0.7], [40.0, 7.0, 3.0]];
+
+fn equal([mass, length, speed]: [f64; 3]) -> Parameters {
+    Parameters { mass, particle: mass, length, speed, tolerance: 1e-11 }
+}
+
+fn blow(p: &Parameters) -> Blow {
+    Blow::new(scene(p, true), p.tolerance, 0.5, 2.0).unwrap()
+}
+
+#[test]
+fn other_rods_and_particles_are_confirmed() {
+    let runs = [
+        "--particle=0.01",
+        "--particle=80",
+        "--length=0.01 --speed=300",
+        "--mass=30 --speed=0.1 --tolerance=1e-9",
+        "--tolerance=1e-3",
+    ];
+    confirmed(&EXAMPLE, runs, 5);
+}
+
+#[test]
+fn what_cannot_hit_is_refused() {
+    let runs = [
+        ("--speed=0", "speed = 0 is not allowed"),
+        ("--mass=-1", "mass = -1 is not allowed"),
+        ("--length=nan", "not a finite number"),
+        ("--tolerance=1e-16", "tolerance = 1e-16"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Equation (1): sum of m r^2 over ten thousand pieces of the rod, and the particle.
+#[test]
+fn eq_15_5_ex1_1_moment_about_the_hinge() {
+    let (mut errors, mut damaged) = (Errors::of("M l^2/3"), Errors::of("the rod alone"));
+    for [m, l, v] in EQUAL {
+        let pieces = (0..10_000).map(|k| l * ((f64::from(k) + 0.5) / 1e4 - 0.5));
+        let rod: f64 = pieces.map(|r| m / 1e4 * r * r).sum();
+        let sum = rod + m * (0.5 * l) * (0.5 * l);
+        errors.push(m * l * l / 3.0 / sum - 1.0);
+        errors.push(Answer::new(&equal([m, l, v])).inertia / sum - 1.0);
+        damaged.push(m * l * l / 12.0 / sum - 1.0);
+    }
+    errors.attain(2.5e-9..=2.6e-9, 10);
+    damaged.exceed(0.7, 5);
+}
+
+/// Equation (2): about the hinge the simulated impact keeps M l v/2; about another point not.
+#[test]
+fn eq_15_5_ex1_2_angular_momentum_about_the_hinge_is_kept() {
+    let (mut errors, mut elsewhere) = (Errors::in_units_of(EPS, "L about the hinge"), Errors::of("about the upper end"));
+    for [m, l, v] in EQUAL {
+        let (p, blow) = (equal([m, l, v]), blow(&equal([m, l, v])));
+        let about = |state: &State<5>, y: f64| scene(&p, true).angular_momentum(state, [0.0, y]) / (m * l * v);
+        for state in [blow.before, blow.after, blow.end().unwrap()] {
+            errors.push(about(&state, 0.0) - 0.5);
+        }
+        elsewhere.push(about(&blow.after, 0.5 * l) - about(&blow.before, 0.5 * l));
+    }
+    errors.attain(22.0..=22.1, 15);
+    elsewhere.exceed(0.1, 5);
+}
+
+/// Equation (3): 3 v/(2 l), and what other conservation laws would give.
+#[test]
+fn eq_15_5_ex1_3_angular_velocity() {
+    let mut errors = Errors::in_units_of(EPS, "Omega l/v");
+    let (mut momentum, mut energy) = (Errors::of("momentum kept"), Errors::of("energy kept"));
+    for [m, l, v] in EQUAL {
+        let found = blow(&equal([m, l, v])).after.v[2] * l / v;
+        errors.push(found - 1.5);
+        momentum.push(found - 2.0);
+        energy.push(found - 3.0_f64.sqrt());
+    }
+    errors.attain(2.0..=2.0, 5);
+    momentum.exceed(0.4, 5);
+    energy.exceed(0.2, 5);
+}
+
+/// The line as it is printed mixes L with l and omega with Omega; read as M l^2 Omega/3 =
+/// M l v/2 it has the units of an angular momentum and gives (3).
+#[test]
+fn e44_one_letter_for_the_length() {
+    let [m, l, v] = EQUAL[0];
+    let read = |length: f64| 0.5 * m * length * v / (m * l * l / 3.0);
+    assert_error!(read(l), value(&EXAMPLE, "angular_velocity"), 0.0 eps);
+    // L read as the angular momentum, as on the rest of the page, it is something else.
+    assert!((read(value(&EXAMPLE, "momentum")) - read(l)).abs() > 5.0);
+}
+
+/// The hinge must stop the middle of the rod: without its impulse the middle would move.
+#[test]
+fn the_hinge_takes_a_quarter() {
+    let [m, l, v] = EQUAL[0];
+    let p = equal([m, l, v]);
+    let after = blow(&p).after;
+    let contact = p.particle * (v - after.v[3]);
+    assert_error!(contact, 0.25 * m * v, 0.0 eps);
+    assert_error!(-value(&EXAMPLE, "hinge"), contact, 3.0 eps);
+    // Free, the same blow sets the middle going.
+    let free = Blow::new(scene(&p, false), p.tolerance, 0.5, 1.0).unwrap().after;
+    assert!(free.v[0] > 0.9);
+}
+
+/// The rows of the contacts are the derivatives of their gaps, hinged and free, before and
+/// after; if a middle that is said to be held moves, they are not.
+#[test]
+fn the_contacts_are_declared_as_they_are() {
+    let (p, mut errors) = (Parameters::default(), Errors::of("rows less differences"));
+    let mut damaged = Errors::of("a hinge that moves");
+    let moving = [0.7, -0.4, 2.0, 1.0, -2.0];
+    for (angle, rate) in [(0.0, 0.0), (0.4, 2.0), (2.5, -3.0)] {
+        let q = [0.3, -0.2, angle, 0.3 + 0.7 * sin(angle), -0.2 - 0.6 * cos(angle)];
+        let state = |v: [f64; 5]| State { q, v: [v[0], v[1], rate, v[3], v[4]] };
+        errors.push(misdeclared(&scene(&p, false), &state(moving)));
+        errors.push(misdeclared(&scene(&p, true), &state([0.0, 0.0, 0.0, 1.0, -2.0])));
+        damaged.push(misdeclared(&scene(&p, true), &state(moving)));
+    }
+    errors.attain(1.1e-12..=1.2e-12, 6);
+    damaged.exceed(0.1, 3);
+}

@@ -1,0 +1,112 @@
+//! Exercise 15.4. The simulation knows contacts and impulses and no conservation law; that it
+//! confirms the formulas is part of the report.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch15_ex4_rod_and_particle::strike::Blow;
+use pages::ch15_ex4_rod_and_particle::{Answer, EXAMPLE, Parameters, ratio, scene};
+use rotation_dynamics::math::{cos, hypot, sin};
+use support::{EPS, Errors, assert_error};
+
+fn with(particle: f64) -> Parameters {
+    Parameters { particle, ..Parameters::default() }
+}
+
+fn blow(p: &Parameters, end: f64) -> Blow {
+    Blow::new(scene(p), p.tolerance, 0.5, end).unwrap()
+}
+
+#[test]
+fn other_rods_and_particles_are_confirmed() {
+    let runs = [
+        "--particle=0.01",
+        "--particle=80",
+        "--length=0.01 --speed=300 --tolerance=1e-9",
+        "--mass=30 --speed=0.1 --tolerance=1e-9",
+        "--tolerance=1e-3",
+    ];
+    confirmed(&EXAMPLE, runs, 5);
+}
+
+#[test]
+fn what_cannot_hit_is_refused() {
+    let runs = [
+        ("--speed=-5", "speed = -5 is not allowed"),
+        ("--particle=0", "particle = 0 is not allowed"),
+        ("--length=inf", "not a finite number"),
+        ("--tolerance=0.1", "tolerance = 0.1"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// The point a sixth of the length beyond the middle is at rest just after the impact, for any
+/// masses; a rod of another distribution of mass would have it elsewhere.
+#[test]
+fn the_same_point_is_at_rest_whatever_the_masses() {
+    let (mut errors, mut damaged) = (Errors::in_units_of(EPS, "place over l"), Errors::of("a quarter"));
+    for particle in [1e-3, 0.1, 0.8, 3.0, 500.0] {
+        let after = blow(&with(particle), 1.0).after;
+        let place = after.v[0] / after.v[2] / 1.2;
+        errors.push(place - 1.0 / 6.0);
+        damaged.push(place - 0.25);
+    }
+    errors.attain(0.75..=0.76, 5);
+    damaged.exceed(0.08, 5);
+}
+
+/// Five points of the rod for most of a turn: the simulation runs along the trochoids.
+#[test]
+fn points_of_the_rod_run_on_trochoids() {
+    let (p, mut errors, mut damaged) = (Parameters::default(), Errors::of("paths"), Errors::of("no turning"));
+    let (a, blow) = (Answer::new(&p), blow(&p, 8.0));
+    for k in 1..=24 {
+        let t = 0.045 * f64::from(k);
+        let [x, y, angle, ..] = blow.at(t).unwrap().q;
+        for place in [-0.6, -0.3, 0.0, 0.2, 0.6] {
+            let (right, up) = a.at(t, place);
+            errors.push(x - place * sin(angle) - right);
+            errors.push(y + place * cos(angle) - up);
+        }
+        // The damaged twin: a far end that drifts with the rest and does not turn.
+        let (right, up) = a.at(t, 0.6);
+        damaged.push(hypot(right - a.velocity * t, up - 0.6));
+    }
+    errors.attain(4.8e-15..=4.9e-15, 240);
+    damaged.exceed(0.2, 24);
+}
+
+/// On a disc through the point at rest that rolls on a line: this point has cusps, those
+/// within have waves, those beyond have loops.
+#[test]
+fn waves_cusps_and_loops() {
+    let (a, mut backward) = (ratio(1.0), [0; 3]);
+    let radius = a.velocity / a.angular_velocity;
+    for k in 0..1000 {
+        let (t, h) = (6e-3 * f64::from(k), 1e-4);
+        for (i, far) in [0.9 * radius, radius, 1.1 * radius].into_iter().enumerate() {
+            let speed = (a.at(t + h, a.centre + far).0 - a.at(t - h, a.centre + far).0) / (2.0 * h);
+            backward[i] += u32::from(speed < -1e-7);
+        }
+    }
+    assert_eq!([backward[0], backward[1]], [0, 0]);
+    assert!(backward[2] > 100, "{backward:?}");
+}
+
+/// "The angular momentum of the CM": about the centre of mass it is M v l/4, about the place of
+/// the middle M v l/2, of which the centre carries M v l/4. What the centre carries about
+/// itself, as the words say, is nothing.
+#[test]
+fn e40_about_the_centre_of_mass() {
+    let p = Parameters::default();
+    let (unit, s, blow) = (p.mass * p.speed * p.length, scene(&p), blow(&p, 2.0));
+    let mut errors = Errors::in_units_of(EPS, "L over M v l");
+    for state in [blow.before, blow.after, blow.end().unwrap()] {
+        let ([x, y], [px, py]) = (s.centre(&state), s.momentum(&state));
+        let carried = x * py - y * px;
+        errors.push(s.angular_momentum(&state, [x, y]) / unit - 0.25);
+        errors.push(s.angular_momentum(&state, [0.0, 0.0]) / unit - 0.5);
+        errors.push(carried / unit - 0.25);
+    }
+    errors.attain(4.0..=4.1, 9);
+    assert_error!(value(&EXAMPLE, "about_centre"), 0.25 * unit, 1.6667 eps);
+    assert_error!(value(&EXAMPLE, "about_middle"), 0.5 * unit, 0.0 eps);
+}
