@@ -41,7 +41,7 @@ rotation_dynamics::parameters! {
         /// angular momentum over the middle moment
         rate: number(12.0, "rad/s", above(0.0).usually(2.0, 30.0));
         /// angle between angular momentum and middle axis at the start
-        aside: number(0.1, "rad", between(1e-6, 1.5707).usually(0.001, 1.5));
+        aside: number(0.1, "rad", between(1e-6, 1.55).usually(0.001, 1.5));
         /// to which axis it is off
         toward: choice("least", "largest");
         /// error asked of the attitude at the end: above 0, at most pi
@@ -428,7 +428,7 @@ fn limits(report: &mut Report) -> Result<()> {
             => (plate[1] - plate[0]) / (plate[1] + plate[0]), within 1e-15;
         /// two equal moments: the steady circuit of the symmetric top
         "I1 = I2: p/Omega_S": twins.pace() / spin => 1.0, within 1e-8;
-        /// the energy lies between those of the least and the largest axis
+        /// on the separatrix the energy is that of the middle axis
         "aside = 1e-6: 2 E I2/L^2": near.height() * i2 / near.momentum() => 1.0, within 1e-11;
     }
 }
@@ -452,19 +452,19 @@ fn bodies() -> Result<Table> {
     let mut table = Table::new("bodies", columns)?;
     let boxes = [
         (
-            "book, 21 x 14 x 2.5 cm",
+            "book, 21 by 14 by 2.5 cm",
             box_moments(0.5, [0.21, 0.14, 0.025]),
         ),
         (
-            "telephone, 147 x 72 x 8 mm",
+            "telephone, 147 by 72 by 8 mm",
             box_moments(0.17, [0.147, 0.072, 0.008]),
         ),
         (
-            "brick, 24 x 11.5 x 7.1 cm",
+            "brick, 24 by 11.5 by 7.1 cm",
             box_moments(3.0, [0.24, 0.115, 0.071]),
         ),
         (
-            "box of matches, 53 x 36 x 15 mm",
+            "box of matches, 53 by 36 by 15 mm",
             box_moments(0.02, [0.053, 0.036, 0.015]),
         ),
     ];

@@ -34,7 +34,7 @@ fn polhodes(moments: [f64; 3]) -> Result<Figure> {
         separatrices(moments),
     );
     for about in [0, 2] {
-        for aside in [0.12, 0.5, 1.0] {
+        for aside in [0.2, 0.6, 1.1] {
             let tumble = Tumble::new(moments, 1.0, aside, about);
             let whole = 2.0 * tumble.between_flips()?;
             for sign in [1.0, -1.0] {

@@ -4,7 +4,7 @@
 use super::{Naive, Parameters, Tumble, box_moments, euler};
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::foils::SemiImplicitEuler;
-use rotation_dynamics::integrators::{Integrator, Ode};
+use rotation_dynamics::integrators::{Integrator, Ode, Rk4};
 use rotation_dynamics::report::{Report, times};
 use rotation_dynamics::scene::Scene;
 
@@ -99,6 +99,14 @@ fn gain_measured() -> Result<f64> {
     Ok(grown / (whole * step))
 }
 
+/// The part of its energy that RK4 loses on the same motion in half a minute.
+fn lost_by_rk4(steps: u32) -> Result<f64> {
+    let (tumble, time) = (book(), 30.0);
+    let method = Rk4::new(u64::from(steps) * 30)?;
+    let (end, _) = method.advance(&euler(tumble.moments), 0.0, &tumble.start, time)?;
+    Ok(1.0 - energy(tumble.moments, end) / energy(tumble.moments, tumble.start))
+}
+
 /// Adds what the page says of the naive solver.
 pub fn claims(report: &mut Report) -> Result<()> {
     let (coarse, fine) = (crossing(60.0), crossing(240.0));
@@ -106,7 +114,10 @@ pub fn claims(report: &mut Report) -> Result<()> {
     let grown = |rates| energy(book().moments, rates) / energy(book().moments, book().start);
     let naive = Naive::of_the_page(60.0).nth(119).unwrap_or([f64::NAN; 3]);
     let foil = after_of_the_foil(60.0, 120)?;
+    let lost = lost_by_rk4(60)?;
     rotation_dynamics::claims! { report,
+        /// RK4: part of the energy lost in half a minute, sixty steps a second
+        rk4_loss: lost, "-", "32 times that of half the step" => 32.0 * lost_by_rk4(120)?, within 0.05 * lost;
         /// naive: growth of the energy over the step
         naive_gain: gain, "1/s^2", "measured with short steps" => gain_measured()?, within 1e-3 * gain;
         /// naive: energy after two seconds over the true, sixty steps a second
