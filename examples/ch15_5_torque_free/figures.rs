@@ -4,28 +4,22 @@ use super::*;
 use rotation_dynamics::report::Figure;
 use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, View};
 
-/// A body whose moments across and along the axis are as 2 to 1 or as 1 to 2, tilted so far.
-fn pair(p: &Parameters, tilt: f64) -> [Top; 2] {
-    [Parameters::default(), DISC].map(|of| {
-        Top::cylinder(&Parameters {
-            tolerance: p.tolerance,
-            ..of
-        })
-        .tilted(tilt)
-    })
+/// The notes' cylinder and disc, whose moments are as 2 to 1 and as 1 to 2, tilted so far.
+fn pair(tilt: f64) -> [Top; 2] {
+    [Parameters::default(), DISC].map(|of| Top::cylinder(&of).tilted(tilt))
 }
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
-    let [thin, flat] = pair(p, p.drawn_tilt);
+    let [thin, flat] = pair(p.drawn_tilt);
     let [cylinder, disc] = [Parameters::default(), DISC].map(|of| Top::cylinder(&of));
     Ok(vec![
         order("order_thin", thin)?,
         order("order_flat", flat)?,
         cones::view("cones_thin", CONES[0], thin, 0.15 * thin.round())?.figure()?,
         cones::view("cones_flat", CONES[1], flat, 0.15 * flat.round())?.figure()?,
-        positions("op_cylinder", pair(p, 0.25)[0], 0.125)?,
-        positions("op_disc", pair(p, 0.25)[1], 0.25)?,
+        positions("op_cylinder", pair(0.25)[0], 0.125)?,
+        positions("op_disc", pair(0.25)[1], 0.25)?,
         turns([cylinder, disc])?,
         wobbles()?,
         in_body("in_body_cylinder", cylinder)?,

@@ -1,0 +1,284 @@
+//! The drawings of the page, but for the tumbling book.
+
+use super::naive::book;
+use super::tumbling::{camera, on_sphere, separatrices, sphere, tip};
+use super::*;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::math::{pow, sincos};
+use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
+use rotation_dynamics::report::{Figure, sampled};
+
+/// All figures of the page.
+pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
+    let tumble = tumble(p)?;
+    Ok(vec![
+        polhodes(tumble.moments)?,
+        rolling(tumble)?,
+        herpolhode(tumble)?,
+        flips(p, tumble)?,
+        waiting(p, tumble)?,
+        naive_sphere()?,
+        naive_angle()?,
+    ])
+}
+
+/// Paths of the tip of L on the sphere of the body, for many energies.
+fn polhodes(moments: [f64; 3]) -> Result<Figure> {
+    let alt = "A sphere with the body's axes 1 up, 2 towards the reader, 3 to the right. Closed \
+               curves surround the ends of axes 1 and 3. Two great circles that cross at the ends \
+               of axis 2 part them; near these ends the curves are hyperbolas.";
+    let mut view = sphere(
+        View::new("polhodes", alt)
+            .camera(camera())
+            .around(SpaceVector::zero(), 1.3),
+        separatrices(moments),
+    );
+    for about in [0, 2] {
+        for aside in [0.2, 0.6, 1.1] {
+            let tumble = Tumble::new(moments, 1.0, aside, about);
+            let whole = 2.0 * tumble.between_flips()?;
+            for sign in [1.0, -1.0] {
+                let curve = sampled(times(0.0, whole, 90), |t| {
+                    let mut tip = tip(&tumble, t)?;
+                    tip[about] *= sign;
+                    Ok(on_sphere(tip))
+                })?;
+                view = view.trace(curve, Ink::Momentum);
+            }
+        }
+    }
+    view.figure()
+}
+
+/// The ellipsoid of energy below its plane, with the two curves.
+fn rolling(tumble: Tumble) -> Result<Figure> {
+    let alt = "An ellipsoid with a fixed centre touches a level plane from below. L stands upright \
+               on the plane; the angular velocity slants from the centre to the point where they \
+               touch. A closed curve on the ellipsoid and a curve on the plane run through it.";
+    let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
+    let now = 0.3 * flips;
+    let at = motion.kinematics(now);
+    // Lengths in the height of the plane above the centre.
+    let scale = 1.0 / tumble.height();
+    let axes = tumble
+        .moments
+        .map(|i| (tumble.momentum() * scale / i).sqrt());
+    let surface = |i: u32, j: u32| {
+        let ((s, c), (sj, cj)) = (
+            sincos(PI * f64::from(i) / 14.0),
+            sincos(TAU * f64::from(j) / 24.0),
+        );
+        let place = BodyVector::new(c * axes[0], s * cj * axes[1], s * sj * axes[2]);
+        at.attitude.to_space(place)
+    };
+    let face = |i: u32, j: u32| {
+        vec![
+            surface(i, j),
+            surface(i + 1, j),
+            surface(i + 1, j + 1),
+            surface(i, j + 1),
+        ]
+    };
+    let solid = Solid::new(
+        (0..14)
+            .flat_map(|i| (0..24).map(move |j| (i, j)))
+            .map(|(i, j)| face(i, j)),
+    );
+    let polhode = sampled(times(0.0, 2.0 * flips, 120), |t| {
+        let rates = BodyVector::from_array(tumble.rates(t)?) * (scale * 1.01);
+        Ok(at.attitude.to_space(rates))
+    })?;
+    let contact = |t: f64| {
+        let at = motion.try_kinematics(t)?;
+        Ok(at.attitude.to_space(at.angular_velocity) * scale)
+    };
+    let plane = sampled(times(now - 1.5 * flips, now + 1.5 * flips, 240), contact)?;
+    let top = SpaceVector::new(0.0, 0.0, 1.0);
+    let rim = times(0.0, TAU, 60)
+        .map(|turn| top + SpaceVector::new(0.9 * cos(turn), 0.9 * sin(turn), 0.0));
+    View::new("rolling", alt)
+        .camera(camera())
+        .around(top * 0.2, 1.5)
+        .solid(solid, Ink::Body)
+        .line(polhode, Ink::Ink)
+        .line(rim, Ink::Frame)
+        .line(plane, Ink::Velocity)
+        .arrow(
+            SpaceVector::zero(),
+            contact(now)?,
+            Ink::Velocity,
+            r"$\Omega$",
+            Side::Right,
+        )
+        .arrow(
+            SpaceVector::zero(),
+            top * 1.55,
+            Ink::Momentum,
+            "$L$",
+            Side::Above,
+        )
+        .figure()
+}
+
+/// The curve on the plane, from above.
+fn herpolhode(tumble: Tumble) -> Result<Figure> {
+    let alt = "The herpolhode from above: a curve that swings to and fro between an inner and an \
+               outer circle as it goes round, and does not close.";
+    let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
+    let curve = sampled(times(0.0, 7.0 * flips, 900), |t| {
+        let at = motion.kinematics(t);
+        let [x, y, _] = at.attitude.to_space(at.angular_velocity).to_array();
+        Ok((x, y))
+    })?;
+    let rims = [
+        tumble.across(tumble.start),
+        tumble.across(tumble.rates(0.5 * flips)?),
+    ];
+    let most = rims[0].max(rims[1]);
+    let axis = |label| Axis::linear(label).range(-1.1 * most, 1.1 * most);
+    let panel = Panel::new("herpolhode", alt)
+        .x(axis(r"$\Omega_X$ / rad/s"))
+        .y(axis(r"$\Omega_Y$ / rad/s"))
+        .equal_aspect()
+        .curve(Curve::new(curve, Ink::Velocity).width(1.2));
+    let circle =
+        |radius: f64| times(0.0, TAU, 90).map(move |turn| (radius * cos(turn), radius * sin(turn)));
+    let panel = rims.into_iter().fold(panel, |panel, rim| {
+        panel.curve(Curve::new(circle(rim), Ink::Frame).thin().dashed())
+    });
+    panel
+        .dot(0.0, 0.0, Ink::Momentum, "$L$", Side::Right)
+        .figure()
+}
+
+/// L along the middle axis against time, for three starts.
+fn flips(p: &Parameters, tumble: Tumble) -> Result<Figure> {
+    let alt = "Component of L along the middle axis against time, for a start off by a tenth, a \
+               hundredth and a thousandth of a radian: near one, a quick fall to minus one, a rest, \
+               and back. The nearer the start, the longer the rests; each flip is as quick.";
+    let end = 2.6;
+    let starts = [(0.1, "0.1"), (0.01, "0.01"), (0.001, "0.001")];
+    let moved = |aside: f64| Tumble::new(tumble.moments, p.rate, aside, tumble.about);
+    let unit = 1.0 / moved(0.1).between_flips()?;
+    let mut panel = Panel::new("flips", alt)
+        .x(Axis::linear(r"$\lambda t$")
+            .range(0.0, end / unit * small_motions(tumble.moments, p.rate)[1]))
+        .y(Axis::linear("$L_2/L$").range(-1.0, 1.0).step(0.5));
+    let pace = small_motions(tumble.moments, p.rate)[1];
+    for (k, (aside, label)) in starts.into_iter().enumerate() {
+        let tumble = moved(aside);
+        let curve = sampled(times(0.0, end / unit, 300), |t| {
+            Ok((pace * t, tip(&tumble, t)?[1]))
+        })?;
+        let curve = Curve::new(curve, Ink::Momentum).faint([1.0, 0.75, 0.5][k]);
+        let curve = [curve.clone(), curve.clone().dashed(), curve.dotted()][k].clone();
+        let first = 0.5 * tumble.between_flips()?;
+        panel =
+            panel.curve(curve.label_at(label, pace * first, [0.25, 0.0, -0.25][k], Side::Right));
+        let method = Dop853::new(1e-14)?;
+        let run = method.solve(&euler(tumble.moments), 0.0, &tumble.start, end / unit, &[])?;
+        let dots = sampled(times(0.0, end / unit, 24), |t| {
+            Ok((pace * t, tumble.carried(run.at(t)?)[1] / tumble.momentum()))
+        })?;
+        panel = panel.curve(Curve::new(dots, Ink::Momentum).dots());
+    }
+    panel.figure()
+}
+
+/// Time between flips against the start, on a logarithmic axis.
+fn waiting(p: &Parameters, tumble: Tumble) -> Result<Figure> {
+    let alt = "Time between flips, times the rate of growth, against the angle by which the start \
+               is off, from a billionth of a radian to one: a straight falling line on the \
+               logarithmic axis, for both directions, that bends at the right end.";
+    let growth = small_motions(tumble.moments, p.rate)[1];
+    let wait = |aside: f64, about: usize| {
+        Ok(growth * Tumble::new(tumble.moments, p.rate, aside, about).between_flips()?)
+    };
+    let asides = || times(-9.0, 0.17, 120).map(|x| pow(10.0, x));
+    let lines = [
+        (0, "off towards axis 1", Side::BelowLeft),
+        (2, "off towards axis 3", Side::AboveRight),
+    ];
+    let mut panel = Panel::new("waiting", alt)
+        .x(Axis::log("off by / rad").range(1e-9, 1.5))
+        .y(Axis::linear(r"time between flips, times $\lambda$").range(0.0, 50.0));
+    for (about, label, side) in lines {
+        let at = wait(1e-5, about)?;
+        panel = panel.curve(
+            Curve::sampled(asides(), |x| wait(x, about), Ink::Ink)?.label_at(label, 1e-5, at, side),
+        );
+        let measured = |x: f64| {
+            let tumble = Tumble::new(tumble.moments, p.rate, x, about);
+            Ok(growth * 2.0 * tumble.flip(1)?.t)
+        };
+        panel =
+            panel.curve(Curve::sampled([1e-8, 1e-6, 1e-4, 1e-2, 0.3], measured, Ink::Body)?.dots());
+    }
+    panel.figure()
+}
+
+/// The tip of L of the naive run against time, brought back to the sphere, while it turns
+/// less than thirteen times too fast.
+fn naive_run() -> impl Iterator<Item = (f64, [f64; 3])> {
+    let (run, start) = (Naive::of_the_page(60.0), book().start);
+    let (moments, most) = (run.moments, 13.0 * length(start));
+    let kept = run.take_while(move |rates| length(*rates) < most);
+    kept.zip(1_u32..).map(move |(rates, k)| {
+        let carried = [0, 1, 2].map(|i| moments[i] * rates[i]);
+        (f64::from(k) / 60.0, carried.map(|l| l / length(carried)))
+    })
+}
+
+fn naive_sphere() -> Result<Figure> {
+    let alt = "On the sphere of the body the true path is a small closed curve about axis 3. The \
+               path of the naive run winds outward from it, crosses the separatrix, and goes round axis 1.";
+    let true_book = book();
+    let curve = sampled(times(0.0, 2.0 * true_book.between_flips()?, 90), |t| {
+        Ok(on_sphere(tip(&true_book, t)?))
+    })?;
+    let moments = true_book.moments;
+    let wrong = naive_run().map(|(_, tip)| on_sphere(tip));
+    let view = View::new("naive_sphere", alt)
+        .camera(camera())
+        .around(SpaceVector::zero(), 1.3);
+    sphere(view, separatrices(moments))
+        .trace(wrong, Ink::Wrong)
+        .trace(curve, Ink::Momentum)
+        .text(
+            on_sphere([-0.62, 0.62, 0.3]),
+            "wrong: Euler",
+            Ink::Wrong,
+            Side::Centre,
+        )
+        .text(
+            on_sphere([0.0, 0.42, 0.9]),
+            "true",
+            Ink::Momentum,
+            Side::Centre,
+        )
+        .figure()
+}
+
+fn naive_angle() -> Result<Figure> {
+    let alt = "Component of L along the largest axis against time: the true one swings a little \
+               and stays positive. The naive one, sixty steps a second, swings ever wider and goes \
+               to zero after four seconds.";
+    let (true_book, end) = (book(), 5.0);
+    let right = Curve::sampled(
+        times(0.0, end, 300),
+        |t| Ok(tip(&true_book, t)?[2]),
+        Ink::Momentum,
+    )?;
+    let wrong = naive_run().map(|(t, tip)| (t, tip[2]));
+    Panel::new("naive_angle", alt)
+        .x(Axis::linear("$t$ / s").range(0.0, end))
+        .y(Axis::linear("$L_3/L$").range(-1.0, 1.0).step(0.5))
+        .curve(Curve::new(wrong, Ink::Wrong).dashed().label_at(
+            "wrong: Euler, 60 steps a second",
+            0.3,
+            -0.55,
+            Side::Right,
+        ))
+        .curve(right.label_at("true", 0.4, 0.62, Side::Below))
+        .figure()
+}

@@ -1,0 +1,130 @@
+//! Euler's equations stepped along the tangent: energy grows, and the book flips that never
+//! would.
+
+use super::{Naive, Parameters, Tumble, box_moments, euler};
+use rotation_dynamics::Result;
+use rotation_dynamics::integrators::foils::SemiImplicitEuler;
+use rotation_dynamics::integrators::{Integrator, Ode, Rk4};
+use rotation_dynamics::report::{Report, times};
+use rotation_dynamics::scene::Scene;
+
+/// How far the book's L is off its middle axis, towards the largest: 0.57 rad from that.
+pub const NAIVE_TILT: f64 = 1.0;
+
+impl Naive {
+    /// The page's run: the book, so many steps a second.
+    pub fn of_the_page(steps: f64) -> Self {
+        let Tumble { moments, start, .. } = book();
+        Self {
+            moments,
+            rates: start,
+            step: 1.0 / steps,
+        }
+    }
+}
+
+/// The book, on a polhode about its largest axis.
+pub fn book() -> Tumble {
+    let p = Parameters::default();
+    let moments = box_moments(p.mass, [p.length, p.width, p.thickness]);
+    Tumble::new(moments, p.rate, NAIVE_TILT, 2)
+}
+
+/// L^2 - 2 E I2: positive about the largest axis, negative about the least.
+pub fn side(moments: [f64; 3], rates: [f64; 3]) -> f64 {
+    let term = |i: usize| moments[i] * (moments[i] - moments[1]) * rates[i] * rates[i];
+    term(0) + term(2)
+}
+
+/// Twice the energy.
+fn energy(moments: [f64; 3], rates: [f64; 3]) -> f64 {
+    (0..3).map(|i| moments[i] * rates[i] * rates[i]).sum()
+}
+
+/// When the run at so many steps a second leaves the polhodes about the largest axis.
+fn crossing(steps: f64) -> f64 {
+    let moments = book().moments;
+    let run = Naive::of_the_page(steps);
+    let kept = run
+        .take_while(|rates| side(moments, *rates) > 0.0)
+        .take(100_000);
+    (kept.count() as f64 + 1.0) / steps
+}
+
+/// The same method in the library's foil: the rates after so many steps.
+fn after_of_the_foil(steps: f64, count: u64) -> Result<[f64; 3]> {
+    let tumble = book();
+    let scene = Scene::new(tumble.body()?);
+    let start = tumble.free_body()?.state(0.0);
+    let end = count as f64 / steps;
+    let (end, _) = SemiImplicitEuler::new(count)?.advance(&scene, 0.0, &start, end)?;
+    Ok(scene.body().angular_velocity(&end).to_array())
+}
+
+/// The step in which the foil crosses, near this time.
+fn crossing_of_the_foil(steps: f64, near: f64) -> Result<f64> {
+    let crossed = |count| Ok(side(book().moments, after_of_the_foil(steps, count)?) <= 0.0);
+    // Its products are rounded in another order: a few steps to either side.
+    let first = (near * steps) as u64 - 5;
+    for count in first..first + 10 {
+        if crossed(count + 1)? && !crossed(count)? {
+            return Ok((count + 1) as f64 / steps);
+        }
+    }
+    Ok(f64::NAN)
+}
+
+/// How fast the energy of the naive run grows, as a part of it, over the step (1/s^2): each
+/// step adds the square of its slope. Averaged over the true motion.
+fn gain() -> Result<f64> {
+    let (tumble, count) = (book(), 200_u32);
+    let law = euler(tumble.moments);
+    let whole = tumble.between_flips()?;
+    let mut sum = 0.0;
+    // A periodic function: equal weights.
+    for t in times(0.0, whole, count).skip(1) {
+        sum += energy(tumble.moments, law.derivative(0.0, &tumble.rates(t)?));
+    }
+    Ok(sum / f64::from(count) / energy(tumble.moments, tumble.start))
+}
+
+/// The same, measured over half a period of the rates with short steps.
+fn gain_measured() -> Result<f64> {
+    let tumble = book();
+    let (whole, count) = (tumble.between_flips()?, 100_000);
+    let mut run = Naive::of_the_page(count as f64 / whole);
+    let step = run.step;
+    let end = run.nth(count - 1).unwrap_or([f64::NAN; 3]);
+    let grown = energy(tumble.moments, end) / energy(tumble.moments, tumble.start) - 1.0;
+    Ok(grown / (whole * step))
+}
+
+/// The part of its energy that RK4 loses on the same motion in half a minute.
+fn lost_by_rk4(steps: u32) -> Result<f64> {
+    let (tumble, time) = (book(), 30.0);
+    let method = Rk4::new(u64::from(steps) * 30)?;
+    let (end, _) = method.advance(&euler(tumble.moments), 0.0, &tumble.start, time)?;
+    Ok(1.0 - energy(tumble.moments, end) / energy(tumble.moments, tumble.start))
+}
+
+/// Adds what the page says of the naive solver.
+pub fn claims(report: &mut Report) -> Result<()> {
+    let (coarse, fine) = (crossing(60.0), crossing(240.0));
+    let gain = gain()?;
+    let grown = |rates| energy(book().moments, rates) / energy(book().moments, book().start);
+    let naive = Naive::of_the_page(60.0).nth(119).unwrap_or([f64::NAN; 3]);
+    let foil = after_of_the_foil(60.0, 120)?;
+    let lost = lost_by_rk4(60)?;
+    rotation_dynamics::claims! { report,
+        /// RK4: part of the energy lost in half a minute, sixty steps a second
+        rk4_loss: lost, "-", "32 times that of half the step" => 32.0 * lost_by_rk4(120)?, within 0.05 * lost;
+        /// naive: growth of the energy over the step
+        naive_gain: gain, "1/s^2", "measured with short steps" => gain_measured()?, within 1e-3 * gain;
+        /// naive: energy after two seconds over the true, sixty steps a second
+        naive_energy: grown(naive), "-", "library's foil" => grown(foil), within 1e-9;
+        /// naive: leaves its polhodes, sixty steps a second
+        naive_crosses: coarse, "s", "library's foil" => crossing_of_the_foil(60.0, coarse)?, within 1.5 / 60.0;
+        /// the same, 240 steps a second
+        naive_crosses_later: fine, "s", "library's foil" => crossing_of_the_foil(240.0, fine)?, within 4.0 / 240.0;
+    }
+}

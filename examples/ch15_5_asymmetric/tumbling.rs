@@ -1,0 +1,139 @@
+//! The book as it tumbles, beside the tip of L on the momentum sphere of the body.
+
+use super::{Parameters, Tumble, tumble, unit};
+use core::f64::consts::TAU;
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::math::{atan2, cos, sin, sincos};
+use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
+use rotation_dynamics::report::{MovingPicture, sampled, times};
+
+/// Azimuth and elevation of the eye: the middle axis of the sphere points to the reader.
+const EYE: (f64, f64) = (0.4, 0.34);
+const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+
+pub fn camera() -> Camera {
+    Camera::new(EYE.0, EYE.1)
+}
+
+/// Where a direction of the body stands on the drawn sphere: 1 up, 2 to the reader, 3 right.
+pub fn on_sphere([one, two, three]: [f64; 3]) -> SpaceVector {
+    SpaceVector::new(two, three, one)
+}
+
+/// The direction of L on the body's axes at the time t.
+pub fn tip(tumble: &Tumble, t: f64) -> Result<[f64; 3]> {
+    let size = tumble.momentum();
+    Ok(tumble.carried(tumble.rates(t)?).map(|l| l / size))
+}
+
+/// The two great circles of the separatrix.
+pub fn separatrices([i1, i2, i3]: [f64; 3]) -> [Vec<SpaceVector>; 2] {
+    let lean = atan2((i2 / i1 - 1.0).sqrt(), (1.0 - i2 / i3).sqrt());
+    [lean, -lean].map(|lean| {
+        let point = |turn: f64| {
+            let (s, c) = sincos(turn);
+            on_sphere([s * cos(lean), c, s * sin(lean)])
+        };
+        times(0.0, TAU, 90).map(point).collect()
+    })
+}
+
+/// The bare sphere: its outline and the three axes.
+pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
+    let (right, up) = (
+        SpaceVector::new(-sin(EYE.0), cos(EYE.0), 0.0),
+        SpaceVector::new(
+            -sin(EYE.1) * cos(EYE.0),
+            -sin(EYE.1) * sin(EYE.0),
+            cos(EYE.1),
+        ),
+    );
+    let outline = times(0.0, TAU, 90).map(|turn| right * cos(turn) + up * sin(turn));
+    let axes = [
+        (0, "$1$", Side::Above),
+        (1, "$2$", Side::BelowLeft),
+        (2, "$3$", Side::Right),
+    ];
+    let view = separatrices
+        .into_iter()
+        .fold(view.line(outline, Ink::Frame), |view, curve| {
+            view.trace(curve, Ink::Ink)
+        });
+    axes.into_iter().fold(view, |view, (axis, label, side)| {
+        let out = on_sphere(unit(axis).to_array());
+        view.arrow(out, out * 1.3, Ink::Body, label, side)
+    })
+}
+
+/// The book about `centre`, as large as the sphere, with a title on its cover.
+fn book(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
+    let size = 1.5 / p.length;
+    let place =
+        |x: f64, y: f64, z: f64| centre + attitude.to_space(BodyVector::new(x, y, z)) * size;
+    let edge = |i: usize, length: f64| attitude.to_space(unit(i)) * (length * size);
+    let (a, b, c) = (0.5 * p.length, 0.5 * p.width, 0.5 * p.thickness);
+    let edges = [
+        edge(0, p.length),
+        edge(1, p.width),
+        edge(2, p.thickness.max(0.02 * p.length)),
+    ];
+    let title = |x: f64| {
+        [
+            place(x * a, -0.6 * b, c * 1.02),
+            place(x * a, 0.6 * b, c * 1.02),
+        ]
+    };
+    view.solid(Solid::cuboid(centre, edges), Ink::Body)
+        .line(title(0.6), Ink::Paper)
+        .line(title(0.4), Ink::Paper)
+}
+
+/// From the start through two flips.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (tumble, p) = (tumble(p)?, p.clone());
+    let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
+    let end = 2.5 * flips;
+    let along = sampled(times(0.0, end, 250), |t| Ok((t, tip(&tumble, t)?[1])))?;
+    let graph = Panel::new("graph", "")
+        .x(Axis::linear("$t$ / s"))
+        .y(Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
+        .curve(Curve::new(along, Ink::Momentum));
+    let polhode = sampled(times(0.0, 2.0 * flips, 160), |t| {
+        Ok(on_sphere(tip(&tumble, t)?))
+    })?;
+    let aside = SpaceVector::new(sin(EYE.0), -cos(EYE.0), 0.0) * 2.35;
+    let draw = move |t: f64| {
+        let (now, attitude) = (tip(&tumble, t)?, motion.attitude(t));
+        let axis = attitude.to_space(unit(1));
+        let alt = format!(
+            "{t:.2} s after the throw: a book turns about the vertical L, its middle axis 2 {:.0} \
+             degrees from it; beside it the tip of L on the sphere of the body, on a path that \
+             passes close by both ends of axis 2; below, the component of L along axis 2.",
+            rotation_dynamics::math::acos(now[1].clamp(-1.0, 1.0)).to_degrees()
+        );
+        let view = View::new("scene", &alt)
+            .camera(camera())
+            .around(aside * 0.5, 1.42)
+            .size(340, 200);
+        let view = sphere(view, separatrices(tumble.moments))
+            .trace(polhode.iter().copied(), Ink::Momentum)
+            .dot(on_sphere(now), Ink::Momentum, "", Side::Right);
+        let view = book(view, &p, &attitude, aside)
+            .arrow(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)
+            .arrow(
+                aside,
+                aside + axis * 0.95,
+                Ink::Body,
+                "$2$",
+                if axis.z() < 0.0 {
+                    Side::Left
+                } else {
+                    Side::Right
+                },
+            );
+        Stack::frame(&alt, view, &graph, t)
+    };
+    MovingPicture::new(0.0..=end, [0.0, 0.5 * flips, flips], draw)
+}
