@@ -39,15 +39,13 @@ pub const DAY: f64 = 86_400.0;
 // ANCHOR: satellite
 /// A satellite whose long axis, e1, hangs askew in the plane of its orbit.
 pub fn satellite(p: &Parameters) -> Result<(Scene<((), GravityGradient)>, State)> {
-    let (normal, down) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let normal = SpaceVector::new(0.0, 0.0, 1.0);
+    let down = SpaceVector::new(-1.0, 0.0, 0.0);
+    let gradient = GravityGradient::on_orbit(p.mean_motion, normal, down)?;
     let body = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0)?);
-    let scene = Scene::new(body).with(GravityGradient::on_orbit(p.mean_motion, normal, down)?);
     let askew = Attitude::about_space_axis(normal, p.askew)?;
     let start = body.state(askew, BodyVector::new(0.0, 0.0, p.mean_motion))?;
-    Ok((scene, start))
+    Ok((Scene::new(body).with(gradient), start))
 }
 
 /// Its states at the hours of a day, none off by more than the error asked for.
@@ -62,7 +60,7 @@ pub fn day(p: &Parameters) -> Result<Vec<State>> {
 /// A magnet along e1 of 0.1 A m^2, in a field of 3e-5 T, N m.
 pub const MAGNET: f64 = 0.1 * 3e-5;
 
-/// A magnet on board, in the field of the Earth along the normal of an equatorial orbit.
+/// Such a magnet where the field is along the normal, on an equatorial orbit.
 pub fn magnet(strength: f64) -> impl Effect + Clone {
     let torque = move |_t, _body: &RigidBody, state: &State| {
         let magnet = state.attitude.to_space(BodyVector::new(strength, 0.0, 0.0));
@@ -109,18 +107,13 @@ fn tilted() -> Result<Attitude> {
 }
 
 // ANCHOR: motor
-/// The rotor of the top under its weight and an effect of one's own: a motor that drives it
-/// from its axle.
+/// The top under its weight and an effect of one's own: a motor on its axle.
 pub fn driven(torque: f64) -> Result<(Scene<impl Effect + Clone>, State)> {
-    let body = rotor()?;
-    let motor = Torque::on_body("motor", move |_t, _body, _state| {
-        BodyVector::new(0.0, 0.0, torque)
-    });
-    let scene = Scene::new(body)
-        .with(GravityAtLever::new(4.9, 0.1)?)
-        .with(motor.smooth());
+    let along = BodyVector::new(0.0, 0.0, torque);
+    let motor = Torque::on_body("motor", move |_t, _body, _state| along).smooth();
+    let (body, gravity) = (rotor()?, GravityAtLever::new(4.9, 0.1)?);
     let start = body.state(tilted()?, BodyVector::new(0.0, 0.0, 100.0))?;
-    Ok((scene, start))
+    Ok((Scene::new(body).with(gravity).with(motor), start))
 }
 
 /// Its state after a second, off by no more than the error asked for.
