@@ -464,6 +464,14 @@ impl<'e> Checked<'e> {
             return Ok(());
         }
         let acting = self.acting(t, state);
+        // The body may be nearly at rest while the effect goes on: an attracting body, round
+        // a satellite that does not turn.
+        let own = (effect.narrowest()).map_or(0.0, |width| 1.0 / width.time);
+        let rate = if self.nature.on_time {
+            rate.max(own)
+        } else {
+            rate
+        };
         let dt = STEP / rate;
         let moved = |by: f64| -> Result<f64> {
             let state = State {

@@ -163,6 +163,12 @@ fn summary(lines: &[Line], more: &str) -> String {
                  setting, and its error was found afterwards, against a known result.{more}"
             ),
         };
+        if rivals(error).all(|line| line.time.is_none()) {
+            let all: Vec<String> = rivals(error).map(Line::words).collect();
+            let head = format!("What delivered {}:", power(error));
+            return paragraph(&head, all.join("; ") + ".")
+                + &paragraph("The price of being sure:", sure);
+        }
         return paragraph(
             &format!(
                 "The cheapest method that delivered {}{}:",

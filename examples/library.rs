@@ -1,0 +1,486 @@
+//! The library without the book: a satellite for a day, a top at one time, and an effect of
+//! one's own.
+
+#[path = "library/figures.rs"]
+mod figures;
+
+use core::f64::consts::{PI, TAU};
+use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{CoulombBearing, Effect, GravityAtLever, GravityGradient, Torque};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
+use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::scene::components;
+use rotation_dynamics::integrators::{self, Dop853, after, ode};
+use rotation_dynamics::motion::Motion;
+use rotation_dynamics::report::prelude::*;
+use rotation_dynamics::report::{short, supported_digits};
+use rotation_dynamics::scene::Scene;
+
+parameters! {
+    /// A satellite, and a top with a motor.
+    pub struct Parameters {
+        /// angle of the satellite's long axis from the vertical at the start
+        askew: number(0.1, "rad", between(0.0, 1.5).usually(0.01, 1.4));
+        /// mean motion of its orbit
+        mean_motion: number(1.1e-3, "rad/s", from_to(2e-4, 2e-3));
+        /// torque of the top's motor
+        torque: number(0.18, "N m", from_to(0.0, 0.5));
+        /// error asked of the attitude, all the way: from 1e-11 to 1e-3
+        tolerance: number(1e-8, "rad", from_to(1e-11, 1e-3));
+    }
+}
+
+/// The time that the satellite is followed, s.
+pub const DAY: f64 = 86_400.0;
+
+// ANCHOR: satellite
+/// A satellite whose long axis, e1, hangs askew in the plane of its orbit.
+pub fn satellite(p: &Parameters) -> Result<(Scene<((), GravityGradient)>, State)> {
+    let normal = SpaceVector::new(0.0, 0.0, 1.0);
+    let down = SpaceVector::new(-1.0, 0.0, 0.0);
+    let gradient = GravityGradient::on_orbit(p.mean_motion, normal, down)?;
+    let body = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0)?);
+    let askew = Attitude::about_space_axis(normal, p.askew)?;
+    let start = body.state(askew, BodyVector::new(0.0, 0.0, p.mean_motion))?;
+    Ok((Scene::new(body).with(gradient), start))
+}
+
+/// Its states at the hours of a day, none off by more than the error asked for.
+pub fn day(p: &Parameters) -> Result<Vec<State>> {
+    let (scene, start) = satellite(p)?;
+    let hours: Vec<f64> = (1..=24).map(|hour| 3600.0 * f64::from(hour)).collect();
+    scene.solve_at(&start, &hours, p.tolerance, &Limits::default())
+}
+// ANCHOR_END: satellite
+
+// ANCHOR: magnet
+/// A magnet along e1 of 0.1 A m^2, in a field of 3e-5 T, N m.
+pub const MAGNET: f64 = 0.1 * 3e-5;
+
+/// Such a magnet where the field is along the normal, on an equatorial orbit.
+pub fn magnet(strength: f64) -> impl Effect + Clone {
+    let torque = move |_t, _body: &RigidBody, state: &State| {
+        let magnet = state.attitude.to_space(BodyVector::new(strength, 0.0, 0.0));
+        magnet.cross(&SpaceVector::new(0.0, 0.0, 1.0))
+    };
+    Torque::on_space("magnet", torque).smooth()
+}
+// ANCHOR_END: magnet
+
+// ANCHOR: top
+/// A heavy top in closed form, released at rest but for its spin.
+pub fn top() -> Result<HeavyTop> {
+    let top = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
+    HeavyTop::new(top, tilted()?, BodyVector::new(0.0, 0.0, 314.0))
+}
+
+/// Where it is after a minute.
+pub fn after_a_minute() -> Result<EulerAngles> {
+    top()?.try_angles(60.0)
+}
+// ANCHOR_END: top
+
+/// The same by steps.
+fn stepped_for_a_minute() -> Result<EulerAngles> {
+    let (body, gravity) = (rotor()?, GravityAtLever::new(4.9, 0.1)?);
+    let start = body.state(tilted()?, BodyVector::new(0.0, 0.0, 314.0))?;
+    let end = Scene::new(body)
+        .with(gravity)
+        .solve_by_stepping(&start, 60.0, 1e-10)?;
+    Ok(end.state.attitude.euler_angles())
+}
+
+/// The top as a rigid body.
+fn rotor() -> Result<RigidBody> {
+    Ok(RigidBody::new(PrincipalMoments::symmetric(
+        5.45e-3, 9.0e-4,
+    )?))
+}
+
+/// A tilt of 1 rad.
+fn tilted() -> Result<Attitude> {
+    let (phi, theta, zeta) = (0.0, 1.0, 0.0);
+    Attitude::from_euler(EulerAngles { phi, theta, zeta })
+}
+
+// ANCHOR: motor
+/// The top under its weight and an effect of one's own: a motor on its axle.
+pub fn driven(torque: f64) -> Result<(Scene<impl Effect + Clone>, State)> {
+    let along = BodyVector::new(0.0, 0.0, torque);
+    let motor = Torque::on_body("motor", move |_t, _body, _state| along).smooth();
+    let (body, gravity) = (rotor()?, GravityAtLever::new(4.9, 0.1)?);
+    let start = body.state(tilted()?, BodyVector::new(0.0, 0.0, 100.0))?;
+    Ok((Scene::new(body).with(gravity).with(motor), start))
+}
+
+/// Its state after a second, off by no more than the error asked for.
+pub fn after_a_second(p: &Parameters) -> Result<State> {
+    let (scene, start) = driven(p.torque)?;
+    Ok(scene.solve(&start, 1.0, p.tolerance)?.state)
+}
+// ANCHOR_END: motor
+
+/// The angle from the vertical to the satellite's long axis at the time `t`, rad.
+pub fn swing(p: &Parameters, t: f64, state: &State) -> f64 {
+    let [x, y, _] = state
+        .attitude
+        .to_space(BodyVector::new(1.0, 0.0, 0.0))
+        .to_array();
+    let (s, c) = sincos(p.mean_motion * t);
+    atan2(c * y - s * x, c * x + s * y)
+}
+
+/// Twice that angle, in closed form: a pendulum with W^2 = 3 n0^2 (I2 - I1)/I3.
+pub fn pendulum(p: &Parameters) -> Result<Pendulum> {
+    let gravity = 3.0 * p.mean_motion * p.mean_motion * (90.0 - 20.0);
+    let (moment, mass, lever) = (100.0, 1.0, 1.0);
+    let pendulum = Suspension {
+        moment,
+        mass,
+        gravity,
+        lever,
+    };
+    Pendulum::new(pendulum, 2.0 * p.askew, 0.0)
+}
+
+/// The satellite's exact state.
+fn exact(p: &Parameters, pendulum: &Pendulum, t: f64) -> Result<State> {
+    let (normal, twice) = (SpaceVector::new(0.0, 0.0, 1.0), pendulum.at(t)?);
+    let attitude = Attitude::about_space_axis(normal, p.mean_motion * t + 0.5 * twice.theta)?;
+    State::new(
+        attitude,
+        normal * (100.0 * (p.mean_motion + 0.5 * twice.omega)),
+    )
+}
+
+/// By how much each of the day's states is off, rad.
+pub fn off(p: &Parameters, states: &[State]) -> Result<Vec<f64>> {
+    let (pendulum, hours) = (pendulum(p)?, 1..);
+    let off = |(hour, state): (i32, &State)| {
+        let exact = exact(p, &pendulum, 3600.0 * f64::from(hour))?;
+        Ok(state.attitude.angle_to(&exact.attitude))
+    };
+    hours.zip(states).map(off).collect()
+}
+
+/// The first time after `from` at which the solved satellite hangs straight, s: halved until
+/// no double is left between. It is there once between `from` and `to`.
+fn upright(p: &Parameters, motion: &SolvedMotion<'_>, from: f64, to: f64) -> Result<f64> {
+    let at = |t: f64| Ok(swing(p, t, &motion.try_state(t)?));
+    let (mut before, mut beyond, side) = (from, to, at(from)?);
+    for _ in 0..60 {
+        let middle = 0.5 * (before + beyond);
+        if at(middle)? * side > 0.0 {
+            before = middle;
+        } else {
+            beyond = middle;
+        }
+    }
+    Ok(before)
+}
+
+/// The period of the solved satellite, by two times at which it hangs straight.
+fn measured_period(p: &Parameters) -> Result<f64> {
+    let ((scene, start), quarter) = (satellite(p)?, 0.25 * pendulum(p)?.period());
+    let motion = scene.solve_along(&start, 6.0 * quarter, p.tolerance, &Limits::default())?;
+    let first = upright(p, &motion, 0.0, 2.0 * quarter)?;
+    Ok(upright(p, &motion, 4.0 * quarter, 6.0 * quarter)? - first)
+}
+
+/// The largest angle by which the satellite is elsewhere at the hours of the day if it has a
+/// magnet: by the dial, and by steps of DOP853 with this error.
+pub fn led_astray(p: &Parameters, magnet: impl Effect + Clone, step: f64) -> Result<[f64; 2]> {
+    let ((scene, start), plain) = (satellite(p)?, day(p)?);
+    let scene = scene.with(magnet);
+    let run = Dop853::new(step)?.solve(&scene, 0.0, &components(&start), DAY, &[])?;
+    let hours: Vec<f64> = (1..=24).map(|hour| 3600.0 * f64::from(hour)).collect();
+    let states = scene.solve_at(&start, &hours, p.tolerance, &Limits::default())?;
+    let (mut by_dial, mut by_steps) = (0.0_f64, 0.0_f64);
+    for ((t, state), other) in hours.into_iter().zip(states).zip(plain) {
+        let stepped = integrators::scene::state(&run.at(t)?)?;
+        by_dial = by_dial.max(state.attitude.angle_to(&other.attitude));
+        by_steps = by_steps.max(stepped.attitude.angle_to(&other.attitude));
+    }
+    Ok([by_dial, by_steps])
+}
+
+/// The rate of its slow swing out of the plane, mostly about its long axis, if all swings are
+/// small: n0 x, where x^4 - (1 + 3 a + a b) x^2 + 4 a b = 0, rad/s.
+pub fn slow_rate(p: &Parameters) -> f64 {
+    let [a, b]: [f64; 2] = [(100.0 - 20.0) / 90.0, (100.0 - 90.0) / 20.0];
+    let half = 0.5 * (1.0 + 3.0 * a + a * b);
+    p.mean_motion * (half - (half * half - 4.0 * a * b).sqrt()).sqrt()
+}
+
+/// The same from the solved motion, turned by 1e-4 rad about its long axis at the start: of
+/// x(t) with two rates, S = (x(t + h) + x(t - h))/x(t) has two values, 2 cos(rate h), which
+/// obey S^2 = u S + v.
+pub fn measured_slow_rate(p: &Parameters) -> Result<f64> {
+    let still = Parameters {
+        askew: 1e-9,
+        ..p.clone()
+    };
+    let (scene, start) = satellite(&still)?;
+    let turned = start
+        .attitude
+        .turned_in_body(BodyVector::new(1e-4, 0.0, 0.0))?;
+    let normal = SpaceVector::new(0.0, 0.0, p.mean_motion);
+    let start = scene.body().state(turned, turned.to_body(normal))?;
+    let h = 1.0 / p.mean_motion;
+    let times: Vec<f64> = (0..8).map(|k| h * f64::from(k)).collect();
+    let states = scene.solve_at(&start, &times, 1e-12, &Limits::default())?;
+    let x = |k: usize| {
+        states[k]
+            .attitude
+            .to_space(BodyVector::new(0.0, 1.0, 0.0))
+            .z()
+    };
+    // S^2 x is x two steps ahead and behind, and x twice.
+    let row = |k: usize| [x(k + 1) + x(k - 1), x(k), x(k + 2) + x(k - 2) + 2.0 * x(k)];
+    let ([a, b, c], [d, e, f]) = (row(2), row(5));
+    let (u, v) = (
+        (c * e - b * f) / (a * e - b * d),
+        (a * f - c * d) / (a * e - b * d),
+    );
+    Ok(acos(0.25 * u + (u * u / 16.0 + 0.25 * v).sqrt()) / h)
+}
+
+/// The tilt of the driven top after a second by the equations of the notes, 16.2 (2) and
+/// (3), in theta, theta' and L_Z; L_z grows with the torque.
+fn tilt_by_angles(torque: f64) -> Result<f64> {
+    let (i1, weight, spin) = (5.45e-3, 0.49, 100.0 * 9.0e-4);
+    let law = ode(move |t, &[theta, rate, vertical]: &[f64; 3]| {
+        let ((s, c), axial) = (sincos(theta), spin + torque * t);
+        let precession = (vertical - axial * c) / (i1 * s * s);
+        let pull = weight * s - precession * s * (axial - i1 * precession * c);
+        [rate, pull / i1, torque * c]
+    });
+    Ok(after(1.0, &law, &[1.0, 0.0, spin * cos(1.0)], 1e-13)?[0])
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (swings, states) = (pendulum(p)?, day(p)?);
+    let ((scene, start), end) = (satellite(p)?, states[23]);
+    let (rate, n0) = (swings.small_swing_frequency(), p.mean_motion);
+    let jacobi = |t, state: &State| scene.energy_at(t, state) - n0 * state.angular_momentum.z();
+    let (period, early) = (swings.period(), 2.0 * p.tolerance / (rate * sin(p.askew)));
+    let [astray, astray_by_steps] = led_astray(p, magnet(MAGNET), 1e-13)?;
+    let tenth = Parameters {
+        askew: 0.1 * p.askew,
+        ..p.clone()
+    };
+    let [calm, calm_by_steps] = led_astray(&tenth, magnet(MAGNET), 1e-13)?;
+    let (angles, stepped) = (after_a_minute()?, stepped_for_a_minute()?);
+    let whole = TAU * ((angles.phi - stepped.phi) / TAU).round();
+    let (state, last) = (after_a_second(p)?, 100.0 + p.torque / 9.0e-4);
+    let spin = rotor()?.angular_velocity(&state).z();
+    claims! { report,
+        /// satellite: period of its swing about the vertical
+        swing_period: period, "s", "the solved motion hangs straight" => measured_period(p)?,
+        within early, in "The satellite":
+            TAU / rate => "that is for a small swing",
+            TAU / n0 => "that is a turn about the Earth",
+            period * 2.0_f64.sqrt() => "the angle enters as sin(2 a): twice the angle swings like a pendulum";
+        /// satellite: angle from the vertical after a day
+        swing_day: 0.5 * swings.at(DAY)?.theta, "rad", "solved" => swing(p, DAY, &end),
+        within p.tolerance;
+        /// satellite: energy less n0 L_Z, which is kept
+        jacobi: jacobi(0.0, &start), "J", "solved, after a day" => jacobi(DAY, &end),
+        within 1e2 * p.tolerance * n0 * n0;
+        /// satellite: rate of the slow swing out of the plane
+        slow_rate: slow_rate(p), "rad/s", "two rates of a solved motion" => measured_slow_rate(p)?,
+        within 1e-6 * slow_rate(p);
+        /// satellite with a magnet: how far it is from where it would be, at most, at the hours
+        magnet_worst: astray, "rad", "steps of DOP853" => astray_by_steps, within 1e2 * p.tolerance;
+        /// the same if it swings a tenth as wide
+        magnet_calm: calm, "rad", "steps of DOP853" => calm_by_steps, within 1e2 * p.tolerance;
+        /// top: tilt after a minute
+        top_tilt: angles.theta, "rad", "stepped" => stepped.theta, within 1e-9;
+        /// top: azimuth after a minute, whole turns counted
+        top_azimuth: angles.phi, "rad", "stepped" => stepped.phi + whole, within 2e-9;
+        /// motor: angular velocity along the axle after a second
+        motor_spin: last, "rad/s", "solved" => spin, within p.tolerance * last,
+        in "The motor":
+            100.0 + p.torque / 5.45e-3 => "that is the moment across the axis",
+            p.torque / 9.0e-4 => "it did not begin at rest";
+        /// motor: tilt after a second
+        motor_tilt: state.attitude.euler_angles().theta, "rad", "DOP853 on (2), (3)" => tilt_by_angles(p.torque)?,
+        within p.tolerance;
+    }
+}
+
+/// A body for which the gradient has no torque, a small swing, and a motor that is off.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (normal, askew) = (SpaceVector::new(0.0, 0.0, 1.0), p.askew);
+    let down = SpaceVector::new(-1.0, 0.0, 0.0);
+    let ball = RigidBody::new(PrincipalMoments::new(100.0, 100.0, 100.0)?);
+    let pulled = Scene::new(ball).with(GravityGradient::on_orbit(p.mean_motion, normal, down)?);
+    let start = Attitude::about_space_axis(normal, askew)?;
+    let start = ball.state(start, BodyVector::new(0.0, 0.0, p.mean_motion))?;
+    let end = pulled.solve(&start, DAY, 1e-9)?.state;
+    let small = Parameters {
+        askew: 1e-3,
+        tolerance: 1e-10,
+        ..p.clone()
+    };
+    let rate = pendulum(p)?.small_swing_frequency();
+    let ((scene, start), spin) = (driven(0.0)?, BodyVector::new(0.0, 0.0, 100.0));
+    let off = scene.solve(&start, 1.0, 1e-9)?.state.attitude;
+    let top = HeavyTop::new(
+        SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?,
+        tilted()?,
+        spin,
+    )?;
+    limits! { report,
+        /// all axes alike: no side is nearer than another
+        "a ball for a satellite: angle after a day over that at the start":
+            swing(p, DAY, &end) / askew => 1.0, within 1e-9 / askew;
+        /// a small swing is harmonic, its rate n0 sqrt(3 (I2 - I1)/I3)
+        "askew by 1e-3 rad: rate x period, by the solved motion":
+            rate * measured_period(&small)? => TAU, within 1e-5;
+        /// without the motor the top has a closed form
+        "motor off: angle from the closed form after a second, rad":
+            off.angle_to(&top.try_attitude(1.0)?) => 0.0, within 1e-9;
+    }
+}
+
+/// What acts on a real satellite of this size, two metres long, and is left out.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((scene, start), stiff) = (satellite(p)?, 210.0 * p.mean_motion * p.mean_motion);
+    // Sunlight, 4.5e-6 N/m^2, on 4 m^2, 5 cm beside the centre of mass.
+    let light = 4.5e-6 * 4.0 * 0.05;
+    let sunlight = Torque::on_space("sunlight", |_, _, _| SpaceVector::new(0.0, 0.0, light));
+    let (sunlight, magnet) = (sunlight.smooth(), magnet(MAGNET));
+    let (left_out, formula) = (
+        scene.called_for(&start, DAY, p.tolerance)?,
+        "torque / 3 n0^2 (I2 - I1)",
+    );
+    let [lit, drawn] = [light, MAGNET].map(|torque| torque / stiff);
+    let (orbit, e) = ("an orbit that is no circle, e = 0.001", 1e-3);
+    let forced = 2.0 * e / (3.0 * 0.7 - 1.0);
+    report.add(vec![
+        left_out.line(
+            "sunlight off the centre",
+            formula,
+            lit,
+            &sunlight,
+            "rad in a day",
+        )?,
+        left_out.line("magnet on board", formula, drawn, &magnet, "rad in a day")?,
+        effect(orbit)
+            .number("e", e)
+            .costs(forced, "rad, forced, once an orbit"),
+    ])?;
+    effect_card! { report,
+        "gradient of gravity":
+            "3 (I2 - I1) / I3" = 2.1, costs 2.0 * p.askew, "rad, to the other side", included;
+    }
+}
+
+/// The strip of the satellite's day, and what the library says when it is asked.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((scene, start), pendulum) = (satellite(p)?, pendulum(p)?);
+    let problem = Problem::new(scene, start, DAY, exact(p, &pendulum, DAY)?);
+    report.strip(&problem, &[p.tolerance, 1e-4, 1e-6, 1e-10])?;
+    let (pendulum, p) = (pendulum.clone(), p.clone());
+    report.set_closed_form(ClosedForm::new(move |part| {
+        exact(&p, &pendulum, part * DAY)
+    }));
+    Ok(())
+}
+
+/// What each of the three motions answers to the questions of [`Motion`].
+fn asked(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((satellite, hung), (driven, started), limits) =
+        (satellite(p)?, driven(p.torque)?, Limits::default());
+    let of_satellite = satellite.solve_along(&hung, DAY, p.tolerance, &limits)?;
+    let of_motor = driven.solve_along(&started, 1.0, p.tolerance, &limits)?;
+    let top = top()?;
+    let motions: [(&str, &dyn Motion<State = State>, f64); 3] = [
+        ("satellite", &of_satellite, DAY),
+        ("top", &top, 60.0),
+        ("motor", &of_motor, 1.0),
+    ];
+    let mut table = Table::new(
+        "motion",
+        ["motion", "name()", "try_state(t)", "kept()", "condition(t)"],
+    )?;
+    for (name, motion, t) in motions {
+        let axis = motion.try_state(t)?.attitude.axis();
+        let kept: Vec<&str> = motion.kept().iter().map(|kept| kept.name).collect();
+        table.push([
+            name.to_owned(),
+            motion.name().to_owned(),
+            format!(
+                "t = {} s: e3 at {} rad from Z",
+                short(t, 3),
+                supported_digits(acos(axis.z()), 1e-6)
+            ),
+            if kept.is_empty() {
+                "-".to_owned()
+            } else {
+                kept.join("; ")
+            },
+            format!("{} rad", short(motion.condition(t)?, 2)),
+        ])?;
+    }
+    report.add(table)
+}
+
+/// What is refused, and in which words.
+fn refused(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((scene, start), (body, motor)) = (driven(p.torque)?, (rotor()?, driven(p.torque)?.0));
+    let bearing = CoulombBearing::new(1e-4, &body, &start, 0.0)?;
+    let few = Limits {
+        budget: 1000,
+        ..Limits::default()
+    };
+    let (orbit, askew) = satellite(&Parameters {
+        askew: 0.3,
+        ..p.clone()
+    })?;
+    let wide = orbit.with(magnet(MAGNET)).solve(&askew, DAY, 1e-8).err();
+    let asked = [
+        (
+            "a body that cannot be: I = 1, 2, 4",
+            PrincipalMoments::new(1.0, 2.0, 4.0).err(),
+        ),
+        (
+            "an end that is no number",
+            scene.solve(&start, f64::NAN, 1e-8).err(),
+        ),
+        (
+            "more digits than the start determines",
+            scene.solve(&start, 1.0, 1e-15).err(),
+        ),
+        ("a day with the magnet, if the swing is 0.3 rad", wide),
+        (
+            "a day with a thousand torques",
+            scene.solve_with(&start, DAY, 1e-8, &few).err(),
+        ),
+        (
+            "dry friction, where a motor drives the axle",
+            motor.with(bearing).solve(&start, 1.0, 1e-8).err(),
+        ),
+        (
+            "the top at a time that is no number",
+            top()?.try_state(f64::INFINITY).err(),
+        ),
+    ];
+    let mut table = Table::new("refused", ["asked", "answer"])?;
+    for (request, answer) in asked {
+        let answer = answer.map_or("granted".to_owned(), |error| error.to_string());
+        table.push([request.to_owned(), answer])?;
+    }
+    report.add(table)
+}
+
+example! {
+    library: "The library without the book: a satellite, a top, and an effect of one's own";
+    "The library alone", "a satellite for a day, a top at one time, and a motor as an effect of one's own",
+    [claims, limits, effects, accuracy, asked, refused];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
