@@ -217,13 +217,12 @@ fn waiting(p: &Parameters, tumble: Tumble) -> Result<Figure> {
     panel.figure()
 }
 
-/// The tip of L of the naive run against time, brought back to the sphere, while it turns
-/// less than thirteen times too fast.
+/// The tip of L of the naive run against time, brought back to the sphere, until it has
+/// turned over.
 fn naive_run() -> impl Iterator<Item = (f64, [f64; 3])> {
-    let (run, start) = (Naive::of_the_page(60.0), book().start);
-    let (moments, most) = (run.moments, 13.0 * length(start));
-    let kept = run.take_while(move |rates| length(*rates) < most);
-    kept.zip(1_u32..).map(move |(rates, k)| {
+    let run = Naive::of_the_page(60.0);
+    let moments = run.moments;
+    run.take(258).zip(1_u32..).map(move |(rates, k)| {
         let carried = [0, 1, 2].map(|i| moments[i] * rates[i]);
         (f64::from(k) / 60.0, carried.map(|l| l / length(carried)))
     })
@@ -231,7 +230,7 @@ fn naive_run() -> impl Iterator<Item = (f64, [f64; 3])> {
 
 fn naive_sphere() -> Result<Figure> {
     let alt = "On the sphere of the body the true path is a small closed curve about axis 3. The \
-               path of the naive run winds outward from it, crosses the separatrix, and goes round axis 1.";
+               path of the naive run winds outward from it to the separatrix.";
     let true_book = book();
     let curve = sampled(times(0.0, 2.0 * true_book.between_flips()?, 90), |t| {
         Ok(on_sphere(tip(&true_book, t)?))
@@ -261,8 +260,8 @@ fn naive_sphere() -> Result<Figure> {
 
 fn naive_angle() -> Result<Figure> {
     let alt = "Component of L along the largest axis against time: the true one swings a little \
-               and stays positive. The naive one, sixty steps a second, swings ever wider and goes \
-               to zero after four seconds.";
+               and stays positive. The naive one, sixty steps a second, swings ever wider and is below \
+               zero after four seconds.";
     let (true_book, end) = (book(), 5.0);
     let right = Curve::sampled(
         times(0.0, end, 300),
