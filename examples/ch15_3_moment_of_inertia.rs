@@ -386,7 +386,9 @@ fn references(_: &Parameters) -> Result<Table> {
     for (name, at) in WHEEL_POINTS {
         let terms = split(&wheel(), &rolling().seen_from(at.into()));
         let sum = terms.iter().sum();
-        let numbers = [terms[0], terms[1], terms[2], sum].map(|x: f64| format!("{:.2}", x + 0.0));
+        // Rounding leaves a zero with a sign.
+        let shown = |x: f64| format!("{:.2}", if x.abs() < 1e-12 { 0.0 } else { x });
+        let numbers = [terms[0], terms[1], terms[2], sum].map(shown);
         table.push([name.to_owned()].into_iter().chain(numbers))?;
     }
     Ok(table)

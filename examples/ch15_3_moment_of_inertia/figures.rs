@@ -247,8 +247,11 @@ fn principal() -> Result<Figure> {
                through the centre of mass, y prime at right angles, outside the plate.";
     let [.., angle] = corner_axes(1.0, 1.0, 1.0);
     let drawn = plate(sketch("principal", alt), (0.0, 0.0));
-    two_axes(drawn, (0.0, 0.0), angle, 1.75, ["", ""])
-        .curve(Curve::new([(0.0, 0.0), (1.5, 0.0)], Ink::Frame).dashed())
+    let along = [polar(1.75, angle), polar(1.2, angle + FRAC_PI_2)];
+    let axes = along.into_iter().fold(drawn, |drawn, end| {
+        drawn.arrow_along([(0.0, 0.0), end], Ink::Ink)
+    });
+    axes.curve(Curve::new([(0.0, 0.0), (1.5, 0.0)], Ink::Frame).dashed())
         .angle((0.0, 0.0), 0.34, (0.0, angle), "$45°$")
         .text(polar(1.75, angle), "$x'$", Ink::Ink, Side::Right)
         .text(

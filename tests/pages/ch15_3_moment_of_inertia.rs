@@ -141,10 +141,13 @@ fn eq_15_3_3_energy_of_rotation() {
     error(0.0).exceed(1e-4, CASES);
 }
 
+/// A tensor on other axes.
+type Law = fn(&[[f64; 3]; 3], &Attitude) -> [[f64; 3]; 3];
+
 /// Symmetric, and of second rank: the masses turned, then summed, give Q I Q^T.
 #[test]
 fn eq_15_3_4_tensor_law() {
-    let error = |law: fn(&[[f64; 3]; 3], &Attitude) -> [[f64; 3]; 3]| {
+    let error = |law: Law| {
         over(move |dice| {
             let ((masses, _), axes) = (dice.body(), dice.rotation());
             let t = tensor(&masses);
