@@ -66,13 +66,13 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
             _ => curve,
         });
     }
+    let side = ["towards", "away from"][usize::from(shaft.i1 > shaft.i3)];
     let draw = move |t: f64| {
         let alt = format!(
             "A cylinder slants on an upright shaft in two bearings, {:.2} turns after the start. \
-             Omega points up along the shaft; L leans away from it, on the side away from the \
-             upper end of the cylinder, and its tip is on a level circle. At the tip the torque \
-             points along the circle. Below, the level components of L swing, the upright one \
-             stays.",
+             Omega points up along the shaft; L leans {side} the upper end of the cylinder, and \
+             its tip is on a level circle. At the tip the torque points along the circle. Below, \
+             the level components of L swing, the upright one stays.",
             t * shaft.rate / TAU
         );
         Stack::frame(&alt, scene(&p, &shaft, t, &alt), &graph, t)
