@@ -75,8 +75,9 @@ pub fn velocity(omega: SpaceVector, r: SpaceVector) -> SpaceVector {
     omega.cross(&r)
 }
 
-/// The angular velocity of a body of which two points move with `v` and `w` relative to a
-/// third, the second of them at `s` from it. It must not lie in one plane with the three.
+/// The angular velocity of a body of which two points move with `v` and `w`
+/// relative to a third, the second of them at `s` from it. It must not lie in
+/// the plane of the three.
 pub fn from_two_points(v: SpaceVector, w: SpaceVector, s: SpaceVector) -> SpaceVector {
     v.cross(&w) / v.dot(&s)
 }

@@ -39,7 +39,8 @@ rotation_dynamics::parameters! {
 }
 
 // ANCHOR: days
-/// The angle by which OP turns from one noon to the next: (15.5.11), in a year of `year` days.
+/// The angle by which OP turns from noon to noon, in a year of so many days:
+/// equation (15.5.11).
 pub fn turn(year: f64) -> f64 {
     TAU + TAU / year
 }

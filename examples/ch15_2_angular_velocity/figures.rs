@@ -3,7 +3,7 @@
 
 use super::*;
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, sampled, times};
+use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
 
@@ -281,15 +281,19 @@ fn gyroscope(p: &Parameters) -> Result<Figure> {
         .figure()
 }
 
-/// Length of an arrow of 1 rad/s.
-const SCALE: f64 = 0.4;
+/// The length of an arrow of 1 rad/s with which the three rates together have this length.
+fn scale(g: &Gyroscope, together: f64) -> f64 {
+    let EulerRates { phi, theta, zeta } = g.rates;
+    together / (phi.abs() + theta.abs() + zeta.abs()).max(1e-9)
+}
 
 /// The notes' figure 3: the three rates on the triad, and what the precession has along y, z.
 fn triad(p: &Parameters) -> Result<Figure> {
     let g = posed(p);
     let [x, y, z] = g.triad();
-    let (turn, [_, along_y, _]) = (UP * (g.rates.phi * SCALE), g.nodal());
-    let (on_y, on_z) = (y * (along_y * SCALE), z * (turn.dot(&z)));
+    let scale = scale(&g, 2.2);
+    let (turn, [_, along_y, _]) = (UP * (g.rates.phi * scale), g.nodal());
+    let (on_y, on_z) = (y * (along_y * scale), z * (turn.dot(&z)));
     let alt = "The axes x, y and z, at right angles, and the vertical Z in the plane of y and z. Arrows show the rate of \
                phi along Z, that of theta along x and that of zeta along z; the first has a part along y and one along z.";
     let (hs, hc) = sincos(0.5 * p.theta);
@@ -322,14 +326,14 @@ fn triad(p: &Parameters) -> Result<Figure> {
         )
         .arrow(
             ORIGIN,
-            x * (g.rates.theta * SCALE),
+            x * (g.rates.theta * scale),
             Ink::Velocity,
             "$\\dot\\theta$",
             Side::Left,
         )
         .arrow(
             ORIGIN,
-            z * (g.rates.zeta * SCALE),
+            z * (g.rates.zeta * scale),
             Ink::Velocity,
             "$\\dot\\zeta$",
             Side::Left,
@@ -401,17 +405,19 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The three rates, one after the other, and their sum; below, the components on x, y, z.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let g = Gyroscope::of(p, 0.1);
-    let rate = p.precession.abs() + p.nutation.abs() + g.rates.zeta.abs();
-    // The sum of the arrows is at most as long as for the default rates.
-    let scale = 1.75 / rate.max(1e-9);
+    let scale = scale(&g, 1.75);
+    let path: Vec<[f64; 3]> = times(0.0, END, 200).map(|t| g.after(t).nodal()).collect();
+    let axis = Axis::linear("rad/s").over(path.iter().flatten().copied().chain([-0.1, 0.1]));
     let component = |i: usize, name: &str| {
-        let curve = sampled(times(0.0, END, 200), |t| Ok((t, g.after(t).nodal()[i])));
-        Ok::<_, rotation_dynamics::Error>(Curve::new(curve?, Ink::Velocity).label(name))
+        let curve = times(0.0, END, 200).zip(path.iter().map(|omega| omega[i]));
+        Curve::new(curve, Ink::Velocity).label(name)
     };
-    let graph = Panel::new("graph", "").over("$t$ / s", "rad/s");
-    let graph = graph.curve(component(0, "$\\Omega_x$")?.dotted());
-    let graph = graph.curve(component(1, "$\\Omega_y$")?.dashed());
-    let graph = graph.curve(component(2, "$\\Omega_z$")?);
+    let graph = Panel::new("graph", "")
+        .x(Axis::linear("$t$ / s"))
+        .y(axis)
+        .curve(component(0, "$\\Omega_x$").dotted())
+        .curve(component(1, "$\\Omega_y$").dashed())
+        .curve(component(2, "$\\Omega_z$"));
     MovingPicture::new(0.0..=END, [0.0, 1.14, 4.28], move |t| {
         let now = g.after(t);
         let ([x, _, z], rates, omega) = (now.triad(), now.rates, now.angular_velocity());

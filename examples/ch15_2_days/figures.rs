@@ -158,85 +158,92 @@ fn calendar(p: &Parameters) -> Axis {
     )
 }
 
+/// An axis over all of these curves, and over a little more if they are flat.
+fn reaching(label: &str, curves: &[&[Point]]) -> Axis {
+    let values = curves
+        .iter()
+        .flat_map(|curve| curve.iter().map(|(_, y)| *y));
+    Axis::linear(label).over(values.chain([-0.1, 0.1]))
+}
+
+/// Two causes, what they come to together, and simulated values, over the year.
+fn causes(panel: Panel, p: &Parameters, y: &str, curves: [Vec<Point>; 4]) -> Result<Figure> {
+    let axis = reaching(y, &curves.each_ref().map(Vec::as_slice));
+    let [oval, tilt, both, found] = curves;
+    panel
+        .x(calendar(p))
+        .y(axis)
+        .level(0.0, Ink::Frame, "")
+        .curve(Curve::new(oval, Ink::Frame).dotted().label("orbit"))
+        .curve(Curve::new(tilt, Ink::Frame).dashed().label("tilt"))
+        .curve(Curve::new(both, Ink::Ink).label("both"))
+        .curve(Curve::new(found.into_iter().step_by(18), Ink::Body).dots())
+        .figure()
+}
+
 fn equation(p: &Parameters) -> Result<Figure> {
     let minutes = p.day / 60.0 / TAU;
-    let curve = |f: fn(&Sun) -> f64, ink| {
-        Curve::of(times(0.0, p.year, 366), |t| minutes * f(&sun(p, t)), ink)
+    let curve = |f: fn(&Sun) -> f64| {
+        let sampled = times(0.0, p.year, 366).map(|t| (t, minutes * f(&sun(p, t))));
+        sampled.collect::<Vec<_>>()
     };
-    let noons = orbit::noons(p, p.tolerance)?.0;
-    let dots = (0..)
-        .zip(noons)
-        .step_by(18)
-        .map(|(k, t)| (t, (f64::from(k) - t) * p.day / 60.0));
+    let noons = (0..).zip(orbit::noons(p, p.tolerance)?.0);
+    let found = noons.map(|(k, t)| (t, (f64::from(k) - t) * p.day / 60.0));
+    let found = found.filter(|(t, _)| (0.0..=p.year).contains(t)).collect();
     let alt = "Sundial less clock over the year, in minutes: a wave of one year by the oval orbit and a wave of half a \
                year by the tilt, and their sum, which is lowest in February, a little up in May, down in July and \
                highest in November; dots from simulated noons lie on it.";
-    Panel::new("equation", alt)
-        .x(calendar(p))
-        .y(Axis::linear("sundial less clock / min"))
-        .level(0.0, Ink::Frame, "")
-        .curve(curve(|sun| -sun.centre, Ink::Frame).dotted().label("orbit"))
-        .curve(
-            curve(|sun| sun.reduction, Ink::Frame)
-                .dashed()
-                .label("tilt"),
-        )
-        .curve(curve(Sun::equation_of_time, Ink::Ink).label("both"))
-        .curve(Curve::new(dots, Ink::Body).dots())
-        .figure()
+    let (oval, tilt) = (curve(|sun| -sun.centre), curve(|sun| sun.reduction));
+    let curves = [oval, tilt, curve(Sun::equation_of_time), found];
+    causes(
+        Panel::new("equation", alt),
+        p,
+        "sundial less clock / min",
+        curves,
+    )
 }
 
 fn day_length(p: &Parameters) -> Result<Figure> {
     let lengths = |noons: Vec<f64>| {
-        let days = noons
-            .windows(2)
-            .map(|pair| (0.5 * (pair[0] + pair[1]), (pair[1] - pair[0] - 1.0) * p.day));
-        days.take(p.year as usize).collect::<Vec<_>>()
+        let pairs = noons.windows(2).take(p.year as usize);
+        let days = pairs.map(|t| (0.5 * (t[0] + t[1]), (t[1] - t[0] - 1.0) * p.day));
+        days.filter(|(t, _)| (0.0..=p.year).contains(t))
+            .collect::<Vec<_>>()
     };
     let of = |e, tilt| lengths(noons(&with(p, e, tilt)));
-    let found = lengths(orbit::noons(p, p.tolerance)?.0);
     let alt = "The time from noon to noon less 24 hours over the year, in seconds: twice a year above and twice below \
                zero by the tilt, once by the orbit; together longest at the end of December and shortest in \
                the middle of September.";
-    Panel::new("day_length", alt)
-        .x(calendar(p))
-        .y(Axis::linear("noon to noon less 24 h / s"))
-        .level(0.0, Ink::Frame, "")
-        .curve(
-            Curve::new(of(p.eccentricity, 0.0), Ink::Frame)
-                .dotted()
-                .label("orbit"),
-        )
-        .curve(
-            Curve::new(of(0.0, p.obliquity), Ink::Frame)
-                .dashed()
-                .label("tilt"),
-        )
-        .curve(Curve::new(lengths(noons(p)), Ink::Ink).label("both"))
-        .curve(Curve::new(found.into_iter().step_by(18), Ink::Body).dots())
-        .figure()
+    let found = lengths(orbit::noons(p, p.tolerance)?.0);
+    let (oval, tilt) = (of(p.eccentricity, 0.0), of(0.0, p.obliquity));
+    let curves = [oval, tilt, lengths(noons(p)), found];
+    causes(
+        Panel::new("day_length", alt),
+        p,
+        "noon to noon less 24 h / s",
+        curves,
+    )
 }
 
 fn analemma(p: &Parameters) -> Result<Figure> {
     let point = |t: f64| {
         let sun = sun(p, t);
-        (
-            sun.equation_of_time() * p.day / 60.0 / TAU,
-            sun.declination.to_degrees(),
-        )
+        let minutes = sun.equation_of_time() * p.day / 60.0 / TAU;
+        (minutes, sun.declination.to_degrees())
     };
-    let firsts = [
-        0.0, 31.0, 60.0, 91.0, 121.0, 152.0, 182.0, 213.0, 244.0, 274.0, 305.0, 335.0,
-    ];
+    // The first days of the months, in a year of 366 days.
+    let firsts = [0, 31, 60, 91, 121, 152, 182, 213, 244, 274, 305, 335].map(f64::from);
     let part = p.year / 366.0;
+    let eight: Vec<Point> = times(0.0, p.year, 366).map(point).collect();
+    let across: Vec<Point> = eight.iter().map(|(x, y)| (*y, *x)).collect();
     let alt = "Where the Sun stands at noon by the clock, day after day: its height above the equator against \
                sundial less clock, a slender figure of eight, the lower loop the wider.";
     let panel = Panel::new("analemma", alt)
         .size(340, 340)
-        .x(Axis::linear("sundial less clock / min"))
-        .y(Axis::linear("declination / °"))
+        .x(reaching("sundial less clock / min", &[&across]))
+        .y(reaching("declination / °", &[&eight]))
         .upright(0.0, Ink::Frame, "")
-        .curve(Curve::new(times(0.0, p.year, 366).map(point), Ink::Ink))
+        .curve(Curve::new(eight, Ink::Ink))
         .curve(Curve::new(firsts.map(|k| point(k * part)), Ink::Body).dots());
     let named = [
         (31.0, "Feb", Side::Left),
@@ -244,13 +251,11 @@ fn analemma(p: &Parameters) -> Result<Figure> {
         (213.0, "Aug", Side::Left),
         (305.0, "Nov", Side::Right),
     ];
-    named
-        .into_iter()
-        .fold(panel, |panel, (k, month, side)| {
-            let (x, y) = point(k * part);
-            panel.note(x, y, Ink::Body, month, side)
-        })
-        .figure()
+    let name = |panel: Panel, (k, month, side)| {
+        let (x, y) = point(k * part);
+        panel.note(x, y, Ink::Body, month, side)
+    };
+    named.into_iter().fold(panel, name).figure()
 }
 
 /// The Sun day by day, for `--csv`.

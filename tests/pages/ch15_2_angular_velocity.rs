@@ -260,6 +260,26 @@ fn angles_pay_for_a_pole_and_quaternions_do_not() {
     assert!(near > 5 * far, "{near} {far}");
 }
 
+/// At rest, and fast, and next to a pole, each figure and each still can be drawn.
+#[test]
+fn drawn_for_any_rates() {
+    let cases = [
+        [0.0, 0.0, 0.0, 1.0],
+        [-1e4, 1e4, 1e4, 1.0],
+        [2.0, 0.0, -30.0, 1e-6],
+    ];
+    for [precession, nutation, spin, theta] in cases {
+        let p = Parameters {
+            precession,
+            nutation,
+            spin,
+            theta,
+            ..Parameters::default()
+        };
+        assert_eq!(EXAMPLE.figures(&p).unwrap().len(), 12);
+    }
+}
+
 #[test]
 fn what_has_no_rates_is_refused() {
     let runs = [

@@ -208,6 +208,19 @@ fn other_years_and_orbits_are_confirmed() {
     assert_eq!(date(&Parameters { year: 20.0, ..p }, 3), "day 3");
 }
 
+/// A round orbit, an upright axis, long and short years: each figure and each still is drawn.
+#[test]
+fn drawn_for_any_orbit() {
+    let p = Parameters::default();
+    for (e, tilt, year) in [(0.0, 0.0, 365.24), (0.3, 1.4, 20.0), (0.1, 0.0, 700.0)] {
+        let p = Parameters {
+            year,
+            ..with(&p, e, tilt)
+        };
+        assert_eq!(EXAMPLE.figures(&p).unwrap().len(), 9);
+    }
+}
+
 #[test]
 fn what_is_no_year_is_refused() {
     let runs = [
