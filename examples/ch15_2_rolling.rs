@@ -5,15 +5,12 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
+use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, ode};
-use rotation_dynamics::interval::from_to;
-use rotation_dynamics::math::{atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::report::{ClosedForm, Report};
-use rotation_dynamics::{Error, Result};
+use rotation_dynamics::report::prelude::*;
 
-rotation_dynamics::parameters! {
+parameters! {
     /// The four bodies; the notes leave all numbers open.
     pub struct Parameters {
         /// radius of the wheel on a road
@@ -271,7 +268,7 @@ fn road(p: &Parameters, report: &mut Report) -> Result<()> {
     let (half, _) = method.advance(&on_a_road(), 0.0, &start, 0.5 * TAU)?;
     let (full, _) = method.advance(&on_a_road(), 0.0, &start, TAU)?;
     let [at_top, at_contact] = [half, full].map(|y| on_a_road().derivative(0.0, &y)[3]);
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// wheel: speed of its centre
         wheel_speed: speed, "m/s", "polygons that tip along" => p.wheel_rate * r * distance / TAU, within 1e-11 * speed,
         in "The wheel":
@@ -297,7 +294,7 @@ fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
         coin_rolled(1.0, theta, p.tolerance)?,
         coin_rolled(1.0, TAU, p.tolerance)?,
     );
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// coin: turned, when the line of centres has turned by --orbit
         coin_part: 2.0 * theta, "rad", "rolled about the contact" => part, within bound * theta,
         in "The coins":
@@ -331,7 +328,7 @@ fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let parts = (ratio.max(1.0)).ceil();
     let once = swept(mark, circuit / parts)? * parts;
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// cycle wheel: spin about its shaft, along rho
         spin: spin, "rad/s", "the lowest point stands still" => spin_without_slip(p)?, within 1e-11 * net,
         in "The cycle wheel":
@@ -359,7 +356,7 @@ fn orbiting(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((s, c), rate) = (sincos(p.tilt), p.cylinder_rate);
     let turning = cylinder(p, 0.0)?.to_body(measured(|t| cylinder(p, t), 1.0 / rate)?);
     let axis = |t| Ok(cylinder(p, t)?.axis());
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// cylinder: angular velocity along its axis
         along: rate * c, "rad/s", "turned in a short time" => turning.z(), within 1e-11 * rate,
         in "The cylinder":
@@ -400,7 +397,7 @@ fn along_axis(tilt: f64) -> Result<f64> {
 fn limits(report: &mut Report) -> Result<()> {
     let over = |shaft: f64| cycle_rate(&unit(shaft), RHO).norm();
     let six = tipping(6).1 * TAU / 6.0;
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// a wheel that turns on the spot
         "a = R/1000: |Omega|/Omega less 1": over(1e-3) - 1.0 => 0.0, within 1e-6;
         /// a wheel that rolls nearly straight ahead, at the speed Omega a
@@ -425,7 +422,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let edge = 5e-6 / p.coin_radius;
     // A tyre that touches over 2 cm.
     let width = 0.02 / (2.0 * p.shaft);
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "flattening of a solid tyre":
             "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed";
         "rolling resistance of a hoop":
@@ -437,7 +434,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+example! {
     ch15_2_rolling: "Rolling: a wheel, a coin on a coin, a wheel on a shaft; and a cylinder carried round";
     report, figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -4,13 +4,11 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode};
-use rotation_dynamics::interval::{above, from_to};
-use rotation_dynamics::math::{hypot, sincos};
-use rotation_dynamics::report::{ClosedForm, Report};
-use rotation_dynamics::{Error, Result};
+use rotation_dynamics::report::prelude::*;
 
-rotation_dynamics::parameters! {
+parameters! {
     /// The coins of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the rolling coin
@@ -150,7 +148,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // From contact to contact: an arch, for which the line of centres turns by 2 pi r.
     let arch = rolled(r, TAU * r.abs(), p.tolerance)?.end_state()[5];
     let speed = p.inner * rate * (1.0 + r);
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// angular velocity of the rolling coin
         omega: rate * net, "rad/s", "rolled about the contact" => rate * turned, within rate * bound,
         in "The motion":
@@ -180,7 +178,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Large coins and small ones, outside and inside.
 fn limits(report: &mut Report) -> Result<()> {
     let part = |r: f64, k: usize| particles(r)[k];
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// equal coins: two turns, as in section 15.2
         "R1 = R2: turns": angular_velocity(1.0) => 2.0, within 1e-15;
         /// equal coins: 5 M R^2 Omega, as in section 15.4
@@ -203,7 +201,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     above(0.0).check("distance of the middles", distance)?;
     let energy = p.mass * p.inner * p.inner * p.rate * p.rate * kinetic_energy(r);
     let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance;
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "rubbing on the table; the rate is held":
             "mu M g 2 pi (R1 + R2)/T" = rubbed / energy, costs 0.0, "of L";
         "slip of a hundredth at the contact":
@@ -213,7 +211,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+example! {
     ch15_ex3_coins: "Exercise 15.3: a coin that rolls around a fixed coin of another size";
     report, figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -7,15 +7,12 @@ mod figures;
 
 use cone::{Cone, Sums, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
-use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode};
 use rotation_dynamics::interval::above_to;
-use rotation_dynamics::math::{cos, hypot, sin, tan};
-use rotation_dynamics::report::{ClosedForm, Report};
+use rotation_dynamics::report::prelude::*;
 
-rotation_dynamics::parameters! {
+parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the cone
@@ -187,7 +184,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let size = unit * hypot(rho, up);
     // With the friction needed at two rates, which grows as the square of the rate.
     let friction = |rate: f64| -> Result<f64> { Ok(-summed(p, rate)?.force.x() / (m * p.gravity)) };
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// angular velocity, along rho
         omega: omega, "rad/s", "the line of contact at rest" => net.x(), within near * omega.abs(),
         in "The motion":
@@ -233,7 +230,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Slender cones, flat ones, and a rate so slow that it hardly moves.
 fn limits(report: &mut Report) -> Result<()> {
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// a rod 3/5 M h^2 on end, and the spin, ever faster: 3/10 + 3/20
         "alpha = 0.001: T/(M h^2 Omega^2)": kinetic_energy(1e-3) => 0.45, within 1e-6;
         /// a rod that sweeps round
@@ -257,7 +254,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let energy = p.mass * h * h * rate * rate * kinetic_energy(a);
     let (side, speed) = (h * h * tan(a), 0.75 * h * rate * cos(a));
     let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a);
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "friction, as far as it is needed":
             "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
         "rolling resistance":
@@ -267,7 +264,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+example! {
     ch15_ex6_cone: "Exercise 15.6: a solid cone that rolls on a table about its vertex";
     report, figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -7,19 +7,15 @@ mod figures;
 
 use cone::{Cone, Sums, UP, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
-use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, Torque};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::interval::from_to;
-use rotation_dynamics::math::{atan2, cos, hypot, sin, tan};
-use rotation_dynamics::report::Report;
+use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::scene::Scene;
 
-rotation_dynamics::parameters! {
+parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the cone
@@ -169,7 +165,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     // As the square of the rate, the force grows from that of the cone at rest.
     let grown = pressed(p, rate)? / weight - 0.75;
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// angular velocity, along rho
         omega_rho: rate * along, "rad/s", "the lowest point at rest" => spin, within near * rate / s,
         in "The motion":
@@ -216,7 +212,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(report: &mut Report) -> Result<()> {
     let flat = TAU / 4.0 - 1e-3;
     let disc = |x: f64| x / (tan(flat) * tan(flat));
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// a slender cone does not care whether its vertex is raised: 3/10 + 3/20
         "alpha = 0.001: T/(M h^2 Omega^2)": kinetic_energy(1e-3) => 0.45, within 1e-6;
         /// a plate that stands on its rim and turns about a diameter: 3/40 M R^2
@@ -237,7 +233,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let rolling = p.mass * p.gravity * pressure(a, w) * lever * TAU / tan(a);
     let (side, speed) = (h * h * tan(a), 0.75 * h * rate);
     let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h;
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "radial friction at the rim":
             "mu tan(alpha)" = friction * tan(a), costs friction * tan(a), "of N, at most";
         "rolling resistance":
@@ -247,7 +243,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+example! {
     ch15_ex7_raised_cone: "Exercise 15.7: a cone with a level axis, its vertex held and its rim rolling";
     report, figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -2,110 +2,252 @@
 
 use super::*;
 use core::f64::consts::PI;
-use rotation_dynamics::report::draw::{
-    Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View,
-};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
-
-/// All figures of the page.
-pub fn figures(_: &Parameters) -> Result<Vec<Figure>> {
-    let all = [
-        cycloid,
-        polygon,
-        coins,
-        cycle_wheel,
-        cycle_top,
-        cycle_side,
-        cylinder_tilted,
-        cylinder_line,
-    ];
-    all.into_iter().map(|draw| draw()).collect()
-}
+use rotation_dynamics::report::draw::Camera;
 
 /// A point of the rim after the wheel has turned by `t`.
 fn on_cycloid(t: f64) -> (f64, f64) {
     (t - sin(t), 1.0 - cos(t))
 }
 
-fn road_sketch(name: &str, alt: &str) -> Sketch {
-    Sketch::new(name, alt)
-        .window((-1.25, TAU + 1.25), (-0.8, 2.4))
-        .wall((-1.2, 0.0), (TAU + 1.2, 0.0))
+/// The road, as long as a turn of the wheel and a wheel more.
+fn road_sketch() -> Sketch {
+    Sketch::within((-1.25, TAU + 1.25), (-0.8, 2.4)).wall((-1.2, 0.0), (TAU + 1.2, 0.0))
 }
 
-fn cycloid() -> Result<Figure> {
-    let alt = "A wheel on a road at the start, after half a turn and after a turn. A point of its \
-               rim, which touches the road at the start, draws a high arch and is back on the road \
-               after the turn. In the middle position arrows show the velocities: none at the \
-               road, V at the centre, twice that at the top.";
-    let arch = Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Body);
-    let ends = |sketch: Sketch| {
-        sketch
-            .roller((0.0, 1.0), 1.0, -FRAC_PI_2, Ink::Frame)
-            .roller((TAU, 1.0), 1.0, -FRAC_PI_2, Ink::Frame)
+figures! { _: &Parameters;
+    /// A wheel on a road at the start, after half a turn and after a turn. A point of its rim,
+    /// which touches the road at the start, draws a high arch and is back on the road after the
+    /// turn. In the middle position arrows show the velocities: none at the road, V at the
+    /// centre, twice that at the top.
+    cycloid: {
+        let arch = Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Body);
+        let ends = |sketch: Sketch| {
+            sketch
+                .roller((0.0, 1.0), 1.0, -FRAC_PI_2, Ink::Frame)
+                .roller((TAU, 1.0), 1.0, -FRAC_PI_2, Ink::Frame)
+        };
+        road_sketch()
+            .ghost(ends)
+            .roller((PI, 1.0), 1.0, FRAC_PI_2, Ink::Frame)
+            .curve(arch)
+            .arrow_along([(PI, 1.0), (PI + 0.85, 1.0)], Ink::Ink)
+            .text((PI + 0.85, 1.0), "$V$", Ink::Ink, Side::Right)
+            .arrow_along([(PI, 2.0), (PI + 1.7, 2.0)], Ink::Ink)
+            .text((PI + 1.7, 2.0), "$2V$", Ink::Ink, Side::Right)
+            .turn((PI, 1.0), 0.5, (-2.0, -4.2), Ink::Velocity)
+            .text((PI - 0.5, 1.0), r"$\omega$", Ink::Velocity, Side::Right)
+            .dot((PI, 0.0), Ink::Ink, "at rest", Side::Below)
+            .dot((PI, 2.0), Ink::Body, "", Side::Above)
+            .dot((0.0, 0.0), Ink::Body, "", Side::Above)
+            .dot((TAU, 0.0), Ink::Body, "", Side::Above)
     };
-    road_sketch("cycloid", alt)
-        .ghost(ends)
-        .roller((PI, 1.0), 1.0, FRAC_PI_2, Ink::Frame)
-        .curve(arch)
-        .arrow_along([(PI, 1.0), (PI + 0.85, 1.0)], Ink::Ink)
-        .text((PI + 0.85, 1.0), "$V$", Ink::Ink, Side::Right)
-        .arrow_along([(PI, 2.0), (PI + 1.7, 2.0)], Ink::Ink)
-        .text((PI + 1.7, 2.0), "$2V$", Ink::Ink, Side::Right)
-        .turn((PI, 1.0), 0.5, (-2.0, -4.2), Ink::Velocity)
-        .text((PI - 0.5, 1.0), r"$\omega$", Ink::Velocity, Side::Right)
-        .dot((PI, 0.0), Ink::Ink, "at rest", Side::Below)
-        .dot((PI, 2.0), Ink::Body, "", Side::Above)
-        .dot((0.0, 0.0), Ink::Body, "", Side::Above)
-        .dot((TAU, 0.0), Ink::Body, "", Side::Above)
-        .figure()
-}
 
-fn polygon() -> Result<Figure> {
-    let alt = "A hexagon tips along a road from side to side. A corner of it draws five arcs of \
-               circles about the corners on which it tips; they follow a cycloid, a little inside.";
-    let (corners, _) = tipping(6);
-    let at = |p: SpaceVector| (p.x(), p.z());
-    let hexagon = |x: f64| {
-        (0..6).map(move |k| {
-            let (s, c) = sincos(f64::from(k) * TAU / 6.0 - 2.0 * TAU / 6.0);
-            (x + c, cos(TAU / 12.0) + s)
-        })
-    };
-    let ends = |sketch: Sketch| {
-        let sketch = sketch.body(hexagon(0.5), Ink::Frame, 0.15);
-        sketch.body(hexagon(6.5), Ink::Frame, 0.15)
-    };
-    let mut sketch = road_sketch("polygon", alt)
-        .ghost(ends)
-        .body(hexagon(3.5), Ink::Frame, 0.15);
-    sketch = sketch.curve(
-        Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Ink)
-            .thin()
-            .dashed(),
-    );
-    for (k, pair) in corners.windows(2).enumerate() {
-        let pivot = SpaceVector::new(k as f64 + 1.0, 0.0, 0.0);
-        let (arm, turn) = (pair[0] - pivot, TAU / 6.0);
-        let arc = times(0.0, turn, 20).map(|a| {
-            let (s, c) = sincos(a);
-            (
-                pivot.x() + c * arm.x() + s * arm.z(),
-                c * arm.z() - s * arm.x(),
-            )
-        });
-        sketch = sketch
-            .curve(Curve::new(arc, Ink::Body))
-            .dot(at(pivot), Ink::Ink, "", Side::Below);
-        if k == 2 {
-            sketch = sketch.curve(Curve::new([at(pivot), at(pair[0])], Ink::Ink).thin());
-            sketch = sketch.curve(Curve::new([at(pivot), at(pair[1])], Ink::Ink).thin());
+    /// A hexagon tips along a road from side to side. A corner of it draws five arcs of circles
+    /// about the corners on which it tips; they follow a cycloid, a little inside.
+    polygon: {
+        let (corners, _) = tipping(6);
+        let at = |p: SpaceVector| (p.x(), p.z());
+        let hexagon = |x: f64| {
+            (0..6).map(move |k| {
+                let (s, c) = sincos(f64::from(k) * TAU / 6.0 - 2.0 * TAU / 6.0);
+                (x + c, cos(TAU / 12.0) + s)
+            })
+        };
+        let ends = |sketch: Sketch| {
+            let sketch = sketch.body(hexagon(0.5), Ink::Frame, 0.15);
+            sketch.body(hexagon(6.5), Ink::Frame, 0.15)
+        };
+        let cycloid = Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Ink).thin().dashed();
+        let sketch = road_sketch().ghost(ends).body(hexagon(3.5), Ink::Frame, 0.15);
+        let mut sketch = sketch.curve(cycloid);
+        for (k, pair) in corners.windows(2).enumerate() {
+            let pivot = SpaceVector::new(k as f64 + 1.0, 0.0, 0.0);
+            let (arm, turn) = (pair[0] - pivot, TAU / 6.0);
+            let arc = times(0.0, turn, 20).map(|a| {
+                let (s, c) = sincos(a);
+                (pivot.x() + c * arm.x() + s * arm.z(), c * arm.z() - s * arm.x())
+            });
+            sketch = sketch
+                .curve(Curve::new(arc, Ink::Body))
+                .dot(at(pivot), Ink::Ink, "", Side::Below);
+            if k == 2 {
+                sketch = sketch.curve(Curve::new([at(pivot), at(pair[0])], Ink::Ink).thin());
+                sketch = sketch.curve(Curve::new([at(pivot), at(pair[1])], Ink::Ink).thin());
+            }
         }
-    }
-    let sketch = corners
-        .iter()
-        .fold(sketch, |s, &p| s.dot(at(p), Ink::Body, "", Side::Above));
-    sketch.figure()
+        corners.iter().fold(sketch, |s, &p| s.dot(at(p), Ink::Body, "", Side::Above))
+    };
+
+    /// A fixed coin C1; on top of it, at alpha, the coin C2, with an arrow from its centre O2
+    /// down to the point A where they touch. Faint at 45 degrees: the arrow has turned by 90.
+    /// On the left, at beta: it points straight up.
+    coins: {
+        let (o, alpha, beta) = ((0.0, 0.0), (0.0, 2.0), (-2.0, 0.0));
+        let path = times(0.0, TAU, 120).map(|t| {
+            let ((x, y), (dx, dy)) = (polar(2.0, FRAC_PI_2 + t), polar(1.0, 2.0 * t - FRAC_PI_2));
+            (x + dx, y + dy)
+        });
+        let between = |s: Sketch| coin(s, polar(2.0, 0.75 * PI), 0.0, Ink::Body);
+        let sketch = Sketch::within((-3.6, 2.6), (-1.6, 3.4))
+            .curve(Curve::new(path.take(31), Ink::Body).thin().dashed())
+            .disc(o, 1.0, Ink::Frame, 0.15)
+            .ghost(between);
+        let sketch = coin(sketch, alpha, -FRAC_PI_2, Ink::Body);
+        coin(sketch, beta, FRAC_PI_2, Ink::Body)
+            .curve(Curve::new([o, alpha], Ink::Ink).thin().dashed())
+            .curve(Curve::new([o, beta], Ink::Ink).thin().dashed())
+            .angle(o, 0.4, (FRAC_PI_2, PI), "")
+            .text((-0.6, 0.62), r"$\theta_{orbit}$", Ink::Ink, Side::Centre)
+            .curve(Curve::new([beta, (-2.0, -1.0)], Ink::Body).thin().dotted())
+            .turn(beta, 0.45, (-FRAC_PI_2, 1.45), Ink::Body)
+            .text((-2.06, 0.0), r"$\theta_{net}$", Ink::Body, Side::Left)
+            .dot(o, Ink::Ink, "$O_1$", Side::BelowRight)
+            .text(alpha, "$O_2$", Ink::Ink, Side::AboveRight)
+            .text((0.0, 1.0), "$A$", Ink::Body, Side::BelowRight)
+            .text((1.0, 2.0), r"$C_2$ at $\alpha$", Ink::Body, Side::Right)
+            .text((-2.0, -1.0), r"$C_2$ at $\beta$", Ink::Body, Side::Below)
+            .text((0.75, -0.75), "$C_1$", Ink::Frame, Side::BelowRight)
+    };
+
+    /// A wheel stands on the ground at the end of a level shaft, which is held by an upright
+    /// rod. From the joint of rod and shaft three arrows: Omega along Z, up; Omega_S along the
+    /// shaft, away from the wheel; and their sum. A dashed line leads from the point where the
+    /// wheel touches the ground through the joint, along the sum.
+    cycle_wheel: {
+        let ([r, a, scale], phi) = (WHEEL, 1.45);
+        let rho = SpaceVector::new(cos(phi), sin(phi), 0.0);
+        let (joint, centre, contact) = (UP * r, rho * a + UP * r, rho * a);
+        let (precession, spin) = (UP * (2.0 * scale), rho * (-2.0 * a / r * scale));
+        let circle = times(0.0, TAU, 90).map(|t| SpaceVector::new(a * cos(t), a * sin(t), 0.0));
+        View::of(UP * 0.27, 0.72)
+            .camera(Camera::new(0.6, 0.3))
+            .size(340, 260)
+            .ground(SpaceVector::zero(), 0.72)
+            .dashed(circle, Ink::Frame)
+            .solid(Solid::rod(SpaceVector::zero(), UP * 0.36, 0.012), Ink::Frame)
+            .solid(Solid::rod(joint, centre, 0.012), Ink::Frame)
+            .solid(Solid::wheel(centre, rho, r, 0.04, 0.3), Ink::Body)
+            .dashed([contact, joint + (precession + spin)], Ink::Ink)
+            .arrow(joint, joint + precession, Ink::Velocity, r"$\Omega\hat Z$", Side::Right)
+            .arrow(joint, joint + spin, Ink::Velocity, r"$\Omega_S\hat\rho$", Side::Below)
+            .arrow(joint, joint + (precession + spin), Ink::Velocity, "sum", Side::Above)
+            .arrow(centre, centre + rho * 0.2, Ink::Frame, r"$\hat\rho$", Side::Right)
+            .text(joint + rho * (0.5 * a), "$a$", Ink::Ink, Side::Above)
+            .text(centre - UP * (0.5 * r), "$R$", Ink::Ink, Side::Centre)
+            .dot(contact, Ink::Ink, "at rest", Side::BelowRight)
+            .dot(joint, Ink::Ink, "", Side::Right)
+    };
+
+    /// From above: a shaft from the rod to the wheel, which is seen edge on. Shaft and wheel
+    /// have turned by the angle phi about the rod. A line OP along the wheel, from its centre
+    /// O, has turned by the same angle.
+    cycle_top: {
+        let ([r, a, _], phi) = (WHEEL, 0.8);
+        let place = |phi: f64| {
+            let ((x, y), (dx, dy)) = (polar(a, phi), polar(r, phi + FRAC_PI_2));
+            [(x - dx, y - dy), (x, y), (x + dx, y + dy)]
+        };
+        let ([rear, hub, front], [rear0, hub0, front0]) = (place(phi), place(0.0));
+        let rod = (0.0, 0.0);
+        let before = |s: Sketch| {
+            s.bar(rear0, front0, 0.04, Ink::Body)
+                .curve(Curve::new([rod, hub0], Ink::Frame).width(2.4))
+        };
+        let circle = times(-0.25, 2.4, 90).map(|t| polar(a, t));
+        Sketch::within((-0.5, 0.8), (-0.42, 0.72))
+            .guide(circle)
+            .ghost(before)
+            .curve(Curve::new([rod, hub], Ink::Frame).width(2.4))
+            .bar(rear, front, 0.04, Ink::Body)
+            .arrow_along([hub, front], Ink::Body)
+            .angle(rod, 0.2, (0.0, phi), r"$\phi$")
+            .turn(rod, 0.32, (1.1, 2.2), Ink::Velocity)
+            .text(polar(0.33, 1.7), r"$\Omega=\dot\phi$", Ink::Velocity, Side::Above)
+            .dot(rod, Ink::Ink, "$Z$, towards you", Side::BelowLeft)
+            .dot(hub, Ink::Ink, "$O$", Side::BelowRight)
+            .text(front, "$P$", Ink::Body, Side::Above)
+    };
+
+    /// The wheel from outside, facing it: it stands on the ground and rolls to the right. A
+    /// line OP on it has turned clockwise by the angle zeta from an upright reference line.
+    cycle_side: {
+        let (zeta, o) = (0.9, (0.0, 1.0));
+        let end = (sin(zeta), 1.0 + cos(zeta));
+        let short = (0.95 * end.0, 1.0 + 0.95 * (end.1 - 1.0));
+        Sketch::within((-1.9, 1.9), (-0.4, 2.9))
+            .wall((-1.8, 0.0), (1.8, 0.0))
+            .disc(o, 1.0, Ink::Body, 0.12)
+            .guide([o, (0.0, 2.3)])
+            .angle(o, 0.42, (FRAC_PI_2 - zeta, FRAC_PI_2), r"$\zeta$")
+            .arrow_along([o, short], Ink::Body)
+            .turn(o, 1.2, (2.6, 1.75), Ink::Velocity)
+            .text((-0.95, 2.05), r"$\dot\zeta=-\Omega_S$", Ink::Velocity, Side::AboveLeft)
+            .arrow_along([o, (0.0, 0.45)], Ink::Ink)
+            .text((0.0, 0.5), "$R$", Ink::Ink, Side::Right)
+            .arrow_along([(1.1, 0.55), (1.7, 0.55)], Ink::Ink)
+            .text((1.4, 0.55), r"$\hat\phi$", Ink::Ink, Side::Above)
+            .dot(o, Ink::Ink, "$O$", Side::Left)
+            .text((-1.88, 0.2), r"$\hat\rho$ towards you", Ink::Ink, Side::Right)
+            .text(end, "$P$", Ink::Body, Side::AboveRight)
+            .dot((0.0, 0.0), Ink::Ink, "at rest", Side::AboveRight)
+    };
+
+    /// A cylinder whose axis leans from the vertical AA' by the angle theta. Omega points up;
+    /// dashed lines resolve it into a part along the cylinder's axis z and a part along y, at
+    /// right angles to it.
+    cylinder: {
+        let (theta, phi) = (0.5, 0.6 + PI);
+        let leaning = |t: f64| SpaceVector::new(sin(t) * sin(phi), -sin(t) * cos(phi), cos(t));
+        let z = leaning(theta);
+        let y = SpaceVector::new(-cos(theta) * sin(phi), cos(theta) * cos(phi), sin(theta));
+        let (o, omega) = (SpaceVector::zero(), 1.25);
+        let (along, across) = (z * (omega * cos(theta)), y * (omega * sin(theta)));
+        let tilt = times(0.0, theta, 16).map(|t| leaning(t) * 0.8);
+        View::of(UP * 0.2, 1.25)
+            .size(340, 300)
+            .solid(Solid::cylinder(z * -0.55, z * 0.55, 0.2), Ink::Body)
+            .dashed([UP * -0.95, UP * 1.42], Ink::Frame)
+            .dashed([along, UP * omega], Ink::Frame)
+            .dashed([across, UP * omega], Ink::Frame)
+            .arrow(o, UP * omega, Ink::Velocity, r"$\Omega\hat Z$", Side::Left)
+            .arrow(o, along, Ink::Velocity, r"$\Omega_z\hat z$", Side::Right)
+            .arrow(o, across, Ink::Velocity, r"$\Omega_y\hat y$", Side::Left)
+            .turn(tilt, Ink::Ink)
+            .text(leaning(0.25) * 0.84, r"$\theta$", Ink::Ink, Side::Above)
+            .text(UP * -0.95, "$A$", Ink::Frame, Side::Left)
+            .text(UP * 1.42, "$A'$", Ink::Frame, Side::Right)
+            .dot(o, Ink::Ink, "$O$", Side::BelowRight)
+    };
+
+    /// From above: the upper end of the tilted cylinder at four places of its orbit, P1 to P4,
+    /// each with a mark on its rim. The line from O to P turns once, and so does the mark: it
+    /// stays on the outer side.
+    line: {
+        let o = (0.0, 0.0);
+        let (sketch, outward) = (Sketch::within((-1.7, 1.7), (-1.6, 1.6)), [0.0, 1.0, 2.0, 3.0]);
+        let circle = times(0.0, TAU, 120).map(|t| polar(1.0, t));
+        let mut sketch = sketch.guide(circle);
+        for k in outward {
+            let turn = k * FRAC_PI_2;
+            let (s, c) = sincos(turn);
+            // A disc that leans outward looks narrower along the line.
+            let rim = times(0.0, TAU, 60).map(|t| {
+                let (along, aside) = (1.0 + 0.36 * cos(0.5) * cos(t), 0.36 * sin(t));
+                (along * c - aside * s, along * s + aside * c)
+            });
+            let label = format!("$P_{}$", k + 1.0);
+            let side = [Side::Above, Side::Left][k as usize % 2];
+            sketch = sketch
+                .body(rim, Ink::Body, 0.15)
+                .curve(Curve::new([o, polar(1.0, turn)], Ink::Body))
+                .dot(polar(1.0, turn), Ink::Body, &label, side)
+                .ring(polar(1.0 + 0.36 * cos(0.5), turn), Ink::Body, "", Side::Right);
+        }
+        sketch
+            .turn(o, 1.0, (0.62, 0.95), Ink::Velocity)
+            .text(polar(1.05, 0.8), r"$\Omega$", Ink::Velocity, Side::AboveRight)
+            .dot(o, Ink::Ink, "$O$", Side::BelowRight)
+    };
 }
 
 /// The point at this distance from the origin in this direction.
@@ -123,284 +265,32 @@ fn coin(sketch: Sketch, (x, y): (f64, f64), turn: f64, ink: Ink) -> Sketch {
         .dot((x + dx, y + dy), ink, "", Side::Centre)
 }
 
-fn coins() -> Result<Figure> {
-    let alt = "A fixed coin C1; on top of it, at alpha, the coin C2, with an arrow from its centre \
-               O2 down to the point A where they touch. Faint at 45 degrees: the arrow has turned \
-               by 90. On the left, at beta: it points straight up.";
-    let (o, alpha, beta) = ((0.0, 0.0), (0.0, 2.0), (-2.0, 0.0));
-    let path = times(0.0, TAU, 120).map(|t| {
-        let ((x, y), (dx, dy)) = (polar(2.0, FRAC_PI_2 + t), polar(1.0, 2.0 * t - FRAC_PI_2));
-        (x + dx, y + dy)
-    });
-    let between = |s: Sketch| coin(s, polar(2.0, 0.75 * PI), 0.0, Ink::Body);
-    let sketch = Sketch::new("coins", alt)
-        .window((-3.6, 2.6), (-1.6, 3.4))
-        .curve(Curve::new(path.take(31), Ink::Body).thin().dashed())
-        .disc(o, 1.0, Ink::Frame, 0.15)
-        .ghost(between);
-    let sketch = coin(sketch, alpha, -FRAC_PI_2, Ink::Body);
-    coin(sketch, beta, FRAC_PI_2, Ink::Body)
-        .curve(Curve::new([o, alpha], Ink::Ink).thin().dashed())
-        .curve(Curve::new([o, beta], Ink::Ink).thin().dashed())
-        .angle(o, 0.4, (FRAC_PI_2, PI), "")
-        .text((-0.6, 0.62), r"$\theta_{orbit}$", Ink::Ink, Side::Centre)
-        .curve(Curve::new([beta, (-2.0, -1.0)], Ink::Body).thin().dotted())
-        .turn(beta, 0.45, (-FRAC_PI_2, 1.45), Ink::Body)
-        .text((-2.06, 0.0), r"$\theta_{net}$", Ink::Body, Side::Left)
-        .dot(o, Ink::Ink, "$O_1$", Side::BelowRight)
-        .text(alpha, "$O_2$", Ink::Ink, Side::AboveRight)
-        .text((0.0, 1.0), "$A$", Ink::Body, Side::BelowRight)
-        .text((1.0, 2.0), r"$C_2$ at $\alpha$", Ink::Body, Side::Right)
-        .text((-2.0, -1.0), r"$C_2$ at $\beta$", Ink::Body, Side::Below)
-        .text((0.75, -0.75), "$C_1$", Ink::Frame, Side::BelowRight)
-        .figure()
-}
-
 /// The notes' cycle wheel: radius, shaft; and how long an arrow is for 1 rad/s.
 const WHEEL: [f64; 3] = [0.3, 0.5, 0.16];
 
-fn cycle_wheel() -> Result<Figure> {
-    let alt = "A wheel stands on the ground at the end of a level shaft, which is held by an \
-               upright rod. From the joint of rod and shaft three arrows: Omega along Z, up; \
-               Omega_S along the shaft, away from the wheel; and their sum. A dashed line leads \
-               from the point where the wheel touches the ground through the joint, along the sum.";
-    let ([r, a, scale], phi) = (WHEEL, 1.45);
-    let rho = SpaceVector::new(cos(phi), sin(phi), 0.0);
-    let (joint, centre, contact) = (UP * r, rho * a + UP * r, rho * a);
-    let (precession, spin) = (UP * (2.0 * scale), rho * (-2.0 * a / r * scale));
-    let circle = times(0.0, TAU, 90).map(|t| SpaceVector::new(a * cos(t), a * sin(t), 0.0));
-    View::new("cycle_wheel", alt)
-        .camera(Camera::new(0.6, 0.3))
-        .around(UP * 0.27, 0.72)
-        .size(340, 260)
-        .ground(SpaceVector::zero(), 0.72)
-        .dashed(circle, Ink::Frame)
-        .solid(
-            Solid::rod(SpaceVector::zero(), UP * 0.36, 0.012),
-            Ink::Frame,
-        )
-        .solid(Solid::rod(joint, centre, 0.012), Ink::Frame)
-        .solid(Solid::wheel(centre, rho, r, 0.04, 0.3), Ink::Body)
-        .dashed([contact, joint + (precession + spin)], Ink::Ink)
-        .arrow(
-            joint,
-            joint + precession,
-            Ink::Velocity,
-            r"$\Omega\hat Z$",
-            Side::Right,
-        )
-        .arrow(
-            joint,
-            joint + spin,
-            Ink::Velocity,
-            r"$\Omega_S\hat\rho$",
-            Side::Below,
-        )
-        .arrow(
-            joint,
-            joint + (precession + spin),
-            Ink::Velocity,
-            "sum",
-            Side::Above,
-        )
-        .arrow(
-            centre,
-            centre + rho * 0.2,
-            Ink::Frame,
-            r"$\hat\rho$",
-            Side::Right,
-        )
-        .text(joint + rho * (0.5 * a), "$a$", Ink::Ink, Side::Above)
-        .text(centre - UP * (0.5 * r), "$R$", Ink::Ink, Side::Centre)
-        .dot(contact, Ink::Ink, "at rest", Side::BelowRight)
-        .dot(joint, Ink::Ink, "", Side::Right)
-        .figure()
-}
-
-fn cycle_top() -> Result<Figure> {
-    let alt = "From above: a shaft from the rod to the wheel, which is seen edge on. Shaft and wheel \
-               have turned by the angle phi about the rod. A line OP along the wheel, from its \
-               centre O, has turned by the same angle.";
-    let ([r, a, _], phi) = (WHEEL, 0.8);
-    let place = |phi: f64| {
-        let ((x, y), (dx, dy)) = (polar(a, phi), polar(r, phi + FRAC_PI_2));
-        [(x - dx, y - dy), (x, y), (x + dx, y + dy)]
-    };
-    let ([rear, hub, front], [rear0, hub0, front0]) = (place(phi), place(0.0));
-    let rod = (0.0, 0.0);
-    let before = |s: Sketch| {
-        s.bar(rear0, front0, 0.04, Ink::Body)
-            .curve(Curve::new([rod, hub0], Ink::Frame).width(2.4))
-    };
-    let circle = times(-0.25, 2.4, 90).map(|t| polar(a, t));
-    Sketch::new("cycle_top", alt)
-        .window((-0.5, 0.8), (-0.42, 0.72))
-        .curve(Curve::new(circle, Ink::Frame).thin().dashed())
-        .ghost(before)
-        .curve(Curve::new([rod, hub], Ink::Frame).width(2.4))
-        .bar(rear, front, 0.04, Ink::Body)
-        .arrow_along([hub, front], Ink::Body)
-        .angle(rod, 0.2, (0.0, phi), r"$\phi$")
-        .turn(rod, 0.32, (1.1, 2.2), Ink::Velocity)
-        .text(
-            polar(0.33, 1.7),
-            r"$\Omega=\dot\phi$",
-            Ink::Velocity,
-            Side::Above,
-        )
-        .dot(rod, Ink::Ink, "$Z$, towards you", Side::BelowLeft)
-        .dot(hub, Ink::Ink, "$O$", Side::BelowRight)
-        .text(front, "$P$", Ink::Body, Side::Above)
-        .figure()
-}
-
-fn cycle_side() -> Result<Figure> {
-    let alt = "The wheel from outside, facing it: it stands on the ground and rolls to the right. A \
-               line OP on it has turned clockwise by the angle zeta from an upright reference line.";
-    let (zeta, o) = (0.9, (0.0, 1.0));
-    let end = (sin(zeta), 1.0 + cos(zeta));
-    let short = (0.95 * end.0, 1.0 + 0.95 * (end.1 - 1.0));
-    Sketch::new("cycle_side", alt)
-        .window((-1.9, 1.9), (-0.4, 2.9))
-        .wall((-1.8, 0.0), (1.8, 0.0))
-        .disc(o, 1.0, Ink::Body, 0.12)
-        .curve(Curve::new([o, (0.0, 2.3)], Ink::Frame).thin().dashed())
-        .angle(o, 0.42, (FRAC_PI_2 - zeta, FRAC_PI_2), r"$\zeta$")
-        .arrow_along([o, short], Ink::Body)
-        .turn(o, 1.2, (2.6, 1.75), Ink::Velocity)
-        .text(
-            (-0.95, 2.05),
-            r"$\dot\zeta=-\Omega_S$",
-            Ink::Velocity,
-            Side::AboveLeft,
-        )
-        .arrow_along([o, (0.0, 0.45)], Ink::Ink)
-        .text((0.0, 0.5), "$R$", Ink::Ink, Side::Right)
-        .arrow_along([(1.1, 0.55), (1.7, 0.55)], Ink::Ink)
-        .text((1.4, 0.55), r"$\hat\phi$", Ink::Ink, Side::Above)
-        .dot(o, Ink::Ink, "$O$", Side::Left)
-        .text(
-            (-1.88, 0.2),
-            r"$\hat\rho$ towards you",
-            Ink::Ink,
-            Side::Right,
-        )
-        .text(end, "$P$", Ink::Body, Side::AboveRight)
-        .dot((0.0, 0.0), Ink::Ink, "at rest", Side::AboveRight)
-        .figure()
-}
-
-fn cylinder_tilted() -> Result<Figure> {
-    let alt = "A cylinder whose axis leans from the vertical AA' by the angle theta. Omega points \
-               up; dashed lines resolve it into a part along the cylinder's axis z and a part \
-               along y, at right angles to it.";
-    let (theta, phi) = (0.5, 0.6 + PI);
-    let z = SpaceVector::new(sin(theta) * sin(phi), -sin(theta) * cos(phi), cos(theta));
-    let y = SpaceVector::new(-cos(theta) * sin(phi), cos(theta) * cos(phi), sin(theta));
-    let (o, omega) = (SpaceVector::zero(), 1.25);
-    let (along, across) = (z * (omega * cos(theta)), y * (omega * sin(theta)));
-    let tilt = times(0.0, theta, 16)
-        .map(|t| SpaceVector::new(sin(t) * sin(phi), -sin(t) * cos(phi), cos(t)) * 0.8);
-    View::new("cylinder", alt)
-        .around(UP * 0.2, 1.25)
-        .size(340, 300)
-        .solid(Solid::cylinder(z * -0.55, z * 0.55, 0.2), Ink::Body)
-        .dashed([UP * -0.95, UP * 1.42], Ink::Frame)
-        .dashed([along, UP * omega], Ink::Frame)
-        .dashed([across, UP * omega], Ink::Frame)
-        .arrow(o, UP * omega, Ink::Velocity, r"$\Omega\hat Z$", Side::Left)
-        .arrow(o, along, Ink::Velocity, r"$\Omega_z\hat z$", Side::Right)
-        .arrow(o, across, Ink::Velocity, r"$\Omega_y\hat y$", Side::Left)
-        .turn(tilt, Ink::Ink)
-        .text(
-            SpaceVector::new(sin(0.25) * sin(phi), -sin(0.25) * cos(phi), cos(0.25)) * 0.84,
-            r"$\theta$",
-            Ink::Ink,
-            Side::Above,
-        )
-        .text(UP * -0.95, "$A$", Ink::Frame, Side::Left)
-        .text(UP * 1.42, "$A'$", Ink::Frame, Side::Right)
-        .dot(o, Ink::Ink, "$O$", Side::BelowRight)
-        .figure()
-}
-
-fn cylinder_line() -> Result<Figure> {
-    let alt = "From above: the upper end of the tilted cylinder at four places of its orbit, P1 to P4, \
-               each with a mark on its rim. The line from O to P turns once, and so does the mark: \
-               it stays on the outer side.";
-    let o = (0.0, 0.0);
-    let (sketch, outward) = (
-        Sketch::new("line", alt).window((-1.7, 1.7), (-1.6, 1.6)),
-        [0.0, 1.0, 2.0, 3.0],
-    );
-    let circle = times(0.0, TAU, 120).map(|t| polar(1.0, t));
-    let mut sketch = sketch.curve(Curve::new(circle, Ink::Frame).thin().dashed());
-    for k in outward {
-        let turn = k * FRAC_PI_2;
-        let (s, c) = sincos(turn);
-        // A disc that leans outward looks narrower along the line.
-        let rim = times(0.0, TAU, 60).map(|t| {
-            let (along, aside) = (1.0 + 0.36 * cos(0.5) * cos(t), 0.36 * sin(t));
-            (along * c - aside * s, along * s + aside * c)
-        });
-        let label = format!("$P_{}$", k + 1.0);
-        let side = [Side::Above, Side::Left][k as usize % 2];
-        sketch = sketch
-            .body(rim, Ink::Body, 0.15)
-            .curve(Curve::new([o, polar(1.0, turn)], Ink::Body))
-            .dot(polar(1.0, turn), Ink::Body, &label, side)
-            .ring(
-                polar(1.0 + 0.36 * cos(0.5), turn),
-                Ink::Body,
-                "",
-                Side::Right,
-            );
-    }
-    sketch
-        .turn(o, 1.0, (0.62, 0.95), Ink::Velocity)
-        .text(
-            polar(1.05, 0.8),
-            r"$\Omega$",
-            Ink::Velocity,
-            Side::AboveRight,
-        )
-        .dot(o, Ink::Ink, "$O$", Side::BelowRight)
-        .figure()
-}
-
-/// Coin on coin through a circuit, for `--csv`: at equal angles of the line of centres.
+/// Coin on coin through a circuit, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (columns, r) = (
-        [
-            "theta_orbit [rad]",
-            "theta_net [rad]",
-            "rim x [m]",
-            "rim y [m]",
-        ],
-        p.coin_radius,
-    );
-    let start = [2.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let (r, start) = (p.coin_radius, [2.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     let run = Dop853::new(p.tolerance)?.solve(&on_a_coin(1.0), 0.0, &start, 2.0 * TAU, &[])?;
-    Trajectory::sampled(columns, times(0.0, 2.0 * TAU, 360), |t| {
-        let y = run.at(t)?;
-        Ok([y[4], t, r * y[2], r * y[3]])
+    let columns = [
+        "theta_net [rad]",
+        "theta_orbit [rad]",
+        "rim x [m]",
+        "rim y [m]",
+    ];
+    Trajectory::of(&run, columns, 360, |t, y: [f64; 6]| {
+        [t, y[4], r * y[2], r * y[3]]
     })
 }
 
 /// Coin on coin, told twice: in the laboratory, and as seen from the line of centres.
 pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let axis = Axis::angle(r"turned").range(0.0, 2.0 * TAU).parts_of_pi(1);
-    let graph = Panel::new("graph", "")
-        .x(Axis::angle(r"$\theta_{orbit}$"))
-        .y(axis);
-    let graph = graph
-        .curve(Curve::new([(0.0, 0.0), (TAU, 2.0 * TAU)], Ink::Body).label("laboratory"))
-        .curve(
-            Curve::new([(0.0, 0.0), (TAU, TAU)], Ink::Body)
-                .dashed()
-                .label("line of centres"),
-        );
-    let draw = move |t: f64| {
+    let turned = Axis::angle("turned").range(0.0, 2.0 * TAU).parts_of_pi(1);
+    let line = |end: f64| Curve::new([(0.0, 0.0), (TAU, end)], Ink::Body);
+    let graph = Panel::over_axes(Axis::angle(r"$\theta_{orbit}$"), turned)
+        .curve(line(2.0 * TAU).label("laboratory"))
+        .curve(line(TAU).dashed().label("line of centres"));
+    MovingPicture::above(graph, 0.0..=TAU, [0.0, FRAC_PI_2, PI], |t| {
         let turned = |angle: f64| format!("{:.0}", angle.to_degrees());
         let alt = format!(
             "Left, in the laboratory: the line of centres has turned by {0} degrees and the rolling \
@@ -409,37 +299,30 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
             turned(t),
             turned(2.0 * t)
         );
-        let beside = |x: f64, (dx, dy): (f64, f64)| (x + dx, dy);
-        let (left, right, up) = (-3.35, 3.35, FRAC_PI_2);
-        let sketch = Sketch::new("scene", "scene")
-            .window((-6.6, 6.6), (-4.3, 3.3))
-            .curve(
-                Curve::new([(left, 0.0), beside(left, polar(2.0, up + t))], Ink::Ink)
-                    .thin()
-                    .dashed(),
-            )
-            .curve(
-                Curve::new([(right, 0.0), (right, 2.0)], Ink::Ink)
-                    .thin()
-                    .dashed(),
-            );
-        let sketch = coin(sketch, (left, 0.0), up, Ink::Frame);
-        let sketch = coin(sketch, (right, 0.0), up - t, Ink::Frame);
+        let (left, right, up) = ((-3.35, 0.0), (3.35, 0.0), FRAC_PI_2);
+        let (dx, dy) = polar(2.0, up + t);
+        let (there, above) = ((left.0 + dx, dy), (right.0, 2.0));
+        let centres = |points| Curve::new(points, Ink::Ink).thin().dashed();
+        let sketch = Sketch::within((-6.6, 6.6), (-4.3, 3.3))
+            .curve(centres([left, there]))
+            .curve(centres([right, above]));
         let sketch = coin(
-            sketch,
-            beside(left, polar(2.0, up + t)),
-            2.0 * t - up,
+            coin(sketch, left, up, Ink::Frame),
+            right,
+            up - t,
+            Ink::Frame,
+        );
+        let sketch = coin(
+            coin(sketch, there, 2.0 * t - up, Ink::Body),
+            above,
+            t - up,
             Ink::Body,
         );
-        let sketch = coin(sketch, (right, 2.0), t - up, Ink::Body)
-            .text((left, -3.6), "in the laboratory", Ink::Ink, Side::Centre)
-            .text(
-                (right, -3.6),
-                "from the line of centres",
-                Ink::Ink,
-                Side::Centre,
-            );
-        Stack::frame(&alt, sketch, &graph, t)
-    };
-    MovingPicture::new(0.0..=TAU, [0.0, FRAC_PI_2, PI], draw)
+        let told = [
+            (left.0, "in the laboratory"),
+            (right.0, "from the line of centres"),
+        ];
+        let write = |s: Sketch, (x, words)| s.text((x, -3.6), words, Ink::Ink, Side::Centre);
+        Ok((alt, told.into_iter().fold(sketch, write)))
+    })
 }

@@ -3,166 +3,118 @@
 use super::cone::{UP, drawn, sweep};
 use super::*;
 
-use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Stack, View};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
+use rotation_dynamics::report::draw::Camera;
 
 /// The half angle of the drawings.
 const ALPHA: f64 = 0.4;
 
-/// All figures of the page.
-pub fn figures(_: &Parameters) -> Result<Vec<Figure>> {
-    [setup, sector, vectors, regimes]
-        .into_iter()
-        .map(|draw| draw())
-        .collect()
-}
-
 /// The cone on its table, with the circle of its rim.
-fn on_table(name: &str, alt: &str, attitude: &Attitude) -> View {
-    let view = View::new(name, alt)
+fn on_table(attitude: &Attitude) -> View {
+    let view = View::of(UP * 0.22, 1.3)
         .camera(Camera::new(0.6, 0.42))
-        .around(UP * 0.22, 1.3)
         .size(340, 260)
         .ground(SpaceVector::zero(), 1.32)
         .dashed(sweep(0.0, TAU, 1.0 / cos(ALPHA)), Ink::Frame);
     drawn(view, ALPHA, SpaceVector::zero(), attitude)
 }
 
-fn setup() -> Result<Figure> {
-    let (azimuth, o) = (1.75, SpaceVector::zero());
-    let alt = "A cone lies on a table. Its vertex O stays in place; the line along which it touches \
-               the table points along rho and turns about the vertical Z at the rate Omega. Its \
-               axis rises from the table by the half angle alpha; its height is h.";
-    let (rho, attitude) = (level(azimuth), placed(ALPHA, azimuth, 0.9)?);
-    let axis = attitude.axis();
-    let rise = times(0.0, ALPHA, 12).map(|b| (rho * cos(b) + UP * sin(b)) * 1.42);
-    on_table("setup", alt, &attitude)
-        .dashed([o, axis * 1.5], Ink::Body)
-        .text(axis * 1.5, "axis", Ink::Body, Side::Above)
-        .line(rise, Ink::Ink)
-        .text(
-            (rho * cos(0.2) + UP * sin(0.2)) * 1.44,
-            r"$\alpha$",
-            Ink::Ink,
-            Side::Right,
-        )
-        .text(axis * 0.45 + UP * 0.22, "$h$", Ink::Ink, Side::Above)
-        .arrow(o, rho * 1.6, Ink::Frame, r"$\hat\rho$", Side::Below)
-        .arrow(o, UP * 0.95, Ink::Frame, r"$Z$", Side::Right)
-        .turn(sweep(0.2, 2.6, 0.3).map(|p| p + UP * 0.7), Ink::Velocity)
-        .text(
-            UP * 0.7 - level(2.17) * 0.3,
-            r"$\Omega$",
-            Ink::Velocity,
-            Side::Left,
-        )
-        .dot(o, Ink::Ink, "$O$", Side::Below)
-        .figure()
-}
-
-fn sector() -> Result<Figure> {
-    let alt = "The side of the cone, laid out flat: a sector of a circle, less than half of it. Faint \
-               sectors of the same size follow it round the circle; two and a half fill it.";
-    let angle = TAU * sin(ALPHA);
-    let outline = |from: f64, to: f64| {
-        let rim = times(from, to, 60).map(|t| (cos(t), sin(t)));
-        core::iter::once((0.0, 0.0)).chain(rim)
+figures! { _: &Parameters;
+    /// A cone lies on a table. Its vertex O stays in place; the line along which it touches the
+    /// table points along rho and turns about the vertical Z at the rate Omega. Its axis rises
+    /// from the table by the half angle alpha; its height is h.
+    setup: {
+        let (azimuth, o) = (1.75, SpaceVector::zero());
+        let (rho, attitude) = (level(azimuth), placed(ALPHA, azimuth, 0.9)?);
+        let axis = attitude.axis();
+        let rise = times(0.0, ALPHA, 12).map(|b| (rho * cos(b) + UP * sin(b)) * 1.42);
+        on_table(&attitude)
+            .dashed([o, axis * 1.5], Ink::Body)
+            .text(axis * 1.5, "axis", Ink::Body, Side::Above)
+            .line(rise, Ink::Ink)
+            .text((rho * cos(0.2) + UP * sin(0.2)) * 1.44, r"$\alpha$", Ink::Ink, Side::Right)
+            .text(axis * 0.45 + UP * 0.22, "$h$", Ink::Ink, Side::Above)
+            .arrow(o, rho * 1.6, Ink::Frame, r"$\hat\rho$", Side::Below)
+            .arrow(o, UP * 0.95, Ink::Frame, r"$Z$", Side::Right)
+            .turn(sweep(0.2, 2.6, 0.3).map(|p| p + UP * 0.7), Ink::Velocity)
+            .text(UP * 0.7 - level(2.17) * 0.3, r"$\Omega$", Ink::Velocity, Side::Left)
+            .dot(o, Ink::Ink, "$O$", Side::Below)
     };
-    let rest = |s: Sketch| {
-        s.body(outline(angle, 2.0 * angle), Ink::Body, 0.3).body(
-            outline(2.0 * angle, TAU),
-            Ink::Body,
-            0.1,
-        )
-    };
-    Sketch::new("sector", alt)
-        .window((-1.35, 1.45), (-1.2, 1.2))
-        .curve(
-            Curve::new(times(0.0, TAU, 120).map(|t| (cos(t), sin(t))), Ink::Frame)
-                .thin()
-                .dashed(),
-        )
-        .ghost(rest)
-        .body(outline(0.0, angle), Ink::Body, 0.25)
-        .angle((0.0, 0.0), 0.25, (0.0, angle), "")
-        .text(
-            (0.3 * cos(0.5 * angle), 0.3 * sin(0.5 * angle)),
-            r"$2\pi\,\sin\,\alpha$",
-            Ink::Ink,
-            Side::AboveRight,
-        )
-        .text((0.5, 0.0), r"$h/\cos\,\alpha$", Ink::Ink, Side::Below)
-        .text(
-            (cos(0.9), sin(0.9)),
-            r"$2\pi h\,\tan\,\alpha$",
-            Ink::Body,
-            Side::AboveRight,
-        )
-        .dot((0.0, 0.0), Ink::Ink, "$O$", Side::Left)
-        .figure()
-}
 
-fn vectors() -> Result<Figure> {
-    let alt = "The cone in the upright plane through its axis, lying on the table. From the vertex O \
-               omega points along the table, away from the cone; the angular momentum points up and \
-               away. The weight acts below the middle of the cone, the force of the table farther out.";
-    let (slant, w) = (1.0 / cos(ALPHA), 0.3 * 25.0 / 9.80665);
-    let (o, top) = (
-        (0.0, 0.0),
-        (slant * cos(2.0 * ALPHA), slant * sin(2.0 * ALPHA)),
-    );
-    let (cm, d) = (
-        (0.75 * cos(ALPHA), 0.75 * sin(ALPHA)),
-        centre_of_pressure(ALPHA, w),
-    );
-    let [lx, lz] = angular_momentum(ALPHA).map(|l| 2.0 * l);
-    Sketch::new("vectors", alt)
-        .window((-1.0, 1.5), (-0.62, 1.1))
-        .wall((-0.95, 0.0), (1.45, 0.0))
-        .body([o, (slant, 0.0), top], Ink::Body, 0.2)
-        .curve(
-            Curve::new([o, (cos(ALPHA), sin(ALPHA))], Ink::Body)
-                .thin()
-                .dashed(),
-        )
-        .angle(o, 0.45, (0.0, ALPHA), r"$\alpha$")
-        .arrow_along([o, (-0.7, 0.0)], Ink::Velocity)
-        .text((-0.7, 0.0), r"$\omega$", Ink::Velocity, Side::Above)
-        .arrow_along([o, (lx, lz)], Ink::Momentum)
-        .text((lx, lz), "$L$", Ink::Momentum, Side::Above)
-        .arrow_along([cm, (cm.0, cm.1 - 0.55)], Ink::Force)
-        .text((cm.0, cm.1 - 0.55), "$Mg$", Ink::Force, Side::Left)
-        .arrow_along([(d, 0.0), (d, 0.62)], Ink::Force)
-        .text((d, 0.62), "$N$", Ink::Force, Side::Right)
-        .dimension((0.0, -0.48), (d, -0.48), "$d$", Side::Below)
-        .curve(
-            Curve::new([(d, 0.0), (d, -0.48)], Ink::Frame)
-                .thin()
-                .dotted(),
-        )
-        .dot(cm, Ink::Ink, "", Side::Above)
-        .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
-        .figure()
-}
-
-fn regimes() -> Result<Figure> {
-    let alt = "The square of the rate at which a cone tips or slips, as h Omega^2 over g, against its \
-               half angle. Tipping falls steeply from slender cones to a wide bottom near 0.4 rad and \
-               rises to more than 6. For a coefficient of friction of 0.3 slipping runs below it \
-               everywhere; for 1 the two run close together from 0.25 to 1.2 rad.";
-    let axes = Panel::new("regimes", alt)
-        .x(Axis::linear(r"$\alpha$ / rad").range(0.0, 1.5))
-        .y(Axis::linear(r"$h\Omega^2/g$").range(0.0, 7.0));
-    let tip = Curve::of(times(0.05, 1.5, 200), tips, Ink::Ink);
-    let slip = |mu: f64, a: f64, side| {
-        let at = move |a: f64| mu / needed(a, 1.0);
-        let curve = Curve::of(times(0.0, 1.5, 150), at, Ink::Force).dashed();
-        curve.label_at(&format!(r"slips, $\mu={mu}$"), a, at(a), side)
+    /// The side of the cone, laid out flat: a sector of a circle, less than half of it. Faint
+    /// sectors of the same size follow it round the circle; two and a half fill it.
+    sector: {
+        let angle = TAU * sin(ALPHA);
+        let outline = |from: f64, to: f64| {
+            let rim = times(from, to, 60).map(|t| (cos(t), sin(t)));
+            core::iter::once((0.0, 0.0)).chain(rim)
+        };
+        let rest = |s: Sketch| {
+            s.body(outline(angle, 2.0 * angle), Ink::Body, 0.3).body(
+                outline(2.0 * angle, TAU),
+                Ink::Body,
+                0.1,
+            )
+        };
+        Sketch::within((-1.35, 1.45), (-1.2, 1.2))
+            .guide(times(0.0, TAU, 120).map(|t| (cos(t), sin(t))))
+            .ghost(rest)
+            .body(outline(0.0, angle), Ink::Body, 0.25)
+            .angle((0.0, 0.0), 0.25, (0.0, angle), "")
+            .text(
+                (0.3 * cos(0.5 * angle), 0.3 * sin(0.5 * angle)),
+                r"$2\pi\,\sin\,\alpha$",
+                Ink::Ink,
+                Side::AboveRight,
+            )
+            .text((0.5, 0.0), r"$h/\cos\,\alpha$", Ink::Ink, Side::Below)
+            .text((cos(0.9), sin(0.9)), r"$2\pi h\,\tan\,\alpha$", Ink::Body, Side::AboveRight)
+            .dot((0.0, 0.0), Ink::Ink, "$O$", Side::Left)
     };
-    axes.curve(tip.label_at("tips", 0.1, tips(0.1), Side::Right))
-        .curve(slip(0.3, 1.2, Side::BelowRight))
-        .curve(slip(1.0, 0.85, Side::AboveLeft))
-        .figure()
+
+    /// The cone in the upright plane through its axis, lying on the table. From the vertex O
+    /// omega points along the table, away from the cone; the angular momentum points up and
+    /// away. The weight acts below the middle of the cone, the force of the table farther out.
+    vectors: {
+        let (slant, w) = (1.0 / cos(ALPHA), 0.3 * 25.0 / 9.80665);
+        let (o, top) = ((0.0, 0.0), (slant * cos(2.0 * ALPHA), slant * sin(2.0 * ALPHA)));
+        let (cm, d) = ((0.75 * cos(ALPHA), 0.75 * sin(ALPHA)), centre_of_pressure(ALPHA, w));
+        let [lx, lz] = angular_momentum(ALPHA).map(|l| 2.0 * l);
+        Sketch::within((-1.0, 1.5), (-0.62, 1.1))
+            .wall((-0.95, 0.0), (1.45, 0.0))
+            .body([o, (slant, 0.0), top], Ink::Body, 0.2)
+            .curve(Curve::new([o, (cos(ALPHA), sin(ALPHA))], Ink::Body) .thin() .dashed())
+            .angle(o, 0.45, (0.0, ALPHA), r"$\alpha$")
+            .arrow_along([o, (-0.7, 0.0)], Ink::Velocity)
+            .text((-0.7, 0.0), r"$\omega$", Ink::Velocity, Side::Above)
+            .arrow_along([o, (lx, lz)], Ink::Momentum)
+            .text((lx, lz), "$L$", Ink::Momentum, Side::Above)
+            .arrow_along([cm, (cm.0, cm.1 - 0.55)], Ink::Force)
+            .text((cm.0, cm.1 - 0.55), "$Mg$", Ink::Force, Side::Left)
+            .arrow_along([(d, 0.0), (d, 0.62)], Ink::Force)
+            .text((d, 0.62), "$N$", Ink::Force, Side::Right)
+            .dimension((0.0, -0.48), (d, -0.48), "$d$", Side::Below)
+            .curve(Curve::new([(d, 0.0), (d, -0.48)], Ink::Frame) .thin() .dotted())
+            .dot(cm, Ink::Ink, "", Side::Above)
+            .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
+    };
+
+    /// The square of the rate at which a cone tips or slips, as h Omega^2 over g, against its
+    /// half angle. Tipping falls steeply from slender cones to a wide bottom near 0.4 rad and
+    /// rises to more than 6. For a coefficient of friction of 0.3 slipping runs below it
+    /// everywhere; for 1 the two run close together from 0.25 to 1.2 rad.
+    regimes: {
+        let angle = Axis::linear(r"$\alpha$ / rad").range(0.0, 1.5);
+        let axes = Panel::over_axes(angle, Axis::linear(r"$h\Omega^2/g$").range(0.0, 7.0));
+        let tip = Curve::of(times(0.05, 1.5, 200), tips, Ink::Ink);
+        let slip = |mu: f64, a: f64, side| {
+            let at = move |a: f64| mu / needed(a, 1.0);
+            let curve = Curve::of(times(0.0, 1.5, 150), at, Ink::Force).dashed();
+            curve.label_at(&format!(r"slips, $\mu={mu}$"), a, at(a), side)
+        };
+        axes.curve(tip.label_at("tips", 0.1, tips(0.1), Side::Right))
+            .curve(slip(0.3, 1.2, Side::BelowRight))
+            .curve(slip(1.0, 0.85, Side::AboveLeft))
+    };
 }
 
 /// Made to roll ever faster, evenly, from rest to the tipping in this time, s.
@@ -184,62 +136,37 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-/// The same with the force of the table; lengths over h, the cone of the drawings.
+/// The same with the force of the table; lengths over h, the cone of the page.
 pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let p = Parameters {
-        half_angle: ALPHA,
-        ..Parameters::default()
-    };
-    let slant = 1.0 / cos(ALPHA);
-    let d = move |t: f64| {
-        let (rate, _) = sped_up(&p, t);
+    let borne = |t: f64| {
+        let (p, (rate, _)) = (Parameters::default(), sped_up(&Parameters::default(), t));
         centre_of_pressure(ALPHA, p.height * rate * rate / p.gravity)
     };
-    let share = d.clone();
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear(r"$d\,\cos\,\alpha/h$").range(0.5, 1.05));
-    let graph = graph.level(1.0, Ink::Frame, "rim").curve(Curve::of(
+    let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(0.5, 1.05);
+    let outward = Curve::of(
         times(0.0, END, 120),
-        move |t| share(t) / slant,
+        move |t| borne(t) * cos(ALPHA),
         Ink::Force,
-    ));
-    let draw = move |t: f64| {
+    );
+    let graph = Panel::over_axes("$t$ / s", share)
+        .level(1.0, Ink::Frame, "rim")
+        .curve(outward);
+    MovingPicture::above(graph, 0.0..=END, [2.3, 4.2, END], move |t| {
         let (rate, turn) = sped_up(&Parameters::default(), t);
-        let turn = turn + 2.35;
-        let (rho, force) = (level(turn), d(t));
+        let (rho, d, o) = (level(turn + 2.35), borne(t), SpaceVector::zero());
         let alt = format!(
             "The cone after {t:.1} s, at {rate:.1} rad/s. Omega lies along the line of contact and points away \
-             from the cone, L upward and away. The table bears the cone at {force:.2} of its height from the vertex. \
+             from the cone, L upward and away. The table bears the cone at {d:.2} of its height from the vertex. \
              Below, that distance over the length of the line of contact against time."
         );
-        let [along, up] = angular_momentum(ALPHA);
-        let momentum = (rho * along + UP * up) * (0.3 * rate);
-        let view = on_table("scene", "scene", &rolled(ALPHA, turn)?)
-            .arrow(
-                SpaceVector::zero(),
-                rho * (-0.17 * rate),
-                Ink::Velocity,
-                r"$\omega$",
-                Side::Left,
-            )
-            .arrow(
-                SpaceVector::zero(),
-                momentum,
-                Ink::Momentum,
-                "$L$",
-                Side::Above,
-            )
-            .dashed([SpaceVector::zero(), rho * slant], Ink::Ink)
-            .arrow(
-                rho * force,
-                rho * force + UP * 0.75,
-                Ink::Force,
-                "$N$",
-                Side::Right,
-            )
-            .dot(SpaceVector::zero(), Ink::Ink, "", Side::Below);
-        Stack::frame(&alt, view, &graph, t)
-    };
-    MovingPicture::new(0.0..=END, [2.3, 4.2, END], draw)
+        let ([along, up], omega) = (angular_momentum(ALPHA), rho * (-0.17 * rate));
+        let (momentum, bearing) = ((rho * along + UP * up) * (0.3 * rate), rho * d);
+        let view = on_table(&rolled(ALPHA, turn + 2.35)?)
+            .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
+            .arrow(o, momentum, Ink::Momentum, "$L$", Side::Above)
+            .dashed([o, rho / cos(ALPHA)], Ink::Ink)
+            .arrow(bearing, bearing + UP * 0.75, Ink::Force, "$N$", Side::Right)
+            .dot(o, Ink::Ink, "", Side::Below);
+        Ok((alt, view))
+    })
 }

@@ -2,28 +2,16 @@
 
 use super::cone::{drawn, sweep};
 use super::*;
-use rotation_dynamics::report::draw::{
-    Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View,
-};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
+use rotation_dynamics::report::draw::Camera;
 
 /// The half angle of the drawings.
 const ALPHA: f64 = 0.4;
 
-/// All figures of the page.
-pub fn figures(_: &Parameters) -> Result<Vec<Figure>> {
-    [setup, side, vectors, two_cones]
-        .into_iter()
-        .map(|draw| draw())
-        .collect()
-}
-
 /// The cone with its vertex on a post, its rim on the table, and the circle of the rim.
-fn on_post(name: &str, alt: &str, attitude: &Attitude) -> View {
+fn on_post(attitude: &Attitude) -> View {
     let vertex = UP * tan(ALPHA);
-    let view = View::new(name, alt)
+    let view = View::of(UP * 0.3, 1.25)
         .camera(Camera::new(0.6, 0.3))
-        .around(UP * 0.3, 1.25)
         .size(340, 260)
         .ground(SpaceVector::zero(), 1.25)
         .dashed(sweep(0.0, TAU, 1.0), Ink::Frame)
@@ -31,135 +19,104 @@ fn on_post(name: &str, alt: &str, attitude: &Attitude) -> View {
     drawn(view, ALPHA, vertex, attitude)
 }
 
-fn setup() -> Result<Figure> {
-    let (azimuth, radius) = (1.75, tan(ALPHA));
-    let alt = "A cone with a level axis; its vertex O is held at the top of a post, its rim stands on \
-               the table. The post is as high as the radius of the base. The axis points along rho and \
-               turns about the vertical Z at the rate Omega.";
-    let (rho, vertex) = (level(azimuth), UP * radius);
-    on_post("setup", alt, &placed(0.0, azimuth, 2.2)?)
-        .arrow(
-            vertex + rho * 1.02,
-            vertex + rho * 1.4,
-            Ink::Frame,
-            r"$\hat\rho$",
-            Side::Right,
-        )
-        .arrow(vertex, vertex + UP * 0.75, Ink::Frame, "$Z$", Side::Right)
-        .turn(
-            sweep(0.2, 2.6, 0.3).map(|p| p + UP * (radius + 0.5)),
-            Ink::Velocity,
-        )
-        .text(
-            UP * (radius + 0.5) - level(2.17) * 0.3,
-            r"$\Omega$",
-            Ink::Velocity,
-            Side::Left,
-        )
-        .dot(vertex, Ink::Ink, "$O$", Side::Left)
-        .figure()
-}
+figures! { _: &Parameters;
+    /// A cone with a level axis; its vertex O is held at the top of a post, its rim stands on
+    /// the table. The post is as high as the radius of the base. The axis points along rho and
+    /// turns about the vertical Z at the rate Omega.
+    setup: {
+        let (azimuth, radius) = (1.75, tan(ALPHA));
+        let (rho, vertex) = (level(azimuth), UP * radius);
+        on_post(&placed(0.0, azimuth, 2.2)?)
+            .arrow(vertex + rho * 1.02, vertex + rho * 1.4, Ink::Frame, r"$\hat\rho$", Side::Right)
+            .arrow(vertex, vertex + UP * 0.75, Ink::Frame, "$Z$", Side::Right)
+            .turn(sweep(0.2, 2.6, 0.3).map(|p| p + UP * (radius + 0.5)), Ink::Velocity)
+            .text(UP * (radius + 0.5) - level(2.17) * 0.3, r"$\Omega$", Ink::Velocity, Side::Left)
+            .dot(vertex, Ink::Ink, "$O$", Side::Left)
+    };
 
-fn side() -> Result<Figure> {
-    let (r, o) = (tan(ALPHA), (0.0, tan(ALPHA)));
-    let alt = "The same from the side: the axis of the cone is level, at the height h tan alpha of the \
-               post; its length is h, and the lowest line of its side makes the angle alpha with it.";
-    Sketch::new("side", alt)
-        .window((-0.75, 1.35), (-0.3, 1.3))
-        .wall((-0.7, 0.0), (1.3, 0.0))
-        .curve(Curve::new([(0.0, 0.0), o], Ink::Frame).width(3.0))
-        .body([o, (1.0, 0.0), (1.0, 2.0 * r)], Ink::Body, 0.2)
-        .curve(Curve::new([o, (1.0, r)], Ink::Body).thin().dashed())
-        .angle(o, 0.42, (-ALPHA, 0.0), r"$\alpha$")
-        .dimension((0.0, 1.0), (1.0, 1.0), "$h$", Side::Above)
-        .dimension((-0.2, 0.0), (-0.2, r), r"$h\,\tan\,\alpha$", Side::Left)
-        .dot(o, Ink::Ink, "$O$", Side::Above)
-        .figure()
-}
+    /// The same from the side: the axis of the cone is level, at the height h tan alpha of the
+    /// post; its length is h, and the lowest line of its side makes the angle alpha with it.
+    side: {
+        let (r, o) = (tan(ALPHA), (0.0, tan(ALPHA)));
+        Sketch::within((-0.75, 1.35), (-0.3, 1.3))
+            .wall((-0.7, 0.0), (1.3, 0.0))
+            .curve(Curve::new([(0.0, 0.0), o], Ink::Frame).width(3.0))
+            .body([o, (1.0, 0.0), (1.0, 2.0 * r)], Ink::Body, 0.2)
+            .curve(Curve::new([o, (1.0, r)], Ink::Body).thin().dashed())
+            .angle(o, 0.42, (-ALPHA, 0.0), r"$\alpha$")
+            .dimension((0.0, 1.0), (1.0, 1.0), "$h$", Side::Above)
+            .dimension((-0.2, 0.0), (-0.2, r), r"$h\,\tan\,\alpha$", Side::Left)
+            .dot(o, Ink::Ink, "$O$", Side::Above)
+    };
 
-fn vectors() -> Result<Figure> {
-    let r = tan(ALPHA);
-    let (o, contact) = ((0.0, r), (1.0, 0.0));
-    let alt = "The cone in the upright plane through its axis. A dashed line leads from the lowest point \
-               of the rim to the vertex O on its post; omega points on along it, up and away from the \
-               cone, and is the sum of Omega upward and a spin along the axis. The angular momentum \
-               points steeper. The weight acts at three quarters of the axis, the table at the rim.";
-    let [lx, lz] = angular_momentum(ALPHA).map(|l| 1.3 * l);
-    let [along, up] = angular_velocity(ALPHA).map(|x| 0.34 * x);
-    Sketch::new("vectors", alt)
-        .window((-1.05, 1.45), (-0.45, 1.4))
-        .wall((-1.0, 0.0), (1.4, 0.0))
-        .curve(Curve::new([(0.0, 0.0), o], Ink::Frame).width(3.0))
-        .body([o, contact, (1.0, 2.0 * r)], Ink::Body, 0.2)
-        .curve(
-            Curve::new([contact, (along, r + up)], Ink::Ink)
-                .thin()
-                .dashed(),
-        )
-        .curve(
-            Curve::new([(along, r), (along, r + up), (0.0, r + up)], Ink::Frame)
-                .thin()
-                .dotted(),
-        )
-        .arrow_along([o, (0.0, r + up)], Ink::Velocity)
-        .text((0.0, r + up), r"$\Omega$", Ink::Velocity, Side::Right)
-        .arrow_along([o, (along, r)], Ink::Velocity)
-        .text((along, r), "spin", Ink::Velocity, Side::Below)
-        .arrow_along([o, (along, r + up)], Ink::Velocity)
-        .text((along, r + up), r"$\omega$", Ink::Velocity, Side::Above)
-        .arrow_along([o, (lx, r + lz)], Ink::Momentum)
-        .text((lx, r + lz), "$L$", Ink::Momentum, Side::Above)
-        .arrow_along([(0.75, r), (0.75, r - 0.36)], Ink::Force)
-        .text((0.75, r - 0.36), "$Mg$", Ink::Force, Side::Left)
-        .arrow_along([(1.06, 0.0), (1.06, 0.5)], Ink::Force)
-        .text((1.06, 0.5), "$N$", Ink::Force, Side::Right)
-        .dot((0.75, r), Ink::Ink, "", Side::Above)
-        .dot(contact, Ink::Ink, "at rest", Side::BelowRight)
-        .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
-        .figure()
-}
-
-fn two_cones() -> Result<Figure> {
-    let alt = "Two cones seen from the side. One lies on the table, and omega points along its lowest \
-               line; the other has a level axis, and omega points along its lowest line too, which is \
-               aslant now. The second omega is the longer one, in proportion 1 to cos alpha.";
-    let (slant, scale) = (1.0 / cos(ALPHA), 0.36);
-    let lying = |turn: f64, vertex: (f64, f64)| {
-        let at = |r: f64, angle: f64| {
-            (
-                vertex.0 + r * cos(angle - turn),
-                vertex.1 + r * sin(angle - turn),
+    /// The cone in the upright plane through its axis. A dashed line leads from the lowest
+    /// point of the rim to the vertex O on its post; omega points on along it, up and away from
+    /// the cone, and is the sum of Omega upward and a spin along the axis. The angular momentum
+    /// points steeper. The weight acts at three quarters of the axis, the table at the rim.
+    vectors: {
+        let r = tan(ALPHA);
+        let (o, contact) = ((0.0, r), (1.0, 0.0));
+        let [lx, lz] = angular_momentum(ALPHA).map(|l| 1.3 * l);
+        let [along, up] = angular_velocity(ALPHA).map(|x| 0.34 * x);
+        Sketch::within((-1.05, 1.45), (-0.45, 1.4))
+            .wall((-1.0, 0.0), (1.4, 0.0))
+            .curve(Curve::new([(0.0, 0.0), o], Ink::Frame).width(3.0))
+            .body([o, contact, (1.0, 2.0 * r)], Ink::Body, 0.2)
+            .curve(Curve::new([contact, (along, r + up)], Ink::Ink) .thin() .dashed())
+            .curve(
+                Curve::new([(along, r), (along, r + up), (0.0, r + up)], Ink::Frame)
+                    .thin()
+                    .dotted(),
             )
+            .arrow_along([o, (0.0, r + up)], Ink::Velocity)
+            .text((0.0, r + up), r"$\Omega$", Ink::Velocity, Side::Right)
+            .arrow_along([o, (along, r)], Ink::Velocity)
+            .text((along, r), "spin", Ink::Velocity, Side::Below)
+            .arrow_along([o, (along, r + up)], Ink::Velocity)
+            .text((along, r + up), r"$\omega$", Ink::Velocity, Side::Above)
+            .arrow_along([o, (lx, r + lz)], Ink::Momentum)
+            .text((lx, r + lz), "$L$", Ink::Momentum, Side::Above)
+            .arrow_along([(0.75, r), (0.75, r - 0.36)], Ink::Force)
+            .text((0.75, r - 0.36), "$Mg$", Ink::Force, Side::Left)
+            .arrow_along([(1.06, 0.0), (1.06, 0.5)], Ink::Force)
+            .text((1.06, 0.5), "$N$", Ink::Force, Side::Right)
+            .dot((0.75, r), Ink::Ink, "", Side::Above)
+            .dot(contact, Ink::Ink, "at rest", Side::BelowRight)
+            .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
+    };
+
+    /// Two cones seen from the side. One lies on the table, and omega points along its lowest
+    /// line; the other has a level axis, and omega points along its lowest line too, which is
+    /// aslant now. The second omega is the longer one, in proportion 1 to cos alpha.
+    two_cones: {
+        let (slant, scale) = (1.0 / cos(ALPHA), 0.36);
+        let lying = |turn: f64, vertex: (f64, f64)| {
+            let at = |r: f64, angle: f64| {
+                (vertex.0 + r * cos(angle - turn), vertex.1 + r * sin(angle - turn))
+            };
+            [vertex, at(slant, 0.0), at(slant, 2.0 * ALPHA)]
         };
-        [vertex, at(slant, 0.0), at(slant, 2.0 * ALPHA)]
+        let (first, second) = ((-1.35, 0.0), (1.3, tan(ALPHA)));
+        let arrow = |(x, y): (f64, f64), turn: f64, size: f64| {
+            [(x, y), (x - size * cos(turn), y + size * sin(turn))]
+        };
+        let (one, two) = (scale / tan(ALPHA), scale / sin(ALPHA));
+        Sketch::within((-2.5, 2.6), (-0.35, 1.35))
+            .wall((-2.4, 0.0), (-0.1, 0.0))
+            .wall((0.15, 0.0), (2.5, 0.0))
+            .curve(Curve::new([(1.3, 0.0), second], Ink::Frame).width(3.0))
+            .body(lying(0.0, first), Ink::Body, 0.2)
+            .body(lying(ALPHA, second), Ink::Body, 0.2)
+            .arrow_along(arrow(first, 0.0, one), Ink::Velocity)
+            .arrow_along(arrow(second, ALPHA, two), Ink::Velocity)
+            .text((first.0 - one, 0.0), r"$\Omega/\tan\,\alpha$", Ink::Velocity, Side::Above)
+            .text(
+                arrow(second, ALPHA, two)[1],
+                r"$\Omega/\sin\,\alpha$",
+                Ink::Velocity,
+                Side::Above,
+            )
     };
-    let (first, second) = ((-1.35, 0.0), (1.3, tan(ALPHA)));
-    let arrow = |(x, y): (f64, f64), turn: f64, size: f64| {
-        [(x, y), (x - size * cos(turn), y + size * sin(turn))]
-    };
-    let (one, two) = (scale / tan(ALPHA), scale / sin(ALPHA));
-    Sketch::new("two_cones", alt)
-        .window((-2.5, 2.6), (-0.35, 1.35))
-        .wall((-2.4, 0.0), (-0.1, 0.0))
-        .wall((0.15, 0.0), (2.5, 0.0))
-        .curve(Curve::new([(1.3, 0.0), second], Ink::Frame).width(3.0))
-        .body(lying(0.0, first), Ink::Body, 0.2)
-        .body(lying(ALPHA, second), Ink::Body, 0.2)
-        .arrow_along(arrow(first, 0.0, one), Ink::Velocity)
-        .arrow_along(arrow(second, ALPHA, two), Ink::Velocity)
-        .text(
-            (first.0 - one, 0.0),
-            r"$\Omega/\tan\,\alpha$",
-            Ink::Velocity,
-            Side::Above,
-        )
-        .text(
-            arrow(second, ALPHA, two)[1],
-            r"$\Omega/\sin\,\alpha$",
-            Ink::Velocity,
-            Side::Above,
-        )
-        .figure()
 }
 
 /// The force of the table over the weight at this rate, with the cone of the page.
@@ -198,22 +155,17 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// Ever faster, with the forces that hold the cone up; lengths over h.
 pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
     let over_time = |f: fn(f64) -> f64| Curve::of(times(0.0, END, 120), f, Ink::Force);
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("force$/Mg$").range(-0.4, 1.4));
-    let graph = graph
+    let (table, joint) = (
+        over_time(|t| share(sped_up(t).0)),
+        over_time(|t| 1.0 - share(sped_up(t).0)),
+    );
+    let graph = Panel::over_axes("$t$ / s", Axis::linear("force$/Mg$").range(-0.4, 1.4))
         .level(0.0, Ink::Frame, "")
-        .curve(over_time(|t| share(sped_up(t).0)).label_at("table", 2.0, 0.84, Side::Above))
-        .curve(over_time(|t| 1.0 - share(sped_up(t).0)).dashed().label_at(
-            "joint",
-            2.0,
-            0.3,
-            Side::Above,
-        ));
-    let draw = move |t: f64| {
+        .curve(table.label_at("table", 2.0, 0.84, Side::Above))
+        .curve(joint.dashed().label_at("joint", 2.0, 0.3, Side::Above));
+    MovingPicture::above(graph, 0.0..=END, [1.4, 3.3, END], |t| {
         let (rate, turn) = sped_up(t);
-        let turn = turn + 3.45;
-        let (rho, vertex, table) = (level(turn), UP * tan(ALPHA), share(rate));
+        let (rho, o, table) = (level(turn + 3.45), UP * tan(ALPHA), share(rate));
         let joint = 1.0 - table;
         let way = ["up", "down"][usize::from(joint < 0.0)];
         let alt = format!(
@@ -222,22 +174,19 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
              pushes the vertex {way} with {:.2} of it. Below, both forces against time.",
             joint.abs()
         );
-        let omega = (rho * angular_velocity(ALPHA)[0] + UP) * (0.028 * rate);
-        let momentum =
-            (rho * angular_momentum(ALPHA)[0] + UP * angular_momentum(ALPHA)[1]) * (0.1 * rate);
-        let beside = vertex - rho * 0.07;
-        let view = on_post("scene", "scene", &rolled(ALPHA, turn)?)
+        let vector =
+            |[along, up]: [f64; 2], scale: f64| o + (rho * along + UP * up) * (scale * rate);
+        let (omega, momentum) = (
+            vector(angular_velocity(ALPHA), 0.028),
+            vector(angular_momentum(ALPHA), 0.1),
+        );
+        let (rim, beside) = (rho * 1.03, o - rho * 0.07);
+        let view = on_post(&rolled(ALPHA, turn + 3.45)?)
+            .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
+            .arrow(o, momentum, Ink::Momentum, "$L$", Side::Right)
             .arrow(
-                vertex,
-                vertex + omega,
-                Ink::Velocity,
-                r"$\omega$",
-                Side::Left,
-            )
-            .arrow(vertex, vertex + momentum, Ink::Momentum, "$L$", Side::Right)
-            .arrow(
-                rho * 1.03,
-                rho * 1.03 + UP * (0.6 * table),
+                rim,
+                rim + UP * (0.6 * table),
                 Ink::Force,
                 "$N$",
                 Side::Right,
@@ -249,8 +198,7 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
                 "",
                 Side::Left,
             )
-            .dot(vertex, Ink::Ink, "", Side::Below);
-        Stack::frame(&alt, view, &graph, t)
-    };
-    MovingPicture::new(0.0..=END, [1.4, 3.3, END], draw)
+            .dot(o, Ink::Ink, "", Side::Below);
+        Ok((alt, view))
+    })
 }
