@@ -63,14 +63,15 @@ pub fn period(q: f64, angle: f64) -> Result<f64> {
 // ANCHOR: motions
 /// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w.
 pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
-    second_order(move |_, theta, rate| (cos(theta) - q) * sin(theta) - 2.0 * damping * rate)
+    let pull = move |theta| (cos(theta) - q) * sin(theta);
+    second_order(move |_, theta, rate| pull(theta) - 2.0 * damping * rate)
 }
 
-/// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`, the
-/// support at the origin, lengths in l, time in 1/w; with quadratic air drag.
+/// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`,
+/// the support at the origin, lengths in l, time in 1/w; with quadratic air drag.
 pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
-    let weight = SpaceVector::new(0.0, 0.0, -q);
-    newton(move |_, [r, v]| weight - r * tension(q, [r, v]) - v * (drag * v.norm()))
+    let g = SpaceVector::new(0.0, 0.0, -q);
+    newton(move |_, [r, v]| g - r * tension(q, [r, v]) - v * (drag * v.norm()))
 }
 
 /// Tension over M l w^2: what keeps the bob at its distance from the support.

@@ -61,8 +61,7 @@ figures! { _: &Parameters;
             let panel = panel.curve(curve.label_at(&label, 1.0, u(1.0), Side::Right));
             panel.dot(rest, u(rest), Ink::Body, "", Side::Below)
         };
-        let empty = Panel::over_axes(x, y.range(-1.5, 0.0));
-        [0.6, 1.0, 1.6].into_iter().fold(empty, well)
+        [0.6, 1.0, 1.6].into_iter().fold(Panel::over_axes(x, y.range(-1.5, 0.0)), well)
     };
 
     /// Angular frequency of small oscillations against the rate. With the plane kept

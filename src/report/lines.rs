@@ -117,7 +117,8 @@ macro_rules! effect_card {
 
 /// Writes the function `figures` of a page, given its parameters; each figure is an entry: what is to be seen as a
 /// doc comment, then the name and the [`Drawing`](crate::report::draw::Drawing). Where what is
-/// to be seen holds a number, it follows the name in brackets.
+/// to be seen holds a number, it follows the name in brackets. What several figures need, such
+/// as a solved motion, is computed once, beside the parameters.
 ///
 /// ```
 /// use rotation_dynamics::math::sin;
@@ -125,7 +126,7 @@ macro_rules! effect_card {
 /// use rotation_dynamics::report::times;
 /// struct Parameters { swing: f64 }
 ///
-/// rotation_dynamics::figures! { p: &Parameters;
+/// rotation_dynamics::figures! { p: &Parameters, angle = |t: f64| p.swing * sin(t);
 ///     /// A weight hangs from a ceiling on a string of length l.
 ///     setup: Sketch::within((-1.0, 1.0), (-1.2, 0.2))
 ///         .wall((0.5, 0.0), (-0.5, 0.0))
@@ -134,7 +135,7 @@ macro_rules! effect_card {
 ///
 ///     swing(format!("The angle against time, a wave of the height {} rad.", p.swing)):
 ///         Panel::over_axes("$t$ / s", r"$\theta$ / rad")
-///             .curve(Curve::of(times(0.0, 9.0, 90), |t| p.swing * sin(t), Ink::Body));
+///             .curve(Curve::of(times(0.0, 9.0, 90), angle, Ink::Body));
 /// }
 /// let [setup, swing] = &figures(&Parameters { swing: 0.5 })?[..] else { unreachable!() };
 /// assert_eq!(setup.alt, "A weight hangs from a ceiling on a string of length l.");
@@ -146,10 +147,11 @@ macro_rules! effect_card {
 /// The function returns those of the drawings.
 #[macro_export]
 macro_rules! figures {
-    ($p:tt : $parameters:ty;
+    ($p:tt : $parameters:ty $(, $shared:ident = $of:expr)*;
      $( $(#[doc = $alt:literal])* $name:ident $( ($told:expr) )? : $drawing:expr ; )+) => {
         /// All figures of the page.
         pub fn figures($p: $parameters) -> $crate::Result<Vec<$crate::report::Figure>> {
+            $( let $shared = $of; )*
             Ok(vec![ $( {
                 let alt: String = [ $( String::from($alt), )* $( String::from($told) )? ].concat();
                 $crate::report::draw::Drawing::drawn($drawing, stringify!($name), alt.trim())?

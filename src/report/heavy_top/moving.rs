@@ -5,7 +5,7 @@ use super::{Motion, direction};
 use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::{acos, sincos};
-use crate::report::draw::{Axis, Curve, Ink, Panel, Side, Stack, View};
+use crate::report::draw::{Axis, Curve, Ink, Panel, Side, View};
 use crate::report::{MovingPicture, times};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
@@ -114,7 +114,7 @@ impl Motion {
             .map(|(&t, e)| (t, acos(e.z().clamp(-1.0, 1.0))))
             .collect();
         let panel = self.tilts(tilt);
-        MovingPicture::new(0.0..=end, stills, move |t| {
+        MovingPicture::above(panel, 0.0..=end, stills, move |t| {
             let pose = self.pose(t);
             let time = if self.in_seconds() {
                 format!("t = {t:.3} s")
@@ -133,10 +133,7 @@ impl Motion {
             let momentum = self.exact.angular_momentum(t) * scale;
             let view = body(&pose).sphere().trace(drawn, Ink::Body);
             let view = pose.with_cause(view, hub, sense, momentum);
-            Stack::new("frame", &alt)
-                .scene(view.dot(axis, Ink::Body, "", Side::Right))
-                .panel(panel.clone().now(t))
-                .figure()
+            Ok((alt, view.dot(axis, Ink::Body, "", Side::Right)))
         })
     }
 
