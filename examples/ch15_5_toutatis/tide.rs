@@ -1,0 +1,193 @@
+//! The tide: the side near a planet or the Sun is attracted more than the far side.
+
+use super::*;
+use rotation_dynamics::accuracy::{Fineness, Variables};
+use rotation_dynamics::body::State;
+use rotation_dynamics::effects::{Feature, GravityGradient};
+use rotation_dynamics::integrators::Method;
+
+/// G M of the Earth and of the Sun, m^3/s^2; the astronomical unit, m.
+pub const EARTH: f64 = 3.986_004_418e14;
+pub const SUN: f64 = 1.327_124_400_18e20;
+pub const AU: f64 = 1.495_978_707e11;
+
+/// A path about an attracting body in its focus.
+#[derive(Debug, Clone, Copy)]
+pub struct Path {
+    pub attracts: f64,
+    pub eccentricity: f64,
+    /// Distance at the closest (m), and when (s after the epoch).
+    pub closest: f64,
+    pub when: f64,
+    /// Unit vectors from the asteroid at the closest: to the attracting body, and against
+    /// the motion, along which that body then goes.
+    pub towards: SpaceVector,
+    pub along: SpaceVector,
+}
+
+impl Path {
+    /// Past the Earth in the plane of the ecliptic; at the closest the Earth has this
+    /// longitude, rad.
+    pub fn flyby(closest: f64, speed: f64, longitude: f64, when: f64) -> Self {
+        let (s, c) = sincos(longitude);
+        Self {
+            attracts: EARTH,
+            eccentricity: 1.0 + closest * speed * speed / EARTH,
+            closest,
+            when,
+            towards: SpaceVector::new(c, s, 0.0),
+            along: SpaceVector::new(-s, c, 0.0),
+        }
+    }
+
+    /// The orbit about the Sun, by its elements of November 2008.
+    pub fn orbit() -> Result<Self> {
+        let (axis, eccentricity) = (2.5321 * AU, 0.6288);
+        let mean_motion = (SUN / (axis * axis * axis)).sqrt();
+        let since = 5.1220_f64.to_radians() / mean_motion;
+        // Node, inclination, argument of the perihelion.
+        let plane = attitude([124.30, 0.4460, 278.75])?;
+        Ok(Self {
+            attracts: SUN,
+            eccentricity,
+            closest: axis * (1.0 - eccentricity),
+            when: seconds("2008-11-27T00:00:00") - seconds(EPOCH) - since,
+            towards: -plane.to_space(BodyVector::new(1.0, 0.0, 0.0)),
+            along: -plane.to_space(BodyVector::new(0.0, 1.0, 0.0)),
+        })
+    }
+
+    /// Where the attracting body is seen from the asteroid, m.
+    pub fn place(&self, t: f64) -> SpaceVector {
+        let e = self.eccentricity;
+        let axis = self.closest / (1.0 - e);
+        let size = axis.abs();
+        let mean = (t - self.when) * (self.attracts / (size * size * size)).sqrt();
+        let (x, y) = if e < 1.0 {
+            elliptic(mean, e)
+        } else {
+            hyperbolic(mean, e)
+        };
+        self.towards * (size * x) + self.along * (size * y)
+    }
+
+    /// The gradient of gravity at this time: the library's for a body held there.
+    pub fn gradient(&self, t: f64) -> Result<GravityGradient<true>> {
+        let place = self.place(t);
+        let r = place.norm();
+        GravityGradient::fixed((self.attracts / (r * r * r)).sqrt(), place)
+    }
+
+    /// The time it takes to go by.
+    pub fn width(&self) -> Feature {
+        let speed = ((1.0 + self.eccentricity) * self.attracts / self.closest).sqrt();
+        Feature {
+            time: self.closest / speed,
+            ..Feature::WIDE
+        }
+    }
+}
+
+/// Kepler's equation E - e sin(E) = M: the place over the axis, from the focus.
+fn elliptic(mean: f64, e: f64) -> (f64, f64) {
+    let mean = mean - core::f64::consts::TAU * (mean / core::f64::consts::TAU).round();
+    let mut anomaly = mean + e * sin(mean);
+    for _ in 0..30 {
+        let step = (anomaly - e * sin(anomaly) - mean) / (1.0 - e * cos(anomaly));
+        anomaly -= step;
+        if step.abs() < 1e-15 {
+            break;
+        }
+    }
+    (
+        cos(anomaly) - e,
+        ((1.0 - e) * (1.0 + e)).sqrt() * sin(anomaly),
+    )
+}
+
+/// The same of a hyperbola, e sinh(H) - H = M.
+fn hyperbolic(mean: f64, e: f64) -> (f64, f64) {
+    let mut anomaly = asinh(mean / e);
+    for _ in 0..30 {
+        let step = (e * sinh(anomaly) - anomaly - mean) / (e * cosh(anomaly) - 1.0);
+        anomaly -= step;
+        if step.abs() < 1e-15 * anomaly.abs().max(1e-3) {
+            break;
+        }
+    }
+    (
+        e - cosh(anomaly),
+        ((e - 1.0) * (e + 1.0)).sqrt() * sinh(anomaly),
+    )
+}
+
+/// How long before and after the closest the tide of a flyby is put in.
+pub const HALF: f64 = 20.0 * DAY;
+
+/// What a flyby changes.
+#[derive(Debug, Clone, Copy)]
+pub struct Changed {
+    /// The state after it, and without it.
+    pub after: State,
+    pub free: State,
+}
+
+impl Changed {
+    pub fn by(start: &Start, path: Path, tolerance: f64) -> Result<Self> {
+        let (begin, motion) = (path.when - HALF, start.motion()?);
+        let scene = Scene::new(start.body()?).with(tide(path, begin));
+        let after = scene
+            .solve(&motion.state(begin), 2.0 * HALF, tolerance)?
+            .state;
+        Ok(Self {
+            after,
+            free: motion.state(path.when + HALF),
+        })
+    }
+
+    /// The same by Euler's equations: less sure, and five times faster.
+    pub fn simulated(start: &Start, path: Path) -> Result<Self> {
+        let span = [path.when - HALF, path.when + HALF];
+        let (attitude, momentum) = simulated_under(start, path, span, 1e-11)?;
+        Ok(Self {
+            after: State::new(attitude, momentum)?,
+            free: start.motion()?.state(span[1]),
+        })
+    }
+
+    /// The change of L over L.
+    pub fn momentum(&self) -> f64 {
+        (self.after.angular_momentum - self.free.angular_momentum).norm()
+            / self.free.angular_momentum.norm()
+    }
+
+    /// The free motion that goes on from here.
+    pub fn onward(&self, start: &Start) -> Result<FreeBody> {
+        let rates = start.body()?.angular_velocity(&self.after);
+        FreeBody::new(start.body()?.moments(), self.after.attitude, rates)
+    }
+
+    /// The attitude at the end, if nothing else happens.
+    pub fn in_2008(&self, start: &Start, path: Path, end: f64) -> Result<Attitude> {
+        Ok(self.onward(start)?.attitude(end - path.when - HALF))
+    }
+}
+
+/// The number of a tide: 3 (n/omega)^2 times the larger difference of moments over the larger.
+pub fn number(start: &Start, path: &Path) -> Result<f64> {
+    let state = start.motion()?.state(0.0);
+    Ok(path.gradient(path.when)?.number(&start.body()?, &state))
+}
+
+/// The attitude of the end with the tide of the Sun since the epoch, by one run in steps of a
+/// day and a half.
+pub fn under_the_sun(start: &Start, end: f64) -> Result<Attitude> {
+    let scene = Scene::new(start.body()?).with(tide(Path::orbit()?, 0.0));
+    let from = start.motion()?.state(0.0);
+    let steps = Fineness::Steps((end / (1.5 * DAY)) as u64);
+    let problem = Problem::new(scene, from, end, from);
+    Ok(problem
+        .run(Method::GaussLegendre16, Variables::Space, steps)?
+        .0
+        .attitude)
+}
