@@ -189,7 +189,7 @@ pub fn root_mean_square(values: &[f64]) -> f64 {
 pub type Model = fn(&Start, &[f64]) -> Result<Vec<Attitude>>;
 
 // ANCHOR: fit
-/// The free motion that comes closest to these days: a start in their middle, and two moments.
+/// The free motion closest to these days: a start in their middle, two moments.
 pub fn fitted(days: &[Observed], from: &Start, guess: Unknowns, model: Model) -> Result<Fit> {
     let reference = from.motion()?.attitude(MIDDLE);
     let times: Vec<f64> = days.iter().map(|day| day.t - MIDDLE).collect();
@@ -458,7 +458,7 @@ pub fn first_flyby(p: &Parameters) -> Path {
 }
 
 // ANCHOR: tide
-/// The tide as a torque: at each time the library's gradient for a mass that is held where
+/// The tide as a torque: at each time the library's gradient of a mass held where
 /// the path has it. The clock of the scene begins at `begin`.
 pub fn tide(path: Path, begin: f64) -> impl Effect + Clone + Send + Sync {
     Torque::on_space("tide", move |t, body, state| {
@@ -554,7 +554,7 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
     let bound = 10.0 * p.tolerance;
     rotation_dynamics::claims! { report,
         /// number of the tide at the closest
-        tide_number: number, "-", "3 (n/Omega)^2 (I - I_3)/I" => by_hand, within 1e-12 * number, in "The tide":
+        tide_number: number, "-", "3 (n/Omega)^2 (I_y - I_z)/I_y" => by_hand, within 1e-12 * number, in "The tide":
             number / 3.0 => "a factor 3",
             number.sqrt() => "it is a square";
         /// eccentricity of the path
@@ -600,10 +600,10 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let moved = angle_between(round.place(round.when), round.place(round.when + third));
     let straight = Path::flyby(1e9, 1e7, 0.0, 0.0).place(1000.0);
     rotation_dynamics::limits! { report,
-        /// a symmetric body: L runs round the axis at (1 - I3/I1) omega3
-        "I1 = I2: period of the rotation": thin.periods()?[0] / symmetric => 1.0, within 1e-8;
-        /// and the axis precesses at L/I1
-        "I1 = I2: period of the precession": thin.periods()?[1] * momentum / (TAU * 3.2) => 1.0, within 1e-8;
+        /// a symmetric body: L runs round the axis at (1 - I_z/I_x) Omega_z
+        "I_x = I_y: period of the rotation": thin.periods()?[0] / symmetric => 1.0, within 1e-8;
+        /// and the axis precesses at L/I_x
+        "I_x = I_y: period of the precession": thin.periods()?[1] * momentum / (TAU * 3.2) => 1.0, within 1e-8;
         /// the tide falls with the third power of the distance
         "twice as far: the tide": far(2.0)? / far(1.0)? => 0.125, within 1e-12;
         /// a circle: equal angles in equal times
@@ -625,10 +625,10 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     let damping = 5e12 / (2500.0 * 0.03 * 1.2e3 * 1.2e3 * w * w * w);
     let friction = end / damping;
     rotation_dynamics::effect_card! { report,
-        "tide of the Earth, 2004": "3 (n/Omega)^2 (I - I_3)/I" = number(&start, &flyby(p))?, costs moved.own[0], "deg in 2008, at most", included;
-        "tide of the Earth, 1992": "3 (n/Omega)^2 (I - I_3)/I" = number(&start, &first_flyby(p))?, costs moved.first[0], "deg in 2008, at most";
-        "tide of the Sun": "3 (n/Omega)^2 (I - I_3)/I" = number(&start, &Path::orbit()?)?, costs moved.sun[0], "deg in 2008";
-        "push of light on a crooked body": "torque x t/(I omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about";
+        "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs moved.own[0], "deg in 2008, at most", included;
+        "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs moved.first[0], "deg in 2008, at most";
+        "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit()?)?, costs moved.sun[0], "deg in 2008";
+        "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about";
         "friction inside": "t over the time of damping" = friction, costs (friction * w * end).to_degrees(), "deg in 2008, about";
     }
 }

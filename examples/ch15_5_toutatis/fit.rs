@@ -98,10 +98,7 @@ fn solved(columns: &mut [Vec<f64>], rest: &mut [f64]) -> ([[f64; 8]; 8], Unknown
         }
         step[i] = taken_off(column, rest);
     }
-    for i in (0..8).rev() {
-        let known: f64 = (i + 1..8).map(|j| r[i][j] * step[j]).sum();
-        step[i] = (step[i] - known) / r[i][i];
-    }
+    solved_upwards(&r, &mut step);
     (r, step)
 }
 
@@ -118,15 +115,22 @@ fn taken_off(unit: &[f64], from: &mut [f64]) -> f64 {
 
 /// scatter^2 (R^T R)^-1.
 fn covariance(r: &[[f64; 8]; 8], scatter: f64) -> [[f64; 8]; 8] {
-    let mut inverse = [[0.0; 8]; 8];
-    for j in 0..8 {
-        for i in (0..=j).rev() {
-            let known: f64 = (i + 1..=j).map(|k| r[i][k] * inverse[k][j]).sum();
-            inverse[i][j] = (f64::from(u8::from(i == j)) - known) / r[i][i];
-        }
-    }
-    let entry = |i: usize, j: usize| (0..8).map(|k| inverse[i][k] * inverse[j][k]).sum::<f64>();
+    let columns: [Unknowns; 8] = core::array::from_fn(|j| {
+        let mut column = [0.0; 8];
+        column[j] = 1.0;
+        solved_upwards(r, &mut column);
+        column
+    });
+    let entry = |i: usize, j: usize| columns.iter().map(|c| c[i] * c[j]).sum::<f64>();
     core::array::from_fn(|i| core::array::from_fn(|j| scatter * scatter * entry(i, j)))
+}
+
+/// R^-1 of a vector, in its place.
+fn solved_upwards(r: &[[f64; 8]; 8], vector: &mut Unknowns) {
+    for i in (0..8).rev() {
+        let known: f64 = (i + 1..8).map(|j| r[i][j] * vector[j]).sum();
+        vector[i] = (vector[i] - known) / r[i][i];
+    }
 }
 
 /// The middle of the measured days of December, s after the epoch.

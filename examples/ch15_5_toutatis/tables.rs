@@ -201,7 +201,7 @@ fn ledger(study: &Study, moved: &Moved) -> Result<Table> {
         motion.angular_momentum(),
     )?;
     let published = 0.03 * DAY;
-    let fitted = format!("{:.3} d, {:.3} d", b / DAY, a / DAY);
+    let fitted = format!("{:.3} and {:.3} d", b / DAY, a / DAY);
     let mut row = |what: &str, size: &str, [azimuth, spin]: [f64; 2]| {
         table.push([what.into(), size.into(), degrees(azimuth), degrees(spin)])
     };
