@@ -73,7 +73,7 @@ fn the_card_is_right_about_the_magnet() {
     let (scene, start) = satellite(&p).unwrap();
     let small = magnet(0.01 * MAGNET);
     let weighed = scene.called_for(&start, DAY, 1e-3).unwrap().weigh(&small, 0.0).unwrap();
-    let with = scene.clone().with(small);
+    let with = scene.with(small);
     let with = with.solve_along(&start, DAY, p.tolerance, &Limits::default()).unwrap();
     let without = scene.solve_along(&start, DAY, p.tolerance, &Limits::default()).unwrap();
     let mut largest = 0.0_f64;
