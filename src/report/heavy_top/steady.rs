@@ -100,7 +100,7 @@ impl Steady {
     /// # Errors
     /// Those of [`Scene::solve`].
     pub fn after(&self, effect: impl Effect) -> Result<[f64; 2]> {
-        let scene = self.scene.clone().with(effect);
+        let scene = self.scene.with(effect);
         let end = scene.solve(&self.start, self.turn, TOLERANCE)?.state;
         let EulerAngles { phi, theta, .. } = end.attitude.euler_angles();
         Ok([theta, if phi > PI { phi - TAU } else { phi }])
