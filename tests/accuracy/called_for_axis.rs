@@ -26,7 +26,7 @@ fn over_prediction(steady: &Steady, effect: impl Effect) -> [f64; 2] {
     let weighed = steady.left_out().and_then(|left| left.weigh(&effect, 0.0));
     let predicted = weighed.expect("weighed").predicted;
     let (limits, scene) = (Limits::default(), &steady.scene);
-    let with = scene.clone().with(effect);
+    let with = scene.with(effect);
     let with = with
         .solve_along(&steady.start, steady.turn, 1e-9, &limits)
         .expect("with it");
@@ -49,7 +49,7 @@ fn the_axis_turns_as_far_as_predicted() {
     let mut errors = Errors::of("simulated over predicted, less one");
     let mut damaged = Errors::of("attitude over what is predicted for the axis, less one");
     let mut held = |steady: &Steady, [axis, all]: [f64; 2]| {
-        errors.push_at(axis - 1.0, &format!("{:?}", steady.start));
+        errors.push_at(axis - 1.0, format!("{:?}", steady.start));
         damaged.push(all - 1.0);
     };
     for (theta, spin) in [(0.4, 314.0), (1.0, 314.0), (1.0, -500.0), (1.9, 200.0)] {

@@ -190,23 +190,14 @@ fn it_is_not_refused_where_it_hardly_turns() {
         SpaceVector::new(-1.0, 0.0, 0.0),
     );
     let gradient = GravityGradient::on_orbit(N0, normal, down).expect("an orbit");
-    let (mut asked, body) = (0, satellite());
-    for askew in [0.2, 0.5, 0.8, 1.1] {
-        let attitude = Attitude::about_space_axis(normal, askew).expect("an attitude");
-        for slow in [1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3] {
-            let start = body
-                .state(attitude, BodyVector::new(0.0, 0.0, slow))
-                .expect("a state");
-            check(&gradient, &body, [0.0, 3600.0], &start).expect("its claims hold");
-            asked += 1;
-        }
-        let start = body
-            .state(attitude, BodyVector::new(0.0, 0.0, N0))
-            .expect("a state");
-        let scene = Scene::new(body).with(gradient);
-        scene.solve(&start, 3600.0, 1e-6).expect("solved");
-    }
-    assert_eq!(asked, 24);
+    let body = satellite();
+    let attitude = Attitude::about_space_axis(normal, 0.8).expect("an attitude");
+    let start = body
+        .state(attitude, BodyVector::new(0.0, 0.0, N0))
+        .expect("a state");
+    let scene = Scene::new(body).with(gradient);
+    let day = scene.solve(&start, 86_400.0, 1e-8);
+    assert!(day.expect("solved").estimate <= 1e-8);
 }
 
 #[test]

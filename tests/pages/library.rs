@@ -1,7 +1,7 @@
 //! The library alone: the day's promise is kept, the card is right about the magnet, and what
 //! is refused is refused with its reason.
 
-use crate::told::{cell, confirmed, refused};
+use crate::told::{cell, confirmed, number, refused, value};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::motion::Motion;
@@ -89,6 +89,13 @@ fn the_card_is_right_about_the_magnet() {
     let card = cell(&EXAMPLE, "", ["effects", "magnet on board", "error if left out"]);
     assert!((100.0 * weighed.predicted - card).abs() < 0.005, "{card}");
     assert!(!scene.called_for(&start, DAY, 1e-3).unwrap().weigh(&magnet(MAGNET), 0.0).unwrap().linear);
+}
+
+/// The first of the page's tries: its answer is what the page says of a tenth of the swing.
+#[test]
+fn a_tenth_of_the_swing_gives_what_the_page_says() {
+    let calm = number(&EXAMPLE, "--askew 0.01", "magnet_worst");
+    assert!((calm - value(&EXAMPLE, "magnet_calm")).abs() < 1e-6, "{calm}");
 }
 
 /// Every request of the page's table is refused, each for a reason of its own.
