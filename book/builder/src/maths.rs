@@ -138,10 +138,10 @@ fn outside_of_groups(tex: &str, found: impl Fn(&str) -> Option<usize>) -> Vec<(u
             continue;
         }
         // A command is read as a whole, an escaped brace is no group.
-        let letters = rest[1.min(rest.len())..].find(|c: char| !c.is_ascii_alphabetic());
+        let letters = |after: &str| after.find(|c: char| !c.is_ascii_alphabetic());
         at += match rest.strip_prefix('\\') {
             None => rest.chars().next().map_or(1, char::len_utf8),
-            Some(after) => match letters.unwrap_or(after.len()) {
+            Some(after) => match letters(after).unwrap_or(after.len()) {
                 0 => 1 + after.chars().next().map_or(0, char::len_utf8),
                 // What \begin and \end open and close is counted above.
                 letters if rest.starts_with("\\begin{") || rest.starts_with("\\end{") => {
@@ -253,6 +253,7 @@ mod tests {
             (r"\leftarrow \qquad \rightarrow \\ \qquad x", 3),
             (r"\alpha \qquad {b}", 2),
             (r"\{ a \qquad b \}", 2),
+            (r"60° \qquad φ", 2),
         ];
         for (tex, count) in cases {
             assert_eq!(parts(tex).len(), count, "{tex}: {:?}", parts(tex));
