@@ -40,14 +40,7 @@ impl Moved {
         let (start, end) = (study.start, study.last.t);
         let motion = start.motion()?;
         let (free, momentum) = (motion.attitude(end), motion.angular_momentum());
-        let shift = |there: &Attitude| -> Result<Shift> {
-            let [azimuth, spin] = off_about(&free, there, momentum)?;
-            Ok([
-                there.angle_to(&free).to_degrees(),
-                azimuth.abs(),
-                spin.abs(),
-            ])
-        };
+        let shift = |there: &Attitude| shift(&free, there, momentum);
         let earth = |path: Path| -> Result<Shift> {
             let each = phases(path)
                 .map(|path| shift(&Changed::simulated(&start, path)?.in_2008(&start, path, end)?));
@@ -78,12 +71,8 @@ pub fn rounding(p: &Parameters, study: &Study) -> Result<Shift> {
         .iter()
         .map(|there| shift(&free, there, momentum))
         .collect::<Result<Vec<_>>>()?;
-    Ok([0, 1, 2].map(|i| {
-        each.iter()
-            .map(|shift| shift[i] * shift[i])
-            .sum::<f64>()
-            .sqrt()
-    }))
+    let square = |i: usize| each.iter().map(|shift| shift[i] * shift[i]).sum::<f64>();
+    Ok([0, 1, 2].map(|i| square(i).sqrt()))
 }
 
 /// The attitude of the end if one published number after the other is half of its last printed
@@ -112,16 +101,8 @@ pub fn add(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
 }
 
 fn days(study: &Study) -> Result<Table> {
-    let columns = [
-        "day",
-        "since the epoch",
-        "attitude off",
-        "long axis off",
-        "angular velocity off",
-        "its length",
-        "off after the fit",
-    ];
-    let mut table = Table::new("days", columns)?;
+    let columns = "day,since the epoch,attitude off,long axis off,angular velocity off,its length,off after the fit";
+    let mut table = Table::new("days", columns.split(','))?;
     let motion = study.start.motion()?;
     let z = BodyVector::new(0.0, 0.0, 1.0);
     for (i, day) in study.december.iter().chain([&study.last]).enumerate() {
