@@ -4,10 +4,10 @@
 use rotation_dynamics::Error;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, exp, sin, sincos};
-use rotation_dynamics::report::Figure;
 use rotation_dynamics::report::draw::{
-    Axis, Curve, Ink, PALETTE, Panel, Side, Sketch, Solid, Stack, View,
+    Axis, Curve, Ink, PALETTE, Panel, Side, Sketch, Solid, Stack, Sweep, View,
 };
+use rotation_dynamics::report::{Figure, MovingPicture, times};
 
 fn grid(n: i32, to: f64) -> impl Iterator<Item = f64> {
     (0..=n).map(move |i| to * f64::from(i) / f64::from(n))
@@ -294,4 +294,97 @@ fn what_cannot_be_drawn_is_refused() {
             .figure(),
         Err(Error::Text { .. })
     ));
+}
+
+rotation_dynamics::figures! { heights: &[f64; 2], top = heights[0].max(heights[1]);
+    /// Two lines, the one
+    /// above the other.
+    lines: Panel::over_axes("$x$", Axis::linear("$y$").range(0.0, top))
+        .curve(Curve::of(grid(4, 1.0), |x| heights[0] * x, Ink::Ink))
+        .curve(Curve::of(grid(4, 1.0), |x| heights[1] * x, Ink::Body));
+
+    weight(format!("A weight on a string of the length {top} m.")):
+        Sketch::within((-1.0, 1.0), (-1.2, 0.2))
+            .wall((0.5, 0.0), (-0.5, 0.0))
+            .guide([(0.0, 0.0), (0.0, -1.1)])
+            .string((0.0, 0.0), (0.3, -0.8), "$l$", Side::Right)
+            .weight((0.3, -0.8), 0.08, "$M$")
+            .gravity((-0.6, -0.3), 0.3);
+}
+
+#[test]
+fn figures_are_named_and_say_what_is_to_be_seen() {
+    let drawn = figures(&[1.0, 2.0]).expect("drawn");
+    let said: Vec<_> = drawn
+        .iter()
+        .map(|f| (f.name.as_str(), f.alt.as_str()))
+        .collect();
+    let expected = [
+        ("lines", "Two lines, the one above the other."),
+        ("weight", "A weight on a string of the length 2 m."),
+    ];
+    assert_eq!(said, expected);
+    // What the builders stand for, by hand: the same bytes.
+    let by_hand = Sketch::new(expected[1].0, expected[1].1)
+        .window((-1.0, 1.0), (-1.2, 0.2))
+        .wall((0.5, 0.0), (-0.5, 0.0))
+        .curve(
+            Curve::new([(0.0, 0.0), (0.0, -1.1)], Ink::Frame)
+                .thin()
+                .dashed(),
+        )
+        .curve(Curve::new([(0.0, 0.0), (0.3, -0.8)], Ink::Ink))
+        .text((0.15, -0.4), "$l$", Ink::Ink, Side::Right)
+        .disc((0.3, -0.8), 0.08, Ink::Body, 1.0)
+        .text((0.38, -0.8), "$M$", Ink::Body, Side::Right)
+        .arrow((-0.6, -0.3), (-0.6, -0.6), Ink::Frame, "$g$", Side::Left);
+    assert_eq!(by_hand.figure().expect("drawn").svg, drawn[1].svg);
+    // The damaged twin: a panel that nobody named is refused.
+    assert!(Panel::over_axes("$x$", "$y$").figure().is_err());
+}
+
+#[test]
+fn a_sweep_draws_its_lines_and_dots_over_one_axis() {
+    let sweep = Sweep::over("$x$", 0.0, 2.0).at([0.5, 1.0, 1.5]);
+    let whole = Curve::of(times(0.0, 2.0, 260), sin, Ink::Ink);
+    assert_eq!(sweep.exact(sin), whole);
+    // Beyond the middle half of the points, and the dots that are there.
+    let beyond = sweep.beyond(1.0);
+    assert_eq!(
+        beyond.exact(sin),
+        Curve::of(times(1.0, 2.0, 130), sin, Ink::Ink)
+    );
+    let dots = Curve::new([1.0, 1.5].map(|x| (x, cos(x))), Ink::Body).dots();
+    assert_eq!(beyond.simulated(|x| Ok(cos(x))).expect("dots"), dots);
+    let both = sweep
+        .exact_and_simulated("$y$", sin, |x| Ok(sin(x)))
+        .expect("a panel");
+    let by_hand = Panel::over_axes(Axis::linear("$x$").range(0.0, 2.0), "$y$");
+    let simulated = sweep
+        .simulated(|x| Ok(sin(x)))
+        .expect("dots")
+        .label("simulated");
+    assert_eq!(both, by_hand.curve(whole).curve(simulated));
+    assert!(
+        sweep
+            .simulated(|t| Err(Error::NotFinite {
+                name: "t",
+                value: t
+            }))
+            .is_err()
+    );
+}
+
+#[test]
+fn a_picture_above_its_graph_is_the_usual_frame() {
+    let graph =
+        Panel::over_axes("$t$ / s", "$x$ / m").curve(Curve::of(grid(60, 6.0), cos, Ink::Body));
+    let ball =
+        |t: f64| Sketch::within((-1.3, 1.3), (-0.2, 0.6)).disc((cos(t), 0.2), 0.2, Ink::Body, 0.3);
+    let alt = "a ball swings to and fro; below it its place against time";
+    let by_hand = Stack::frame(alt, ball(2.0), &graph, 2.0).expect("a frame");
+    let picture = MovingPicture::above(graph, 0.0..=6.0, [2.0], move |t| Ok((alt.into(), ball(t))));
+    let picture = picture.expect("a picture");
+    assert_eq!(picture.stills().expect("stills")[0].svg, by_hand.svg);
+    assert!(picture.frame(6.1).is_err());
 }
