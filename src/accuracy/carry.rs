@@ -1,6 +1,6 @@
 //! A method made ready to run, and what it carries of a scene.
 
-use crate::body::State;
+use crate::body::{RigidBody, State};
 use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
@@ -126,10 +126,7 @@ impl Carrier {
         start: &State,
     ) -> Result<(State, Work)> {
         match (self, variables) {
-            (Self::EulerOnAngles(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::SemiImplicitEuler(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::MuntheKaas4(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::Rk4(m), Variables::SpinFree) if E::NATURE.axis_only => {
                 m.advance(&SpinFree::new(scene)?, t, start, t_end)
             }
@@ -137,74 +134,113 @@ impl Carrier {
         }
     }
 
-    /// The same for the methods that the dial chooses from, and no code for the others.
-    pub(super) fn advance_well<E: Effect>(
+    /// The same in the variables that are usual: those in space, but for Gauss-Legendre those
+    /// in which it takes the fewest steps. No code is made for others.
+    ///
+    /// # Errors
+    /// A method that does not apply; what it refuses.
+    pub fn advance_as_usual<E: Effect>(
+        &self,
+        scene: &Scene<E>,
+        [t, t_end]: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        let variables = match self {
+            Self::GaussLegendre(m) => {
+                if const { !E::NATURE.axis_only && !E::NATURE.torque_free } {
+                    return m.advance(scene, t, start, t_end);
+                }
+                Variables::best(Method::GaussLegendre16, scene)
+            }
+            _ => Variables::Space,
+        };
+        self.advance_well(scene, variables, [t, t_end], start)
+    }
+
+    /// All but Gauss-Legendre in space.
+    fn advance_well<E: Effect>(
         &self,
         scene: &Scene<E>,
         variables: Variables,
         [t, t_end]: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        match (self, variables) {
-            (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
+        let mut work = Work::default();
+        let end = match (self, variables) {
+            (Self::EulerOnAngles(m), Variables::Space) => return m.advance(scene, t, start, t_end),
+            (Self::SemiImplicitEuler(m), Variables::Space) => {
+                return m.advance(scene, t, start, t_end);
+            }
+            (Self::MuntheKaas4(m), Variables::Space) => return m.advance(scene, t, start, t_end),
+            (Self::Rk4(m), Variables::Space) => return m.advance(scene, t, start, t_end),
+            (Self::Dop853(m), Variables::Space) => return m.advance(scene, t, start, t_end),
             // By constants: no code is made for what the effects rule out.
             _ => {
                 if const { E::NATURE.torque_free } {
-                    self.advance_free(scene, variables, [t, t_end], start)
+                    if let (Self::GaussLegendre(_), Variables::Body) = (self, variables) {
+                        self.advance_free(scene.body(), [t, t_end], start, &mut work)
+                    } else {
+                        self.advance_axis(scene, variables, [t, t_end], start, &mut work)
+                    }
                 } else if const { E::NATURE.axis_only } {
-                    self.advance_axis(scene, variables, [t, t_end], start)
+                    self.advance_axis(scene, variables, [t, t_end], start, &mut work)
                 } else {
                     Err(Error::SeesMore {
                         effects: scene.effects().names().join(", "),
                     })
                 }
             }
-        }
+        };
+        Ok((end?, work))
     }
 
-    /// A body without torque on its own axes; in all else it is one whose axis alone is seen.
-    fn advance_free<E: Effect>(
+    /// A body without torque on its own axes, by Gauss-Legendre.
+    pub(super) fn advance_free(
         &self,
-        scene: &Scene<E>,
-        variables: Variables,
+        body: &RigidBody,
         [t, t_end]: [f64; 2],
         start: &State,
-    ) -> Result<(State, Work)> {
-        match (self, variables) {
-            (Self::GaussLegendre(m), Variables::Body) => {
-                let free = FreeRotation::new(&Scene::new(*scene.body()));
-                m.advance(&free, t, start, t_end)
-            }
-            _ => self.advance_axis(scene, variables, [t, t_end], start),
+        work: &mut Work,
+    ) -> Result<State> {
+        let free = FreeRotation::new(&Scene::new(*body));
+        match self {
+            Self::GaussLegendre(m) => m.advance_counting(&free, t, start, t_end, work),
+            _ => Err(no_such_variables()),
         }
     }
 
     /// Effects that see the axis alone.
-    fn advance_axis<E: Effect>(
+    pub(super) fn advance_axis<E: Effect>(
         &self,
         scene: &Scene<E>,
         variables: Variables,
         [t, t_end]: [f64; 2],
         start: &State,
-    ) -> Result<(State, Work)> {
+        work: &mut Work,
+    ) -> Result<State> {
         match (self, variables) {
-            (Self::Splitting(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::Splitting(m), Variables::Space) => {
+                m.advance_counting(scene, t, start, t_end, work)
+            }
             (Self::GaussLegendre(m), Variables::Body) => {
-                m.advance(&BodyAxes::new(scene)?, t, start, t_end)
+                m.advance_counting(&BodyAxes::new(scene)?, t, start, t_end, work)
             }
             (Self::GaussLegendre(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(scene)?, t, start, t_end)
+                m.advance_counting(&SpinFree::new(scene)?, t, start, t_end, work)
             }
             (Self::Dop853(m), Variables::SpinFree) => {
-                m.advance(&SpinFree::new(scene)?, t, start, t_end)
+                m.advance_counting(&SpinFree::new(scene)?, t, start, t_end, work)
             }
-            _ => Err(Error::OutOfRange {
-                name: "variables on the body's axes or without the spin",
-                value: 1.0,
-                allowed: "0 with this method: it has its own, or those in space",
-            }),
+            _ => Err(no_such_variables()),
         }
+    }
+}
+
+fn no_such_variables() -> Error {
+    Error::OutOfRange {
+        name: "variables on the body's axes or without the spin",
+        value: 1.0,
+        allowed: "0 with this method: it has its own, or those in space",
     }
 }
 

@@ -104,6 +104,15 @@ impl<E: Effect> Problem<E> {
         carrier.advance(&self.scene, variables, [0.0, self.end], &self.start)
     }
 
+    /// The same in the variables of [`Problem::usual`]; no code is made for others.
+    ///
+    /// # Errors
+    /// What the method refuses.
+    pub fn run_as_usual(&self, method: Method, fineness: Fineness) -> Result<(State, Work)> {
+        let carrier = Carrier::new(method, fineness)?;
+        carrier.advance_as_usual(&self.scene, [0.0, self.end], &self.start)
+    }
+
     /// A method with each setting ([`Fineness::of`]), in the order given.
     pub fn sweep(
         &self,
@@ -127,10 +136,9 @@ impl<E: Effect> Problem<E> {
     /// A tolerance that is not positive; a method that does not apply.
     pub fn least(&self, method: Method, tolerance: f64) -> Result<Option<Run>> {
         positive("tolerance", tolerance)?;
-        let variables = self.usual(method);
         for level in 0..=finest(method) {
             let setting = at(method, level);
-            let run = self.run(method, variables, Fineness::of(method, setting));
+            let run = self.run_as_usual(method, Fineness::of(method, setting));
             let (reached, work) = match run {
                 // Steps far too long for a fast motion overflow, or their stages have no
                 // solution: not delivered.

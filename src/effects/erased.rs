@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Effect, Feature, Keeps, Known, Nature};
+use super::{Effect, Feature, Known, Nature};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -58,60 +58,5 @@ impl<E: Effect> AnyEffect for E {
     /// Among all effects that this one is made of.
     fn holds_from(&self, t: f64, body: &RigidBody, start: &State) -> Result<()> {
         Effect::holds_from(self, t, body, start, &self.about_axis())
-    }
-}
-
-/// An effect of which no more is known than whether it sees the axis only, whether it is
-/// smooth, and whether the body may slip.
-#[derive(Clone, Copy)]
-pub(crate) struct Erased<'e, const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool>(
-    pub &'e dyn AnyEffect,
-);
-
-impl<const AXIS_ONLY: bool, const SMOOTH: bool, const SLIPS: bool> Effect
-    for Erased<'_, AXIS_ONLY, SMOOTH, SLIPS>
-{
-    const NATURE: Nature = Nature {
-        axis_only: AXIS_ONLY,
-        on_rates: !AXIS_ONLY,
-        on_time: !AXIS_ONLY,
-        smooth: SMOOTH,
-        slips: SLIPS,
-        torque_free: false,
-        keeps: Keeps::NONE,
-    };
-
-    fn name(&self) -> &'static str {
-        "effects"
-    }
-
-    #[inline]
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state)
-    }
-
-    #[inline]
-    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.slip(t, body, state)
-    }
-
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.potential_energy(t, body, state)
-    }
-
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_scale(body, state)
-    }
-
-    fn break_points(&self) -> Vec<f64> {
-        self.0.break_points()
-    }
-
-    fn narrowest(&self) -> Option<Feature> {
-        self.0.narrowest()
-    }
-
-    fn names(&self) -> Vec<&'static str> {
-        self.0.names()
     }
 }

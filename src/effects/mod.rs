@@ -40,7 +40,7 @@ pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use coulomb::CoulombBearing;
 pub use disc_drag::{DiscDrag, Regime};
-pub(crate) use erased::{AnyEffect, Erased};
+pub(crate) use erased::AnyEffect;
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;

@@ -79,4 +79,40 @@ pub trait Integrator<P: ?Sized, Y> {
     /// Errors: a time or a state that is not finite; what the method itself
     /// refuses.
     fn advance(&self, problem: &P, t: f64, start: &Y, t_end: f64) -> Result<(Y, Work)>;
+
+    /// The same, with its work added to `work`. Of a run that comes to no end [`Dop853`],
+    /// [`GaussLegendre`] and [`Splitting`] add what was done until then; others, which make
+    /// all their steps, nothing.
+    ///
+    /// Errors: those of [`advance`](Self::advance).
+    fn advance_counting(
+        &self,
+        problem: &P,
+        t: f64,
+        start: &Y,
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<Y> {
+        let (end, done) = self.advance(problem, t, start, t_end)?;
+        *work += done;
+        Ok(end)
+    }
 }
+
+/// [`Integrator::advance`] by [`Integrator::advance_counting`].
+macro_rules! advance_by_counting {
+    ($problem:ty, $state:ty) => {
+        fn advance(
+            &self,
+            problem: &$problem,
+            t: f64,
+            start: &$state,
+            t_end: f64,
+        ) -> crate::error::Result<($state, crate::integrators::Work)> {
+            let mut work = crate::integrators::Work::default();
+            let end = self.advance_counting(problem, t, start, t_end, &mut work)?;
+            Ok((end, work))
+        }
+    };
+}
+use advance_by_counting;

@@ -14,7 +14,7 @@
 //! corrected on the way (which would break steps and interpolants), and is
 //! divided out once, when the state is read.
 
-use super::{Dop853, Integrator, Ode, Rk4, Work};
+use super::{Dop853, Integrator, Ode, Rk4, Work, advance_by_counting};
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::Effect;
@@ -80,15 +80,18 @@ impl<E: Effect> Ode<7> for Scene<E> {
 macro_rules! carries_states {
     ($method:ty) => {
         impl<E: Effect> Integrator<Scene<E>, State> for $method {
-            fn advance(
+            advance_by_counting!(Scene<E>, State);
+
+            fn advance_counting(
                 &self,
                 scene: &Scene<E>,
                 t: f64,
                 start: &State,
                 t_end: f64,
-            ) -> Result<(State, Work)> {
-                let (end, work) = self.advance(scene, t, &components(start), t_end)?;
-                Ok((state(&end)?, work))
+                work: &mut Work,
+            ) -> Result<State> {
+                let end = self.advance_counting(scene, t, &components(start), t_end, work)?;
+                state(&end)
             }
         }
     };

@@ -13,7 +13,7 @@
 //! However fast the spin is, it costs no steps and no accuracy.
 
 use super::scene::components;
-use super::{Dop853, Integrator, Ode, Rk4, Work};
+use super::{Dop853, Integrator, Ode, Rk4, Work, advance_by_counting};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::effects::Effect;
@@ -159,16 +159,19 @@ impl<E: Effect> Ode<7> for SpinFree<'_, E> {
 macro_rules! carries_states {
     ($method:ty) => {
         impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for $method {
-            fn advance(
+            advance_by_counting!(SpinFree<'s, E>, State);
+
+            fn advance_counting(
                 &self,
                 problem: &SpinFree<'s, E>,
                 t: f64,
                 start: &State,
                 t_end: f64,
-            ) -> Result<(State, Work)> {
-                let (end, work) = self.advance(problem, t, &components(start), t_end)?;
+                work: &mut Work,
+            ) -> Result<State> {
+                let end = self.advance_counting(problem, t, &components(start), t_end, work)?;
                 let spin = problem.spin_rate(start) * (t_end - t);
-                Ok((problem.state(&end, spin)?, work))
+                problem.state(&end, spin)
             }
         }
     };

@@ -180,9 +180,9 @@ impl Report {
             return Ok(());
         };
         let (runner, judge) = (problem.clone(), problem.clone());
-        let (variables, setting) = (problem.usual(method), run.setting);
+        let setting = run.setting;
         let again = Computation::new(
-            move || runner.run(method, variables, Fineness::of(method, setting)),
+            move || runner.run_as_usual(method, Fineness::of(method, setting)),
             move |(reached, _)| Ok(judge.error(reached)),
         );
         self.add_price(Price {

@@ -1,7 +1,7 @@
 //! The dial's promise all along the way.
 
 use super::given::{Onward, Places};
-use super::method::{Fine, Method};
+use super::method::{Fine, Method, Steps};
 use super::{ExactMotion, Limits, Solved};
 use crate::body::State;
 use crate::effects::Effect;
@@ -39,6 +39,8 @@ pub(super) enum Form {
         precision: f64,
         /// The states at equal distances, the start among them.
         places: Vec<State>,
+        /// What was asked for on the pieces of the way to each of the others.
+        steps: Vec<Vec<Steps>>,
     },
 }
 
@@ -198,27 +200,28 @@ impl SolvedMotion<'_> {
                 level,
                 precision,
                 places,
+                steps,
             } => {
-                let fine = Fine {
-                    level: *level,
-                    fewest: 1,
-                    precision: *precision,
-                    budget: u64::MAX,
-                };
-                let (before, place) = self.before(places, t);
+                let (leg, before) = self.before(places.len() - 1, t);
+                let place = &places[leg];
                 if t == before {
                     return Ok(*place);
                 }
+                let fine = Fine {
+                    level: *level,
+                    fewest: &steps[leg],
+                    precision: *precision,
+                    budget: u64::MAX,
+                };
                 self.onward
                     .state(&self.breaks, *method, fine, [before, t], place)
             }
         }
     }
 
-    /// The last place that is not after `t`, and its time.
-    fn before<'p>(&self, places: &'p [State], t: f64) -> (f64, &'p State) {
+    /// The last place that is not after `t`, by its number, and its time.
+    fn before(&self, legs: usize, t: f64) -> (usize, f64) {
         let [from, to] = self.span();
-        let legs = places.len() - 1;
         let time = |leg: usize| {
             if leg == legs {
                 to
@@ -232,6 +235,6 @@ impl SolvedMotion<'_> {
         if (t - time(leg)) * (to - from) < 0.0 && leg > 0 {
             leg -= 1;
         }
-        (time(leg), &places[leg])
+        (leg, time(leg))
     }
 }

@@ -1,20 +1,19 @@
 //! What is asked of the dial, checked, and handed on.
 //!
-//! The dial is compiled once for a free body, for gravity, and for any other effect behind
-//! a pointer: a program that solves ten scenes of its own compiles none of it.
+//! The dial is compiled once, for effects behind a pointer: a program that solves ten scenes
+//! of its own compiles none of it.
 
 use super::along::Form;
 use super::limits::Limits;
-use super::method::{Fine, Method};
-use super::problem::{ALL_ROWS, Apart, Feeler, Problem};
+use super::method::{Fine, Method, Runs};
+use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Checked, Effect, Erased, Known};
+use crate::effects::{AnyEffect, Checked};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
-use core::cell::Cell;
 
 /// The error of a closed form, in units of eps (1 + condition). Measured over the reference
 /// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
@@ -33,36 +32,6 @@ pub(super) enum Places {
 pub(super) struct Answer {
     pub solved: Solved,
     pub form: Form,
-}
-
-/// What is done with effects of any type, by the few types for which the dial is compiled.
-macro_rules! by_kind {
-    ($any:expr, $effects:ident => $run:expr) => {{
-        let nature = $any.nature();
-        match $any.known() {
-            Known::Free => {
-                let $effects = ();
-                $run
-            }
-            Known::HeavyTop($effects) => $run,
-            Known::No if nature.axis_only && nature.smooth => {
-                let $effects = Erased::<true, true, false>($any);
-                $run
-            }
-            Known::No if nature.smooth && nature.slips => {
-                let $effects = Erased::<false, true, true>($any);
-                $run
-            }
-            Known::No if nature.smooth => {
-                let $effects = Erased::<false, true, false>($any);
-                $run
-            }
-            Known::No => {
-                let $effects = Erased::<false, false, true>($any);
-                $run
-            }
-        }
-    }};
 }
 
 /// What is asked: a scene, its start, its end, and within which limits.
@@ -112,15 +81,15 @@ impl<'s> Given<'s> {
             longest_step: limits.longest_step,
             checked,
         };
-        let rate = given.problem(&(), &Cell::new(0)).fastest();
+        let rate = given.problem().fastest();
         given.longest_step = limits.longest_step(effects, &given.checked, rate, t_end);
         Ok(given)
     }
 
-    fn problem<'p, E>(&'p self, effects: &'p E, asked: &'p Cell<u64>) -> Problem<'p, E> {
+    fn problem(&self) -> Problem<'_> {
         Problem {
             body: self.body,
-            effects,
+            acting: Acting::of(self.effects),
             strength: 1.0,
             torque: self.torque,
             start: self.start,
@@ -130,19 +99,45 @@ impl<'s> Given<'s> {
             longest_step: self.longest_step,
             checked: &self.checked,
             known: self.effects.known(),
-            asked,
         }
     }
 
     /// What is asked for, in closed form unless it is to be stepped.
     pub fn answer(&self, places: Places, step: bool) -> Result<Answer> {
-        let asked = Cell::new(0);
-        let by = Asked {
-            given: self,
-            places,
-            step,
+        let problem = self.problem();
+        let places = match places {
+            Places::End => 1,
+            Places::Along { most, apart } => {
+                let turned = problem.fastest() * problem.span().abs() / apart;
+                turned.clamp(1.0, most as f64) as usize
+            }
         };
-        by_kind!(self.effects, effects => by.of(&self.problem(&effects, &asked)))
+        if !step && let Some(motion) = problem.exact_motion() {
+            return Ok(Answer {
+                solved: by_closed_form(&problem, &motion, self.tolerance, places)?,
+                form: Form::Exact(motion),
+            });
+        }
+        if problem.span() == 0.0 {
+            return Ok(Answer {
+                solved: nothing_to_do(&problem)?,
+                form: Form::Still(problem.start),
+            });
+        }
+        let delivered = Stepping::new(&problem, self.tolerance, self.limits, places).solve()?;
+        let solved = Solved::of(&delivered, &problem);
+        let mut states = vec![problem.start];
+        states.extend(delivered.places);
+        Ok(Answer {
+            solved,
+            form: Form::Stepped {
+                method: delivered.method,
+                level: delivered.level,
+                precision: delivered.precision,
+                places: states,
+                steps: delivered.steps,
+            },
+        })
     }
 }
 
@@ -182,61 +177,13 @@ impl Onward<'_> {
             longest_step: self.longest_step,
             checked,
         };
-        let (asked, span) = (Cell::new(0), [from, to]);
-        let passed = by_kind!(self.effects, effects => {
-            method.run(&given.problem(&effects, &asked), span, start, fine)
-        });
+        let mut runs = Runs::default();
+        let passed = method.run(&given.problem(), [from, to], start, fine, &mut runs);
         Ok(passed?.state)
     }
 }
 
-struct Asked<'g, 's> {
-    given: &'g Given<'s>,
-    places: Places,
-    step: bool,
-}
-
-impl Asked<'_, '_> {
-    fn of<E: Effect>(&self, problem: &Problem<E>) -> Result<Answer> {
-        let (tolerance, limits) = (self.given.tolerance, self.given.limits);
-        let places = match self.places {
-            Places::End => 1,
-            Places::Along { most, apart } => {
-                let turned = problem.fastest() * problem.span().abs() / apart;
-                turned.clamp(1.0, most as f64) as usize
-            }
-        };
-        if !self.step
-            && let Some(motion) = problem.exact_motion()
-        {
-            return Ok(Answer {
-                solved: by_closed_form(problem, &motion, tolerance, places)?,
-                form: Form::Exact(motion),
-            });
-        }
-        if problem.span() == 0.0 {
-            return Ok(Answer {
-                solved: nothing_to_do(problem)?,
-                form: Form::Still(problem.start),
-            });
-        }
-        let delivered = Stepping::new(problem, tolerance, limits, places).solve()?;
-        let solved = Solved::of(&delivered, problem);
-        let mut states = vec![problem.start];
-        states.extend(delivered.places);
-        Ok(Answer {
-            solved,
-            form: Form::Stepped {
-                method: delivered.method,
-                level: delivered.level,
-                precision: delivered.precision,
-                places: states,
-            },
-        })
-    }
-}
-
-fn nothing_to_do<E: Effect>(problem: &Problem<E>) -> Result<Solved> {
+fn nothing_to_do(problem: &Problem) -> Result<Solved> {
     let start = problem.start;
     let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
         let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
@@ -256,13 +203,13 @@ fn nothing_to_do<E: Effect>(problem: &Problem<E>) -> Result<Solved> {
 }
 
 /// The state of a closed form, if its error is small enough at so many places on the way.
-fn by_closed_form<E: Effect>(
-    problem: &Problem<E>,
+fn by_closed_form(
+    problem: &Problem,
     motion: &ExactMotion,
     tolerance: f64,
     places: usize,
 ) -> Result<Solved> {
-    let on_the_way = |motion: &ExactMotion, changed: &Problem<E>| -> Result<Vec<State>> {
+    let on_the_way = |motion: &ExactMotion, changed: &Problem| -> Result<Vec<State>> {
         (1..=places)
             .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
             .collect()

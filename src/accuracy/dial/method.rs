@@ -5,10 +5,9 @@
 //! smaller error of a step. So methods of any order are refined alike and compared at
 //! the same error.
 
-use super::problem::Problem;
+use super::problem::{Acting, Problem};
 use crate::accuracy::{Carrier, Fineness, Variables};
 use crate::body::State;
-use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Method as Named, Work};
 use crate::math::{exp, log};
@@ -39,15 +38,12 @@ use Method::{Adaptive, BodyGauss, FreeGauss, Gauss, SpinFreeAdaptive, SpinFreeGa
 
 impl Method {
     /// Those that can step this problem.
-    pub fn candidates<E: Effect>(problem: &Problem<E>) -> Vec<Self> {
-        if E::NATURE.torque_free {
-            return vec![FreeGauss, Adaptive];
-        }
-        if !E::NATURE.smooth {
-            return vec![Adaptive];
-        }
-        if !E::NATURE.axis_only {
-            return vec![Gauss, Adaptive];
+    pub fn candidates(problem: &Problem) -> Vec<Self> {
+        match problem.acting {
+            Acting::Nothing => return vec![FreeGauss, Adaptive],
+            Acting::Smooth(_) => return vec![Gauss, Adaptive],
+            Acting::Anything(_) => return vec![Adaptive],
+            Acting::Weight(_) | Acting::OnAxis(_) => {}
         }
         let mut all = vec![Split(Named::Srkn6), Split(Named::Srkn14)];
         if problem.is_fast() {
@@ -152,7 +148,7 @@ impl Method {
     /// run of 50 turns after the other, optimised and with AVX-512 (that of the body's own
     /// axes is an estimate). What it is on another machine
     /// decides which method is chosen where two are near, and no more.
-    pub fn cost<E: Effect>(self, problem: &Problem<E>, work: &Work) -> f64 {
+    pub fn cost(self, problem: &Problem, work: &Work) -> f64 {
         let weight = match self {
             FreeGauss => 0.09,
             Gauss => 0.84,
@@ -173,7 +169,7 @@ impl Method {
     }
 
     /// A bound on the rates (rad/s) that this method has to follow.
-    pub fn rate<E: Effect>(self, problem: &Problem<E>) -> f64 {
+    pub fn rate(self, problem: &Problem) -> f64 {
         let moments = problem.body.moments();
         match self {
             SpinFreeGauss | SpinFreeAdaptive | Split(_) => {
@@ -187,17 +183,17 @@ impl Method {
 
     /// The angle (rad) turned until `t_end`, on which the number of steps rests; 1 at
     /// least, so that a finer level takes more steps of whatever seems at rest.
-    pub fn turned<E: Effect>(self, problem: &Problem<E>, t_end: f64) -> f64 {
+    pub fn turned(self, problem: &Problem, t_end: f64) -> f64 {
         (self.rate(problem) * t_end.abs()).max(1.0)
     }
 
     /// The steps of this level until `t_end` (not for adaptive methods).
-    pub fn steps<E: Effect>(self, problem: &Problem<E>, t_end: f64, level: f64) -> f64 {
+    pub fn steps(self, problem: &Problem, t_end: f64, level: f64) -> f64 {
         self.turned(problem, t_end) / self.angle() * self.dearer(level)
     }
 
     /// The level at which this many steps are taken (not for adaptive methods).
-    pub fn level_of<E: Effect>(self, problem: &Problem<E>, t_end: f64, steps: f64) -> f64 {
+    pub fn level_of(self, problem: &Problem, t_end: f64, steps: f64) -> f64 {
         let base = self.turned(problem, t_end) / self.angle();
         log(steps / base) * self.order() / LEVEL
     }
@@ -212,13 +208,14 @@ impl Method {
     }
 
     /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps;
-    /// with how fine the run was: see [`Fine`].
-    pub fn run<E: Effect>(
+    /// with how fine the run was: see [`Fine`]. What every piece took is added to `runs`.
+    pub fn run(
         self,
-        problem: &Problem<E>,
+        problem: &Problem,
         [t, t_end]: [f64; 2],
         start: &State,
         fine: Fine,
+        runs: &mut Runs,
     ) -> Result<Passed> {
         let times = problem.pieces([t, t_end]);
         let mut passed = Passed {
@@ -227,14 +224,18 @@ impl Method {
             level: f64::INFINITY,
             longest_step: 0.0,
         };
-        for piece in times.windows(2) {
-            let part = (piece[1] - piece[0]) / (t_end - t);
-            let fine = Fine {
-                fewest: ((fine.fewest as f64 * part).ceil() as u64).max(1),
+        for (n, piece) in times.windows(2).enumerate() {
+            let now = Fine {
                 budget: fine.budget.saturating_sub(passed.work.torques()),
                 ..fine
             };
-            let more = self.run_piece(problem, [piece[0], piece[1]], &passed.state, fine)?;
+            let span = [piece[0], piece[1]];
+            let fewest = fine.fewest.get(n).copied().unwrap_or(Steps::ONE);
+            let more = self.run_piece(problem, span, &passed.state, now, fewest, &mut runs.work)?;
+            runs.pieces.push(Steps {
+                made: more.work.steps,
+                ..fewest
+            });
             passed.state = more.state;
             passed.work += more.work;
             passed.level = passed.level.min(more.level);
@@ -243,14 +244,15 @@ impl Method {
         Ok(passed)
     }
 
-    fn run_piece<E: Effect>(
+    fn run_piece(
         self,
-        problem: &Problem<E>,
+        problem: &Problem,
         [t, t_end]: [f64; 2],
         start: &State,
         fine: Fine,
+        steps: Steps,
+        spent: &mut Work,
     ) -> Result<Passed> {
-        let scene = problem.scene([t, t_end]);
         let span = (t_end - t).abs();
         let over = Error::OverBudget {
             t,
@@ -263,7 +265,7 @@ impl Method {
             // the same steps would agree, and say nothing.
             fewest *= self.dearer(fine.level - self.coarsest());
         }
-        let fewest = fine.fewest.max(fewest.ceil() as u64);
+        let fewest = steps.fewest.max(fewest.ceil() as u64);
         let affordable = fine.budget as f64 / self.torques();
         let carrier = if self.is_adaptive() {
             let tolerance = (1e-3 * exp(-LEVEL * fine.level))
@@ -280,8 +282,10 @@ impl Method {
             let steps = (steps.ceil() as u64).max(fewest);
             Carrier::new(self.method(), Fineness::Stages(steps, fine.precision))?
         };
-        let run = carrier.advance_well(&scene, self.variables(), [0.0, t_end - t], start);
-        let (state, work) = match run {
+        let mut work = Work::default();
+        let run = problem.carried(&carrier, self.variables(), [t, t_end], start, &mut work);
+        *spent += work;
+        let state = match run {
             Err(Error::TooManySteps { .. }) => return Err(over),
             run => run?,
         };
@@ -301,16 +305,64 @@ impl Method {
     }
 }
 
+/// The steps of a run over a piece of its way: between two places looked at, and two jumps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Steps {
+    /// As many as it made.
+    pub made: u64,
+    /// So many it was to make at least.
+    pub fewest: u64,
+    /// A piece that is crossed in few steps is refined by their number alone, whatever a
+    /// step's error: so many does its refinement ask for.
+    asked: f64,
+}
+
+/// More steps than these are refined by the error allowed for each.
+const FEW: f64 = 8.0;
+
+impl Steps {
+    /// Nothing is asked for.
+    pub const ONE: Self = Self {
+        made: 0,
+        fewest: 1,
+        asked: 1.0,
+    };
+
+    /// Of a run that is finer by so many levels, on every piece: runs that took the same
+    /// steps over one of them would agree on it, and say nothing of its error.
+    pub fn finer(self, method: Method, levels: f64) -> Self {
+        let asked = self.asked.max(FEW.min(self.made as f64)) * method.dearer(levels);
+        let fewest = if method.is_adaptive() {
+            asked.ceil() as u64
+        } else {
+            1
+        };
+        Self {
+            made: 0,
+            fewest: fewest.max(self.made + 1),
+            asked,
+        }
+    }
+}
+
 /// How fine a run is to be.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Fine {
+pub(super) struct Fine<'f> {
     pub level: f64,
-    /// So many steps at least.
-    pub fewest: u64,
+    /// On each piece so many steps at least; one on those beyond the last.
+    pub fewest: &'f [Steps],
     /// To which the stages of Gauss-Legendre are solved; 0 for round-off.
     pub precision: f64,
     /// So many torques at most.
     pub budget: u64,
+}
+
+/// What runs took on one piece after the other, and the work of all, also of those that came
+/// to no end.
+#[derive(Debug, Default)]
+pub(super) struct Runs {
+    pub pieces: Vec<Steps>,
+    pub work: Work,
 }
 
 /// Where a run has come, what it cost, and the level of the steps it took.

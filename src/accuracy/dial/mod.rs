@@ -185,7 +185,7 @@ impl<E: Effect> Scene<E> {
 }
 
 impl Solved {
-    fn of<E>(delivered: &Delivered, problem: &Problem<E>) -> Self {
+    fn of(delivered: &Delivered, problem: &Problem) -> Self {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
             state: delivered.places.last().copied().unwrap_or(problem.start),

@@ -1,20 +1,50 @@
 //! What is to be solved, as given and with every input a little changed.
 
 use super::exact_motion::ExactMotion;
-use crate::accuracy::larger;
+use crate::accuracy::{Carrier, Variables, larger};
 use crate::body::{RigidBody, State};
-use crate::effects::{Checked, Effect, Known, Nature};
-use crate::error::Result;
+use crate::effects::{AnyEffect, Checked, Effect, GravityAtLever, Keeps, Known, Nature};
+use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
-use crate::math::{EPS, Lane, hypot};
+use crate::integrators::gauss_legendre::SideBySide;
+use crate::integrators::{Integrator, Work};
+use crate::math::{EPS, hypot};
 use crate::scene::Scene;
-use core::cell::Cell;
+
+/// What acts, as far as it matters to how it is stepped. Each kind is compiled once.
+#[derive(Clone, Copy)]
+pub(super) enum Acting<'e> {
+    /// Nothing.
+    Nothing,
+    /// The weight of a body held at a point of its axis.
+    Weight(GravityAtLever),
+    /// Effects that see the body's axis only, and are smooth.
+    OnAxis(&'e dyn AnyEffect),
+    /// Any that are smooth.
+    Smooth(&'e dyn AnyEffect),
+    /// Any.
+    Anything(&'e dyn AnyEffect),
+}
+
+impl<'e> Acting<'e> {
+    pub fn of(effects: &'e dyn AnyEffect) -> Self {
+        let nature = effects.nature();
+        match effects.known() {
+            Known::Free => Self::Nothing,
+            Known::HeavyTop(gravity) => Self::Weight(gravity),
+            Known::No if nature.axis_only && nature.smooth => Self::OnAxis(effects),
+            Known::No if nature.smooth => Self::Smooth(effects),
+            Known::No => Self::Anything(effects),
+        }
+    }
+}
 
 /// A scene, its start and the end asked for.
-pub(super) struct Problem<'e, E> {
+#[derive(Clone, Copy)]
+pub(super) struct Problem<'e> {
     pub body: RigidBody,
-    pub effects: &'e E,
+    pub acting: Acting<'e>,
     /// What multiplies the torque: 1, but for a change of it.
     pub strength: f64,
     /// The scale of the torque.
@@ -28,13 +58,12 @@ pub(super) struct Problem<'e, E> {
     pub longest_step: f64,
     pub checked: &'e Checked<'e>,
     pub known: Known,
-    /// Torques asked for, by runs that came to an end and by those that did not.
-    pub asked: &'e Cell<u64>,
 }
 
-/// The same effect with its torque multiplied, between two times at which it may jump.
-pub(super) struct Strengthened<'e, E> {
-    effects: &'e E,
+/// An effect behind a pointer with its torque multiplied, between two times at which it may
+/// jump.
+struct Strengthened<'e, const AXIS_ONLY: bool, const SLIPS: bool> {
+    effects: &'e dyn AnyEffect,
     strength: f64,
     torque: f64,
     /// The time at which the piece begins: so steps much shorter than that are not rounded
@@ -42,46 +71,35 @@ pub(super) struct Strengthened<'e, E> {
     origin: f64,
     /// The first time and the last that belong to this piece.
     piece: [f64; 2],
-    asked: &'e Cell<u64>,
 }
 
-impl<E: Effect> Strengthened<'_, E> {
+impl<const AXIS_ONLY: bool, const SLIPS: bool> Strengthened<'_, AXIS_ONLY, SLIPS> {
     /// The time that is this long after the beginning of the piece.
     #[inline(always)]
     fn time(&self, t: f64) -> f64 {
-        if E::NATURE.on_time {
-            (self.origin + t).max(self.piece[0]).min(self.piece[1])
-        } else {
-            t
-        }
-    }
-
-    #[inline(always)]
-    fn count(&self, torques: usize) {
-        self.asked.set(self.asked.get() + torques as u64);
+        (self.origin + t).max(self.piece[0]).min(self.piece[1])
     }
 }
 
-impl<E: Effect> Effect for Strengthened<'_, E> {
-    const NATURE: Nature = E::NATURE;
+impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_ONLY, SLIPS> {
+    const NATURE: Nature = Nature {
+        axis_only: AXIS_ONLY,
+        on_rates: !AXIS_ONLY,
+        on_time: !AXIS_ONLY,
+        smooth: true,
+        slips: SLIPS,
+        torque_free: false,
+        keeps: Keeps::NONE,
+    };
 
     fn name(&self) -> &'static str {
-        self.effects.name()
+        "effects"
     }
 
     /// On this piece: at a jump, what it is on this side.
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        let t = self.time(t);
-        self.count(1);
-        self.effects.torque(t, body, state) * self.strength
-    }
-
-    #[inline(always)]
-    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
-        self.count(L::WIDTH);
-        let [a, b, c] = self.effects.torques_on_axis(body, axis);
-        [a * self.strength, b * self.strength, c * self.strength]
+        self.effects.torque(self.time(t), body, state) * self.strength
     }
 
     #[inline]
@@ -90,17 +108,8 @@ impl<E: Effect> Effect for Strengthened<'_, E> {
     }
 
     #[inline]
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.effects.potential_energy(self.time(t), body, state) * self.strength
-    }
-
-    #[inline]
     fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
         self.torque * self.strength
-    }
-
-    fn names(&self) -> Vec<&'static str> {
-        self.effects.names()
     }
 }
 
@@ -171,18 +180,77 @@ impl Feeler {
 /// and of rates, each as a part of its scale.
 pub(super) type Apart = [f64; 3];
 
-impl<'e, E: Effect> Problem<'e, E> {
+impl<'e> Problem<'e> {
+    /// A run between two times without a jump; its work is added to `work`.
+    pub fn carried(
+        &self,
+        carrier: &Carrier,
+        variables: Variables,
+        [from, to]: [f64; 2],
+        start: &State,
+        work: &mut Work,
+    ) -> Result<State> {
+        let span = [0.0, to - from];
+        match (self.acting, carrier, variables) {
+            (Acting::Nothing, _, Variables::Body) => {
+                carrier.advance_free(&self.body, span, start, work)
+            }
+            (Acting::Nothing, Carrier::Dop853(m), _) => {
+                let scene = self.scene::<false, false>(&(), [from, to]);
+                m.advance_counting(&scene, 0.0, start, to - from, work)
+            }
+            (Acting::Weight(gravity), Carrier::Dop853(m), Variables::Space) => {
+                let scene = self.scene::<false, false>(&gravity, [from, to]);
+                m.advance_counting(&scene, 0.0, start, to - from, work)
+            }
+            (Acting::Weight(gravity), ..) => {
+                let weight = gravity.weight() * self.strength;
+                let gravity = GravityAtLever::new(weight, gravity.lever())?;
+                let scene = Scene::new(self.body).with(gravity);
+                carrier.advance_axis(&scene, variables, span, start, work)
+            }
+            (
+                Acting::OnAxis(effects) | Acting::Smooth(effects) | Acting::Anything(effects),
+                Carrier::Dop853(m),
+                Variables::Space,
+            ) => {
+                if effects.nature().slips {
+                    let scene = self.scene::<false, true>(effects, [from, to]);
+                    m.advance_counting(&scene, 0.0, start, to - from, work)
+                } else {
+                    let scene = self.scene::<false, false>(effects, [from, to]);
+                    m.advance_counting(&scene, 0.0, start, to - from, work)
+                }
+            }
+            (Acting::Smooth(effects), Carrier::GaussLegendre(m), Variables::Space) => {
+                let scene = self.scene::<false, true>(effects, [from, to]);
+                let scene = SideBySide::new(&scene, effects.nature().slips);
+                m.advance_counting(&scene, 0.0, start, to - from, work)
+            }
+            (Acting::OnAxis(effects), ..) => {
+                let scene = self.scene::<true, false>(effects, [from, to]);
+                carrier.advance_axis(&scene, variables, span, start, work)
+            }
+            _ => Err(Error::SeesMore {
+                effects: "effects".to_owned(),
+            }),
+        }
+    }
+
     /// The scene as the integrators see it, between two times without a jump; its time
     /// begins at the first of them.
-    pub fn scene(&self, [from, to]: [f64; 2]) -> Scene<((), Strengthened<'e, E>)> {
+    fn scene<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
+        &self,
+        effects: &'s dyn AnyEffect,
+        [from, to]: [f64; 2],
+    ) -> Scene<((), Strengthened<'s, AXIS_ONLY, SLIPS>)> {
         let (first, last) = (from.min(to), from.max(to));
         Scene::new(self.body).with(Strengthened {
-            effects: self.effects,
+            effects,
             strength: self.strength,
             torque: self.torque,
             origin: from,
             piece: [first.next_up(), last.next_down()],
-            asked: self.asked,
         })
     }
 

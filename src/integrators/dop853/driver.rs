@@ -24,25 +24,26 @@ type Verdict<const N: usize> = ControlFlow<[f64; N]>;
 
 impl Dop853 {
     /// Carries `start` from `t` to `t_end`; `accepted` sees every accepted step
-    /// with the derivative at its end and may stop the run.
+    /// with the derivative at its end and may stop the run. Its work, from
+    /// none, is in `work` also if it fails.
     pub(super) fn drive<const N: usize, O: Ode<N> + ?Sized>(
         &self,
         ode: &O,
         t: f64,
         start: &[f64; N],
         t_end: f64,
+        work: &mut Work,
         mut accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
-    ) -> Result<([f64; N], Work)> {
+    ) -> Result<[f64; N]> {
         check_span(t, start, t_end)?;
-        let mut work = Work::default();
         if t == t_end {
-            return Ok((*start, work));
+            return Ok(*start);
         }
         let direction = 1f64.copysign(t_end - t);
         let (mut t, mut y) = (t, Compensated::new(*start));
         work.derivatives += 1;
         let mut first = finite_derivative(t, start, ode.derivative(t, start))?;
-        let mut h = self.first_step(ode, t, start, &first, t_end, &mut work)?;
+        let mut h = self.first_step(ode, t, start, &first, t_end, work)?;
         let mut last_error: f64 = 1e-4;
         let mut after_rejection = false;
         loop {
@@ -59,7 +60,7 @@ impl Dop853 {
             let to = if last { t_end } else { t + direction * h };
             // The step the clock really makes: t + h was rounded.
             let made = (to - t) * direction;
-            let trial = Trial::new(ode, t, y, first, to, &mut work);
+            let trial = Trial::new(ode, t, y, first, to, work);
             let error = match &trial {
                 Ok(trial) => trial.error(ode, self.tolerance)?,
                 Err(_) => f64::INFINITY,
@@ -67,14 +68,14 @@ impl Dop853 {
             if error <= 1.0
                 && let Ok(trial) = &trial
             {
-                first = trial.last(ode, &mut work)?;
+                first = trial.last(ode, work)?;
                 work.steps += 1;
-                if let ControlFlow::Break(end) = accepted(trial, first, &mut work)? {
-                    return Ok((end, work));
+                if let ControlFlow::Break(end) = accepted(trial, first, work)? {
+                    return Ok(end);
                 }
                 (t, y) = (to, trial.end);
                 if last {
-                    return Ok((y.value, work));
+                    return Ok(y.value);
                 }
                 let change = SAFETY * pow(last_error, MEMORY) / pow(error, RESPONSE);
                 let change = change.clamp(SHRINK, if after_rejection { 1.0 } else { GROW });

@@ -17,7 +17,7 @@ pub use solution::Solution;
 pub use zero::{after, small_frequency};
 
 use super::ode::check_span;
-use super::{Integrator, Ode, Work};
+use super::{Integrator, Ode, Work, advance_by_counting};
 use crate::error::{Error, Result, finite, positive};
 use core::ops::ControlFlow;
 
@@ -153,7 +153,8 @@ impl Dop853 {
         check_span(t, start, t_end)?;
         let mut solution = Solution::new(t, *start);
         let mut watch = event::Watch::new(events, t, start)?;
-        let (end, work) = self.drive(ode, t, start, t_end, |trial, last, work| {
+        let mut work = Work::default();
+        let end = self.drive(ode, t, start, t_end, &mut work, |trial, last, work| {
             let segment = trial.segment(ode, last, work)?;
             let (met, stopped) = watch.crossings(ode, trial, &segment, work)?;
             solution.events.extend(met);
@@ -177,9 +178,21 @@ impl Dop853 {
 }
 
 impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
-    fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
-        self.drive(ode, t, start, t_end, |_, _, _| {
+    advance_by_counting!(O, [f64; N]);
+
+    fn advance_counting(
+        &self,
+        ode: &O,
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<[f64; N]> {
+        let mut done = Work::default();
+        let end = self.drive(ode, t, start, t_end, &mut done, |_, _, _| {
             Ok(ControlFlow::Continue(()))
-        })
+        });
+        *work += done;
+        end
     }
 }

@@ -12,32 +12,63 @@ use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::{components, state};
 use crate::integrators::spin_free::axis_only;
-use crate::integrators::{Integrator, Ode, SpinFree, Work};
+use crate::integrators::{Integrator, Ode, SpinFree, Work, advance_by_counting};
 use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
 impl<E: Effect> Integrator<Scene<E>, State> for GaussLegendre {
-    fn advance(
+    advance_by_counting!(Scene<E>, State);
+
+    fn advance_counting(
         &self,
         scene: &Scene<E>,
         t: f64,
         start: &State,
         t_end: f64,
-    ) -> Result<(State, Work)> {
-        let side_by_side = SideBySide {
-            scene,
-            inverse: inverse_moments(scene.body()),
-        };
-        let (end, work) = self.advance(&side_by_side, t, &components(start), t_end)?;
-        Ok((state(&end)?, work))
+        work: &mut Work,
+    ) -> Result<State> {
+        self.advance_counting(&SideBySide::new(scene, true), t, start, t_end, work)
     }
 }
 
 /// A scene in the variables of its [`Ode`], all but the torque on lanes.
-struct SideBySide<'s, E> {
+pub(crate) struct SideBySide<'s, E> {
     scene: &'s Scene<E>,
     inverse: [[f64; 2]; 3],
+    slips: bool,
+}
+
+impl<'s, E: Effect> SideBySide<'s, E> {
+    /// The scene; of effects that may slip, whether they do.
+    pub(crate) fn new(scene: &'s Scene<E>, slips: bool) -> Self {
+        Self {
+            scene,
+            inverse: inverse_moments(scene.body()),
+            slips,
+        }
+    }
+}
+
+impl<'s, E: Effect> Integrator<SideBySide<'s, E>, State> for GaussLegendre {
+    advance_by_counting!(SideBySide<'s, E>, State);
+
+    fn advance_counting(
+        &self,
+        scene: &SideBySide<'s, E>,
+        t: f64,
+        start: &State,
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<State> {
+        let start = components(start);
+        check_span(t, &start, t_end)?;
+        if t == t_end {
+            return state(&start);
+        }
+        let end = self.run(scene, t, Compensated::new(start), t_end, &mut (), work)?;
+        state(&end)
+    }
 }
 
 impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
@@ -50,7 +81,7 @@ impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
         let [a, b, c] = one_by_one(t, unit, [lx, ly, lz], torque);
         let l = turned_back(unit, [lx, ly, lz]);
         let [mut p, mut q, mut r] = rates_of(&self.inverse, l);
-        if E::NATURE.slips {
+        if E::NATURE.slips && self.slips {
             let slip = |t, state: &State| self.scene.effects().slip(t, self.scene.body(), state);
             let slip = turned_back(unit, one_by_one(t, unit, [lx, ly, lz], slip));
             (p, q, r) = (p + slip[0], q + slip[1], r + slip[2]);
@@ -168,17 +199,20 @@ impl<E: Effect> StageOde<7> for Precession<'_, E> {
 }
 
 impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
-    fn advance(
+    advance_by_counting!(SpinFree<'s, E>, State);
+
+    fn advance_counting(
         &self,
         problem: &SpinFree<'s, E>,
         t: f64,
         start: &State,
         t_end: f64,
-    ) -> Result<(State, Work)> {
+        work: &mut Work,
+    ) -> Result<State> {
         let y = components(start);
         check_span(t, &y, t_end)?;
         if t == t_end {
-            return Ok((*start, Work::default()));
+            return Ok(*start);
         }
         let twice = 2.0 * problem.scene().body().moments().i1();
         let [w, x, y1, z, ..] = y;
@@ -194,23 +228,25 @@ impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
             scale: core::array::from_fn(|i| if i < 4 { scale[i] } else { scale[i] / twice }),
         };
         let [_, _, vertical] = start.angular_momentum.to_array();
-        let ([w, x, y, z], [lx, ly, lz], work) = if const { E::NATURE.keeps.momentum[2] } {
+        let ([w, x, y, z], [lx, ly, lz]) = if const { E::NATURE.keeps.momentum[2] } {
             let from = Compensated {
                 value: [w, x, y1, z, p.hi(), q.hi()],
                 carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo()],
             };
-            let ([w, x, y, z, p, q], work) = self.run(&precession, t, from, t_end, &mut ())?;
-            ([w, x, y, z], [p * twice, q * twice, vertical], work)
+            let end = self.run(&precession, t, from, t_end, &mut (), work)?;
+            let [w, x, y, z, p, q] = end;
+            ([w, x, y, z], [p * twice, q * twice, vertical])
         } else {
             let from = Compensated {
                 value: [w, x, y1, z, p.hi(), q.hi(), r.hi()],
                 carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo(), r.lo()],
             };
-            let ([w, x, y, z, p, q, r], work) = self.run(&precession, t, from, t_end, &mut ())?;
-            ([w, x, y, z], [p * twice, q * twice, r * twice], work)
+            let end = self.run(&precession, t, from, t_end, &mut (), work)?;
+            let [w, x, y, z, p, q, r] = end;
+            ([w, x, y, z], [p * twice, q * twice, r * twice])
         };
         let spin = problem.spin_rate(start) * (t_end - t);
-        Ok((problem.state(&[w, x, y, z, lx, ly, lz], spin)?, work))
+        problem.state(&[w, x, y, z, lx, ly, lz], spin)
     }
 }
 
@@ -324,14 +360,17 @@ impl<E: Effect> StageOde<7> for BodyAxes<'_, E> {
 }
 
 impl<'s, E: Effect> Integrator<BodyAxes<'s, E>, State> for GaussLegendre {
-    fn advance(
+    advance_by_counting!(BodyAxes<'s, E>, State);
+
+    fn advance_counting(
         &self,
         problem: &BodyAxes<'s, E>,
         t: f64,
         start: &State,
         t_end: f64,
-    ) -> Result<(State, Work)> {
-        let (end, work) = self.advance(problem, t, &problem.components(start), t_end)?;
-        Ok((problem.state(&end)?, work))
+        work: &mut Work,
+    ) -> Result<State> {
+        let end = self.advance_counting(problem, t, &problem.components(start), t_end, work)?;
+        problem.state(&end)
     }
 }

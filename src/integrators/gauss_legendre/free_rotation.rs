@@ -14,7 +14,7 @@ use crate::frame::{BodyVector, SpaceVector};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::components;
-use crate::integrators::{Integrator, Ode, Work};
+use crate::integrators::{Integrator, Ode, Work, advance_by_counting};
 use crate::math::{DoubleDouble as Dd, Lane, ilogb, ldexp, sincos_turns};
 use crate::scene::Scene;
 
@@ -258,7 +258,12 @@ impl Units {
         BodyVector::from_array(body)
     }
 
-    fn carry(&self, method: &GaussLegendre, span: f64) -> Result<([f64; 3], Quaternion, Work)> {
+    fn carry(
+        &self,
+        method: &GaussLegendre,
+        span: f64,
+        work: &mut Work,
+    ) -> Result<([f64; 3], Quaternion)> {
         let mut turn = Turn {
             rate: self.rate,
             direction: self.direction,
@@ -269,14 +274,14 @@ impl Units {
             carry: self.start.map(|l| l.lo()),
         };
         let scale = self.direction.map(|[n, _]| 1.0 / n.abs());
-        let (end, work) = if self.symmetric {
+        let end = if self.symmetric {
             let euler = Euler::<true> { k: self.k, scale };
-            method.run(&euler, 0.0, start, span, &mut turn)?
+            method.run(&euler, 0.0, start, span, &mut turn, work)?
         } else {
             let euler = Euler::<false> { k: self.k, scale };
-            method.run(&euler, 0.0, start, span, &mut turn)?
+            method.run(&euler, 0.0, start, span, &mut turn, work)?
         };
-        Ok((end, turn.turned, work))
+        Ok((end, turn.turned))
     }
 }
 
@@ -400,16 +405,19 @@ fn unit_quaternion([w, x, y, z]: Quaternion) -> Quaternion {
 
 /// The attitude moves; the momentum in space is that of the start.
 impl Integrator<FreeRotation, State> for GaussLegendre {
-    fn advance(
+    advance_by_counting!(FreeRotation, State);
+
+    fn advance_counting(
         &self,
         problem: &FreeRotation,
         t: f64,
         start: &State,
         t_end: f64,
-    ) -> Result<(State, Work)> {
+        work: &mut Work,
+    ) -> Result<State> {
         check_span(t, &components(start), t_end)?;
         if t == t_end || start.angular_momentum == SpaceVector::zero() {
-            return Ok((*start, Work::default()));
+            return Ok(*start);
         }
         let units = Units::new(&problem.body, start)?;
         let exponent = units.momentum - units.moment;
@@ -417,7 +425,7 @@ impl Integrator<FreeRotation, State> for GaussLegendre {
             "end time - start time in units of I/|L|",
             ldexp(t_end - t, exponent),
         )?;
-        let (end, turned, work) = units.carry(self, span).map_err(|error| match error {
+        let (end, turned) = units.carry(self, span, work).map_err(|error| match error {
             Error::NoConvergence {
                 t: since,
                 h,
@@ -441,6 +449,6 @@ impl Integrator<FreeRotation, State> for GaussLegendre {
         let unit = scaled(unit, 1.0 / dot(unit, unit).sqrt());
         let attitude = product(shortest(found, unit), attitude.quaternion());
         let attitude = Attitude::from_quaternion(attitude)?;
-        Ok((State { attitude, ..*start }, work))
+        Ok(State { attitude, ..*start })
     }
 }

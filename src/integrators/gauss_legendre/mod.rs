@@ -21,13 +21,14 @@ mod registers;
 mod sweeps;
 
 pub use bodies::BodyAxes;
+pub(crate) use bodies::SideBySide;
 pub use free_rotation::FreeRotation;
 pub use registers::Registers;
 
 use super::compensated::Compensated;
 use super::explicit::no_steps;
 use super::ode::check_span;
-use super::{Integrator, Ode, Work};
+use super::{Integrator, Ode, Work, advance_by_counting};
 use crate::error::{Error, Result};
 use crate::math::lane::WIDEST;
 use crate::math::{EPS, Lane};
@@ -168,11 +169,20 @@ impl GaussLegendre {
 }
 
 impl<const N: usize, O: StageOde<N>> Integrator<O, [f64; N]> for GaussLegendre {
-    fn advance(&self, ode: &O, t: f64, start: &[f64; N], t_end: f64) -> Result<([f64; N], Work)> {
+    advance_by_counting!(O, [f64; N]);
+
+    fn advance_counting(
+        &self,
+        ode: &O,
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<[f64; N]> {
         check_span(t, start, t_end)?;
         if t == t_end {
-            return Ok((*start, Work::default()));
+            return Ok(*start);
         }
-        self.run(ode, t, Compensated::new(*start), t_end, &mut ())
+        self.run(ode, t, Compensated::new(*start), t_end, &mut (), work)
     }
 }

@@ -62,7 +62,7 @@ impl Tableau {
 }
 
 impl GaussLegendre {
-    /// Every step, in the widest registers that the processor has and the method may use.
+    /// Every step, with its work added, in the widest registers that the processor has and the method may use.
     pub(super) fn run<const N: usize, O: StageOde<N>, C: Companion<N>>(
         &self,
         ode: &O,
@@ -70,7 +70,8 @@ impl GaussLegendre {
         start: Compensated<N>,
         t_end: f64,
         companion: &mut C,
-    ) -> Result<([f64; N], Work)> {
+        work: &mut Work,
+    ) -> Result<[f64; N]> {
         #[cfg(target_arch = "x86_64")]
         {
             // A sweep of few components waits for its chain of operations, not for
@@ -79,15 +80,15 @@ impl GaussLegendre {
                 let wide = self.registers >= Registers::Avx512;
                 if wide && std::is_x86_feature_detected!("avx512f") {
                     // SAFETY: the processor has the feature, as just detected.
-                    return unsafe { self.run_avx512(ode, t, start, t_end, companion) };
+                    return unsafe { self.run_avx512(ode, t, start, t_end, companion, work) };
                 }
             }
             if self.registers >= Registers::Avx2 && std::is_x86_feature_detected!("avx2") {
                 // SAFETY: the processor has the feature, as just detected.
-                return unsafe { self.run_avx2(ode, t, start, t_end, companion) };
+                return unsafe { self.run_avx2(ode, t, start, t_end, companion, work) };
             }
         }
-        self.run_in::<Common, N, _, _>(ode, t, start, t_end, companion)
+        self.run_in::<Common, N, _, _>(ode, t, start, t_end, companion, work)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -99,8 +100,9 @@ impl GaussLegendre {
         start: Compensated<N>,
         t_end: f64,
         companion: &mut C,
-    ) -> Result<([f64; N], Work)> {
-        self.run_in::<super::registers::Avx512, N, _, _>(ode, t, start, t_end, companion)
+        work: &mut Work,
+    ) -> Result<[f64; N]> {
+        self.run_in::<super::registers::Avx512, N, _, _>(ode, t, start, t_end, companion, work)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -112,8 +114,9 @@ impl GaussLegendre {
         start: Compensated<N>,
         t_end: f64,
         companion: &mut C,
-    ) -> Result<([f64; N], Work)> {
-        self.run_in::<super::registers::Avx2, N, _, _>(ode, t, start, t_end, companion)
+        work: &mut Work,
+    ) -> Result<[f64; N]> {
+        self.run_in::<super::registers::Avx2, N, _, _>(ode, t, start, t_end, companion, work)
     }
 
     #[inline(always)]
@@ -124,7 +127,8 @@ impl GaussLegendre {
         start: Compensated<N>,
         t_end: f64,
         companion: &mut C,
-    ) -> Result<([f64; N], Work)> {
+        work: &mut Work,
+    ) -> Result<[f64; N]> {
         let mut y = start;
         // The step in two parts: its rounding would stretch the time, always to one side.
         let step = DoubleDouble::sum(t_end, -t) / self.steps as f64;
@@ -137,15 +141,12 @@ impl GaussLegendre {
             *stage = L::of(*value);
         }
         let first = ode.derivatives(L::of(t), &stages);
+        work.derivatives += 8;
         for (first, slopes) in first.iter().zip(&mut slopes.0) {
             first.store(slopes);
         }
         finite_derivative(t, &y.value, slopes.0.map(|s| s[0]))?;
         let tableau = Tableau::new(step);
-        let mut work = Work {
-            derivatives: 8,
-            ..Work::default()
-        };
         for step in 0..self.steps {
             let here = node(t, t_end, step, self.steps);
             if step > 0 {
@@ -191,6 +192,7 @@ impl GaussLegendre {
                     break;
                 }
                 if !change.is_finite() || (sweeps == MOST_SWEEPS && change > ROUND_OFF) {
+                    work.derivatives += 8 * u64::from(sweeps);
                     return Err(Error::NoConvergence {
                         t: here,
                         h,
@@ -211,7 +213,7 @@ impl GaussLegendre {
             companion.follow([h, h_rest], &from, &stages, &y.value);
             work.steps += 1;
         }
-        Ok((y.value, work))
+        Ok(y.value)
     }
 }
 

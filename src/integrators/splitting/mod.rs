@@ -14,7 +14,7 @@ pub use body::BodyPoint;
 pub use scheme::{Outer, Scheme};
 
 use super::explicit::no_steps;
-use super::{Integrator, Work};
+use super::{Integrator, Work, advance_by_counting};
 use crate::error::{Result, finite};
 
 /// A problem made of two parts that can each be solved exactly.
@@ -114,19 +114,21 @@ impl Splitting {
 }
 
 impl<P: Separable> Integrator<P, P::State> for Splitting {
-    fn advance(
+    advance_by_counting!(P, P::State);
+
+    fn advance_counting(
         &self,
         problem: &P,
         t: f64,
         start: &P::State,
         t_end: f64,
-    ) -> Result<(P::State, Work)> {
+        work: &mut Work,
+    ) -> Result<P::State> {
         finite("start time", t)?;
         finite("end time", t_end)?;
         let span = finite("end time - start time", t_end - t)?;
-        let mut work = Work::default();
         if span == 0.0 {
-            return Ok((start.clone(), work));
+            return Ok(start.clone());
         }
         let h = span / self.steps as f64;
         let mut point = problem.enter(start)?;
@@ -160,11 +162,16 @@ impl<P: Separable> Integrator<P, P::State> for Splitting {
             1 + self.steps * (self.scheme.outer_parts.len() as u64 - 1),
             self.steps * self.scheme.inner_parts.len() as u64,
         );
-        work.steps = self.steps;
-        (work.flows, work.kicks) = match self.scheme.outer {
+        let (flows, kicks) = match self.scheme.outer {
             Outer::Flow => (outers, inners),
             Outer::Kick => (inners, outers),
         };
-        Ok((problem.leave(&point, span)?, work))
+        *work += Work {
+            steps: self.steps,
+            flows,
+            kicks,
+            ..Work::default()
+        };
+        problem.leave(&point, span)
     }
 }
