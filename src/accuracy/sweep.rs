@@ -3,7 +3,7 @@
 use super::measures::{Errors, Measure};
 use crate::error::{Error, Result, finite, positive};
 use crate::integrators::Work;
-use crate::math::{log10, pow};
+use crate::math::{log10, pow, sort_by_number};
 
 /// One run of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -169,7 +169,7 @@ impl WorkPrecision {
                 });
             }
         }
-        points.sort_by(|a, b| a.work.total_cmp(&b.work));
+        sort_by_number(&mut points, |point| point.work);
         Ok(Self { points })
     }
 
@@ -244,7 +244,8 @@ pub fn front(curves: &[WorkPrecision]) -> Vec<(usize, Point)> {
     let mut all: Vec<(usize, Point)> = (curves.iter().enumerate())
         .flat_map(|(method, curve)| curve.points.iter().map(move |p| (method, *p)))
         .collect();
-    all.sort_by(|(_, a), (_, b)| (a.work.total_cmp(&b.work)).then(a.error.total_cmp(&b.error)));
+    sort_by_number(&mut all, |(_, point)| point.error);
+    sort_by_number(&mut all, |(_, point)| point.work);
     let mut best = f64::INFINITY;
     all.retain(|(_, point)| {
         let better = point.error < best;

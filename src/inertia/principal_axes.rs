@@ -40,8 +40,7 @@ impl PrincipalAxes {
             }
         }
         let moments = [a[0][0], a[1][1], a[2][2]];
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+        let order = math::order_of_three(moments);
         let mut axes = v.map(|row| order.map(|i| row[i]));
         // An odd permutation turns the hand; the third axis has its sign free.
         if matches!(order, [0, 2, 1] | [1, 0, 2] | [2, 1, 0]) {

@@ -42,7 +42,8 @@ impl Report {
             return Ok(());
         };
         let mut sorted = tolerances.to_vec();
-        sorted.sort_by(|a, b| b.total_cmp(a));
+        sorted.sort_by(f64::total_cmp);
+        sorted.reverse();
         sorted.dedup();
         let solve: Solve<E> = |p, error| p.scene.solve(&p.start, p.end, error);
         let step: Solve<E> = |p, error| p.scene.solve_by_stepping(&p.start, p.end, error);
@@ -78,7 +79,8 @@ impl Report {
         error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
     ) -> Result<()> {
         let mut sorted: Vec<f64> = tolerances.into_iter().collect();
-        sorted.sort_by(|a, b| b.total_cmp(a));
+        sorted.sort_by(f64::total_cmp);
+        sorted.reverse();
         sorted.dedup();
         for requested in sorted {
             let (delivered, work, again) = match run(requested) {

@@ -278,3 +278,79 @@ fn the_tolerance_decides() {
     let called = scene.called_for(&start, 1.0, 1e-3).expect("posed");
     assert!(called.candidate(&push, f64::NAN).is_err());
 }
+
+/// A push that begins late, weighed from a late start: from 0 it is another.
+#[test]
+fn a_start_at_another_time_and_limits() {
+    let body = RigidBody::new(PrincipalMoments::new(1.0, 1.3, 1.7).expect("a body"));
+    let start = tilted(&body, [0.3, 0.2, 1.0]);
+    let scene = Scene::new(body);
+    let push = |from: f64| {
+        Torque::on_space("push", move |t, _: &RigidBody, _: &State| {
+            let on = t >= from;
+            SpaceVector::new(0.0, if on { 1e-5 * sin(t - from) } else { 0.0 }, 0.0)
+        })
+        .with_break_points(&[from])
+        .expect("a time")
+    };
+    let weighed = |t_start: f64, t_end: f64, from: f64, limits: Limits| {
+        let limits = Limits { t_start, ..limits };
+        (scene.called_for_with(&start, t_end, 1e-3, &limits))
+            .and_then(|called| called.candidate(&push(from), 0.0))
+            .map(|called| called.rows()[0])
+    };
+    let limits = Limits::default();
+    let whole = weighed(0.0, 10.0, 4.0, limits).expect("weighed").predicted;
+    let later = weighed(5.0, 15.0, 9.0, limits).expect("weighed").predicted;
+    assert!((later / whole - 1.0).abs() < 1e-9, "{later:e} {whole:e}");
+    let plain = (scene.called_for(&start, 10.0, 1e-3))
+        .and_then(|called| called.candidate(&push(4.0), 0.0))
+        .expect("weighed");
+    assert_eq!(plain.rows()[0].predicted, whole);
+    // The damaged twin starts at 0.
+    let twin = weighed(0.0, 15.0, 9.0, limits).expect("weighed").predicted;
+    assert!((twin / whole - 1.0).abs() > 1e-3, "{twin:e}");
+    // And back in time.
+    assert!(weighed(15.0, 5.0, 9.0, limits).expect("weighed").predicted > 0.0);
+    let told = |limits: Limits| {
+        let refused = weighed(0.0, 10.0, 4.0, limits);
+        refused.expect_err("refused").to_string()
+    };
+    let cancel = std::sync::atomic::AtomicBool::new(true);
+    let mut ran = 0;
+    for (limits, text) in [
+        (
+            Limits {
+                budget: 500,
+                ..limits
+            },
+            "more than the 500 torques that are allowed",
+        ),
+        (
+            Limits {
+                cancel: Some(&cancel),
+                ..limits
+            },
+            "cancelled, after 0 torques",
+        ),
+        (
+            Limits {
+                break_points: &[11.0],
+                ..limits
+            },
+            "t = 11 is outside the run",
+        ),
+    ] {
+        let error = told(limits);
+        assert!(error.contains(text), "{error}");
+        ran += 1;
+    }
+    assert_eq!(ran, 3);
+    // A longest step costs more, and says the same.
+    let short = Limits {
+        longest_step: 0.05,
+        ..limits
+    };
+    let short = weighed(0.0, 10.0, 4.0, short).expect("weighed");
+    assert!(short.work.steps >= 200 && (short.predicted / whole - 1.0).abs() < 1e-5);
+}

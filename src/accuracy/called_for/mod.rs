@@ -16,13 +16,14 @@
 
 mod variation;
 
-use crate::accuracy::larger;
+use crate::accuracy::{Limits, larger};
 use crate::body::State;
-use crate::effects::{Effect, check};
+use crate::effects::{AnyEffect, Effect, check};
 use crate::error::{Error, Result, finite};
 use crate::integrators::scene::components;
 use crate::integrators::{Dop853, Work};
 use crate::scene::Scene;
+use core::sync::atomic::Ordering;
 use variation::{Variation, leaned, turned};
 
 /// The error of a step, as a part of the motion and of the response.
@@ -34,6 +35,12 @@ const LOOKS: usize = 512;
 /// A response that turns the body by more than this (rad) is no longer linear: its square
 /// counts.
 const LINEAR: f64 = 0.1;
+
+/// Torques that a derivative of motion and response takes.
+const TORQUES: u64 = 4;
+
+/// Derivatives of a step of DOP853.
+const STAGES: u64 = 12;
 
 /// The prediction of a small effect is right within this factor.
 const MARGIN: f64 = 2.0;
@@ -67,12 +74,14 @@ pub struct CalledFor<'s, E> {
     tolerance: f64,
     /// The angle (rad) by which a response counts.
     angle: fn(&[f64; 14]) -> f64,
+    limits: Limits<'s>,
     rows: Vec<Weighed>,
 }
 
 impl<E: Effect> Scene<E> {
     /// Which effects the motion from `start` at t = 0 to `t_end` (s; may be negative) calls
-    /// for, if its attitude is wanted to `tolerance` (rad, above 0, at most pi).
+    /// for, if its attitude is wanted to `tolerance` (rad, above 0, at most pi); from another
+    /// time and within limits by [`Scene::called_for_with`].
     ///
     /// The scene is the one that leaves the candidates out.
     ///
@@ -112,6 +121,22 @@ impl<E: Effect> Scene<E> {
         t_end: f64,
         tolerance: f64,
     ) -> Result<CalledFor<'_, E>> {
+        self.called_for_with(start, t_end, tolerance, &Limits::default())
+    }
+
+    /// As [`Scene::called_for`], from another time than 0, with break points, a longest step,
+    /// a budget for all candidates of the list, or a way to cancel.
+    ///
+    /// # Errors
+    /// As [`Scene::called_for`]; limits that contradict the span; with a candidate,
+    /// [`Error::OverBudget`] and [`Error::Cancelled`].
+    pub fn called_for_with<'s>(
+        &'s self,
+        start: &State,
+        t_end: f64,
+        tolerance: f64,
+        limits: &Limits<'s>,
+    ) -> Result<CalledFor<'s, E>> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
             return Err(Error::OutOfRange {
@@ -120,15 +145,16 @@ impl<E: Effect> Scene<E> {
                 allowed: "above 0 and at most pi",
             });
         }
-        finite("end time", t_end)?;
+        limits.checked(t_end)?;
         let start = State::new(start.attitude, start.angular_momentum)?;
-        check(self.effects(), self.body(), [0.0, t_end], &start)?;
+        check(self.effects(), self.body(), [limits.t_start, t_end], &start)?;
         Ok(CalledFor {
             scene: self,
             start,
             t_end,
             tolerance,
             angle: turned,
+            limits: *limits,
             rows: Vec::new(),
         })
     }
@@ -182,7 +208,8 @@ impl<E: Effect> CalledFor<'_, E> {
                 value: number,
             });
         }
-        check(effect, self.scene.body(), [0.0, self.t_end], &self.start)?;
+        let span = [self.limits.t_start, self.t_end];
+        check(effect, self.scene.body(), span, &self.start)?;
         let (predicted, work) = self.response(effect)?;
         let linear = predicted <= LINEAR;
         Ok(Weighed {
@@ -205,20 +232,28 @@ impl<E: Effect> CalledFor<'_, E> {
         let mut y = [0.0; 14];
         y[..7].copy_from_slice(&components(&self.start));
         let (mut angle, mut work) = (0.0, Work::default());
+        let span = self.t_end - self.limits.t_start;
         for [from, to] in self.pieces(effect) {
+            let steps = self.left(&work)? / (TORQUES * STAGES);
             let variation = Variation {
                 scene: self.scene,
                 effect,
                 least: 1e-4 * self.tolerance,
-                slowest: 1.0 / self.t_end.abs(),
+                slowest: 1.0 / span.abs(),
                 piece: [from.min(to).next_up(), from.max(to).next_down()],
             };
-            let mut method = Dop853::new(PRECISION)?;
-            if let Some(width) = effect.narrowest().filter(|w| w.time.is_finite()) {
-                method = method.with_longest_step(0.5 * width.time)?;
+            let mut method = Dop853::new(PRECISION)?.with_step_limit(steps.max(1))?;
+            let width = effect.narrowest().map_or(f64::INFINITY, |w| w.time);
+            let longest = self.limits.longest_step.min(0.5 * width);
+            if longest.is_finite() {
+                method = method.with_longest_step(longest)?;
             }
-            let solution = method.solve(&variation, from, &y, to, &[])?;
-            let looks = 1 + (LOOKS as f64 * ((to - from) / self.t_end).abs()) as usize;
+            let solution = method.solve(&variation, from, &y, to, &[]);
+            let solution = match solution {
+                Err(Error::TooManySteps { .. }) => return Err(self.over_budget()),
+                solution => solution?,
+            };
+            let looks = 1 + (LOOKS as f64 * ((to - from) / span).abs()) as usize;
             for look in 1..=looks {
                 let t = if look == looks {
                     to
@@ -233,16 +268,37 @@ impl<E: Effect> CalledFor<'_, E> {
         Ok((angle, work))
     }
 
+    /// Torques that are left of the budget after all candidates and this work, if the
+    /// prediction may go on.
+    fn left(&self, more: &Work) -> Result<u64> {
+        let weighed: u64 = self.rows.iter().map(|row| row.work.derivatives).sum();
+        let torques = TORQUES * (weighed + more.derivatives);
+        if (self.limits.cancel).is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+            return Err(Error::Cancelled { torques });
+        }
+        match self.limits.budget.checked_sub(torques) {
+            None | Some(0) => Err(self.over_budget()),
+            Some(left) => Ok(left),
+        }
+    }
+
+    const fn over_budget(&self) -> Error {
+        Error::OverBudget {
+            t: self.limits.t_start,
+            t_end: self.t_end,
+            budget: self.limits.budget,
+        }
+    }
+
     /// The span, cut where a torque jumps.
-    fn pieces<C: Effect>(&self, effect: &C) -> Vec<[f64; 2]> {
-        let (first, last) = (self.t_end.min(0.0), self.t_end.max(0.0));
-        let mut times = self.scene.effects().break_points();
-        times.extend(effect.break_points());
-        times.retain(|t| first < *t && *t < last);
-        times.extend([first, last]);
+    fn pieces(&self, effect: &dyn AnyEffect) -> Vec<[f64; 2]> {
+        let limits = &self.limits;
+        let mut times = limits.breaks(self.scene.effects(), self.t_end);
+        times.extend(limits.breaks(effect, self.t_end));
+        times.extend([limits.t_start, self.t_end]);
         times.sort_by(f64::total_cmp);
         times.dedup();
-        if self.t_end < 0.0 {
+        if self.t_end < limits.t_start {
             times.reverse();
         }
         times.windows(2).map(|pair| [pair[0], pair[1]]).collect()

@@ -51,7 +51,7 @@ const STEPS_OVER_JUMPS: f64 = 64.0;
 
 impl Limits<'_> {
     /// The limits, if they are numbers and belong to a solution that ends at `t_end`.
-    pub(super) fn checked(&self, t_end: f64) -> Result<()> {
+    pub(in crate::accuracy) fn checked(&self, t_end: f64) -> Result<()> {
         finite("start time", self.t_start)?;
         finite("end time", t_end)?;
         finite("end time - start time", t_end - self.t_start)?;
@@ -82,7 +82,7 @@ impl Limits<'_> {
     }
 
     /// All times inside the span at which the torque jumps, in the order of the motion.
-    pub(super) fn breaks(&self, effects: &dyn AnyEffect, t_end: f64) -> Vec<f64> {
+    pub(in crate::accuracy) fn breaks(&self, effects: &dyn AnyEffect, t_end: f64) -> Vec<f64> {
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
         let mut all = effects.break_points();
         all.extend(self.break_points);

@@ -8,7 +8,7 @@ use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
-use crate::math::{EPS, exp, log};
+use crate::math::{EPS, exp, log, sort_by_number};
 use core::sync::atomic::Ordering;
 
 /// The angle (rad) turned at the slowest candidate's rate on which the candidates are compared.
@@ -160,7 +160,7 @@ impl<'p> Stepping<'p> {
         let (mut candidates, part) = self.candidates()?;
         // Errors grow with the time at least.
         let wanted = AIM * self.tolerance * part;
-        candidates.sort_by(|a, b| a.cost(wanted).total_cmp(&b.cost(wanted)));
+        sort_by_number(&mut candidates, |candidate| candidate.cost(wanted));
         let lowest = (candidates.iter())
             .map(|candidate| candidate.method.floor())
             .fold(f64::INFINITY, f64::min);
@@ -517,17 +517,18 @@ impl<'p> Stepping<'p> {
         rows: usize,
         most_legs: usize,
     ) -> Result<Apart> {
-        let mut order: Vec<&Candidate> = candidates.iter().collect();
-        order.sort_by(|a, b| {
-            let adaptive = |candidate: &Candidate| candidate.method.is_adaptive();
-            (adaptive(a).cmp(&adaptive(b))).then(a.cost(felt).total_cmp(&b.cost(felt)))
+        let mut order = candidates.to_vec();
+        sort_by_number(&mut order, |candidate| candidate.cost(felt));
+        // Adaptive methods last.
+        sort_by_number(&mut order, |candidate| {
+            f64::from(candidate.method.is_adaptive())
         });
         let mut why = Error::NotDelivered {
             requested: self.tolerance,
             reached: f64::INFINITY,
         };
         for candidate in order {
-            match self.felt(candidate, felt, rows, most_legs) {
+            match self.felt(&candidate, felt, rows, most_legs) {
                 Err(error) if is_final(&error) => return Err(error),
                 Err(error) => why = error,
                 found => return found,

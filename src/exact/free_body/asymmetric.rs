@@ -8,7 +8,7 @@ use super::series::Series;
 use super::{near_one, norm3};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
-use crate::math::{DoubleDouble as Dd, ilogb};
+use crate::math::{DoubleDouble as Dd, ilogb, order_of_three};
 
 /// Three different moments, on ordered axes: the third keeps the sign of its rate
 /// for ever (it goes as dn), and J1, J2, J3 are monotonic.
@@ -33,8 +33,7 @@ impl Asymmetric {
         // Only ratios of the moments count, and the rates set the unit of time: with both
         // brought near one by powers of two, no square leaves the range of doubles.
         let (moments, _) = near_one(moments);
-        let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+        let mut order = order_of_three(moments);
         let [lo, mid, hi] = order;
         let difference = |i: usize, j: usize| Dd::sum(moments[i], -moments[j]);
         let weighted = |rate: f64, i: usize, gap: Dd| Dd::product(rate, rate) * moments[i] * gap;

@@ -15,7 +15,7 @@ use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::check_span;
 use crate::integrators::scene::components;
 use crate::integrators::{Integrator, Ode, Work, advance_by_counting};
-use crate::math::{DoubleDouble as Dd, Lane, ilogb, ldexp, sincos_turns};
+use crate::math::{DoubleDouble as Dd, Lane, ilogb, ldexp, order_of_three, sincos_turns};
 use crate::scene::Scene;
 
 /// A scene without torque, on the body's own axes:
@@ -195,9 +195,7 @@ impl Units {
         let [i1, i2, i3] = moments;
         let symmetric = i1 == i2 || i2 == i3 || i3 == i1;
         let axes = if !symmetric {
-            let mut axes = [0, 1, 2];
-            axes.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
-            axes
+            order_of_three(moments)
         } else if i1 == i2 {
             [0, 1, 2]
         } else if i2 == i3 {

@@ -8,6 +8,7 @@
 use super::canvas::{Paint, Point};
 use super::solid::{Camera, normal};
 use crate::frame::SpaceVector;
+use crate::math::order_of;
 use core::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
@@ -116,8 +117,7 @@ pub(super) fn from_behind(camera: &Camera, items: &[Item]) -> Vec<usize> {
     let seen: Vec<Seen> = items.iter().map(|item| Seen::new(camera, item)).collect();
     let mut ahead: Vec<Vec<usize>> = vec![Vec::new(); items.len()];
     let mut waits = vec![0_usize; items.len()];
-    let mut across: Vec<usize> = (0..items.len()).collect();
-    across.sort_by(|&i, &j| seen[i].x.0.total_cmp(&seen[j].x.0));
+    let across = order_of(&seen.iter().map(|seen| seen.x.0).collect::<Vec<_>>());
     for (k, &i) in across.iter().enumerate() {
         for &j in &across[k + 1..] {
             if seen[j].x.0 > seen[i].x.1 - NEAR {
@@ -140,8 +140,7 @@ pub(super) fn from_behind(camera: &Camera, items: &[Item]) -> Vec<usize> {
             }
         }
     }
-    let mut by_depth: Vec<usize> = (0..items.len()).collect();
-    by_depth.sort_by(|&i, &j| seen[i].depth.total_cmp(&seen[j].depth));
+    let by_depth = order_of(&seen.iter().map(|seen| seen.depth).collect::<Vec<_>>());
     let mut rank = vec![0; items.len()];
     for (place, &i) in by_depth.iter().enumerate() {
         rank[i] = place;

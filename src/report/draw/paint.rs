@@ -11,6 +11,7 @@ use super::place::{GAP, Obstacles};
 use super::stations::spread;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
+use crate::math::sort_by_number;
 
 /// Length of ticks, and distance of the axes from the data.
 const TICK: f64 = 5.0;
@@ -313,7 +314,7 @@ impl Panel {
             });
         let mut found: Vec<(usize, Ink, &String)> = found.collect();
         // The longest is the hardest to place: it chooses first.
-        found.sort_by_key(|label| core::cmp::Reverse(label.2.len()));
+        sort_by_number(&mut found, |label| -(label.2.len() as f64));
         for (i, ink, text) in found {
             let Some(longest) = lines[i].iter().max_by_key(|part| part.len()) else {
                 continue;

@@ -5,7 +5,7 @@ use super::display::Stroke;
 use super::stations::stations;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
-use crate::math::hypot;
+use crate::math::{hypot, sort_by_number};
 
 /// The sides tried for a label, the most wanted first.
 const SIDES: [Side; 8] = [
@@ -141,7 +141,7 @@ impl Obstacles {
     ) -> Option<Placed> {
         let mut best: Option<(f64, Placed, Rect)> = None;
         // The most wanted first: then the others need not be looked at for long.
-        wanted.sort_by(|a, b| a.2.total_cmp(&b.2));
+        sort_by_number(&mut wanted, |wanted| wanted.2);
         for (at, side, taste) in wanted {
             for (gap, far) in DISTANCES {
                 let least = best.as_ref().map_or(f64::INFINITY, |b| b.0);

@@ -1,7 +1,7 @@
 //! Where along a line a label is tried, and labels in a column.
 
 use super::canvas::Point;
-use crate::math::hypot;
+use crate::math::{hypot, sort_by_number};
 
 /// Points along a line at which a label is tried, with their position from 0 to 1.
 pub(super) fn stations(line: &[Point]) -> Vec<(f64, Point)> {
@@ -38,7 +38,7 @@ pub(super) fn stations(line: &[Point]) -> Vec<(f64, Point)> {
 
 /// Moves labels of height `height`, centred at these `y`, apart, within `top..bottom`.
 pub(super) fn spread(centres: &mut [(usize, f64)], height: f64, top: f64, bottom: f64) {
-    centres.sort_by(|a, b| a.1.total_cmp(&b.1));
+    sort_by_number(centres, |centre| centre.1);
     let mut least = top + height / 2.0;
     for (_, y) in centres.iter_mut() {
         *y = y.max(least);

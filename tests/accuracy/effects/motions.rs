@@ -65,7 +65,7 @@ fn viscous_friction_takes_the_spin_exponentially() {
         |t| spun(angle(t)),
         |t| spun(spin * t),
     );
-    delivered.attain(6.5e-3..=6.6e-3, 9);
+    delivered.attain(4.7e-5..=4.8e-5, 9);
     twin.exceed(0.1, 9);
 }
 
@@ -93,7 +93,7 @@ fn viscous_friction_slows_a_precession_like_a_clock() {
         |t| free.attitude((1.0 - exp(-k * t)) / k),
         |t| free.attitude(t),
     );
-    delivered.attain(3.1e-4..=3.2e-4, 9);
+    delivered.attain(8.3e-5..=8.4e-5, 9);
     twin.exceed(0.1, 9);
 }
 
@@ -139,7 +139,7 @@ fn disc_drag_slows_a_spin_by_a_power() {
             |t| angle(t, other),
         );
     }
-    delivered.attain(3.3e-2..=3.4e-2, 18);
+    delivered.attain(2.3e-3..=2.4e-3, 18);
     twin.exceed(1e-3, 18);
 }
 
@@ -175,7 +175,7 @@ fn gravity_anywhere_makes_a_physical_pendulum() {
             swing(0.0, z),
         );
     }
-    delivered.attain(1.3e-2..=1.4e-2, 27);
+    delivered.attain(1.7e-3..=1.8e-3, 27);
     twin.exceed(1e-2, 27);
 }
 
@@ -252,7 +252,7 @@ fn a_prescribed_torque_is_integrated() {
             |t| spun(angle(t, 0.01)),
         );
     }
-    delivered.attain(1.0e-2..=1.1e-2, 27);
+    delivered.attain(1.0e-3..=1.1e-3, 27);
     twin.exceed(3.5e-4, 27);
 }
 
@@ -276,7 +276,7 @@ fn a_prescribed_torque_on_space_axes_adds_to_the_momentum() {
         added.push(off(1.0 * 2.0 - 0.5 * 1.5));
         twin.push(off(1.0 * 2.0));
     }
-    added.attain(0.55..=0.56, 3);
+    added.attain(0.0..=0.0, 3);
     twin.exceed(0.05, 3);
 }
 
@@ -329,12 +329,9 @@ fn a_narrow_pulse_is_not_stepped_over() {
         let solved = Scene::new(body)
             .with(Unnamed(kick.clone()))
             .solve(&start, 20.0, tolerance);
-        // At the smallest the runs see something, and it is refused.
-        if let Ok(solved) = solved {
-            let error = exact.angle_to(&solved.state.attitude);
-            twin.push_at(error / tolerance, tolerance);
-        }
+        let error = exact.angle_to(&solved.expect("solved").state.attitude);
+        twin.push_at(error / tolerance, tolerance);
     }
     delivered.attain(2.3e-5..=2.4e-5, 3);
-    twin.exceed(1.0, 2);
+    twin.exceed(1.0, 3);
 }

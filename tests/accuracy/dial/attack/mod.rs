@@ -2,7 +2,7 @@
 
 mod named;
 mod scenes;
-mod truth;
+pub mod truth;
 
 use rotation_dynamics::{Error, Result};
 use scenes::{Case, KINDS, case};
@@ -111,7 +111,7 @@ fn nothing_is_granted_that_does_not_hold() {
     }
     assert_eq!([granted, refused], [275, 125]);
     // The promise is 1.
-    ratios.attain(0.19..=0.21, 275);
+    ratios.attain(0.13..=0.14, 275);
 }
 
 /// Those that were above their request once, by up to 1e8 times: a jump between two steps
@@ -137,7 +137,7 @@ fn what_was_caught_once_holds() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert_eq!([granted, refused], [27, 15]);
+    assert_eq!([granted, refused], [42, 26]);
 }
 
 /// Ten thousand scenes, for `benches/record/attack.txt`: `cargo test -p checks --test accuracy
