@@ -29,6 +29,10 @@ const SCALE_ABOVE: f64 = 1e6;
 /// Looks along a line on which a jump is searched.
 const GRID: usize = 128;
 
+/// A step of the torque from one look to the next that is so many times its neighbour's may
+/// be a jump.
+const ALONE: f64 = 8.0;
+
 /// A pulse is over after so many looks, and as high as this part of the longest torque.
 const SHORT: usize = 32;
 const PULSE: f64 = 0.1;
@@ -330,15 +334,65 @@ impl<'e> Checked<'e> {
         )
     }
 
-    /// True if the torque on the body as it starts has a pulse that is seen when it is
-    /// looked at so many times: a change that is gone again a few looks later.
-    pub fn has_pulse(&self, looks: usize) -> bool {
+    /// The torque on the body as it starts at so many times, of equal distances, and the end.
+    pub fn looked(&self, looks: usize) -> Vec<SpaceVector> {
+        let at = |n| self.torque_at_start(self.look(n, looks));
+        (0..=looks).map(at).collect()
+    }
+
+    fn look(&self, n: usize, looks: usize) -> f64 {
         let [from, to] = self.span;
-        let at = |n: usize| {
-            let t = from + (to - from) * (n as f64 / looks as f64);
-            self.effect.torque(t, &self.body, &self.start)
+        from + (to - from) * (n as f64 / looks as f64)
+    }
+
+    fn torque_at_start(&self, t: f64) -> SpaceVector {
+        self.effect.torque(t, &self.body, &self.start)
+    }
+
+    /// The times at which the torque that was [looked at](Self::looked) jumps, each the
+    /// first, in the order of the motion, with what it jumps to.
+    pub fn jumps(&self, seen: &[SpaceVector]) -> Vec<f64> {
+        let looks = seen.len() - 1;
+        let step = |n: usize| (seen[n + 1] - seen[n]).norm();
+        let size = seen.iter().map(SpaceVector::norm).fold(0.0, f64::max);
+        // Beside its neighbours: the looks of what is smooth differ by much the same.
+        let alone = |n: &usize| {
+            let before = n.checked_sub(1).map_or(0.0, step);
+            let after = if n + 1 < looks { step(n + 1) } else { 0.0 };
+            step(*n) > (ALONE * before.min(after)).max(ROUNDING * size)
         };
-        let seen: Vec<SpaceVector> = (0..=looks).map(at).collect();
+        (0..looks)
+            .filter(alone)
+            .filter_map(|n| self.jump(n, seen))
+            .collect()
+    }
+
+    /// Halves the time between two looks, towards the larger difference, until nothing is
+    /// between: if most of the difference is left, it is a jump.
+    fn jump(&self, n: usize, seen: &[SpaceVector]) -> Option<f64> {
+        let looks = seen.len() - 1;
+        let (mut a, mut b) = (self.look(n, looks), self.look(n + 1, looks));
+        let (mut low, mut high) = (seen[n], seen[n + 1]);
+        let first = (high - low).norm();
+        loop {
+            let middle = 0.5 * (a + b);
+            if middle == a || middle == b {
+                break;
+            }
+            let m = self.torque_at_start(middle);
+            if (m - low).norm() > (high - m).norm() {
+                (b, high) = (middle, m);
+            } else {
+                (a, low) = (middle, m);
+            }
+        }
+        ((high - low).norm() > 0.5 * first).then_some(b)
+    }
+
+    /// True if the torque that was [looked at](Self::looked) has a pulse: a change that is
+    /// gone again a few looks later.
+    pub fn has_pulse(&self, seen: &[SpaceVector]) -> bool {
+        let looks = seen.len() - 1;
         let largest = seen
             .iter()
             .map(SpaceVector::norm)

@@ -4,7 +4,7 @@
 //! of its own compiles none of it.
 
 use super::along::Form;
-use super::limits::Limits;
+use super::limits::{LOOKS, Limits};
 use super::method::{Fine, Method, Runs};
 use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::stepping::Stepping;
@@ -81,8 +81,19 @@ impl<'s> Given<'s> {
             longest_step: limits.longest_step,
             checked,
         };
-        let rate = given.problem().fastest();
-        given.longest_step = limits.longest_step(effects, &given.checked, rate, t_end);
+        let (rate, nature) = (given.problem().fastest(), effects.nature());
+        let seen = if nature.on_time && t_end != limits.t_start {
+            given.checked.looked(LOOKS as usize)
+        } else {
+            Vec::new()
+        };
+        if !nature.smooth && !seen.is_empty() {
+            let known = &given.breaks;
+            let jumps = given.checked.jumps(&seen).into_iter();
+            let new: Vec<f64> = jumps.filter(|t| !known.contains(t)).collect();
+            given.breaks = limits.sorted(known.iter().copied().chain(new).collect(), t_end);
+        }
+        given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
         Ok(given)
     }
 

@@ -2,6 +2,7 @@
 
 use crate::effects::{AnyEffect, Checked};
 use crate::error::{Error, Result, finite, positive};
+use crate::frame::SpaceVector;
 use core::sync::atomic::AtomicBool;
 
 /// Where a solution begins, what it must not step over, and what it may cost.
@@ -40,7 +41,7 @@ impl Default for Limits<'_> {
 }
 
 /// The part of the span that a pulse must last to be seen if nothing names it.
-const LOOKS: f64 = 4096.0;
+pub(super) const LOOKS: f64 = 4096.0;
 
 /// Such a pulse is taken in so many steps at least.
 const STEPS_IN_PULSE: f64 = 2.0;
@@ -83,9 +84,14 @@ impl Limits<'_> {
 
     /// All times inside the span at which the torque jumps, in the order of the motion.
     pub(in crate::accuracy) fn breaks(&self, effects: &dyn AnyEffect, t_end: f64) -> Vec<f64> {
-        let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
         let mut all = effects.break_points();
         all.extend(self.break_points);
+        self.sorted(all, t_end)
+    }
+
+    /// Those of these times that are inside the span, in the order of the motion.
+    pub(super) fn sorted(&self, mut all: Vec<f64>, t_end: f64) -> Vec<f64> {
+        let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
         all.retain(|t| first < *t && *t < last);
         all.sort_by(f64::total_cmp);
         all.dedup();
@@ -101,6 +107,7 @@ impl Limits<'_> {
         &self,
         effects: &dyn AnyEffect,
         checked: &Checked,
+        seen: &[SpaceVector],
         rate: f64,
         t_end: f64,
     ) -> f64 {
@@ -114,7 +121,7 @@ impl Limits<'_> {
             }
             None if effects.nature().on_time => {
                 let span = (t_end - self.t_start).abs();
-                if checked.has_pulse(LOOKS as usize) {
+                if checked.has_pulse(seen) {
                     longest = longest.min(span / LOOKS * STEPS_IN_PULSE);
                 } else if !effects.nature().smooth {
                     longest = longest.min(span / STEPS_OVER_JUMPS);

@@ -69,7 +69,7 @@ fn all_along_the_way() -> Result<()> {
         }
     }
     over.attain(6.4e-4..=6.5e-4, 202);
-    others.attain(4.9e-3..=5.1e-3, 404);
+    others.attain(2.6e-3..=2.7e-3, 404);
     // The same times as a list, forwards and backwards.
     let times: Vec<f64> = (1..=20).map(|n| 1.5 * f64::from(n)).collect();
     let states = scene.solve_at(&start, &times, 1e-8, &Limits::default())?;

@@ -109,22 +109,22 @@ fn nothing_is_granted_that_does_not_hold() {
         granted += tally.ratios.len();
         refused += tally.refused.values().sum::<usize>();
     }
-    assert_eq!([granted, refused], [275, 125]);
+    assert_eq!([granted, refused], [281, 119]);
     // The promise is 1.
-    ratios.attain(0.13..=0.14, 275);
+    ratios.attain(0.054..=0.055, 281);
 }
 
 /// Those that were above their request once, by up to 1e8 times: a jump between two steps
 /// over the whole span, millions of steps, what sweeps leave of long runs; a piece between
 /// two jumps that all runs crossed in the same steps; tops near the upright, whose condition
-/// was felt on another motion, and runs of which agreed by chance. The last three are from
-/// beyond the ten thousand.
+/// was felt on another motion, and runs of which agreed by chance; jumps without a name, over
+/// which errors do not fall as they do between them. Three are from beyond the ten thousand.
 #[test]
 fn what_was_caught_once_holds() {
-    const CAUGHT: [u64; 34] = [
+    const CAUGHT: [u64; 40] = [
         1039, 1046, 1184, 2846, 2949, 3994, 4286, 5066, 5389, 5424, 5714, 6056, 6086, 6476, 6956,
         7286, 7736, 8156, 8964, 9329, 9596, 512, 4862, 6462, 7382, 1479, 2063, 2723, 5093, 9103,
-        9203, 10_742, 20_102, 24_872,
+        9203, 10_742, 20_102, 24_872, 1124, 1994, 2074, 2594, 3344, 8674,
     ];
     let mut failures = Vec::new();
     let (mut granted, mut refused) = (0, 0);
@@ -137,7 +137,7 @@ fn what_was_caught_once_holds() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert_eq!([granted, refused], [42, 26]);
+    assert_eq!([granted, refused], [55, 25]);
 }
 
 /// Ten thousand scenes, for `benches/record/attack.txt`: `cargo test -p checks --test accuracy
