@@ -141,10 +141,9 @@ fn what_was_caught_once_holds() {
 }
 
 /// Ten thousand scenes, for `benches/record/attack.txt`: `cargo test -p checks --test accuracy
-/// -- --ignored ten_thousand --nocapture`. Ten are known to be above their request; the
-/// record names them, and this fails until they hold.
+/// -- --ignored ten_thousand --nocapture`.
 #[test]
-#[ignore = "twenty minutes, and ten scenes still fail"]
+#[ignore = "eleven minutes"]
 fn ten_thousand_scenes() {
     let (tallies, failures) = attacked(0..10_000).expect("sound scenes");
     println!("{}", table(&tallies));
