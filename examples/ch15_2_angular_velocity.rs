@@ -18,7 +18,7 @@ use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Ode, ode};
 use rotation_dynamics::math::{asin, atan2, cos, hypot, sin, sincos};
 use rotation_dynamics::report::Report;
-pub use steps::{by_angles, by_quaternion, passing};
+pub use steps::{by_angles, by_quaternion, clear_of_poles, passing};
 
 rotation_dynamics::parameters! {
     /// A line, a point, a disc, a gyroscope and a frame, each with its rates.

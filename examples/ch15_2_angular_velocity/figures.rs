@@ -73,9 +73,9 @@ fn line(p: &Parameters) -> Result<Figure> {
 /// A box about a fixed point and three of its points.
 fn field() -> Result<Figure> {
     let omega = SpaceVector::new(0.25, -0.15, 1.0);
-    let alt = "A box turns about a fixed point; the angular velocity is an arrow through it. Three corners have \
-               velocities at right angles to that arrow and to the line from the fixed point, the longest where \
-               the corner is farthest from the axis.";
+    let alt = "A box turns about a fixed point; the angular velocity is an arrow through it. Thin arrows lead from \
+               the fixed point through the box to two corners and to the middle of an edge; each of these three points \
+               has a velocity at right angles to its thin arrow and to that of the angular velocity.";
     let edges = [
         SpaceVector::new(1.3, 0.0, 0.0),
         SpaceVector::new(0.0, 0.9, 0.0),
@@ -104,7 +104,7 @@ fn field() -> Result<Figure> {
         .zip(labels)
         .fold(view, |view, (r, label)| {
             let tip = r + velocity(omega, r) * 0.62;
-            view.dashed([ORIGIN, r], Ink::Frame)
+            view.arrow(ORIGIN, r, Ink::Frame, "", Side::Below)
                 .arrow(r, tip, Ink::Ink, label, Side::Above)
                 .dot(r, Ink::Ink, "", Side::Below)
         })

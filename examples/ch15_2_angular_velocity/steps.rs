@@ -42,6 +42,21 @@ pub fn passing(tilt: f64) -> Result<(SpaceVector, Attitude)> {
     Ok((x, lean.turned_in_space(-x)?))
 }
 
+/// An attitude from which the axle of a body with this angular velocity stays half a radian clear
+/// of both poles, in the vertical plane of that vector and beyond it.
+pub fn clear_of_poles(omega: SpaceVector) -> Result<Attitude> {
+    let [x, y, z] = omega.to_array();
+    // From the nearer pole to the vector, and from there to the axle, which goes round it.
+    let tilt = atan2(hypot(x, y), z.abs());
+    let beyond = if tilt < 0.6 { 0.7 } else { -0.5 };
+    let theta = 2.0 * tilt + beyond;
+    Attitude::from_euler(EulerAngles {
+        phi: atan2(y, x) + FRAC_PI_2,
+        theta: if z < 0.0 { PI - theta } else { theta },
+        zeta: 0.0,
+    })
+}
+
 /// How long that body is followed, s: past the pole, and not as far as it was before.
 const PAST: f64 = 1.7;
 
@@ -70,10 +85,8 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
         table.push(cells)?;
     }
     report.add(table)?;
-    let (omega, start) = (
-        body(p)[0],
-        Attitude::from_euler(Gyroscope::of(p, 1.0).angles)?,
-    );
+    let omega = body(p)[0];
+    let start = clear_of_poles(omega)?;
     // A third of a turn, so that no error comes back to where it started.
     let end = 2.0 * PI / 3.0 / omega.norm().max(1e-3);
     let exact = start.turned_in_space(omega * end)?;

@@ -6,6 +6,7 @@ use pages::ch15_2_angular_velocity::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sin;
+use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use support::{Errors, assert_error};
 
@@ -226,6 +227,12 @@ fn every_instance_is_confirmed() {
     let poses = [(0.001, 30.0), (0.5, -3000.0), (2.9, 0.0), (3.13, 5.0)];
     let gyroscopes = poses.map(|(theta, spin)| format!("--theta={theta} --spin={spin} --phi=40"));
     let frames = [0.0, -5000.0, 2e-3].map(|w| format!("--frame={w} --omega-z={w} --disc={w}"));
+    // A tilt at the edge of what is allowed, and an axle that would be led through a pole.
+    let edges = [
+        "--theta=3.1415916535 --omega-x=-1",
+        "--omega-x=-1 --omega-y=0 --omega-z=0 --phi=0",
+    ];
+    confirmed(&EXAMPLE, edges, 2);
     let still = "--omega-x=0 --omega-y=0 --omega-z=0 --precession=0 --nutation=0 --spin=0";
     confirmed(&EXAMPLE, gyroscopes.into_iter().chain(frames), 7);
     let lines = [
@@ -258,6 +265,24 @@ fn angles_pay_for_a_pole_and_quaternions_do_not() {
     let ([far, few], [near, same]) = (steps(0.5), steps(1e-5));
     assert_eq!((few, same), (8, 8));
     assert!(near > 5 * far, "{near} {far}");
+}
+
+/// The body of the strip keeps its axle clear of the poles, whichever way its vector points.
+#[test]
+fn the_strip_stays_clear_of_the_poles() {
+    let mut cases = 0;
+    for (omega, [r, ..]) in bodies() {
+        for omega in [omega, r, UP, -UP, UP * 1e-9] {
+            let start = clear_of_poles(omega).unwrap();
+            for k in 0..60 {
+                let turn = omega * (0.1 * f64::from(k) / omega.norm());
+                let tilt = start.turned_in_space(turn).unwrap().euler_angles().theta;
+                assert!((0.49..=PI - 0.49).contains(&tilt), "{omega:?} {tilt}");
+                cases += 1;
+            }
+        }
+    }
+    assert_eq!(cases, 2400);
 }
 
 /// At rest, and fast, and next to a pole, each figure and each still can be drawn.
