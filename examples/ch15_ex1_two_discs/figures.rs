@@ -11,7 +11,8 @@ fn discs(height: f64, [upper, lower]: [f64; 2]) -> View {
     let top = 0.24 + height;
     View::of(at(0.45), 1.2)
         .size(340, 250)
-        .solid(Solid::rod(at(-0.35), at(1.35), 0.025), Ink::Frame)
+        .solid(Solid::rod(at(top + 0.1), at(1.35), 0.025), Ink::Frame)
+        .solid(Solid::rod(at(0.1), at(0.11 + height), 0.025), Ink::Frame)
         .solid(Solid::disc(at(0.0), up, 1.0, 0.2), Ink::Body)
         .solid(Solid::disc(at(top), up, 0.85, 0.2), Ink::Body)
         .line(
