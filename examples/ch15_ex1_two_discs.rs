@@ -1,0 +1,382 @@
+//! Exercise 15.1: a disc falls on another that turns about the same axis, and rubs on it until
+//! both turn alike.
+
+#[path = "ch15_ex1_two_discs/figures.rs"]
+mod figures;
+
+use rotation_dynamics::Error;
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, ode};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The discs of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// moment of inertia of the upper disc
+        upper: number(0.03, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1));
+        /// moment of inertia of the lower disc
+        lower: number(0.05, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1));
+        /// angular velocity of the upper disc before
+        upper_rate: number(40.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0));
+        /// angular velocity of the lower disc before
+        lower_rate: number(-10.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0));
+        /// torque of the friction while one slips on the other
+        friction: number(0.5, "N m", from_to(1e-6, 1e3).usually(0.1, 2.0));
+        /// height of the fall
+        drop: number(0.2, "m", from_to(0.0, 10.0).usually(0.0, 1.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// relative error of the simulations
+        tolerance: number(1e-12, "-", from_to(1e-13, 1e-3));
+    }
+}
+
+// ANCHOR: answer
+/// What the kept angular momentum gives, and the time from a constant torque.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    /// Angular momentum of both, before and after.
+    pub momentum: f64,
+    /// The rate at which both turn in the end.
+    pub common: f64,
+    /// How fast the upper disc turns on the lower one at the start.
+    pub relative: f64,
+    /// I1 I2/(I1 + I2).
+    pub reduced: f64,
+    /// Kinetic energy before, and what of it is lost.
+    pub before: f64,
+    pub lost: f64,
+    /// How long friction acts with its constant torque.
+    pub time: f64,
+}
+
+impl Answer {
+    pub fn new(p: &Parameters) -> Self {
+        let (whole, relative) = (p.upper + p.lower, p.upper_rate - p.lower_rate);
+        let (share, reduced) = (p.upper / whole, p.upper * (p.lower / whole));
+        Self {
+            momentum: p.upper * p.upper_rate + p.lower * p.lower_rate,
+            common: p.lower_rate + share * relative,
+            relative,
+            reduced,
+            before: kinetic_energy(p, [p.upper_rate, p.lower_rate]),
+            lost: 0.5 * reduced * relative * relative,
+            time: reduced * relative.abs() / p.friction,
+        }
+    }
+}
+
+/// Kinetic energy of the turning at these rates.
+pub fn kinetic_energy(p: &Parameters, [upper, lower]: [f64; 2]) -> f64 {
+    0.5 * p.upper * upper * upper + 0.5 * p.lower * lower * lower
+}
+// ANCHOR_END: answer
+
+// ANCHOR: scene
+/// The two discs: how high the upper one is above the lower, and how far both have turned.
+#[derive(Debug, Clone)]
+pub struct Discs {
+    pub p: Parameters,
+    /// The part of its speed with which the upper disc jumps back.
+    pub bounce: f64,
+}
+
+impl Mechanism<3, 6, 1> for Discs {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let Parameters { upper, lower, .. } = self.p;
+        [[1.0, 0.0, 0.0], [0.0, upper, 0.0], [0.0, 0.0, lower]]
+    }
+
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [-self.p.gravity, 0.0, 0.0]
+    }
+
+    fn contacts(&self, discs: &State<3>) -> [Contact<3>; 1] {
+        // The lever at which the weight gives the torque of the friction.
+        let lever = self.p.friction / self.p.gravity;
+        let faces = Contact::new("discs", discs.q[0], [1.0, 0.0, 0.0], 0.0);
+        let faces = faces.tangent([0.0, 1.0, -1.0], 0.0);
+        [faces.friction(lever).restitution(self.bounce)]
+    }
+    // ANCHOR_END: scene
+
+    fn scale(&self, _: &State<3>) -> State<3> {
+        let (a, largest) = (Answer::new(&self.p), rate(&self.p));
+        let (height, angle) = (self.p.gravity * a.time * a.time, largest * a.time);
+        State {
+            q: [height, angle, angle],
+            v: [self.p.gravity * a.time, largest, largest],
+        }
+    }
+}
+
+/// The larger of the two rates: against it errors count.
+fn rate(p: &Parameters) -> f64 {
+    p.upper_rate.abs().max(p.lower_rate.abs())
+}
+
+/// The motion from the release until `ends`, in units of the time of the slip.
+pub fn fallen(
+    p: &Parameters,
+    bounce: f64,
+    ends: f64,
+    tolerance: f64,
+) -> Result<Motion<Discs, 3, 6, 1>> {
+    let start = State {
+        q: [p.drop, 0.0, 0.0],
+        v: [0.0, p.upper_rate, p.lower_rate],
+    };
+    let end = ends * Answer::new(p).time;
+    motion_within(
+        Discs {
+            p: p.clone(),
+            bounce,
+        },
+        tolerance,
+        start,
+        end,
+    )
+}
+
+// ANCHOR: laws
+/// Rates of the two discs and the heat, when the torque is this function of the slip.
+pub fn rubbing(p: &Parameters, torque: impl Fn(f64) -> f64) -> impl Ode<3> {
+    let (upper, lower) = (p.upper, p.lower);
+    ode(move |_, &[fast, slow, _]: &[f64; 3]| {
+        let (slip, torque) = (fast - slow, torque(fast - slow));
+        [-torque / upper, torque / lower, torque * slip]
+    })
+}
+
+/// That motion until the slip is over, or has come down to this part of it.
+pub fn rubbed(p: &Parameters, left: f64, torque: impl Fn(f64) -> f64) -> Result<Solution<3>> {
+    let a = Answer::new(p);
+    let over = move |_: f64, y: &[f64; 3]| (y[0] - y[1]) / a.relative - left;
+    let start = [p.upper_rate, p.lower_rate, 0.0];
+    let over = Event::falling("over", over).terminal();
+    let (law, end) = (rubbing(p, torque), 1e3 * a.time);
+    Dop853::new(p.tolerance.min(1e-9))?.solve(&law, 0.0, &start, end, &[over])
+}
+// ANCHOR_END: laws
+
+/// The laws of the page over their parameters: dry friction, friction that weakens with the
+/// slip, a film of oil; each has the torque of the page at the first slip.
+pub fn torque(p: &Parameters, law: &str, slip: f64) -> f64 {
+    let part = slip / Answer::new(p).relative;
+    let size = p.friction * Answer::new(p).relative.signum();
+    match law {
+        "dry" => size,
+        "weakening" => size * (1.0 + exp(-5.0 * part)) / (1.0 + exp(-5.0)),
+        _ => size * part,
+    }
+}
+
+// ANCHOR: signed
+/// Friction with the sign of the slip: the solver that many would write.
+fn sign(p: &Parameters) -> impl Ode<3> {
+    let friction = p.friction;
+    rubbing(p, move |slip: f64| match slip {
+        0.0 => 0.0,
+        _ => friction * slip.signum(),
+    })
+}
+
+/// It, by equal steps of Euler's method: the slip at each of them.
+pub fn chattering(p: &Parameters, steps: u32, end: f64) -> Vec<(f64, f64)> {
+    let (law, h) = (sign(p), end / f64::from(steps));
+    let mut state = [p.upper_rate, p.lower_rate, 0.0];
+    let mut slips = vec![(0.0, state[0] - state[1])];
+    for k in 1..=steps {
+        let rates = law.derivative(0.0, &state);
+        state = core::array::from_fn(|i| state[i] + h * rates[i]);
+        slips.push((h * f64::from(k), state[0] - state[1]));
+    }
+    slips
+}
+// ANCHOR_END: signed
+
+/// The largest slip in the last quarter of a run.
+pub fn left_over(slips: &[(f64, f64)]) -> f64 {
+    let last = slips.len() * 3 / 4;
+    slips[last..]
+        .iter()
+        .fold(0.0, |most, (_, w)| w.abs().max(most))
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, size) = (Answer::new(p), rate(p));
+    from_to(1e-3, 2.0).check("|O1 - O2| over the larger rate,", a.relative.abs() / size)?;
+    let longest = 0.45 * p.gravity * a.time * a.time;
+    from_to(0.0, longest).check("drop, with time left to slip,", p.drop)?;
+    let run = fallen(p, 0.0, 2.0, p.tolerance)?;
+    let (sticks, end) = (run.event("discs sticks")?, run.at(run.end_time())?);
+    let kept = p.upper * end.v[1] + p.lower * end.v[2];
+    let lost = a.before - kinetic_energy(p, [end.v[1], end.v[2]]);
+    let oil = rubbed(p, 1e-9, |slip| torque(p, "oil", slip))?;
+    let dry = rubbed(p, 0.0, |slip| torque(p, "dry", slip))?;
+    let (bound, whole) = (100.0 * p.tolerance, p.upper + p.lower);
+    let (near, time) = (
+        bound * whole * size,
+        bound * a.time * size / a.relative.abs(),
+    );
+    let (square, both) = (bound * whole * size * size, p.upper_rate + p.lower_rate);
+    claims! { report,
+        /// the rate at which both turn in the end
+        common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size,
+        in "The common rate":
+            0.5 * both => "the discs are not equal",
+            (p.upper * p.upper_rate.abs() + p.lower * p.lower_rate.abs()) / whole => "rates have signs",
+            (2.0 * a.before / whole).sqrt() => "energy is not kept: the discs rub";
+        /// kinetic energy lost
+        lost: a.lost, "J", "discs simulated" => lost, within square,
+        in "The energy":
+            0.5 * whole * a.relative * a.relative => "not both turn at that rate: which inertia belongs to the slip?",
+            0.5 * a.reduced * both * both => "the slip is the difference of the rates, signs included",
+            a.before => "they still turn in the end",
+            a.before - a.lost => "that is what is left";
+        /// part of it
+        share: a.lost / a.before, "-", "heat of an oil film" => oil.end_state()[2] / a.before, within square / a.before + 1e-9;
+        /// angular momentum of both, before and after
+        momentum: a.momentum, "kg m^2/s", "discs simulated, after" => kept, within near;
+        /// how long they slip, without a fall
+        time: a.time, "s", "located event" => dry.end_time(), within time,
+        in "The time":
+            p.upper * a.relative.abs() / p.friction => "the lower disc gets faster meanwhile",
+            p.lower * a.relative.abs() / p.friction => "the upper disc gets slower meanwhile",
+            whole * a.relative.abs() / p.friction => "which inertia belongs to the slip?",
+            2.0 * a.time => "the slip becomes slower, but the torque does not";
+        /// time from the release to the common rate, with the fall
+        released: a.time, "s", "located event" => sticks.t, within time;
+        /// angle by which one disc slips on the other
+        slipped: 0.5 * a.relative * a.time, "rad", "discs simulated, heat over torque" => a.relative.signum() * dry.end_state()[2] / p.friction, within time * size;
+    }
+}
+
+/// Light and heavy discs, equal ones, and those that stop each other.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let of = |lower: f64, lower_rate: f64| {
+        let (upper, upper_rate) = (1.0, 1.0);
+        Answer::new(&Parameters {
+            upper,
+            lower,
+            upper_rate,
+            lower_rate,
+            ..p.clone()
+        })
+    };
+    let wall = of(1e12, 0.0);
+    limits! { report,
+        /// a heavy disc keeps its rate
+        "I2 to infinity: (Omega - Omega2)/Omega1": wall.common => 0.0, within 1e-11;
+        /// and takes all energy of the slip
+        "I2 to infinity, Omega2 = 0: lost/before": wall.lost / wall.before => 1.0, within 1e-11;
+        /// a light one is carried along
+        "I2 to 0: Omega/Omega1": of(1e-12, -1.0).common => 1.0, within 1e-11;
+        /// the mean
+        "I1 = I2, Omega2 = 0: Omega/Omega1": of(1.0, 0.0).common => 0.5, within 1e-15;
+        /// half of the energy, as when a body hits its like and sticks
+        "I1 = I2, Omega2 = 0: lost/before": of(1.0, 0.0).lost / of(1.0, 0.0).before => 0.5, within 1e-15;
+        /// angular momenta that cancel: both stop
+        "I1 O1 = -I2 O2: lost/before": of(2.0, -0.5).lost / of(2.0, -0.5).before => 1.0, within 1e-15;
+        /// nothing slips
+        "Omega1 = Omega2: lost/before": of(3.0, 1.0).lost => 0.0, within 1e-15;
+    }
+}
+
+/// The card of effects: steel discs with a radius of 0.2 m, a ball bearing of 1 cm.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, whole, radius, size) = (Answer::new(p), p.upper + p.lower, 0.2, rate(p));
+    let mass = 2.0 * p.upper / (radius * radius);
+    let bearing = 1.5e-3 * 2.0 * mass * p.gravity * 0.01;
+    // A disc wetted on one side: 1.94/sqrt(Re) of rho w^2 R^5/2, laminar.
+    let air =
+        0.97 * 1.204 * size * size * radius.powi(5) / (size * radius * radius / 1.5e-5).sqrt();
+    let beside = 1e-3;
+    effect_card! { report,
+        "friction of the bearing, 1 cm": "tau_b/tau" = bearing / p.friction, costs bearing * a.time / whole, "rad/s";
+        "air on the outer faces": "tau_a/tau" = air / p.friction, costs air * a.time / whole, "rad/s, at most";
+        "it lands 1 mm beside the axis": "e^2/R^2" = beside * beside / (radius * radius),
+            costs 2.0 * p.upper * beside * beside / (radius * radius) * size / whole, "rad/s, at most";
+        "the fall": "t_f/T" = (2.0 * p.drop / p.gravity).sqrt() / a.time, costs 0.0, "s of the time from the release", included;
+    }
+}
+
+/// The solvers with the sign, over twice the time of the slip, and the one that stops at the event.
+fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, columns) = (
+        Answer::new(p),
+        ["solver", "steps", "comes to t/T", "slip left / rad/s"],
+    );
+    let (mut table, end) = (Table::new("naive", columns)?, 2.0 * a.time);
+    let mut row = |solver: &str, steps: u64, t: f64, slip: String| {
+        let cells = [steps.to_string(), format!("{:.6}", t / a.time), slip];
+        table.push([solver.to_string()].into_iter().chain(cells))
+    };
+    for steps in [51, 501, 5001] {
+        let slip = left_over(&chattering(p, steps, end));
+        row(
+            "sign, equal steps",
+            u64::from(steps),
+            end,
+            format!("{slip:.3}"),
+        )?;
+    }
+    for tolerance in [1e-6, 1e-9] {
+        let method = Dop853::new(tolerance)?.with_step_limit(10_000)?;
+        let start = [p.upper_rate, p.lower_rate, 0.0];
+        let (steps, t) = match method.advance(&sign(p), 0.0, &start, end) {
+            Ok((_, work)) => (work.steps, end),
+            Err(Error::TooManySteps { t, limit, .. }) => (limit, t),
+            Err(other) => return Err(other),
+        };
+        row(
+            &format!("sign, DOP853 with {tolerance:e}"),
+            steps,
+            t,
+            "-".into(),
+        )?;
+    }
+    let run = fallen(
+        &Parameters {
+            drop: 0.0,
+            ..p.clone()
+        },
+        0.0,
+        2.0,
+        p.tolerance,
+    )?;
+    let State { v, .. } = run.at(run.end_time())?;
+    let slip = format!("{:.0e}", (v[1] - v[2]).abs());
+    row("stick located", run.work().steps, run.end_time(), slip)?;
+    report.add(table)
+}
+
+/// The accuracy strip: times and rates at the stick, after the fall.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (p, a, size) = (p.clone(), Answer::new(p), rate(p));
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
+    let error = move |run: &Motion<Discs, 3, 6, 1>| {
+        let sticks = run.event("discs sticks")?;
+        Ok((sticks.t / a.time - 1.0)
+            .abs()
+            .max((sticks.after.v[1] - a.common).abs() / size))
+    };
+    report.dial(
+        "contacts by DOP853",
+        asked,
+        move |step| fallen(&p, 0.0, 2.0, step),
+        Motion::work,
+        error,
+    )?;
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok(a.common + (1.0 - part) * a.relative)
+    }));
+    Ok(())
+}
+
+example! {
+    ch15_ex1_two_discs: "Exercise 15.1: two discs on one axis rub on each other until they turn alike";
+    "Two discs", "A disc falls on another that turns about the same axis, and slips on it for a while.",
+    [claims, limits, effects, naive, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

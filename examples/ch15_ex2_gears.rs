@@ -1,0 +1,306 @@
+//! Exercise 15.2: a driven gear turns another, and their angular momentum is not kept.
+
+#[path = "ch15_ex2_gears/figures.rs"]
+mod figures;
+
+use core::f64::consts::FRAC_PI_2;
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The gears of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// moment of inertia of gear A
+        inertia_a: number(0.02, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1));
+        /// moment of inertia of gear B
+        inertia_b: number(0.005, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1));
+        /// radius of gear A
+        radius_a: number(0.2, "m", from_to(1e-3, 10.0).usually(0.05, 0.5));
+        /// radius of gear B
+        radius_b: number(0.1, "m", from_to(1e-3, 10.0).usually(0.05, 0.5));
+        /// rate of gear A
+        rate: number(30.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 100.0));
+        /// friction of the rims while they slip
+        friction: number(10.0, "N", from_to(1e-3, 1e6).usually(1.0, 100.0));
+        /// mass of gear B, for the reading in which its axis moves
+        mass_b: number(1.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
+        /// rate of the arm that carries it in that reading
+        arm_rate: number(5.0, "rad/s", from_to(-1e3, 1e3).usually(-20.0, 20.0));
+        /// relative error of the simulations
+        tolerance: number(1e-12, "-", from_to(1e-13, 1e-3));
+    }
+}
+
+// ANCHOR: forms
+/// R1/R2.
+pub fn ratio(p: &Parameters) -> f64 {
+    p.radius_a / p.radius_b
+}
+
+/// Rate of B, whose axis is carried round at the rate `arm` (0 if it is at rest).
+pub fn rate_b(p: &Parameters, arm: f64) -> f64 {
+    arm - (p.rate - arm) * ratio(p)
+}
+
+/// Angular momentum of both about the axis of A.
+pub fn momentum(p: &Parameters, arm: f64) -> f64 {
+    let distance = p.radius_a + p.radius_b;
+    let carried = p.mass_b * distance * distance * arm;
+    p.inertia_a * p.rate + carried + p.inertia_b * rate_b(p, arm)
+}
+
+/// What the rims have pushed on each other until B is up to speed, force times time.
+pub fn push(p: &Parameters) -> f64 {
+    p.inertia_b * rate_b(p, 0.0).abs() / p.radius_b
+}
+
+/// The rate of A in the end if nothing drives it.
+pub fn undriven(p: &Parameters) -> f64 {
+    let r = ratio(p);
+    p.rate / (1.0 + p.inertia_b / p.inertia_a * r * r)
+}
+// ANCHOR_END: forms
+
+/// Kinetic energy of the two at these rates, axes at rest.
+fn kinetic_energy(p: &Parameters, [a, b]: [f64; 2]) -> f64 {
+    0.5 * p.inertia_a * a * a + 0.5 * p.inertia_b * b * b
+}
+
+// ANCHOR: scene
+/// Two wheels on axes at rest, their rims pressed together; the angles by which they have turned.
+#[derive(Debug, Clone)]
+pub struct Wheels {
+    pub p: Parameters,
+    /// Whether a motor keeps the rate of A.
+    pub driven: bool,
+}
+
+impl Mechanism<2, 4, 2> for Wheels {
+    fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
+        [[self.p.inertia_a, 0.0], [0.0, self.p.inertia_b]]
+    }
+
+    fn force(&self, _: &State<2>) -> [f64; 2] {
+        [0.0; 2]
+    }
+
+    fn contacts(&self, _: &State<2>) -> [Contact<2>; 2] {
+        let p = &self.p;
+        // Where they touch the rim of A moves up at R1 Omega1, that of B at -R2 Omega2.
+        let slip = [p.radius_a, p.radius_b];
+        let rims = Contact::pressed("rims", p.friction).tangent(slip, 0.0);
+        let motor = if self.driven { [1.0, 0.0] } else { [0.0; 2] };
+        let speed = if self.driven { p.rate } else { 0.0 };
+        let motor = Contact::joint("motor", 0.0, motor, 0.0).rising(speed, 0.0);
+        [rims.friction(1.0), motor]
+    }
+    // ANCHOR_END: scene
+
+    fn scale(&self, _: &State<2>) -> State<2> {
+        let rates = [self.p.rate, rate_b(&self.p, 0.0).abs()];
+        let time = push(&self.p) / self.p.friction;
+        State {
+            q: rates.map(|rate| rate * time),
+            v: rates,
+        }
+    }
+}
+
+/// A motion of the wheels.
+pub type Run = Motion<Wheels, 2, 4, 2>;
+
+/// B at rest at first; until 1.5 times the time that it needs.
+pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
+    let start = State {
+        q: [0.0; 2],
+        v: [p.rate, 0.0],
+    };
+    let end = 1.5 * push(p) / p.friction;
+    motion_within(
+        Wheels {
+            p: p.clone(),
+            driven,
+        },
+        tolerance,
+        start,
+        end,
+    )
+}
+
+/// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
+pub fn motor(run: &Run) -> Result<f64> {
+    let sticks = run.event("rims sticks")?.t;
+    let torque = |part: f64| Ok(run.forces(part * sticks)?[1].normal);
+    Ok(sticks / 6.0 * (torque(0.0)? + 4.0 * torque(0.5)? + torque(1.0)?))
+}
+
+// ANCHOR: particles
+/// Where the axis of B and a point of it are, at this distance and angle from its axis, by turns alone.
+fn place(p: &Parameters, [arm, rate]: [f64; 2], t: f64, [distance, angle]: [f64; 2]) -> [f64; 2] {
+    let ((s, c), (u, v)) = (sincos(arm * t), sincos(rate * t + angle));
+    let apart = p.radius_a + p.radius_b;
+    [apart * c + distance * v, apart * s + distance * u]
+}
+
+/// Its velocity at t = 0, from four places.
+fn velocity(p: &Parameters, rates: [f64; 2], point: [f64; 2]) -> [f64; 2] {
+    let h = 1e-3 / rates[0].abs().max(rates[1].abs()).max(p.rate);
+    let at = |k: f64| place(p, rates, k * h, point);
+    let (near, far) = ([at(-1.0), at(1.0)], [at(-2.0), at(2.0)]);
+    [0, 1].map(|i| (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * h))
+}
+
+/// The rate at which the point of B that touches A moves as the rim of A: tried at two rates.
+pub fn without_slip(p: &Parameters, arm: f64) -> f64 {
+    let inward = [p.radius_b, 2.0 * FRAC_PI_2];
+    let slip = |rate: f64| velocity(p, [arm, rate], inward)[1] - p.radius_a * p.rate;
+    p.rate * slip(0.0) / (slip(0.0) - slip(p.rate))
+}
+
+/// Angular momentum about a point of B as four particles with its mass and moment of inertia.
+pub fn particles(p: &Parameters, rates: [f64; 2], about: [f64; 2]) -> f64 {
+    let distance = (p.inertia_b / p.mass_b).sqrt();
+    let one = |k: i32| {
+        let point = [distance, FRAC_PI_2 * (f64::from(k) + 0.3)];
+        let ([x, y], [u, v]) = (place(p, rates, 0.0, point), velocity(p, rates, point));
+        0.25 * p.mass_b * ((x - about[0]) * v - (y - about[1]) * u)
+    };
+    (0..4).map(one).sum()
+}
+// ANCHOR_END: particles
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (r, b, arm, bound) = (ratio(p), rate_b(p, 0.0), p.arm_rate, 100.0 * p.tolerance);
+    from_to(1e-3, 1e3).check("radius_a/radius_b", r)?;
+    let (run, free) = (
+        spun_up(p, true, p.tolerance)?,
+        spun_up(p, false, p.tolerance)?,
+    );
+    let (end, loose) = (run.at(run.end_time())?.v, free.at(free.end_time())?.v);
+    let (sticks, given) = (run.event("rims sticks")?.t, motor(&run)?);
+    let ([la, lb], push) = ([p.inertia_a * p.rate, p.inertia_b * b], push(p));
+    let (all, energy) = (la + lb.abs(), kinetic_energy(p, [p.rate, b]));
+    let (origin, apart) = ([0.0; 2], p.radius_a + p.radius_b);
+    let gained = kinetic_energy(p, end) - kinetic_energy(p, [p.rate, 0.0]);
+    let (carried, moving) = (rate_b(p, arm), p.mass_b * apart * apart * arm);
+    let near = 1e-9 * (all + moving.abs() + p.inertia_b * carried.abs());
+    claims! { report,
+        /// rate of gear B
+        rate_b: b, "rad/s", "wheels simulated" => end[1], within bound * b.abs(),
+        in "The gears":
+            -b => "two gears that touch turn in opposite senses",
+            -p.rate / r => "the smaller gear turns faster",
+            -p.rate => "the speeds of the rims are equal, not the rates";
+        /// angular momentum about the axis of A
+        momentum: la + lb, "kg m^2/s", "four particles for B" => la + particles(p, [0.0, b], origin), within near,
+        in "The gears":
+            la - lb => "B turns the other way",
+            la => "B turns as well",
+            la + lb + p.mass_b * apart * apart * p.rate => "the centre of B is at rest";
+        /// kinetic energy
+        energy: energy, "J", "wheels simulated" => kinetic_energy(p, end), within bound * energy,
+        in "The gears":
+            0.5 * (la + lb) * p.rate => "that is not a body that turns as one";
+        /// time until B is up to speed
+        time: push / p.friction, "s", "located event" => sticks, within bound * push / p.friction,
+        in "Setting B going":
+            p.inertia_b * p.rate / (p.friction * p.radius_b) => "which rate has B in the end?";
+        /// push of the rims, summed over the time
+        push: push, "N s", "wheels simulated" => p.friction * sticks, within bound * push;
+        /// what the motor gives, torque times time
+        motor: push * p.radius_a, "N m s", "torque of the motor, simulated" => given, within bound * push * p.radius_a,
+        in "Setting B going":
+            push * p.radius_b => "that is what B receives; the lever at A is another",
+            push * apart => "that is what the bearing of B takes";
+        /// what the bearing of B gives, about the axis of A
+        bearing: -push * apart, "N m s", "particles, less the motor" => particles(p, [0.0, b], origin) - given, within near + bound * push * apart;
+        /// work of the motor
+        work: push * p.radius_a * p.rate, "J", "torque of the motor, simulated" => given * p.rate, within bound * energy,
+        in "Setting B going":
+            0.5 * push * p.radius_a * p.rate => "that is what B has in the end; the rims slip meanwhile";
+        /// heat of the rims
+        heat: 0.5 * push * p.radius_a * p.rate, "J", "work less energy, simulated" => given * p.rate - gained, within bound * energy;
+        /// rate of A in the end if nothing drives it
+        undriven: undriven(p), "rad/s", "wheels simulated" => loose[0], within bound * p.rate,
+        in "Setting B going":
+            p.inertia_a * p.rate / (p.inertia_a + p.inertia_b) => "they do not turn as one body";
+        /// rate of gear B, carried by the arm
+        carried_rate: carried, "rad/s", "no slip, from places" => without_slip(p, arm), within 1e-9 * (carried.abs() + p.rate + (1.0 + r) * arm.abs());
+        /// angular momentum then
+        carried_momentum: momentum(p, arm), "kg m^2/s", "four particles for B" => la + particles(p, [arm, carried], origin), within near;
+    }
+}
+
+/// Gears like these with other ratios of radii and of moments of inertia.
+fn like(p: &Parameters, ratio: f64, inertia: f64) -> Parameters {
+    Parameters {
+        inertia_a: 1.0,
+        inertia_b: inertia,
+        radius_a: ratio,
+        radius_b: 1.0,
+        rate: 1.0,
+        ..p.clone()
+    }
+}
+
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let of = |ratio: f64, inertia: f64| like(p, ratio, inertia);
+    let (twins, far) = (of(1.0, 1.0), of(1e-3, 1.0));
+    limits! { report,
+        /// two like gears: what one has, the other has backward
+        "R1 = R2, I1 = I2: L": momentum(&twins, 0.0) => 0.0, within 1e-15;
+        /// B stays as it is
+        "R2 to infinity: Omega2/Omega1": rate_b(&far, 0.0) => -1e-3, within 1e-15;
+        /// a light gear B: only A counts
+        "I2 to 0: L/(I1 Omega1)": momentum(&of(2.0, 1e-12), 0.0) => 1.0, within 1e-11;
+        /// uniform discs of one mass and twice the radius: half
+        "I1 = 4 I2, R1 = 2 R2: L/(I1 Omega1)": momentum(&of(2.0, 0.25), 0.0) => 0.5, within 1e-15;
+        /// and of one thickness: seven eighths
+        "I1 = 16 I2, R1 = 2 R2: L/(I1 Omega1)": momentum(&of(2.0, 0.0625), 0.0) => 0.875, within 1e-15;
+        /// the arm turns with A: all is one body
+        "arm at Omega1: Omega2/Omega1": rate_b(&of(2.0, 1.0), 1.0) => 1.0, within 1e-15;
+    }
+}
+
+/// The card of effects, for friction wheels with bearings of 5 mm and a motor under load.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (r, whole) = (ratio(p), momentum(p, 0.0));
+    let of_b = (p.inertia_b * rate_b(p, 0.0)).abs();
+    let bearing = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005 / (p.friction * p.radius_b);
+    let (creep, droop, off) = (0.01, 0.03, 1e-4 / p.radius_b);
+    effect_card! { report,
+        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs droop * whole.abs(), "kg m^2/s";
+        "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
+        "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s";
+        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * push(p) / p.friction, "s of the time";
+        "which of them is driven": "I2 R1^2/(I1 R2^2)" = p.inertia_b / p.inertia_a * r * r,
+            costs p.rate - undriven(p), "rad/s of Omega1", included;
+    }
+}
+
+/// The accuracy strip: time and rates when B is up to speed, A being driven.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (p, time, b) = (p.clone(), push(p) / p.friction, rate_b(p, 0.0));
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
+    let error = move |run: &Run| {
+        let sticks = run.event("rims sticks")?;
+        Ok((sticks.t / time - 1.0)
+            .abs()
+            .max((sticks.after.v[1] / b - 1.0).abs()))
+    };
+    report.set_closed_form(ClosedForm::new(move |part| Ok(b * part)));
+    report.dial(
+        "contacts by DOP853",
+        asked,
+        move |step| spun_up(&p, true, step),
+        Run::work,
+        error,
+    )
+}
+
+example! {
+    ch15_ex2_gears: "Exercise 15.2: a driven gear turns another";
+    "Gears", "A gear that is kept turning drives another, on an axis at rest or carried by an arm.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

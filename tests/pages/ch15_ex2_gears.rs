@@ -1,0 +1,75 @@
+//! Exercise 15.2. That simulation, particles and formulas agree is part of the report: a claim that
+//! differs from its oracle is an error.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch15_ex2_gears::*;
+use support::Errors;
+
+#[test]
+fn the_instances_of_the_notes_come_out() {
+    for (key, instance) in [("rate_b", -60.0), ("momentum", 0.3), ("motor", 0.6)] {
+        assert_eq!(value(&EXAMPLE, key), instance, "{key}");
+    }
+}
+
+#[test]
+fn other_gears_are_confirmed() {
+    let runs = [
+        "--radius-a=0.01 --arm-rate=-5",
+        "--inertia-b=0.00001 --mass-b=0.01",
+        "--inertia-a=0.01",
+        "--rate=0.01 --friction=0.001",
+        "--radius-a=3 --radius-b=0.02 --arm-rate=30",
+        "--tolerance=1e-6",
+    ];
+    confirmed(&EXAMPLE, runs, 6);
+}
+
+#[test]
+fn what_cannot_mesh_is_refused() {
+    let runs = [
+        ("--radius-b=0", "radius_b = 0 is not allowed"),
+        ("--radius-a=10 --radius-b=0.001", "radius_a/radius_b = 10000"),
+        ("--inertia-a=-1", "inertia_a = -1 is not allowed"),
+        ("--friction=0", "friction = 0 is not allowed"),
+        ("--rate=inf", "not a finite number"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// The centre of B is at rest, so B has one angular momentum about all points of the plane; carried
+/// by an arm it has not.
+#[test]
+fn a_gear_on_an_axis_at_rest_has_its_own_angular_momentum_about_every_point() {
+    let p = Parameters::default();
+    let (mut errors, mut damaged) = (Errors::of("L of B over I2 Omega2"), Errors::of("carried"));
+    let own = p.inertia_b * rate_b(&p, 0.0);
+    for about in [[0.0, 0.0], [0.5, 0.0], [-5.0, 2.0], [0.1, -0.7], [40.0, 3.0]] {
+        errors.push(particles(&p, [0.0, rate_b(&p, 0.0)], about) / own - 1.0);
+        let carried = particles(&p, [5.0, rate_b(&p, 5.0)], about);
+        damaged.push(carried / (p.inertia_b * rate_b(&p, 5.0)) - 1.0);
+    }
+    errors.attain(4.3e-11..=4.4e-11, 5);
+    damaged.exceed(1.0, 5);
+}
+
+/// Torques from outside account for the change of L: of the motor and of the bearing of B. Without
+/// the bearing they do not, and the kept angular momentum would speed up A.
+#[test]
+fn motor_and_bearing_change_the_angular_momentum() {
+    let p = Parameters::default();
+    let (mut errors, mut damaged) = (Errors::of("change of L less the impulses"), Errors::of("without the bearing"));
+    for driven in [true, false] {
+        let run = spun_up(&p, driven, 1e-12).expect("a motion");
+        let [a, b] = run.at(run.end_time()).expect("its end").v;
+        let change = p.inertia_a * (a - p.rate) + p.inertia_b * b;
+        let push = p.friction * run.event("rims sticks").expect("it sticks").t;
+        let motor = if driven { motor(&run).expect("a torque") } else { 0.0 };
+        errors.push(change - motor + push * (p.radius_a + p.radius_b));
+        damaged.push(change - motor);
+    }
+    errors.attain(2.2e-16..=2.3e-16, 2);
+    damaged.exceed(0.4, 2);
+    let kept = p.inertia_a * p.rate / (p.inertia_a - p.inertia_b * ratio(&p));
+    assert!(kept > 1.9 * p.rate, "{kept}");
+}
