@@ -1,0 +1,247 @@
+//! Exercise 15.8: a particle circles on a string that is pulled in through a hole.
+
+#[path = "ch15_ex8_string/figures.rs"]
+mod figures;
+#[path = "ch15_ex8_string/pull.rs"]
+pub mod pull;
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+use pull::{Pulled, across, direction, energy, outward, radius};
+use rotation_dynamics::integrators::{after, newton, ode};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The string of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the particle
+        mass: number(0.2, "kg", above(0.0).usually(0.05, 1.0));
+        /// radius of the circle
+        radius: number(0.8, "m", above(0.0).usually(0.3, 1.2));
+        /// speed on the circle
+        speed: number(1.5, "m/s", above(0.0).usually(0.5, 4.0));
+        /// rate at which the string is pulled in
+        pull: number(0.1, "m/s", above(0.0).usually(0.05, 1.0));
+        /// time for which it is pulled
+        time: number(3.0, "s", above(0.0).usually(0.5, 6.0));
+        /// radius of the hole
+        hole: number(0.05, "m", above(0.0).usually(0.01, 0.1));
+        /// error of a step of the simulations: from 1e-15 to 1e-6
+        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+// ANCHOR: answer
+/// The motion while the string is pulled; lengths in r0, speeds in u, forces in m u^2/r0.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    /// Speed of the hand.
+    pub pull: f64,
+}
+
+impl Answer {
+    pub fn radius(&self, t: f64) -> f64 {
+        1.0 - self.pull * t
+    }
+    pub fn across(&self, t: f64) -> f64 {
+        1.0 / self.radius(t)
+    }
+    pub fn angular_velocity(&self, t: f64) -> f64 {
+        1.0 / (self.radius(t) * self.radius(t))
+    }
+    pub fn angle(&self, t: f64) -> f64 {
+        t / self.radius(t)
+    }
+    pub fn force(&self, t: f64) -> f64 {
+        self.angular_velocity(t) / self.radius(t)
+    }
+    /// Work of the hand up to `t`, without the jerk: 1/r^2 - 1 without its cancellation.
+    pub fn work(&self, t: f64) -> f64 {
+        0.5 * self.pull * t * (1.0 + self.radius(t)) * self.angular_velocity(t)
+    }
+}
+// ANCHOR_END: answer
+
+/// The answer, when the pull ends and the radius of the hole, in units of r0 and r0/u.
+pub fn scene(p: &Parameters) -> Result<(Answer, f64, f64)> {
+    let (pull, end, hole) = (
+        p.pull / p.speed,
+        p.time * p.speed / p.radius,
+        p.hole / p.radius,
+    );
+    from_to(0.005, 0.95).check("hole/radius", hole)?;
+    from_to(1e-3, 1e2).check("pull/speed", pull)?;
+    let left = p.radius - p.pull * p.time;
+    above(p.hole).check("radius - pull time, what is left of the string,", left)?;
+    Ok((Answer { pull }, end, hole))
+}
+
+/// Newton's law for a string that winds on a post of this radius: it pulls towards the point
+/// where it leaves the post, at right angles to the velocity.
+pub fn on_post(post: f64) -> impl rotation_dynamics::integrators::Ode<6> {
+    newton(move |_, [place, velocity]| {
+        let free = string_on_post(post, place);
+        free * (velocity.dot(&velocity) / free.dot(&free))
+    })
+}
+
+/// From the particle to the point where its string leaves the post, which it winds up forward.
+pub fn string_on_post(post: f64, place: SpaceVector) -> SpaceVector {
+    let far = place.dot(&place);
+    let (along, side) = (post * post / far, post * (far - post * post).sqrt() / far);
+    let left = SpaceVector::new(-place.y(), place.x(), 0.0);
+    place * (along - 1.0) - left * side
+}
+
+/// The angle of a solver that keeps the speed, and of the particle that is let go again.
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, end, hole) = scene(p)?;
+    let (m, u, r0, t0) = (p.mass, p.speed, p.radius, p.radius / p.speed);
+    let (force, joule, bound) = (m * u * u / r0, m * u * u, 1e3 * p.tolerance);
+    let run = Pulled::new(a.pull, hole, p.tolerance, end)?;
+    let ([before, jerked], _) = run.event("hand touches")?;
+    let last = run.at(end)?;
+    let (r, v) = (a.radius(end), a.across(end));
+    let speed = hypot(a.pull, v);
+    // The string is held again: the particle flies off, until it is taut.
+    let slack = 2.0 * r * a.pull / (speed * speed);
+    let held = Pulled::held(last, p.tolerance, 2.0 * slack)?;
+    let ([flown, caught], taut) = held.event("knot touches")?;
+    let chord = 2.0 * atan2(a.pull, v);
+    let flight = (direction(&flown) - direction(&last)).rem_euclid(TAU);
+    // On to the edge of the hole.
+    let far = (1.0 - hole) / a.pull;
+    let edge = Pulled::new(a.pull, hole, p.tolerance, 2.0 * far)?;
+    let naive = after(end, &ode(|t, _: &[f64; 1]| [a.across(t)]), &[0.0], 1e-13)?[0];
+    let keeping = -log(r) / a.pull;
+    claims! { report,
+        /// length of string that is left on the table
+        left: r0 * r, "m", "string simulated" => r0 * radius(&last), within bound * r0;
+        /// force of the string at the end of the pull
+        force: force * a.force(end), "N", "string simulated" => force * run.tension(end)?, within 10.0 * bound * force * a.force(end),
+        in "(a) The force":
+            force / r => "does the speed stay?",
+            force => "that is at the beginning",
+            force / (r * r) => "the speed has grown, and enters as its square";
+        /// the same at the beginning
+        force_first: force, "N", "string simulated" => force * run.tension(0.0)?, within bound * force,
+        in "(a) The force";
+        /// velocity towards the hole
+        inward: p.pull, "m/s", "string simulated" => -u * outward(&last), within bound * u * v,
+        in "(b) The velocities";
+        /// velocity at right angles to the string
+        across: u * v, "m/s", "string simulated" => u * across(&last), within bound * u * v,
+        in "(b) The velocities":
+            u => "the force is not at right angles to the path",
+            u * r => "what stays is the angular momentum";
+        /// speed
+        speed: u * speed, "m/s", "string simulated" => u * hypot(last.v[0], last.v[1]), within bound * u * v,
+        in "(b) The velocities":
+            u * v => "the particle also moves inward";
+        /// angular velocity
+        angular_velocity: u / r0 * a.angular_velocity(end), "rad/s", "string simulated" => u / r0 * across(&last) / radius(&last),
+        within 10.0 * bound * u / r0 * v * v, in "(b) The velocities":
+            u / r0 / r => "that is for a speed that stays",
+            u / r0 => "that is at the beginning";
+        /// angle since the beginning of the pull
+        angle: a.angle(end), "rad", "string simulated" => run.angle(end)?, within bound * (1.0 + a.angle(end)) * v,
+        in "(b) The velocities":
+            keeping => "that is for a speed that stays",
+            end * a.angular_velocity(end) => "it has turned slower before";
+        /// work of the hand after the jerk
+        work: joule * a.work(end), "J", "energy gained, simulated" => joule * (energy(&last) - energy(&jerked)),
+        within bound * joule * (1.0 + v * v), in "(c) The work":
+            force * r0 * a.pull * end => "the force grows",
+            joule * a.force(end) * a.pull * end => "the force was smaller before";
+        /// impulse of the jerk
+        impulse: m * p.pull, "N s", "string simulated" => m * u * (outward(&before) - outward(&jerked)), within bound * m * u;
+        /// energy lost in it
+        lost: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (a.pull * a.pull - (energy(&jerked) - energy(&before))),
+        within 2.0 * bound * joule;
+        /// time for which the string is slack when it is held
+        slack: t0 * slack, "s", "string simulated" => t0 * taut, within bound * t0 * v;
+        /// angle of that flight
+        flight: chord, "rad", "string simulated" => flight, within bound * v;
+        /// energy lost when it is taut again
+        caught: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (energy(&flown) - energy(&caught)), within 2.0 * bound * joule * v * v;
+        /// when the particle is at the edge of the hole
+        edge_time: t0 * far, "s", "string simulated" => t0 * edge.end(), within bound * t0 * far;
+        /// turns by then
+        edge_turns: a.angle(far) / TAU, "-", "string simulated" => edge.angle(edge.end())? / TAU, within bound * a.angle(far) / hole;
+        /// force there
+        edge_force: force * a.force(far), "N", "string simulated" => force * edge.tension(edge.end())?, within 100.0 * bound * force * a.force(far) / hole;
+        /// wrong: angle of a solver that keeps the speed
+        naive_angle: keeping, "rad", "that solver" => naive, within 1e-11 * (1.0 + keeping);
+    }
+}
+
+/// A slow pull, a fast one, a short one.
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
+    let half = |pull: f64| Pulled::new(pull, 0.1, 1e-13, 0.5 / pull);
+    let (slow, fast, short) = (half(0.01)?, half(100.0)?, Answer { pull: 1e-6 });
+    let [slowly, quickly] = [slow.at(50.0)?, fast.at(0.005)?];
+    limits! { report,
+        /// what is kept by a slow change of an oscillator: energy over frequency
+        "s = u/100, half the radius: K r^2 over the start": 0.5 * energy(&slowly) => 1.0, within 1e-4;
+        /// twice the speed, on the circle that is then its path
+        "s = u/100, half the radius: F r/(2 K)": 0.25 * slow.tension(50.0)? / energy(&slowly) => 1.0, within 1e-4;
+        /// the particle goes straight in
+        "s = 100 u, half the radius: angle s/u": 100.0 * fast.angle(0.005)? => 1.0, within 1e-9;
+        /// but the angular momentum is not less for that
+        "s = 100 u, half the radius: speed across the string": across(&quickly) => 2.0, within 1e-9;
+        /// at the start: work is force times way
+        "short pull: work/(F s t)": short.work(1e-3) / 1e-9 => 1.0, within 2e-9;
+    }
+}
+
+/// A nylon line of 1 mm (3 GPa, 1150 kg/m^3) over an edge with mu = 0.2, and an air table.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, end, _) = scene(p)?;
+    let (r, area) = (a.radius(end), 0.5e-6 * FRAC_PI_2);
+    let force = p.mass * p.speed * p.speed / p.radius * a.force(end);
+    let edge = exp(0.2 * FRAC_PI_2) - 1.0;
+    let unit = p.radius / (p.speed * p.speed);
+    // Friction turns against the path, the part of it across the string takes angular momentum.
+    let rubbed = 0.001 * 9.80665 * unit * 0.5 * end * (1.0 + r);
+    let stretch = force / (3e9 * area);
+    let string = 1150.0 * area * p.radius * r / p.mass;
+    let earth = 7.292e-5 * p.radius / p.speed * (1.0 - r * r);
+    effect_card! { report,
+        "friction at the edge of the hole": "exp(mu pi/2) - 1" = edge, costs edge, "of the force of the hand";
+        "friction of an air table": "mu_k g <r> t/(u r0)" = rubbed, costs 2.0 * rubbed, "of F, at most";
+        "stretch of the string": "F/(E A)" = stretch, costs 2.0 * stretch, "of the angular velocity";
+        "mass of the string": "m_s/m" = string, costs 0.5 * string, "of F at the hole, at most";
+        "turning of the Earth, at a pole": "Omega_E (r0^2 - r^2)/(r0 u)" = earth, costs earth, "of the angular velocity";
+    }
+}
+
+/// The accuracy strip: the place when the pull ends.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, end, hole) = scene(p)?;
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    let (s, c) = sincos(a.angle(end));
+    let r = a.radius(end);
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, rotation_dynamics::Error>([
+            a.radius(part * end),
+            a.angle(part * end),
+            a.force(part * end),
+        ])
+    }));
+    report.dial(
+        "DOP853, error of a step",
+        asked,
+        move |step| Pulled::new(a.pull, hole, step, end),
+        Pulled::work,
+        move |run| {
+            let [x, y, _] = run.at(end)?.q;
+            Ok(hypot(x - r * c, y - r * s) / r)
+        },
+    )
+}
+
+example! {
+    ch15_ex8_string: "Exercise 15.8: a particle circles on a string that is pulled in through a hole";
+    "A string pulled in", "A particle on a smooth table circles on a string that is pulled in at a constant rate.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

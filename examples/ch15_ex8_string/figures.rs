@@ -1,0 +1,250 @@
+//! The drawings of exercise 15.8; lengths in r0, speeds in u.
+
+use super::*;
+
+/// The pull of the page, as the figures show it.
+const PULL: f64 = 1.0 / 15.0;
+
+/// The place at a time.
+fn place(a: Answer, t: f64) -> (f64, f64) {
+    let ((s, c), r) = (sincos(a.angle(t)), a.radius(t));
+    (r * c, r * s)
+}
+
+/// Over the length of string that is left.
+fn lengths() -> Sweep {
+    Sweep::over("$r/r_0$", 0.25, 1.0).at([0.3, 0.4, 0.55, 0.7, 0.85])
+}
+
+/// What the simulation of the pull says where this much of the string is left.
+fn pulled(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
+    move |r| {
+        let t = (1.0 - r) / PULL;
+        let state = Pulled::new(PULL, 0.1, 1e-9, t)?.at(t)?;
+        Ok(of(energy(&state), radius(&state) * across(&state)))
+    }
+}
+
+/// The same for a post of a fiftieth of the radius, on which the string winds.
+fn wound(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
+    move |free| {
+        let [place, velocity] = wound_up(0.02, free)?;
+        let momentum = place.x() * velocity.y() - place.y() * velocity.x();
+        Ok(of(0.5 * velocity.dot(&velocity), momentum))
+    }
+}
+
+figures! { _: &Parameters;
+    /// A smooth table with a hole in its middle. A particle m circles about the hole on a
+    /// string of the length r0 with the speed u; the string goes down through the hole, where
+    /// a hand pulls it with the speed s.
+    setup: {
+        let at = |x: f64, y: f64, z: f64| SpaceVector::new(x, y, z);
+        let circle = |from, to| times(from, to, 60).map(move |t| at(cos(t), sin(t), 0.0));
+        let (o, m, low) = (SpaceVector::zero(), at(cos(-0.6), sin(-0.6), 0.0), at(0.0, 0.0, -0.75));
+        View::of(at(0.0, 0.0, -0.25), 1.0)
+            .size(340, 240)
+            .ground(o, 1.3)
+            .dashed(circle(0.0, TAU), Ink::Frame)
+            .line([m, o], Ink::Ink)
+            .dashed([o, low], Ink::Ink)
+            .arrow(low, at(0.0, 0.0, -1.1), Ink::Ink, "$s$", Side::Right)
+            .text(m * 0.5, "$r_0$", Ink::Ink, Side::Above)
+            .ring(o, Ink::Ink, "hole", Side::Above)
+            .arrow(m, m + at(-sin(-0.6), cos(-0.6), 0.0) * 0.55, Ink::Ink, "$u$", Side::Right)
+            .dot(m, Ink::Body, "$m$", Side::Below)
+    };
+
+    /// Kinetic energy over that at the start against the length of string that is left. Through
+    /// a hole it rises as one over the square of the length, to sixteen at a quarter. On a post
+    /// it stays at one. Dots: simulated.
+    energy: lengths().panel(Axis::linear("$K/K_0$").range(0.0, 16.0))
+        .curve(lengths().exact(|r| 1.0 / (r * r) + PULL * PULL).label_at("hole", 0.4, 7.5, Side::Right))
+        .curve(lengths().exact(|_| 1.0).label_at("post", 0.36, 1.0, Side::Above))
+        .curve(lengths().simulated(pulled(|energy, _| 2.0 * energy))?)
+        .curve(lengths().simulated(wound(|energy, _| 2.0 * energy))?);
+
+    /// Angular momentum about the hole, or the post, over that at the start against the length
+    /// of string that is left. Through a hole it stays at one, on a post it falls in proportion
+    /// to the length. Dots: simulated.
+    momentum: lengths().panel(Axis::linear("$L/L_0$").range(0.0, 1.2))
+        .curve(lengths().exact(|_| 1.0).label_at("hole", 0.5, 1.0, Side::Above))
+        .curve(lengths().exact(|r| r).label_at("post", 0.6, 0.6, Side::BelowRight))
+        .curve(lengths().simulated(pulled(|_, momentum| momentum))?)
+        .curve(lengths().simulated(wound(|_, momentum| momentum))?);
+
+    /// A piece of the inward spiral of the particle. Its velocity leans a little inward from
+    /// the direction at right angles to the string, and the pull of the string, towards the
+    /// hole, makes with it an angle of less than a right angle.
+    power: {
+        let a = Answer { pull: 0.35 };
+        let (o, m) = ((0.0, 0.0), place(a, 0.8));
+        let (s, c) = sincos(a.angle(0.8));
+        let (v, tip) = (a.across(0.8), |x: f64, y: f64| (m.0 + 0.42 * x, m.1 + 0.42 * y));
+        let corner = tip(-v * s, v * c);
+        Sketch::within((-0.6, 1.25), (-0.25, 1.2))
+            .guide(times(0.0, 1.55, 90).map(|t| place(a, t)))
+            .string(m, o, "", Side::Above)
+            .ring(o, Ink::Ink, "hole", Side::Below)
+            .guide([m, corner])
+            .guide([corner, tip(-v * s - 0.35 * c, v * c - 0.35 * s)])
+            .right_angle(m, o, corner)
+            .arrow_along([m, tip(-v * s - 0.35 * c, v * c - 0.35 * s)], Ink::Ink)
+            .text(tip(-v * s - 0.35 * c, v * c - 0.35 * s), "$v$", Ink::Ink, Side::Left)
+            .text(tip(-0.55 * v * s, 0.55 * v * c), "$r_0u/r$", Ink::Ink, Side::Right)
+            .text(corner, "$s$", Ink::Ink, Side::Above)
+            .arrow_along([m, tip(-0.9 * c, -0.9 * s)], Ink::Force)
+            .text(tip(-0.8 * c, -0.8 * s), "$F$", Ink::Force, Side::Below)
+            .weight(m, 0.035, "$m$")
+    };
+
+    /// From the place where the pull ends the particle flies straight on and the string is
+    /// slack. The flight is a chord of the circle with the radius r; where it meets the circle
+    /// the string is taut again, and the particle goes on along the circle.
+    stop: {
+        let (a, end) = (Answer { pull: 0.5 }, 1.0);
+        let (start, turned) = (a.angle(end), 2.0 * atan2(0.5, a.across(end)));
+        let arc = |from, to| times(from, to, 60).map(|t| (0.5 * cos(t), 0.5 * sin(t)));
+        let (from, to) = (place(a, end), (0.5 * cos(start + turned), 0.5 * sin(start + turned)));
+        Sketch::within((-0.75, 0.85), (-0.62, 0.78))
+            .guide(arc(0.0, TAU))
+            .curve(Curve::new(times(end - 0.6, end, 90).map(|t| place(a, t)), Ink::Body))
+            .curve(Curve::new([from, to], Ink::Body))
+            .arrow_along(arc(start + turned, start + turned + 1.6), Ink::Body)
+            .string(from, (0.0, 0.0), "$r$", Side::Above)
+            .string(to, (0.0, 0.0), "", Side::Above)
+            .dot(from, Ink::Body, "held", Side::Left)
+            .dot(to, Ink::Body, "taut", Side::Below)
+            .ring((0.0, 0.0), Ink::Ink, "", Side::Right)
+    };
+}
+
+/// A particle with the speed 1 on a string of the free length 1, when this much of it is left
+/// that is not wound on a post of this radius.
+pub fn wound_up(post: f64, free: f64) -> Result<[SpaceVector; 2]> {
+    use rotation_dynamics::integrators::place_and_velocity;
+    let start = [1.0, -post, 0.0, 0.0, 1.0, 0.0];
+    // The free part turns at 1/l and winds up at post/l.
+    let end = 0.5 * (1.0 - free * free) / post;
+    Ok(place_and_velocity(&after(
+        end,
+        &on_post(post),
+        &start,
+        1e-12,
+    )?))
+}
+
+/// From half a unit before the pull to a while after it.
+struct Whole {
+    run: Pulled,
+    held: Pulled,
+    end: f64,
+    last: f64,
+}
+
+impl Whole {
+    fn new(p: &Parameters) -> Result<Self> {
+        let (a, end, hole) = scene(p)?;
+        let run = Pulled::new(a.pull, hole, p.tolerance, end)?;
+        let r = a.radius(end);
+        let rest = (4.0 * r * a.pull / (a.pull * a.pull + 1.0 / (r * r))).max(TAU * r * r);
+        let held = Pulled::held(run.at(end)?, p.tolerance, rest)?;
+        let last = end + rest;
+        Ok(Self {
+            run,
+            held,
+            end,
+            last,
+        })
+    }
+
+    fn at(&self, t: f64) -> Result<([f64; 2], [f64; 2], f64)> {
+        let (state, force) = if t <= self.end {
+            (self.run.at(t)?, self.run.tension(t)?)
+        } else {
+            (
+                self.held.at(t - self.end)?,
+                self.held.tension(t - self.end)?,
+            )
+        };
+        let ([x, y, _], [vx, vy, _]) = (state.q, state.v);
+        Ok(([x, y], [vx, vy], force))
+    }
+}
+
+/// That motion for `--csv`.
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed);
+    let columns = ["t [s]", "x [m]", "y [m]", "vx [m/s]", "vy [m/s]", "F [N]"];
+    let newton = p.mass * p.speed / unit;
+    Trajectory::sampled(columns, times(-0.5, whole.last, 600), |t| {
+        let ([x, y], [vx, vy], force) = whole.at(t)?;
+        Ok([
+            t * unit,
+            x * p.radius,
+            y * p.radius,
+            vx * p.speed,
+            vy * p.speed,
+            force * newton,
+        ])
+    })
+}
+
+/// That motion, with the pull of the string.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed);
+    let (last, newton) = (whole.last, p.mass * p.speed / unit);
+    let most = whole.at(whole.end)?.2;
+    let (end, taut) = (whole.end, whole.held.event("knot touches")?.1);
+    // The force falls to nothing and comes back at once.
+    let slack = times(end + 1e-9, end + taut, 2);
+    let instants = times(-0.5, end, 200)
+        .chain(slack)
+        .chain(times(end + taut + 1e-9, last, 20));
+    let force = sampled(instants, |t| Ok((t * unit, newton * whole.at(t)?.2)))?;
+    let graph = Panel::over_axes(
+        "$t$ / s",
+        Axis::linear("$F$ / N").range(0.0, 1.1 * newton * most),
+    )
+    .curve(Curve::new(force, Ink::Force));
+    let stills = [0.02, 0.9 * end, end + 0.5 * taut].map(|t| t * unit);
+    MovingPicture::above(graph, -0.5 * unit..=last * unit, stills, move |t| {
+        let now = (t / unit).min(last);
+        let ([x, y], [vx, vy], force) = whole.at(now)?;
+        let path = sampled(times(-0.5, now, 400), |t| Ok(whole.at(t)?.0.into()))?;
+        let what = match now > whole.end {
+            true => "after the hand has stopped",
+            false => "after the beginning of the pull",
+        };
+        let since = if now > whole.end {
+            now - whole.end
+        } else {
+            now
+        } * unit;
+        let alt = format!(
+            "The particle {since:.2} s {what}, with its path, its velocity and the pull of the \
+             string; below, this force against time: it grows, and is nothing while the string is slack."
+        );
+        let pull = 0.3 * force / most;
+        let (far, taut) = (hypot(x, y), force > 0.0);
+        let mut scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);
+        scene = match taut {
+            true => scene.string((x, y), (0.0, 0.0), "", Side::Above),
+            false => scene.guide([(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), (0.0, 0.0)]),
+        };
+        let scene = scene
+            .ring((0.0, 0.0), Ink::Ink, "", Side::Below)
+            .arrow_along([(x, y), (x + 0.2 * vx, y + 0.2 * vy)], Ink::Ink)
+            .weight((x, y), 0.045, "");
+        Ok((
+            alt,
+            match taut {
+                true => scene.arrow_along(
+                    [(x, y), (x - pull * x / far, y - pull * y / far)],
+                    Ink::Force,
+                ),
+                false => scene,
+            },
+        ))
+    })
+}

@@ -1,0 +1,180 @@
+//! A particle on a table, on a string through a hole: Newton's law in the plane, with the string
+//! as what cannot be longer than it is. Mass, first radius and first speed are 1.
+
+use core::f64::consts::TAU;
+use rotation_dynamics::Result;
+use rotation_dynamics::integrators::{Dop853, Work};
+use rotation_dynamics::math::{atan2, hypot, sincos};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+
+/// The string on the table: a knot at the hole lets no more of it out, a hand takes it in.
+#[derive(Debug, Clone, Copy)]
+pub struct Pull {
+    /// How much of it the knot leaves.
+    pub knot: f64,
+    /// How much the hand leaves when the clock shows zero.
+    pub hand: f64,
+    /// Speed of the hand.
+    pub speed: f64,
+    /// Radius of the hole.
+    pub hole: f64,
+}
+
+// ANCHOR: string
+/// Coordinates: the particle, and a clock.
+impl Mechanism<3, 6, 2> for Pull {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    }
+
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0; 3]
+    }
+
+    fn contacts(&self, State { q, v }: &State<3>) -> [Contact<3>; 2] {
+        let ([x, y, clock], r) = (*q, hypot(q[0], q[1]));
+        let across = (x * v[1] - y * v[0]) / r;
+        // Taut when the length that is left is the distance from the middle of the hole.
+        let taut = |name, left: f64| {
+            let inward = [-x / r, -y / r, 0.0];
+            Contact::new(name, left - r, inward, -across * across / r)
+        };
+        let hand = taut("hand", self.hand - self.speed * clock);
+        [taut("knot", self.knot), hand.rising(self.speed, 0.0)]
+    }
+    // ANCHOR_END: string
+
+    fn end(&self, State { q, .. }: &State<3>) -> Option<(&'static str, f64)> {
+        Some(("edge", hypot(q[0], q[1]) - self.hole))
+    }
+
+    fn scale(&self, State { q, .. }: &State<3>) -> State<3> {
+        let r = hypot(q[0], q[1]);
+        State {
+            q: [r, r, 1.0],
+            v: [1.0 / r, 1.0 / r, 1.0],
+        }
+    }
+}
+
+/// How long the particle circles before the hand pulls.
+pub const BEFORE: f64 = 0.5;
+
+/// A motion; the hand pulls from the time 0 on.
+pub struct Pulled {
+    motion: Motion<Pull, 3, 6, 2>,
+    before: f64,
+}
+
+impl Pulled {
+    /// The circle, and the pull at this speed, up to the time `end` or the edge of the hole.
+    pub fn new(speed: f64, hole: f64, step: f64, end: f64) -> Result<Self> {
+        let (s, c) = sincos(BEFORE);
+        let start = State {
+            q: [c, -s, -BEFORE],
+            v: [s, c, 1.0],
+        };
+        let [knot, hand] = [1.0, 1.0];
+        let pull = Pull {
+            knot,
+            hand,
+            speed,
+            hole,
+        };
+        let motion = motion(pull, &Dop853::new(step)?, start, BEFORE + end)?;
+        let before = BEFORE;
+        Ok(Self { motion, before })
+    }
+
+    /// The motion from this state on when the string is held, for a while.
+    pub fn held(start: State<3>, step: f64, end: f64) -> Result<Self> {
+        let knot = hypot(start.q[0], start.q[1]);
+        // The hand is out of reach, the hole too.
+        let [hand, speed, hole] = [2.0, 0.0, 0.0];
+        let pull = Pull {
+            knot,
+            hand,
+            speed,
+            hole,
+        };
+        let motion = motion(pull, &Dop853::new(step)?, start, end)?;
+        Ok(Self {
+            motion,
+            before: 0.0,
+        })
+    }
+
+    /// The state just before and just after the event of this name, and when it was.
+    pub fn event(&self, name: &'static str) -> Result<([State<3>; 2], f64)> {
+        let event = self.motion.event(name)?;
+        Ok(([event.before, event.after], event.t - self.before))
+    }
+
+    /// The state at this time.
+    pub fn at(&self, t: f64) -> Result<State<3>> {
+        self.motion
+            .at((t + self.before).clamp(0.0, self.motion.end_time()))
+    }
+
+    /// The tension at this time.
+    pub fn tension(&self, t: f64) -> Result<f64> {
+        let time = (t + self.before).clamp(0.0, self.motion.end_time());
+        Ok(self
+            .motion
+            .forces(time)?
+            .iter()
+            .map(|force| force.normal)
+            .sum())
+    }
+
+    /// When it ends.
+    pub fn end(&self) -> f64 {
+        self.motion.end_time() - self.before
+    }
+
+    /// The angle from the time 0 to `t`, in small steps.
+    pub fn angle(&self, t: f64) -> Result<f64> {
+        let (mut angle, mut last) = (0.0, self.at(0.0)?.q);
+        let fastest = across(&self.at(t)?) / radius(&self.at(t)?);
+        let count = 1 + (2.0 * fastest * t) as u32;
+        for k in 1..=count {
+            let next = self.at(t * f64::from(k) / f64::from(count))?.q;
+            angle += atan2(
+                last[0] * next[1] - last[1] * next[0],
+                last[0] * next[0] + last[1] * next[1],
+            );
+            last = next;
+        }
+        Ok(angle)
+    }
+
+    /// What it cost.
+    pub fn work(&self) -> Work {
+        self.motion.work()
+    }
+}
+
+/// Distance from the middle of the hole.
+pub fn radius(State { q, .. }: &State<3>) -> f64 {
+    hypot(q[0], q[1])
+}
+
+/// Velocity away from the hole.
+pub fn outward(State { q, v }: &State<3>) -> f64 {
+    (q[0] * v[0] + q[1] * v[1]) / hypot(q[0], q[1])
+}
+
+/// Velocity at right angles to the string.
+pub fn across(State { q, v }: &State<3>) -> f64 {
+    (q[0] * v[1] - q[1] * v[0]) / hypot(q[0], q[1])
+}
+
+/// Kinetic energy.
+pub fn energy(State { v, .. }: &State<3>) -> f64 {
+    0.5 * (v[0] * v[0] + v[1] * v[1])
+}
+
+/// The direction of the string at a state, between 0 and a turn.
+pub fn direction(State { q, .. }: &State<3>) -> f64 {
+    atan2(q[1], q[0]).rem_euclid(TAU)
+}

@@ -1,0 +1,118 @@
+//! Exercise 15.8, a string pulled in. That the simulated string confirms the formulas is part of
+//! the report: a claim that differs from its oracle is an error.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch15_ex8_string::pull::{Pulled, across, energy, radius};
+use pages::ch15_ex8_string::*;
+use rotation_dynamics::integrators::{after, place_and_velocity};
+use rotation_dynamics::math::{hypot, sincos};
+use support::{EPS, Errors};
+
+#[test]
+fn the_instances_of_the_notes_come_out() {
+    let mut errors = Errors::in_units_of(EPS, "instances, relative");
+    let instances = [
+        ("force", 2.304),
+        ("angular_velocity", 4.8),
+        ("speed", 5.77_f64.sqrt()),
+        ("angle", 9.0),
+        ("work", 0.351),
+    ];
+    for (key, instance) in instances {
+        errors.add(value(&EXAMPLE, key), instance, instance);
+    }
+    errors.attain(2.84..=2.85, 5);
+}
+
+#[test]
+fn other_strings_are_confirmed() {
+    let runs = [
+        "--pull=1 --time=0.5",
+        "--pull=10 --time=0.07",
+        "--pull=0.01 --time=30",
+        "--speed=30 --mass=5 --pull=0.5 --time=1",
+        "--hole=0.01",
+        "--tolerance=1e-6",
+    ];
+    confirmed(&EXAMPLE, runs, 6);
+}
+
+#[test]
+fn what_cannot_be_pulled_is_refused() {
+    let runs = [
+        ("--radius=-0.8", "radius = -0.8 is not allowed"),
+        ("--pull=0", "pull = 0 is not allowed"),
+        ("--time=7.6", "what is left of the string, = 0.04"),
+        ("--hole=0.9", "hole/radius = 1.125"),
+        ("--pull=400 --time=1e-3", "pull/speed = 266.6"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Forty times up to the edge of the hole: the simulation runs along the spiral, the string
+/// pulls, and the angular momentum stays.
+#[test]
+fn the_spiral_and_the_tension() {
+    let (mut path, mut force) = (Errors::of("place over r"), Errors::of("force, relative"));
+    let (mut momentum, mut damaged) = (Errors::of("angular momentum"), Errors::of("speed kept"));
+    let a = Answer { pull: 0.1 };
+    let run = Pulled::new(0.1, 0.05, 1e-14, 9.5).unwrap();
+    for k in 1..=40 {
+        let t = 9.4 / 40.0 * f64::from(k);
+        let (state, r, (s, c)) = (run.at(t).unwrap(), a.radius(t), sincos(a.angle(t)));
+        path.push(hypot(state.q[0] - r * c, state.q[1] - r * s) / r);
+        let tension = run.tension(t).unwrap();
+        assert!(tension > 1.0);
+        force.add(tension, a.force(t), a.force(t));
+        momentum.push(radius(&state) * across(&state) - 1.0);
+        damaged.push(r * 1.0 - 1.0);
+    }
+    path.attain(1.43e-9..=1.44e-9, 40);
+    force.attain(3.02e-11..=3.03e-11, 40);
+    momentum.attain(1.64e-13..=1.65e-13, 40);
+    damaged.exceed(0.02, 40);
+}
+
+/// The work of the simulated tension along the way of the hand, by Simpson's rule.
+#[test]
+fn the_work_is_the_energy_gained() {
+    let (mut errors, mut damaged) = (Errors::of("work less gain"), Errors::of("first force all the way"));
+    for pull in [0.03, 1.0 / 15.0, 0.3, 2.0] {
+        let (end, n) = (0.5 / pull, 400);
+        let run = Pulled::new(pull, 0.1, 1e-14, end).unwrap();
+        let part = |k: i32| {
+            let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
+            weight * run.tension(end * f64::from(k) / f64::from(n)).unwrap() * pull
+        };
+        let work = (0..=n).map(part).sum::<f64>() * end / f64::from(3 * n);
+        // After the jerk the particle has the energy of both velocities.
+        let gain = energy(&run.at(end).unwrap()) - 0.5 * (1.0 + pull * pull);
+        errors.push(work - gain);
+        damaged.push(pull * end - gain);
+    }
+    errors.attain(5.12e-11..=5.13e-11, 4);
+    damaged.exceed(0.9, 4);
+}
+
+/// On a post the force is at right angles to the velocity: the speed stays, the angular momentum
+/// goes with the free length, whose square falls evenly; the string lets the particle go nowhere
+/// but where its free part is.
+#[test]
+fn a_post_keeps_the_speed_and_not_the_angular_momentum() {
+    let (mut errors, mut damaged) = (Errors::of("post"), Errors::of("angular momentum"));
+    for post in [0.01, 0.1, 0.3] {
+        for part in [0.2, 0.5, 0.8] {
+            let t = 0.5 * part / post;
+            let end = after(t, &on_post(post), &[1.0, -post, 0.0, 0.0, 1.0, 0.0], 1e-14).unwrap();
+            let [place, velocity] = place_and_velocity(&end);
+            let momentum = place.x() * velocity.y() - place.y() * velocity.x();
+            let free = string_on_post(post, place);
+            errors.push(velocity.norm() - 1.0);
+            errors.push(momentum - free.norm());
+            errors.push(free.dot(&free) - (1.0 - part));
+            damaged.push(momentum - 1.0);
+        }
+    }
+    errors.attain(1.11e-13..=1.12e-13, 27);
+    damaged.exceed(0.1, 9);
+}
