@@ -1,0 +1,409 @@
+//! Section 16.1: a cylinder that rolls up an incline and back, and what makes it turn.
+//!
+//! ```text
+//! cargo run --example ch16_1_incline -- --friction 0.1 --check acceleration=-4.05
+//! ```
+
+#[path = "ch16_1_incline/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, Mode, Motion, State, Surface, entry, motion_within,
+};
+use rotation_dynamics::report::prelude::*;
+use rotation_dynamics::report::short;
+
+parameters! {
+    /// The cylinder of the example; the notes leave all numbers open.
+    pub struct Parameters {
+        /// inclination of the slope
+        angle: number(FRAC_PI_6, "rad", from_to(1e-3, 1.57).usually(0.05, 1.2));
+        /// mass of the body
+        mass: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.1, 10.0));
+        /// radius of the body
+        radius: number(0.1, "m", from_to(1e-3, 1e3).usually(0.02, 0.5));
+        /// k = I/(m R^2): 1/2 for a cylinder, 2/5 for a ball, 1 for a hoop
+        shape: number(0.5, "-", from_to(1e-3, 1.0).usually(0.1, 1.0));
+        /// coefficient of friction between the body and the slope
+        friction: number(0.5, "-", from_to(0.0, 1e4).usually(0.0, 1.0));
+        /// speed at the start, up the slope, rolling
+        speed: number(2.0, "m/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// relative error asked for, at every event: from 1e-13 to 0.1
+        tolerance: number(1e-12, "-", from_to(1e-13, 0.1));
+    }
+}
+
+/// What ends a run.
+#[derive(Debug, Clone, Copy)]
+pub enum Goal {
+    /// Its time only.
+    Never,
+    /// The highest place.
+    Top,
+    /// So far down the slope from where it began.
+    Down(f64),
+}
+
+/// A round body on a slope, per unit mass: `[x, y, angle]`, up along the slope, at right angles
+/// to it, and counterclockwise; the slope rises to the right, so phi = -angle.
+#[derive(Debug, Clone, Copy)]
+pub struct Roller {
+    pub slope: f64,
+    pub radius: f64,
+    pub shape: f64,
+    pub mu: f64,
+    pub gravity: f64,
+    /// The speed that errors count against.
+    pub speed: f64,
+    /// Arm of the normal force, ahead of the centre while the body rolls up, m.
+    pub arm: f64,
+    /// Drag over the mass, for a unit of speed on the way up, 1/m.
+    pub drag: f64,
+    pub goal: Goal,
+}
+
+// ANCHOR: scene
+impl Mechanism<3, 6, 1> for Roller {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let turning = self.shape * self.radius * self.radius;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
+    }
+
+    fn force(&self, body: &State<3>) -> [f64; 3] {
+        let (along, across) = (
+            self.gravity * sin(self.slope),
+            self.gravity * cos(self.slope),
+        );
+        let drag = self.drag * body.v[0] * body.v[0];
+        [-along - drag, -across, self.arm * across]
+    }
+
+    fn contacts(&self, body: &State<3>) -> [Contact<3>; 1] {
+        [Contact::rim("body", body, self.radius, Surface::FLOOR).friction(self.mu)]
+    }
+    // ANCHOR_END: scene
+
+    fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
+        match self.goal {
+            Goal::Never => None,
+            Goal::Top => Some(("turns", body.v[0])),
+            Goal::Down(length) => Some(("arrives", length + body.q[0])),
+        }
+    }
+
+    fn scale(&self, _: &State<3>) -> State<3> {
+        let (v, r) = (self.speed, self.radius);
+        let length = v * v / self.gravity;
+        State {
+            q: [length, r, length / r],
+            v: [v, v, v / r],
+        }
+    }
+}
+
+/// A motion of the body.
+pub type Roll = Motion<Roller, 3, 6, 1>;
+
+impl Roller {
+    /// The body of these parameters.
+    pub fn new(p: &Parameters) -> Self {
+        let Parameters {
+            angle,
+            radius,
+            shape,
+            friction,
+            gravity,
+            speed,
+            ..
+        } = *p;
+        let (arm, drag, goal) = (0.0, 0.0, Goal::Never);
+        Self {
+            slope: angle,
+            radius,
+            shape,
+            mu: friction,
+            gravity,
+            speed,
+            arm,
+            drag,
+            goal,
+        }
+    }
+
+    /// Rolling up the slope at this speed.
+    pub fn rolling(&self, speed: f64) -> State<3> {
+        State {
+            q: [0.0, self.radius, 0.0],
+            v: [speed, 0.0, -speed / self.radius],
+        }
+    }
+
+    /// The motion from there, at most until `end`.
+    pub fn run(self, goal: Goal, speed: f64, end: f64, tolerance: f64) -> Result<Roll> {
+        let body = Self { goal, ..self };
+        motion_within(body, tolerance, body.rolling(speed), end)
+    }
+
+    // ANCHOR: law
+    /// The coefficient of friction that rolling needs: `k/(1 + k) tan(theta)`.
+    pub fn needed(&self) -> f64 {
+        self.shape / (1.0 + self.shape) * tan(self.slope)
+    }
+
+    /// Friction over the normal force, up the slope: what rolling needs, or all there is.
+    pub fn grip(&self) -> f64 {
+        self.needed().min(self.mu)
+    }
+
+    /// x'', up the slope, of a body that rolls at the start.
+    pub fn acceleration(&self) -> f64 {
+        if self.grip() < self.needed() {
+            return -self.gravity * (sin(self.slope) - self.grip() * cos(self.slope));
+        }
+        -self.gravity * sin(self.slope) / (1.0 + self.shape)
+    }
+
+    /// R phi''.
+    pub fn spinning_up(&self) -> f64 {
+        -self.grip() * self.gravity * cos(self.slope) / self.shape
+    }
+    // ANCHOR_END: law
+
+    /// R phi' over the first speed, and the energy over the first, back at the start.
+    pub fn back(&self) -> [f64; 2] {
+        let spin = 1.0 - 2.0 * self.spinning_up() / self.acceleration();
+        [spin, (1.0 + self.shape * spin * spin) / (1.0 + self.shape)]
+    }
+
+    /// The coefficient of friction with which it comes back without any spin.
+    pub fn worst(&self) -> f64 {
+        self.needed() * (1.0 + self.shape) / (2.0 + self.shape)
+    }
+
+    /// The same, simulated.
+    pub fn run_back(self, tolerance: f64) -> Result<[f64; 2]> {
+        let end = -2.0 * self.speed / self.acceleration();
+        let State {
+            v: [vx, _, rate], ..
+        } = self.run(Goal::Never, self.speed, end, tolerance)?.at(end)?;
+        let (speed, spin) = (vx / self.speed, -rate * self.radius / self.speed);
+        Ok([
+            spin,
+            (speed * speed + self.shape * spin * spin) / (1.0 + self.shape),
+        ])
+    }
+
+    /// Time down a length of the slope, from rest; closed form and located.
+    pub fn race(self, length: f64, tolerance: f64) -> Result<[f64; 2]> {
+        let time = (-2.0 * length / self.acceleration()).sqrt();
+        let run = self.run(Goal::Down(length), 0.0, 2.0 * time, tolerance)?;
+        Ok([time, run.event("arrives")?.t])
+    }
+}
+
+/// The least coefficient of friction with which the solver lets the body stick: by bisection.
+pub fn holds_from(body: Roller) -> Result<f64> {
+    let (mut slips, mut sticks) = (0.0, 2.0 * body.needed());
+    for _ in 0..60 {
+        let mu = 0.5 * (slips + sticks);
+        let there = Roller { mu, ..body };
+        let ([mode], _) = entry(&there, there.rolling(body.speed))?;
+        *(if mode == Mode::Stick {
+            &mut sticks
+        } else {
+            &mut slips
+        }) = mu;
+    }
+    Ok(sticks)
+}
+
+/// A body with this `k` that does not slip; with 0, a block without friction.
+pub fn gripping(p: &Parameters, shape: f64) -> Roller {
+    let (shape, mu) = if shape == 0.0 {
+        (1.0, 0.0)
+    } else {
+        (shape, tan(p.angle))
+    };
+    Roller {
+        shape,
+        mu,
+        ..Roller::new(p)
+    }
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (body, m, g, v) = (Roller::new(p), p.mass, p.gravity, p.speed);
+    let ((s, c), k, a) = (sincos(p.angle), p.shape, body.acceleration());
+    let (top, bound) = (-v / a, 8.0 * p.tolerance);
+    let up = body.run(Goal::Top, v, 2.0 * top, p.tolerance)?;
+    let (turns, whole) = (
+        up.event("turns")?,
+        body.run(Goal::Never, v, 2.0 * top, p.tolerance)?,
+    );
+    let force = |part: f64| Ok::<_, rotation_dynamics::Error>(whole.forces(part * top)?[0]);
+    let (rising, falling) = (force(0.3)?, force(1.7)?);
+    let (rubbing, pressing, needed) = (m * g * c * body.grip(), m * g * c, body.needed());
+    let ([spin, kept], [ran_spin, ran_kept]) = (body.back(), body.run_back(p.tolerance)?);
+    let worst = Roller {
+        mu: body.worst(),
+        ..body
+    };
+    let [worst_spin, worst_kept] = worst.run_back(p.tolerance)?;
+    let [[ball, ball_ran], [cylinder, cylinder_ran], [hoop, hoop_ran]] = {
+        let race = |shape| gripping(p, shape).race(1.0, p.tolerance);
+        [race(0.4)?, race(0.5)?, race(1.0)?]
+    };
+    claims! { report,
+        /// acceleration, up the slope
+        acceleration: a, "m/s^2", "located event" => -v / turns.t, within -bound * a, in "Up and back":
+            -g * s => "that slides without friction; the energy of the rotation counts too",
+            -g * c / (1.0 + k) => "the height is x times the sine",
+            g * s / (1.0 + k) => "x is counted up the slope";
+        /// distance to the highest place
+        distance: -0.5 * v * v / a, "m", "located event" => turns.before.q[0], within -bound * v * v / a, in "Up and back":
+            0.5 * v * v / (g * s) => "that slides without friction";
+        /// time to the highest place
+        t_top: top, "s", "located event" => turns.t, within bound * top, in "Up and back";
+        /// friction, up the slope, on the way up
+        friction_up: rubbing, "N", "contact solver" => m * rising.tangential, within bound * m * g, in "The forces":
+            -rubbing => "which way does it change the spin?",
+            m * g * c * p.friction => "that is the most there can be",
+            m * g * s => "then it would not slow down";
+        /// friction, up the slope, on the way down
+        friction_down: rubbing, "N", "contact solver" => m * falling.tangential, within bound * m * g, in "The forces":
+            -rubbing => "which way does it change the spin?";
+        /// normal force
+        normal: pressing, "N", "contact solver" => m * rising.normal, within bound * m * g, in "The forces":
+            m * g => "that is the weight";
+        /// least coefficient of friction for rolling
+        mu_min: needed, "-", "bisection of the modes" => holds_from(body)?, within 1e-9 * needed + 1e-11, in "The forces":
+            tan(p.angle) => "that is for a body that does not turn";
+        /// R phi' over the first speed, back at the start
+        spin_back: spin, "-", "simulated" => ran_spin, within bound * (1.0 + spin.abs());
+        /// energy over the first, back at the start
+        energy_back: kept, "-", "simulated" => ran_kept, within 2.0 * bound * (1.0 + spin * spin);
+        /// coefficient of friction with which most energy is lost
+        mu_worst: worst.mu, "-", "no spin is left: simulated" => worst.mu * (1.0 + worst_spin), within bound * worst.mu;
+        /// the part of the energy lost then
+        lost_worst: k / (1.0 + k), "-", "simulated" => 1.0 - worst_kept, within bound;
+        /// a ball, from rest: time down 1 m
+        race_ball: ball, "s", "located event" => ball_ran, within bound * ball;
+        /// a cylinder
+        race_cylinder: cylinder, "s", "located event" => cylinder_ran, within bound * cylinder, in "The race":
+            ball => "that is the ball";
+        /// a hoop
+        race_hoop: hoop, "s", "located event" => hoop_ran, within bound * hoop;
+    }
+}
+
+/// Bodies of known shape, on slopes without friction and too steep to roll on.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let over = |body: Roller| -> Result<f64> {
+        let (v, sine) = (body.speed, body.gravity * sin(body.slope));
+        let up = body.run(Goal::Top, v, 10.0 * v / sine, 1e-12)?;
+        Ok(v / (up.event("turns")?.t * sine))
+    };
+    let (plain, steep) = (gripping(p, p.shape), FRAC_PI_2 - 1e-3);
+    let near = |part| Roller {
+        mu: part * plain.needed(),
+        ..plain
+    };
+    let ice = Roller { mu: 0.0, ..plain };
+    limits! { report,
+        /// all mass on the axis: it slides like a block
+        "k = 1e-9: -x''/(g sin)": over(gripping(p, 1e-9))? => 1.0, within 2e-9;
+        /// a hoop has as much energy in its turning as in its going
+        "k = 1: -x''/(g sin)": over(gripping(p, 1.0))? => 0.5, within 1e-11;
+        /// no friction: it slides, and keeps its spin
+        "mu = 0: -x''/(g sin)": over(ice)? => 1.0, within 1e-11;
+        /// nothing has changed the spin
+        "mu = 0: spin on return over the first": ice.run_back(1e-12)?[0] => 1.0, within 1e-11;
+        /// just below the threshold it still goes as if it rolled
+        "mu = 0.9999999 mu_min: -(1 + k) x''/(g sin)":
+            (1.0 + p.shape) * over(near(0.999_999_9))? => 1.0, within 1e-6;
+        /// all but upright, nothing presses and nothing rubs
+        "theta = pi/2 - 0.001, mu = 0.5: -x''/g":
+            over(Roller { slope: steep, mu: 0.5, shape: 0.5, ..plain })? => 1.0 - 5e-4, within 1e-6;
+    }
+}
+
+/// Arm of the normal force, 0.2 mm, and drag over the mass, for a cylinder of wood (700 kg/m^3,
+/// C = 1) in air: `rho C (2 R l)/(2 m)` with its length l.
+pub fn resisting(p: &Parameters) -> [f64; 2] {
+    [2e-4, 1.204 / (700.0 * PI * p.radius)]
+}
+
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (body, [arm, drag]) = (Roller::new(p), resisting(p));
+    let (v, sliding) = (p.speed, body.grip() < body.needed());
+    let (arm, drag) = (
+        arm / (p.radius * tan(p.angle)),
+        drag * v * v / (p.gravity * sin(p.angle)),
+    );
+    let thick = Roller {
+        mu: body.mu * 0.99,
+        ..body
+    }
+    .acceleration()
+        / body.acceleration()
+        - 1.0;
+    effect_card! { report,
+        "slipping": "mu_min/mu" = body.needed() / p.friction.max(1e-300), costs thick, "of x'' for 1 % less mu", included;
+        "rolling resistance, arm 0.2 mm": "b/(R tan)" = arm, costs if sliding { 0.0 } else { arm }, "of the distance";
+        "drag of the air, a cylinder of wood": "rho C l v^2/(m g sin)" = drag, costs 0.5 * drag, "of the distance";
+    }
+}
+
+/// Bodies that roll, in the order in which they arrive.
+fn race(p: &Parameters) -> Result<Table> {
+    let columns = "body, k, -x''/(g sin), mu_min/tan, down 1 m / s";
+    let mut table = Table::new("race", columns.split(", "))?;
+    let bodies = [
+        ("block without friction", 0.0),
+        ("ball", 0.4),
+        ("cylinder", 0.5),
+        ("thin spherical shell", 2.0 / 3.0),
+        ("hoop", 1.0),
+    ];
+    for (name, k) in bodies {
+        let (over, share) = (1.0 / (1.0 + k), k / (1.0 + k));
+        let [_, time] = gripping(p, k).race(1.0, p.tolerance)?;
+        let numbers = [k, over, share, time].map(|x| short(x, 4));
+        table.push(core::iter::once(name.to_string()).chain(numbers))?;
+    }
+    Ok(table)
+}
+
+/// The accuracy strip: up and back.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (body, v) = (Roller::new(p), p.speed);
+    let end = -2.0 * v / body.acceleration();
+    let run = move |tolerance| body.run(Goal::Never, v, end, tolerance);
+    let error = move |run: &Roll| {
+        let State { q, v: [back, ..] } = run.at(end)?;
+        Ok(largest([q[0] / (v * end), back / v + 1.0]))
+    };
+    report.dial(
+        "contact by DOP853",
+        [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13],
+        run,
+        Roll::work,
+        error,
+    )?;
+    report.set_closed_form(ClosedForm::new(move |part| {
+        let t = part * end;
+        Ok::<_, rotation_dynamics::Error>((v + 0.5 * body.acceleration() * t) * t)
+    }));
+    report.add(race(p)?)
+}
+
+example! {
+    ch16_1_incline: "Section 16.1: a cylinder that rolls up an incline and back";
+    "Rolling on an incline", "A round body rolls up a slope, stops, and rolls back.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
