@@ -124,7 +124,7 @@ struct Felt {
 /// A run that delivered, or the least error that was reached; or runs that differ more than
 /// the condition lets them.
 enum Outcome {
-    Delivered(Delivered),
+    Delivered(Box<Delivered>),
     Reached(f64),
     Unlike,
 }
@@ -177,7 +177,7 @@ impl<'p> Stepping<'p> {
                 Ok(Outcome::Delivered(delivered)) => {
                     return Ok(Delivered {
                         work: self.work,
-                        ..delivered
+                        ..*delivered
                     });
                 }
                 Ok(Outcome::Unlike) => {
@@ -471,7 +471,7 @@ impl<'p> Stepping<'p> {
                         + floors[n]
                         + precision * swept * (1.0 + conditions[n])
                 });
-                return Ok(Outcome::Delivered(Delivered {
+                return Ok(Outcome::Delivered(Box::new(Delivered {
                     method,
                     level: run.level,
                     precision,
@@ -482,7 +482,7 @@ impl<'p> Stepping<'p> {
                     estimate: [verdict.estimate + left(precision), momentum, rates],
                     condition: conditions,
                     longest_step: run.longest_step,
-                }));
+                })));
             }
             stuck = if verdict.estimate < 0.5 * best {
                 0
