@@ -22,6 +22,7 @@ use rotation_dynamics::exact::jacobi::Jacobi;
 use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, ode, small_frequency};
+use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin};
 use rotation_dynamics::report::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::scene::Scene;
@@ -278,6 +279,9 @@ pub fn small_motions_measured(moments: [f64; 3], rate: f64) -> Result<[f64; 3]> 
 fn tumble(p: &Parameters) -> Result<Tumble> {
     let edges = [p.length, p.width, p.thickness];
     let moments = box_moments(p.mass, edges);
+    // Their products must be doubles.
+    from_to(1e-15, 1e15).check("I2", moments[1])?;
+    from_to(1e-15, 1e15).check("rate", p.rate)?;
     let gaps = [moments[0] / moments[1], moments[1] / moments[2]];
     if gaps
         .iter()

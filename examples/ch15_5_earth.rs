@@ -19,16 +19,16 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, ode};
 use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, hypot, round_even, sin, tan};
-use rotation_dynamics::report::{Report, Trajectory, times};
+use rotation_dynamics::report::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::scene::Scene;
 
 rotation_dynamics::parameters! {
     /// The Earth of the notes, as a rigid body with two equal moments.
     pub struct Parameters {
         /// moment of inertia about an axis in the equator, over M R^2
-        a: number(0.329_591, "-", between(0.0, 0.5).usually(0.32, 0.3304));
+        a: number(0.329_591, "-", between(0.01, 0.5).usually(0.32, 0.3304));
         /// moment of inertia about the figure axis, over M R^2
-        c: number(0.330_675, "-", between(0.0, 0.5).usually(0.33, 0.34));
+        c: number(0.330_675, "-", between(0.01, 0.5).usually(0.33, 0.34));
         /// distance of the pole of rotation from the figure axis, on the ground
         wander: number(10.0, "m", above_to(0.0, 1e6).usually(1.0, 20.0));
         /// radius of the Earth
@@ -115,6 +115,7 @@ fn report(p: &Parameters) -> Result<Report> {
     equinoxes::claims(p, &mut report)?;
     limits(p, &mut report)?;
     effects(p, &mut report)?;
+    report.add(tries()?)?;
     strip(p, &mut report)?;
     Ok(report)
 }
@@ -200,6 +201,35 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// a body that yields like a fluid has no figure of its own: nothing calls the pole back
         "k_2 = k_s: rigid/period": 1.0 / (love(k_s * (1.0 - 1e-9))? * flattening(p)?) => 0.0, within 2e-9;
     }
+}
+
+/// The runs that the page asks the reader to predict, each number beside its second route.
+fn tries() -> Result<Table> {
+    let columns = ["run", "free period", "Omega_P/Omega_z", "if it yields"];
+    let mut table = Table::new("tries", columns)?;
+    let [ours, mut disc, mut soft, mut far] = [(); 4].map(|()| Parameters::default());
+    (disc.a, disc.c) = (0.2, 0.4);
+    soft.love = 0.9;
+    far.wander = 1e5;
+    let runs = [
+        ("as it is", ours),
+        ("a flat disc", disc),
+        ("nearly fluid", soft),
+        ("poles far apart", far),
+    ];
+    for (name, p) in runs {
+        let (f, tilt) = (flattening(&p)?, tan(alpha(&p)));
+        let axis = f * turns(&motion(&p)?, p.day / f, FIGURE_AXIS);
+        let routes = [
+            (1.0 / f, circuit(f, alpha(&p), 1e-14)?, 1e-4),
+            (hypot(1.0 + f, tilt), axis, 1e-6),
+            (yielding::period(&p)?, yielding::simulated(&p, 1e-12)?, 1e-2),
+        ];
+        let cells =
+            routes.map(|(x, other, least)| supported_digits(x, (x - other).abs().max(least)));
+        table.push([vec![name.to_string()], cells.to_vec()].concat())?;
+    }
+    Ok(table)
 }
 
 /// The card of effects. What the literature gives is named on the page.

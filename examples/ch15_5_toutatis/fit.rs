@@ -53,6 +53,7 @@ fn difference(
         .collect())
 }
 
+// ANCHOR: gauss
 /// Gauss and Newton: linearise, solve by orthogonal columns, step, until nothing moves.
 pub fn least_squares(
     start: Unknowns,
@@ -84,6 +85,7 @@ pub fn least_squares(
         allowed: "steps of a fit must become small in sixty",
     })
 }
+// ANCHOR_END: gauss
 
 /// The triangle R of the columns (Gram and Schmidt, one at a time) and R^-1 Q^T rest.
 fn solved(columns: &mut [Vec<f64>], rest: &mut [f64]) -> ([[f64; 8]; 8], Unknowns) {

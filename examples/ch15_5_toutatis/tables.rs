@@ -135,8 +135,8 @@ fn unknowns_table(study: &Study) -> Result<Table> {
         "by leaving a day out",
     ];
     let mut table = Table::new("fit", columns)?;
-    let guess = unknowns(&study.start)?;
-    let loose = jackknife(&study.december, &study.start, study.fit.at)?;
+    let guess = unknowns(&study.printed)?;
+    let loose = jackknife(&study.december, &study.printed, study.fit.at)?;
     let turn = 1.0_f64.to_degrees();
     let rows: [(&str, f64); 8] = [
         ("turn about X, deg", turn),

@@ -105,6 +105,7 @@ fn elliptic(mean: f64, e: f64) -> (f64, f64) {
     )
 }
 
+// ANCHOR: hyperbola
 /// The same of a hyperbola, e sinh(H) - H = M.
 fn hyperbolic(mean: f64, e: f64) -> (f64, f64) {
     let mut anomaly = asinh(mean / e);
@@ -120,6 +121,7 @@ fn hyperbolic(mean: f64, e: f64) -> (f64, f64) {
         ((e - 1.0) * (e + 1.0)).sqrt() * sinh(anomaly),
     )
 }
+// ANCHOR_END: hyperbola
 
 /// How long before and after the closest the tide of a flyby is put in.
 pub const HALF: f64 = 20.0 * DAY;

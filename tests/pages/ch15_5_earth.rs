@@ -37,6 +37,7 @@ fn what_does_not_wobble_like_the_earth_is_refused() {
         ("--love=0.94", "love = 0.94 is not allowed"),
         ("--love=0.9 --day=60000", "k_2/k_s"),
         ("--radius=0", "radius = 0 is not allowed"),
+        ("--a=1e-300 --c=1.5e-300", "a = 1e-300 is not allowed"),
     ];
     refused(&EXAMPLE, runs);
 }
