@@ -312,11 +312,16 @@ fn conventions(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, attitude, bound) = (matrix(p.angles()), attitude(p.angles())?, 1e-14);
     let YawPitchRoll { yaw, pitch, roll } = attitude.yaw_pitch_roll();
     let [azimuth, ..] = attitude.angles(Sequence::Zyz);
+    // An axis that is upright has no azimuth.
+    if p.theta > 0.0 {
+        rotation_dynamics::claims! { report,
+            /// azimuth of the z axis
+            azimuth: atan2(r[1][2], r[0][2]), "rad", "first angle of z-y'-z''" => azimuth, within bound, in "Other conventions":
+                p.phi => "that is the azimuth of the line of nodes",
+                p.phi + FRAC_PI_2 => "z leans away from Y', not towards it";
+        }?;
+    }
     rotation_dynamics::claims! { report,
-        /// azimuth of the z axis
-        azimuth: atan2(r[1][2], r[0][2]), "rad", "first angle of z-y'-z''" => azimuth, within bound, in "Other conventions":
-            p.phi => "that is the azimuth of the line of nodes",
-            p.phi + FRAC_PI_2 => "z leans away from Y', not towards it";
         /// yaw of the same attitude, z-y'-x''
         yaw: atan2(r[1][0], r[0][0]), "rad", "from the quaternion" => yaw, within bound, in "Other conventions";
         /// pitch

@@ -123,8 +123,8 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     }?;
     let mut table = Table::new("extremes", ["what", "on", "seconds"])?;
     for (what, (value, k)) in [
-        ("sundial slowest", a.latest),
-        ("sundial fastest", a.earliest),
+        ("sundial most behind the clock", a.latest),
+        ("sundial most ahead of it", a.earliest),
         ("shortest day less the mean", a.shortest_on),
         ("longest day less the mean", a.longest_on),
     ] {

@@ -182,14 +182,14 @@ figures! { _: &Parameters;
             .arrow_along([o, short], Ink::Body)
             .turn(o, 1.2, (2.6, 1.75), Ink::Velocity)
             .text((-0.95, 2.05), r"$\dot\zeta=-\Omega_S$", Ink::Velocity, Side::AboveLeft)
-            .arrow_along([o, (0.0, 0.45)], Ink::Ink)
+            .arrow_along([o, (0.0, 0.0)], Ink::Ink)
             .text((0.0, 0.5), "$R$", Ink::Ink, Side::Right)
             .arrow_along([(1.1, 0.55), (1.7, 0.55)], Ink::Ink)
             .text((1.4, 0.55), r"$\hat\phi$", Ink::Ink, Side::Above)
             .dot(o, Ink::Ink, "$O$", Side::Left)
             .text((-1.88, 0.2), r"$\hat\rho$ towards you", Ink::Ink, Side::Right)
             .text(end, "$P$", Ink::Body, Side::AboveRight)
-            .dot((0.0, 0.0), Ink::Ink, "at rest", Side::AboveRight)
+            .dot((0.0, 0.0), Ink::Ink, "at rest", Side::Below)
     };
 
     /// A cylinder whose axis leans from the vertical AA' by the angle theta. Omega points up;

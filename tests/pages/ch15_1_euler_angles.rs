@@ -28,6 +28,8 @@ fn two_routes_agree_all_over_the_range() {
     let runs: Vec<String> =
         runs.map(|[a, b, c]| format!("--phi={a} --theta={b} --zeta={c} --shift-x=-3.5 --closest=0.01")).collect();
     confirmed(&EXAMPLE, runs, 20);
+    // Upright, the axis has no azimuth; the other numbers stand.
+    confirmed(&EXAMPLE, ["--theta=0", "--theta=0 --phi=-3 --zeta=1"], 2);
 }
 
 /// The inventory's instance, rounded from 25 digits.
