@@ -56,3 +56,15 @@ pub fn cell(page: &dyn Page, flags: &str, [section, row, column]: [&str; 3]) -> 
 pub fn number(page: &dyn Page, flags: &str, key: &str) -> f64 {
     cell(page, flags, ["claims", key, "value"])
 }
+
+/// The value of a claim for these flags, to its last bit.
+#[track_caller]
+pub fn computed(page: &dyn Page, flags: &str, key: &str) -> f64 {
+    let told = page.answer(&format!("{flags} --json"));
+    assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
+    let mark = format!("\"key\": \"{key}\", ");
+    let claim = told.stdout.split(mark.as_str()).nth(1);
+    let claim = claim.unwrap_or_else(|| panic!("no claim {key} with {flags}"));
+    let value = claim.split("\"value\": ").nth(1).expect("a claim has a value");
+    value.split(',').next().and_then(|digits| digits.parse().ok()).expect("a number")
+}

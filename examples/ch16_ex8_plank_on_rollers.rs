@@ -1,0 +1,426 @@
+//! Exercise 16.8: a plank on two rollers that turn against each other.
+
+#[path = "ch16_ex8_plank_on_rollers/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::integrators::{Dop853, Ode, second_order};
+use rotation_dynamics::math::{acosh, asinh, atan, tanh};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The plank of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// distance of the rollers
+        distance: number(1.0, "m", from_to(1e-2, 1e2).usually(0.5, 2.0));
+        /// coefficient of friction of surfaces that slip
+        kinetic: number(0.3, "-", from_to(1e-3, 3.0).usually(0.1, 0.5));
+        /// coefficient of friction of surfaces that do not slip
+        holding: number(0.5, "-", from_to(1e-3, 10.0).usually(0.3, 0.8));
+        /// speed of the surfaces of the rollers
+        speed: number(0.3, "m/s", from_to(1e-3, 1e2).usually(0.1, 1.0));
+        /// how far to the right the middle of the plank is at the start, at rest
+        offset: number(0.3, "m", from_to(1e-6, 1e2).usually(0.05, 0.4));
+        /// thickness of the plank
+        thickness: number(0.0, "m", from_to(0.0, 1e2).usually(0.0, 0.1));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-2, 1e3).usually(1.0, 25.0));
+        /// the moving picture: the tops of the rollers move towards each other (in) or apart
+        sense: choice("in", "out");
+        /// error of a step of the simulations: from 1e-15 to 1e-6
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+/// Radius of the rollers over their distance; it matters to a plank that has tipped.
+pub const RADIUS: f64 = 0.15;
+
+/// A plank, per unit of its mass, 2.4 times as long as the rollers are apart. Their tops move
+/// towards each other (`sense` 1) or apart (-1).
+#[derive(Debug, Clone)]
+pub struct Plank {
+    p: Parameters,
+    sense: f64,
+}
+
+// ANCHOR: scene
+/// The coordinates are `[x, y, tilt]`: how far the middle of the plank is to the right of that
+/// between the rollers and above its place when it lies flat, and its angle, counterclockwise.
+impl Mechanism<3, 6, 2> for Plank {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let (long, thick) = (2.4 * self.p.distance, self.p.thickness);
+        let turning = (long * long + thick * thick) / 12.0;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
+    }
+
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0, -self.p.gravity, 0.0]
+    }
+
+    fn contacts(&self, plank: &State<3>) -> [Contact<3>; 2] {
+        let ([x, y, tilt], [vx, vy, omega]) = (plank.q, plank.v);
+        let ((s, c), half) = (sincos(tilt), 0.5 * self.p.thickness);
+        // From the axle up to the middle of the plank.
+        let axle = half + RADIUS * self.p.distance;
+        let roller = |name, at: f64, speed: f64| {
+            let gap = y * c - (x - at) * s - axle * (1.0 - c);
+            let along = (x - at) * c + (y + axle) * s;
+            let bias = -2.0 * omega * (c * vx + s * vy) - omega * omega * (gap + axle);
+            Contact::new(name, gap, [-s, c, -along], bias)
+                .tangent([c, s, half], omega * (c * vy - s * vx))
+                .frictions(self.p.kinetic, self.p.holding)
+                .moving(speed)
+        };
+        let (at, speed) = (0.5 * self.p.distance, self.sense * self.p.speed);
+        [roller("left", -at, speed), roller("right", at, -speed)]
+    }
+    // ANCHOR_END: scene
+
+    fn end(&self, plank: &State<3>) -> Option<(&'static str, f64)> {
+        Some(("tipped", 0.25 - plank.q[2].abs()))
+    }
+
+    fn scale(&self, _: &State<3>) -> State<3> {
+        let (a, speed) = (self.p.distance, (self.p.gravity * self.p.distance).sqrt());
+        let (q, v) = ([a, a, 1.0], [speed, speed, speed / a]);
+        State { q, v }
+    }
+}
+
+/// A motion of the plank.
+pub type Ride = Motion<Plank, 3, 6, 2>;
+
+/// The plank; refused if friction would jam it, or if it does not lie on both rollers.
+pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
+    let jam = p.kinetic * p.thickness / p.distance;
+    from_to(p.kinetic, 10.0).check("holding, not below kinetic,", p.holding)?;
+    from_to(0.0, 0.99).check("kinetic*thickness/distance, 1 where it jams,", jam)?;
+    between(0.0, lift(p, 1.0)).check("offset, lifting off at the upper end,", p.offset)?;
+    let p = p.clone();
+    Ok(Plank { p, sense })
+}
+
+/// Its motion from rest at the offset, until then or until it has tipped.
+pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
+    let start = State::rest([p.offset, 0.0, 0.0]);
+    motion(plank(p, sense)?, &Dop853::new(p.tolerance)?, start, end)
+}
+
+// ANCHOR: forms
+/// Angular frequency of the oscillation (sense 1), or rate of growth (-1).
+pub fn rate(p: &Parameters, sense: f64) -> f64 {
+    (2.0 * p.kinetic * p.gravity / (p.distance - sense * p.kinetic * p.thickness)).sqrt()
+}
+
+/// Where the plank loses a roller while it slips on both.
+pub fn lift(p: &Parameters, sense: f64) -> f64 {
+    0.5 * (p.distance - sense * p.kinetic * p.thickness)
+}
+
+/// Up to where the roller holds the plank that carries it away from it.
+pub fn held(p: &Parameters) -> f64 {
+    0.5 * p.distance * (p.holding - p.kinetic) / (p.holding + p.kinetic)
+}
+
+/// Amplitude and period of the cycle of stick and slip.
+pub fn cycle(p: &Parameters) -> (f64, f64) {
+    let (rate, held) = (rate(p, 1.0), held(p));
+    let widest = p.speed / rate;
+    (
+        hypot(held, widest),
+        4.0 * held / p.speed + 4.0 / rate * atan2(widest, held),
+    )
+}
+// ANCHOR_END: forms
+
+/// When and where the plank, released at rest, is first as fast as a roller; and when it loses
+/// the other one, if they move apart. Infinite where that does not happen.
+pub fn caught(p: &Parameters, sense: f64) -> (f64, f64, f64) {
+    let (rate, x) = (rate(p, sense), p.offset);
+    let widest = p.speed / rate;
+    if sense > 0.0 {
+        let at = ((x - widest) * (x + widest)).max(0.0).sqrt();
+        let when = if widest < (1.0 - 1e-6) * x {
+            atan2(widest, at) / rate
+        } else {
+            f64::INFINITY
+        };
+        return (when, at, f64::INFINITY);
+    }
+    let (at, when) = (hypot(x, widest), asinh(widest / x) / rate);
+    if at >= lift(p, -1.0) {
+        return (f64::INFINITY, at, acosh(lift(p, -1.0) / x) / rate);
+    }
+    (when, at, when + (0.5 * p.distance - at).max(0.0) / p.speed)
+}
+
+/// Whether it ends in the cycle.
+fn goes_round(p: &Parameters) -> bool {
+    held(p) > 1e-3 * p.speed / rate(p, 1.0)
+        && caught(p, 1.0).0.is_finite()
+        && cycle(p).0 < lift(p, 1.0)
+}
+
+/// A span of time that the page looks at, in the first sense.
+fn span(p: &Parameters) -> f64 {
+    2.0 * cycle(p).1 + 0.5 * TAU / rate(p, 1.0)
+}
+
+/// The cycle as simulated: where the right roller lets the plank slip, and the time from one
+/// such moment to the next.
+fn stick_slip(ride: &Ride) -> Result<(f64, f64)> {
+    let mut slips = ride
+        .events()
+        .iter()
+        .filter(|event| event.name == "right slips");
+    let first = ride.event("right slips")?;
+    let again = slips.nth(1).map_or(f64::NAN, |event| event.t);
+    Ok((-first.before.q[0], again - first.t))
+}
+
+// ANCHOR: wrong
+/// The same by a smooth law: friction that rises with the slip to the holding value at `width`
+/// and falls to the kinetic one beyond; `[x, v]` of a thin plank, tops moving together.
+pub fn smoothed(p: &Parameters, width: f64) -> impl Ode<2> {
+    let Parameters {
+        distance,
+        kinetic,
+        holding,
+        speed,
+        gravity,
+        ..
+    } = *p;
+    let friction = move |slip: f64| {
+        let part = slip / width;
+        kinetic * tanh(4.0 * part) + (holding - kinetic) * part * exp(0.5 - 0.5 * part * part)
+    };
+    second_order(move |_, x, v| {
+        let (left, right) = (0.5 - x / distance, 0.5 + x / distance);
+        gravity * (friction(speed - v) * left + friction(-speed - v) * right)
+    })
+}
+// ANCHOR_END: wrong
+
+/// Period of the cycle by the smooth law, and the evaluations spent on it.
+fn smoothed_period(p: &Parameters, width: f64) -> Result<(f64, u64)> {
+    let (ode, method) = (smoothed(p, width), Dop853::new(1e-9)?);
+    let zero = |n| method.zero(&ode, [p.offset, 0.0], n, 100.0 * span(p), |y| y[0]);
+    let ((from, before), (to, after)) = (zero(3)?, zero(5)?);
+    Ok((to.t - from.t, after.derivatives - before.derivatives))
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, g, v, mu) = (p.distance, p.gravity, p.speed, p.kinetic);
+    let (swing, growth, exact) = (
+        rate(p, 1.0),
+        rate(p, -1.0),
+        100.0 * p.tolerance * (1.0 + 0.1 / p.kinetic),
+    );
+    let (period, widest, carried) = (TAU / swing, v / swing, held(p));
+    // Simulations have errors in units of the distance: of small motions they are larger.
+    let (wide, far) = (
+        exact * (1.0 + 0.01 * a / widest),
+        exact * (1.0 + 0.01 * a / p.offset),
+    );
+    let (ride, apart) = (
+        released(p, 1.0, span(p))?,
+        released(p, -1.0, 1e3 * span(p))?,
+    );
+    let (zero, top) = quarter(p)?;
+    let small = Parameters {
+        offset: 0.05 * lift(p, 1.0).min(v / growth),
+        ..p.clone()
+    };
+    let grown = released(&small, -1.0, 3.0 / growth)?.at(3.0 / growth)?.q[0] / small.offset;
+    let right = 0.5 + p.offset / (2.0 * lift(p, 1.0));
+    let (amplitude, round) = cycle(p);
+    let ((stick, _, _), (stick_out, _, tip)) = (caught(p, 1.0), caught(p, -1.0));
+    let goes_round = goes_round(p);
+    let event = |ride: &Ride, name| Ok(ride.event(name)?.t);
+    claims! { report,
+        /// force of the right roller over the weight, at the start, tops moving together
+        right: right, "-", "contact forces" => ride.forces(0.0)?[1].normal / g, within exact, in "The forces":
+            1.0 - right => "that is the left one; which of the two is nearer to the middle?",
+            0.5 + 2.0 * (right - 0.5) => "the rollers are at half the distance from the middle";
+        /// period of the oscillation
+        period: period, "s", "located zero" => 4.0 * zero, within wide * period, in "Tops together":
+            period * 2.0_f64.sqrt() => "both rollers rub",
+            1.0 / swing => "a period has 2 pi of these",
+            period / 2.0_f64.sqrt() => "the forces change by x/a, one up and one down";
+        /// largest amplitude at which it only slips
+        widest: widest, "m", "speed at the middle" => top, within wide * widest, in "Tops together":
+            v / growth / 2.0_f64.sqrt() => "the speed at the middle is the amplitude times the angular frequency";
+        /// rate of growth
+        growth: growth, "1/s", "growth by ten" => growth * acosh(grown) / 3.0, within exact * growth * (1.0 + 0.01 * a / small.offset), in "Tops apart":
+            growth * growth => "that is its square",
+            growth / 2.0_f64.sqrt() => "both rollers rub";
+        /// tops apart: the right roller holds it
+        stick_out: stick_out, "s", "located event" => event(&apart, "right sticks")?,
+        within far * (stick_out + 1.0 / growth), if stick_out.is_finite() && tip > stick_out;
+        /// tops apart: the left roller loses it
+        tip: tip, "s", "located event" => event(&apart, "left lets go")?,
+        within far * (tip + 1.0 / growth) * (1.0 + a / (v * tip)), in "Tops apart":
+            acosh(lift(p, -1.0) / p.offset) / growth => "once as fast as the roller it goes no faster";
+        /// tops together: the right roller holds it
+        stick: stick, "s", "located event" => event(&ride, "right sticks")?,
+        within exact * (1.0 + v / (swing * caught(p, 1.0).1)) / swing, if stick.is_finite();
+        /// how far beyond the middle the roller carries it
+        carried: carried, "m", "located event" => stick_slip(&ride)?.0, within wide * a, if goes_round,
+        in "Stick and slip":
+            2.0 * carried => "from the middle between the rollers, half a distance is the most",
+            0.5 * a * (p.holding - mu) / p.holding => "one roller holds, the other slips: the two forces are equal";
+        /// amplitude of the cycle
+        amplitude: amplitude, "m", "largest |x|" => farthest(p, &ride)?, within wide * a, if goes_round;
+        /// period of the cycle
+        cycle: round, "s", "located events" => stick_slip(&ride)?.1, within wide * (round + a / v) * (1.0 + widest / carried), if goes_round,
+        in "Stick and slip":
+            period => "it is also carried",
+            round - 2.0 * carried / v => "carried from one side to the other, and back";
+    }
+}
+
+/// Where a small oscillation passes the middle first, and at which amplitude it would have the
+/// speed of the rollers there.
+fn quarter(p: &Parameters) -> Result<(f64, f64)> {
+    let offset = 0.5 * lift(p, 1.0).min(p.speed / rate(p, 1.0));
+    let quarter = FRAC_PI_2 / rate(p, 1.0);
+    let State { q, v } = released(
+        &Parameters {
+            offset,
+            ..p.clone()
+        },
+        1.0,
+        quarter,
+    )?
+    .at(quarter)?;
+    Ok((quarter - q[0] / v[0], offset * p.speed / -v[0]))
+}
+
+/// How far the cycle goes: half a period of the oscillation after a slip ends the way out.
+fn farthest(p: &Parameters, ride: &Ride) -> Result<f64> {
+    let (from, rate) = (ride.event("right slips")?.t, rate(p, 1.0));
+    let turn = from + atan(p.speed / (rate * held(p))) / rate;
+    Ok(-ride.at(turn)?.q[0])
+}
+
+/// Equal coefficients, slow rollers, thick planks, the edge.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (swing, growth) = (rate(p, 1.0), rate(p, -1.0));
+    let equal = cycle(&Parameters {
+        holding: p.kinetic,
+        ..p.clone()
+    })
+    .1;
+    let (p1, slow) = (
+        Parameters {
+            holding: 2.0 * p.kinetic,
+            ..p.clone()
+        },
+        1e-6 * swing * p.distance,
+    );
+    let crawl = cycle(&Parameters {
+        speed: slow,
+        ..p1.clone()
+    })
+    .1 * slow
+        / (4.0 * held(&p1));
+    let thin = Parameters {
+        thickness: 0.0,
+        ..p.clone()
+    };
+    let thick = Parameters {
+        thickness: 0.96 * p.distance / p.kinetic,
+        ..p.clone()
+    };
+    let edge = Parameters {
+        offset: lift(p, 1.0) * (1.0 - 1e-12),
+        ..p.clone()
+    };
+    let left = released(&edge, 1.0, 1e-3 / swing)?.forces(0.0)?[0].normal / p.gravity;
+    let tip = |offset| {
+        caught(
+            &Parameters {
+                offset,
+                ..p.clone()
+            },
+            -1.0,
+        )
+        .2
+    };
+    let near = 1e-6 * (p.speed / growth).min(p.distance);
+    limits! { report,
+        /// the roller lets go where it would have carried it through the middle
+        "mu_s = mu_k: cycle over period": equal * swing / TAU => 1.0, within 1e-14;
+        /// slow rollers: it is carried nearly all the time
+        "V = 0: V times cycle over 4 x_s": crawl => 1.0, within 1e-10;
+        /// friction at the lower face tips a thick plank towards the roller that drives it back
+        "mu h = 0.96 a: period over that of a thin plank":
+            quarter(&thick)?.0 / quarter(&thin)?.0 => 0.2, within 1e3 * p.tolerance;
+        /// the other roller carries all
+        "at the edge: left force over the weight": left => 0.0, within 1e-11;
+        /// tops apart: each factor ten nearer to the middle costs ln 10 over the rate
+        "x_0 = 0: gain of t_tip in 1/rate": growth * (tip(0.1 * near) - tip(near)) => log(10.0), within 1e-9;
+    }
+}
+
+/// The card of effects.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (mu, a, swing) = (p.kinetic, p.distance, rate(p, 1.0));
+    let (thick, falling) = (0.5 * mu * 0.02 / a, 0.5 * p.gravity * 0.1 * mu);
+    effect_card! { report,
+        "friction that falls by 1 % for each 0.1 m/s of slip":
+            "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "growth of the amplitude in a swing";
+        "a thickness of 2 cm": "mu h/(2 a)" = thick, costs thick, "of the period";
+        "coefficients of the rollers that differ by 1 %":
+            "dmu/mu" = 0.01, costs 0.25 * 0.01 * a, "m, place of rest";
+        "one roller higher by 1 mm": "dh/a" = 1e-3 / a, costs 1e-3 / (2.0 * mu), "m, place of rest";
+    }
+}
+
+/// The accuracy strip: tops apart, from the start to the loss of the left roller.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (p, end) = (p.clone(), caught(p, -1.0).2);
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    let at = p.clone();
+    let run = move |tolerance| {
+        released(
+            &Parameters {
+                tolerance,
+                ..at.clone()
+            },
+            -1.0,
+            2.0 * end,
+        )
+    };
+    let error = move |ride: &Ride| Ok(largest([ride.event("left lets go")?.t / end - 1.0]));
+    report.dial("DOP853, error of a step", asked, run, Ride::work, error)?;
+    report.set_closed_form(ClosedForm::new(move |_| Ok(caught(&p, -1.0))));
+    Ok(())
+}
+
+/// What the smooth law makes of the cycle, unless that takes too long.
+fn smooth(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = ["w / V", "period too long by", "evaluations in a period"];
+    let (mut table, round) = (Table::new("smooth", columns)?, cycle(p).1);
+    for part in [1e-1, 1e-2, 1e-3] {
+        let width = part * p.speed;
+        if goes_round(p) && p.holding * p.gravity * round / width < 1e5 {
+            let (period, evaluations) = smoothed_period(p, width)?;
+            let late = format!("{:.5}", period / round - 1.0);
+            table.push([format!("{part:e}"), late, evaluations.to_string()])?;
+        }
+    }
+    if table.is_empty() {
+        return Ok(());
+    }
+    report.add(table)
+}
+
+example! {
+    ch16_ex8_plank_on_rollers: "Exercise 16.8: a plank on two rollers that turn against each other";
+    "A plank on two rollers", "A plank lies on two rollers that turn in opposite senses.",
+    [claims, limits, effects, accuracy, smooth];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
