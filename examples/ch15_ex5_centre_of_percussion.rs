@@ -1,0 +1,294 @@
+//! Exercise 15.5: where a bat must hit the ball so that the hands feel nothing.
+
+#[path = "ch15_ex5_centre_of_percussion/bat.rs"]
+pub mod bat;
+#[path = "ch15_ex5_centre_of_percussion/figures.rs"]
+mod figures;
+
+use bat::{Blow, Strike};
+use core::f64::consts::PI;
+use rotation_dynamics::integrators::{Dop853, Event, ode};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// Bat and ball; the notes leave all numbers open.
+    pub struct Parameters {
+        /// length of the bat
+        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.5, 1.2));
+        /// mass of the bat
+        mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0));
+        /// distance of the hands from the end of the handle
+        hands: number(0.0, "m", from_to(0.0, 10.0).usually(0.0, 0.3));
+        /// distance of the blow from the end of the handle
+        hit: number(0.7, "m", from_to(0.0, 10.0).usually(0.1, 0.85));
+        /// mass of the ball
+        ball: number(0.16, "kg", from_to(1e-4, 1e3).usually(0.05, 0.5));
+        /// speed of the ball
+        speed: number(30.0, "m/s", from_to(1e-2, 1e3).usually(5.0, 40.0));
+        /// part of the speed with which they part again
+        restitution: number(0.5, "-", from_to(0.1, 1.0));
+        /// how long they touch, in the simulation with a soft ball
+        contact: number(1e-3, "s", from_to(1e-6, 1.0).usually(1e-4, 1e-2));
+        /// relative error of the simulations
+        tolerance: number(1e-11, "-", from_to(1e-12, 1e-4));
+    }
+}
+
+// ANCHOR: forms
+/// From the middle of the bat to the hands, and from the hands to the blow.
+pub fn arms(p: &Parameters) -> [f64; 2] {
+    [0.5 * p.length - p.hands, p.hit - p.hands]
+}
+
+/// Moment of inertia over the mass, about the middle (`arm` = 0) or a point so far from it.
+pub fn inertia(p: &Parameters, arm: f64) -> f64 {
+    p.length * p.length / 12.0 + arm * arm
+}
+
+/// Where a blow is not felt, from the hands.
+pub fn centre(p: &Parameters) -> f64 {
+    let [arm, _] = arms(p);
+    inertia(p, arm) / arm
+}
+
+/// Impulse of the hands over that of the ball, both on the bat.
+pub fn reaction(p: &Parameters) -> f64 {
+    let [_, hit] = arms(p);
+    hit / centre(p) - 1.0
+}
+
+/// Impulse of the ball on the bat: held by the hands, or free.
+pub fn impulse(p: &Parameters, held: bool) -> f64 {
+    let [arm, hit] = arms(p);
+    let yielding = match held {
+        true => hit * hit / inertia(p, arm),
+        false => 1.0 + (hit - arm) * (hit - arm) / inertia(p, 0.0),
+    };
+    (1.0 + p.restitution) * p.speed / (1.0 / p.ball + yielding / p.mass)
+}
+
+/// Velocity that the place of the hands gets by an impulse on a free bat, over J/m.
+pub fn free_hands(p: &Parameters) -> f64 {
+    let [arm, hit] = arms(p);
+    1.0 - (hit - arm) * arm / inertia(p, 0.0)
+}
+// ANCHOR_END: forms
+
+/// The first bending mode of a free rod: beta with cosh(beta) cos(beta) = 1.
+pub const BETA: f64 = 4.730_040_744_862_704;
+
+/// (cosh(beta) - cos(beta))/(sinh(beta) - sin(beta)).
+fn sigma() -> f64 {
+    let (grown, shrunk) = (exp(BETA), exp(-BETA));
+    (0.5 * (grown + shrunk) - cos(BETA)) / (0.5 * (grown - shrunk) - sin(BETA))
+}
+
+/// Its shape from x = 0 to 1; the mean square is 1.
+pub fn shape(x: f64) -> f64 {
+    let (ratio, (s, c)) = (sigma(), sincos(BETA * x));
+    let (grown, shrunk) = (exp(BETA * x), exp(-BETA * x));
+    0.5 * (grown * (1.0 - ratio) + shrunk * (1.0 + ratio)) + c - ratio * s
+}
+
+/// Where the mode has its second node, by halving.
+pub fn node() -> f64 {
+    let (mut low, mut high) = (0.5, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if shape(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}
+
+/// The same by integrating w'''' = beta^4 w from a free end, with the end values of curvature and shear.
+pub fn shot(tolerance: f64) -> Result<(f64, [f64; 4])> {
+    let fourth = BETA * BETA * BETA * BETA;
+    let law = ode(move |_, &[w, a, b, c]: &[f64; 4]| [a, b, c, fourth * w]);
+    let node = Event::rising("node", |_, w: &[f64; 4]| w[0]);
+    let start = [2.0, -2.0 * BETA * sigma(), 0.0, 0.0];
+    let run = Dop853::new(tolerance)?.solve(&law, 0.0, &start, 1.0, &[node])?;
+    let found = run.events().first().map_or(f64::NAN, |node| node.t);
+    Ok((found, *run.end_state()))
+}
+
+/// Error of the simulations with a soft ball, of which four digits are shown.
+pub const SOFT: f64 = 1e-8;
+
+/// Refuses hands and blows that are not on the bat.
+fn check(p: &Parameters) -> Result<()> {
+    from_to(0.0, 0.45).check("hands/length", p.hands / p.length)?;
+    from_to(p.hands / p.length, 1.0).check("hit/length", p.hit / p.length)?;
+    from_to(1e-3, 1e3).check("ball/mass", p.ball / p.mass)?;
+    Ok(())
+}
+
+/// Another place for the blow, as a part of the length.
+pub fn at(p: &Parameters, part: f64) -> Parameters {
+    Parameters {
+        hit: part * p.length,
+        ..p.clone()
+    }
+}
+
+/// The impact of rigid bodies, hands as a hinge or none.
+pub fn rigid(p: &Parameters, held: bool) -> Result<Blow> {
+    Blow::new(Strike::rigid(p, held), p.tolerance)
+}
+
+/// The place of the blow that is not felt, from the hands: two blows simulated, and the straight
+/// line through the two reactions.
+fn unfelt(p: &Parameters) -> Result<f64> {
+    let reaction = |part: f64| Ok(rigid(&at(p, part), true)?.reaction());
+    let (near, far) = (0.55, 0.95);
+    let [a, b] = [reaction(near)?, reaction(far)?];
+    Ok((near - a * (far - near) / (b - a)) * p.length - p.hands)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    check(p)?;
+    let ([arm, hit], l, bound) = (arms(p), p.length, 100.0 * p.tolerance);
+    let (held, free) = (rigid(p, true)?, rigid(p, false)?);
+    let (push, loose) = (impulse(p, true), impulse(p, false));
+    let (turn, away) = (
+        push * hit / (p.mass * inertia(p, arm)),
+        loose / p.mass * free_hands(p),
+    );
+    let (reaction, centre) = (reaction(p), centre(p));
+    claims! { report,
+        /// distance from the hands at which a blow is not felt
+        centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l,
+        in "The place":
+            arm => "that is the centre of mass; the bat turns about the hands",
+            centre - arm => "that is from the centre of mass",
+            l - p.hands => "that is the tip",
+            0.75 * l => "compare the velocity of the centre of mass with the angular velocity";
+        /// impulse of the hands over that of the ball
+        reaction: reaction, "-", "impact simulated" => held.reaction(), within bound,
+        in "The hands":
+            -reaction => "that is the impulse on the hands",
+            hit / centre => "the momentum of the bat comes from the ball as well",
+            free_hands(p) => "that is how a free bat would move there";
+        /// impulse of the ball on the bat
+        impulse: push, "N s", "impact simulated" => held.impulse(), within bound * push;
+        /// impulse of the hands on the bat, along that of the ball
+        hands: reaction * push, "N s", "impact simulated" => held.hands(), within bound * push;
+        /// angular velocity of the bat after
+        turn: turn, "rad/s", "impact simulated" => held.after.v[2], within bound * turn.max(p.speed / l);
+        /// velocity of the place of the hands if nobody holds the bat
+        away: away, "m/s", "impact simulated, bat free" => free.end_velocity(), within bound * p.speed,
+        in "The hands";
+        /// second node of the bending, from the end of the handle
+        node: node() * l, "m", "shooting from a free end" => shot(1e-13)?.0 * l, within 1e-10 * l;
+    }
+}
+
+/// A blow at each end and in the middle, and hands that hold elsewhere.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let unit = |hands: f64, hit: f64| Parameters {
+        length: 1.0,
+        hands,
+        hit,
+        ..p.clone()
+    };
+    let light = |ball: f64| Parameters {
+        ball,
+        mass: 1.0,
+        restitution: 1.0,
+        speed: 1.0,
+        ..unit(0.0, 1.0)
+    };
+    limits! { report,
+        /// a blow on the hands: they carry all of it
+        "d = 0: J_h/J": reaction(&unit(0.0, 0.0)) => -1.0, within 1e-15;
+        /// on the centre of mass: a quarter
+        "d = l/2: J_h/J": reaction(&unit(0.0, 0.5)) => -0.25, within 1e-15;
+        /// at the tip
+        "d = l: J_h/J": reaction(&unit(0.0, 1.0)) => 0.5, within 1e-15;
+        /// a free bat that is struck at the tip turns about that point
+        "hands at l/3: centre/l, from the end": 1.0 / 3.0 + centre(&unit(1.0 / 3.0, 1.0)) => 1.0, within 1e-15;
+        /// hands near the middle: no place on the bat
+        "hands at 0.4 l: centre/l, from the end": 0.4 + centre(&unit(0.4, 1.0)) => 0.5 + 1.0 / 1.2, within 1e-15;
+        /// a light ball is turned back by a bat that hardly notices
+        "m_b to 0, at the tip: J/(m_b v)": impulse(&light(1e-9), true) / 1e-9 => 2.0, within 1e-8;
+        /// a heavy one finds a third of the mass at the tip
+        "m_b to infinity, at the tip: J/(m v)": impulse(&light(1e9), true) => 2.0 / 3.0, within 1e-8;
+    }
+}
+
+/// Soft balls: the same blow, spread over a longer time.
+fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = [
+        "contact / s",
+        "J_h/J",
+        "largest force on the bat, ball / N",
+        "hands / N",
+        "turned meanwhile / rad",
+    ];
+    let mut table = Table::new("soft", columns)?;
+    for contact in [0.0001, 0.001, 0.01] {
+        let blow = Blow::new(
+            Strike::soft(&Parameters {
+                contact,
+                ..p.clone()
+            }),
+            SOFT,
+        )?;
+        let [ball, hands] = blow.largest_forces()?;
+        let numbers = [
+            format!("{:.4}", blow.reaction()),
+            format!("{ball:.0}"),
+            format!("{hands:.0}"),
+            format!("{:.4}", blow.after.q[2]),
+        ];
+        table.push([contact.to_string()].into_iter().chain(numbers))?;
+    }
+    report.add(table)
+}
+
+/// The card of effects, for a wooden rod (12 GPa, 650 kg/m^3) of this length and mass.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (l, contact) = (p.length, p.contact);
+    let soft = Blow::new(Strike::soft(p), SOFT)?;
+    let area = p.mass / (650.0 * l);
+    let stiffness = 12e9 / 650.0 * area / (4.0 * PI);
+    let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
+    // The velocity at the handle by a push that lasts half a sine, over J/m.
+    let x = 2.0 * frequency * contact;
+    let response = if (x - 1.0).abs() < 1e-6 {
+        PI / 4.0
+    } else {
+        cos(0.5 * PI * x) / (1.0 - x * x)
+    };
+    let bending = shape(p.hands / l) * shape(p.hit / l) * response;
+    let heavier = 0.5;
+    let shifted = (1.0 + heavier / 2.0) / (1.0 + heavier / 3.0) - 1.0;
+    let weight = p.mass * 9.80665 * contact / impulse(p, true);
+    effect_card! { report,
+        "bending of the bat": "2 f_1 t_c" = x, costs bending.abs(), "J/m, velocity of a free handle";
+        "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted * centre(p), "m of the place";
+        "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (soft.reaction() - reaction(p)).abs(), "of J_h/J";
+        "weight during the contact": "m g t_c/J" = weight, costs 0.25 * weight, "of J_h/J, at most";
+    }
+}
+
+/// The accuracy strip: the impact of rigid bodies.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (p, exact) = (p.clone(), reaction(p));
+    let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-12];
+    let error = move |blow: &Blow| Ok((blow.reaction() - exact).abs());
+    let line = p.clone();
+    report.set_closed_form(ClosedForm::new(move |part| Ok(reaction(&at(&line, part)))));
+    let run = move |tolerance| Blow::new(Strike::rigid(&p, true), tolerance);
+    report.dial("contacts by DOP853", asked, run, Blow::work, error)
+}
+
+example! {
+    ch15_ex5_centre_of_percussion: "Exercise 15.5: where a bat must hit the ball so that the hands feel nothing";
+    "Centre of percussion", "A uniform bat, held near one end, hits a ball.",
+    [claims, limits, effects, soft, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

@@ -1,0 +1,203 @@
+//! A ball hits a bat, simulated with forces and impulses of contacts: rigid bodies that bounce, or
+//! a soft ball that pushes as a ball does that is pressed flat, for as long as they touch.
+
+use super::{Parameters, arms, impulse};
+use rotation_dynamics::Result;
+use rotation_dynamics::integrators::Work;
+use rotation_dynamics::math::{pow, sincos};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::report::times;
+
+/// Bat and ball; the hands are at the origin, the bat lies along x, the ball comes along y.
+#[derive(Debug, Clone)]
+pub struct Strike {
+    pub p: Parameters,
+    /// Whether the hands hold it as a hinge does.
+    held: bool,
+    /// The force over depth^(3/2), N/m^(3/2); none if ball and bat are rigid.
+    stiffness: Option<f64>,
+}
+
+impl Strike {
+    /// Rigid bodies.
+    pub fn rigid(p: &Parameters, held: bool) -> Self {
+        Self {
+            p: p.clone(),
+            held,
+            stiffness: None,
+        }
+    }
+
+    /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
+    pub fn soft(p: &Parameters) -> Self {
+        let p = Parameters {
+            restitution: 1.0,
+            ..p.clone()
+        };
+        let reduced = 0.5 * impulse(&p, true) / p.speed;
+        let depth = p.speed * p.contact / 2.943_275;
+        let stiffness = Some(1.25 * reduced * p.speed * p.speed / pow(depth, 2.5));
+        Self {
+            p,
+            held: true,
+            stiffness,
+        }
+    }
+
+    /// How far the ball is from the bat, its gradient, and its second rate at constant velocities.
+    fn gap(&self, State { q, v }: &State<5>) -> (f64, [f64; 5], f64) {
+        let (s, c) = sincos(q[2]);
+        let ([x, y], [u, w]) = ([q[3] - q[0], q[4] - q[1]], [v[3] - v[0], v[4] - v[1]]);
+        let (along, up, rate) = (c * x + s * y, c * y - s * x, c * u + s * w);
+        let bias = 2.0 * v[2] * rate + v[2] * v[2] * up;
+        (-up, [-s, c, along, s, -c], bias)
+    }
+
+    /// Force between the two, N.
+    fn force(&self, state: &State<5>) -> f64 {
+        let depth = (-self.gap(state).0).max(0.0);
+        self.stiffness.unwrap_or(0.0) * depth * depth.sqrt()
+    }
+}
+
+// ANCHOR: scene
+/// Coordinates: the middle of the bat, its angle, the ball.
+impl Mechanism<5, 10, 3> for Strike {
+    fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
+        let (m, ball) = (self.p.mass, self.p.ball);
+        let diagonal = [m, m, m * super::inertia(&self.p, 0.0), ball, ball];
+        core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
+    }
+
+    fn force(&self, state: &State<5>) -> [f64; 5] {
+        let (push, (_, gradient, _)) = (self.force(state), self.gap(state));
+        gradient.map(|part| part * push)
+    }
+
+    fn contacts(&self, state: &State<5>) -> [Contact<5>; 3] {
+        let (State { q, v }, [arm, _]) = (state, arms(&self.p));
+        let ((s, c), square) = (sincos(q[2]), v[2] * v[2]);
+        let ((gap, gradient, bias), none) = (self.gap(state), [0.0; 5]);
+        let ball = match self.stiffness {
+            None => Contact::new("ball", gap, gradient, bias).restitution(self.p.restitution),
+            Some(_) => Contact::joint("ball", 0.0, none, 0.0),
+        };
+        let [along, across] = match self.held {
+            true => [
+                Contact::joint(
+                    "along",
+                    q[0] - arm * c,
+                    [1.0, 0.0, arm * s, 0.0, 0.0],
+                    arm * c * square,
+                ),
+                Contact::joint(
+                    "hands",
+                    q[1] - arm * s,
+                    [0.0, 1.0, -arm * c, 0.0, 0.0],
+                    arm * s * square,
+                ),
+            ],
+            false => ["along", "hands"].map(|name| Contact::joint(name, 0.0, none, 0.0)),
+        };
+        [ball, along, across]
+    }
+    // ANCHOR_END: scene
+
+    fn scale(&self, _: &State<5>) -> State<5> {
+        let (l, v) = (self.p.length, self.p.speed);
+        State {
+            q: [l, l, 1.0, l, l],
+            v: [v, v, v / l, v, v],
+        }
+    }
+}
+
+/// What happens, from before the impact until the two have parted.
+pub struct Blow {
+    strike: Strike,
+    pub before: State<5>,
+    pub after: State<5>,
+    /// When they touch first.
+    pub touch: f64,
+    motion: Motion<Strike, 5, 10, 3>,
+}
+
+impl Blow {
+    pub fn new(strike: Strike, tolerance: f64) -> Result<Self> {
+        let (p, [arm, hit]) = (&strike.p, arms(&strike.p));
+        let approach = 0.5 * p.contact * p.speed;
+        let start = State {
+            q: [arm, 0.0, 0.0, hit, -approach],
+            v: [0.0, 0.0, 0.0, 0.0, p.speed],
+        };
+        let (touch, end) = (0.5 * p.contact, 2.0 * p.contact);
+        let motion = motion_within(strike.clone(), tolerance, start, end)?;
+        let (before, after) = match strike.stiffness {
+            None => {
+                let hit = motion.event("ball bounces")?;
+                (hit.before, hit.after)
+            }
+            Some(_) => (motion.at(touch)?, motion.at(end)?),
+        };
+        Ok(Self {
+            strike,
+            before,
+            after,
+            touch,
+            motion,
+        })
+    }
+
+    /// Momentum that the ball has lost, N s.
+    pub fn impulse(&self) -> f64 {
+        self.strike.p.ball * (self.before.v[4] - self.after.v[4])
+    }
+
+    /// Momentum of the bat that does not come from the ball, N s.
+    pub fn hands(&self) -> f64 {
+        self.strike.p.mass * self.after.v[1] - self.impulse()
+    }
+
+    pub fn reaction(&self) -> f64 {
+        self.hands() / self.impulse()
+    }
+
+    /// Velocity of the place of the hands just after.
+    pub fn end_velocity(&self) -> f64 {
+        self.after.v[1] - arms(&self.strike.p)[0] * self.after.v[2]
+    }
+
+    /// Forces of the ball and of the hands on the bat, along y at the start, N.
+    pub fn forces(&self, t: f64) -> Result<[f64; 2]> {
+        let hands = self.motion.forces(t)?[2].normal;
+        Ok([self.strike.force(&self.motion.at(t)?), hands])
+    }
+
+    /// The largest of each.
+    pub fn largest_forces(&self) -> Result<[f64; 2]> {
+        let mut most = [0.0_f64; 2];
+        for t in times(self.touch, self.motion.end_time(), 600) {
+            let now = self.forces(t)?;
+            most = [0, 1].map(|k| {
+                if now[k].abs() > most[k].abs() {
+                    now[k]
+                } else {
+                    most[k]
+                }
+            });
+        }
+        Ok(most)
+    }
+
+    pub fn at(&self, t: f64) -> Result<State<5>> {
+        self.motion.at(t)
+    }
+
+    pub fn end_time(&self) -> f64 {
+        self.motion.end_time()
+    }
+
+    pub fn work(&self) -> Work {
+        self.motion.work()
+    }
+}

@@ -1,0 +1,141 @@
+//! The drawings of exercise 15.5; the bat has the length 1.
+
+use super::*;
+use rotation_dynamics::planar::contact::State;
+
+/// A bat from its handle at the left to its tip, so thick, between two points.
+fn drawn(sketch: Sketch, from: (f64, f64), to: (f64, f64)) -> Sketch {
+    sketch.bar(from, to, 0.07, Ink::Body)
+}
+
+figures! { p: &Parameters;
+    /// A level bat of length l. The hands hold it at the left, at the distance p from the end of the
+    /// handle. The ball comes from below at the distance d from that end and pushes the bat upward with the impulse J.
+    setup: drawn(Sketch::within((-0.15, 1.15), (-0.45, 0.38)), (0.0, 0.0), (1.0, 0.0))
+        .ring((0.12, 0.0), Ink::Ink, "", Side::Above)
+        .text((0.12, 0.05), "hands", Ink::Ink, Side::Above)
+        .dot((0.5, 0.0), Ink::Body, "", Side::Above)
+        .text((0.5, 0.05), "$S$", Ink::Body, Side::Above)
+        .disc((0.8, -0.09), 0.05, Ink::Ink, 0.7)
+        .arrow_along([(0.8, 0.0), (0.8, 0.25)], Ink::Force)
+        .text((0.8, 0.25), "$J$", Ink::Force, Side::Right)
+        .dimension((0.0, -0.22), (0.8, -0.22), "$d$", Side::Below)
+        .dimension((0.0, -0.38), (1.0, -0.38), "$l$", Side::Below)
+        .dimension((0.0, 0.24), (0.12, 0.24), "$p$", Side::Above);
+
+    /// Impulse of the hands over that of the ball against the place of the blow: a straight line from minus one at
+    /// the hands through minus a quarter at the middle and zero at two thirds of the length to one half at
+    /// the tip. Dots: simulated impacts.
+    hands: {
+        let p = &Parameters { hands: 0.0, ..p.clone() };
+        let simulated = |x: f64| Ok(rigid(&at(p, x), true)?.reaction());
+        Panel::over_axes(Axis::linear("$d/l$").range(0.0, 1.0), Axis::linear("$J_h/J$").range(-1.0, 0.6))
+            .level(0.0, Ink::Frame, "")
+            .curve(Curve::of(times(0.0, 1.0, 2), |x| reaction(&at(p, x)), Ink::Ink))
+            .curve(Curve::sampled([0.05, 0.25, 0.5, 2.0 / 3.0, 0.8, 0.95], simulated, Ink::Force)?.dots())
+            .note(0.3, -0.55, Ink::Force, "the hands push back", Side::BelowRight)
+            .note(0.76, 0.15, Ink::Force, "they pull along", Side::AboveLeft)
+    };
+
+    /// Velocity along a free bat just after the blow, for three places of it. Struck in the middle all
+    /// points move alike; struck at two thirds the end of the handle is at rest; struck at the tip that end
+    /// moves backward at twice J/m.
+    free: {
+        let profile = |x: f64| move |s: f64| 1.0 + 12.0 * (x - 0.5) * (s - 0.5);
+        let line = |x: f64, ink| Curve::of(times(0.0, 1.0, 2), profile(x), ink);
+        Panel::over_axes(Axis::linear("place on the bat, over $l$").range(0.0, 1.0), Axis::linear("velocity over $J/m$").range(-2.0, 4.0))
+            .level(0.0, Ink::Frame, "")
+            .curve(line(0.5, Ink::Frame).dashed().label_at("$d=l/2$", 0.25, 1.0, Side::Above))
+            .curve(line(2.0 / 3.0, Ink::Ink).label_at("$d=2l/3$", 0.9, 1.8, Side::Above))
+            .curve(line(1.0, Ink::Body).dotted().label_at("$d=l$", 0.85, 3.1, Side::AboveLeft))
+    };
+
+    /// The shape of the slowest bending of a free rod: its ends move one way, its middle the other. It crosses
+    /// zero at about a quarter of the length from each end; the right crossing lies farther out than the
+    /// point at two thirds.
+    bending: Panel::over_axes(Axis::linear("place on the bat, over $l$").range(0.0, 1.0), Axis::linear("bending").range(-2.0, 2.0))
+        .level(0.0, Ink::Frame, "")
+        .curve(Curve::of(times(0.0, 1.0, 160), shape, Ink::Body))
+        .ring(node(), 0.0, Ink::Body, "node", Side::BelowRight)
+        .dot(2.0 / 3.0, 0.0, Ink::Ink, "$2l/3$", Side::AboveLeft);
+}
+
+/// The blow of the page by a soft ball.
+fn blow(p: &Parameters) -> Result<Blow> {
+    Blow::new(Strike::soft(p), SOFT)
+}
+
+/// It, for `--csv`.
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let run = blow(p)?;
+    let columns = [
+        "t [s]",
+        "angle [rad]",
+        "y ball [m]",
+        "force of the ball [N]",
+        "of the hands [N]",
+    ];
+    Trajectory::sampled(columns, times(0.0, run.end_time(), 400), |t| {
+        let ([ball, hands], State { q, .. }) = (run.forces(t)?, run.at(t)?);
+        Ok([t, q[2], q[4], ball, hands])
+    })
+}
+
+/// Bat, ball and forces; below, the forces against time in ms.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (run, p) = (blow(p)?, p.clone());
+    let (end, from, length) = (run.end_time(), run.touch, p.length);
+    let of = |k: usize| {
+        sampled(times(0.0, end, 240), |t| {
+            Ok((1e3 * t, 1e-3 * run.forces(t)?[k]))
+        })
+    };
+    let [most, _] = run.largest_forces()?;
+    let graph = Panel::over_axes("$t$ / ms", "force / kN")
+        .level(0.0, Ink::Frame, "")
+        .curve(Curve::new(of(0)?, Ink::Force).label_at(
+            "ball",
+            1e3 * (from + 0.3 * p.contact),
+            0.7e-3 * most,
+            Side::Left,
+        ))
+        .curve(Curve::new(of(1)?, Ink::Force).dashed().label_at(
+            "hands",
+            1e3 * (from + 0.9 * p.contact),
+            0.12e-3 * most,
+            Side::AboveRight,
+        ));
+    let stills = [0.3, 1.0, 1.95].map(|part| 1e3 * part * p.contact);
+    MovingPicture::above(graph, 0.0..=1e3 * end, stills, move |ms| {
+        let t = (1e-3 * ms).min(end);
+        let (State { q, .. }, [ball, hands]) = (run.at(t)?, run.forces(t)?);
+        let alt = format!(
+            "{ms:.2} ms: the bat has turned by {:.1} degrees, the ball pushes it with {:.1} kN and the hands with \
+             {:.1} kN. Below, both forces against time.",
+            q[2].to_degrees(),
+            1e-3 * ball,
+            1e-3 * hands,
+        );
+        let ((s, c), arm) = (sincos(q[2]), arms(&p)[0]);
+        let on = |x: f64| {
+            (
+                (q[0] - arm * c + x * c) / length,
+                (q[1] - arm * s + x * s) / length,
+            )
+        };
+        let scene = Sketch::within((-0.12, 1.15), (-0.35, 0.5));
+        let scene = drawn(scene, on(-p.hands), on(length - p.hands))
+            .disc((q[3] / length, q[4] / length - 0.075), 0.04, Ink::Ink, 0.7)
+            .ring(on(0.0), Ink::Ink, "", Side::Below);
+        let force = |scene: Sketch, (x, y): (f64, f64), size: f64, label| match (size / most).abs()
+            > 0.02
+        {
+            true => scene
+                .arrow_along([(x, y), (x, y + 0.4 * size / most)], Ink::Force)
+                .text((x, y + 0.4 * size / most), label, Ink::Force, Side::Right),
+            false => scene,
+        };
+        let scene = force(scene, on(p.hit - p.hands), ball, "ball");
+        Ok((alt, force(scene, on(0.0), hands, "hands")))
+    })
+}

@@ -1,0 +1,89 @@
+//! Exercise 15.5. The simulation knows contacts and a hinge and no formula for the place; that it
+//! confirms them is part of the report.
+
+use crate::told::{cell, confirmed, refused, value};
+use pages::ch15_ex5_centre_of_percussion::bat::{Blow, Strike};
+use pages::ch15_ex5_centre_of_percussion::*;
+use support::{EPS, Errors, assert_error};
+
+#[test]
+fn the_instances_of_the_notes_come_out() {
+    assert_error!(value(&EXAMPLE, "centre"), 0.566_666_666_666_667, 5.2941 eps);
+    assert_error!(value(&EXAMPLE, "reaction"), 0.235_294_117_647_059, 4.25 eps);
+}
+
+#[test]
+fn other_bats_are_confirmed() {
+    let runs = [
+        "--hands=0.1 --hit=0.5",
+        "--hit=0.05 --restitution=1",
+        "--ball=100 --speed=0.5",
+        "--length=3 --hands=1.2 --hit=2.9 --contact=0.01",
+        "--mass=0.02 --ball=0.003 --hit=0.85",
+    ];
+    confirmed(&EXAMPLE, runs, 5);
+}
+
+#[test]
+fn what_is_not_on_the_bat_is_refused() {
+    let runs = [
+        ("--length=0", "length = 0 is not allowed"),
+        ("--hit=0.9", "hit/length = 1.05"),
+        ("--hands=0.4", "hands/length = 0.47"),
+        ("--hands=0.3 --hit=0.2", "hit/length = 0.23"),
+        ("--restitution=1.2", "restitution = 1.2 is not allowed"),
+        ("--mass=nan", "not a finite number"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Hands that hold push with as much as the place needs that moves, if nobody holds it: the
+/// two answers differ by one factor, and vanish at one place.
+#[test]
+fn a_free_bat_turns_about_the_hands_if_it_is_struck_at_the_centre() {
+    let mut errors = Errors::in_units_of(EPS, "velocity of the handle, free, over that of the ball");
+    let mut damaged = Errors::of("struck a tenth farther in");
+    for hands in [0.0, 0.1, 0.2] {
+        let p = Parameters { hands, ..Parameters::default() };
+        let part = (hands + centre(&p)) / p.length;
+        let away = |part: f64| rigid(&at(&p, part), false).expect("an impact").end_velocity() / p.speed;
+        errors.push(away(part));
+        damaged.push(away(part - 0.1));
+        let held = Parameters { hit: 0.3, ..p.clone() };
+        let ratio = reaction(&held) / free_hands(&held);
+        errors.push(ratio * inertia(&held, arms(&held)[0]) / inertia(&held, 0.0) + 1.0);
+    }
+    errors.attain(0.53..=0.54, 6);
+    damaged.exceed(0.01, 3);
+}
+
+/// The shorter the blow of a soft ball, the nearer the answer for rigid bodies: the difference
+/// goes as the square of the angle by which the bat turns meanwhile.
+#[test]
+fn a_short_blow_is_an_impulse() {
+    let (p, mut errors) = (Parameters::default(), Errors::of("difference of J_h/J over the time squared"));
+    let mut damaged = Errors::of("the same, over the time");
+    let off = |contact: f64| {
+        let strike = Strike::soft(&Parameters { contact, ..p.clone() });
+        Blow::new(strike, 1e-10).expect("a blow").reaction() - reaction(&p)
+    };
+    let [short, long] = [1e-3, 2e-3].map(off);
+    errors.push(long / short - 4.0);
+    damaged.push(long / short - 2.0);
+    errors.attain(6.4e-4..=6.5e-4, 1);
+    damaged.exceed(1.0, 1);
+    assert!((cell(&EXAMPLE, "", ["table soft", "0.01", "J_h/J"]) - 0.2189).abs() < 1e-4);
+}
+
+/// The bending mode is that of a rod with two free ends.
+#[test]
+fn the_bending_leaves_both_ends_free() {
+    let (mut errors, mut damaged) = (Errors::of("curvature and shear over beta^2, beta^3"), Errors::of("at the middle"));
+    let [w, _, curvature, shear] = shot(1e-14).expect("a rod").1;
+    errors.push(curvature / (BETA * BETA * w));
+    errors.push(shear / (BETA * BETA * BETA * w));
+    let bent = |x: f64, h: f64| (shape(x + h) - 2.0 * shape(x) + shape(x - h)) / (h * h * BETA * BETA);
+    damaged.push(bent(0.5, 1e-3));
+    errors.attain(3.8e-15..=3.9e-15, 2);
+    damaged.exceed(1.0, 1);
+}
