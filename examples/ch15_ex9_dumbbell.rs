@@ -1,0 +1,294 @@
+//! Exercise 15.9: a ball hits one of the two masses of a dumbbell.
+
+#[path = "ch15_ex9_dumbbell/figures.rs"]
+mod figures;
+#[path = "ch15_ex9_dumbbell/hit.rs"]
+pub mod hit;
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use hit::{Blow, Hit, distances, energy, velocities};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The ball and the dumbbell of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the ball, and of the dumbbell
+        mass: number(0.5, "kg", above(0.0).usually(0.1, 2.0));
+        /// length of the stick
+        length: number(0.6, "m", above(0.0).usually(0.2, 1.5));
+        /// speed of the ball
+        speed: number(3.0, "m/s", above(0.0).usually(0.5, 6.0));
+        /// coefficient of restitution; 1 is elastic
+        restitution: number(1.0, "-", from_to(0.1, 1.0));
+        /// angle of its path from the right angle to the stick
+        slant: number(0.0, "rad", from_to(0.0, FRAC_PI_2));
+        /// radius of the ball
+        ball: number(0.03, "m", above(0.0).usually(0.01, 0.8));
+        /// radius of the two masses
+        knob: number(0.03, "m", above(0.0).usually(0.01, 0.1));
+        /// error of a step of the simulation: from 1e-15 to 1e-6
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+// ANCHOR: answer
+/// What the three laws give; masses in m, lengths in l, speeds in v0.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    pub impulse: f64,
+    /// Velocity of the ball after the hit, along its own before.
+    pub ball: f64,
+    /// Velocity of the middle of the stick, in the same direction.
+    pub centre: f64,
+    pub angular_velocity: f64,
+}
+
+impl Answer {
+    pub fn new(restitution: f64, slant: f64) -> Self {
+        let across = cos(slant);
+        // Struck by the impulse J at this slant the mass gets away with J (1 + across^2).
+        let impulse = (1.0 + restitution) / (2.0 + across * across);
+        Self {
+            impulse,
+            ball: 1.0 - impulse,
+            centre: impulse,
+            angular_velocity: 2.0 * impulse * across,
+        }
+    }
+}
+
+/// After a hit at right angles, in l, when the stick has turned by `angle`: the ball, from the
+/// sum of the radii on, and the two masses on their cycloids.
+pub fn cycloids(a: Answer, reach: f64, angle: f64) -> [hit::Plane; 3] {
+    let (s, c) = sincos(angle);
+    let mass = |sign: f64| [0.5 * (angle + sign * s), 0.5 * (1.0 - sign * c)];
+    [
+        [a.ball / a.angular_velocity * angle - reach, 0.0],
+        mass(1.0),
+        mass(-1.0),
+    ]
+}
+// ANCHOR_END: answer
+
+/// The scene of these parameters.
+pub fn scene(p: &Parameters) -> Result<Hit> {
+    between(0.0, 0.5).check("knob/length", p.knob / p.length)?;
+    let reach = from_to(2e-3, 10.0).check("(ball + knob)/length", (p.ball + p.knob) / p.length)?;
+    let (restitution, slant) = (p.restitution, p.slant);
+    Ok(Hit {
+        restitution,
+        slant,
+        reach,
+    })
+}
+
+/// Distance from the ball to the upper mass, from middle to middle, after this angle.
+fn to_upper(a: Answer, reach: f64, angle: f64) -> f64 {
+    let [ball, _, upper] = cycloids(a, reach, angle);
+    hypot(upper[0] - ball[0], upper[1] - ball[1])
+}
+
+/// The second hit for e = 1/2: how far the stick has turned. Ball and middle of the stick run
+/// level, so the ball stays at the end of a tangent to the circle of the masses; the other mass
+/// meets it along the second tangent.
+pub fn second(reach: f64) -> f64 {
+    PI - 2.0 * atan2(2.0 * reach, 1.0)
+}
+
+/// The least value of a function with one valley between these places, by the golden section.
+pub fn least(of: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+    let part = 0.5 * (5.0_f64.sqrt() - 1.0);
+    while to - from > 1e-9 {
+        let (near, far) = (to - part * (to - from), from + part * (to - from));
+        if of(near) < of(far) {
+            to = far
+        } else {
+            from = near
+        }
+    }
+    of(0.5 * (from + to))
+}
+
+/// The sum of the radii, in l, above which the ball of an elastic hit meets the upper mass: the
+/// least of those whose circle passes through it.
+pub fn touching() -> f64 {
+    // The upper mass is behind the ball, as point masses, by this much.
+    let radius = |angle: f64| {
+        let [ball, _, upper] = cycloids(Answer::new(1.0, 0.0), 0.0, angle);
+        let behind = ball[0] - upper[0];
+        (behind * behind + upper[1] * upper[1]) / (2.0 * behind)
+    };
+    least(radius, 1.0, 1.8)
+}
+
+/// The same by simulations, between one with a second hit and one without.
+pub fn touching_simulated(within: f64) -> Result<f64> {
+    let (mut clear, mut met) = (1.0, 1.5);
+    while met - clear > within {
+        let reach = 0.5 * (clear + met);
+        let hit = Hit {
+            restitution: 1.0,
+            slant: 0.0,
+            reach,
+        };
+        let blow = Blow::new(hit, 1e-9, 2.0)?;
+        // A contact that only grazes can pass between two steps, so the distance decides.
+        let distance = |t| blow.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]);
+        let again = least(distance, 0.7, 1.8) <= reach + 1e-10;
+        if again { met = reach } else { clear = reach }
+    }
+    Ok(0.5 * (clear + met))
+}
+
+/// A hit that returns half of the relative velocity, for two thirds of a turn.
+pub fn halved(reach: f64, step: f64) -> Result<Blow> {
+    let (restitution, slant) = (0.5, 0.0);
+    Blow::new(
+        Hit {
+            restitution,
+            slant,
+            reach,
+        },
+        step,
+        4.2,
+    )
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (scene, a) = (scene(p)?, Answer::new(p.restitution, p.slant));
+    let (m, l, v0, bound) = (p.mass, p.length, p.speed, 1e-12);
+    let joule = m * v0 * v0;
+    let ((s, c), turn) = (sincos(p.slant), TAU / a.angular_velocity.max(0.1));
+    let blow = Blow::new(scene, p.tolerance, 0.02)?;
+    let (before, after) = (blow.before, blow.after);
+    let along = |v: [f64; 2]| v[0] * c + v[1] * s;
+    let [struck, other] = velocities(&after).map(|v| v0 * hypot(v[0], v[1]));
+    // The turning adds to the velocity of the struck mass across the stick and takes it
+    // from the other.
+    let of = |sign: f64| v0 * hypot(a.impulse * s, a.impulse * c * (1.0 + sign));
+    let turning = 0.125 * a.angular_velocity * a.angular_velocity;
+    let elastic = p.restitution == 1.0 && p.slant == 0.0 && scene.reach < 1.2;
+    let angle = |t: f64| t * a.angular_velocity;
+    let followed = || Blow::new(scene, p.tolerance, turn);
+    claims! { report,
+        /// velocity of the ball after the hit, along that before
+        v_ball: v0 * a.ball, "m/s", "contacts simulated" => v0 * along([after.v[3], after.v[4]]), within bound * v0,
+        in "The velocities":
+            0.0 => "the dumbbell is not a particle of its mass",
+            -v0 / 3.0 => "which way?",
+            v0 * 0.2 => "the moment of inertia of two masses at l/2 each";
+        /// velocity of the centre of mass of the dumbbell
+        v_cm: v0 * a.centre, "m/s", "contacts simulated" => v0 * along([after.v[0], after.v[1]]), within bound * v0,
+        in "The velocities":
+            v0 => "the dumbbell also turns",
+            v0 * 4.0 / 3.0 => "that is the struck mass";
+        /// angular velocity of the dumbbell
+        omega: v0 / l * a.angular_velocity, "rad/s", "contacts simulated" => v0 / l * after.v[2], within bound * v0 / l,
+        in "The velocities":
+            0.5 * v0 / l * a.angular_velocity => "the arm is half of the stick",
+            2.0 * v0 / l => "the ball keeps a part of its momentum";
+        /// speed of the struck mass
+        v_hit: of(1.0), "m/s", "contacts simulated" => struck, within bound * v0,
+        in "The velocities":
+            v0 * a.centre => "that is the centre of mass";
+        /// speed of the other mass just after the hit
+        v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0,
+        in "The velocities":
+            v0 * a.centre => "the turning takes it backward";
+        /// impulse of the hit
+        impulse: m * v0 * a.impulse, "N s", "contacts simulated" => m * v0 * (1.0 - along([after.v[3], after.v[4]])), within bound * m * v0,
+        in "The velocities";
+        /// energy of the motion of the centre of mass
+        moving: joule * 0.5 * a.centre * a.centre, "J", "contacts simulated" => joule * 0.5 * (after.v[0] * after.v[0] + after.v[1] * after.v[1]), within bound * joule;
+        /// energy of the turning
+        turning: joule * turning, "J", "contacts simulated" => joule * 0.125 * after.v[2] * after.v[2], within bound * joule;
+        /// part of the energy that is lost
+        lost: (1.0 - p.restitution * p.restitution) / (2.0 + c * c), "-", "contacts simulated" => 1.0 - energy(&after) / energy(&before), within bound;
+        /// way of the centre of mass in a turn
+        way: PI * l, "m", "contacts simulated" => l * followed()?.at(turn)?.q[0], within 1e2 * p.tolerance * l, if elastic,
+        in "What follows":
+            TAU * l => "the circle of the masses has the radius l/2";
+        /// least distance from the ball to the other mass, from middle to middle
+        nearest: l * least(|x| to_upper(a, scene.reach, x), 1.0, 3.0), "m", "contacts simulated" => {
+            let run = followed()?;
+            l * least(|t| run.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]), 1.0 / angle(1.0), 3.0 / angle(1.0))
+        }, within 1e2 * p.tolerance * l, if elastic;
+        /// for e = 1/2: angle at the second hit
+        again: second(scene.reach), "rad", "contacts simulated" => {
+            let run = halved(scene.reach, p.tolerance)?;
+            let found = run.later().next().map_or(f64::NAN, |(t, _)| t);
+            found * run.after.v[2]
+        }, within 1e3 * p.tolerance, if elastic;
+        /// for e = 1/2: angular velocity after the second hit, over that before
+        again_omega: 0.5, "-", "contacts simulated" => {
+            let run = halved(scene.reach, p.tolerance)?;
+            let found = run.later().next().map_or(f64::NAN, |(_, event)| event.after.v[2]);
+            found / run.after.v[2]
+        }, within 1e3 * p.tolerance, if elastic;
+        /// sum of the radii, over l, that makes a second hit
+        touching: touching(), "-", "simulations with and without" => touching_simulated(1e-6)?, within 1e-6, if elastic;
+    }
+}
+
+/// Other readings, other balls, and what two free particles do.
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
+    let (elastic, plastic, along) = (
+        Answer::new(1.0, 0.0),
+        Answer::new(0.0, 0.0),
+        Answer::new(1.0, FRAC_PI_2),
+    );
+    let struck = |a: Answer| a.centre + 0.5 * a.angular_velocity;
+    limits! { report,
+        /// a particle of half its mass: 2 m/(m + m/2); the other mass feels nothing
+        "elastic: struck mass/v0": struck(elastic) => 4.0 / 3.0, within 1e-15;
+        /// nothing is lost: m v0^2 (1/18 + 2/9 + 2/9)
+        "elastic: energy/(m v0^2)": 0.5 * (elastic.ball * elastic.ball + 1.5 * elastic.centre * elastic.centre) + turning_less(elastic) => 0.5, within 1e-15;
+        /// ball and struck mass go on together
+        "plastic: struck mass - ball": struck(plastic) - plastic.ball => 0.0, within 1e-15;
+        /// equal masses exchange their velocities
+        "along the stick: ball/v0": along.ball => 0.0, within 1e-15;
+        /// the hit has no arm
+        "along the stick: Omega l/v0": along.angular_velocity => 0.0, within 1e-15;
+    }
+}
+
+/// The energy of the turning less half of that of the moving, over m v0^2.
+fn turning_less(a: Answer) -> f64 {
+    0.125 * a.angular_velocity * a.angular_velocity - 0.25 * a.centre * a.centre
+}
+
+/// A hit 1 mm off the middle, smooth masses of some size, a table that rubs with 0.1.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, l, v0) = (Answer::new(p.restitution, p.slant), p.length, p.speed);
+    let size = 1.6 * p.knob * p.knob / (l * l);
+    let aside = 1e-3 / (p.ball + p.knob);
+    let contact = 1e-4 * v0 / l * a.angular_velocity;
+    let rub = 0.1 * 9.80665 * l / (v0 * v0 * a.centre * a.centre);
+    effect_card! { report,
+        "size of the masses": "8 a^2/(5 l^2)" = size, costs size * (2.0 / 3.0), "of Omega, at most";
+        "it hits 1 mm off the middle": "d/(a + b)" = aside, costs aside, "rad of the direction";
+        "the contact lasts 0.1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
+        "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01, "of Omega, at most";
+        "friction of the table": "mu_k g l/V^2" = rub, costs rub, "of V in the way l, at most";
+    }
+}
+
+/// The accuracy strip: the time of the second hit, for e = 1/2.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (reach, a) = (scene(p)?.reach.min(1.0), Answer::new(0.5, 0.0));
+    let time = second(reach) / a.angular_velocity;
+    let asked = [p.tolerance, 1e-6, 1e-9, 1e-12];
+    report.set_closed_form(ClosedForm::new(move |_| {
+        Ok::<_, rotation_dynamics::Error>(second(reach))
+    }));
+    let error = move |blow: &Blow| Ok(blow.later().next().map_or(f64::NAN, |(t, _)| t - time));
+    let run = move |step| halved(reach, step);
+    report.dial("DOP853, error of a step", asked, run, Blow::work, error)
+}
+
+example! {
+    ch15_ex9_dumbbell: "Exercise 15.9: a ball hits one of the two masses of a dumbbell";
+    "A dumbbell hit", "A ball hits one of the two masses of a dumbbell at right angles to the stick.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
