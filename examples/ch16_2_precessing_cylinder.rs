@@ -1,0 +1,380 @@
+//! Section 16.2 (1): a cylinder made to precess at a constant tilt, the torque that it takes,
+//! and what the cylinder does when it is let go.
+//!
+//! ```text
+//! cargo run --example ch16_2_precessing_cylinder -- --height 0.02 --check torque=0.05
+//! ```
+
+#[path = "ch16_2_precessing_cylinder/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::exact::{Modulus, legendre};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, ode};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The cylinder of section 15.4; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass
+        mass: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.1, 10.0));
+        /// radius
+        radius: number(0.05, "m", from_to(1e-3, 1e3).usually(0.01, 0.2));
+        /// height along the axis
+        height: number(0.3, "m", from_to(0.0, 1e3).usually(0.0, 0.5));
+        /// tilt of the axis from the vertical
+        tilt: number(0.5, "rad", from_to(1e-3, 1.57).usually(0.05, 1.5));
+        /// angular velocity about the vertical
+        rate: number(10.0, "rad/s", from_to(1e-3, 1e4).usually(1.0, 100.0));
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+/// Moments across the axis and along it, the tilt held, the rate about the vertical.
+#[derive(Debug, Clone, Copy)]
+pub struct Cylinder {
+    pub i1: f64,
+    pub i3: f64,
+    pub tilt: f64,
+    pub rate: f64,
+}
+
+/// What is let go.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LetGo {
+    /// The clamp, while a motor keeps the rate.
+    Motor,
+    /// The clamp; the fork turns on by itself.
+    Clamp,
+    /// Everything.
+    All,
+}
+
+impl Cylinder {
+    pub fn new(p: &Parameters) -> Result<Self> {
+        let square = p.radius * p.radius;
+        let i1 = p.mass * (3.0 * square + p.height * p.height) / 12.0;
+        let i3 = 0.5 * p.mass * square;
+        let body = Self {
+            i1,
+            i3,
+            tilt: p.tilt,
+            rate: p.rate,
+        };
+        let apart = ((i1 - i3) / i1).abs();
+        from_to(1e-3, 1.0).check("|I1 - I3|/I1, 0 where no torque is needed,", apart)?;
+        Ok(body)
+    }
+
+    // ANCHOR: lagrange
+    /// The moment about the vertical at a tilt.
+    pub fn about_vertical(&self, tilt: f64) -> f64 {
+        let (s, c) = sincos(tilt);
+        self.i3 * c * c + self.i1 * s * s
+    }
+
+    /// L_Z, the derivative of the Lagrangian by phi'.
+    pub fn vertical_momentum(&self) -> f64 {
+        self.about_vertical(self.tilt) * self.rate
+    }
+
+    /// lambda, what the clamp adds to make the tilt stay.
+    pub fn torque(&self) -> f64 {
+        let (s, c) = sincos(self.tilt);
+        -(self.i1 - self.i3) * self.rate * self.rate * s * c
+    }
+
+    /// Lagrange's equations once the constraint is gone: `[theta, phi, theta', phi']`.
+    pub fn let_go(&self, what: LetGo) -> impl Ode<4> {
+        let Self { i1, i3, tilt, rate } = *self;
+        let spin = i3 * rate * cos(tilt);
+        ode(move |_, &[theta, _, nod, turn]: &[f64; 4]| {
+            let (s, c) = sincos(theta);
+            let free = s * c * turn * turn - spin / i1 * turn * s;
+            let forked = (i1 - i3) / i1 * s * c * turn * turn;
+            let whole = i3 * c * c + i1 * s * s;
+            match what {
+                LetGo::Motor => [nod, turn, forked, 0.0],
+                LetGo::Clamp => [
+                    nod,
+                    turn,
+                    forked,
+                    -2.0 * (i1 - i3) * s * c * nod * turn / whole,
+                ],
+                LetGo::All => [
+                    nod,
+                    turn,
+                    free,
+                    nod * (spin / (i1 * s) - 2.0 * turn * c / s),
+                ],
+            }
+        })
+    }
+    // ANCHOR_END: lagrange
+
+    /// The state at which it is let go.
+    pub fn start(&self) -> [f64; 4] {
+        [self.tilt, 0.0, 0.0, self.rate]
+    }
+
+    fn long(&self) -> bool {
+        self.i1 > self.i3
+    }
+
+    /// The angle between L and the axis while the cylinder is held.
+    pub fn lean(&self) -> f64 {
+        atan2(self.i1 * sin(self.tilt), self.i3 * cos(self.tilt))
+    }
+
+    /// The rate of small swings about the tilt of rest, if a motor keeps the rate.
+    pub fn swing(&self) -> f64 {
+        self.rate * ((self.i1 - self.i3).abs() / self.i1).sqrt()
+    }
+
+    /// The tilt at the far end of the swing, and the time of a whole one.
+    pub fn swung(&self, what: LetGo) -> Result<[f64; 2]> {
+        let (s, c) = sincos(self.tilt);
+        let far = if self.long() {
+            PI - self.tilt
+        } else {
+            -self.tilt
+        };
+        Ok(match what {
+            LetGo::Motor => {
+                let modulus = Modulus::from_k(if self.long() { c } else { s })?;
+                [far, 4.0 * legendre::k(modulus)? / self.swing()]
+            }
+            LetGo::Clamp => [far, self.coasting()],
+            LetGo::All => {
+                let momentum = hypot(self.i1 * s, self.i3 * c) * self.rate;
+                [
+                    (2.0 * self.lean() - self.tilt).abs(),
+                    TAU * self.i1 / momentum,
+                ]
+            }
+        })
+    }
+
+    /// The time of a swing with L_Z kept: an integral over a period, by equal steps.
+    fn coasting(&self) -> f64 {
+        let (s, c) = sincos(self.tilt);
+        let (edge, here) = (
+            if self.long() { c } else { s },
+            self.about_vertical(self.tilt),
+        );
+        let slope = |psi: f64| {
+            let off = edge * sin(psi);
+            let square = off * off;
+            let cosine = if self.long() { square } else { 1.0 - square };
+            (self.i1 * here * (self.i1 - (self.i1 - self.i3) * cosine) / (1.0 - square)).sqrt()
+        };
+        // The nearest singularity is as far off the real line as the small one of sine and cosine.
+        let n = 64.0 + (40.0 / s.min(c)).ceil();
+        let sum: f64 = (0..n as u32).map(|k| slope(TAU * f64::from(k) / n)).sum();
+        let scale = (self.i1 - self.i3).abs().sqrt() * self.vertical_momentum();
+        TAU / n * sum / scale
+    }
+
+    /// Turning point number `n` of the simulated swing.
+    pub fn turning(&self, what: LetGo, n: u32, step: f64) -> Result<(LocatedEvent<4>, Work)> {
+        let until = 10.0 * self.swung(what)?[1];
+        Dop853::new(step)?.zero(&self.let_go(what), self.start(), n, until, |y| y[2])
+    }
+
+    /// Where it is while it is held: the fork has turned by `turn`.
+    pub fn held(&self, turn: f64) -> Result<Attitude> {
+        Attitude::from_euler(EulerAngles {
+            phi: turn,
+            theta: self.tilt,
+            zeta: 0.0,
+        })
+    }
+
+    /// Its motion from there on if everything is let go, by the library.
+    pub fn freed(&self, turn: f64) -> Result<FreeBody> {
+        let (s, c) = sincos(self.tilt);
+        let omega = BodyVector::new(0.0, self.rate * s, self.rate * c);
+        FreeBody::new(
+            PrincipalMoments::symmetric(self.i1, self.i3)?,
+            self.held(turn)?,
+            omega,
+        )
+    }
+}
+
+// ANCHOR: grains
+/// Grains at equal parts of the mass: three rings, eight around, two high, as far out as makes
+/// the sums of squares those of the cylinder.
+pub fn grains(p: &Parameters) -> impl Iterator<Item = BodyVector> {
+    let (radius, up) = (p.radius, p.height / 12.0_f64.sqrt());
+    (0..48).map(move |n| {
+        let (ring, around, side) = (n % 3, n / 3 % 8, n / 24);
+        let out = radius * ((f64::from(ring) + 0.5) / 3.0).sqrt();
+        let (s, c) = sincos(TAU * f64::from(around) / 8.0);
+        BodyVector::new(out * c, out * s, if side == 0 { up } else { -up })
+    })
+}
+
+/// L_Z, and the torque along x of the forces that keep the grains on their circles.
+pub fn by_grains(p: &Parameters) -> Result<[f64; 2]> {
+    let held = Attitude::from_euler(EulerAngles {
+        phi: 0.0,
+        theta: p.tilt,
+        zeta: 0.0,
+    })?;
+    let (omega, share) = (SpaceVector::new(0.0, 0.0, p.rate), p.mass / 48.0);
+    Ok(grains(p).fold([0.0; 2], |[momentum, torque], grain| {
+        let r = held.to_space(grain);
+        let v = omega.cross(&r);
+        let force = omega.cross(&v) * share;
+        // At phi = 0 the direction x of the triad is X.
+        [
+            momentum + r.cross(&(v * share)).z(),
+            torque + r.cross(&force).x(),
+        ]
+    }))
+}
+// ANCHOR_END: grains
+
+/// The height at which the grains need no torque, by bisection.
+fn balanced(p: &Parameters) -> Result<f64> {
+    let (mut low, mut high) = (0.0, 4.0 * p.radius);
+    for _ in 0..60 {
+        let height = 0.5 * (low + high);
+        let [_, torque] = by_grains(&Parameters {
+            height,
+            ..p.clone()
+        })?;
+        *(if torque < 0.0 { &mut high } else { &mut low }) = height;
+    }
+    Ok(0.5 * (low + high))
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (body, [momentum, torque]) = (Cylinder::new(p)?, by_grains(p)?);
+    let ((s, c), w, unit) = (
+        sincos(p.tilt),
+        p.rate,
+        p.rate * p.rate * body.i1.max(body.i3),
+    );
+    let (lz, lambda) = (body.vertical_momentum(), body.torque());
+    let [motor, clamp, all] = [LetGo::Motor, LetGo::Clamp, LetGo::All];
+    let ran = |what, n| Ok::<_, rotation_dynamics::Error>(body.turning(what, n, p.tolerance)?.0);
+    let ([far, motor_time], [_, clamp_time]) = (body.swung(motor)?, body.swung(clamp)?);
+    let ([all_far, all_time], bound) = (body.swung(all)?, 1e4 * p.tolerance);
+    let free = body.freed(0.0)?;
+    let balance = 3.0_f64.sqrt() * p.radius;
+    claims! { report,
+        /// moment of inertia across the axis
+        i1: body.i1, "kg m^2", "grains" => grains(p).map(|r| p.mass / 48.0 * (r.x() * r.x() + r.z() * r.z())).sum(),
+        within 1e-14 * body.i1.max(body.i3);
+        /// moment of inertia about the axis
+        i3: body.i3, "kg m^2", "grains" => grains(p).map(|r| p.mass / 48.0 * (r.x() * r.x() + r.y() * r.y())).sum(),
+        within 1e-14 * body.i3;
+        /// angular momentum about the vertical
+        vertical_momentum: lz, "kg m^2/s", "sum over grains" => momentum, within 1e-14 * unit / w, in "Held":
+            body.i1 * w => "only a part of the turning is across the axis",
+            body.i3 * w * c => "that is the component along the axis",
+            hypot(body.i1 * s, body.i3 * c) * w => "that is the length of L";
+        /// torque of the clamp, lambda
+        torque: lambda, "N m", "forces on grains" => torque, within 1e-14 * unit, in "Held":
+            -lambda => "which way does the cylinder want to go?",
+            lambda / w => "is that a torque? look at the units",
+            (body.i3 - body.i1) * w * w * s => "only a part of L is across the vertical";
+        /// angle between L and the axis
+        lean: body.lean(), "rad", "library's free body" => acos(free.attitude(0.0).axis().dot(&free.angular_momentum()) / free.angular_momentum().norm()),
+        within 1e-7, in "Held":
+            p.tilt => "that is the angle of the angular velocity";
+        /// height at which no torque is needed
+        balanced: balance, "m", "bisection over grains" => balanced(p)?, within 1e-12 * balance, in "Held":
+            2.0 * p.radius => "compare the moments";
+        /// the clamp let go, a motor keeps the rate: far tilt
+        motor_far: far, "rad", "located event" => ran(motor, 1)?.state[0], within bound;
+        /// the same: time of a whole swing
+        motor_time: motor_time, "s", "located event" => ran(motor, 2)?.t, within bound * motor_time;
+        /// the clamp let go, nothing keeps the rate: time of a whole swing
+        clamp_time: clamp_time, "s", "located event" => ran(clamp, 2)?.t, within bound * clamp_time;
+        /// everything let go: far tilt
+        free_far: all_far, "rad", "located event" => ran(all, 1)?.state[0], within bound, in "Let go":
+            far => "with the fork; a free cylinder circles its L",
+            body.lean() => "that is the angle from L";
+        /// the same: time of a whole nod
+        free_time: all_time, "s", "located event" => ran(all, 2)?.t, within bound * all_time, in "Let go":
+            TAU / w => "the axis circles L at L/I1";
+    }
+}
+
+/// Needles, discs, and tilts near rest.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let of = |i1: f64, i3: f64, tilt: f64| Cylinder {
+        i1,
+        i3,
+        tilt,
+        rate: 1.0,
+    };
+    let ran = |body: Cylinder, what| {
+        Ok::<_, rotation_dynamics::Error>(body.turning(what, 2, 1e-14)?.0.t / TAU)
+    };
+    let disc = Parameters {
+        height: 0.0,
+        mass: 1.0,
+        radius: 1.0,
+        rate: 1.0,
+        tilt: p.tilt,
+        ..p.clone()
+    };
+    limits! { report,
+        /// sin(2 theta) is greatest there, and the needle has only I1
+        "needle at 45 degrees: lambda/(I1 phi'^2)": of(1.0, 0.0, 0.25 * PI).torque() => -0.5, within 1e-15;
+        /// I3 = 2 I1: as large, and the other way
+        "disc: lambda/(I1 phi'^2 sin cos)": by_grains(&disc)?[1] / (0.25 * sin(p.tilt) * cos(p.tilt)) => 1.0, within 1e-14;
+        /// L is along Z
+        "level: lambda/(I1 phi'^2)": of(1.0, 0.1, FRAC_PI_2).torque() => 0.0, within 1e-15;
+        /// one swing in one turn
+        "needle near level, motor: turns in a swing": ran(of(1.0, 1e-9, FRAC_PI_2 - 1e-4), LetGo::Motor)? => 1.0, within 1e-8;
+        /// small swings do not change the rate
+        "the same, fork left to itself": ran(of(1.0, 1e-9, FRAC_PI_2 - 1e-4), LetGo::Clamp)? => 1.0, within 1e-8;
+        /// the needle circles its L, to which it is square, as fast
+        "needle near level, all let go": ran(of(1.0, 1e-9, FRAC_PI_2 - 1e-4), LetGo::All)? => 1.0, within 1e-8;
+        /// I3 = 2 I1: the axis of a nearly upright disc circles L twice a turn
+        "disc near upright, all let go": ran(of(0.5, 1.0, 1e-3), LetGo::All)? => 0.5, within 1e-6;
+    }
+}
+
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (body, (s, c)) = (Cylinder::new(p)?, sincos(p.tilt));
+    let torque = body.torque().abs();
+    let (off, earth, yields) = (
+        p.mass * 9.80665 * 1e-4 * s / torque,
+        1.4584e-4 / p.rate,
+        torque / 1e3,
+    );
+    let slope = ((c - s) * (c + s) / (s * c)).abs();
+    effect_card! { report,
+        "centre of mass 0.1 mm off the hinge": "M g e sin/lambda" = off, costs off, "of lambda";
+        "a clamp that yields 1 mrad to 1 N m": "lambda/c" = yields, costs slope * yields, "of lambda";
+        "turning of the Earth, at a pole": "2 Omega_E/phi'" = earth, costs earth, "of lambda";
+    }
+}
+
+/// The accuracy strip: a swing of the cylinder in a fork that is left to itself.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (body, what) = (Cylinder::new(p)?, LetGo::Clamp);
+    let time = body.swung(what)?[1];
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    report.set_closed_form(ClosedForm::new(move |_| {
+        Ok::<_, rotation_dynamics::Error>(body.coasting())
+    }));
+    report.dial_of_return(asked, move |step| body.turning(what, 2, step), time, p.tilt)
+}
+
+example! {
+    ch16_2_precessing_cylinder: "Section 16.2 (1): a cylinder made to precess, and let go";
+    "A cylinder made to precess", "A cylinder is turned about the vertical at a constant tilt; then it is let go.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

@@ -1,0 +1,312 @@
+//! Section 16.2 (2): the free symmetric top by Lagrange's equations, with the vertical along its
+//! angular momentum and with the vertical anywhere else.
+//!
+//! ```text
+//! cargo run --example ch16_2_torque_free -- --lean 0.2 --check theta_min=0.15
+//! ```
+
+#[path = "ch16_2_torque_free/figures.rs"]
+mod figures;
+
+use core::f64::consts::{PI, TAU};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, ode};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The cylinder of section 15.5; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass
+        mass: number(1.2, "kg", from_to(1e-6, 1e6).usually(0.1, 5.0));
+        /// radius
+        radius: number(0.05, "m", from_to(1e-3, 1e3).usually(0.01, 0.2));
+        /// height along the axis
+        height: number(0.15, "m", from_to(0.0, 1e3).usually(0.0, 0.4));
+        /// angular velocity along the axis
+        omega_z: number(20.0, "rad/s", from_to(1e-3, 1e4).usually(1.0, 100.0));
+        /// angular velocity across the axis, for the small wobble
+        omega_y: number(1.0, "rad/s", from_to(1e-3, 1e4).usually(0.1, 10.0));
+        /// angle between L and the axis, for the wide wobble
+        cone: number(0.35, "rad", from_to(1e-3, 1.5).usually(0.05, 1.0));
+        /// angle between L and Z
+        lean: number(0.6, "rad", from_to(0.0, 1.57).usually(0.0, 1.2));
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+/// A free symmetric top, L leaning from Z away from the axis at the start.
+#[derive(Debug, Clone, Copy)]
+pub struct Top {
+    pub i1: f64,
+    pub i3: f64,
+    /// Angular velocity along the axis.
+    pub along: f64,
+    /// Angle between L and the axis.
+    pub cone: f64,
+    /// Angle between L and Z.
+    pub lean: f64,
+}
+
+impl Top {
+    /// The wide wobble.
+    pub fn new(p: &Parameters) -> Self {
+        let square = p.radius * p.radius;
+        let i1 = p.mass * (3.0 * square + p.height * p.height) / 12.0;
+        Self {
+            i1,
+            i3: 0.5 * p.mass * square,
+            along: p.omega_z,
+            cone: p.cone,
+            lean: p.lean,
+        }
+    }
+
+    /// The small wobble, Z along L.
+    pub fn small(p: &Parameters) -> Self {
+        let top = Self::new(p);
+        let cone = atan2(top.i1 * p.omega_y, top.i3 * top.along);
+        Self {
+            cone,
+            lean: 0.0,
+            ..top
+        }
+    }
+
+    // ANCHOR: momenta
+    /// L_z, along the axis.
+    pub fn spin_momentum(&self) -> f64 {
+        self.i3 * self.along
+    }
+
+    /// L.
+    pub fn momentum(&self) -> f64 {
+        self.spin_momentum() / cos(self.cone)
+    }
+
+    /// L_Z, along the vertical.
+    pub fn vertical_momentum(&self) -> f64 {
+        self.momentum() * cos(self.lean)
+    }
+
+    /// phi' at a tilt.
+    pub fn precession(&self, theta: f64) -> f64 {
+        let (s, c) = sincos(theta);
+        (self.vertical_momentum() - self.spin_momentum() * c) / (self.i1 * s * s)
+    }
+
+    /// The effective potential.
+    pub fn potential(&self, theta: f64) -> f64 {
+        let turn = self.precession(theta) * sin(theta);
+        0.5 * self.i1 * turn * turn
+    }
+    // ANCHOR_END: momenta
+
+    /// The energy that theta has: all of the kinetic energy but L_z^2/(2 I3).
+    pub fn energy(&self) -> f64 {
+        let across = self.momentum() * sin(self.cone);
+        across * across / (2.0 * self.i1)
+    }
+
+    /// The time of a nod: the axis has gone once round L.
+    pub fn nod(&self) -> f64 {
+        TAU * self.i1 / self.momentum()
+    }
+
+    // ANCHOR: triangle
+    /// (phi, theta, zeta) at a time, by the spherical triangle of Z, L and the axis.
+    pub fn angles(&self, t: f64) -> Result<EulerAngles> {
+        let about_l = EulerAngles {
+            phi: self.momentum() / self.i1 * t,
+            theta: self.cone,
+            zeta: (1.0 - self.i3 / self.i1) * self.along * t,
+        };
+        let x = SpaceVector::new(1.0, 0.0, 0.0);
+        let leaning = Attitude::from_euler(about_l)?.turned_in_space(x * self.lean)?;
+        Ok(leaning.euler_angles())
+    }
+    // ANCHOR_END: triangle
+
+    // ANCHOR: lagrange
+    /// Lagrange's equations: `[theta, phi, zeta, theta', phi', zeta']`.
+    pub fn equations(&self) -> impl Ode<6> {
+        let Self { i1, i3, .. } = *self;
+        ode(move |_, &[theta, _, _, nod, turn, spin]: &[f64; 6]| {
+            let ((s, c), along) = (sincos(theta), i3 * (spin + turn * cos(theta)));
+            let theta2 = (turn * s * c) * turn - along * turn * s / i1;
+            let phi2 = nod * (along / (i1 * s) - 2.0 * turn * c / s);
+            // I3 (zeta' + phi' cos theta) has no derivative.
+            let zeta2 = turn * nod * s - phi2 * c;
+            [nod, turn, spin, theta2, phi2, zeta2]
+        })
+    }
+    // ANCHOR_END: lagrange
+
+    /// At the greatest tilt.
+    pub fn start(&self) -> [f64; 6] {
+        let theta = self.lean + self.cone;
+        let turn = self.momentum() * sin(self.cone) / (self.i1 * sin(theta));
+        [theta, 0.0, 0.0, 0.0, turn, self.along - turn * cos(theta)]
+    }
+
+    /// The motion from there, stepped.
+    pub fn stepped(&self, end: f64, step: f64) -> Result<Solution<6>> {
+        Dop853::new(step)?.solve(&self.equations(), 0.0, &self.start(), end, &[])
+    }
+
+    /// Turning point number `n` of theta.
+    pub fn turning(&self, n: u32, step: f64) -> Result<(LocatedEvent<6>, Work)> {
+        Dop853::new(step)?.zero(&self.equations(), self.start(), n, 10.0 * self.nod(), |y| {
+            y[3]
+        })
+    }
+
+    /// The same motion by the library, which knows no Euler angles.
+    pub fn free_body(&self) -> Result<FreeBody> {
+        let [theta, ..] = self.start();
+        let attitude = Attitude::from_euler(EulerAngles {
+            phi: 0.0,
+            theta,
+            zeta: 0.0,
+        })?;
+        let across = self.momentum() * sin(self.cone) / self.i1;
+        let omega = BodyVector::new(0.0, across, self.along);
+        FreeBody::new(
+            PrincipalMoments::symmetric(self.i1, self.i3)?,
+            attitude,
+            omega,
+        )
+    }
+}
+
+/// The wide wobble, if its axis keeps clear of Z.
+pub fn wide(p: &Parameters) -> Result<Top> {
+    let top = Top::new(p);
+    from_to(5e-3, PI).check(
+        "|lean - cone|, 0 where the axis meets Z,",
+        (p.lean - p.cone).abs(),
+    )?;
+    from_to(1e-3, PI).check("lean, 0 where nothing nods,", p.lean)?;
+    from_to(1e-3, 2.0).check("I3/I1", top.i3 / top.i1)?;
+    Ok(top)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (small, top) = (Top::small(p), wide(p)?);
+    let (bound, nod, l) = (1e3 * p.tolerance, top.nod(), top.momentum());
+    let second = small.nod();
+    let steady = small.stepped(second, p.tolerance)?;
+    let ([least, turn, ..], free) = (*steady.end_state(), top.free_body()?);
+    let rate = small.spin_momentum() / (small.i1 * cos(small.cone));
+    let (far, back) = (
+        top.turning(1, p.tolerance)?.0.state,
+        top.turning(2, p.tolerance)?.0,
+    );
+    let after = free.state(0.4 * nod);
+    let omega = free.angular_velocity(0.4 * nod);
+    let (max, min) = (top.lean + top.cone, (top.lean - top.cone).abs());
+    let outside = top.lean > top.cone;
+    let spin = (1.0 - top.i3 / top.i1) * top.along * nod;
+    let fastest = top.precession(min).abs().max(1.0 / nod);
+    claims! { report,
+        /// small wobble, Z along L: tilt
+        theta: small.cone, "rad", "a turn, stepped" => least, within bound, in "Z along L":
+            atan2(p.omega_y, p.omega_z) => "that is the angle of the angular velocity";
+        /// the same: rate of precession
+        phi_rate: rate, "rad/s", "a turn, stepped" => turn / second, within bound * rate, in "Z along L":
+            p.omega_z => "compare the moments",
+            small.spin_momentum() * cos(small.cone) / small.i1 => "divide by the cosine";
+        /// the same: rate of spin
+        zeta_rate: p.omega_z - rate * cos(small.cone), "rad/s", "a turn, stepped" => steady.end_state()[2] / second, within bound * (rate + p.omega_z),
+        in "Z along L":
+            p.omega_z => "a part of that is the precession, seen along the axis";
+        /// wide wobble: angular momentum along the axis
+        spin_momentum: top.spin_momentum(), "kg m^2/s", "library, 0.4 nods later" => top.i3 * omega.z(), within 1e-13 * l;
+        /// the same: along the vertical
+        vertical_momentum: top.vertical_momentum(), "kg m^2/s", "library, 0.4 nods later" => after.angular_momentum.z(), within 1e-13 * l;
+        /// the same: greatest tilt from Z
+        theta_max: max, "rad", "located event" => back.state[0], within bound, in "Z elsewhere":
+            top.cone => "that is the angle from L";
+        /// least tilt from Z
+        theta_min: min, "rad", "located event" => far[0], within bound, in "Z elsewhere":
+            top.lean => "that is where L points";
+        /// time of a nod
+        nod: nod, "s", "located event" => back.t, within bound * nod, in "Z elsewhere":
+            TAU / top.along => "the axis circles L at L/I1";
+        /// rate of precession at the greatest tilt
+        phi_rate_max: top.precession(max), "rad/s", "located event" => back.state[4], within bound * fastest;
+        /// the same at the least tilt
+        phi_rate_min: top.precession(min), "rad/s", "located event" => far[4], within 10.0 * bound * fastest / min;
+        /// advance of phi in a nod
+        phi_advance: if outside { 0.0 } else { TAU }, "rad", "located event" => back.state[1], within bound / min, in "Z elsewhere":
+            if outside { TAU } else { 0.0 } => "is Z inside the cone of the axis?";
+        /// advance of zeta in a nod
+        zeta_advance: if outside { spin + TAU } else { spin }, "rad", "located event" => back.state[2], within bound * (1.0 + spin.abs()) / min;
+        /// energy of the nodding
+        energy: top.energy(), "J", "potential at the least tilt" => top.potential(min), within 1e-10 * top.energy() / min;
+    }
+}
+
+/// Z all but along L, all but on the cone, and at right angles; a sphere and a disc.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (top, small) = (wide(p)?, Top::small(p));
+    let at = |lean, cone| Top { lean, cone, ..top };
+    let turned = |top: Top| Ok::<_, rotation_dynamics::Error>(top.turning(2, 1e-14)?.0);
+    let [_, steady, ..] = *small.stepped(1.0, 1e-14)?.end_state();
+    limits! { report,
+        /// Chapter 15: L/I1, all of it about L
+        "Z along L: phi'/(L/I1)": steady / (small.momentum() / small.i1) => 1.0, within 1e-11;
+        /// it nods by what Z leans
+        "lean = 1e-3: half the range of theta over lean":
+            (at(1e-3, 0.4).start()[0] - at(1e-3, 0.4).turning(1, 1e-14)?.0.state[0]) / 2e-3 => 1.0, within 1e-8;
+        /// just inside the cone the line of nodes goes round
+        "lean = cone - 0.02: advance of phi over 2 pi": turned(at(0.38, 0.4))?.state[1] / TAU => 1.0, within 1e-9;
+        /// just outside it does not
+        "lean = cone + 0.02: advance of phi over 2 pi": turned(at(0.42, 0.4))?.state[1] / TAU => 0.0, within 1e-9;
+        /// I1 = I3: there is no spin; Z lies within the cone
+        "sphere, lean 0.2: advance of zeta": turned(Top { i1: top.i3, ..at(0.2, 0.4) })?.state[2] => 0.0, within 1e-9;
+        /// I3 = 2 I1, a narrow cone: two nods in a turn about the axis
+        "disc, cone 1e-3: Omega_z times a nod over 2 pi":
+            turned(Top { i1: 0.5 * top.i3, ..at(0.6, 1e-3) })?.t * top.along / TAU => 0.5, within 1e-6;
+    }
+}
+
+/// What the angle between L and the axis varies by, over its mean, if I2 = I1 (1 + d).
+pub fn unequal(top: &Top, d: f64) -> f64 {
+    (0.5 * d * (top.i3 / (top.i1 - top.i3)).abs()).min(1.0)
+}
+
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let top = wide(p)?;
+    let (earth, round) = (7.292e-5 * top.nod(), top.nod());
+    let gradient = 1.5 * 1.54e-6 * (top.i1 - top.i3).abs() / top.momentum() * round;
+    effect_card! { report,
+        "Z fixed to the turning Earth": "Omega_E T" = earth, costs earth, "rad of theta, a nod";
+        "I1 and I2 differ by 1 %": "(I2 - I1)/I1" = 0.01, costs unequal(&top, 0.01), "of the cone";
+        "gravity of the Earth weaker at the upper end": "3 g (I1 - I3) T/(2 R_E L)" = gradient, costs gradient, "rad of L, a nod";
+    }
+}
+
+/// The accuracy strip: a nod by Lagrange's equations.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let top = wide(p)?;
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, rotation_dynamics::Error>(top.angles(part * top.nod())?.theta)
+    }));
+    report.dial_of_return(
+        asked,
+        move |step| top.turning(2, step),
+        top.nod(),
+        top.lean + top.cone,
+    )
+}
+
+example! {
+    ch16_2_torque_free: "Section 16.2 (2): torque-free motion by Lagrange's equations";
+    "Torque-free motion by Lagrange", "A free cylinder in Euler angles, counted from its L and from another axis.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
