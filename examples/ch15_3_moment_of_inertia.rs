@@ -332,7 +332,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let spread: f64 = masses.iter().map(|(m, r)| 2.0 * m * r.dot(r)).sum();
     let [strip, ..] = corner_axes(1.0, 1.0, 1e-6);
     let far = uniform::plate(p.mass, p.width, p.height)?;
-    let away = 1e9 * p.width;
+    let away = 1e9 * hypot(p.width, p.height);
     let far = far.about([away, 0.0, 0.0].into())?.matrix()[2][2];
     let [round, _, hoop] = diagonal(&uniform::torus(1.0, 1.0, 1e-9)?);
     let [ball, ..] = diagonal(&uniform::ellipsoid(1.0, 1.0, 1.0, 1.0)?);

@@ -59,7 +59,7 @@ rotation_dynamics::parameters! {
         /// length of the shaft
         runner_shaft: number(0.5, "m", above(0.0));
         /// angular velocity of the shaft about the vertical
-        runner_rate: number(2.0, "rad/s", above(0.0));
+        runner_rate: number(2.0, "rad/s", from_to(1e-3, 1e6));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", at_least(0.0));
         /// mass of the square plate

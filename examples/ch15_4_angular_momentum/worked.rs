@@ -5,6 +5,7 @@ use super::{Parameters, Shaft, euler, turning};
 use core::f64::consts::{FRAC_PI_2, TAU};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::report::Report;
 
@@ -270,6 +271,7 @@ fn earth(report: &mut Report) -> Result<()> {
 /// The wheel on a shaft.
 fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, swarm) = (runner_of(p), runner(runner_of(p)));
+    from_to(1e-3, 1e3).check("runner_shaft/runner_radius", r.shaft / r.radius)?;
     let ([along, up], weight) = (r.momentum(), p.runner_mass * p.gravity);
     let (n, energy, momentum) = (
         r.force(p.gravity),
@@ -279,9 +281,10 @@ fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
     let double = (2.0 * p.gravity / r.radius).sqrt();
     // Weight and floor must have, about the hinge, the torque that turns L.
     let needed = weight - swarm.torque(0.0).y() / p.runner_shaft;
-    // The faster it spins, the shorter is the step between two looks.
+    // The faster it spins, the shorter is the step between two looks; the torque needs two steps.
     let turns = r.rate * (1.0 + r.shaft / r.radius);
-    let (bound, off) = (4e-13 * turns / r.rate, 1e-11 * (n + up * turns / r.shaft));
+    let bound = 4e-13 * turns / r.rate;
+    let off = 1e-11 * n + 3e-12 * up * turns / r.shaft * (turns / r.rate);
     // What is added to the weight grows with the square of the rate.
     let added = needed - weight;
     rotation_dynamics::claims! { report,

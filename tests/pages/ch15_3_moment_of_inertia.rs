@@ -385,7 +385,7 @@ fn the_effects_are_what_the_bodies_say() {
 
 #[test]
 fn other_plates_and_motions_are_confirmed() {
-    let plates = ["", "--height 0.3", "--width 2 --height 0.01 --mass 1e-3", "--mass 1e6 --width 1e-3"];
+    let plates = ["", "--height 0.3", "--width 2 --height 0.01 --mass 1e-3", "--mass 1e6 --width 1e-6"];
     let motions = ["--turn 0", "--turn -7 --omega-z 0", "--omega-x 300 --omega-y=-200 --omega-z 1e-9"];
     let runs = plates.iter().flat_map(|plate| motions.map(|motion| format!("{plate} {motion}")));
     confirmed(&EXAMPLE, runs, 12);

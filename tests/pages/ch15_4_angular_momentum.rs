@@ -37,9 +37,11 @@ fn every_scene_asked_for_is_confirmed() {
         "--wheel-rate=0.01 --coin-rate=50 --coin-radius=1",
         "--runner-rate=30 --runner-shaft=0.01 --gravity=0",
         "--runner-rate=0.1 --runner-shaft=20 --runner-radius=0.05",
+        "--runner-shaft=299",
+        "--runner-radius=4e-4 --runner-shaft=0.3 --runner-rate=40",
         "--plate-side=10 --plate-mass=1e-3 --plate-rate=1e3",
     ];
-    confirmed(&EXAMPLE, runs, 7);
+    confirmed(&EXAMPLE, runs, 9);
 }
 
 /// The page's tries, as it answers them, against the runs.
@@ -62,6 +64,8 @@ fn what_is_no_body_is_refused() {
         ("--tilt=2", "tilt = 2 is not allowed"),
         ("--radius=-0.1", "radius = -0.1 is not allowed"),
         ("--gravity=-1", "gravity = -1 is not allowed"),
+        ("--runner-shaft=1e6", "runner_shaft/runner_radius = 3333333.33"),
+        ("--runner-rate=1e-12", "runner_rate = 1e-12 is not allowed"),
         ("--tolerance=0", "tolerance = 0"),
         ("--height=1e200", "not a finite number"),
     ];

@@ -32,6 +32,7 @@ fn what_cannot_hit_is_refused() {
     let runs = [
         ("--speed=-5", "speed = -5 is not allowed"),
         ("--particle=0", "particle = 0 is not allowed"),
+        ("--mass=1e-12", "it must be from 0.001 to 1000"),
         ("--length=inf", "not a finite number"),
         ("--tolerance=0.1", "tolerance = 0.1"),
     ];
