@@ -346,7 +346,7 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
         p.tolerance,
     )?;
     let State { v, .. } = run.at(run.end_time())?;
-    let slip = format!("{:.0e}", (v[1] - v[2]).abs());
+    let slip = format!("{:.3}", (v[1] - v[2]).abs());
     row("stick located", run.work().steps, run.end_time(), slip)?;
     report.add(table)
 }

@@ -3,7 +3,7 @@
 
 use crate::told::{cell, confirmed, refused, value};
 use pages::ch15_ex1_two_discs::*;
-use support::Errors;
+use support::{Errors, assert_error};
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
@@ -76,7 +76,8 @@ fn bounces_cost_no_time() {
     damaged.exceed(1e-4, 5);
 }
 
-/// With the sign of the slip and equal steps, the slip that is left is half of what a step changes.
+/// With the sign of the slip and an odd number of equal steps, the slip that is left is half of what
+/// a step changes.
 #[test]
 fn the_sign_of_the_slip_chatters() {
     let (p, mut errors) = (Parameters::default(), Errors::of("slip left over half a step's change"));
@@ -89,5 +90,9 @@ fn the_sign_of_the_slip_chatters() {
     }
     errors.attain(2.93e-12..=2.94e-12, 3);
     damaged.exceed(0.5, 3);
+    // A step that ends where the slip does: rounding decides.
+    let [none, whole] = [50, 5000].map(|steps| left_over(&chattering(&p, steps, 2.0 * a.time)));
+    assert_eq!(none, 0.0);
+    assert_error!(whole, 2.0 * a.relative / 5000.0, 3.7219e5 eps);
     assert_eq!(cell(&EXAMPLE, "", ["table naive", "stick located", "slip left / rad/s"]).abs(), 0.0);
 }
