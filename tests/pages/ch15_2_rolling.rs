@@ -247,9 +247,11 @@ fn e09_the_sign_of_zeta() {
 
 #[test]
 fn e10_the_line_turns_about_z() {
-    let turned = |axis| Attitude::about_space_axis(axis, 0.8).expect("a turn");
-    let level = |axis| turned(axis).to_space(BodyVector::new(0.0, 1.0, 0.0)).z();
-    // A level line of the wheel stays level about Z; about X it would rise.
-    assert_eq!(level(at(0.0, 0.0, 1.0)), 0.0);
-    assert!(level(at(1.0, 0.0, 0.0)) > 0.7);
+    // What has carried the wheel round, its spin left out, is a turn about Z and not about X.
+    let p = Parameters::default();
+    let carried = cycle_turned(&p, 0.0, 0.4).expect("an attitude");
+    let turn = (carried * upright().expect("upright").inverse()).rotation_vector();
+    let phi = 0.4 * p.rate;
+    assert_error!((turn - at(0.0, 0.0, phi)).norm(), 2.1175e-16);
+    assert!((turn - at(phi, 0.0, 0.0)).norm() > 1.0);
 }
