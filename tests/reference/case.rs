@@ -162,6 +162,15 @@ impl Case {
         self.json["derived"][name].as_str()
     }
 
+    /// What happens on the way: the derived events, each with its time and its name.
+    pub fn events(&self) -> Option<Vec<(DoubleDouble, &str)>> {
+        let list = self.json["derived"]["events"].as_array()?;
+        let time = |event: &Value| event["t"].as_str().map_or(NAN, decimal);
+        let events = list.iter();
+        let named = events.map(|e| (time(e), e["event"].as_str().unwrap_or("(no name)")));
+        Some(named.collect())
+    }
+
     /// True if every sample says what errors made on the way do to it.
     pub fn has_path_conditions(&self) -> bool {
         self.samples()
@@ -210,6 +219,11 @@ impl Sample<'_> {
     /// A field that is a plain JSON number, such as the ladder's phase.
     pub fn integer(&self, field: &str) -> Option<i64> {
         self.0[field].as_i64()
+    }
+
+    /// A field that is a word, such as what holds the plank.
+    pub fn word(&self, field: &str) -> Option<&str> {
+        self.0[field].as_str()
     }
 
     /// A field that is a decimal string.

@@ -12,6 +12,7 @@ mod integrators;
 mod ladder;
 mod pendulum;
 mod plank_fall;
+mod roller_plank;
 mod top;
 
 use case::{Case, Outcome, Trouble};
@@ -32,7 +33,7 @@ struct Method {
     run: fn(&Case) -> case::Result<Outcome>,
 }
 
-const METHODS: [Method; 6] = [
+const METHODS: [Method; 7] = [
     Method {
         kind: "free_body",
         name: "exact::free_body",
@@ -81,10 +82,19 @@ const METHODS: [Method; 6] = [
         promised: 64.0,
         run: plank_fall::closed_form,
     },
+    Method {
+        kind: "roller_plank",
+        name: "planar::contact",
+        measured: 36.0..=37.0,
+        cases: 3,
+        promised: 1000.0,
+        run: roller_plank::contacts,
+    },
 ];
 
-/// Kinds that have no solver yet, and how many cases of each are in the repository.
-const NOT_COVERED: [(&str, usize); 2] = [("roller_plank", 3), ("static", 12)];
+/// Kinds that have no solver here, and how many cases of each are in the repository: `static`
+/// are exercises with a page each, which `tests/pages/reference_statics.rs` asks.
+const NOT_COVERED: [(&str, usize); 1] = [("static", 12)];
 
 #[test]
 fn every_case_within_its_condition() {
@@ -225,6 +235,16 @@ fn a_damaged_plank_is_seen() {
         Some(off.expect("runs").factor)
     });
     factors.exceed(plank_fall::BOUND, 27);
+}
+
+/// Friction off by 1e-9 is refused in every plank on rollers.
+#[test]
+fn a_damaged_friction_is_seen() {
+    let factors = factors(&case::own_files()[..1], "roller_plank", |case| {
+        let off = roller_plank::contacts_with_friction(case, 1.0 + 1e-9);
+        Some(off.expect("runs").factor)
+    });
+    factors.exceed(1e4, 3);
 }
 
 /// A case is measured by what it holds, and what it lacks is said: a file from
