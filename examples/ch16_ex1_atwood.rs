@@ -163,7 +163,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         p.tolerance,
         2.0 * (h / drawn).sqrt() + 2.0 * catch,
     )?;
-    let caught = || Ok::<_, rotation_dynamics::Error>(spun.transition("catches")?);
+    let caught = || spun.transition("catches");
     let reached = 0.5 * drawn * catch * catch < 0.99 * h && m.grip > 1.0 && !a.slips;
     let one = 2.0 * m1 * m2 * g / (m1 + m2);
     let light = Machine {
@@ -253,7 +253,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// A hemp rope, a bearing that rubs, the air, a rope with some thickness.
+/// A rope 8 mm thick, a bearing that rubs, the air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let m = machine(p)?;
     let (a, [m1, m2]) = (Answer::new(&m), m.masses);
@@ -264,7 +264,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let bearing = 0.1 * 0.005 / p.radius * load / ((m1 - m2) * p.gravity);
     let air = 0.5 * 1.204 * 0.02 * speed * speed / ((m1 - m2) * p.gravity);
     let thick = 0.004 / p.radius;
-    let stretch = a.tensions[0] / (1e9 * 0.25e-4 * PI);
+    let stretch = a.tensions[0] / (1e9 * 1.6e-5 * PI);
     effect_card! { report,
         "mass of the rope": "2 lambda h/M" = rope, costs rope, "of a, at the start";
         "friction of the bearing": "mu_b r F/(R (m1 - m2) g)" = bearing, costs bearing, "of a";
