@@ -1,0 +1,306 @@
+//! Exercise 16.1: Atwood's machine with a heavy pulley.
+
+#[path = "ch16_ex1_atwood/figures.rs"]
+mod figures;
+#[path = "ch16_ex1_atwood/machine.rs"]
+pub mod machine;
+
+use core::f64::consts::PI;
+use machine::{Grip, Machine, capstan};
+use rotation_dynamics::math::{acosh, sinh};
+use rotation_dynamics::planar::Run;
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The machine of the exercise; the notes leave all numbers open, and the radius of the pulley.
+    pub struct Parameters {
+        /// the heavier mass
+        m1: number(3.0, "kg", above(0.0).usually(1.0, 5.0));
+        /// the lighter mass
+        m2: number(2.0, "kg", above(0.0).usually(0.5, 4.0));
+        /// moment of inertia of the pulley
+        inertia: number(0.02, "kg m^2", above(0.0).usually(0.001, 0.1));
+        /// radius of the pulley
+        radius: number(0.1, "m", above(0.0).usually(0.05, 0.2));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// how far both masses hang below the axle
+        height: number(1.0, "m", above(0.0).usually(0.3, 3.0));
+        /// coefficient of friction between rope and pulley
+        friction: number(0.2, "-", at_least(0.0).usually(0.0, 0.5));
+        /// mass of a metre of the heavy rope
+        rope: number(0.1, "kg/m", above(0.0).usually(0.01, 0.5));
+        /// angular velocity of a pulley that spins already
+        spin: number(40.0, "rad/s", above(0.0).usually(5.0, 80.0));
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+// ANCHOR: answer
+/// Acceleration and tensions; the rope holds on the pulley or slips.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    pub acceleration: f64,
+    pub tensions: [f64; 2],
+    pub slips: bool,
+}
+
+impl Answer {
+    /// For a rope that holds.
+    pub fn held(m: &Machine) -> Self {
+        let [m1, m2] = m.masses;
+        Self::with(m, (m1 - m2) * m.gravity / (m1 + m2 + m.pulley), false)
+    }
+
+    /// For one that slips when a tension is `grip` times the other.
+    pub fn new(m: &Machine) -> Self {
+        let (held, [m1, m2]) = (Self::held(m), m.masses);
+        if held.tensions[0] <= m.grip * held.tensions[1] {
+            return held;
+        }
+        Self::with(m, (m1 - m.grip * m2) * m.gravity / (m1 + m.grip * m2), true)
+    }
+
+    fn with(m: &Machine, acceleration: f64, slips: bool) -> Self {
+        let [m1, m2] = m.masses;
+        let tensions = [
+            m1 * (m.gravity - acceleration),
+            m2 * (m.gravity + acceleration),
+        ];
+        Self {
+            acceleration,
+            tensions,
+            slips,
+        }
+    }
+}
+// ANCHOR_END: answer
+
+/// The grip of a rope that is glued.
+pub const FIRM: f64 = 1e9;
+
+/// The machine of these parameters, with a rope without mass.
+pub fn machine(p: &Parameters) -> Result<Machine> {
+    from_to(1e-6, 0.999).check("m2/m1, m1 being the heavier mass,", p.m2 / p.m1)?;
+    let pulley = p.inertia / (p.radius * p.radius);
+    from_to(0.0, 1e6).check("I/(m1 R^2)", pulley / p.m1)?;
+    from_to(0.0, 10.0).check("friction", p.friction)?;
+    let masses = [p.m1, p.m2];
+    let (gravity, height, grip) = (p.gravity, p.height, exp(p.friction * PI));
+    Ok(Machine {
+        masses,
+        pulley,
+        gravity,
+        grip,
+        rope: 0.0,
+        height,
+    })
+}
+
+/// The smallest coefficient that holds, between those that do and do not.
+fn least_friction(m: Machine) -> Result<f64> {
+    let [first, second] = m.forces(Grip::Holds, 0.0).tensions;
+    let (mut slips, mut holds) = (0.0, 10.0);
+    while holds - slips > 1e-12 {
+        let friction = 0.5 * (slips + holds);
+        if first > capstan(friction)? * second {
+            slips = friction
+        } else {
+            holds = friction
+        }
+    }
+    Ok(holds)
+}
+
+/// The way of a motion from rest at the acceleration `a` that grows with the way by `k2`: the
+/// time and the speed at its end.
+pub fn growing(a: f64, k2: f64, way: f64) -> [f64; 2] {
+    let (k, x) = (k2.sqrt(), k2 * way / a);
+    let time = acosh(1.0 + x) / k;
+    [time, a * sinh(k * time) / k]
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let m = machine(p)?;
+    let ([m1, m2], g, h, held) = (m.masses, m.gravity, m.height, Answer::held(&m));
+    let a = Answer::new(&m);
+    let (whole, bound) = (m1 + m2 + m.pulley, 1e2 * p.tolerance);
+    let simulated = Machine {
+        grip: capstan(p.friction)?,
+        ..m
+    };
+    let grip = if a.slips { Grip::Ahead } else { Grip::Holds };
+    let found = simulated.forces(grip, 0.0);
+    let [t1, t2] = a.tensions;
+    let rim = if a.slips {
+        (t1 - t2) / m.pulley
+    } else {
+        a.acceleration
+    };
+    let (time, fall) = (
+        (2.0 * h / a.acceleration).sqrt(),
+        (2.0 * h * a.acceleration).sqrt(),
+    );
+    let run = simulated.run(0.0, p.tolerance, 2.0 * time)?;
+    let arrives = run.transition("arrives")?;
+    // A rope of some mass, that holds.
+    let heavy = Machine {
+        rope: p.rope,
+        grip: FIRM,
+        ..m
+    };
+    let sum = whole + 2.0 * p.rope * h;
+    let [longer, faster] = growing((m1 - m2) * g / sum, 2.0 * p.rope * g / sum, h);
+    let weighed = heavy.run(0.0, p.tolerance, 2.0 * longer)?;
+    let heavier = weighed.transition("arrives")?;
+    // The pulley spins, and the rope is behind.
+    let drawn = (m.grip * m1 - m2) * g / (m.grip * m1 + m2);
+    let braked = m1 * (g - drawn) * (m.grip - 1.0) / m.pulley;
+    let catch = p.spin * p.radius / (drawn + braked);
+    let spun = simulated.run(
+        p.spin * p.radius,
+        p.tolerance,
+        2.0 * (h / drawn).sqrt() + 2.0 * catch,
+    )?;
+    let caught = || spun.transition("catches");
+    let reached = 0.5 * drawn * catch * catch < 0.99 * h && m.grip > 1.0 && !a.slips;
+    let one = 2.0 * m1 * m2 * g / (m1 + m2);
+    let light = Machine {
+        pulley: 0.0,
+        grip: FIRM,
+        ..m
+    }
+    .forces(Grip::Holds, 0.0);
+    claims! { report,
+        /// acceleration of the masses
+        a: a.acceleration, "m/s^2", "Newton for each body" => found.acceleration, within bound * g,
+        in "The acceleration":
+            (m1 - m2) * g / (m1 + m2) => "the pulley has to be turned as well",
+            (m1 - m2) * g / (m1 + m2 + p.inertia) => "kilograms and kg m^2 cannot be added",
+            (m1 - m2) * g / (m1 + m2 + 0.5 * m.pulley) => "I is given; it is no disc of that mass";
+        /// angular acceleration of the pulley
+        alpha: rim / p.radius, "rad/s^2", "Newton for each body" => found.rim / p.radius, within bound * g * (1.0 + m1 / m.pulley) / p.radius,
+        in "The acceleration":
+            rim * p.radius => "a rim runs at R times the angular velocity";
+        /// tension on the side of m1
+        t1: t1, "N", "Newton for each body" => found.tensions[0], within bound * m1 * g, in "The tensions":
+            one => "with one tension nothing would turn the pulley",
+            m1 * g => "that mass is accelerated",
+            m1 * (g + a.acceleration) => "which way is it accelerated?",
+            t2 => "that is the other side";
+        /// tension on the side of m2
+        t2: t2, "N", "Newton for each body" => found.tensions[1], within bound * m1 * g, in "The tensions":
+            one => "with one tension nothing would turn the pulley",
+            m2 * g => "that mass is accelerated",
+            t1 => "that is the other side";
+        /// load on the axle, without the weight of the pulley
+        load: t1 + t2, "N", "Newton for each body" => found.tensions[0] + found.tensions[1], within 2.0 * bound * m1 * g, in "The tensions":
+            (m1 + m2) * g => "the centre of mass is accelerated";
+        /// friction that holds the rope, at least
+        mu_least: log(held.tensions[0] / held.tensions[1]) / PI, "-", "pieces of rope, bisected" => least_friction(m)?, within 1e-11,
+        in "The rope":
+            (held.tensions[0] / held.tensions[1] - 1.0) / PI => "the tension grows along the rope",
+            log(held.tensions[0] / held.tensions[1]) / (2.0 * PI) => "it lies on half of the rim";
+        /// time until m2 is level with the axle
+        time: time, "s", "located event" => arrives.t, within 10.0 * bound * time, in "The rope";
+        /// speed then
+        speed: fall, "m/s", "simulated" => arrives.before[1], within 10.0 * bound * fall, in "The rope";
+        /// the same time with the heavy rope
+        heavy_time: longer, "s", "located event" => heavier.t, within 10.0 * bound * longer;
+        /// speed then
+        heavy_speed: faster, "m/s", "simulated" => heavier.before[1], within 10.0 * bound * faster;
+        /// when the rope holds on a pulley that spun
+        catch: catch, "s", "located event" => caught()?.t, within 10.0 * bound * (catch + 1.0), if reached;
+        /// speed then
+        catch_speed: drawn * catch, "m/s", "simulated" => caught()?.before[1], within 10.0 * bound * (g * catch + 1.0), if reached;
+        /// wrong: acceleration with one tension
+        naive_a: (m1 - m2) * g / (m1 + m2), "m/s^2", "Newton, no pulley" => light.acceleration, within bound * g;
+        /// wrong: that tension
+        naive_tension: one, "N", "Newton, no pulley" => light.tensions[0], within bound * m1 * g;
+    }
+}
+
+/// Light pulleys and heavy ones.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (unit, grip) = (machine(&Parameters::default())?, FIRM);
+    let with = |pulley: f64, m2: f64| Machine {
+        masses: [1.0, m2],
+        pulley,
+        gravity: 1.0,
+        grip,
+        ..unit
+    };
+    let (light, heavy, alone) = (with(0.0, 0.5), with(1e9, 0.5), with(0.5, 1e-9));
+    let held = Answer::held;
+    // A rope without friction does not know the pulley.
+    let smooth = Answer::new(&Machine {
+        grip: 1.0,
+        ..machine(p)?
+    });
+    let one = (p.m1 - p.m2) * p.gravity / (p.m1 + p.m2);
+    limits! { report,
+        /// one tension, 2 m1 m2 g/(m1 + m2)
+        "I = 0: T1/T2": held(&light).tensions[0] / held(&light).tensions[1] => 1.0, within 1e-15;
+        /// nothing moves, the rope carries the weight
+        "I = 1/x: T1/(m1 g)": held(&heavy).tensions[0] => 1.0, within 1e-9;
+        /// and on the other side
+        "I = 1/x: T2/(m2 g)": held(&heavy).tensions[1] / 0.5 => 1.0, within 1e-8;
+        /// a weight that unwinds from a disc of mass m1: 2/3 g
+        "m2 = 0, I = m1 R^2/2: a/g": held(&alone).acceleration => 2.0 / 3.0, within 1e-8;
+        /// a smooth pulley does not turn
+        "mu = 0: a (m1 + m2)/((m1 - m2) g)": smooth.acceleration / one => 1.0, within 1e-15;
+    }
+}
+
+/// A rope 8 mm thick, a bearing that rubs, the air.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let m = machine(p)?;
+    let (a, [m1, m2]) = (Answer::new(&m), m.masses);
+    let (whole, speed) = (m1 + m2 + m.pulley, (2.0 * p.height * a.acceleration).sqrt());
+    let rope = 2.0 * p.rope * p.height / whole;
+    // An axle of 5 mm that rubs with 0.1 under the load and the weight of a disc.
+    let load = a.tensions[0] + a.tensions[1] + 2.0 * m.pulley * p.gravity;
+    let bearing = 0.1 * 0.005 / p.radius * load / ((m1 - m2) * p.gravity);
+    let air = 0.5 * 1.204 * 0.02 * speed * speed / ((m1 - m2) * p.gravity);
+    let thick = 0.004 / p.radius;
+    let stretch = a.tensions[0] / (1e9 * 1.6e-5 * PI);
+    effect_card! { report,
+        "mass of the rope": "2 lambda h/M" = rope, costs rope, "of a, at the start";
+        "friction of the bearing": "mu_b r F/(R (m1 - m2) g)" = bearing, costs bearing, "of a";
+        "thickness of the rope": "d/(2 R)" = thick, costs 2.0 * thick * m.pulley / whole, "of a";
+        "air drag, at the end": "rho C S v^2/(2 (m1 - m2) g)" = air, costs air, "of a, at the end";
+        "stretch of the rope": "T1/(E A)" = stretch, costs stretch, "of the way";
+    }
+}
+
+/// The accuracy strip: when the heavy rope is through.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let heavy = Machine {
+        rope: p.rope,
+        grip: FIRM,
+        ..machine(p)?
+    };
+    let [m1, m2] = heavy.masses;
+    let sum = m1 + m2 + heavy.pulley + 2.0 * p.rope * p.height;
+    let (a, k2, h) = (
+        (m1 - m2) * p.gravity / sum,
+        2.0 * p.rope * p.gravity / sum,
+        p.height,
+    );
+    let time = growing(a, k2, h)[0];
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, rotation_dynamics::Error>(growing(a, k2, part * h))
+    }));
+    let error = move |run: &Run<Grip, 4>| Ok(run.transition("arrives")?.t / time - 1.0);
+    let run = move |step| heavy.run(0.0, step, 2.0 * time);
+    report.dial("DOP853, error of a step", asked, run, Run::work, error)
+}
+
+example! {
+    ch16_ex1_atwood: "Exercise 16.1: Atwood's machine with a heavy pulley";
+    "Atwood's machine", "Two masses hang on a rope over a pulley that has a moment of inertia.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

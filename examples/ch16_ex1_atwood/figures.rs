@@ -1,0 +1,172 @@
+//! The drawings of exercise 16.1; those over the friction or the pulley are for m1 = 3/2 m2.
+
+use super::*;
+
+/// The drawing of a machine, in m, with its pulley of this radius at the origin and the masses
+/// so far below it.
+fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64) -> Sketch {
+    let arc = times(0.0, PI, 40).map(|t| (radius * cos(t), radius * sin(t)));
+    let size = 0.15;
+    sketch
+        .wall((0.25, 0.32), (-0.25, 0.32))
+        .pulley((0.0, 0.0), radius, turn, (0.0, 0.32))
+        .rope([(-radius, -left), (-radius, 0.0)])
+        .rope(arc)
+        .rope([(radius, 0.0), (radius, -right)])
+        .block((-radius, -left - 0.12), (1.25 * size, 0.24), 0.0, Ink::Body)
+        .block((radius, -right - 0.09), (size, 0.18), 0.0, Ink::Body)
+}
+
+/// m1 = 3, m2 = 2 with g = 1, a pulley and a grip.
+fn unit(pulley: f64, grip: f64) -> Machine {
+    let masses = [3.0, 2.0];
+    Machine {
+        masses,
+        pulley,
+        gravity: 1.0,
+        grip,
+        rope: 0.0,
+        height: 1.0,
+    }
+}
+
+figures! { _: &Parameters;
+    /// Two masses hang on a rope over a pulley that is held from above. The pulley has the
+    /// moment of inertia I and the radius R. On the left hangs m1, on the right m2; both hang
+    /// the height h below the axle.
+    setup: {
+        let sketch = drawn(Sketch::within((-0.7, 0.75), (-0.95, 0.45)), 0.2, [0.6, 0.6], 0.6);
+        sketch
+            .text((-0.31, -0.72), "$m_1$", Ink::Body, Side::Left)
+            .text((0.29, -0.69), "$m_2$", Ink::Body, Side::Right)
+            .text((0.21, 0.1), "$I$, $R$", Ink::Frame, Side::Right)
+            .dimension((0.55, -0.6), (0.55, 0.0), "$h$", Side::Right)
+            .gravity((-0.6, 0.25), 0.25)
+    };
+
+    /// The three bodies apart. On m1 its weight pulls downward and T1 upward, on m2 its weight
+    /// and T2, and on the rim of the pulley T1 on the left and T2 on the right, both downward;
+    /// T1 is the longer arrow, and the pulley turns to the left.
+    forces: {
+        let sketch = Sketch::within((-0.75, 0.75), (-1.15, 0.4))
+            .pulley((0.0, 0.0), 0.2, 0.6, (0.0, 0.32))
+            .wall((0.25, 0.32), (-0.25, 0.32))
+            .block((-0.4, -0.75), (0.2, 0.24), 0.0, Ink::Body)
+            .block((0.4, -0.75), (0.16, 0.18), 0.0, Ink::Body);
+        let force = |sketch: Sketch, (from, length, label, side): ((f64, f64), f64, &str, Side)| {
+            let tip = (from.0, from.1 + length);
+            sketch.arrow_along([from, tip], Ink::Force).text(tip, label, Ink::Force, side)
+        };
+        let all = [
+            ((-0.2, 0.0), -0.26, "$T_1$", Side::Left),
+            ((0.2, 0.0), -0.23, "$T_2$", Side::Right),
+            ((-0.4, -0.63), 0.26, "$T_1$", Side::Left),
+            ((0.4, -0.66), 0.23, "$T_2$", Side::Right),
+            ((-0.4, -0.75), -0.31, "$m_1g$", Side::Left),
+            ((0.4, -0.75), -0.2, "$m_2g$", Side::Right),
+        ];
+        all.into_iter()
+            .fold(sketch, force)
+            .turn((0.0, 0.0), 0.27, (1.0, 2.1), Ink::Velocity)
+            .text((-0.15, 0.25), r"$\alpha$", Ink::Velocity, Side::Left)
+            .arrow_along([(-0.62, -0.65), (-0.62, -0.85)], Ink::Ink)
+            .text((-0.62, -0.75), "$a$", Ink::Ink, Side::Left)
+            .arrow_along([(0.6, -0.85), (0.6, -0.65)], Ink::Ink)
+            .text((0.6, -0.75), "$a$", Ink::Ink, Side::Right)
+    };
+
+    /// Both tensions over m2 g against I/R^2 over the sum of the masses. Without a pulley they are
+    /// equal, 1.2. With a heavier one they part: the upper rises towards 1.5, the weight of m1,
+    /// the lower falls towards one, the weight of m2. Dots: from Newton's law for each body.
+    tensions: {
+        let heavy = Sweep::over(r"$I/(m_1+m_2)R^2$", 0.0, 4.0).at([0.2, 0.6, 1.2, 2.0, 3.2]);
+        let of = |x: f64| unit(5.0 * x, FIRM);
+        let exact = |k: usize| heavy.exact(move |x| 0.5 * Answer::held(&of(x)).tensions[k]);
+        let dots = |k: usize| heavy.simulated(move |x| Ok(0.5 * of(x).forces(Grip::Holds, 0.0).tensions[k]));
+        heavy.panel(Axis::linear("$T/m_2g$").range(0.9, 1.6))
+            .curve(exact(0).label_at("$T_1$", 2.0, 1.4, Side::Above))
+            .curve(exact(1).label_at("$T_2$", 2.0, 1.07, Side::Below))
+            .curve(dots(0)?)
+            .curve(dots(1)?)
+            .level(1.5, Ink::Frame, "$m_1g$")
+            .level(1.0, Ink::Frame, "$m_2g$")
+    };
+
+    /// Accelerations over g against the coefficient of friction, for I/R^2 equal to 2/5 of the sum of
+    /// the masses. Above a small threshold that of the masses and that of the rim are the same
+    /// and do not change. Below it the rope slips: the masses are faster the smoother the
+    /// pulley, and the rim is slower. Dots: simulated.
+    slip: {
+        let rub = Sweep::over(r"$\mu$", 0.0, 0.08).at([0.005, 0.015, 0.025, 0.035, 0.05, 0.07]);
+        let at = |mu: f64| unit(2.0, exp(mu * PI));
+        let rim = |a: Answer| if a.slips { 0.5 * (a.tensions[0] - a.tensions[1]) } else { a.acceleration };
+        let run = |k: usize| move |mu: f64| {
+            let run = Machine { grip: capstan(mu)?, ..at(mu) }.run(0.0, 1e-9, 10.0)?;
+            let arrives = run.transition("arrives")?;
+            Ok(arrives.before[k] / arrives.t)
+        };
+        rub.panel(Axis::linear("acceleration$/g$").range(0.0, 0.22))
+            .curve(rub.exact(|mu| Answer::new(&at(mu)).acceleration).label_at("masses", 0.012, 0.19, Side::Right))
+            .curve(rub.exact(|mu| rim(Answer::new(&at(mu)))).dashed().label_at("rim", 0.012, 0.045, Side::Right))
+            .curve(rub.simulated(run(1))?)
+            .curve(rub.simulated(run(3))?)
+    };
+}
+
+/// The motion from rest, for `--csv`.
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let run = machine(p)?.run(0.0, p.tolerance, 1e3)?;
+    let columns = [
+        "t [s]",
+        "way [m]",
+        "speed [m/s]",
+        "way of the rim [m]",
+        "speed of the rim [m/s]",
+    ];
+    Trajectory::sampled(columns, times(0.0, run.end_time(), 300), |t| {
+        let [way, speed, rim, rim_speed] = run.at(t)?.1;
+        Ok([t, way, speed, rim, rim_speed])
+    })
+}
+
+/// The machine with a pulley that spins at first; below, the speeds of rope and rim.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (m, h, rim_radius) = (machine(p)?, p.height, p.radius);
+    let run = m.run(p.spin * p.radius, p.tolerance, 1e3)?;
+    let end = run.end_time();
+    let speed = |k: usize| sampled(times(0.0, end, 300), |t| Ok((t, run.at(t)?.1[k])));
+    let graph = Panel::over_axes("$t$ / s", "speed / (m/s)")
+        .curve(Curve::new(speed(1)?, Ink::Body).label_end("rope"))
+        .curve(Curve::new(speed(3)?, Ink::Body).dashed().label_end("rim"));
+    let stills = [0.0, 0.2 * end, 0.9 * end];
+    MovingPicture::above(graph, 0.0..=end, stills, move |t| {
+        let (grip, [way, _, rim, _]) = run.at(t)?;
+        let forces = m.forces(grip, way);
+        let does = match grip {
+            Grip::Holds => "holds on the pulley",
+            _ => "slips on the pulley",
+        };
+        let alt = format!(
+            "After {t:.2} s the heavier mass has gone down by {way:.2} m and the rope {does}. Below, the speeds of \
+             rope and rim against time: they approach each other and then rise as one line."
+        );
+        let (scale, unit) = (0.9 / h, 0.3 / (m.masses[0] * m.gravity));
+        let hang = [h + way, h - way].map(|y| 0.5 * scale * y);
+        let radius = 0.16;
+        let sketch = drawn(
+            Sketch::within((-1.0, 1.0), (-1.35, 0.4)),
+            radius,
+            hang,
+            0.6 + rim / rim_radius,
+        );
+        let sketch = [-radius, radius]
+            .into_iter()
+            .zip(forces.tensions)
+            .zip(hang)
+            .fold(sketch, |sketch, ((x, tension), far)| {
+                let top = (x * 1.6, -far + 1.5 * unit * tension);
+                sketch.arrow_along([(x * 1.6, -far), top], Ink::Force)
+            });
+        Ok((alt, sketch))
+    })
+}
