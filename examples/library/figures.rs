@@ -81,7 +81,7 @@ figures! { p: &Parameters;
         let solved = hours.map(|(hour, state)| (hour, swing(p, 3600.0 * hour, state)));
         Panel::over_axes("$t$ / h", r"$\alpha$ / rad")
             .curve(Curve::sampled(times(0.0, 6.0, 400), angle, Ink::Ink)?)
-            .curve(Curve::new(solved, Ink::Body).dots().label("solved"))
+            .curve(Curve::new(solved, Ink::Body).dots())
     };
 
     /// By how much the solved angle is off at every hour of the day, on a logarithmic axis:
