@@ -13,6 +13,9 @@ use serde_json::Value;
 use std::path::Path;
 use support::{EPS, Errors};
 
+/// What gives the numbers of a field.
+type Answer = fn(&Told) -> Vec<f64>;
+
 /// A problem of the reference, and how a page answers it.
 struct Problem {
     name: &'static str,
@@ -20,7 +23,7 @@ struct Problem {
     /// The flags, each after the input that it takes.
     flags: &'static str,
     /// The expected fields and what gives them.
-    fields: &'static [(&'static str, fn(&Told) -> Vec<f64>)],
+    fields: &'static [(&'static str, Answer)],
 }
 
 /// A page that was told the inputs of a case.
