@@ -13,6 +13,9 @@ use serde_json::Value;
 use std::path::Path;
 use support::{EPS, Errors};
 
+/// What gives the numbers of a field.
+type Answer = fn(&Told) -> Vec<f64>;
+
 /// A problem of the reference, and how a page answers it.
 struct Problem {
     name: &'static str,
@@ -20,7 +23,7 @@ struct Problem {
     /// The flags, each after the input that it takes.
     flags: &'static str,
     /// The expected fields and what gives them.
-    fields: &'static [(&'static str, fn(&Told) -> Vec<f64>)],
+    fields: &'static [(&'static str, Answer)],
 }
 
 /// A page that was told the inputs of a case.
@@ -128,8 +131,8 @@ const PROBLEMS: [Problem; 9] = [
             ("quat_wxyz", |t| quaternion(&t.claims("r11 r22 r33 r32 r23 r13 r31 r21 r12"))),
         ],
     },
-    // The flags and keys that these two pages are to have.
     Problem {
+        // The flags and keys that this page is to have.
         name: "atwood",
         page: "ch16_ex1_atwood",
         flags: "m1 m1 m2 m2 I inertia R radius g gravity",
@@ -155,12 +158,12 @@ const PROBLEMS: [Problem; 9] = [
 ];
 
 /// The problems that have no page yet: a line goes as its page comes.
-const MISSING: [&str; 4] = ["atwood", "corner", "dumbbell", "rod_disk"];
+const MISSING: [&str; 3] = ["atwood", "corner", "rod_disk"];
 
 /// The largest factor K over the repository's cases.
 const MEASURED: core::ops::RangeInclusive<f64> = 0.66..=0.68;
 /// Fields that are judged there.
-const FIELDS: usize = 36;
+const FIELDS: usize = 42;
 /// The factor K promised for any other case.
 const PROMISED: f64 = 64.0;
 
