@@ -126,8 +126,8 @@ impl<E: Effect> Scene<E> {
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. The condition is felt on a motion whose own error, times that
     /// condition, is small; runs that differ ten times more than their errors on the first
-    /// turns and the condition predict are not believed, and it is felt again on the finest
-    /// motion there is.
+    /// turns and the condition predict are not believed (unless the torque depends on the time
+    /// and may have come later), and it is felt again on the finest motion there is.
     ///
     /// *What is promised of features of the torque.* Its jumps at times that are named
     /// ([`Effect::break_points`], [`Limits::break_points`]) are met exactly, and no step is

@@ -38,6 +38,16 @@ impl<'e> Acting<'e> {
             Known::No => Self::Anything(effects),
         }
     }
+
+    /// True if it may depend on the time.
+    pub fn on_time(self) -> bool {
+        match self {
+            Self::Nothing | Self::Weight(_) => false,
+            Self::OnAxis(effects) | Self::Smooth(effects) | Self::Anything(effects) => {
+                effects.nature().on_time
+            }
+        }
+    }
 }
 
 /// A scene, its start and the end asked for.

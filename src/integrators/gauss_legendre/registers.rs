@@ -31,6 +31,40 @@ fn sum_of_four([a, b, c, d]: [f64; 4]) -> f64 {
     (a + c) + (b + d)
 }
 
+/// In memory; the compiler finds the registers.
+#[derive(Clone, Copy)]
+pub struct Common([f64; 8]);
+
+macro_rules! lane_by_lane {
+    ($trait:ident, $method:ident) => {
+        impl $trait for Common {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(mut self, other: Self) -> Self {
+                for i in 0..8 {
+                    self.0[i] = self.0[i].$method(other.0[i]);
+                }
+                self
+            }
+        }
+    };
+}
+lane_by_lane!(Add, add);
+lane_by_lane!(Sub, sub);
+lane_by_lane!(Mul, mul);
+lane_by_lane!(Div, div);
+
+impl Neg for Common {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(mut self) -> Self {
+        for i in 0..8 {
+            self.0[i] = -self.0[i];
+        }
+        self
+    }
+}
+
 /// A register and a number.
 macro_rules! with_number {
     ($name:ident: $($trait:ident $method:ident),*) => {
@@ -43,103 +77,55 @@ macro_rules! with_number {
         })*
     };
 }
+with_number!(Common: Add add, Sub sub, Mul mul);
 
-#[cfg(not(target_arch = "x86_64"))]
-pub use memory::Common;
-
-#[cfg(not(target_arch = "x86_64"))]
-mod memory {
-    use super::{Add, Div, Lane, Mul, Neg, Octet, Sub, sum_of_four};
-
-    /// In memory; the compiler finds the registers.
-    #[derive(Clone, Copy)]
-    pub struct Common([f64; 8]);
-
-    macro_rules! lane_by_lane {
-        ($trait:ident, $method:ident) => {
-            impl $trait for Common {
-                type Output = Self;
-                #[inline(always)]
-                fn $method(mut self, other: Self) -> Self {
-                    for i in 0..8 {
-                        self.0[i] = self.0[i].$method(other.0[i]);
-                    }
-                    self
-                }
-            }
-        };
+impl Lane for Common {
+    const WIDTH: usize = 8;
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        Self([value; 8])
     }
-    lane_by_lane!(Add, add);
-    lane_by_lane!(Sub, sub);
-    lane_by_lane!(Mul, mul);
-    lane_by_lane!(Div, div);
-
-    impl Neg for Common {
-        type Output = Self;
-        #[inline(always)]
-        fn neg(mut self) -> Self {
-            for i in 0..8 {
-                self.0[i] = -self.0[i];
-            }
-            self
-        }
+    #[inline(always)]
+    fn load(values: &[f64; 8]) -> Self {
+        Self(*values)
     }
-
-    with_number!(Common: Add add, Sub sub, Mul mul);
-
-    impl Lane for Common {
-        const WIDTH: usize = 8;
-        #[inline(always)]
-        fn of(value: f64) -> Self {
-            Self([value; 8])
-        }
-        #[inline(always)]
-        fn load(values: &[f64; 8]) -> Self {
-            Self(*values)
-        }
-        #[inline(always)]
-        fn store(self, values: &mut [f64; 8]) {
-            *values = self.0;
-        }
-        #[inline(always)]
-        fn sqrt(mut self) -> Self {
-            for i in 0..8 {
-                self.0[i] = self.0[i].sqrt();
-            }
-            self
-        }
+    #[inline(always)]
+    fn store(self, values: &mut [f64; 8]) {
+        *values = self.0;
     }
+    #[inline(always)]
+    fn sqrt(mut self) -> Self {
+        for i in 0..8 {
+            self.0[i] = self.0[i].sqrt();
+        }
+        self
+    }
+}
 
-    impl Octet for Common {
-        #[inline(always)]
-        fn abs(mut self) -> Self {
-            for i in 0..8 {
-                self.0[i] = self.0[i].abs();
-            }
-            self
+impl Octet for Common {
+    #[inline(always)]
+    fn abs(mut self) -> Self {
+        for i in 0..8 {
+            self.0[i] = self.0[i].abs();
         }
-        #[inline(always)]
-        fn sum(self) -> f64 {
-            let [a, b, c, d, e, f, g, h] = self.0;
-            sum_of_four([a + e, b + f, c + g, d + h])
-        }
+        self
+    }
+    #[inline(always)]
+    fn sum(self) -> f64 {
+        let [a, b, c, d, e, f, g, h] = self.0;
+        sum_of_four([a + e, b + f, c + g, d + h])
     }
 }
 
 #[cfg(target_arch = "x86_64")]
-pub use x86::{Avx2, Avx512, Common};
+pub use x86::{Avx2, Avx512};
 
-// SAFETY of every block: `super::sweeps` makes values of the wider types only where it
+// SAFETY of every block: `super::sweeps` makes values of the two types only where it
 // has found their instructions. Loads and stores stay within the eight numbers.
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     use super::{Add, Div, Lane, Mul, Neg, Octet, Sub, sum_of_four};
     use core::arch::x86_64::*;
-
-    /// Four registers of SSE2, which every processor of this kind has: written out, they are
-    /// compiled in half the time that the compiler takes to find them.
-    #[derive(Clone, Copy)]
-    pub struct Common([__m128d; 4]);
 
     /// One register of AVX-512. Only for a processor that has them.
     #[derive(Clone, Copy)]
@@ -150,16 +136,8 @@ mod x86 {
     pub struct Avx2(__m256d, __m256d);
 
     macro_rules! operators {
-        ($($trait:ident $method:ident $eight:ident $four:ident $two:ident),*) => {
-            $(impl $trait for Common {
-                type Output = Self;
-                #[inline(always)]
-                fn $method(self, other: Self) -> Self {
-                    let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-                    Self(unsafe { [$two(a, e), $two(b, f), $two(c, g), $two(d, h)] })
-                }
-            }
-            impl $trait for Avx512 {
+        ($($trait:ident $method:ident $eight:ident $four:ident),*) => {
+            $(impl $trait for Avx512 {
                 type Output = Self;
                 #[inline(always)]
                 fn $method(self, other: Self) -> Self {
@@ -179,31 +157,13 @@ mod x86 {
         };
     }
     operators!(
-        Add add _mm512_add_pd _mm256_add_pd _mm_add_pd,
-        Sub sub _mm512_sub_pd _mm256_sub_pd _mm_sub_pd,
-        Mul mul _mm512_mul_pd _mm256_mul_pd _mm_mul_pd,
-        Div div _mm512_div_pd _mm256_div_pd _mm_div_pd
+        Add add _mm512_add_pd _mm256_add_pd,
+        Sub sub _mm512_sub_pd _mm256_sub_pd,
+        Mul mul _mm512_mul_pd _mm256_mul_pd,
+        Div div _mm512_div_pd _mm256_div_pd
     );
-    with_number!(Common: Add add, Sub sub, Mul mul);
     with_number!(Avx512: Add add, Sub sub, Mul mul);
     with_number!(Avx2: Add add, Sub sub, Mul mul);
-
-    impl Neg for Common {
-        type Output = Self;
-        #[inline(always)]
-        fn neg(self) -> Self {
-            let [a, b, c, d] = self.0;
-            Self(unsafe {
-                let signs = _mm_set1_pd(-0.0);
-                [
-                    _mm_xor_pd(a, signs),
-                    _mm_xor_pd(b, signs),
-                    _mm_xor_pd(c, signs),
-                    _mm_xor_pd(d, signs),
-                ]
-            })
-        }
-    }
 
     impl Neg for Avx512 {
         type Output = Self;
@@ -225,48 +185,6 @@ mod x86 {
                 let signs = _mm256_set1_pd(-0.0);
                 Self(_mm256_xor_pd(self.0, signs), _mm256_xor_pd(self.1, signs))
             }
-        }
-    }
-
-    impl Lane for Common {
-        const WIDTH: usize = 8;
-        #[inline(always)]
-        fn of(value: f64) -> Self {
-            Self(unsafe { [_mm_set1_pd(value); 4] })
-        }
-        #[inline(always)]
-        fn load(values: &[f64; 8]) -> Self {
-            let at = values.as_ptr();
-            Self(unsafe {
-                [
-                    _mm_loadu_pd(at),
-                    _mm_loadu_pd(at.add(2)),
-                    _mm_loadu_pd(at.add(4)),
-                    _mm_loadu_pd(at.add(6)),
-                ]
-            })
-        }
-        #[inline(always)]
-        fn store(self, values: &mut [f64; 8]) {
-            let (at, [a, b, c, d]) = (values.as_mut_ptr(), self.0);
-            unsafe {
-                _mm_storeu_pd(at, a);
-                _mm_storeu_pd(at.add(2), b);
-                _mm_storeu_pd(at.add(4), c);
-                _mm_storeu_pd(at.add(6), d);
-            }
-        }
-        #[inline(always)]
-        fn sqrt(self) -> Self {
-            let [a, b, c, d] = self.0;
-            Self(unsafe {
-                [
-                    _mm_sqrt_pd(a),
-                    _mm_sqrt_pd(b),
-                    _mm_sqrt_pd(c),
-                    _mm_sqrt_pd(d),
-                ]
-            })
         }
     }
 
@@ -315,32 +233,6 @@ mod x86 {
             Self(unsafe { _mm256_sqrt_pd(self.0) }, unsafe {
                 _mm256_sqrt_pd(self.1)
             })
-        }
-    }
-
-    impl Octet for Common {
-        #[inline(always)]
-        fn abs(self) -> Self {
-            let [a, b, c, d] = self.0;
-            Self(unsafe {
-                let signs = _mm_set1_pd(-0.0);
-                [
-                    _mm_andnot_pd(signs, a),
-                    _mm_andnot_pd(signs, b),
-                    _mm_andnot_pd(signs, c),
-                    _mm_andnot_pd(signs, d),
-                ]
-            })
-        }
-        #[inline(always)]
-        fn sum(self) -> f64 {
-            let [a, b, c, d] = self.0;
-            let mut four = [0.0; 4];
-            unsafe {
-                _mm_storeu_pd(four.as_mut_ptr(), _mm_add_pd(a, c));
-                _mm_storeu_pd(four.as_mut_ptr().add(2), _mm_add_pd(b, d));
-            }
-            sum_of_four(four)
         }
     }
 
