@@ -15,6 +15,7 @@ fn corner(right: f64) -> Sketch {
 fn problem(sense: f64) -> Sketch {
     let arrow = (0.5 * PI - 1.1 * sense, 0.5 * PI + 1.1 * sense);
     corner(0.6)
+        .window((-1.55, 2.2), (-0.3, 2.45))
         .roller((0.0, 1.0), 1.0, 0.25 * PI, Ink::Body)
         .text((0.42, 1.3), "$R$", Ink::Body, Side::BelowRight)
         .turn((0.0, 1.0), 0.55, arrow, Ink::Velocity)

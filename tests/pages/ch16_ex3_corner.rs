@@ -84,6 +84,9 @@ fn other_surfaces_brake_as_predicted() {
     }
     errors.attain(4.44e-16..=4.45e-16, 16);
     damaged.exceed(0.02, 16);
+    // Where the wall leans by more than arctan(1/mu) it climbs.
+    let climbs = Cylinder { mu: [0.9, 1.5], fading: 0.0, lean: 0.7 };
+    assert!(set_down(climbs, SPIN, 0.5, 1e-13).unwrap().at(0.5).unwrap().q[1] > 1.01);
     // A rough floor jams it under a wall that overhangs far: no forces balance.
     let jams = Cylinder { mu: [2.0, 0.4], fading: 0.0, lean: -1.2 };
     assert!(jams.pressed()[0] < 0.0 && set_down(jams, SPIN, 1.0, 1e-13).is_err());
