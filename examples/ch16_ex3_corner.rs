@@ -297,10 +297,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let yields = 1e-4 / (mu * p.radius);
     effect_card! { report,
         "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop";
-        "a wall that leans back by one degree": "beta" = leaning.lean, costs 1.0 - alpha / leaning.braking(), "of t_stop";
-        "set down from 1 mm above": "sqrt(2 h/g)/t_stop" = drop, costs drop, "of t_stop";
-        "surfaces that yield, normal forces 0.1 mm ahead": "d/(mu R)" = yields, costs yields, "of t_stop";
-        "air": "torque over that of friction" = air, costs air / 3.0, "of t_stop";
+        "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop";
+        "set down from 1 mm above": "sqrt(2 h/g)/t_stop" = drop, costs -drop, "of t_stop";
+        "surfaces that yield, normal forces 0.1 mm ahead": "d/(mu R)" = yields, costs -yields, "of t_stop";
+        "air": "torque over that of friction" = air, costs -air / 3.0, "of t_stop";
     }
 }
 
