@@ -87,17 +87,17 @@ pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> Result<Pendulum> {
 // ANCHOR_END: moments
 
 // ANCHOR: motion
-/// Rod and disc, each with an angle of its own: `[theta, theta', phi, phi']`. The time is in
-/// units in which the free pendulum has the angular frequency 1; `share` is the disc's own
-/// moment over what is carried, `drag` the friction c/(J W). Without friction the disc is free.
+/// Rod and disc, each with its angle: `[theta, theta', phi, phi']`.
+/// In the unit of time the free pendulum has the angular frequency 1;
+/// `share` is J/A, `drag` is c/(J W), 0 if the disc is free.
 pub fn two_angles(share: f64, drag: f64) -> impl Ode<4> {
     coupled(share, drag, sin)
 }
 
-/// The same with another pull of gravity: for small swings the sine is the angle itself.
+/// With another pull of gravity: of small swings, the angle itself.
 fn coupled(share: f64, drag: f64, pull: fn(f64) -> f64) -> impl Ode<4> {
     ode(move |_, [theta, rate, _, spin]: &[f64; 4]| {
-        let torque = drag * (rate - spin); // on the disc, over its own moment
+        let torque = drag * (rate - spin); // on the disc, over J
         [*rate, -pull(*theta) - share * torque, *spin, torque]
     })
 }
@@ -396,7 +396,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// the rod alone, 2 pi sqrt(2 l/(3 g))
         "M = 0: T/(2 pi sqrt(l/g))": swing(&light, 0.0, 1.0)? => (2.0_f64 / 3.0).sqrt(), within 1e-6;
         /// a small disc has nothing to turn
-        "R = 0: T fixed/T free": swing(&point, 0.0, 1.0)? / swing(&point, 0.0, 0.0)? => 1.0, within 1e-6;
+        "R = 0: T_fixed/T_free": swing(&point, 0.0, 1.0)? / swing(&point, 0.0, 0.0)? => 1.0, within 1e-6;
         /// a weight on a string
         "R = 0, m = 0: T/(2 pi sqrt(l/g))": swing(&wheel, 0.0, 1.0)? => 1.0, within 1e-6;
         /// nearly upright: the period grows as a logarithm
@@ -406,7 +406,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// a tough one takes it along
         "c = 1/x: part that goes along": tight.part => 1.0, within 1e-7;
         /// and neither takes energy
-        "c = x and 1/x: decay/W": loose.decay.max(tight.decay) => 0.0, within 1e-6;
+        "both: kappa/W": loose.decay.max(tight.decay) => 0.0, within 1e-6;
     }
 }
 
@@ -438,10 +438,10 @@ fn held(p: &Parameters, report: &mut Report) -> Result<()> {
     let mut table = Table::new(
         "held",
         [
-            "c/c*",
-            "period from the release",
+            "friction over c^*",
+            "period",
             "derivatives",
-            "explicit RK4, 100 steps a swing",
+            "RK4, 100 steps",
         ],
     )?;
     for power in 0..5 {

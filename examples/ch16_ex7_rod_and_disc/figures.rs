@@ -112,7 +112,7 @@ figures! { p: &Parameters, m = Moments::new(p)?;
             Ok((small_frequency(&two_angles(m.share, 0.0), free, 20.0, |y| y[1])? * unit(&m)).recip())
         };
         let radius = Sweep::over("$R/l$", 0.01, 1.0).at([0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0]);
-        radius.panel(Axis::linear(r"$T/2\pi\sqrt{l/g}$").range(0.9, 1.25))
+        radius.panel(Axis::linear("$T/T_0$").range(0.9, 1.25))
             .curve(radius.exact(fixed).label_at("disc fixed", 0.68, 1.11, Side::AboveLeft))
             .curve(radius.exact(|_| 1.0 / unit(&m)).label_at("disc free", 0.6, 0.98, Side::Below))
             .curve(radius.simulated(seen)?)
