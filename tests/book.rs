@@ -442,7 +442,8 @@ fn numbers_ticks_stills_and_the_answer_box_are_made() {
         "<figure id=\"fig-frames\" data-frame=\"sample\">",
         "<span class=\"number\">Figure 2.</span> <strong>Two stills.</strong>",
         "<option value=\"period\">the period (s)</option>",
-        "<li>length of the rod: 1.5\u{202f}m</li>",
+        "<li data-name=\"length\" data-value=\"1.5\">length of the rod: <span>1.5</span>\u{202f}m</li>",
+        "<form class=\"answer\" data-stem=\"sample\" ",
         "<details class=\"output\">",
         "<meta name=\"description\" content=\"The period is 2.0064 s, as T = 2.0064 s says.\">",
     ] {
