@@ -117,11 +117,17 @@ pub fn shot(tolerance: f64) -> Result<(f64, [f64; 4])> {
 /// Error of the simulations with a soft ball, of which four digits are shown.
 pub const SOFT: f64 = 1e-7;
 
-/// Refuses hands and blows that are not on the bat.
+/// Refuses hands and blows that are not on the bat, and contacts that are no blow.
 fn check(p: &Parameters) -> Result<()> {
     from_to(0.0, 0.45).check("hands/length", p.hands / p.length)?;
     from_to(p.hands / p.length, 1.0).check("hit/length", p.hit / p.length)?;
     from_to(1e-3, 1e3).check("ball/mass", p.ball / p.mass)?;
+    let [arm, hit] = arms(p);
+    let turn = impulse(p, true) * hit / (p.mass * inertia(p, arm));
+    from_to(0.0, 1.0).check(
+        "Omega t_c, the angle in the time of contact,",
+        turn * p.contact,
+    )?;
     Ok(())
 }
 

@@ -108,7 +108,9 @@ pub struct Blow {
 impl Blow {
     pub fn new(strike: Strike, tolerance: f64) -> Result<Self> {
         let (p, [arm, hit]) = (&strike.p, arms(&strike.p));
-        let (touch, end) = (0.5 * p.contact, 2.0 * p.contact);
+        // Rigid bodies have parted at once, and may meet again later.
+        let parted = if strike.stiffness.is_none() { 0.1 } else { 1.5 };
+        let (touch, end) = (0.5 * p.contact, (0.5 + parted) * p.contact);
         let q = [arm, 0.0, 0.0, hit, -touch * p.speed];
         let v = [0.0, 0.0, 0.0, 0.0, p.speed];
         let motion = motion_within(strike.clone(), tolerance, State { q, v }, end)?;

@@ -33,6 +33,7 @@ fn what_is_not_on_the_bat_is_refused() {
         ("--hands=0.4", "hands/length = 0.47"),
         ("--hands=0.3 --hit=0.2", "hit/length = 0.23"),
         ("--restitution=1.2", "restitution = 1.2 is not allowed"),
+        ("--contact=0.1", "the angle in the time of contact, = 1.37"),
         ("--mass=nan", "not a finite number"),
     ];
     refused(&EXAMPLE, runs);
