@@ -133,7 +133,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let friction = Curve::sampled(times(0.0, end, 80), friction, Ink::Force)?;
     let graph = Panel::over_axes("$t$ / s", Axis::linear("over the first").range(-1.0, 1.25))
         .level(0.0, Ink::Frame, "")
-        .curve(velocity.label_at("$x'$", 0.7 * end, -0.4, Side::AboveRight))
+        .curve(velocity.label_at(r"$\dot x$", 0.7 * end, -0.4, Side::AboveRight))
         .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below));
     let length = -0.5 * v * v / Roller::new(p).acceleration() + 6.0 * r;
     MovingPicture::above(
@@ -177,7 +177,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                     (c * vx / v, s * vx / v),
                     40.0,
                     Ink::Velocity,
-                    "$x'$",
+                    r"$\dot x$",
                 );
             Ok((alt, scene))
         },
