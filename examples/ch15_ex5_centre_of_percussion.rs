@@ -207,9 +207,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// at the tip
         "d = l: J_h/J": reaction(&unit(0.0, 1.0)) => 0.5, within 1e-15;
         /// a free bat that is struck at the tip turns about that point
-        "hands at l/3: centre/l, from the end": 1.0 / 3.0 + centre(&unit(1.0 / 3.0, 1.0)) => 1.0, within 1e-15;
+        "hands at l/3: centre over l, from the end": 1.0 / 3.0 + centre(&unit(1.0 / 3.0, 1.0)) => 1.0, within 1e-15;
         /// hands near the middle: no place on the bat
-        "hands at 0.4 l: centre/l, from the end": 0.4 + centre(&unit(0.4, 1.0)) => 0.5 + 1.0 / 1.2, within 1e-15;
+        "hands at 0.4 l: centre over l, from the end": 0.4 + centre(&unit(0.4, 1.0)) => 0.5 + 1.0 / 1.2, within 1e-15;
         /// a light ball is turned back by a bat that hardly notices
         "m_b to 0, at the tip: J/(m_b v)": light / 1e-9 => 2.0, within 1e-8;
         /// a heavy one finds a third of the mass at the tip

@@ -194,22 +194,18 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let [elastic, plastic] = [1.0, 0.0].map(|part| Answer::new(part, 0.0));
     let along = Answer::new(1.0, FRAC_PI_2);
-    let (turning, moving) = (elastic.angular_velocity, elastic.centre);
-    let energies = [
-        elastic.ball * elastic.ball,
-        moving * moving,
-        0.25 * turning * turning,
-    ];
     let struck = |a: Answer| a.centre + 0.5 * a.angular_velocity;
+    let speeds = [elastic.ball, elastic.centre, 0.5 * elastic.angular_velocity];
+    let energy: f64 = speeds.iter().map(|speed| 0.5 * speed * speed).sum();
     limits! { report,
         /// a particle of half its mass: 2 m/(m + m/2); the other mass feels nothing
-        "elastic: struck mass/v0": struck(elastic) => 4.0 / 3.0, within 1e-15;
+        "elastic: struck mass, over v0": struck(elastic) => 4.0 / 3.0, within 1e-15;
         /// nothing is lost: m v0^2 (1/18 + 2/9 + 2/9)
-        "elastic: energy/(m v0^2)": 0.5 * energies.iter().sum::<f64>() => 0.5, within 1e-15;
+        "elastic: energy, over m v0^2": energy => 0.5, within 1e-15;
         /// ball and struck mass go on together
         "plastic: struck mass - ball": struck(plastic) - plastic.ball => 0.0, within 1e-15;
         /// equal masses exchange their velocities
-        "along the stick: ball/v0": along.ball => 0.0, within 1e-15;
+        "along the stick: ball, over v0": along.ball => 0.0, within 1e-15;
         /// the hit has no arm
         "along the stick: Omega l/v0": along.angular_velocity => 0.0, within 1e-15;
     }

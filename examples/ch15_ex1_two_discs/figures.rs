@@ -76,7 +76,7 @@ figures! { p: &Parameters;
                 false => curve.label_at("without a fall", 0.45 * a.time, 0.55 * a.relative, Side::BelowLeft),
             }))
         };
-        let panel = Panel::over_axes(Axis::linear("$t$ / s from the release"), Axis::linear("slip / rad/s").range(0.0, a.relative));
+        let panel = Panel::over_axes(Axis::linear("$t$ / s from the release"), Axis::linear("slip / rad/s").over([0.0, a.relative]));
         [(0.0, Ink::Ink), (0.08, Ink::Body)].into_iter().try_fold(panel, slip)?
     };
 
@@ -88,7 +88,7 @@ figures! { p: &Parameters;
         let seen = |t: f64| (0.95..1.1).contains(&(t / a.time));
         let wrong = slips.into_iter().filter(|(t, _)| seen(*t)).map(|(t, w)| (t / a.time, w));
         let right = times(0.95, 1.1, 301).map(|t| (t, a.relative * (1.0 - t).max(0.0)));
-        Panel::over_axes("$t/T$", Axis::linear("slip / rad/s").range(-0.02 * a.relative, 0.05 * a.relative))
+        Panel::over_axes("$t/T$", Axis::linear("slip / rad/s").over([-0.02 * a.relative, 0.05 * a.relative]))
             .curve(Curve::new(right, Ink::Ink).label_at("stick located", 0.97, 0.03 * a.relative, Side::AboveRight))
             .curve(Curve::new(wrong, Ink::Wrong).dashed().label_at("wrong: sign of the slip", 1.05, 0.004 * a.relative, Side::Above))
     };
@@ -114,7 +114,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (a, run) = (Answer::new(p), fallen(p, 0.0, 2.0, 1e-9)?);
     let (hit, end) = ((2.0 * p.drop / p.gravity).sqrt(), 1.3 * a.time);
-    let all = || times(0.0, hit - 1e-6 * a.time, 2).chain(times(hit + 1e-6 * a.time, end, 60));
+    let (before, after) = ((hit - 1e-6 * a.time).max(0.0), hit + 1e-6 * a.time);
+    let all = || times(0.0, before, 2).chain(times(after, end, 60));
     let curve = |k: usize, name: &str, first: f64, side: Side| {
         let points = sampled(all(), |t| Ok((t, run.at(t)?.v[k])))?;
         let (t, rate) = (0.4 * a.time, a.common + 0.6 * (first - a.common));

@@ -122,6 +122,7 @@ figures! { p: &Parameters;
     second: {
         let reach = scene(p)?.reach.min(0.4);
         let (run, radius) = (halved(reach, 1e-9)?, 0.5 * reach);
+        // Here the stick turns at v0/l.
         let (met, last) = (second(reach), 4.1);
         let trace = |k: usize| sampled(times(-0.5, last, 200), |t| {
             let q = run.at(t)?.q;
@@ -188,10 +189,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, from * unit..=to * unit, stills, move |t| {
         let now = (t / unit).clamp(from, to);
         let q = run.at(now)?.q;
-        let been = |k: usize, ink: Ink| {
+        let been = |k: usize| {
             let place = |t| Ok(places(&run.at(t)?.q)[k].into());
             let path = sampled(times(0.0, now.max(1e-9), 120), place)?;
-            Ok::<_, rotation_dynamics::Error>(Curve::new(path, ink).thin())
+            Ok::<_, rotation_dynamics::Error>(Curve::new(path, Ink::Body).thin())
         };
         let when = if now < 0.0 { "before" } else { "after" };
         let alt = format!(
@@ -205,8 +206,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             (-0.8 * s - 0.3, 1.3 + far * s),
         );
         let sketch = Sketch::within(x, y)
-            .curve(been(0, Ink::Body)?)
-            .curve(been(1, Ink::Body)?.dashed());
+            .curve(been(0)?)
+            .curve(been(1)?.dashed());
         let sketch = dumbbell(sketch, places(&q), knob);
         Ok((alt, ball(sketch, [q[3], q[4]], ball_radius)))
     })
