@@ -1,7 +1,6 @@
 //! The drawings of exercise 16.8.
 
 use super::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::planar::contact::Mode;
 
 /// The rollers, turned by this angle, and a plank with its middle at `[x, y]` and this tilt.
@@ -134,6 +133,7 @@ figures! { p: &Parameters;
     smooth: {
         let (end, (_, round)) = (span(p), cycle(p));
         let (ride, ode) = (released(p, 1.0, end)?, smoothed(p, 0.1 * p.speed));
+        let end = ride.end_time();
         let smooth = Dop853::new(1e-9)?.solve(&ode, 0.0, &[p.offset, 0.0], end, &[])?;
         let speeds = sampled(times(0.0, end, 600), |t| Ok((t, ride.at(t)?.v[0])))?;
         let wrong = sampled(times(0.0, end, 600), |t| Ok((t, smooth.at(t)?[1])))?;
