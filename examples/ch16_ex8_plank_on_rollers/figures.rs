@@ -90,7 +90,9 @@ figures! { p: &Parameters;
             .level(-v, Ink::Velocity, "$-V$");
         let path = |offset, end| Ok::<_, Error>(Curve::new(portrait(p, 1.0, offset, end)?, Ink::Body));
         let circle = |panel: Panel, part: f64| Ok::<_, Error>(panel.curve(path(part * v * a, TAU / swing)?.thin()));
-        [0.35, 0.7, 0.999_999].into_iter().try_fold(panel, circle)?
+        // A circle that is wider than the rollers are apart is no motion.
+        let fits = |part: &f64| part * v * a < lift(p, 1.0);
+        [0.35, 0.7, 0.999_999].into_iter().filter(fits).try_fold(panel, circle)?
             .curve(path(p.offset, 2.0 * round)?.arrow(0.06))
             .dot(p.offset / a, 0.0, Ink::Body, "start", Side::Above)
             .dot(0.0, 0.0, Ink::Ink, "", Side::Above)
