@@ -160,7 +160,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              the friction at the point of contact points up the slope. Below, velocity and friction."
             );
             let (push, rub) = (force.normal / weight, force.tangential / weight);
-            let scene = Sketch::within((-0.5 * r, length * c), (-1.5 * r, length * s + 2.5 * r))
+            let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
+            let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
                 .incline((0.0, 0.0), length, slope)
                 .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
                 .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")
