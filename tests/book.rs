@@ -110,7 +110,9 @@ fn every_stem_is_complete() {
     assert_eq!(examples, figures, "examples and locked figures");
     let stems: BTreeSet<String> = pages
         .into_iter()
-        .filter(|name| !["SUMMARY", "index", "errata", "notation"].contains(&name.as_str()))
+        .filter(|name| {
+            !["SUMMARY", "index", "errata", "exercises", "notation"].contains(&name.as_str())
+        })
         .collect();
     assert_eq!(examples, stems, "examples and pages");
 }
@@ -123,6 +125,11 @@ fn what_the_notes_compute_has_a_page_a_check_and_a_figure() {
 #[test]
 fn the_errata_name_their_proofs() {
     prose::check_errata(&root());
+}
+
+#[test]
+fn every_exercise_is_in_the_table_and_tells_of_its_events() {
+    prose::check_exercises(&root());
 }
 
 #[test]

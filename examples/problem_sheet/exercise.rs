@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 /// An exercise, as its page states it.
 pub struct Exercise {
     pub page: &'static dyn Page,
-    /// `16.6`; the stem without `further_` where the notes have no number.
+    /// `16.6`; `F1` for the further problem `further_1_…`, which the notes have not.
     pub number: String,
     /// The title of its page.
     pub title: String,
@@ -61,7 +61,14 @@ fn read(page: &'static dyn Page) -> Result<Exercise, String> {
         .and_then(|rest| rest.split_once(':'));
     let number = match numbered {
         Some((number, _)) => number.to_owned(),
-        None => stem.trim_start_matches("further_").replace('_', "-"),
+        None => {
+            "F".to_owned()
+                + stem
+                    .trim_start_matches("further_")
+                    .split('_')
+                    .next()
+                    .unwrap_or(stem)
+        }
     };
     let (title, problem) = (title.to_owned(), problem.to_owned());
     Ok(Exercise {

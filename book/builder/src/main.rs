@@ -11,6 +11,7 @@ mod build;
 mod check;
 mod coverage;
 mod directive;
+mod exercises;
 mod expand;
 mod frame;
 mod lint;
