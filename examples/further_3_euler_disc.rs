@@ -494,11 +494,11 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// upright it spins about a diameter: the last of the steady motions
         "alpha = pi/2: Omega/sqrt(g/R)": upright.rate() => 2.0, within 1e-11;
         /// nearly flat the nodding is as fast as this, in the rate of the contact
-        "alpha = 0: nodding/Omega": flat.nodding().sqrt() => 0.6_f64.sqrt(), within 1e-8;
+        "alpha = 0: nu/Omega": flat.nodding().sqrt() => 0.6_f64.sqrt(), within 1e-8;
         /// its face turns by half of alpha^2 for each turn of the contact
-        "alpha = x: face/Omega alpha^2": flat.face() / (flat.rate() * 1e-8) => 0.5, within 1e-8;
+        "alpha = x: Omega_f/(Omega alpha^2)": flat.face() / (flat.rate() * 1e-8) => 0.5, within 1e-8;
         /// a coin on a large circle leans by v^2/(g rho) and half as much more
-        "large circle: Omega^2 6 rho/(4 g cot alpha)":
+        "large circle: 6 rho Omega^2 tan alpha/(4 g)":
             coin.rate() * coin.rate() * 1.5e3 / (1.0 / tan(coin.tilt)) => 1.0, within 1e-6;
         /// a centre at rest needs no force but its weight
         "circle = 0: friction and lift of the table": held.norm() => 0.0, within 1e4 * p.tolerance;

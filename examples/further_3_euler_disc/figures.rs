@@ -149,9 +149,9 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
     /// a larger one it bulges above.
     bend: {
         let (_, _, settled) = &losses[1];
-        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/n}$").range(0.0, 1.0));
+        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/n'}$").range(0.0, 1.0));
         let from = settled.at(0.0)?.rate;
-        for (name, n, at, side) in [("$n = 0.12$", 0.12, 0.5, Side::BelowLeft), ("$n = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), ("$n = 0.3$", 0.3, 0.75, Side::AboveRight)] {
+        for (name, n, at, side) in [("$n' = 0.12$", 0.12, 0.5, Side::BelowLeft), ("$n' = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), ("$n' = 0.3$", 0.3, 0.75, Side::AboveRight)] {
             let z = |t: f64| Ok::<_, Error>((t * time, pow(settled.at(t)?.rate / from, -1.0 / n)));
             let curve = Curve::new(sampled(times(0.0, settled.passed[2], 120), z)?, Ink::Velocity);
             let (x, y) = z(at * settled.end)?;
@@ -192,7 +192,7 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
 
 /// The settling by the chosen loss, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let case = Case::new(p, &p.loss)?;
+    let case = Case::new(p, p.loss)?;
     let settled = case.simulate()?;
     let columns = "t [s], inclination [rad], tone [Hz], omega [rad/s], N/mg";
     let end = settled.run.end_time();
