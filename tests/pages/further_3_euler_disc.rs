@@ -7,6 +7,7 @@ use pages::further_3_euler_disc::*;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Ode, after, ode};
 use rotation_dynamics::math::sincos;
+use rotation_dynamics::report::Page;
 use support::{EPS, Errors, second_derivative};
 
 const LOSSES: [Loss; 3] = [Loss::None, Loss::Rolling(3e-3), Loss::Air(2e-5)];
@@ -200,6 +201,15 @@ fn eq_11_the_table_always_pushes() {
     }
     assert!(least > 0.199, "{least}");
     assert!((cell(&EXAMPLE, "", ["table ends", "air", "least N/mg"]) - 0.2).abs() < 1e-3);
+}
+
+/// Its figures are drawn for other discs as well.
+#[test]
+fn figures_are_drawn_for_other_discs() {
+    for (inclination, start, radius) in [(1.2, 0.05, 0.012)] {
+        let flags = [("inclination", inclination), ("start", start), ("radius", radius), ("left", 0.2)];
+        assert_eq!(EXAMPLE.figures_with(&flags).unwrap().len(), 7, "{flags:?}");
+    }
 }
 
 #[test]
