@@ -81,7 +81,7 @@ pub fn scene(p: &Parameters) -> Result<(YoYo, Answer)> {
     from_to(0.5, 1e5).check("I/(2 m R^2)", inertia)?;
     let length = p.string / p.radius;
     from_to(0.1, 3.0 * (inertia + 1.0).sqrt()).check("string/radius", length)?;
-    from_to(0.0, 0.99).check("aim/spin", p.aim / p.spin)?;
+    from_to(0.0, 0.95).check("aim/spin", p.aim / p.spin)?;
     Ok((YoYo { inertia, length }, Answer { inertia }))
 }
 
@@ -336,7 +336,7 @@ pub fn sprung(p: &Parameters) -> Result<Reel> {
         stiffness: Some(stiffness),
     };
     let rigid = a.length_outward(aim);
-    Ok(reel(zero([0.3 * rigid, 1.1 * rigid], |length| {
+    Ok(reel(zero([0.05 * rigid, 1.2 * rigid], |length| {
         Ok(reel(length).last(1.0, 1e-10)?[0] - aim)
     })?))
 }

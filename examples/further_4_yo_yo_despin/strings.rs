@@ -5,7 +5,7 @@
 use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Event, ode};
-use rotation_dynamics::interval::from_to;
+use rotation_dynamics::interval::at_least;
 use rotation_dynamics::math::{atan2, cos, hypot, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
@@ -191,9 +191,10 @@ impl Reel {
 /// Where a falling function is zero, by the secant with the sides kept apart.
 pub fn zero([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
     let (mut above, mut below, mut last) = (f(low)?, f(high)?, 0);
-    from_to(0.0, f64::MAX).check(
-        "what is asked of the strings, with any length between,",
-        -above * below,
+    let apart = -above * below;
+    at_least(0.0).check(
+        "spins left by a short and a long string, and their sign,",
+        apart,
     )?;
     for _ in 0..100 {
         let x = (low * below - high * above) / (below - above);

@@ -30,6 +30,7 @@ fn what_is_no_satellite_is_refused() {
         ("--inertia=0.01", "I/(2 m R^2) = 0.04"),
         ("--string=20", "string/radius = 40"),
         ("--spring=10", "spring/(m w0^2) = 0.2"),
+        ("--aim=9.4 --spring=100", "spins left by a short and a long string"),
     ];
     refused(&EXAMPLE, runs);
 }
@@ -159,6 +160,9 @@ fn springs_forgive_another_spin() {
         }
     }
     assert!(worst[0] > 0.19 && worst[1] < 0.08, "{worst:?}");
+    // Made for a stop, it is the other way round.
+    let left = |column| cell(&EXAMPLE, "--aim=0", ["table stretch", "8.000", column]).abs();
+    assert!(left("rigid / (rad/s)") == 0.0 && left("with springs / (rad/s)") > 0.05);
 }
 
 /// To first order strings of the mass mu, over that of the weights, shorten the string for the
