@@ -40,7 +40,7 @@ parameters! {
         lump: number(0.01, "kg", above(0.0).usually(0.001, 0.03));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
-        /// error asked of the attitude at the catch: above 0, at most pi
+        /// error asked of the attitude after three flips: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }
 }
@@ -416,15 +416,18 @@ fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
     report.add_table(table)
 }
 
-/// The accuracy strip: the attitude at the catch.
+/// The accuracy strip: the attitude after three flips and a third, where errors have grown.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (throw, caught) = (thrown(p)?, flight(p));
-    let motion = throw.free()?;
+    let throw = thrown(p)?;
+    let (motion, end) = (
+        throw.free()?,
+        throw.until_flip()? + 7.0 / 3.0 * throw.between_flips()?,
+    );
     let problem = Problem::new(
         Scene::new(throw.body()?),
         throw.start()?,
-        caught,
-        motion.state(caught),
+        end,
+        motion.state(end),
     );
     let problem = problem.in_closed_form(move |t| motion.attitude(t));
     report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-10])

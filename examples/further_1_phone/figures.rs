@@ -161,20 +161,45 @@ figures! { p: &Parameters;
     };
 
     /// Part of L along the short edge, against the time: from one it falls to minus one, comes
-    /// back, and so on, ten times in equal intervals. Marks at the zeros are the times of the
+    /// back, and so on, five times in equal intervals. Rings at the zeros are the times of the
     /// closed form; dots, the simulation, lie on the line.
-    ten: {
-        let throw = thrown(p)?;
-        let (first, between) = (throw.until_flip()?, throw.between_flips()?);
-        let (free, end) = (throw.free()?, first + 9.5 * between);
-        let run = Dop853::new(1e-13)?.solve(&euler(throw.moments), 0.0, &throw.rates, end, &[])?;
-        let line = Curve::of(times(0.0, end, 500), |t| throw.along(1, free.angular_velocity(t).to_array()), Ink::Momentum);
-        let dots = Curve::sampled(times(0.0, end, 95), |t| Ok(throw.along(1, run.at(t)?)), Ink::Momentum)?.dots();
-        let panel = Panel::over_axes("$t$ / s", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0)).size(700, 190);
-        (0..10).fold(panel.curve(line).curve(dots), |panel, n| {
-            panel.ring(first + f64::from(n) * between, 0.0, Ink::Ink, &format!("{}", n + 1), Side::AboveRight)
-        })
-    };
+    ten: flips_in_a_row(&thrown(p)?, 0)?;
+
+    /// The same, going on: flips six to ten, in the same intervals.
+    ten_on: flips_in_a_row(&thrown(p)?, 5)?;
+}
+
+/// Five flips, after so many others.
+fn flips_in_a_row(throw: &Throw, before: u32) -> Result<Panel> {
+    let (first, between, free) = (throw.until_flip()?, throw.between_flips()?, throw.free()?);
+    let at = |n: f64| first + n * between;
+    let (from, to) = (
+        at(f64::from(before) - 0.5).max(0.0),
+        at(f64::from(before) + 4.5),
+    );
+    let run = Dop853::new(1e-13)?.solve(&euler(throw.moments), 0.0, &throw.rates, to, &[])?;
+    let exact = |t| throw.along(1, free.angular_velocity(t).to_array());
+    let line = Curve::of(times(from, to, 300), exact, Ink::Momentum);
+    let dots = Curve::sampled(
+        times(from, to, 50),
+        |t| Ok(throw.along(1, run.at(t)?)),
+        Ink::Momentum,
+    )?
+    .dots();
+    let time = Axis::linear("$t$ / s").range(from, to);
+    let panel =
+        Panel::over_axes(time, Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0)).size(340, 170);
+    Ok(
+        (before..before + 5).fold(panel.curve(line).curve(dots), |panel, n| {
+            panel.ring(
+                at(f64::from(n)),
+                0.0,
+                Ink::Ink,
+                &format!("{}", n + 1),
+                Side::Right,
+            )
+        }),
+    )
 }
 
 /// The free motion through ten flips, for `--csv`.
