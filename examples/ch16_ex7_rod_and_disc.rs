@@ -16,17 +16,17 @@ parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// length of the rod
-        length: number(1.0, "m", above(0.0).usually(0.3, 2.0));
+        length: number(1.0, "m", above(0.0).usually(0.3, 2.0)).drawn(0.6, 1.6, 0.1);
         /// mass of the rod
-        rod: number(0.6, "kg", above(0.0).usually(0.1, 2.0));
+        rod: number(0.6, "kg", above(0.0).usually(0.1, 2.0)).drawn(0.3, 1.2, 0.1);
         /// mass of the disc
-        disc: number(1.1, "kg", above(0.0).usually(0.1, 3.0));
+        disc: number(1.1, "kg", above(0.0).usually(0.1, 3.0)).drawn(0.5, 2.0, 0.1);
         /// radius of the disc
-        radius: number(0.2, "m", above(0.0).usually(0.05, 0.9));
+        radius: number(0.2, "m", above(0.0).usually(0.05, 0.9)).drawn(0.10, 0.30, 0.02);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, released at rest
-        release: number(1.0, "rad", between(0.0, PI).usually(0.1, 3.0));
+        release: number(1.0, "rad", between(0.0, PI).usually(0.1, 3.0)).drawn(0.6, 1.4, 0.1);
         /// torque in a greased axle over how fast the disc turns in it
         friction: number(0.07, "N m s", above(0.0).usually(0.005, 1.0));
         /// error of a step of the simulations: from 1e-15 to 1e-3
