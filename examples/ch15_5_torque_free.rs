@@ -27,15 +27,15 @@ rotation_dynamics::parameters! {
     /// A solid cylinder that moves freely; the notes' instance.
     pub struct Parameters {
         /// mass
-        mass: number(1.2, "kg", above(0.0).usually(0.1, 5.0));
+        mass: number(1.2, "kg", from_to(1e-9, 1e9).usually(0.1, 5.0));
         /// radius
-        radius: number(0.05, "m", above(0.0).usually(0.01, 0.2));
+        radius: number(0.05, "m", from_to(1e-6, 1e6).usually(0.01, 0.2));
         /// height along the axis; 0 is a thin disc
-        height: number(0.15, "m", at_least(0.0).usually(0.0, 0.4));
+        height: number(0.15, "m", from_to(0.0, 1e6).usually(0.0, 0.4));
         /// angular velocity along the axis
-        omega_z: number(20.0, "rad/s", above(0.0).usually(1.0, 100.0));
+        omega_z: number(20.0, "rad/s", from_to(1e-9, 1e9).usually(1.0, 100.0));
         /// angular velocity across the axis
-        omega_y: number(1.0, "rad/s", above(0.0).usually(0.1, 40.0));
+        omega_y: number(1.0, "rad/s", from_to(1e-9, 1e9).usually(0.1, 40.0));
         /// tilt of the axis in the drawings of the cones
         drawn_tilt: number(0.5, "rad", between(0.05, 1.5).usually(0.1, 1.2));
         /// error asked of the attitude at the end: above 0, at most pi

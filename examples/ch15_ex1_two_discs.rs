@@ -13,15 +13,15 @@ parameters! {
     /// The discs of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// moment of inertia of the upper disc
-        upper: number(0.03, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1));
+        upper: number(0.03, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1)).drawn(0.01, 0.08, 0.01);
         /// moment of inertia of the lower disc
-        lower: number(0.05, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1));
+        lower: number(0.05, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1)).drawn(0.02, 0.10, 0.01);
         /// angular velocity of the upper disc before
-        upper_rate: number(40.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0));
+        upper_rate: number(40.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0)).drawn(20.0, 60.0, 2.0);
         /// angular velocity of the lower disc before
-        lower_rate: number(-10.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0));
+        lower_rate: number(-10.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0)).drawn(-30.0, -6.0, 2.0);
         /// torque of the friction while one slips on the other
-        friction: number(0.5, "N m", from_to(1e-6, 1e3).usually(0.1, 2.0));
+        friction: number(0.5, "N m", from_to(1e-6, 1e3).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// height of the fall
         drop: number(0.2, "m", from_to(0.0, 10.0).usually(0.0, 1.0));
         /// acceleration of gravity

@@ -11,17 +11,17 @@ parameters! {
     /// The gears of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// moment of inertia of gear A
-        inertia_a: number(0.02, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1));
+        inertia_a: number(0.02, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1)).drawn(0.010, 0.040, 0.002);
         /// moment of inertia of gear B
-        inertia_b: number(0.005, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1));
+        inertia_b: number(0.005, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1)).drawn(0.002, 0.008, 0.001);
         /// radius of gear A
-        radius_a: number(0.2, "m", from_to(1e-3, 10.0).usually(0.05, 0.5));
+        radius_a: number(0.2, "m", from_to(1e-3, 10.0).usually(0.05, 0.5)).drawn(0.15, 0.30, 0.01);
         /// radius of gear B
-        radius_b: number(0.1, "m", from_to(1e-3, 10.0).usually(0.05, 0.5));
+        radius_b: number(0.1, "m", from_to(1e-3, 10.0).usually(0.05, 0.5)).drawn(0.05, 0.12, 0.01);
         /// rate of gear A
-        rate: number(30.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 100.0));
+        rate: number(30.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 100.0)).drawn(10.0, 60.0, 5.0);
         /// friction of the rims while they slip
-        friction: number(10.0, "N", from_to(1e-3, 1e6).usually(1.0, 100.0));
+        friction: number(10.0, "N", from_to(1e-3, 1e6).usually(1.0, 100.0)).drawn(5.0, 20.0, 1.0);
         /// mass of gear B, for the reading in which its axis moves
         mass_b: number(1.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
         /// rate of the arm that carries it in that reading

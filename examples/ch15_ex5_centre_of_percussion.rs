@@ -14,17 +14,17 @@ parameters! {
     /// Bat and ball; the notes leave all numbers open.
     pub struct Parameters {
         /// length of the bat
-        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.5, 1.2));
+        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.5, 1.2)).drawn(0.80, 1.00, 0.05);
         /// mass of the bat
-        mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0));
+        mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0)).drawn(0.9, 1.5, 0.1);
         /// distance of the hands from the end of the handle
         hands: number(0.0, "m", from_to(0.0, 10.0).usually(0.0, 0.3));
         /// distance of the blow from the end of the handle
-        hit: number(0.7, "m", from_to(0.0, 10.0).usually(0.1, 0.85));
+        hit: number(0.7, "m", from_to(0.0, 10.0).usually(0.1, 0.85)).drawn(0.60, 0.75, 0.01);
         /// mass of the ball
-        ball: number(0.16, "kg", from_to(1e-4, 1e3).usually(0.05, 0.5));
+        ball: number(0.16, "kg", from_to(1e-4, 1e3).usually(0.05, 0.5)).drawn(0.10, 0.25, 0.01);
         /// speed of the ball
-        speed: number(30.0, "m/s", from_to(1e-2, 1e3).usually(5.0, 40.0));
+        speed: number(30.0, "m/s", from_to(1e-2, 1e3).usually(5.0, 40.0)).drawn(15.0, 40.0, 1.0);
         /// part of the speed with which they part again
         restitution: number(0.5, "-", from_to(0.1, 1.0));
         /// how long they touch, in the simulation with a soft ball

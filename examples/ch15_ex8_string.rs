@@ -14,15 +14,15 @@ parameters! {
     /// The string of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the particle
-        mass: number(0.2, "kg", above(0.0).usually(0.05, 1.0));
+        mass: number(0.2, "kg", above(0.0).usually(0.05, 1.0)).drawn(0.10, 0.50, 0.05);
         /// radius of the circle
-        radius: number(0.8, "m", above(0.0).usually(0.3, 1.2));
+        radius: number(0.8, "m", above(0.0).usually(0.3, 1.2)).drawn(0.6, 1.2, 0.1);
         /// speed on the circle
-        speed: number(1.5, "m/s", above(0.0).usually(0.5, 4.0));
+        speed: number(1.5, "m/s", above(0.0).usually(0.5, 4.0)).drawn(1.0, 3.0, 0.1);
         /// rate at which the string is pulled in
-        pull: number(0.1, "m/s", above(0.0).usually(0.05, 1.0));
+        pull: number(0.1, "m/s", above(0.0).usually(0.05, 1.0)).drawn(0.05, 0.15, 0.01);
         /// time for which it is pulled
-        time: number(3.0, "s", above(0.0).usually(0.5, 6.0));
+        time: number(3.0, "s", above(0.0).usually(0.5, 6.0)).drawn(1.0, 4.0, 0.5);
         /// radius of the hole
         hole: number(0.05, "m", above(0.0).usually(0.01, 0.1));
         /// error of a step of the simulations: from 1e-15 to 1e-6

@@ -13,11 +13,11 @@ parameters! {
     /// The ball and the dumbbell of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the ball, and of the dumbbell
-        mass: number(0.5, "kg", from_to(1e-6, 1e6).usually(0.1, 2.0));
+        mass: number(0.5, "kg", from_to(1e-6, 1e6).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// length of the stick
-        length: number(0.6, "m", from_to(1e-6, 1e6).usually(0.2, 1.5));
+        length: number(0.6, "m", from_to(1e-6, 1e6).usually(0.2, 1.5)).drawn(0.3, 1.0, 0.1);
         /// speed of the ball
-        speed: number(3.0, "m/s", from_to(1e-6, 1e6).usually(0.5, 6.0));
+        speed: number(3.0, "m/s", from_to(1e-6, 1e6).usually(0.5, 6.0)).drawn(1.0, 6.0, 0.5);
         /// coefficient of restitution; 1 is elastic
         restitution: number(1.0, "-", from_to(0.1, 1.0));
         /// angle of its path from the right angle to the stick

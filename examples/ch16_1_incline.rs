@@ -9,6 +9,7 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, State, Surface, entry, motion_within,
 };
@@ -97,7 +98,7 @@ impl Mechanism<3, 6, 1> for Roller {
 
     fn scale(&self, _: &State<3>) -> State<3> {
         let (v, r) = (self.speed, self.radius);
-        let length = v * v / self.gravity;
+        let length = v * v / (self.gravity * sin(self.slope));
         State {
             q: [length, r, length / r],
             v: [v, v, v / r],
@@ -200,7 +201,8 @@ impl Roller {
     /// Time down a length of the slope, from rest; closed form and located.
     pub fn race(self, length: f64, tolerance: f64) -> Result<[f64; 2]> {
         let time = (-2.0 * length / self.acceleration()).sqrt();
-        let run = self.run(Goal::Down(length), 0.0, 2.0 * time, tolerance)?;
+        let speed = length / time;
+        let run = Self { speed, ..self }.run(Goal::Down(length), 0.0, 2.0 * time, tolerance)?;
         Ok([time, run.event("arrives")?.t])
     }
 }
@@ -315,15 +317,15 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let ice = Roller { mu: 0.0, ..plain };
     limits! { report,
         /// all mass on the axis: it slides like a block
-        "k = 1e-9: -x''/(g sin)": over(gripping(p, 1e-9))? => 1.0, within 2e-9;
+        "k = 1e-9: -x''/(g sin theta)": over(gripping(p, 1e-9))? => 1.0, within 2e-9;
         /// a hoop has as much energy in its turning as in its going
-        "k = 1: -x''/(g sin)": over(gripping(p, 1.0))? => 0.5, within 1e-11;
+        "k = 1: -x''/(g sin theta)": over(gripping(p, 1.0))? => 0.5, within 1e-11;
         /// no friction: it slides, and keeps its spin
-        "mu = 0: -x''/(g sin)": over(ice)? => 1.0, within 1e-11;
+        "mu = 0: -x''/(g sin theta)": over(ice)? => 1.0, within 1e-11;
         /// nothing has changed the spin
         "mu = 0: spin on return over the first": ice.run_back(1e-12)?[0] => 1.0, within 1e-11;
         /// just below the threshold it still goes as if it rolled
-        "mu = 0.9999999 mu_min: -(1 + k) x''/(g sin)":
+        "mu = 0.9999999 mu_min: -(1 + k) x''/(g sin theta)":
             (1.0 + p.shape) * over(near(0.999_999_9))? => 1.0, within 1e-6;
         /// all but upright, nothing presses and nothing rubs
         "theta = pi/2 - 0.001, mu = 0.5: -x''/g":
@@ -332,7 +334,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Arm of the normal force, 0.2 mm, and drag over the mass, for a cylinder of wood (700 kg/m^3,
-/// C = 1) in air: `rho C (2 R l)/(2 m)` with its length l.
+/// C = 1) in air: `rho C (2 R l)/(2 m)` with its length l. Both shorten the way up: to
+/// `1/(1 + b/(R tan))` of it, and to `log(1 + d)/d` with d the drag over the pull of the slope.
 pub fn resisting(p: &Parameters) -> [f64; 2] {
     [2e-4, 1.204 / (700.0 * PI * p.radius)]
 }
@@ -353,14 +356,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         - 1.0;
     effect_card! { report,
         "slipping": "mu_min/mu" = body.needed() / p.friction.max(1e-300), costs thick, "of x'' for 1 % less mu", included;
-        "rolling resistance, arm 0.2 mm": "b/(R tan)" = arm, costs if sliding { 0.0 } else { arm }, "of the distance";
-        "drag of the air, a cylinder of wood": "rho C l v^2/(m g sin)" = drag, costs 0.5 * drag, "of the distance";
+        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance";
+        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs (1.0 - log1p(drag) / drag).max(0.0), "of the distance";
     }
 }
 
 /// Bodies that roll, in the order in which they arrive.
 fn race(p: &Parameters) -> Result<Table> {
-    let columns = "body, k, -x''/(g sin), mu_min/tan, down 1 m / s";
+    let columns = "body, k, -x''/(g sin theta), mu_min/tan theta, t / s";
     let mut table = Table::new("race", columns.split(", "))?;
     let bodies = [
         ("block without friction", 0.0),

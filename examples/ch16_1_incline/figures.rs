@@ -133,7 +133,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let friction = Curve::sampled(times(0.0, end, 80), friction, Ink::Force)?;
     let graph = Panel::over_axes("$t$ / s", Axis::linear("over the first").range(-1.0, 1.25))
         .level(0.0, Ink::Frame, "")
-        .curve(velocity.label_at("$x'$", 0.7 * end, -0.4, Side::AboveRight))
+        .curve(velocity.label_at(r"$\dot x$", 0.7 * end, -0.4, Side::AboveRight))
         .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below));
     let length = -0.5 * v * v / Roller::new(p).acceleration() + 6.0 * r;
     MovingPicture::above(
@@ -160,7 +160,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              the friction at the point of contact points up the slope. Below, velocity and friction."
             );
             let (push, rub) = (force.normal / weight, force.tangential / weight);
-            let scene = Sketch::within((-0.5 * r, length * c), (-1.5 * r, length * s + 2.5 * r))
+            let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
+            let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
                 .incline((0.0, 0.0), length, slope)
                 .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
                 .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")
@@ -177,7 +178,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                     (c * vx / v, s * vx / v),
                     40.0,
                     Ink::Velocity,
-                    "$x'$",
+                    r"$\dot x$",
                 );
             Ok((alt, scene))
         },

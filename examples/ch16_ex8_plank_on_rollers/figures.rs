@@ -1,7 +1,6 @@
 //! The drawings of exercise 16.8.
 
 use super::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::planar::contact::Mode;
 
 /// The rollers, turned by this angle, and a plank with its middle at `[x, y]` and this tilt.
@@ -91,7 +90,9 @@ figures! { p: &Parameters;
             .level(-v, Ink::Velocity, "$-V$");
         let path = |offset, end| Ok::<_, Error>(Curve::new(portrait(p, 1.0, offset, end)?, Ink::Body));
         let circle = |panel: Panel, part: f64| Ok::<_, Error>(panel.curve(path(part * v * a, TAU / swing)?.thin()));
-        [0.35, 0.7, 0.999_999].into_iter().try_fold(panel, circle)?
+        // A circle that is wider than the rollers are apart is no motion.
+        let fits = |part: &f64| part * v * a < lift(p, 1.0);
+        [0.35, 0.7, 0.999_999].into_iter().filter(fits).try_fold(panel, circle)?
             .curve(path(p.offset, 2.0 * round)?.arrow(0.06))
             .dot(p.offset / a, 0.0, Ink::Body, "start", Side::Above)
             .dot(0.0, 0.0, Ink::Ink, "", Side::Above)
@@ -134,6 +135,7 @@ figures! { p: &Parameters;
     smooth: {
         let (end, (_, round)) = (span(p), cycle(p));
         let (ride, ode) = (released(p, 1.0, end)?, smoothed(p, 0.1 * p.speed));
+        let end = ride.end_time();
         let smooth = Dop853::new(1e-9)?.solve(&ode, 0.0, &[p.offset, 0.0], end, &[])?;
         let speeds = sampled(times(0.0, end, 600), |t| Ok((t, ride.at(t)?.v[0])))?;
         let wrong = sampled(times(0.0, end, 600), |t| Ok((t, smooth.at(t)?[1])))?;

@@ -129,7 +129,7 @@ figures! { p: &Parameters;
     };
 
     /// From above: a ball that loses by rolling. Its path is a spiral that begins as a small
-    /// circle beside the axis and ends at the rim as a large one about it. A dashed curve is
+    /// circle beside the axis and ends as a large one about it; near the rim the ball slips and its path becomes straighter. A dashed curve is
     /// the way of the middle of the circle: it runs in to the axis.
     spiral: {
         let (ball, _) = plain();
@@ -205,66 +205,38 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 }
 
 /// The ball on its circle, with its axis e3 and the friction; below, the places of ball and mark.
+#[rustfmt::skip]
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let ((ball, run), a, edge) = (motion(p)?, p.radius, p.table);
-    let end = run.end_time();
+    let ((ball, run), a, edge, up) = (motion(p)?, p.radius, p.table, SpaceVector::new(0.0, 0.0, 1.0));
+    let (end, rate, mark) = (run.end_time(), p.rate, p.place);
+    let span = || times(0.0, end, 300);
     let graph = Panel::over_axes("$t$ / s", "$x$ / m")
-        .curve(
-            Curve::sampled(
-                times(0.0, end, 300),
-                |t| Ok(at(&run, t)?.place.x()),
-                Ink::Body,
-            )?
-            .label("ball"),
-        )
-        .curve(
-            Curve::of(
-                times(0.0, end, 300),
-                |t| p.place * cos(p.rate * t - 0.9),
-                Ink::Frame,
-            )
-            .dashed(),
-        );
-    let (rate, mark) = (p.rate, p.place);
+        .curve(Curve::sampled(span(), |t| Ok(at(&run, t)?.place.x()), Ink::Body)?.label("ball"))
+        .curve(Curve::of(span(), |t| mark * cos(rate * t - 0.9), Ink::Frame).dashed());
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.22 * end, 0.55 * end], move |t| {
-        let (now, up) = (at(&run, t)?, SpaceVector::new(0.0, 0.0, 1.0));
-        let on = |v: SpaceVector| SpaceVector::new(v.x(), v.y(), 0.002 * edge);
-        let been = sampled(times(0.0, t, 80), |t| Ok(on(at(&run, t)?.place)))?;
-        let turned = |r: f64| {
-            on(SpaceVector::new(
-                r * cos(rate * t - 0.9),
-                r * sin(rate * t - 0.9),
-                0.0,
-            ))
-        };
+        let on = |x: f64, y: f64| SpaceVector::new(x, y, 0.002 * edge);
+        let under = |ball: &Moving| on(ball.place.x(), ball.place.y());
+        let been = sampled(times(0.0, t, 80), |t| Ok(under(&at(&run, t)?)))?;
+        let turned = |r: f64| on(r * cos(rate * t - 0.9), r * sin(rate * t - 0.9));
+        let now = at(&run, t)?;
         let (_, friction) = ball.forces(&now);
-        let foot = on(now.place) + up * (0.3 * a);
+        let foot = under(&now) + up * (0.3 * a);
         let pull = friction * (0.35 * edge / friction.norm().max(1e-300));
-        let e3 = now.attitude()?.axis();
+        let tip = now.place + now.attitude()?.axis() * (2.2 * a);
         let alt = format!(
             "After {t:.2} s: the table with a chalk mark that has turned by {:.0} degrees, and the ball that has run \
-             {:.0} degrees of its circle. The friction points to the middle of the circle. Below, the place of ball and mark \
-             along x against time: the mark swings several times while the ball does once.",
-            (rate * t).to_degrees(),
-            360.0 * t / end
+             {:.0} degrees of its circle. The friction points to the middle of the circle. Below, the places of ball \
+             and mark along x against time: the mark swings several times while the ball does once.",
+            (rate * t).to_degrees(), 360.0 * t / end
         );
         let scene = View::of(SpaceVector::zero(), 1.06 * edge)
             .camera(Camera::new(-1.2, 0.85))
-            .solid(
-                Solid::disc(up * (-0.03 * edge), up, edge, 0.06 * edge),
-                Ink::Frame,
-            )
+            .solid(Solid::disc(up * (-0.03 * edge), up, edge, 0.06 * edge), Ink::Frame)
             .line([turned(0.93 * edge), turned(0.0)], Ink::Frame)
             .dot(turned(mark), Ink::Frame, "", Side::Above)
             .dashed(been, Ink::Body)
             .solid(Solid::ball(now.place, a), Ink::Body)
-            .arrow(
-                now.place,
-                now.place + e3 * (2.2 * a),
-                Ink::Body,
-                "",
-                Side::Above,
-            )
+            .arrow(now.place, tip, Ink::Body, "", Side::Above)
             .arrow(foot, foot + pull, Ink::Force, "$F$", Side::Above);
         Ok((alt, scene))
     })

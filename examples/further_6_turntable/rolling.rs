@@ -7,6 +7,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Ode, ode};
+use rotation_dynamics::math::hypot;
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
 /// What the ball is on. It turns about the vertical through the origin.
@@ -53,15 +54,11 @@ pub enum Touch {
 pub type Y = [f64; 13];
 
 impl Moving {
+    #[rustfmt::skip]
     pub fn of(y: &Y) -> Self {
-        let v = |i: usize| SpaceVector::new(y[i], y[i + 1], y[i + 2]);
+        let vector = |i: usize| SpaceVector::new(y[i], y[i + 1], y[i + 2]);
         let quaternion = [y[9], y[10], y[11], y[12]];
-        Self {
-            place: v(0),
-            velocity: v(3),
-            spin: v(6),
-            quaternion,
-        }
+        Self { place: vector(0), velocity: vector(3), spin: vector(6), quaternion }
     }
 
     pub fn numbers(&self) -> Y {
@@ -115,10 +112,8 @@ impl Ball {
         let braked = self.resistance(at).cross(&n) / (k * a);
         let without = self.gravity - carried - braked;
         let along = without - n * n.dot(&without);
-        (
-            -n.dot(&self.gravity) - turning.dot(&at.velocity),
-            along * (-k / (1.0 + k)),
-        )
+        let push = -n.dot(&self.gravity) - turning.dot(&at.velocity);
+        (push, along * (-k / (1.0 + k)))
     }
 
     /// The moment of rolling resistance, against the rolling over the surface.
@@ -152,29 +147,29 @@ impl Ball {
 
     /// With this place and velocity, rolling, with the component `normal` of the angular velocity along
     /// the normal.
+    #[rustfmt::skip]
     pub fn rolling(&self, place: SpaceVector, velocity: SpaceVector, normal: f64) -> Moving {
-        let still = Moving {
-            place,
-            velocity,
-            spin: SpaceVector::zero(),
-            quaternion: [1.0, 0.0, 0.0, 0.0],
-        };
+        let (spin, quaternion) = (SpaceVector::zero(), [1.0, 0.0, 0.0, 0.0]);
+        let still = Moving { place, velocity, spin, quaternion };
+        let rolling = self.slipping(&still, SpaceVector::zero());
         let [n, _] = self.normal(&still);
-        let spin = n.cross(&self.slip(&still)) / self.radius + n * normal;
-        Moving { spin, ..still }
+        Moving { spin: rolling.spin + n * normal, ..still }
     }
 
     /// With another slip.
     fn slipping(&self, at: &Moving, slip: SpaceVector) -> Moving {
         let [n, _] = self.normal(at);
-        let change = n.cross(&(self.slip(at) - slip)) / self.radius;
-        Moving {
-            spin: at.spin + change,
-            ..*at
-        }
+        let spin = at.spin + n.cross(&(self.slip(at) - slip)) / self.radius;
+        Moving { spin, ..*at }
     }
 
-    /// What is left of the friction before it slips, over the normal force.
+    /// On a table without a rim.
+    pub fn without_edge(self) -> Self {
+        let surface = Surface::Table { edge: 1e9 };
+        Self { surface, ..self }
+    }
+
+    /// What is left of the friction before it slips.
     fn grip(&self, y: &Y) -> f64 {
         let (push, held) = self.forces(&Moving::of(y));
         self.mu * push - held.norm()
@@ -182,13 +177,11 @@ impl Ball {
 
     /// Which way it goes on from a state without slip; if it slips, a little to begin with.
     fn decide(&self, y: &Y) -> (Touch, Y) {
-        if self.grip(y) > 0.0 {
-            return (
-                Touch::Rolls,
-                self.slipping(&Moving::of(y), SpaceVector::zero()).numbers(),
-            );
+        if self.grip(y) <= 0.0 {
+            return self.let_go(y);
         }
-        self.let_go(y)
+        let rolling = self.slipping(&Moving::of(y), SpaceVector::zero());
+        (Touch::Rolls, rolling.numbers())
     }
 
     fn let_go(&self, y: &Y) -> (Touch, Y) {
@@ -205,15 +198,11 @@ impl Ball {
 
     /// The motion with an error of a step of this size, until a time or an end.
     pub fn run(&self, start: &Moving, end: f64, step: f64) -> Result<Run<Touch, 13>> {
-        let touch = if self.slip(start).norm() > STILL {
-            Touch::Slips
-        } else {
-            Touch::Rolls
-        };
-        let (touch, y) = match touch {
-            Touch::Slips => (touch, start.numbers()),
-            Touch::Rolls => self.decide(&start.numbers()),
-        };
+        let mut first = (Touch::Slips, start.numbers());
+        if self.slip(start).norm() <= STILL {
+            first = self.decide(&first.1);
+        }
+        let (touch, y) = first;
         simulate(self, &Dop853::new(step)?, touch, y, end)
     }
 }
@@ -233,7 +222,7 @@ impl Phased<13> for Ball {
     fn conditions(&self, touch: Touch) -> Vec<Condition<'_, Touch, 13>> {
         let mut all = Vec::new();
         if let Surface::Table { edge } = self.surface {
-            let inside = move |y: &Y| edge - rotation_dynamics::math::hypot(y[0], y[1]);
+            let inside = move |y: &Y| edge - hypot(y[0], y[1]);
             all.push(Condition::gap("leaves", inside, Next::End));
         }
         all.push(match touch {

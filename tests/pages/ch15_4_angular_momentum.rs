@@ -247,13 +247,16 @@ fn e19_omega_is_missing_in_the_last_line() {
         (runner(wheel).angular_momentum(ORIGIN).x(), wheel.momentum()[0])
     };
     let (mut errors, mut printed) = (Errors::in_units_of(EPS, "-MRa Omega/2"), Errors::of("-MRa/2"));
+    let mut squared = Errors::of("with Omega^2, the line before");
     for rate in [0.5, 2.0, 4.0, 30.0] {
         let (sum, formula) = of(rate);
         errors.push((sum - formula) / rate);
         printed.push(sum + 0.5 * 1.5 * 0.3 * 0.5);
+        squared.push(sum + 0.5 * 1.5 * 0.3 * 0.5 * rate * rate);
     }
     errors.attain(16.9..=17.0, 4);
     printed.exceed(0.05, 4);
+    squared.exceed(0.02, 4);
 }
 
 /// What the notes call the angular momentum of the cylinder is the rate at which it turns.

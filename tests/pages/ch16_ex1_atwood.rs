@@ -28,14 +28,16 @@ fn other_machines_are_confirmed() {
     let runs = [
         "--friction=0",
         "--friction=0.02",
-        "--inertia=1e-9",
+        "--inertia=1e-6",
         "--inertia=5",
         "--m1=300 --spin=5",
         "--m2=0.001",
         "--spin=300 --rope=5",
         "--tolerance=1e-3",
+        "--height=0.001 --gravity=1000 --tolerance=1e-15",
+        "--rope=1e-9 --height=1000",
     ];
-    confirmed(&EXAMPLE, runs, 8);
+    confirmed(&EXAMPLE, runs, 10);
 }
 
 #[test]
@@ -46,6 +48,9 @@ fn what_is_no_machine_is_refused() {
         ("--m2=3", "m2/m1, m1 being the heavier mass, = 1 is not allowed"),
         ("--m1=1", "m1 being the heavier mass, = 2"),
         ("--inertia=0", "inertia = 0 is not allowed"),
+        ("--gravity=1e200", "gravity = 1e200 is not allowed"),
+        ("--radius=1e200", "radius = 1e200 is not allowed"),
+        ("--rope=30", "rope h/(m1 - m2) = 30 is not allowed"),
     ];
     refused(&EXAMPLE, runs);
 }

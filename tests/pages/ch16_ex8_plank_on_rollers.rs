@@ -54,13 +54,14 @@ fn formulas_and_simulations_agree() {
         "--distance=0.03", "--distance=40", "--kinetic=0.02", "--kinetic=1.5 --holding=4",
         "--holding=0.3", "--holding=5", "--speed=0.02", "--speed=4", "--offset=1e-5",
         "--offset=0.49", "--thickness=0.4", "--thickness=3.2 --offset=0.01", "--gravity=1.62",
-        "--sense=out", "--tolerance=1e-6",
+        "--sense=out", "--tolerance=1e-6", "--speed=0.9 --holding=2 --offset=0.45",
+        "--holding=0.30003 --offset=0.45",
     ];
     let fits = |run: &str| match run.contains("distance=0.03") {
         true => format!("{run} --offset=0.01"),
         false => run.to_owned(),
     };
-    confirmed(&EXAMPLE, alone.map(fits), 15);
+    confirmed(&EXAMPLE, alone.map(fits), 17);
 }
 
 #[test]
@@ -71,6 +72,8 @@ fn what_is_no_plank_on_rollers_is_refused() {
         ("--holding=0.2", "holding, not below kinetic, = 0.2"),
         ("--speed=0", "speed = 0 is not allowed"),
         ("--offset=0.5", "lifting off at the upper end, = 0.5"),
+        ("--speed=0.001", "speed/sqrt(2 kinetic gravity distance)"),
+        ("--gravity=1e200", "gravity = 1e200 is not allowed"),
         ("--thickness=4", "1 where it jams, = 1.2"),
     ];
     refused(&EXAMPLE, runs);
@@ -150,7 +153,7 @@ fn a_law_of_signs_chatters_and_has_no_cycle() {
         last = slip;
     }
     // Nearer to the middle the left roller all but balances the right one, and it takes longer.
-    assert!(held > 800 && turns * 3 > held, "{turns} of {held}");
+    assert!(held > 800 && turns > 300, "{turns} of {held}");
     let circle = p.speed / rate(&p, 1.0);
     assert!((widest / circle - 1.0).abs() < 0.05 && widest < 0.8 * cycle(&p).0, "{widest}");
 }
