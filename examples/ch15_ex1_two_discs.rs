@@ -13,15 +13,15 @@ parameters! {
     /// The discs of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// moment of inertia of the upper disc
-        upper: number(0.03, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1));
+        upper: number(0.03, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1)).drawn(0.01, 0.08, 0.01);
         /// moment of inertia of the lower disc
-        lower: number(0.05, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1));
+        lower: number(0.05, "kg m^2", from_to(1e-6, 1e3).usually(0.01, 0.1)).drawn(0.02, 0.10, 0.01);
         /// angular velocity of the upper disc before
-        upper_rate: number(40.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0));
+        upper_rate: number(40.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0)).drawn(20.0, 60.0, 2.0);
         /// angular velocity of the lower disc before
-        lower_rate: number(-10.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0));
+        lower_rate: number(-10.0, "rad/s", from_to(-1e3, 1e3).usually(-50.0, 50.0)).drawn(-30.0, -6.0, 2.0);
         /// torque of the friction while one slips on the other
-        friction: number(0.5, "N m", from_to(1e-6, 1e3).usually(0.1, 2.0));
+        friction: number(0.5, "N m", from_to(1e-6, 1e3).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// height of the fall
         drop: number(0.2, "m", from_to(0.0, 10.0).usually(0.0, 1.0));
         /// acceleration of gravity
@@ -35,16 +35,13 @@ parameters! {
 /// What the kept angular momentum gives, and the time from a constant torque.
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
-    /// Angular momentum of both, before and after.
-    pub momentum: f64,
     /// The rate at which both turn in the end.
     pub common: f64,
     /// How fast the upper disc turns on the lower one at the start.
     pub relative: f64,
     /// I1 I2/(I1 + I2).
     pub reduced: f64,
-    /// Kinetic energy before, and what of it is lost.
-    pub before: f64,
+    /// Kinetic energy that is lost.
     pub lost: f64,
     /// How long friction acts with its constant torque.
     pub time: f64,
@@ -55,11 +52,9 @@ impl Answer {
         let (whole, relative) = (p.upper + p.lower, p.upper_rate - p.lower_rate);
         let (share, reduced) = (p.upper / whole, p.upper * (p.lower / whole));
         Self {
-            momentum: p.upper * p.upper_rate + p.lower * p.lower_rate,
             common: p.lower_rate + share * relative,
             relative,
             reduced,
-            before: kinetic_energy(p, [p.upper_rate, p.lower_rate]),
             lost: 0.5 * reduced * relative * relative,
             time: reduced * relative.abs() / p.friction,
         }
@@ -102,11 +97,9 @@ impl Mechanism<3, 6, 1> for Discs {
 
     fn scale(&self, _: &State<3>) -> State<3> {
         let (a, largest) = (Answer::new(&self.p), rate(&self.p));
-        let (height, angle) = (self.p.gravity * a.time * a.time, largest * a.time);
-        State {
-            q: [height, angle, angle],
-            v: [self.p.gravity * a.time, largest, largest],
-        }
+        let v = [self.p.gravity * a.time, largest, largest];
+        let q = v.map(|rate| rate * a.time);
+        State { q, v }
     }
 }
 
@@ -115,27 +108,14 @@ fn rate(p: &Parameters) -> f64 {
     p.upper_rate.abs().max(p.lower_rate.abs())
 }
 
+/// A fall of the upper disc, and the slip.
+pub type Fall = Motion<Discs, 3, 6, 1>;
+
 /// The motion from the release until `ends`, in units of the time of the slip.
-pub fn fallen(
-    p: &Parameters,
-    bounce: f64,
-    ends: f64,
-    tolerance: f64,
-) -> Result<Motion<Discs, 3, 6, 1>> {
-    let start = State {
-        q: [p.drop, 0.0, 0.0],
-        v: [0.0, p.upper_rate, p.lower_rate],
-    };
-    let end = ends * Answer::new(p).time;
-    motion_within(
-        Discs {
-            p: p.clone(),
-            bounce,
-        },
-        tolerance,
-        start,
-        end,
-    )
+pub fn fallen(p: &Parameters, bounce: f64, ends: f64, tolerance: f64) -> Result<Fall> {
+    let (q, v) = ([p.drop, 0.0, 0.0], [0.0, p.upper_rate, p.lower_rate]);
+    let (p, end) = (p.clone(), ends * Answer::new(p).time);
+    motion_within(Discs { p, bounce }, tolerance, State { q, v }, end)
 }
 
 // ANCHOR: laws
@@ -197,10 +177,8 @@ pub fn chattering(p: &Parameters, steps: u32, end: f64) -> Vec<(f64, f64)> {
 
 /// The largest slip in the last quarter of a run.
 pub fn left_over(slips: &[(f64, f64)]) -> f64 {
-    let last = slips.len() * 3 / 4;
-    slips[last..]
-        .iter()
-        .fold(0.0, |most, (_, w)| w.abs().max(most))
+    let last = &slips[slips.len() * 3 / 4..];
+    last.iter().fold(0.0, |most, (_, w)| w.abs().max(most))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -210,8 +188,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     from_to(0.0, longest).check("drop, with time left to slip,", p.drop)?;
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
     let (sticks, end) = (run.event("discs sticks")?, run.at(run.end_time())?);
-    let kept = p.upper * end.v[1] + p.lower * end.v[2];
-    let lost = a.before - kinetic_energy(p, [end.v[1], end.v[2]]);
+    let momentum = |[upper, lower]: [f64; 2]| p.upper * upper + p.lower * lower;
+    let (first, last) = ([p.upper_rate, p.lower_rate], [end.v[1], end.v[2]]);
+    let before = kinetic_energy(p, first);
     let oil = rubbed(p, 1e-9, |slip| torque(p, "oil", slip))?;
     let dry = rubbed(p, 0.0, |slip| torque(p, "dry", slip))?;
     let (bound, whole) = (100.0 * p.tolerance, p.upper + p.lower);
@@ -225,19 +204,19 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size,
         in "The common rate":
             0.5 * both => "the discs are not equal",
-            (p.upper * p.upper_rate.abs() + p.lower * p.lower_rate.abs()) / whole => "rates have signs",
-            (2.0 * a.before / whole).sqrt() => "energy is not kept: the discs rub";
+            momentum(first.map(f64::abs)) / whole => "rates have signs",
+            (2.0 * before / whole).sqrt() => "energy is not kept: the discs rub";
         /// kinetic energy lost
-        lost: a.lost, "J", "discs simulated" => lost, within square,
+        lost: a.lost, "J", "discs simulated" => before - kinetic_energy(p, last), within square,
         in "The energy":
             0.5 * whole * a.relative * a.relative => "not both turn at that rate: which inertia belongs to the slip?",
             0.5 * a.reduced * both * both => "the slip is the difference of the rates, signs included",
-            a.before => "they still turn in the end",
-            a.before - a.lost => "that is what is left";
+            before => "they still turn in the end",
+            before - a.lost => "that is what is left";
         /// part of it
-        share: a.lost / a.before, "-", "heat of an oil film" => oil.end_state()[2] / a.before, within square / a.before + 1e-9;
+        share: a.lost / before, "-", "heat of an oil film" => oil.end_state()[2] / before, within square / before + 1e-9;
         /// angular momentum of both, before and after
-        momentum: a.momentum, "kg m^2/s", "discs simulated, after" => kept, within near;
+        momentum: momentum(first), "kg m^2/s", "discs simulated, after" => momentum(last), within near;
         /// how long they slip, without a fall
         time: a.time, "s", "located event" => dry.end_time(), within time,
         in "The time":
@@ -254,100 +233,92 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Light and heavy discs, equal ones, and those that stop each other.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    // Over the moment of inertia and the rate of the upper disc.
     let of = |lower: f64, lower_rate: f64| {
-        let (upper, upper_rate) = (1.0, 1.0);
-        Answer::new(&Parameters {
+        let (upper, upper_rate, rest) = (1.0, 1.0, p.clone());
+        let p = Parameters {
             upper,
             lower,
             upper_rate,
             lower_rate,
-            ..p.clone()
-        })
+            ..rest
+        };
+        let (a, before) = (
+            Answer::new(&p),
+            kinetic_energy(&p, [upper_rate, lower_rate]),
+        );
+        (a.common, a.lost / before)
     };
-    let wall = of(1e12, 0.0);
+    let ((heavy, all), (light, _), (like, half)) = (of(1e12, 0.0), of(1e-12, -1.0), of(1.0, 0.0));
     limits! { report,
         /// a heavy disc keeps its rate
-        "I2 to infinity: (Omega - Omega2)/Omega1": wall.common => 0.0, within 1e-11;
+        "I2 to infinity: (Omega - Omega2)/Omega1": heavy => 0.0, within 1e-11;
         /// and takes all energy of the slip
-        "I2 to infinity, Omega2 = 0: lost/before": wall.lost / wall.before => 1.0, within 1e-11;
+        "I2 to infinity, Omega2 = 0: lost/before": all => 1.0, within 1e-11;
         /// a light one is carried along
-        "I2 to 0: Omega/Omega1": of(1e-12, -1.0).common => 1.0, within 1e-11;
+        "I2 to 0: Omega/Omega1": light => 1.0, within 1e-11;
         /// the mean
-        "I1 = I2, Omega2 = 0: Omega/Omega1": of(1.0, 0.0).common => 0.5, within 1e-15;
+        "I1 = I2, Omega2 = 0: Omega/Omega1": like => 0.5, within 1e-15;
         /// half of the energy, as when a body hits its like and sticks
-        "I1 = I2, Omega2 = 0: lost/before": of(1.0, 0.0).lost / of(1.0, 0.0).before => 0.5, within 1e-15;
+        "I1 = I2, Omega2 = 0: lost/before": half => 0.5, within 1e-15;
         /// angular momenta that cancel: both stop
-        "I1 O1 = -I2 O2: lost/before": of(2.0, -0.5).lost / of(2.0, -0.5).before => 1.0, within 1e-15;
+        "I1 Omega1 = -I2 Omega2: lost/before": of(2.0, -0.5).1 => 1.0, within 1e-15;
         /// nothing slips
-        "Omega1 = Omega2: lost/before": of(3.0, 1.0).lost => 0.0, within 1e-15;
+        "Omega1 = Omega2: lost/before": of(3.0, 1.0).1 => 0.0, within 1e-15;
     }
 }
 
 /// The card of effects: steel discs with a radius of 0.2 m, a ball bearing of 1 cm.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, whole, radius, size) = (Answer::new(p), p.upper + p.lower, 0.2, rate(p));
-    let mass = 2.0 * p.upper / (radius * radius);
-    let bearing = 1.5e-3 * 2.0 * mass * p.gravity * 0.01;
-    // A disc wetted on one side: 1.94/sqrt(Re) of rho w^2 R^5/2, laminar.
-    let air =
-        0.97 * 1.204 * size * size * radius.powi(5) / (size * radius * radius / 1.5e-5).sqrt();
-    let beside = 1e-3;
+    let bearing = 1.5e-3 * 2.0 * whole / (radius * radius) * p.gravity * 0.01;
+    // Two faces, one of each disc: 3.87/sqrt(Re) of rho w^2 R^5/2, laminar.
+    let reynolds = size * radius * radius / 1.5e-5;
+    let air = 3.87 / reynolds.sqrt() * 0.5 * 1.204 * size * size * radius.powi(5);
+    let beside = 1e-6 / (radius * radius);
     effect_card! { report,
         "friction of the bearing, 1 cm": "tau_b/tau" = bearing / p.friction, costs bearing * a.time / whole, "rad/s";
         "air on the outer faces": "tau_a/tau" = air / p.friction, costs air * a.time / whole, "rad/s, at most";
-        "it lands 1 mm beside the axis": "e^2/R^2" = beside * beside / (radius * radius),
-            costs 2.0 * p.upper * beside * beside / (radius * radius) * size / whole, "rad/s, at most";
+        "it lands 1 mm beside the axis": "e^2/R^2" = beside, costs 2.0 * p.upper * beside * size / whole, "rad/s, at most";
         "the fall": "t_f/T" = (2.0 * p.drop / p.gravity).sqrt() / a.time, costs 0.0, "s of the time from the release", included;
     }
 }
 
 /// The solvers with the sign, over twice the time of the slip, and the one that stops at the event.
 fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (a, columns) = (
-        Answer::new(p),
-        ["solver", "steps", "comes to t/T", "slip left / rad/s"],
-    );
-    let (mut table, end) = (Table::new("naive", columns)?, 2.0 * a.time);
-    let mut row = |solver: &str, steps: u64, t: f64, slip: String| {
-        let cells = [steps.to_string(), format!("{:.6}", t / a.time), slip];
-        table.push([solver.to_string()].into_iter().chain(cells))
+    let (start, time) = ([p.upper_rate, p.lower_rate, 0.0], Answer::new(p).time);
+    let columns = ["solver", "steps", "comes to t/T", "slip left / rad/s"];
+    let (mut table, end) = (Table::new("naive", columns)?, 2.0 * time);
+    let mut row = |solver: &str, steps: u64, t: f64, slip: Option<f64>| {
+        let slip = slip.map_or("-".into(), |slip| format!("{slip:.3}"));
+        table.push([
+            solver.into(),
+            steps.to_string(),
+            format!("{:.6}", t / time),
+            slip,
+        ])
     };
     for steps in [51, 501, 5001] {
         let slip = left_over(&chattering(p, steps, end));
-        row(
-            "sign, equal steps",
-            u64::from(steps),
-            end,
-            format!("{slip:.3}"),
-        )?;
+        row("sign, equal steps", steps.into(), end, Some(slip))?;
     }
     for tolerance in [1e-6, 1e-9] {
         let method = Dop853::new(tolerance)?.with_step_limit(10_000)?;
-        let start = [p.upper_rate, p.lower_rate, 0.0];
         let (steps, t) = match method.advance(&sign(p), 0.0, &start, end) {
             Ok((_, work)) => (work.steps, end),
             Err(Error::TooManySteps { t, limit, .. }) => (limit, t),
             Err(other) => return Err(other),
         };
-        row(
-            &format!("sign, DOP853 with {tolerance:e}"),
-            steps,
-            t,
-            "-".into(),
-        )?;
+        row(&format!("sign, DOP853 with {tolerance:e}"), steps, t, None)?;
     }
-    let run = fallen(
-        &Parameters {
-            drop: 0.0,
-            ..p.clone()
-        },
-        0.0,
-        2.0,
-        p.tolerance,
+    let run = fallen(p, 0.0, 2.0, p.tolerance)?;
+    let State { v, .. } = run.at(end)?;
+    row(
+        "stick located",
+        run.work().steps,
+        end,
+        Some((v[1] - v[2]).abs()),
     )?;
-    let State { v, .. } = run.at(run.end_time())?;
-    let slip = format!("{:.3}", (v[1] - v[2]).abs());
-    row("stick located", run.work().steps, run.end_time(), slip)?;
     report.add(table)
 }
 
@@ -355,23 +326,15 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (p, a, size) = (p.clone(), Answer::new(p), rate(p));
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
-    let error = move |run: &Motion<Discs, 3, 6, 1>| {
+    let error = move |run: &Fall| {
         let sticks = run.event("discs sticks")?;
-        Ok((sticks.t / a.time - 1.0)
-            .abs()
-            .max((sticks.after.v[1] - a.common).abs() / size))
+        let rate = (sticks.after.v[1] - a.common).abs() / size;
+        Ok((sticks.t / a.time - 1.0).abs().max(rate))
     };
-    report.dial(
-        "contacts by DOP853",
-        asked,
-        move |step| fallen(&p, 0.0, 2.0, step),
-        Motion::work,
-        error,
-    )?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok(a.common + (1.0 - part) * a.relative)
-    }));
-    Ok(())
+    let slip = move |part| Ok(a.common + (1.0 - part) * a.relative);
+    report.set_closed_form(ClosedForm::new(slip));
+    let run = move |step| fallen(&p, 0.0, 2.0, step);
+    report.dial("contacts by DOP853", asked, run, Fall::work, error)
 }
 
 example! {

@@ -11,17 +11,17 @@ parameters! {
     /// The gears of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// moment of inertia of gear A
-        inertia_a: number(0.02, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1));
+        inertia_a: number(0.02, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1)).drawn(0.010, 0.040, 0.002);
         /// moment of inertia of gear B
-        inertia_b: number(0.005, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1));
+        inertia_b: number(0.005, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1)).drawn(0.002, 0.008, 0.001);
         /// radius of gear A
-        radius_a: number(0.2, "m", from_to(1e-3, 10.0).usually(0.05, 0.5));
+        radius_a: number(0.2, "m", from_to(1e-3, 10.0).usually(0.05, 0.5)).drawn(0.15, 0.30, 0.01);
         /// radius of gear B
-        radius_b: number(0.1, "m", from_to(1e-3, 10.0).usually(0.05, 0.5));
+        radius_b: number(0.1, "m", from_to(1e-3, 10.0).usually(0.05, 0.5)).drawn(0.05, 0.12, 0.01);
         /// rate of gear A
-        rate: number(30.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 100.0));
+        rate: number(30.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 100.0)).drawn(10.0, 60.0, 5.0);
         /// friction of the rims while they slip
-        friction: number(10.0, "N", from_to(1e-3, 1e6).usually(1.0, 100.0));
+        friction: number(10.0, "N", from_to(1e-3, 1e6).usually(1.0, 100.0)).drawn(5.0, 20.0, 1.0);
         /// mass of gear B, for the reading in which its axis moves
         mass_b: number(1.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
         /// rate of the arm that carries it in that reading
@@ -52,6 +52,11 @@ pub fn momentum(p: &Parameters, arm: f64) -> f64 {
 /// What the rims have pushed on each other until B is up to speed, force times time.
 pub fn push(p: &Parameters) -> f64 {
     p.inertia_b * rate_b(p, 0.0).abs() / p.radius_b
+}
+
+/// How long friction takes for this.
+pub fn time(p: &Parameters) -> f64 {
+    push(p) / p.friction
 }
 
 /// The rate of A in the end if nothing drives it.
@@ -89,20 +94,16 @@ impl Mechanism<2, 4, 2> for Wheels {
         // Where they touch the rim of A moves up at R1 Omega1, that of B at -R2 Omega2.
         let slip = [p.radius_a, p.radius_b];
         let rims = Contact::pressed("rims", p.friction).tangent(slip, 0.0);
-        let motor = if self.driven { [1.0, 0.0] } else { [0.0; 2] };
-        let speed = if self.driven { p.rate } else { 0.0 };
-        let motor = Contact::joint("motor", 0.0, motor, 0.0).rising(speed, 0.0);
+        let on = if self.driven { 1.0 } else { 0.0 };
+        let motor = Contact::joint("motor", 0.0, [on, 0.0], 0.0).rising(on * p.rate, 0.0);
         [rims.friction(1.0), motor]
     }
     // ANCHOR_END: scene
 
     fn scale(&self, _: &State<2>) -> State<2> {
-        let rates = [self.p.rate, rate_b(&self.p, 0.0).abs()];
-        let time = push(&self.p) / self.p.friction;
-        State {
-            q: rates.map(|rate| rate * time),
-            v: rates,
-        }
+        let (v, time) = ([self.p.rate, rate_b(&self.p, 0.0).abs()], time(&self.p));
+        let q = v.map(|rate| rate * time);
+        State { q, v }
     }
 }
 
@@ -111,20 +112,9 @@ pub type Run = Motion<Wheels, 2, 4, 2>;
 
 /// B at rest at first; until 1.5 times the time that it needs.
 pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
-    let start = State {
-        q: [0.0; 2],
-        v: [p.rate, 0.0],
-    };
-    let end = 1.5 * push(p) / p.friction;
-    motion_within(
-        Wheels {
-            p: p.clone(),
-            driven,
-        },
-        tolerance,
-        start,
-        end,
-    )
+    let (q, v, end) = ([0.0; 2], [p.rate, 0.0], 1.5 * time(p));
+    let p = p.clone();
+    motion_within(Wheels { p, driven }, tolerance, State { q, v }, end)
 }
 
 /// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
@@ -154,7 +144,8 @@ fn velocity(p: &Parameters, rates: [f64; 2], point: [f64; 2]) -> [f64; 2] {
 pub fn without_slip(p: &Parameters, arm: f64) -> f64 {
     let inward = [p.radius_b, 2.0 * FRAC_PI_2];
     let slip = |rate: f64| velocity(p, [arm, rate], inward)[1] - p.radius_a * p.rate;
-    p.rate * slip(0.0) / (slip(0.0) - slip(p.rate))
+    let tried = arm.abs().max(p.rate);
+    tried * slip(0.0) / (slip(0.0) - slip(tried))
 }
 
 /// Angular momentum about a point of B as four particles with its mass and moment of inertia.
@@ -172,10 +163,8 @@ pub fn particles(p: &Parameters, rates: [f64; 2], about: [f64; 2]) -> f64 {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, b, arm, bound) = (ratio(p), rate_b(p, 0.0), p.arm_rate, 100.0 * p.tolerance);
     from_to(1e-3, 1e3).check("radius_a/radius_b", r)?;
-    let (run, free) = (
-        spun_up(p, true, p.tolerance)?,
-        spun_up(p, false, p.tolerance)?,
-    );
+    let [run, free] = [true, false].map(|driven| spun_up(p, driven, p.tolerance));
+    let (run, free) = (run?, free?);
     let (end, loose) = (run.at(run.end_time())?.v, free.at(free.end_time())?.v);
     let (sticks, given) = (run.event("rims sticks")?.t, motor(&run)?);
     let ([la, lb], push) = ([p.inertia_a * p.rate, p.inertia_b * b], push(p));
@@ -202,7 +191,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The gears":
             0.5 * (la + lb) * p.rate => "that is not a body that turns as one";
         /// time until B is up to speed
-        time: push / p.friction, "s", "located event" => sticks, within bound * push / p.friction,
+        time: time(p), "s", "located event" => sticks, within bound * time(p),
         in "Setting B going":
             p.inertia_b * p.rate / (p.friction * p.radius_b) => "which rate has B in the end?";
         /// push of the rims, summed over the time
@@ -233,14 +222,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Gears like these with other ratios of radii and of moments of inertia.
 fn like(p: &Parameters, ratio: f64, inertia: f64) -> Parameters {
-    Parameters {
-        inertia_a: 1.0,
-        inertia_b: inertia,
-        radius_a: ratio,
-        radius_b: 1.0,
-        rate: 1.0,
-        ..p.clone()
-    }
+    let mut like = p.clone();
+    (like.inertia_a, like.inertia_b) = (1.0, inertia);
+    (like.radius_a, like.radius_b, like.rate) = (ratio, 1.0, 1.0);
+    like
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -272,7 +257,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs droop * whole.abs(), "kg m^2/s";
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
         "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s";
-        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * push(p) / p.friction, "s of the time";
+        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s of the time";
         "which of them is driven": "I2 R1^2/(I1 R2^2)" = p.inertia_b / p.inertia_a * r * r,
             costs p.rate - undriven(p), "rad/s of Omega1", included;
     }
@@ -280,22 +265,16 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: time and rates when B is up to speed, A being driven.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (p, time, b) = (p.clone(), push(p) / p.friction, rate_b(p, 0.0));
+    let (p, time, b) = (p.clone(), time(p), rate_b(p, 0.0));
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let error = move |run: &Run| {
         let sticks = run.event("rims sticks")?;
-        Ok((sticks.t / time - 1.0)
-            .abs()
-            .max((sticks.after.v[1] / b - 1.0).abs()))
+        let rate = (sticks.after.v[1] / b - 1.0).abs();
+        Ok((sticks.t / time - 1.0).abs().max(rate))
     };
     report.set_closed_form(ClosedForm::new(move |part| Ok(b * part)));
-    report.dial(
-        "contacts by DOP853",
-        asked,
-        move |step| spun_up(&p, true, step),
-        Run::work,
-        error,
-    )
+    let run = move |step| spun_up(&p, true, step);
+    report.dial("contacts by DOP853", asked, run, Run::work, error)
 }
 
 example! {

@@ -12,13 +12,13 @@ parameters! {
     /// The coins of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the rolling coin
-        mass: number(0.01, "kg", from_to(1e-6, 1e3).usually(0.001, 0.05));
+        mass: number(0.01, "kg", from_to(1e-6, 1e3).usually(0.001, 0.05)).drawn(0.005, 0.020, 0.001);
         /// radius of the fixed coin
-        inner: number(0.02, "m", from_to(1e-6, 1e3).usually(0.005, 0.05));
+        inner: number(0.02, "m", from_to(1e-6, 1e3).usually(0.005, 0.05)).drawn(0.018, 0.030, 0.002);
         /// radius of the rolling coin
-        outer: number(0.012, "m", from_to(1e-6, 1e3).usually(0.005, 0.05));
+        outer: number(0.012, "m", from_to(1e-6, 1e3).usually(0.005, 0.05)).drawn(0.006, 0.014, 0.002);
         /// rate at which the line of centres turns
-        rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 10.0));
+        rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 10.0)).drawn(1.0, 5.0, 0.5);
         /// where it rolls: around the fixed coin, or inside a fixed ring of that radius
         side: choice("outside", "inside");
         /// error of a step of the simulations

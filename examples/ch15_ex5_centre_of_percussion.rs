@@ -14,17 +14,17 @@ parameters! {
     /// Bat and ball; the notes leave all numbers open.
     pub struct Parameters {
         /// length of the bat
-        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.5, 1.2));
+        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.5, 1.2)).drawn(0.80, 1.00, 0.05);
         /// mass of the bat
-        mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0));
+        mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0)).drawn(0.9, 1.5, 0.1);
         /// distance of the hands from the end of the handle
         hands: number(0.0, "m", from_to(0.0, 10.0).usually(0.0, 0.3));
         /// distance of the blow from the end of the handle
-        hit: number(0.7, "m", from_to(0.0, 10.0).usually(0.1, 0.85));
+        hit: number(0.7, "m", from_to(0.0, 10.0).usually(0.1, 0.85)).drawn(0.60, 0.75, 0.01);
         /// mass of the ball
-        ball: number(0.16, "kg", from_to(1e-4, 1e3).usually(0.05, 0.5));
+        ball: number(0.16, "kg", from_to(1e-4, 1e3).usually(0.05, 0.5)).drawn(0.10, 0.25, 0.01);
         /// speed of the ball
-        speed: number(30.0, "m/s", from_to(1e-2, 1e3).usually(5.0, 40.0));
+        speed: number(30.0, "m/s", from_to(1e-2, 1e3).usually(5.0, 40.0)).drawn(15.0, 40.0, 1.0);
         /// part of the speed with which they part again
         restitution: number(0.5, "-", from_to(0.1, 1.0));
         /// how long they touch, in the simulation with a soft ball
@@ -95,10 +95,9 @@ pub fn node() -> f64 {
     let (mut low, mut high) = (0.5, 1.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if shape(middle) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
+        match shape(middle) < 0.0 {
+            true => low = middle,
+            false => high = middle,
         }
     }
     high
@@ -116,22 +115,26 @@ pub fn shot(tolerance: f64) -> Result<(f64, [f64; 4])> {
 }
 
 /// Error of the simulations with a soft ball, of which four digits are shown.
-pub const SOFT: f64 = 1e-8;
+pub const SOFT: f64 = 1e-7;
 
-/// Refuses hands and blows that are not on the bat.
+/// Refuses hands and blows that are not on the bat, and contacts that are no blow.
 fn check(p: &Parameters) -> Result<()> {
     from_to(0.0, 0.45).check("hands/length", p.hands / p.length)?;
     from_to(p.hands / p.length, 1.0).check("hit/length", p.hit / p.length)?;
     from_to(1e-3, 1e3).check("ball/mass", p.ball / p.mass)?;
+    let [arm, hit] = arms(p);
+    let turn = impulse(p, true) * hit / (p.mass * inertia(p, arm));
+    from_to(0.0, 1.0).check(
+        "Omega t_c, the angle in the time of contact,",
+        turn * p.contact,
+    )?;
     Ok(())
 }
 
 /// Another place for the blow, as a part of the length.
 pub fn at(p: &Parameters, part: f64) -> Parameters {
-    Parameters {
-        hit: part * p.length,
-        ..p.clone()
-    }
+    let hit = part * p.length;
+    Parameters { hit, ..p.clone() }
 }
 
 /// The impact of rigid bodies, hands as a hinge or none.
@@ -153,10 +156,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([arm, hit], l, bound) = (arms(p), p.length, 100.0 * p.tolerance);
     let (held, free) = (rigid(p, true)?, rigid(p, false)?);
     let (push, loose) = (impulse(p, true), impulse(p, false));
-    let (turn, away) = (
-        push * hit / (p.mass * inertia(p, arm)),
-        loose / p.mass * free_hands(p),
-    );
+    let turn = push * hit / (p.mass * inertia(p, arm));
+    let away = loose / p.mass * free_hands(p);
     let (reaction, centre) = (reaction(p), centre(p));
     claims! { report,
         /// distance from the hands at which a blow is not felt
@@ -188,19 +189,16 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// A blow at each end and in the middle, and hands that hold elsewhere.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let unit = |hands: f64, hit: f64| Parameters {
-        length: 1.0,
-        hands,
-        hit,
-        ..p.clone()
+    let unit = |hands: f64, hit: f64| {
+        let mut unit = p.clone();
+        (unit.length, unit.hands, unit.hit) = (1.0, hands, hit);
+        (unit.mass, unit.speed, unit.restitution) = (1.0, 1.0, 1.0);
+        unit
     };
-    let light = |ball: f64| Parameters {
-        ball,
-        mass: 1.0,
-        restitution: 1.0,
-        speed: 1.0,
-        ..unit(0.0, 1.0)
-    };
+    let [light, heavy] = [1e-9, 1e9].map(|ball| {
+        let tip = unit(0.0, 1.0);
+        impulse(&Parameters { ball, ..tip }, true)
+    });
     limits! { report,
         /// a blow on the hands: they carry all of it
         "d = 0: J_h/J": reaction(&unit(0.0, 0.0)) => -1.0, within 1e-15;
@@ -209,42 +207,35 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// at the tip
         "d = l: J_h/J": reaction(&unit(0.0, 1.0)) => 0.5, within 1e-15;
         /// a free bat that is struck at the tip turns about that point
-        "hands at l/3: centre/l, from the end": 1.0 / 3.0 + centre(&unit(1.0 / 3.0, 1.0)) => 1.0, within 1e-15;
+        "hands at l/3: centre over l, from the end": 1.0 / 3.0 + centre(&unit(1.0 / 3.0, 1.0)) => 1.0, within 1e-15;
         /// hands near the middle: no place on the bat
-        "hands at 0.4 l: centre/l, from the end": 0.4 + centre(&unit(0.4, 1.0)) => 0.5 + 1.0 / 1.2, within 1e-15;
+        "hands at 0.4 l: centre over l, from the end": 0.4 + centre(&unit(0.4, 1.0)) => 0.5 + 1.0 / 1.2, within 1e-15;
         /// a light ball is turned back by a bat that hardly notices
-        "m_b to 0, at the tip: J/(m_b v)": impulse(&light(1e-9), true) / 1e-9 => 2.0, within 1e-8;
+        "m_b to 0, at the tip: J/(m_b v)": light / 1e-9 => 2.0, within 1e-8;
         /// a heavy one finds a third of the mass at the tip
-        "m_b to infinity, at the tip: J/(m v)": impulse(&light(1e9), true) => 2.0 / 3.0, within 1e-8;
+        "m_b to infinity, at the tip: J/(m v)": heavy => 2.0 / 3.0, within 1e-8;
     }
 }
 
 /// Soft balls: the same blow, spread over a longer time.
 fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = [
-        "contact / s",
-        "J_h/J",
-        "largest force on the bat, ball / N",
-        "hands / N",
-        "turned meanwhile / rad",
-    ];
+    let [forces, turned] = ["largest force, ball / kN", "turned meanwhile / rad"];
+    let columns = ["contact / s", "J_h/J", forces, "hands / kN", turned];
     let mut table = Table::new("soft", columns)?;
     for contact in [0.0001, 0.001, 0.01] {
-        let blow = Blow::new(
-            Strike::soft(&Parameters {
-                contact,
-                ..p.clone()
-            }),
-            SOFT,
-        )?;
-        let [ball, hands] = blow.largest_forces()?;
-        let numbers = [
-            format!("{:.4}", blow.reaction()),
-            format!("{ball:.0}"),
-            format!("{hands:.0}"),
-            format!("{:.4}", blow.after.q[2]),
-        ];
-        table.push([contact.to_string()].into_iter().chain(numbers))?;
+        let p = p.clone();
+        let blow = Blow::new(Strike::soft(&Parameters { contact, ..p }), SOFT)?;
+        let ([ball, hands], reaction) = (blow.largest_forces()?, blow.reaction());
+        let forces = [ball, hands].map(|force| format!("{:.2}", 1e-3 * force));
+        let [ball, hands] = forces;
+        let turned = format!("{:.4}", blow.turned()?);
+        table.push([
+            contact.to_string(),
+            format!("{reaction:.4}"),
+            ball,
+            hands,
+            turned,
+        ])?;
     }
     report.add(table)
 }
@@ -258,20 +249,22 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
     // The velocity at the handle by a push that lasts half a sine, over J/m.
     let x = 2.0 * frequency * contact;
-    let response = if (x - 1.0).abs() < 1e-6 {
-        PI / 4.0
-    } else {
-        cos(0.5 * PI * x) / (1.0 - x * x)
+    let response = match (x - 1.0).abs() < 1e-6 {
+        true => PI / 4.0,
+        false => cos(0.5 * PI * x) / (1.0 - x * x),
     };
     let bending = shape(p.hands / l) * shape(p.hit / l) * response;
-    let heavier = 0.5;
-    let shifted = (1.0 + heavier / 2.0) / (1.0 + heavier / 3.0) - 1.0;
+    // Mean of the place along the bat and of its square, from the hands, over l and l^2.
+    let (heavier, part) = (0.5, p.hands / l);
+    let mean = 0.5 + heavier / 6.0 - part;
+    let square = 1.0 / 3.0 + heavier / 6.0 - part * (2.0 * mean + part);
+    let shifted = square / mean * l - centre(p);
     let weight = p.mass * 9.80665 * contact / impulse(p, true);
     effect_card! { report,
         "bending of the bat": "2 f_1 t_c" = x, costs bending.abs(), "J/m, velocity of a free handle";
-        "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted * centre(p), "m of the place";
+        "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place";
         "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (soft.reaction() - reaction(p)).abs(), "of J_h/J";
-        "weight during the contact": "m g t_c/J" = weight, costs 0.25 * weight, "of J_h/J, at most";
+        "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }
 
@@ -283,7 +276,13 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let line = p.clone();
     report.set_closed_form(ClosedForm::new(move |part| Ok(reaction(&at(&line, part)))));
     let run = move |tolerance| Blow::new(Strike::rigid(&p, true), tolerance);
-    report.dial("contacts by DOP853", asked, run, Blow::work, error)
+    report.dial(
+        "contacts by DOP853",
+        asked,
+        run,
+        |blow| blow.motion.work(),
+        error,
+    )
 }
 
 example! {

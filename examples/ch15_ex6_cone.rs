@@ -16,15 +16,15 @@ parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the cone
-        mass: number(2.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
+        mass: number(2.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0)).drawn(0.5, 4.0, 0.5);
         /// its height
-        height: number(0.3, "m", from_to(1e-3, 1e3).usually(0.05, 1.0));
+        height: number(0.3, "m", from_to(1e-3, 1e3).usually(0.05, 1.0)).drawn(0.15, 0.50, 0.05);
         /// half of the angle at its vertex
-        half_angle: number(0.4, "rad", from_to(0.01, 1.5).usually(0.1, 1.2));
+        half_angle: number(0.4, "rad", from_to(0.01, 1.5).usually(0.1, 1.2)).drawn(0.25, 0.70, 0.05);
         /// rate at which the line of contact turns about the vertical
-        rate: number(1.5, "rad/s", above_to(0.0, 1e3).usually(0.5, 6.0));
+        rate: number(1.5, "rad/s", above_to(0.0, 1e3).usually(0.5, 6.0)).drawn(0.8, 2.4, 0.2);
         /// coefficient of friction of cone and table
-        friction: number(0.5, "-", above_to(0.0, 100.0).usually(0.1, 1.5));
+        friction: number(0.5, "-", above_to(0.0, 100.0).usually(0.1, 1.5)).drawn(0.30, 0.80, 0.05);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
         /// error of a step of the simulations

@@ -14,15 +14,15 @@ parameters! {
     /// The string of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the particle
-        mass: number(0.2, "kg", above(0.0).usually(0.05, 1.0));
+        mass: number(0.2, "kg", above(0.0).usually(0.05, 1.0)).drawn(0.10, 0.50, 0.05);
         /// radius of the circle
-        radius: number(0.8, "m", above(0.0).usually(0.3, 1.2));
+        radius: number(0.8, "m", above(0.0).usually(0.3, 1.2)).drawn(0.6, 1.2, 0.1);
         /// speed on the circle
-        speed: number(1.5, "m/s", above(0.0).usually(0.5, 4.0));
+        speed: number(1.5, "m/s", above(0.0).usually(0.5, 4.0)).drawn(1.0, 3.0, 0.1);
         /// rate at which the string is pulled in
-        pull: number(0.1, "m/s", above(0.0).usually(0.05, 1.0));
+        pull: number(0.1, "m/s", above(0.0).usually(0.05, 1.0)).drawn(0.05, 0.15, 0.01);
         /// time for which it is pulled
-        time: number(3.0, "s", above(0.0).usually(0.5, 6.0));
+        time: number(3.0, "s", above(0.0).usually(0.5, 6.0)).drawn(1.0, 4.0, 0.5);
         /// radius of the hole
         hole: number(0.05, "m", above(0.0).usually(0.01, 0.1));
         /// error of a step of the simulations: from 1e-15 to 1e-6
@@ -63,13 +63,11 @@ impl Answer {
 
 /// The answer, when the pull ends and the radius of the hole, in units of r0 and r0/u.
 pub fn scene(p: &Parameters) -> Result<(Answer, f64, f64)> {
-    let (pull, end, hole) = (
-        p.pull / p.speed,
-        p.time * p.speed / p.radius,
-        p.hole / p.radius,
-    );
+    let (pull, hole) = (p.pull / p.speed, p.hole / p.radius);
+    let end = p.time * p.speed / p.radius;
     from_to(0.005, 0.95).check("hole/radius", hole)?;
     from_to(1e-3, 1e2).check("pull/speed", pull)?;
+    above(1e-6).check("pull time/radius, what is pulled in,", pull * end)?;
     let left = p.radius - p.pull * p.time;
     above(p.hole).check("radius - pull time, what is left of the string,", left)?;
     Ok((Answer { pull }, end, hole))
@@ -92,11 +90,14 @@ pub fn string_on_post(post: f64, place: SpaceVector) -> SpaceVector {
     place * (along - 1.0) - left * side
 }
 
-/// The angle of a solver that keeps the speed, and of the particle that is let go again.
+/// The end of the pull, the flight when the string is held again, and the edge of the hole.
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, end, hole) = scene(p)?;
     let (m, u, r0, t0) = (p.mass, p.speed, p.radius, p.radius / p.speed);
-    let (force, joule, bound) = (m * u * u / r0, m * u * u, 1e3 * p.tolerance);
+    let (force, joule, far) = (m * u * u / r0, m * u * u, (1.0 - hole) / a.pull);
+    // Errors grow with the angle.
+    let bound = 1e3 * p.tolerance * (0.1 * a.angle(end)).max(1.0);
+    let edge_bound = 1e3 * p.tolerance * (0.003 * a.angle(far)).max(1.0);
     let run = Pulled::new(a.pull, hole, p.tolerance, end)?;
     let ([before, jerked], _) = run.event("hand touches")?;
     let last = run.at(end)?;
@@ -109,7 +110,6 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let chord = 2.0 * atan2(a.pull, v);
     let flight = (direction(&flown) - direction(&last)).rem_euclid(TAU);
     // On to the edge of the hole.
-    let far = (1.0 - hole) / a.pull;
     let edge = Pulled::new(a.pull, hole, p.tolerance, 2.0 * far)?;
     let naive = after(end, &ode(|t, _: &[f64; 1]| [a.across(t)]), &[0.0], 1e-13)?[0];
     let keeping = -log(r) / a.pull;
@@ -118,38 +118,38 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         left: r0 * r, "m", "string simulated" => r0 * radius(&last), within bound * r0;
         /// force of the string at the end of the pull
         force: force * a.force(end), "N", "string simulated" => force * run.tension(end)?, within 10.0 * bound * force * a.force(end),
-        in "(a) The force":
+        in "The force":
             force / r => "does the speed stay?",
             force => "that is at the beginning",
             force / (r * r) => "the speed has grown, and enters as its square";
         /// the same at the beginning
         force_first: force, "N", "string simulated" => force * run.tension(0.0)?, within bound * force,
-        in "(a) The force";
+        in "The force";
         /// velocity towards the hole
         inward: p.pull, "m/s", "string simulated" => -u * outward(&last), within bound * u * v,
-        in "(b) The velocities";
+        in "The velocities";
         /// velocity at right angles to the string
         across: u * v, "m/s", "string simulated" => u * across(&last), within bound * u * v,
-        in "(b) The velocities":
+        in "The velocities":
             u => "the force is not at right angles to the path",
             u * r => "what stays is the angular momentum";
         /// speed
         speed: u * speed, "m/s", "string simulated" => u * hypot(last.v[0], last.v[1]), within bound * u * v,
-        in "(b) The velocities":
+        in "The velocities":
             u * v => "the particle also moves inward";
         /// angular velocity
         angular_velocity: u / r0 * a.angular_velocity(end), "rad/s", "string simulated" => u / r0 * across(&last) / radius(&last),
-        within 10.0 * bound * u / r0 * v * v, in "(b) The velocities":
+        within 10.0 * bound * u / r0 * v * v, in "The velocities":
             u / r0 / r => "that is for a speed that stays",
             u / r0 => "that is at the beginning";
         /// angle since the beginning of the pull
         angle: a.angle(end), "rad", "string simulated" => run.angle(end)?, within bound * (1.0 + a.angle(end)) * v,
-        in "(b) The velocities":
+        in "The velocities":
             keeping => "that is for a speed that stays",
             end * a.angular_velocity(end) => "it has turned slower before";
         /// work of the hand after the jerk
         work: joule * a.work(end), "J", "energy gained, simulated" => joule * (energy(&last) - energy(&jerked)),
-        within bound * joule * (1.0 + v * v), in "(c) The work":
+        within bound * joule * (1.0 + v * v), in "The work":
             force * r0 * a.pull * end => "the force grows",
             joule * a.force(end) * a.pull * end => "the force was smaller before";
         /// impulse of the jerk
@@ -164,11 +164,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// energy lost when it is taut again
         caught: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (energy(&flown) - energy(&caught)), within 2.0 * bound * joule * v * v;
         /// when the particle is at the edge of the hole
-        edge_time: t0 * far, "s", "string simulated" => t0 * edge.end(), within bound * t0 * far;
+        edge_time: t0 * far, "s", "string simulated" => t0 * edge.end(), within edge_bound * t0 * far;
         /// turns by then
-        edge_turns: a.angle(far) / TAU, "-", "string simulated" => edge.angle(edge.end())? / TAU, within bound * a.angle(far) / hole;
+        edge_turns: a.angle(far) / TAU, "-", "string simulated" => edge.angle(edge.end())? / TAU, within edge_bound * a.angle(far) / hole;
         /// force there
-        edge_force: force * a.force(far), "N", "string simulated" => force * edge.tension(edge.end())?, within 100.0 * bound * force * a.force(far) / hole;
+        edge_force: force * a.force(far), "N", "string simulated" => force * edge.tension(edge.end())?, within 100.0 * edge_bound * force * a.force(far) / hole;
         /// wrong: angle of a solver that keeps the speed
         naive_angle: keeping, "rad", "that solver" => naive, within 1e-11 * (1.0 + keeping);
     }
@@ -181,15 +181,15 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let [slowly, quickly] = [slow.at(50.0)?, fast.at(0.005)?];
     limits! { report,
         /// what is kept by a slow change of an oscillator: energy over frequency
-        "s = u/100, half the radius: K r^2 over the start": 0.5 * energy(&slowly) => 1.0, within 1e-4;
+        "slow pull, u/100, to half the radius: K r^2 over the start": 0.5 * energy(&slowly) => 1.0, within 1e-4;
         /// twice the speed, on the circle that is then its path
-        "s = u/100, half the radius: F r/(2 K)": 0.25 * slow.tension(50.0)? / energy(&slowly) => 1.0, within 1e-4;
+        "slow pull: F r/(2 K)": 0.25 * slow.tension(50.0)? / energy(&slowly) => 1.0, within 1e-4;
         /// the particle goes straight in
-        "s = 100 u, half the radius: angle s/u": 100.0 * fast.angle(0.005)? => 1.0, within 1e-9;
+        "fast pull, 100 u: angle times pull over u": 100.0 * fast.angle(0.005)? => 1.0, within 1e-9;
         /// but the angular momentum is not less for that
-        "s = 100 u, half the radius: speed across the string": across(&quickly) => 2.0, within 1e-9;
+        "fast pull: speed across the string, over u": across(&quickly) => 2.0, within 1e-9;
         /// at the start: work is force times way
-        "short pull: work/(F s t)": short.work(1e-3) / 1e-9 => 1.0, within 2e-9;
+        "short pull: work over force times way": short.work(1e-3) / 1e-9 => 1.0, within 2e-9;
     }
 }
 
@@ -203,13 +203,15 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Friction turns against the path, the part of it across the string takes angular momentum.
     let rubbed = 0.001 * 9.80665 * unit * 0.5 * end * (1.0 + r);
     let stretch = force / (3e9 * area);
+    // It adds half of its mass at the end, and brings the angular momentum of what goes down.
     let string = 1150.0 * area * p.radius * r / p.mass;
+    let carried = 0.5 + 2.0 / 3.0 * (1.0 / r - 1.0);
     let earth = 7.292e-5 * p.radius / p.speed * (1.0 - r * r);
     effect_card! { report,
         "friction at the edge of the hole": "exp(mu pi/2) - 1" = edge, costs edge, "of the force of the hand";
-        "friction of an air table": "mu_k g <r> t/(u r0)" = rubbed, costs 2.0 * rubbed, "of F, at most";
+        "friction of an air table": "mu_k g (r0 + r) t/(2 u r0)" = rubbed, costs 2.0 * rubbed, "of F, at most";
         "stretch of the string": "F/(E A)" = stretch, costs 2.0 * stretch, "of the angular velocity";
-        "mass of the string": "m_s/m" = string, costs 0.5 * string, "of F at the hole, at most";
+        "mass of the string": "m_s/m" = string, costs carried * string, "of F at the hole";
         "turning of the Earth, at a pole": "Omega_E (r0^2 - r^2)/(r0 u)" = earth, costs earth, "of the angular velocity";
     }
 }
@@ -218,25 +220,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, end, hole) = scene(p)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    let (s, c) = sincos(a.angle(end));
-    let r = a.radius(end);
+    let ((s, c), r) = (sincos(a.angle(end)), a.radius(end));
     report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>([
-            a.radius(part * end),
-            a.angle(part * end),
-            a.force(part * end),
-        ])
+        let t = part * end;
+        Ok([a.radius(t), a.angle(t), a.force(t)])
     }));
-    report.dial(
-        "DOP853, error of a step",
-        asked,
-        move |step| Pulled::new(a.pull, hole, step, end),
-        Pulled::work,
-        move |run| {
-            let [x, y, _] = run.at(end)?.q;
-            Ok(hypot(x - r * c, y - r * s) / r)
-        },
-    )
+    let run = move |step| Pulled::new(a.pull, hole, step, end);
+    let error = move |run: &Pulled| {
+        let [x, y, _] = run.at(end)?.q;
+        Ok(hypot(x - r * c, y - r * s) / r)
+    };
+    report.dial("DOP853, error of a step", asked, run, Pulled::work, error)
 }
 
 example! {

@@ -6,18 +6,18 @@ mod figures;
 pub mod hit;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use hit::{Blow, Hit, distances, energy, velocities};
+use hit::{Blow, Hit, energy, least, velocities};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The ball and the dumbbell of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the ball, and of the dumbbell
-        mass: number(0.5, "kg", above(0.0).usually(0.1, 2.0));
+        mass: number(0.5, "kg", from_to(1e-6, 1e6).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// length of the stick
-        length: number(0.6, "m", above(0.0).usually(0.2, 1.5));
+        length: number(0.6, "m", from_to(1e-6, 1e6).usually(0.2, 1.5)).drawn(0.3, 1.0, 0.1);
         /// speed of the ball
-        speed: number(3.0, "m/s", above(0.0).usually(0.5, 6.0));
+        speed: number(3.0, "m/s", from_to(1e-6, 1e6).usually(0.5, 6.0)).drawn(1.0, 6.0, 0.5);
         /// coefficient of restitution; 1 is elastic
         restitution: number(1.0, "-", from_to(0.1, 1.0));
         /// angle of its path from the right angle to the stick
@@ -62,11 +62,8 @@ impl Answer {
 pub fn cycloids(a: Answer, reach: f64, angle: f64) -> [hit::Plane; 3] {
     let (s, c) = sincos(angle);
     let mass = |sign: f64| [0.5 * (angle + sign * s), 0.5 * (1.0 - sign * c)];
-    [
-        [a.ball / a.angular_velocity * angle - reach, 0.0],
-        mass(1.0),
-        mass(-1.0),
-    ]
+    let ball = [a.ball / a.angular_velocity * angle - reach, 0.0];
+    [ball, mass(1.0), mass(-1.0)]
 }
 // ANCHOR_END: answer
 
@@ -95,20 +92,6 @@ pub fn second(reach: f64) -> f64 {
     PI - 2.0 * atan2(2.0 * reach, 1.0)
 }
 
-/// The least value of a function with one valley between these places, by the golden section.
-pub fn least(of: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    let part = 0.5 * (5.0_f64.sqrt() - 1.0);
-    while to - from > 1e-9 {
-        let (near, far) = (to - part * (to - from), from + part * (to - from));
-        if of(near) < of(far) {
-            to = far
-        } else {
-            from = near
-        }
-    }
-    of(0.5 * (from + to))
-}
-
 /// The sum of the radii, in l, above which the ball of an elastic hit meets the upper mass: the
 /// least of those whose circle passes through it.
 pub fn touching() -> f64 {
@@ -126,32 +109,19 @@ pub fn touching_simulated(within: f64) -> Result<f64> {
     let (mut clear, mut met) = (1.0, 1.5);
     while met - clear > within {
         let reach = 0.5 * (clear + met);
-        let hit = Hit {
-            restitution: 1.0,
-            slant: 0.0,
-            reach,
-        };
-        let blow = Blow::new(hit, 1e-9, 2.0)?;
+        let blow = Blow::new(Hit::across(1.0, reach), 1e-9, 2.0)?;
         // A contact that only grazes can pass between two steps, so the distance decides.
-        let distance = |t| blow.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]);
-        let again = least(distance, 0.7, 1.8) <= reach + 1e-10;
-        if again { met = reach } else { clear = reach }
+        match blow.nearest(0.7, 1.8) <= reach + 1e-10 {
+            true => met = reach,
+            false => clear = reach,
+        }
     }
     Ok(0.5 * (clear + met))
 }
 
 /// A hit that returns half of the relative velocity, for two thirds of a turn.
 pub fn halved(reach: f64, step: f64) -> Result<Blow> {
-    let (restitution, slant) = (0.5, 0.0);
-    Blow::new(
-        Hit {
-            restitution,
-            slant,
-            reach,
-        },
-        step,
-        4.2,
-    )
+    Blow::new(Hit::across(0.5, reach), step, 4.2)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -168,8 +138,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let of = |sign: f64| v0 * hypot(a.impulse * s, a.impulse * c * (1.0 + sign));
     let turning = 0.125 * a.angular_velocity * a.angular_velocity;
     let elastic = p.restitution == 1.0 && p.slant == 0.0 && scene.reach < 1.2;
-    let angle = |t: f64| t * a.angular_velocity;
     let followed = || Blow::new(scene, p.tolerance, turn);
+    let half = || halved(scene.reach, p.tolerance);
     claims! { report,
         /// velocity of the ball after the hit, along that before
         v_ball: v0 * a.ball, "m/s", "contacts simulated" => v0 * along([after.v[3], after.v[4]]), within bound * v0,
@@ -209,22 +179,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "What follows":
             TAU * l => "the circle of the masses has the radius l/2";
         /// least distance from the ball to the other mass, from middle to middle
-        nearest: l * least(|x| to_upper(a, scene.reach, x), 1.0, 3.0), "m", "contacts simulated" => {
-            let run = followed()?;
-            l * least(|t| run.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]), 1.0 / angle(1.0), 3.0 / angle(1.0))
-        }, within 1e2 * p.tolerance * l, if elastic;
+        nearest: l * least(|x| to_upper(a, scene.reach, x), 1.0, 3.0), "m", "contacts simulated" =>
+            l * followed()?.nearest(1.0 / a.angular_velocity, 3.0 / a.angular_velocity), within 1e2 * p.tolerance * l, if elastic;
         /// for e = 1/2: angle at the second hit
-        again: second(scene.reach), "rad", "contacts simulated" => {
-            let run = halved(scene.reach, p.tolerance)?;
-            let found = run.later().next().map_or(f64::NAN, |(t, _)| t);
-            found * run.after.v[2]
-        }, within 1e3 * p.tolerance, if elastic;
+        again: second(scene.reach), "rad", "contacts simulated" => half()?.again()?.0 * half()?.after.v[2], within 1e3 * p.tolerance, if elastic;
         /// for e = 1/2: angular velocity after the second hit, over that before
-        again_omega: 0.5, "-", "contacts simulated" => {
-            let run = halved(scene.reach, p.tolerance)?;
-            let found = run.later().next().map_or(f64::NAN, |(_, event)| event.after.v[2]);
-            found / run.after.v[2]
-        }, within 1e3 * p.tolerance, if elastic;
+        again_omega: 0.5, "-", "contacts simulated" => half()?.again()?.1.v[2] / half()?.after.v[2], within 1e3 * p.tolerance, if elastic;
         /// sum of the radii, over l, that makes a second hit
         touching: touching(), "-", "simulations with and without" => touching_simulated(1e-6)?, within 1e-6, if elastic;
     }
@@ -232,43 +192,37 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Other readings, other balls, and what two free particles do.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
-    let (elastic, plastic, along) = (
-        Answer::new(1.0, 0.0),
-        Answer::new(0.0, 0.0),
-        Answer::new(1.0, FRAC_PI_2),
-    );
+    let [elastic, plastic] = [1.0, 0.0].map(|part| Answer::new(part, 0.0));
+    let along = Answer::new(1.0, FRAC_PI_2);
     let struck = |a: Answer| a.centre + 0.5 * a.angular_velocity;
+    let speeds = [elastic.ball, elastic.centre, 0.5 * elastic.angular_velocity];
+    let energy: f64 = speeds.iter().map(|speed| 0.5 * speed * speed).sum();
     limits! { report,
         /// a particle of half its mass: 2 m/(m + m/2); the other mass feels nothing
-        "elastic: struck mass/v0": struck(elastic) => 4.0 / 3.0, within 1e-15;
+        "elastic: struck mass, over v0": struck(elastic) => 4.0 / 3.0, within 1e-15;
         /// nothing is lost: m v0^2 (1/18 + 2/9 + 2/9)
-        "elastic: energy/(m v0^2)": 0.5 * (elastic.ball * elastic.ball + 1.5 * elastic.centre * elastic.centre) + turning_less(elastic) => 0.5, within 1e-15;
+        "elastic: energy, over m v0^2": energy => 0.5, within 1e-15;
         /// ball and struck mass go on together
         "plastic: struck mass - ball": struck(plastic) - plastic.ball => 0.0, within 1e-15;
         /// equal masses exchange their velocities
-        "along the stick: ball/v0": along.ball => 0.0, within 1e-15;
+        "along the stick: ball, over v0": along.ball => 0.0, within 1e-15;
         /// the hit has no arm
         "along the stick: Omega l/v0": along.angular_velocity => 0.0, within 1e-15;
     }
 }
 
-/// The energy of the turning less half of that of the moving, over m v0^2.
-fn turning_less(a: Answer) -> f64 {
-    0.125 * a.angular_velocity * a.angular_velocity - 0.25 * a.centre * a.centre
-}
-
 /// A hit 1 mm off the middle, smooth masses of some size, a table that rubs with 0.1.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, l, v0) = (Answer::new(p.restitution, p.slant), p.length, p.speed);
-    let size = 1.6 * p.knob * p.knob / (l * l);
+    let (size, square) = (1.6 * p.knob * p.knob / (l * l), cos(p.slant) * cos(p.slant));
     let aside = 1e-3 / (p.ball + p.knob);
     let contact = 1e-4 * v0 / l * a.angular_velocity;
     let rub = 0.1 * 9.80665 * l / (v0 * v0 * a.centre * a.centre);
     effect_card! { report,
-        "size of the masses": "8 a^2/(5 l^2)" = size, costs size * (2.0 / 3.0), "of Omega, at most";
+        "size of the masses": "8 a^2/(5 l^2)" = size, costs size * 2.0 / (2.0 + square), "of Omega";
         "it hits 1 mm off the middle": "d/(a + b)" = aside, costs aside, "rad of the direction";
         "the contact lasts 0.1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
-        "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01, "of Omega, at most";
+        "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01 * (1.0 + 2.0 / 3.0 * square) / (2.0 + square), "of V";
         "friction of the table": "mu_k g l/V^2" = rub, costs rub, "of V in the way l, at most";
     }
 }
@@ -278,10 +232,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (reach, a) = (scene(p)?.reach.min(1.0), Answer::new(0.5, 0.0));
     let time = second(reach) / a.angular_velocity;
     let asked = [p.tolerance, 1e-6, 1e-9, 1e-12];
-    report.set_closed_form(ClosedForm::new(move |_| {
-        Ok::<_, rotation_dynamics::Error>(second(reach))
-    }));
-    let error = move |blow: &Blow| Ok(blow.later().next().map_or(f64::NAN, |(t, _)| t - time));
+    report.set_closed_form(ClosedForm::new(move |_| Ok(second(reach))));
+    let error = move |blow: &Blow| Ok(blow.again()?.0 - time);
     let run = move |step| halved(reach, step);
     report.dial("DOP853, error of a step", asked, run, Blow::work, error)
 }

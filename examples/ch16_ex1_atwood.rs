@@ -15,19 +15,19 @@ parameters! {
     /// The machine of the exercise; the notes leave all numbers open, and the radius of the pulley.
     pub struct Parameters {
         /// the heavier mass
-        m1: number(3.0, "kg", from_to(1e-6, 1e6).usually(1.0, 5.0));
+        m1: number(3.0, "kg", from_to(1e-6, 1e6).usually(1.0, 5.0)).drawn(2.5, 4.0, 0.1);
         /// the lighter mass
-        m2: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.5, 4.0));
+        m2: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.5, 4.0)).drawn(1.0, 2.4, 0.1);
         /// moment of inertia of the pulley
-        inertia: number(0.02, "kg m^2", from_to(1e-9, 1e9).usually(0.001, 0.1));
+        inertia: number(0.02, "kg m^2", from_to(1e-9, 1e9).usually(0.001, 0.1)).drawn(0.005, 0.030, 0.005);
         /// radius of the pulley
-        radius: number(0.1, "m", from_to(1e-3, 1e3).usually(0.05, 0.2));
+        radius: number(0.1, "m", from_to(1e-3, 1e3).usually(0.05, 0.2)).drawn(0.08, 0.15, 0.01);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
         /// how far both masses hang below the axle
-        height: number(1.0, "m", from_to(1e-3, 1e3).usually(0.3, 3.0));
+        height: number(1.0, "m", from_to(1e-3, 1e3).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
         /// coefficient of friction between rope and pulley
-        friction: number(0.2, "-", from_to(0.0, 2.0).usually(0.0, 0.5));
+        friction: number(0.2, "-", from_to(0.0, 2.0).usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
         /// mass of a metre of the heavy rope
         rope: number(0.1, "kg/m", from_to(1e-9, 1e3).usually(0.01, 0.5));
         /// angular velocity of a pulley that spins already

@@ -13,11 +13,11 @@ parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the bob
-        mass: number(0.4, "kg", above(0.0).usually(0.1, 2.0));
+        mass: number(0.4, "kg", above(0.0).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// length of the string
-        length: number(0.8, "m", above(0.0).usually(0.2, 2.0));
+        length: number(0.8, "m", above(0.0).usually(0.2, 2.0)).drawn(0.5, 1.5, 0.1);
         /// angular velocity about the vertical
-        rate: number(5.0, "rad/s", above(0.0).usually(1.0, 12.0));
+        rate: number(5.0, "rad/s", above(0.0).usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, released at rest in the turning plane

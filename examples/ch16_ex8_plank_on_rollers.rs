@@ -15,15 +15,15 @@ parameters! {
     /// The plank of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// distance of the rollers
-        distance: number(1.0, "m", from_to(1e-2, 1e2).usually(0.5, 2.0));
+        distance: number(1.0, "m", from_to(1e-2, 1e2).usually(0.5, 2.0)).drawn(0.8, 1.6, 0.1);
         /// coefficient of friction of surfaces that slip
-        kinetic: number(0.3, "-", from_to(1e-2, 2.0).usually(0.1, 0.5));
+        kinetic: number(0.3, "-", from_to(1e-2, 2.0).usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05);
         /// coefficient of friction of surfaces that do not slip
-        holding: number(0.5, "-", from_to(1e-2, 10.0).usually(0.3, 0.8));
+        holding: number(0.5, "-", from_to(1e-2, 10.0).usually(0.3, 0.8)).drawn(0.45, 0.70, 0.05);
         /// speed of the surfaces of the rollers
-        speed: number(0.3, "m/s", from_to(1e-3, 10.0).usually(0.1, 1.0));
+        speed: number(0.3, "m/s", from_to(1e-3, 10.0).usually(0.1, 1.0)).drawn(0.20, 0.50, 0.05);
         /// how far to the right the middle of the plank is at the start, at rest
-        offset: number(0.3, "m", from_to(1e-6, 1e2).usually(0.05, 0.4));
+        offset: number(0.3, "m", from_to(1e-6, 1e2).usually(0.05, 0.4)).drawn(0.20, 0.35, 0.05);
         /// thickness of the plank
         thickness: number(0.0, "m", from_to(0.0, 1e2).usually(0.0, 0.1));
         /// acceleration of gravity

@@ -110,7 +110,9 @@ fn every_stem_is_complete() {
     assert_eq!(examples, figures, "examples and locked figures");
     let stems: BTreeSet<String> = pages
         .into_iter()
-        .filter(|name| !["SUMMARY", "index", "errata", "notation"].contains(&name.as_str()))
+        .filter(|name| {
+            !["SUMMARY", "index", "errata", "exercises", "notation"].contains(&name.as_str())
+        })
         .collect();
     assert_eq!(examples, stems, "examples and pages");
 }
@@ -123,6 +125,11 @@ fn what_the_notes_compute_has_a_page_a_check_and_a_figure() {
 #[test]
 fn the_errata_name_their_proofs() {
     prose::check_errata(&root());
+}
+
+#[test]
+fn every_exercise_is_in_the_table_and_tells_of_its_events() {
+    prose::check_exercises(&root());
 }
 
 #[test]
@@ -442,7 +449,8 @@ fn numbers_ticks_stills_and_the_answer_box_are_made() {
         "<figure id=\"fig-frames\" data-frame=\"sample\">",
         "<span class=\"number\">Figure 2.</span> <strong>Two stills.</strong>",
         "<option value=\"period\">the period (s)</option>",
-        "<li>length of the rod: 1.5\u{202f}m</li>",
+        "<li data-name=\"length\" data-value=\"1.5\">length of the rod: <span>1.5</span>\u{202f}m</li>",
+        "<form class=\"answer\" data-stem=\"sample\" ",
         "<details class=\"output\">",
         "<meta name=\"description\" content=\"The period is 2.0064 s, as T = 2.0064 s says.\">",
     ] {

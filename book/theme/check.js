@@ -6,8 +6,41 @@
     // ---- The answer box.
     const sentence = (words) => words[0].toUpperCase() + words.slice(1) + ".";
 
+    /** A line in the box, below its head. */
+    const tell = (form, kind, ...words) => {
+        const line = document.createElement("p");
+        line.className = kind;
+        line.append(...words);
+        form.querySelector(".head").after(line);
+    };
+    /** The checks for what the address asks for, or the page's; null if it makes no sense. */
+    const forSheet = (form, ours) => {
+        const shown = [...form.querySelectorAll(".assumed [data-name]")];
+        const own = shown.map((item) => [item.dataset.name, item.dataset.value]);
+        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours);
+        if (asked === null) return ours;
+        const plain = document.createElement("a");
+        plain.href = location.pathname + "#check-your-answer";
+        plain.textContent = "Judge for the numbers of the page";
+        if (asked.error) {
+            for (const control of form.elements) control.disabled = true;
+            tell(form, "refused", `${asked.error}. Nothing is judged here. `, plain, ".");
+            return null;
+        }
+        for (const item of shown) {
+            const value = asked.values.get(item.dataset.name);
+            if (value !== undefined) item.querySelector("span").textContent = value.replace("-", "\u2212");
+            item.classList.toggle("given", value !== undefined);
+        }
+        form.querySelector(".assumed").open = true;
+        tell(form, "sheet", "This box judges for the numbers of your sheet, listed below. What the page " +
+            "around it computes is for its own numbers. ", plain, ".");
+        return asked.checks;
+    };
     for (const form of document.querySelectorAll("form.answer")) {
-        const { checks, rules } = JSON.parse(form.querySelector("script").textContent);
+        const { checks: ours, rules } = JSON.parse(form.querySelector("script").textContent);
+        const checks = forSheet(form, ours);
+        if (checks === null) continue;
         const { key, value } = form.elements;
         const output = form.querySelector("output");
         const asked = form.querySelector(".asked");

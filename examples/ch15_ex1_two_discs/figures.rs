@@ -9,31 +9,23 @@ fn discs(height: f64, [upper, lower]: [f64; 2]) -> View {
     let level = |angle: f64| SpaceVector::new(cos(angle), sin(angle), 0.0);
     let at = |z: f64| up * z;
     let top = 0.24 + height;
+    let mark = at(top + 0.101);
     View::of(at(0.45), 1.2)
         .size(340, 250)
         .solid(Solid::rod(at(top + 0.1), at(1.35), 0.025), Ink::Frame)
         .solid(Solid::rod(at(0.1), at(0.11 + height), 0.025), Ink::Frame)
         .solid(Solid::disc(at(0.0), up, 1.0, 0.2), Ink::Body)
         .solid(Solid::disc(at(top), up, 0.85, 0.2), Ink::Body)
-        .line(
-            [at(top + 0.101), at(top + 0.101) + level(upper) * 0.84],
-            Ink::Ink,
-        )
+        .line([mark, mark + level(upper) * 0.84], Ink::Ink)
         .line([level(lower) + at(0.1), level(lower) - at(0.1)], Ink::Ink)
 }
 
 /// An arrow about the axis at this height, so long (rad), and its label.
 fn turning(view: View, z: f64, radius: f64, angle: f64, label: &str) -> View {
     let place = |a: f64| SpaceVector::new(radius * cos(a), radius * sin(a), z);
-    let middle = 0.55;
-    let path = times(middle - 0.5 * angle, middle + 0.5 * angle, 40).map(place);
-    let view = view.turn(path, Ink::Velocity);
-    view.text(
-        place(middle + 0.5 * angle),
-        label,
-        Ink::Velocity,
-        Side::Below,
-    )
+    let (from, to) = (0.55 - 0.5 * angle, 0.55 + 0.5 * angle);
+    let view = view.turn(times(from, to, 40).map(place), Ink::Velocity);
+    view.text(place(to), label, Ink::Velocity, Side::Below)
 }
 
 figures! { p: &Parameters;
@@ -84,7 +76,7 @@ figures! { p: &Parameters;
                 false => curve.label_at("without a fall", 0.45 * a.time, 0.55 * a.relative, Side::BelowLeft),
             }))
         };
-        let panel = Panel::over_axes(Axis::linear("$t$ / s from the release"), Axis::linear("slip / rad/s").range(0.0, a.relative));
+        let panel = Panel::over_axes(Axis::linear("$t$ / s from the release"), Axis::linear("slip / rad/s").over([0.0, a.relative]));
         [(0.0, Ink::Ink), (0.08, Ink::Body)].into_iter().try_fold(panel, slip)?
     };
 
@@ -96,7 +88,7 @@ figures! { p: &Parameters;
         let seen = |t: f64| (0.95..1.1).contains(&(t / a.time));
         let wrong = slips.into_iter().filter(|(t, _)| seen(*t)).map(|(t, w)| (t / a.time, w));
         let right = times(0.95, 1.1, 301).map(|t| (t, a.relative * (1.0 - t).max(0.0)));
-        Panel::over_axes("$t/T$", Axis::linear("slip / rad/s").range(-0.02 * a.relative, 0.05 * a.relative))
+        Panel::over_axes("$t/T$", Axis::linear("slip / rad/s").over([-0.02 * a.relative, 0.05 * a.relative]))
             .curve(Curve::new(right, Ink::Ink).label_at("stick located", 0.97, 0.03 * a.relative, Side::AboveRight))
             .curve(Curve::new(wrong, Ink::Wrong).dashed().label_at("wrong: sign of the slip", 1.05, 0.004 * a.relative, Side::Above))
     };
@@ -122,24 +114,18 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (a, run) = (Answer::new(p), fallen(p, 0.0, 2.0, 1e-9)?);
     let (hit, end) = ((2.0 * p.drop / p.gravity).sqrt(), 1.3 * a.time);
-    let all = || times(0.0, hit - 1e-6 * a.time, 2).chain(times(hit + 1e-6 * a.time, end, 60));
-    let of = |k: usize| sampled(all(), |t| Ok((t, run.at(t)?.v[k])));
+    let (before, after) = ((hit - 1e-6 * a.time).max(0.0), hit + 1e-6 * a.time);
+    let all = || times(0.0, before, 2).chain(times(after, end, 60));
+    let curve = |k: usize, name: &str, first: f64, side: Side| {
+        let points = sampled(all(), |t| Ok((t, run.at(t)?.v[k])))?;
+        let (t, rate) = (0.4 * a.time, a.common + 0.6 * (first - a.common));
+        Ok::<_, Error>(Curve::new(points, Ink::Velocity).label_at(name, t, rate, side))
+    };
     let graph = Panel::over_axes("$t$ / s", r"$\Omega$ / rad/s")
         .level(a.common, Ink::Frame, "")
-        .curve(Curve::new(of(1)?, Ink::Velocity).label_at(
-            "upper",
-            0.4 * a.time,
-            a.common + 0.6 * (p.upper_rate - a.common),
-            Side::AboveRight,
-        ))
-        .curve(Curve::new(of(2)?, Ink::Velocity).dashed().label_at(
-            "lower",
-            0.4 * a.time,
-            a.common + 0.6 * (p.lower_rate - a.common),
-            Side::BelowRight,
-        ));
-    let (drop, stills) = (p.drop, [0.0, 0.55 * a.time, end]);
-    let largest = rate(p);
+        .curve(curve(1, "upper", p.upper_rate, Side::AboveRight)?)
+        .curve(curve(2, "lower", p.lower_rate, Side::BelowRight)?.dashed());
+    let (drop, largest, stills) = (p.drop, rate(p), [0.0, 0.55 * a.time, end]);
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let State { q, v } = run.at(t)?;
         let alt = format!(

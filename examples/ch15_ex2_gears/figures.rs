@@ -14,13 +14,10 @@ fn gear(sketch: Sketch, (x, y): (f64, f64), radius: f64, teeth: u32, turn: f64) 
         })
     });
     let (s, c) = sincos(turn);
-    let spoke = Curve::new(
-        [(x, y), (x + 0.8 * radius * c, y + 0.8 * radius * s)],
-        Ink::Body,
-    );
+    let spoke = [(x, y), (x + 0.8 * radius * c, y + 0.8 * radius * s)];
     sketch
         .body(outline, Ink::Body, 0.2)
-        .curve(spoke.thin())
+        .curve(Curve::new(spoke, Ink::Body).thin())
         .dot((x, y), Ink::Ink, "", Side::Above)
 }
 
@@ -85,7 +82,7 @@ figures! { p: &Parameters;
     /// Rates against time while B is set going. Driven: A stays, B falls on a straight line to minus twice
     /// that rate. Not driven: A falls to half, B to minus what A had, and sooner.
     rates: {
-        let time = push(p) / p.friction;
+        let time = time(p);
         let (run, free) = (spun_up(p, true, 1e-9)?, spun_up(p, false, 1e-9)?);
         let of = |run: &Run, k: usize| sampled(times(0.0, 1.4 * time, 140), |t| Ok((t, run.at(t)?.v[k])));
         let (b, loose) = (rate_b(p, 0.0), undriven(p));
@@ -110,13 +107,8 @@ figures! { p: &Parameters;
 /// B set going, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = spun_up(p, true, p.tolerance)?;
-    let columns = [
-        "t [s]",
-        "Omega1 [rad/s]",
-        "Omega2 [rad/s]",
-        "L [kg m^2/s]",
-        "motor [N m]",
-    ];
+    let [one, two] = ["Omega1 [rad/s]", "Omega2 [rad/s]"];
+    let columns = ["t [s]", one, two, "L [kg m^2/s]", "motor [N m]"];
     Trajectory::sampled(columns, times(0.0, run.end_time(), 300), |t| {
         let ([a, b], torque) = (run.at(t)?.v, run.forces(t)?[1].normal);
         Ok([t, a, b, p.inertia_a * a + p.inertia_b * b, torque])
@@ -126,38 +118,24 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The wheels while B is set going, slowed down; below, the speeds of the rims where they touch.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (run, p) = (spun_up(p, true, 1e-9)?, p.clone());
-    let (time, end) = (push(&p) / p.friction, run.end_time());
-    let rims = |k: usize, r: f64| sampled(times(0.0, end, 120), |t| Ok((t, r * run.at(t)?.v[k])));
+    let (a, b, rim) = (p.radius_a, p.radius_b, p.radius_a * p.rate);
+    let (time, end) = (time(&p), run.end_time());
+    let speed = |k: usize, r: f64| {
+        let points = sampled(times(0.0, end, 120), |t| Ok((t, r * run.at(t)?.v[k])))?;
+        Ok::<_, rotation_dynamics::Error>(Curve::new(points, Ink::Velocity))
+    };
+    let (of_a, of_b) = (speed(0, a)?, speed(1, -b)?.dashed());
     let graph = Panel::over_axes("$t$ / s", "speed of the rim / m/s")
-        .curve(Curve::new(rims(0, p.radius_a)?, Ink::Velocity).label_at(
-            "$A$",
-            0.3 * time,
-            p.radius_a * p.rate,
-            Side::Below,
-        ))
-        .curve(
-            Curve::new(rims(1, -p.radius_b)?, Ink::Velocity)
-                .dashed()
-                .label_at(
-                    "$B$",
-                    0.5 * time,
-                    0.5 * p.radius_a * p.rate,
-                    Side::BelowRight,
-                ),
-        );
-    let (a, b) = (p.radius_a, p.radius_b);
+        .curve(of_a.label_at("$A$", 0.3 * time, rim, Side::Below))
+        .curve(of_b.label_at("$B$", 0.5 * time, 0.5 * rim, Side::BelowRight));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * time, end], move |t| {
         let (State { q, v }, slow) = (run.at(t)?, 0.2);
+        let rims = [" without slip", ", and they slip"][usize::from(t < time)];
         let alt = format!(
-            "{t:.2} s after the rims have met: A turns counterclockwise at {:.0} rad/s, B clockwise at {:.0} \
-             rad/s{}. Below, the speeds of the two rims where they touch.",
+            "{t:.2} s after the rims have met: A turns counterclockwise at {:.0} rad/s, B clockwise \
+             at {:.0} rad/s{rims}. Below, the speeds of the two rims where they touch.",
             v[0],
             v[1].abs(),
-            if t < time {
-                ", and they slip"
-            } else {
-                " without slip"
-            },
         );
         let high = 1.15 * a.max(b);
         let scene = Sketch::within((-1.2 * a, a + 2.3 * b), (-high, high))
@@ -165,17 +143,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .roller((a + b, 0.0), b, PI + slow * q[1], Ink::Body)
             .text((-0.5 * a, 0.5 * a), "$A$", Ink::Body, Side::Centre)
             .text((a + b, 0.55 * b), "$B$", Ink::Body, Side::Centre);
-        let sized = |scene: Sketch, x: f64, w: f64, ink, label| match w.abs() > 0.05 {
-            true => scene.arrow_along([(x, 0.0), (x, 0.9 * a * w)], ink).text(
-                (x, 0.9 * a * w),
-                label,
-                ink,
-                Side::Above,
-            ),
+        // Side by side, to be told apart.
+        let arrow = |scene: Sketch, x: f64, speed: f64| match speed.abs() > 0.05 * rim {
+            true => scene.arrow_along([(x, 0.0), (x, 0.9 * a * speed / rim)], Ink::Velocity),
             false => scene,
         };
-        let [one, two] = [v[0] / p.rate, -v[1] * b / (a * p.rate)];
-        let scene = sized(scene, a - 0.02 * a, one, Ink::Velocity, "");
-        Ok((alt, sized(scene, a + 0.02 * a, two, Ink::Velocity, "")))
+        let scene = arrow(scene, 0.98 * a, a * v[0]);
+        Ok((alt, arrow(scene, 1.02 * a, -b * v[1])))
     })
 }

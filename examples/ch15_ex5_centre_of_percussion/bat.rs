@@ -3,10 +3,9 @@
 
 use super::{Parameters, arms, impulse};
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::Work;
 use rotation_dynamics::math::{pow, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
-use rotation_dynamics::report::times;
+use rotation_dynamics::report::{sampled, times};
 
 /// Bat and ball; the hands are at the origin, the bat lies along x, the ball comes along y.
 #[derive(Debug, Clone)]
@@ -21,27 +20,19 @@ pub struct Strike {
 impl Strike {
     /// Rigid bodies.
     pub fn rigid(p: &Parameters, held: bool) -> Self {
-        Self {
-            p: p.clone(),
-            held,
-            stiffness: None,
-        }
+        let (p, stiffness) = (p.clone(), None);
+        Self { p, held, stiffness }
     }
 
     /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
     pub fn soft(p: &Parameters) -> Self {
-        let p = Parameters {
-            restitution: 1.0,
-            ..p.clone()
-        };
+        let mut p = p.clone();
+        p.restitution = 1.0;
         let reduced = 0.5 * impulse(&p, true) / p.speed;
         let depth = p.speed * p.contact / 2.943_275;
         let stiffness = Some(1.25 * reduced * p.speed * p.speed / pow(depth, 2.5));
-        Self {
-            p,
-            held: true,
-            stiffness,
-        }
+        let held = true;
+        Self { p, held, stiffness }
     }
 
     /// How far the ball is from the bat, its gradient, and its second rate at constant velocities.
@@ -82,33 +73,25 @@ impl Mechanism<5, 10, 3> for Strike {
             None => Contact::new("ball", gap, gradient, bias).restitution(self.p.restitution),
             Some(_) => Contact::joint("ball", 0.0, none, 0.0),
         };
-        let [along, across] = match self.held {
-            true => [
-                Contact::joint(
-                    "along",
-                    q[0] - arm * c,
-                    [1.0, 0.0, arm * s, 0.0, 0.0],
-                    arm * c * square,
-                ),
-                Contact::joint(
-                    "hands",
-                    q[1] - arm * s,
-                    [0.0, 1.0, -arm * c, 0.0, 0.0],
-                    arm * s * square,
-                ),
-            ],
-            false => ["along", "hands"].map(|name| Contact::joint(name, 0.0, none, 0.0)),
+        // The place that the hands hold stays at the origin.
+        let hold = |name, gap, gradient, bias| match self.held {
+            true => Contact::joint(name, gap, gradient, bias),
+            false => Contact::joint(name, 0.0, none, 0.0),
         };
+        let (x, y) = (
+            [1.0, 0.0, arm * s, 0.0, 0.0],
+            [0.0, 1.0, -arm * c, 0.0, 0.0],
+        );
+        let along = hold("along", q[0] - arm * c, x, arm * c * square);
+        let across = hold("hands", q[1] - arm * s, y, arm * s * square);
         [ball, along, across]
     }
     // ANCHOR_END: scene
 
     fn scale(&self, _: &State<5>) -> State<5> {
         let (l, v) = (self.p.length, self.p.speed);
-        State {
-            q: [l, l, 1.0, l, l],
-            v: [v, v, v / l, v, v],
-        }
+        let (q, v) = ([l, l, 1.0, l, l], [v, v, v / l, v, v]);
+        State { q, v }
     }
 }
 
@@ -119,24 +102,22 @@ pub struct Blow {
     pub after: State<5>,
     /// When they touch first.
     pub touch: f64,
-    motion: Motion<Strike, 5, 10, 3>,
+    pub motion: Motion<Strike, 5, 10, 3>,
 }
 
 impl Blow {
     pub fn new(strike: Strike, tolerance: f64) -> Result<Self> {
         let (p, [arm, hit]) = (&strike.p, arms(&strike.p));
-        let approach = 0.5 * p.contact * p.speed;
-        let start = State {
-            q: [arm, 0.0, 0.0, hit, -approach],
-            v: [0.0, 0.0, 0.0, 0.0, p.speed],
-        };
-        let (touch, end) = (0.5 * p.contact, 2.0 * p.contact);
-        let motion = motion_within(strike.clone(), tolerance, start, end)?;
+        // Rigid bodies have parted at once, and may meet again later.
+        let parted = if strike.stiffness.is_none() { 0.1 } else { 1.5 };
+        let (touch, end) = (0.5 * p.contact, (0.5 + parted) * p.contact);
+        let q = [arm, 0.0, 0.0, hit, -touch * p.speed];
+        let v = [0.0, 0.0, 0.0, 0.0, p.speed];
+        let motion = motion_within(strike.clone(), tolerance, State { q, v }, end)?;
         let (before, after) = match strike.stiffness {
-            None => {
-                let hit = motion.event("ball bounces")?;
-                (hit.before, hit.after)
-            }
+            None => motion
+                .event("ball bounces")
+                .map(|hit| (hit.before, hit.after))?,
             Some(_) => (motion.at(touch)?, motion.at(end)?),
         };
         Ok(Self {
@@ -167,6 +148,11 @@ impl Blow {
         self.after.v[1] - arms(&self.strike.p)[0] * self.after.v[2]
     }
 
+    /// By which angle the bat turns while a soft ball touches it, rad.
+    pub fn turned(&self) -> Result<f64> {
+        Ok(self.motion.at(self.touch + self.strike.p.contact)?.q[2])
+    }
+
     /// Forces of the ball and of the hands on the bat, along y at the start, N.
     pub fn forces(&self, t: f64) -> Result<[f64; 2]> {
         let hands = self.motion.forces(t)?[2].normal;
@@ -175,29 +161,9 @@ impl Blow {
 
     /// The largest of each.
     pub fn largest_forces(&self) -> Result<[f64; 2]> {
-        let mut most = [0.0_f64; 2];
-        for t in times(self.touch, self.motion.end_time(), 600) {
-            let now = self.forces(t)?;
-            most = [0, 1].map(|k| {
-                if now[k].abs() > most[k].abs() {
-                    now[k]
-                } else {
-                    most[k]
-                }
-            });
-        }
-        Ok(most)
-    }
-
-    pub fn at(&self, t: f64) -> Result<State<5>> {
-        self.motion.at(t)
-    }
-
-    pub fn end_time(&self) -> f64 {
-        self.motion.end_time()
-    }
-
-    pub fn work(&self) -> Work {
-        self.motion.work()
+        let all = times(self.touch, self.motion.end_time(), 600);
+        let all = sampled(all, |t| self.forces(t))?;
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        Ok([0, 1].map(|k| all.iter().map(|now| now[k]).fold(0.0, larger)))
     }
 }

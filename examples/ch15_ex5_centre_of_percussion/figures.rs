@@ -34,7 +34,7 @@ figures! { p: &Parameters;
             .curve(Curve::of(times(0.0, 1.0, 2), |x| reaction(&at(p, x)), Ink::Ink))
             .curve(Curve::sampled([0.05, 0.25, 0.5, 2.0 / 3.0, 0.8, 0.95], simulated, Ink::Force)?.dots())
             .note(0.3, -0.55, Ink::Force, "the hands push back", Side::BelowRight)
-            .note(0.76, 0.15, Ink::Force, "they pull along", Side::AboveLeft)
+            .note(0.76, 0.15, Ink::Force, "they push forward", Side::AboveLeft)
     };
 
     /// Velocity along a free bat just after the blow, for three places of it. Struck in the middle all
@@ -68,15 +68,10 @@ fn blow(p: &Parameters) -> Result<Blow> {
 /// It, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = blow(p)?;
-    let columns = [
-        "t [s]",
-        "angle [rad]",
-        "y ball [m]",
-        "force of the ball [N]",
-        "of the hands [N]",
-    ];
-    Trajectory::sampled(columns, times(0.0, run.end_time(), 400), |t| {
-        let ([ball, hands], State { q, .. }) = (run.forces(t)?, run.at(t)?);
+    let [force, other] = ["force of the ball [N]", "of the hands [N]"];
+    let columns = ["t [s]", "angle [rad]", "y ball [m]", force, other];
+    Trajectory::sampled(columns, times(0.0, run.motion.end_time(), 400), |t| {
+        let ([ball, hands], State { q, .. }) = (run.forces(t)?, run.motion.at(t)?);
         Ok([t, q[2], q[4], ball, hands])
     })
 }
@@ -84,31 +79,23 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// Bat, ball and forces; below, the forces against time in ms.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (run, p) = (blow(p)?, p.clone());
-    let (end, from, length) = (run.end_time(), run.touch, p.length);
-    let of = |k: usize| {
-        sampled(times(0.0, end, 240), |t| {
-            Ok((1e3 * t, 1e-3 * run.forces(t)?[k]))
-        })
-    };
+    let (end, from, length) = (run.motion.end_time(), run.touch, p.length);
     let [most, _] = run.largest_forces()?;
+    // Named at this part of the contact, at this part of the largest force.
+    let curve = |k: usize, name: &str, part: f64, high: f64, side: Side| {
+        let of = |t| Ok((1e3 * t, 1e-3 * run.forces(t)?[k]));
+        let curve = Curve::new(sampled(times(0.0, end, 240), of)?, Ink::Force);
+        let t = 1e3 * (from + part * p.contact);
+        Ok::<_, rotation_dynamics::Error>(curve.label_at(name, t, high * 1e-3 * most, side))
+    };
     let graph = Panel::over_axes("$t$ / ms", "force / kN")
         .level(0.0, Ink::Frame, "")
-        .curve(Curve::new(of(0)?, Ink::Force).label_at(
-            "ball",
-            1e3 * (from + 0.3 * p.contact),
-            0.7e-3 * most,
-            Side::Left,
-        ))
-        .curve(Curve::new(of(1)?, Ink::Force).dashed().label_at(
-            "hands",
-            1e3 * (from + 0.9 * p.contact),
-            0.12e-3 * most,
-            Side::AboveRight,
-        ));
+        .curve(curve(0, "ball", 0.3, 0.7, Side::Left)?)
+        .curve(curve(1, "hands", 0.9, 0.12, Side::AboveRight)?.dashed());
     let stills = [0.3, 1.0, 1.95].map(|part| 1e3 * part * p.contact);
     MovingPicture::above(graph, 0.0..=1e3 * end, stills, move |ms| {
         let t = (1e-3 * ms).min(end);
-        let (State { q, .. }, [ball, hands]) = (run.at(t)?, run.forces(t)?);
+        let (State { q, .. }, [ball, hands]) = (run.motion.at(t)?, run.forces(t)?);
         let alt = format!(
             "{ms:.2} ms: the bat has turned by {:.1} degrees, the ball pushes it with {:.1} kN and the hands with \
              {:.1} kN. Below, both forces against time.",
@@ -118,22 +105,25 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let ((s, c), arm) = (sincos(q[2]), arms(&p)[0]);
         let on = |x: f64| {
-            (
-                (q[0] - arm * c + x * c) / length,
-                (q[1] - arm * s + x * s) / length,
-            )
+            [q[0] + (x - arm) * c, q[1] + (x - arm) * s]
+                .map(|x| x / length)
+                .into()
         };
         let scene = Sketch::within((-0.12, 1.15), (-0.35, 0.5));
         let scene = drawn(scene, on(-p.hands), on(length - p.hands))
             .disc((q[3] / length, q[4] / length - 0.075), 0.04, Ink::Ink, 0.7)
             .ring(on(0.0), Ink::Ink, "", Side::Below);
-        let force = |scene: Sketch, (x, y): (f64, f64), size: f64, label| match (size / most).abs()
-            > 0.02
-        {
-            true => scene
-                .arrow_along([(x, y), (x, y + 0.4 * size / most)], Ink::Force)
-                .text((x, y + 0.4 * size / most), label, Ink::Force, Side::Right),
-            false => scene,
+        let force = |scene: Sketch, (x, y): (f64, f64), size: f64, label| {
+            let tip = (x, y + 0.4 * size / most);
+            match (size / most).abs() > 0.02 {
+                true => scene.arrow_along([(x, y), tip], Ink::Force).text(
+                    tip,
+                    label,
+                    Ink::Force,
+                    Side::Right,
+                ),
+                false => scene,
+            }
         };
         let scene = force(scene, on(p.hit - p.hands), ball, "ball");
         Ok((alt, force(scene, on(0.0), hands, "hands")))

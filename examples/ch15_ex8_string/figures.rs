@@ -1,6 +1,7 @@
 //! The drawings of exercise 15.8; lengths in r0, speeds in u.
 
 use super::*;
+use rotation_dynamics::planar::contact::State;
 
 /// The pull of the page, as the figures show it.
 const PULL: f64 = 1.0 / 15.0;
@@ -126,12 +127,8 @@ pub fn wound_up(post: f64, free: f64) -> Result<[SpaceVector; 2]> {
     let start = [1.0, -post, 0.0, 0.0, 1.0, 0.0];
     // The free part turns at 1/l and winds up at post/l.
     let end = 0.5 * (1.0 - free * free) / post;
-    Ok(place_and_velocity(&after(
-        end,
-        &on_post(post),
-        &start,
-        1e-12,
-    )?))
+    let wound = after(end, &on_post(post), &start, 1e-12)?;
+    Ok(place_and_velocity(&wound))
 }
 
 /// From half a unit before the pull to a while after it.
@@ -158,17 +155,14 @@ impl Whole {
         })
     }
 
+    /// Place, velocity and tension.
     fn at(&self, t: f64) -> Result<([f64; 2], [f64; 2], f64)> {
-        let (state, force) = if t <= self.end {
-            (self.run.at(t)?, self.run.tension(t)?)
-        } else {
-            (
-                self.held.at(t - self.end)?,
-                self.held.tension(t - self.end)?,
-            )
+        let (run, t) = match t <= self.end {
+            true => (&self.run, t),
+            false => (&self.held, t - self.end),
         };
-        let ([x, y, _], [vx, vy, _]) = (state.q, state.v);
-        Ok(([x, y], [vx, vy], force))
+        let State { q, v } = run.at(t)?;
+        Ok(([q[0], q[1]], [v[0], v[1]], run.tension(t)?))
     }
 }
 
@@ -178,73 +172,52 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = ["t [s]", "x [m]", "y [m]", "vx [m/s]", "vy [m/s]", "F [N]"];
     let newton = p.mass * p.speed / unit;
     Trajectory::sampled(columns, times(-0.5, whole.last, 600), |t| {
-        let ([x, y], [vx, vy], force) = whole.at(t)?;
-        Ok([
-            t * unit,
-            x * p.radius,
-            y * p.radius,
-            vx * p.speed,
-            vy * p.speed,
-            force * newton,
-        ])
+        let (place, velocity, force) = whole.at(t)?;
+        let ([x, y], [vx, vy]) = (place.map(|x| x * p.radius), velocity.map(|v| v * p.speed));
+        Ok([t * unit, x, y, vx, vy, force * newton])
     })
 }
 
 /// That motion, with the pull of the string.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (whole, unit) = (Whole::new(p)?, p.radius / p.speed);
-    let (last, newton) = (whole.last, p.mass * p.speed / unit);
-    let most = whole.at(whole.end)?.2;
-    let (end, taut) = (whole.end, whole.held.event("knot touches")?.1);
+    let (end, last, newton) = (whole.end, whole.last, p.mass * p.speed / unit);
+    let (most, taut) = (whole.at(end)?.2, whole.held.event("knot touches")?.1);
     // The force falls to nothing and comes back at once.
     let slack = times(end + 1e-9, end + taut, 2);
-    let instants = times(-0.5, end, 200)
-        .chain(slack)
-        .chain(times(end + taut + 1e-9, last, 20));
+    let instants = times(-0.5, end, 200).chain(slack);
+    let instants = instants.chain(times(end + taut + 1e-9, last, 20));
     let force = sampled(instants, |t| Ok((t * unit, newton * whole.at(t)?.2)))?;
-    let graph = Panel::over_axes(
-        "$t$ / s",
-        Axis::linear("$F$ / N").range(0.0, 1.1 * newton * most),
-    )
-    .curve(Curve::new(force, Ink::Force));
+    let newtons = Axis::linear("$F$ / N").range(0.0, 1.1 * newton * most);
+    let graph = Panel::over_axes("$t$ / s", newtons).curve(Curve::new(force, Ink::Force));
     let stills = [0.02, 0.9 * end, end + 0.5 * taut].map(|t| t * unit);
     MovingPicture::above(graph, -0.5 * unit..=last * unit, stills, move |t| {
         let now = (t / unit).min(last);
         let ([x, y], [vx, vy], force) = whole.at(now)?;
         let path = sampled(times(-0.5, now, 400), |t| Ok(whole.at(t)?.0.into()))?;
-        let what = match now > whole.end {
-            true => "after the hand has stopped",
-            false => "after the beginning of the pull",
+        let (since, what) = match now > end {
+            true => (now - end, "after the hand has stopped"),
+            false => (now, "after the beginning of the pull"),
         };
-        let since = if now > whole.end {
-            now - whole.end
-        } else {
-            now
-        } * unit;
+        let since = since * unit;
         let alt = format!(
             "The particle {since:.2} s {what}, with its path, its velocity and the pull of the \
              string; below, this force against time: it grows, and is nothing while the string is slack."
         );
-        let pull = 0.3 * force / most;
-        let (far, taut) = (hypot(x, y), force > 0.0);
-        let mut scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);
-        scene = match taut {
-            true => scene.string((x, y), (0.0, 0.0), "", Side::Above),
-            false => scene.guide([(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), (0.0, 0.0)]),
+        let (pull, hole) = (0.3 * force / most / hypot(x, y), (0.0, 0.0));
+        let scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);
+        let scene = match force > 0.0 {
+            true => scene.string((x, y), hole, "", Side::Above),
+            false => scene.guide([(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), hole]),
         };
         let scene = scene
-            .ring((0.0, 0.0), Ink::Ink, "", Side::Below)
+            .ring(hole, Ink::Ink, "", Side::Below)
             .arrow_along([(x, y), (x + 0.2 * vx, y + 0.2 * vy)], Ink::Ink)
             .weight((x, y), 0.045, "");
-        Ok((
-            alt,
-            match taut {
-                true => scene.arrow_along(
-                    [(x, y), (x - pull * x / far, y - pull * y / far)],
-                    Ink::Force,
-                ),
-                false => scene,
-            },
-        ))
+        let pulled = (x - pull * x, y - pull * y);
+        Ok(match force > 0.0 {
+            true => (alt, scene.arrow_along([(x, y), pulled], Ink::Force)),
+            false => (alt, scene),
+        })
     })
 }

@@ -6,6 +6,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work};
 use rotation_dynamics::math::{atan2, hypot, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+use rotation_dynamics::report::{sampled, times};
 
 /// The string on the table: a knot at the hole lets no more of it out, a hand takes it in.
 #[derive(Debug, Clone, Copy)]
@@ -50,10 +51,8 @@ impl Mechanism<3, 6, 2> for Pull {
 
     fn scale(&self, State { q, .. }: &State<3>) -> State<3> {
         let r = hypot(q[0], q[1]);
-        State {
-            q: [r, r, 1.0],
-            v: [1.0 / r, 1.0 / r, 1.0],
-        }
+        let (q, v) = ([r, r, 1.0], [1.0 / r, 1.0 / r, 1.0]);
+        State { q, v }
     }
 }
 
@@ -70,38 +69,30 @@ impl Pulled {
     /// The circle, and the pull at this speed, up to the time `end` or the edge of the hole.
     pub fn new(speed: f64, hole: f64, step: f64, end: f64) -> Result<Self> {
         let (s, c) = sincos(BEFORE);
-        let start = State {
-            q: [c, -s, -BEFORE],
-            v: [s, c, 1.0],
-        };
-        let [knot, hand] = [1.0, 1.0];
+        let (q, v) = ([c, -s, -BEFORE], [s, c, 1.0]);
         let pull = Pull {
-            knot,
-            hand,
+            knot: 1.0,
+            hand: 1.0,
             speed,
             hole,
         };
-        let motion = motion(pull, &Dop853::new(step)?, start, BEFORE + end)?;
+        let method = Dop853::new(step)?;
+        let motion = motion(pull, &method, State { q, v }, BEFORE + end)?;
         let before = BEFORE;
         Ok(Self { motion, before })
     }
 
     /// The motion from this state on when the string is held, for a while.
     pub fn held(start: State<3>, step: f64, end: f64) -> Result<Self> {
-        let knot = hypot(start.q[0], start.q[1]);
         // The hand is out of reach, the hole too.
-        let [hand, speed, hole] = [2.0, 0.0, 0.0];
         let pull = Pull {
-            knot,
-            hand,
-            speed,
-            hole,
+            knot: radius(&start),
+            hand: 2.0,
+            speed: 0.0,
+            hole: 0.0,
         };
-        let motion = motion(pull, &Dop853::new(step)?, start, end)?;
-        Ok(Self {
-            motion,
-            before: 0.0,
-        })
+        let (motion, before) = (motion(pull, &Dop853::new(step)?, start, end)?, 0.0);
+        Ok(Self { motion, before })
     }
 
     /// The state just before and just after the event of this name, and when it was.
@@ -110,21 +101,20 @@ impl Pulled {
         Ok(([event.before, event.after], event.t - self.before))
     }
 
+    /// That of the motion, from the first to the last.
+    fn clock(&self, t: f64) -> f64 {
+        (t + self.before).clamp(0.0, self.motion.end_time())
+    }
+
     /// The state at this time.
     pub fn at(&self, t: f64) -> Result<State<3>> {
-        self.motion
-            .at((t + self.before).clamp(0.0, self.motion.end_time()))
+        self.motion.at(self.clock(t))
     }
 
     /// The tension at this time.
     pub fn tension(&self, t: f64) -> Result<f64> {
-        let time = (t + self.before).clamp(0.0, self.motion.end_time());
-        Ok(self
-            .motion
-            .forces(time)?
-            .iter()
-            .map(|force| force.normal)
-            .sum())
+        let forces = self.motion.forces(self.clock(t))?;
+        Ok(forces.iter().map(|force| force.normal).sum())
     }
 
     /// When it ends.
@@ -134,18 +124,11 @@ impl Pulled {
 
     /// The angle from the time 0 to `t`, in small steps.
     pub fn angle(&self, t: f64) -> Result<f64> {
-        let (mut angle, mut last) = (0.0, self.at(0.0)?.q);
-        let fastest = across(&self.at(t)?) / radius(&self.at(t)?);
-        let count = 1 + (2.0 * fastest * t) as u32;
-        for k in 1..=count {
-            let next = self.at(t * f64::from(k) / f64::from(count))?.q;
-            angle += atan2(
-                last[0] * next[1] - last[1] * next[0],
-                last[0] * next[0] + last[1] * next[1],
-            );
-            last = next;
-        }
-        Ok(angle)
+        let last = self.at(t)?;
+        let count = 1 + (2.0 * t * across(&last) / radius(&last)) as u32;
+        let places = sampled(times(0.0, t, count), |t| Ok(self.at(t)?.q))?;
+        let turn = |[[x, y, _], [u, v, _]]: [[f64; 3]; 2]| atan2(x * v - y * u, x * u + y * v);
+        Ok(places.windows(2).map(|pair| turn([pair[0], pair[1]])).sum())
     }
 
     /// What it cost.

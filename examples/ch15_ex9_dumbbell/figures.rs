@@ -2,6 +2,7 @@
 
 use super::hit::{Plane, places};
 use super::*;
+use rotation_dynamics::planar::contact::State;
 
 /// A dumbbell with its masses here, in l; `radius` is theirs.
 fn dumbbell(sketch: Sketch, [lower, upper]: [Plane; 2], radius: f64) -> Sketch {
@@ -33,18 +34,9 @@ fn restitutions() -> Sweep {
 
 /// How near a ball of this coefficient comes to the other mass, both very small, simulated.
 fn nearest_simulated(restitution: f64) -> Result<f64> {
-    let hit = Hit {
-        restitution,
-        slant: 0.0,
-        reach: 4e-3,
-    };
-    let run = Blow::new(
-        hit,
-        1e-9,
-        4.5 / Answer::new(restitution, 0.0).angular_velocity,
-    )?;
-    let distance = |t| run.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]);
-    Ok(least(distance, 1.0 / run.after.v[2], 4.5 / run.after.v[2]))
+    let omega = Answer::new(restitution, 0.0).angular_velocity;
+    let run = Blow::new(Hit::across(restitution, 4e-3), 1e-9, 4.5 / omega)?;
+    Ok(run.nearest(1.0 / omega, 4.5 / omega))
 }
 
 figures! { p: &Parameters;
@@ -130,6 +122,7 @@ figures! { p: &Parameters;
     second: {
         let reach = scene(p)?.reach.min(0.4);
         let (run, radius) = (halved(reach, 1e-9)?, 0.5 * reach);
+        // Here the stick turns at v0/l.
         let (met, last) = (second(reach), 4.1);
         let trace = |k: usize| sampled(times(-0.5, last, 200), |t| {
             let q = run.at(t)?.q;
@@ -151,42 +144,21 @@ figures! { p: &Parameters;
 
 /// From when to when the pictures show the motion, in l/v0.
 fn span(p: &Parameters) -> (f64, f64) {
-    (
-        -0.6,
-        (TAU / Answer::new(p.restitution, p.slant)
-            .angular_velocity
-            .max(0.1))
-        .min(4.0 * PI),
-    )
+    let omega = Answer::new(p.restitution, p.slant).angular_velocity;
+    (-0.6, TAU / omega.max(0.5))
 }
 
 /// The motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (run, unit) = (
-        Blow::new(scene(p)?, p.tolerance, span(p).1)?,
-        p.length / p.speed,
-    );
-    let columns = [
-        "t [s]",
-        "x_ball [m]",
-        "y_ball [m]",
-        "x_cm [m]",
-        "y_cm [m]",
-        "angle [rad]",
-        "omega [rad/s]",
-    ];
-    Trajectory::sampled(columns, times(span(p).0, span(p).1, 500), |t| {
-        let (state, l) = (run.at(t)?, p.length);
-        let [x, y, angle, u, w] = state.q;
-        Ok([
-            t * unit,
-            l * u,
-            l * w,
-            l * x,
-            l * y,
-            angle,
-            state.v[2] / unit,
-        ])
+    let ((from, to), l, unit) = (span(p), p.length, p.length / p.speed);
+    let run = Blow::new(scene(p)?, p.tolerance, to)?;
+    let [ball, other] = [["x_ball [m]", "y_ball [m]"], ["x_cm [m]", "y_cm [m]"]];
+    let [angle, omega] = ["angle [rad]", "omega [rad/s]"];
+    let columns = ["t [s]", ball[0], ball[1], other[0], other[1], angle, omega];
+    Trajectory::sampled(columns, times(from, to, 500), |t| {
+        let State { q, v } = run.at(t)?;
+        let [x, y, angle, u, w] = q;
+        Ok([t * unit, l * u, l * w, l * x, l * y, angle, v[2] / unit])
     })
 }
 
@@ -195,22 +167,21 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (from, to) = span(p);
     let run = Blow::new(scene(p)?, p.tolerance, to)?;
     let (unit, v0, l) = (p.length / p.speed, p.speed, p.length);
-    let speed = |k: usize| {
-        sampled(times(from, -1e-9, 2).chain(times(0.0, to, 160)), |t| {
-            let state = run.at(t)?;
-            let state = if t == 0.0 { run.after } else { state };
+    let curve = |k: usize, ink: Ink, name: &str| {
+        let speed = |t: f64| {
+            let state = if t == 0.0 { run.after } else { run.at(t)? };
             let [lower, upper] = velocities(&state);
-            let v = [[state.v[3], state.v[4]], lower, upper][k];
-            Ok((t * unit, v0 * hypot(v[0], v[1])))
-        })
+            let [x, y] = [[state.v[3], state.v[4]], lower, upper][k];
+            Ok((t * unit, v0 * hypot(x, y)))
+        };
+        let all = times(from, -1e-9, 2).chain(times(0.0, to, 160));
+        Ok::<_, rotation_dynamics::Error>(Curve::new(sampled(all, speed)?, ink).label_end(name))
     };
-    let graph = Panel::over_axes(
-        "$t$ / s",
-        Axis::linear("speed / (m/s)").range(0.0, 1.4 * v0),
-    )
-    .curve(Curve::new(speed(0)?, Ink::Ink).dotted().label_end("ball"))
-    .curve(Curve::new(speed(1)?, Ink::Body).label_end("struck"))
-    .curve(Curve::new(speed(2)?, Ink::Body).dashed().label_end("other"));
+    let speeds = Axis::linear("speed / (m/s)").range(0.0, 1.4 * v0);
+    let graph = Panel::over_axes("$t$ / s", speeds)
+        .curve(curve(0, Ink::Ink, "ball")?.dotted())
+        .curve(curve(1, Ink::Body, "struck")?)
+        .curve(curve(2, Ink::Body, "other")?.dashed());
     let (s, c) = sincos(p.slant);
     let far = to * run.after.v[0].max(run.after.v[1]);
     let (ball_radius, knob) = (p.ball / l, p.knob / l);
@@ -219,9 +190,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let now = (t / unit).clamp(from, to);
         let q = run.at(now)?.q;
         let been = |k: usize| {
-            sampled(times(0.0, now.max(1e-9), 120), |t| {
-                Ok(places(&run.at(t)?.q)[k].into())
-            })
+            let place = |t| Ok(places(&run.at(t)?.q)[k].into());
+            let path = sampled(times(0.0, now.max(1e-9), 120), place)?;
+            Ok::<_, rotation_dynamics::Error>(Curve::new(path, Ink::Body).thin())
         };
         let when = if now < 0.0 { "before" } else { "after" };
         let alt = format!(
@@ -230,19 +201,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              down to zero; that of the ball stays.",
             t.abs()
         );
-        let sketch = Sketch::within(
+        let (x, y) = (
             (-0.8 * c - 0.35, far + 0.7),
             (-0.8 * s - 0.3, 1.3 + far * s),
-        )
-        .curve(Curve::new(been(0)?, Ink::Body).thin())
-        .curve(Curve::new(been(1)?, Ink::Body).thin().dashed());
-        Ok((
-            alt,
-            ball(
-                dumbbell(sketch, places(&q), knob),
-                [q[3], q[4]],
-                ball_radius,
-            ),
-        ))
+        );
+        let sketch = Sketch::within(x, y)
+            .curve(been(0)?)
+            .curve(been(1)?.dashed());
+        let sketch = dumbbell(sketch, places(&q), knob);
+        Ok((alt, ball(sketch, [q[3], q[4]], ball_radius)))
     })
 }

@@ -1,10 +1,10 @@
 //! A ball hits a dumbbell, simulated with contacts that push: no conservation law is used, and
 //! whoever meets again is hit again. Mass of the ball, length of the stick and speed are 1.
 
-use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work};
 use rotation_dynamics::math::{hypot, sincos};
 use rotation_dynamics::planar::contact::{Contact, Event, Mechanism, Motion, State, motion};
+use rotation_dynamics::{Error, Result};
 
 /// Ball and dumbbell, seen from above: the dumbbell lies along y.
 #[derive(Debug, Clone, Copy)]
@@ -36,6 +36,17 @@ pub fn velocities(State { q, v }: &State<5>) -> [Plane; 2] {
     arms(q[2]).map(|arm| [v[0] - v[2] * arm[1], v[1] + v[2] * arm[0]])
 }
 
+impl Hit {
+    /// Across the stick.
+    pub const fn across(restitution: f64, reach: f64) -> Self {
+        Self {
+            restitution,
+            slant: 0.0,
+            reach,
+        }
+    }
+}
+
 // ANCHOR: scene
 /// Coordinates: the middle of the stick, its angle, the ball.
 impl Mechanism<5, 10, 2> for Hit {
@@ -59,13 +70,8 @@ impl Mechanism<5, 10, 2> for Hit {
             let across = n[0] * (moves[1] - v[4]) - n[1] * (moves[0] - v[3]);
             let inward = -v[2] * v[2] * (n[0] * arm[0] + n[1] * arm[1]);
             let gradient = [n[0], n[1], n[1] * arm[0] - n[0] * arm[1], -n[0], -n[1]];
-            Contact::new(
-                name,
-                far - self.reach,
-                gradient,
-                inward + across * across / far,
-            )
-            .restitution(self.restitution)
+            let bias = inward + across * across / far;
+            Contact::new(name, far - self.reach, gradient, bias).restitution(self.restitution)
         };
         [contact("lower", 0), contact("upper", 1)]
     }
@@ -87,13 +93,10 @@ impl Blow {
     /// Until the time `end` after the hit.
     pub fn new(hit: Hit, step: f64, end: f64) -> Result<Self> {
         let ((s, c), far) = (sincos(hit.slant), hit.reach + APPROACH);
-        let start = State {
-            q: [0.0, 0.5, 0.0, -far * c, -far * s],
-            v: [0.0, 0.0, 0.0, c, s],
-        };
+        let (q, v) = ([0.0, 0.5, 0.0, -far * c, -far * s], [0.0, 0.0, 0.0, c, s]);
         // Nothing pulls, so steps would be long, and a ball could pass a mass within one.
         let method = Dop853::new(step)?.with_longest_step(0.2 * hit.reach.min(0.25))?;
-        let motion = motion(hit, &method, start, APPROACH + end)?;
+        let motion = motion(hit, &method, State { q, v }, APPROACH + end)?;
         let first = motion.event("lower bounces")?;
         let (before, after) = (first.before, first.after);
         Ok(Self {
@@ -105,8 +108,25 @@ impl Blow {
 
     /// The state at this time after the hit.
     pub fn at(&self, t: f64) -> Result<State<5>> {
-        self.motion
-            .at((t + APPROACH).clamp(0.0, self.motion.end_time()))
+        let t = (t + APPROACH).clamp(0.0, self.motion.end_time());
+        self.motion.at(t)
+    }
+
+    /// How near the ball comes to the upper mass between these times, from middle to middle.
+    pub fn nearest(&self, from: f64, to: f64) -> f64 {
+        let distance = |t| self.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]);
+        least(distance, from, to)
+    }
+
+    /// The second hit: when it is, and the state just after.
+    pub fn again(&self) -> Result<(f64, State<5>)> {
+        let second = |(t, event): (f64, &Event<5, 2>)| (t, event.after);
+        let until = self.motion.end_time() - APPROACH;
+        let none = Error::NotReached {
+            name: "a second hit",
+            until,
+        };
+        self.later().next().map(second).ok_or(none)
     }
 
     /// The hits after the first, with their times.
@@ -130,4 +150,17 @@ pub fn energy(State { v, .. }: &State<5>) -> f64 {
 /// How far the ball is from the middle of the lower mass and of the upper one.
 pub fn distances(q: &[f64; 5]) -> [f64; 2] {
     places(q).map(|[x, y]| hypot(x - q[3], y - q[4]))
+}
+
+/// The least value of a function with one valley between these places, by the golden section.
+pub fn least(of: impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+    let part = 0.5 * (5.0_f64.sqrt() - 1.0);
+    while to - from > 1e-9 {
+        let (near, far) = (to - part * (to - from), from + part * (to - from));
+        match of(near) < of(far) {
+            true => to = far,
+            false => from = near,
+        }
+    }
+    of(0.5 * (from + to))
 }

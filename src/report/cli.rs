@@ -4,7 +4,8 @@
 //! same without touching the terminal, for tests. This is the only part of the
 //! library that prints.
 
-use super::files::{Directories, failure, write_whole};
+pub use super::files::write_whole;
+use super::files::{Directories, failure};
 use super::{Answer, Claim, Example, Flag, ParameterSet, Report, Verdict};
 use crate::error::{Error, Result};
 use clap::{Arg, ArgAction, ArgMatches, Command, error::ErrorKind, value_parser};

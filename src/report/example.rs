@@ -1,7 +1,7 @@
 //! An example: its name everywhere, what it can be told, what it computes and draws.
 
-use super::{Figure, MovingPicture, ParameterSet, Report, Trajectory};
-use crate::error::Result;
+use super::{Figure, Flag, Grid, MovingPicture, ParameterSet, Report, Trajectory};
+use crate::error::{Error, Result};
 
 /// What stands behind a page: the functions of an example and their parameters.
 ///
@@ -179,7 +179,8 @@ macro_rules! example {
     (@moves $moves:expr) => { Some($moves) };
 }
 
-/// An example whose parameters have their defaults: what the tests lock and the book shows.
+/// An example whose type of parameters is not asked for: with their defaults it is what the
+/// tests lock and the book shows.
 pub trait Page: Sync {
     /// The stem.
     fn stem(&self) -> &'static str;
@@ -200,6 +201,18 @@ pub trait Page: Sync {
     /// # Errors
     /// As [`Page::report`].
     fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+    /// What a problem sheet draws: the names of flags, and their values.
+    fn drawn(&self) -> Vec<(String, Grid)>;
+    /// The numbers with these flags set.
+    ///
+    /// # Errors
+    /// As [`Example::report`], and [`Error::UnknownKey`] for a flag that is none or no number.
+    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report>;
+    /// The drawings, without stills, with these flags set.
+    ///
+    /// # Errors
+    /// As [`Page::report_with`].
+    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>>;
     /// What it prints for these arguments, parted by spaces.
     #[cfg(feature = "cli")]
     fn answer(&self, arguments: &str) -> super::cli::Outcome;
@@ -222,8 +235,36 @@ impl<P: ParameterSet> Page for Example<P> {
         let picture = self.moving_picture;
         picture.map(|picture| picture(&P::default())).transpose()
     }
+    fn drawn(&self) -> Vec<(String, Grid)> {
+        let grid = |flag: &Flag<P>| Some((flag.name(), flag.grid()?));
+        P::FLAGS.iter().filter_map(grid).collect()
+    }
+    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
+        Example::report(self, &set(flags)?)
+    }
+    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
+        let parameters: P = set(flags)?;
+        parameters.check()?;
+        (self.figures)(&parameters)
+    }
     #[cfg(feature = "cli")]
     fn answer(&self, arguments: &str) -> super::cli::Outcome {
         Example::answer(self, arguments.split_whitespace())
     }
+}
+
+/// The parameters with these flags set, the others with their defaults.
+fn set<P: ParameterSet>(flags: &[(&str, f64)]) -> Result<P> {
+    let mut parameters = P::default();
+    let numbers = || P::FLAGS.iter().filter(|flag| flag.words().is_empty());
+    for (name, value) in flags {
+        let unknown = || Error::UnknownKey {
+            key: (*name).to_owned(),
+            known: numbers().map(Flag::name).collect::<Vec<_>>().join(", "),
+        };
+        let flag = numbers().find(|flag| flag.name() == *name);
+        flag.ok_or_else(unknown)?
+            .set_number(&mut parameters, *value);
+    }
+    Ok(parameters)
 }

@@ -121,7 +121,10 @@ fn is_standard_output(_: &Metadata) -> bool {
 /// Writes all `files` or none, through links: each goes to a temporary file beside its
 /// place first, and only when all are complete do they take their names. What goes to a
 /// pipe goes last. Returns how many files were there before.
-pub(super) fn write_whole(files: &[(PathBuf, &str)]) -> Result<usize> {
+///
+/// # Errors
+/// [`Error::File`] with the path and why it cannot be written.
+pub fn write_whole(files: &[(PathBuf, &str)]) -> Result<usize> {
     let mut staged = Vec::new();
     let mut outcome = files.iter().try_for_each(|(path, content)| {
         match Place::at(path)? {

@@ -70,7 +70,7 @@ pub use entries::{ClaimEntry, EffectLine, Entry, LimitEntry, claim, effect, limi
 pub use example::{Example, Page};
 pub use moving::MovingPicture;
 pub use number::{below, rounded_up, short, supported_digits};
-pub use parameters::{Flag, ParameterSet};
+pub use parameters::{Flag, Grid, ParameterSet};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};
 pub use sections::{EffectEntry, Limit, Price, Report, for_reading};

@@ -15,13 +15,15 @@ use crate::interval::Interval;
 /// - `optional(UNIT, ALLOWED)`: an `Option<f64>`, `None` unless it is set;
 /// - `choice(DEFAULT, OTHERS…)`: one of these words, a `&'static str`.
 ///
+/// A number that a problem sheet may draw says among which: `.drawn(FROM, TO, STEP)`.
+///
 /// ```
 /// use rotation_dynamics::report::ParameterSet;
 /// rotation_dynamics::parameters! {
 ///     /// A rod that hangs from one end.
 ///     pub struct Parameters {
 ///         /// length of the rod
-///         length: number(3.0, "m", above(0.0).usually(0.5, 5.0));
+///         length: number(3.0, "m", above(0.0).usually(0.5, 5.0)).drawn(1.0, 4.0, 0.5);
 ///         /// mass, if it matters
 ///         mass: optional("kg", above(0.0));
 ///         /// how it starts
@@ -32,6 +34,7 @@ use crate::interval::Interval;
 /// assert_eq!(p.check().unwrap_err().to_string(), "length = -3 is not allowed: it must be greater than 0");
 /// assert_eq!((p.mass, p.start), (None, "rest"));
 /// assert_eq!(Parameters::FLAGS[1].name(), "mass");
+/// assert_eq!(Parameters::FLAGS[0].grid().map(|grid| grid.typed(1)).as_deref(), Some("1.5"));
 /// ```
 #[macro_export]
 macro_rules! parameters {
@@ -47,20 +50,24 @@ macro_rules! parameters {
         $allowed
     }};
     (@flag number $name:expr, $meaning:expr, $field:ident; $default:expr, $unit:literal, $allowed:expr) => {
-        $crate::report::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
+        $crate::report::Flag::<Self>::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
             |p| Some(p.$field), |p, x| p.$field = x)
     };
     (@flag optional $name:expr, $meaning:expr, $field:ident; $unit:literal, $allowed:expr) => {
-        $crate::report::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
+        $crate::report::Flag::<Self>::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
             |p| p.$field, |p, x| p.$field = Some(x))
     };
     (@flag choice $name:expr, $meaning:expr, $field:ident; $($word:literal),+) => {
-        $crate::report::Flag::choice($name, $meaning, &[$($word),+], |p| p.$field, |p, w| p.$field = w)
+        $crate::report::Flag::<Self>::choice($name, $meaning, &[$($word),+], |p| p.$field, |p, w| p.$field = w)
     };
     (
         $(#[$about:meta])*
         $visibility:vis struct $set:ident {
-            $( $(#[doc = $meaning:literal])+ $field:ident : $kind:ident ( $($setting:tt)* ); )*
+            $(
+                $(#[doc = $meaning:literal])+
+                $field:ident : $kind:ident ( $($setting:tt)* )
+                    $( .drawn($from:expr, $to:expr, $step:expr) )?;
+            )*
         }
     ) => {
         $(#[$about])*
@@ -75,7 +82,8 @@ macro_rules! parameters {
         }
         impl $crate::report::ParameterSet for $set {
             const FLAGS: &'static [$crate::report::Flag<Self>] = &[
-                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),+), $field; $($setting)*), )*
+                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),+), $field; $($setting)*)
+                    $( .drawn($from, $to, $step) )?, )*
             ];
         }
     };
@@ -122,6 +130,52 @@ pub struct Flag<P: 'static> {
     unit: &'static str,
     meaning: &'static str,
     kind: Kind<P>,
+    grid: Option<Grid>,
+}
+
+/// The values among which a problem sheet draws: from one to another in equal steps, typed with
+/// the decimals of the step.
+///
+/// ```
+/// use rotation_dynamics::report::Grid;
+/// let grid = Grid { from: -0.1, to: 0.2, step: 0.05 };
+/// let all: Vec<String> = (0..grid.count()).map(|n| grid.typed(n)).collect();
+/// assert_eq!(all, ["-0.10", "-0.05", "0.00", "0.05", "0.10", "0.15", "0.20"]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// The first value.
+    pub from: f64,
+    /// The last value.
+    pub to: f64,
+    /// From one value to the next.
+    pub step: f64,
+}
+
+impl Grid {
+    /// How many values there are.
+    pub fn count(&self) -> u32 {
+        ((self.to - self.from) / self.step + 1.5) as u32
+    }
+
+    /// The decimals of the step; 9 if it has more.
+    fn decimals(&self) -> usize {
+        let whole = |decimals: &usize| {
+            let typed = format!("{:.*}", decimals, self.step);
+            typed.parse().is_ok_and(|typed: f64| typed == self.step)
+        };
+        (0..9).find(whole).unwrap_or(9)
+    }
+
+    /// The value number `n`, counted from 0, as it is typed.
+    pub fn typed(&self, n: u32) -> String {
+        let value = self.from + f64::from(n) * self.step;
+        let typed = format!("{:.*}", self.decimals(), value);
+        match typed.strip_prefix('-') {
+            Some(size) if size.bytes().all(|b| b"0.".contains(&b)) => size.to_owned(),
+            _ => typed,
+        }
+    }
 }
 
 enum Kind<P: 'static> {
@@ -153,7 +207,15 @@ impl<P> Flag<P> {
             unit,
             meaning,
             kind: Kind::Number { allowed, get, set },
+            grid: None,
         }
+    }
+
+    /// Lets problem sheets draw this number: `from`, `from + step`, … `to`.
+    #[must_use]
+    pub const fn drawn(mut self, from: f64, to: f64, step: f64) -> Self {
+        self.grid = Some(Grid { from, to, step });
+        self
     }
 
     /// One of the words in `among`.
@@ -169,6 +231,7 @@ impl<P> Flag<P> {
             unit: "-",
             meaning,
             kind: Kind::Choice { among, get, set },
+            grid: None,
         }
     }
 
@@ -193,6 +256,11 @@ impl<P> Flag<P> {
             Kind::Number { allowed, .. } => Some(allowed),
             Kind::Choice { .. } => None,
         }
+    }
+
+    /// The values that a problem sheet draws; `None` if it leaves the parameter alone.
+    pub fn grid(&self) -> Option<Grid> {
+        self.grid
     }
 
     /// The words to choose from; none for a number.

@@ -7,19 +7,16 @@ use std::path::Path;
 
 /// The errata of the notes, E01 to E44.
 const ERRATA: usize = 44;
-/// Of pages that are still to be written.
-const UNWRITTEN: usize = 0;
 
 /// What is wrong with the list of errata: a number twice or missing, a proof that is no test of
 /// that number, a page that does not exist.
-pub fn wrong_with_errata(text: &str, unwritten: usize) -> Vec<String> {
+pub fn wrong_with_errata(text: &str) -> Vec<String> {
     let items: Vec<&str> = text
         .lines()
         .filter(|line| line.starts_with("- **E"))
         .collect();
     let mut faults = Vec::new();
     let mut seen = BTreeSet::new();
-    let mut without_page = 0;
     for item in &items {
         let id = &item[4..7];
         if !seen.insert(id) {
@@ -40,15 +37,10 @@ pub fn wrong_with_errata(text: &str, unwritten: usize) -> Vec<String> {
         }
         let proof = format!("::{}_", id.to_lowercase());
         if !item.contains(".md)") {
-            without_page += 1;
+            faults.push(format!("{id} leads to no page"));
         } else if !item.contains(&proof) {
             faults.push(format!("{id} is proved by no test of its number"));
         }
-    }
-    if without_page != unwritten {
-        faults.push(format!(
-            "{without_page} errata lead to no page, not {unwritten}"
-        ));
     }
     let all = (1..=ERRATA).map(|n| format!("E{n:02}"));
     faults.extend(
@@ -89,7 +81,7 @@ fn sources(directory: &Path, text: &mut String) {
 
 pub fn check_errata(root: &Path) {
     let text = fs::read_to_string(root.join("book/src/errata.md")).expect("the errata");
-    let faults = wrong_with_errata(&text, UNWRITTEN);
+    let faults = wrong_with_errata(&text);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     // The damaged twins.
     for (from, to, fault) in [
@@ -103,7 +95,7 @@ pub fn check_errata(root: &Path) {
         ("- **E44**", "- E44", "E44 is missing"),
     ] {
         assert!(text.contains(from), "{from}");
-        let faults = wrong_with_errata(&text.replacen(from, to, 1), UNWRITTEN);
+        let faults = wrong_with_errata(&text.replacen(from, to, 1));
         assert!(faults.iter().any(|f| f == fault), "{fault}: {faults:?}");
     }
 }
@@ -122,4 +114,80 @@ pub fn check_notation(root: &Path) {
     // The damaged twin.
     assert!(!has_word(&library, "angular_velocities_of_all"));
     assert!(!has_word("angular_velocity", "velocity") && has_word("a.velocity()", "velocity"));
+}
+
+/// What is wrong with what an exercise says of itself, in the page and in the Rust of its example.
+pub fn wrong_with_exercise(page: &str, program: &str) -> Option<&'static str> {
+    let said: Vec<&str> = page
+        .lines()
+        .filter(|line| line.starts_with("{{exercise "))
+        .collect();
+    let &[said] = said.as_slice() else {
+        return Some("write once: {{exercise LEVEL | SOLVED | EVENTS | TEACHES}}");
+    };
+    let none = said
+        .split('|')
+        .nth(2)
+        .is_some_and(|events| events.trim() == "none");
+    // An event is located by name, or as an event of an integrator or of a contact.
+    let located = ["Event::", ".event(", ".events()", "located event"];
+    match (none, located.iter().any(|word| program.contains(word))) {
+        (true, true) => Some("its program locates an event, which the page does not name"),
+        (false, false) => Some("its program locates none of the events that the page names"),
+        _ => None,
+    }
+}
+
+/// Holds every exercise to its line, and the table to all of them.
+pub fn check_exercises(root: &Path) {
+    let read = |path: &Path| fs::read_to_string(path).expect("the file can be read");
+    let table = read(&root.join("book/src/exercises.md"));
+    let (mut seen, mut with_events) = (0, 0);
+    for entry in fs::read_dir(root.join("book/src"))
+        .expect("pages")
+        .flatten()
+    {
+        let name = entry.file_name().into_string().expect("a name");
+        let Some(stem) = name.strip_suffix(".md") else {
+            continue;
+        };
+        let group = ["ch15_ex", "ch16_ex", "further_"]
+            .into_iter()
+            .find(|group| stem.starts_with(group));
+        let Some(group) = group else { continue };
+        let directory = fs::read_dir(root.join("examples").join(stem))
+            .into_iter()
+            .flatten();
+        let mut program = read(&root.join(format!("examples/{stem}.rs")));
+        program.extend(directory.flatten().map(|file| read(&file.path())));
+        let page = read(&entry.path());
+        assert_eq!(wrong_with_exercise(&page, &program), None, "{name}");
+        // The line has its twins: no line, two lines, events where there are none, none where there are.
+        let line = page
+            .lines()
+            .find(|line| line.starts_with("{{exercise "))
+            .expect("it is there");
+        let events = line.split('|').nth(2).expect("a field").trim();
+        with_events += usize::from(events != "none");
+        let other = if events == "none" { "it lands" } else { "none" };
+        for damaged in [
+            page.replace(line, ""),
+            page.replace(line, &format!("{line}\n{line}")),
+            page.replace(
+                line,
+                &line.replace(&format!("| {events} |"), &format!("| {other} |")),
+            ),
+        ] {
+            assert!(wrong_with_exercise(&damaged, &program).is_some(), "{name}");
+        }
+        assert!(
+            table.contains(&format!("\n{{{{exercises {group}}}}}\n")),
+            "{group} is in no table"
+        );
+        seen += 1;
+    }
+    assert!(
+        seen >= 13 && with_events >= 10,
+        "{seen} exercises, {with_events} with events"
+    );
 }

@@ -1,58 +1,34 @@
-//! Finds the examples and their tests in their directories: a new page is a new file.
+//! Finds the tests of the pages in their directory: a new page's test is a new file.
 //!
-//! `PAGES=STEM,STEM` in the environment leaves out all others: for one who writes a page.
+//! `PAGES=STEM,STEM` in the environment leaves out those of all other pages.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs};
-
-/// The stems of the Rust files in `directory`, sorted.
-fn stems(directory: &Path) -> Vec<String> {
-    println!("cargo::rerun-if-changed={}", directory.display());
-    let files = fs::read_dir(directory).expect("the directory can be read");
-    let paths = files.map(|file| file.expect("an entry").path());
-    let rust = paths.filter(|path| path.extension().is_some_and(|e| e == "rs"));
-    let mut stems: Vec<String> = rust
-        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
-        .collect();
-    stems.sort();
-    stems
-}
-
-/// `mod STEM;` for each file of `directory`.
-fn modules(directory: &Path, stems: &[String], public: &str) -> String {
-    let module = |stem: &String| {
-        let file = directory.join(format!("{stem}.rs"));
-        format!("#[path = {file:?}]\n{public}mod {stem};\n")
-    };
-    stems.iter().map(module).collect()
-}
 
 fn main() {
     let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("set by cargo"));
     println!("cargo::rerun-if-env-changed=PAGES");
+    println!("cargo::rerun-if-changed={}", here.display());
     let only = env::var("PAGES").unwrap_or_default();
-    let wanted = |stem: &String| only.is_empty() || only.split(',').any(|page| page == stem);
-    let examples = here.join("../../examples");
-    let all = stems(&examples);
-    let (pages, others): (Vec<_>, Vec<_>) = all.into_iter().partition(wanted);
-    let list: String = pages
-        .iter()
-        .map(|stem| format!("&{stem}::EXAMPLE, "))
+    // A test that is named for no example belongs to all pages.
+    let of_a_page = |stem: &str| here.join(format!("../../examples/{stem}.rs")).exists();
+    let wanted = |stem: &String| {
+        only.is_empty() || only.split(',').any(|page| page == stem) || !of_a_page(stem)
+    };
+    let files = fs::read_dir(&here).expect("the directory can be read");
+    let paths = files.map(|file| file.expect("an entry").path());
+    let rust = paths.filter(|path| path.extension().is_some_and(|e| e == "rs"));
+    let mut stems: Vec<String> = rust
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .filter(|stem| !["build", "tests"].contains(&stem.as_str()))
+        .filter(wanted)
         .collect();
-    let library = format!(
-        "{}\n/// Every example, in the order of the stems.\npub const ALL: &[&dyn Page] = &[{list}];\n\
-         /// Whether none was left out.\npub const WHOLE: bool = {};\n",
-        modules(&examples, &pages, "pub "),
-        others.is_empty()
-    );
-    fs::write(out.join("examples.rs"), library).expect("the output can be written");
-
-    // A test file named for no example belongs to all pages.
-    let tests: Vec<String> = stems(&here)
-        .into_iter()
-        .filter(|stem| !["build", "lib", "tests"].contains(&stem.as_str()))
-        .filter(|stem| !others.contains(stem))
-        .collect();
-    fs::write(out.join("tests.rs"), modules(&here, &tests, "")).expect("the output can be written");
+    stems.sort();
+    let module = |stem: &String| {
+        let file = here.join(format!("{stem}.rs"));
+        format!("#[path = {file:?}]\nmod {stem};\n")
+    };
+    let modules: String = stems.iter().map(module).collect();
+    fs::write(out.join("tests.rs"), modules).expect("the output can be written");
 }

@@ -22,6 +22,11 @@ fn other_discs_are_confirmed() {
         "--upper-rate=900 --lower-rate=-900 --tolerance=1e-6",
     ];
     confirmed(&EXAMPLE, runs, 5);
+    // Those that are laid down or slip backward are drawn as well.
+    for (drop, upper_rate) in [(0.0, 40.0), (0.2, -40.0)] {
+        let p = Parameters { drop, upper_rate, ..Parameters::default() };
+        assert_eq!(EXAMPLE.figures(&p).map(|drawn| drawn.len()), Ok(7));
+    }
 }
 
 #[test]

@@ -20,9 +20,10 @@ fn other_gears_are_confirmed() {
         "--inertia-a=0.01",
         "--rate=0.01 --friction=0.001",
         "--radius-a=3 --radius-b=0.02 --arm-rate=30",
+        "--rate=0.002 --arm-rate=700",
         "--tolerance=1e-6",
     ];
-    confirmed(&EXAMPLE, runs, 6);
+    confirmed(&EXAMPLE, runs, 7);
 }
 
 #[test]

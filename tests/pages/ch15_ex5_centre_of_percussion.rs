@@ -20,8 +20,9 @@ fn other_bats_are_confirmed() {
         "--ball=100 --speed=0.5",
         "--length=3 --hands=1.2 --hit=2.9 --contact=0.01",
         "--mass=0.02 --ball=0.003 --hit=0.85",
+        "--hit=0.04",
     ];
-    confirmed(&EXAMPLE, runs, 5);
+    confirmed(&EXAMPLE, runs, 6);
 }
 
 #[test]
@@ -32,6 +33,7 @@ fn what_is_not_on_the_bat_is_refused() {
         ("--hands=0.4", "hands/length = 0.47"),
         ("--hands=0.3 --hit=0.2", "hit/length = 0.23"),
         ("--restitution=1.2", "restitution = 1.2 is not allowed"),
+        ("--contact=0.1", "the angle in the time of contact, = 1.37"),
         ("--mass=nan", "not a finite number"),
     ];
     refused(&EXAMPLE, runs);
@@ -73,6 +75,10 @@ fn a_short_blow_is_an_impulse() {
     errors.attain(6.4e-4..=6.5e-4, 1);
     damaged.exceed(1.0, 1);
     assert!((cell(&EXAMPLE, "", ["table soft", "0.01", "J_h/J"]) - 0.2189).abs() < 1e-4);
+    // The push is even about its middle, so the bat turns at half of its last rate on the whole.
+    let turned = cell(&EXAMPLE, "", ["table soft", "0.001", "turned meanwhile / rad"]);
+    let last = cell(&EXAMPLE, "", ["effects", "the contact lasts", "value"]);
+    assert!((turned / last - 0.5).abs() < 0.01, "{turned} {last}");
 }
 
 /// The bending mode is that of a rod with two free ends.

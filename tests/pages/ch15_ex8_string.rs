@@ -32,9 +32,10 @@ fn other_strings_are_confirmed() {
         "--pull=0.01 --time=30",
         "--speed=30 --mass=5 --pull=0.5 --time=1",
         "--hole=0.01",
+        "--pull=0.005 --time=130",
         "--tolerance=1e-6",
     ];
-    confirmed(&EXAMPLE, runs, 6);
+    confirmed(&EXAMPLE, runs, 7);
 }
 
 #[test]
@@ -42,6 +43,7 @@ fn what_cannot_be_pulled_is_refused() {
     let runs = [
         ("--radius=-0.8", "radius = -0.8 is not allowed"),
         ("--pull=0", "pull = 0 is not allowed"),
+        ("--time=8e-9", "what is pulled in, = 1e-9 is not"),
         ("--time=7.6", "what is left of the string, = 0.04"),
         ("--hole=0.9", "hole/radius = 1.125"),
         ("--pull=400 --time=1e-3", "pull/speed = 266.6"),
@@ -65,7 +67,7 @@ fn the_spiral_and_the_tension() {
         assert!(tension > 1.0);
         force.add(tension, a.force(t), a.force(t));
         momentum.push(radius(&state) * across(&state) - 1.0);
-        damaged.push(r * 1.0 - 1.0);
+        damaged.push(r - 1.0);
     }
     path.attain(1.43e-9..=1.44e-9, 40);
     force.attain(3.02e-11..=3.03e-11, 40);

@@ -52,7 +52,7 @@ fn what_is_no_dumbbell_is_refused() {
 fn the_masses_run_on_cycloids() {
     let (mut errors, mut damaged) = (Errors::of("paths"), Errors::of("no turning"));
     let (a, reach) = (Answer::new(1.0, 0.0), 0.1);
-    let run = Blow::new(Hit { restitution: 1.0, slant: 0.0, reach }, 1e-13, 7.0).unwrap();
+    let run = Blow::new(Hit::across(1.0, reach), 1e-13, 7.0).unwrap();
     for k in 1..=30 {
         let angle = 0.3 * f64::from(k);
         let q = run.at(angle / a.angular_velocity).unwrap().q;
@@ -70,7 +70,7 @@ fn the_masses_run_on_cycloids() {
 #[test]
 fn each_mass_stands_still_once_a_turn() {
     let mut errors = Errors::in_units_of(EPS, "speed at a cusp");
-    let run = Blow::new(Hit { restitution: 1.0, slant: 0.0, reach: 0.1 }, 1e-13, 10.0).unwrap();
+    let run = Blow::new(Hit::across(1.0, 0.1), 1e-13, 10.0).unwrap();
     for (k, half) in [(0, 1.0), (1, 2.0), (0, 3.0), (1, 4.0)] {
         let state = run.at(half * PI / run.after.v[2]).unwrap();
         let v = velocities(&state)[k];
@@ -85,7 +85,7 @@ fn each_mass_stands_still_once_a_turn() {
 /// turn, and the ball only halfway there. Simulated for four turns, by formula for a hundred.
 #[test]
 fn small_masses_do_not_meet_again() {
-    let run = Blow::new(Hit { restitution: 1.0, slant: 0.0, reach: 0.02 }, 1e-6, 4.0 * TAU).unwrap();
+    let run = Blow::new(Hit::across(1.0, 0.02), 1e-6, 4.0 * TAU).unwrap();
     assert_eq!(run.later().count(), 0);
     let mut errors = Errors::of("place where a mass is level with the ball, over that of the ball");
     for k in 1..=200 {
@@ -121,7 +121,7 @@ fn half_restitution_hits_again() {
 #[test]
 fn around_one_half_it_depends_on_the_size() {
     let hits = |restitution: f64, reach: f64| {
-        let run = Blow::new(Hit { restitution, slant: 0.0, reach }, 1e-9, 7.0).unwrap();
+        let run = Blow::new(Hit::across(restitution, reach), 1e-9, 7.0).unwrap();
         run.later().count()
     };
     assert_eq!([0.3, 0.4, 0.6, 0.8, 1.0].map(|e| hits(e, 0.1)), [0, 1, 1, 0, 0]);

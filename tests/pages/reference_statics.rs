@@ -45,7 +45,7 @@ impl Told<'_> {
     }
 }
 
-const PROBLEMS: [Problem; 9] = [
+const PROBLEMS: [Problem; 11] = [
     Problem {
         name: "plate_corner",
         page: "ch15_3_moment_of_inertia",
@@ -154,15 +154,37 @@ const PROBLEMS: [Problem; 9] = [
             ("J", |t| t.claims("impulse")),
         ],
     },
+    Problem {
+        name: "corner",
+        page: "ch16_ex3_corner",
+        flags: "R radius m mass g gravity mu friction Omega spin",
+        fields: &[
+            ("N_floor", |t| t.claims("n_floor")),
+            ("N_wall", |t| t.claims("n_wall")),
+            ("alpha", |t| t.claims("alpha")),
+            ("t_stop", |t| t.claims("t_stop")),
+            ("turns", |t| t.claims("turns")),
+        ],
+    },
+    Problem {
+        name: "rod_disk",
+        page: "ch16_ex7_rod_and_disc",
+        flags: "l length m rod M disc R radius g gravity theta0 release",
+        fields: &[
+            ("I_rigid", |t| t.claims("inertia_fixed")),
+            ("I_free", |t| t.claims("inertia_free")),
+            ("T_small_rigid", |t| t.claims("period_fixed")),
+            ("T_amp_rigid", |t| t.claims("wide_fixed")),
+            ("T_small_free", |t| t.claims("period_free")),
+            ("T_amp_free", |t| t.claims("wide_free")),
+        ],
+    },
 ];
-
-/// The problems that have no page yet: a line goes as its page comes.
-const MISSING: [&str; 2] = ["corner", "rod_disk"];
 
 /// The largest factor K over the repository's cases.
 const MEASURED: core::ops::RangeInclusive<f64> = 0.66..=0.68;
 /// Fields that are judged there.
-const FIELDS: usize = 45;
+const FIELDS: usize = 56;
 /// The factor K promised for any other case.
 const PROMISED: f64 = 64.0;
 
@@ -273,7 +295,7 @@ fn every_problem_within_its_condition() {
     missing.sort_unstable();
     println!("{fields} fields judged; without a page: {missing:?}");
     if own && WHOLE {
-        assert_eq!(missing, MISSING);
+        assert!(missing.is_empty(), "without a page: {missing:?}");
         factors.attain(MEASURED, FIELDS);
     } else {
         println!("largest K {:.2}", factors.largest());

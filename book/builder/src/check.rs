@@ -38,7 +38,7 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
     let first = questions.first().map(|q| &q.data);
     let digits = first.and_then(|data| data["digits"].as_u64()).unwrap_or(4);
     Ok(format!(
-        "<form class=\"answer\" autocomplete=\"off\" aria-label=\"Check your answer: {stem}\">\
+        "<form class=\"answer\" data-stem=\"{stem}\" autocomplete=\"off\" aria-label=\"Check your answer: {stem}\">\
          <p class=\"head\">Check your answer</p>{}\
          <label>I computed <select name=\"key\">{}</select></label>\
          <label>and found <input name=\"value\" type=\"text\" spellcheck=\"false\" \
@@ -63,13 +63,20 @@ fn assumed(project: &Project, stem: &str) -> String {
         let [flag, value, unit, meaning] = row.as_slice() else {
             return None;
         };
-        let value = number_html(value).unwrap_or_else(|| escape(value));
+        // The script puts the numbers of a problem sheet in their places.
+        let (name, typed) = (flag.trim_start_matches("--"), escape(value));
+        let value = number_html(value).unwrap_or_else(|| typed.clone());
         let unit = match unit.as_str() {
             "-" => String::new(),
             unit => format!("\u{202f}{}", unit_html(unit)),
         };
         let meaning = notation::words(meaning);
-        (flag != "--tolerance").then(|| format!("<li>{meaning}: {value}{unit}</li>"))
+        let item = || {
+            format!(
+                "<li data-name=\"{name}\" data-value=\"{typed}\">{meaning}: <span>{value}</span>{unit}</li>"
+            )
+        };
+        (flag != "--tolerance").then(item)
     };
     let all: Vec<String> = parameters.rows().iter().filter_map(one).collect();
     format!(

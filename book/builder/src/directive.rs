@@ -16,9 +16,12 @@
 //! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` as two lines and a fold, with its times |
 //! | `{{measured RECORD:TABLE}}` | a table of `benches/record/RECORD.txt`, and under it on what it was measured |
 //! | `{{check STEM}}` | the answer box |
+//! | `{{exercise LEVEL \| SOLVED \| EVENTS \| TEACHES}}` | what the page's exercise is; see [`Exercise`] |
+//! | `{{exercises GROUP}}` | the table of the exercises whose stems begin so |
 //! | `{{test FILE::NAME}}` | a link to the test, which must exist |
 
 use crate::check;
+use crate::exercises::{self, Exercise};
 use crate::expand::Page;
 use crate::figure;
 use crate::measured;
@@ -66,6 +69,10 @@ pub enum Directive {
     Measured { record: String, table: String },
     /// The answer box.
     Check { stem: String },
+    /// What the page's exercise is.
+    Exercise(Exercise),
+    /// The table of the exercises whose stems begin so.
+    Exercises { group: String },
     /// A link to a test.
     Test { file: String, name: String },
 }
@@ -180,6 +187,14 @@ impl Directive {
                 stem: (*stem).to_owned(),
             }),
             ("check", _) => Err(wrong("check STEM")),
+            ("exercise", _) => {
+                let said = inner.trim_start().trim_start_matches("exercise");
+                Exercise::read(said).map(Self::Exercise)
+            }
+            ("exercises", [group]) if is_name(group) => Ok(Self::Exercises {
+                group: (*group).to_owned(),
+            }),
+            ("exercises", _) => Err(wrong("exercises GROUP")),
             ("test", [word]) => {
                 let (file, name) = word
                     .split_once("::")
@@ -197,7 +212,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
-                 listing, output, table, measured, check, test"
+                 listing, output, table, measured, check, exercise, exercises, test"
             )),
         }
     }
@@ -448,6 +463,15 @@ pub fn block(
             check::html(project, stem)?;
             let mark = Splice::Check { stem: stem.clone() }.mark("");
             Ok(format!("{indent}<div class=\"check\">{mark}</div>\n\n"))
+        }
+        Directive::Exercise(exercise) => Ok(format!("{indent}{}\n\n", exercise.html())),
+        Directive::Exercises { group } => {
+            exercises::html(project, group)?;
+            let mark = Splice::Exercises {
+                group: group.clone(),
+            }
+            .mark("");
+            Ok(format!("{indent}<div class=\"exercises\">{mark}</div>\n\n"))
         }
         Directive::Num { .. }
         | Directive::Param { .. }

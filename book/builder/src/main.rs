@@ -11,15 +11,11 @@ mod build;
 mod check;
 mod coverage;
 mod directive;
+mod exercises;
 mod expand;
-mod figure;
-mod fonts;
 mod frame;
 mod lint;
-mod maths;
 mod measured;
-mod mend;
-mod notation;
 mod pages;
 mod preprocess;
 mod problem;
@@ -31,9 +27,7 @@ mod source;
 mod splice;
 mod spoken;
 mod table;
-mod text;
 mod times;
-mod token;
 mod warnings;
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
@@ -44,6 +38,7 @@ use std::error::Error;
 use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use typeset::{figure, fonts, maths, mend, notation, text, token};
 
 fn command() -> Command {
     let supports = Command::new("supports")

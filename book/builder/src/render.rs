@@ -2,6 +2,7 @@
 //! it checked before the old book is replaced.
 
 use crate::check;
+use crate::exercises;
 use crate::figure;
 use crate::fonts;
 use crate::frame;
@@ -109,6 +110,7 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
         }
         Splice::Measured { record, table } => measured::html(project, record, table),
         Splice::Check { stem } => check::html(project, stem),
+        Splice::Exercises { group } => exercises::html(project, group),
     }
 }
 

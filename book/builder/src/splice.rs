@@ -34,6 +34,8 @@ pub enum Splice {
     Measured { record: String, table: String },
     /// The answer box.
     Check { stem: String },
+    /// The table of a group of exercises.
+    Exercises { group: String },
 }
 
 const OPEN: &str = "<span data-splice=\"";
@@ -75,6 +77,7 @@ impl Splice {
                 vec!["measured".into(), record.clone(), table.clone()]
             }
             Self::Check { stem } => vec!["check".into(), stem.clone()],
+            Self::Exercises { group } => vec!["exercises".into(), group.clone()],
         }
     }
 
@@ -108,6 +111,9 @@ impl Splice {
                 table: table.into(),
             },
             ["check", stem] => Self::Check { stem: stem.into() },
+            ["exercises", group] => Self::Exercises {
+                group: group.into(),
+            },
             _ => return None,
         })
     }
@@ -205,6 +211,7 @@ mod tests {
                 table: "ratios".into(),
             },
             Splice::Check { stem: "a".into() },
+            Splice::Exercises { group: "a".into() },
             Splice::Proof {
                 kind: "num".into(),
                 id: "p-1".into(),
@@ -221,7 +228,7 @@ mod tests {
             seen.push(splice.clone());
             Ok("!".into())
         });
-        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!"));
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!"));
         assert_eq!(seen, splices);
         // The damaged twin: a broken mark is an error, not text.
         assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());

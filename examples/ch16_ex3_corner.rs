@@ -1,0 +1,430 @@
+//! Exercise 16.3: a spinning cylinder is set down in a corner.
+
+#[path = "ch16_ex3_corner/figures.rs"]
+mod figures;
+
+use core::f64::consts::{SQRT_2, TAU};
+use rotation_dynamics::integrators::Dop853;
+use rotation_dynamics::math::log1p;
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, Surface, motion};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The cylinder of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// radius of the cylinder
+        radius: number(0.1, "m", from_to(1e-6, 1e6).usually(0.02, 0.5));
+        /// its mass
+        mass: number(3.0, "kg", above(0.0).usually(0.1, 10.0));
+        /// coefficient of friction, on the floor and on the wall
+        friction: number(0.25, "-", from_to(1e-3, 10.0).usually(0.05, 3.0));
+        /// angular velocity at the start
+        spin: number(60.0, "rad/s", above(0.0).usually(5.0, 100.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// what changes: how friction falls with the slip speed s, as 1/(1 + fading s)
+        fading: number(0.05, "s/m", from_to(1e-4, 10.0).usually(0.01, 0.5));
+        /// the moving picture: the sense that presses it to the wall, or the other one
+        sense: choice("pressed", "away");
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+/// A cylinder between a floor and a wall on its left, per unit of its mass; lengths in units
+/// of its radius R, times in units of sqrt(R/g).
+#[derive(Debug, Clone, Copy)]
+pub struct Cylinder {
+    /// Coefficients of friction of floor and wall, at rest.
+    pub mu: [f64; 2],
+    /// They fall as 1/(1 + fading s) with the slip speed s.
+    pub fading: f64,
+    /// How far the wall leans back, rad.
+    pub lean: f64,
+}
+
+// ANCHOR: scene
+/// The coordinates are `[x, y, turned]`: how far the axis is to the right of where it is set
+/// down, how high it is, and the angle, counterclockwise.
+impl Mechanism<3, 6, 2> for Cylinder {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]]
+    }
+
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0, -1.0, 0.0]
+    }
+
+    fn contacts(&self, cylinder: &State<3>) -> [Contact<3>; 2] {
+        let ((s, c), [vx, vy, spin]) = (sincos(self.lean), cylinder.v);
+        let (normal, offset) = ([c, s], s - 1.0);
+        let mu = |i: usize, slip: f64| self.mu[i] / (1.0 + self.fading * slip.abs());
+        let touching = |name, surface| Contact::rim(name, cylinder, 1.0, surface);
+        [
+            touching("floor", Surface::FLOOR).friction(mu(0, vx + spin)),
+            touching("wall", Surface { normal, offset }).friction(mu(1, s * vx - c * vy + spin)),
+        ]
+    }
+}
+// ANCHOR_END: scene
+
+/// A motion of the cylinder.
+pub type Ride = Motion<Cylinder, 3, 6, 2>;
+
+// ANCHOR: forms
+impl Cylinder {
+    /// Floor and wall alike, the wall upright, friction that does not ask for the speed.
+    pub fn alike(mu: f64) -> Self {
+        let mu = [mu, mu];
+        Self {
+            mu,
+            fading: 0.0,
+            lean: 0.0,
+        }
+    }
+
+    /// Forces of floor and wall over the weight, while both slip counterclockwise.
+    pub fn pressed(&self) -> [f64; 2] {
+        let ((s, c), [floor, wall]) = (sincos(self.lean), self.mu);
+        // What the wall pushes to the right, and upward, for each unit of its force.
+        let (across, up) = (c - wall * s, s + wall * c);
+        let carried = across / (across + floor * up);
+        [carried, floor * carried / across]
+    }
+
+    /// The angular deceleration then, in g/R.
+    pub fn braking(&self) -> f64 {
+        let [floor, wall] = self.pressed();
+        2.0 * (self.mu[0] * floor + self.mu[1] * wall)
+    }
+}
+
+/// The time to the stop from the spin `w` if friction fades, in sqrt(R/g): alike surfaces.
+pub fn faded(mu: f64, fading: f64, w: f64) -> f64 {
+    let more = 2.0 * mu / fading * log1p(fading * w / (1.0 + mu));
+    0.5 * (w / mu * (1.0 + 0.5 * fading * w) + (more - w))
+}
+// ANCHOR_END: forms
+
+/// The motion from rest with this spin, set down in the corner, until then.
+pub fn set_down(cylinder: Cylinder, spin: f64, end: f64, step: f64) -> Result<Ride> {
+    let start = State {
+        q: [0.0, 1.0, 0.0],
+        v: [0.0, 0.0, spin],
+    };
+    motion(cylinder, &Dop853::new(step)?, start, end)
+}
+
+// ANCHOR: wrong
+/// Wrong: velocity of the axis and spin after each of equal steps, as many programs have it:
+/// friction is mu N, against the sign of the slip, whatever the slip.
+pub fn by_sign(mu: f64, spin: f64, away: bool, end: f64, steps: u32) -> Vec<[f64; 2]> {
+    let (mut v, mut spin, h) = (0.0, spin, end / f64::from(steps));
+    let [floor, wall] = if away {
+        [1.0, 0.0]
+    } else {
+        Cylinder::alike(mu).pressed()
+    };
+    let step = |_| {
+        let sign = f64::signum(v + spin);
+        spin -= 2.0 * mu * (floor + wall) * sign * h;
+        v += (wall - mu * floor * sign) * h * f64::from(u8::from(away));
+        [v, spin]
+    };
+    (0..steps).map(step).collect()
+}
+// ANCHOR_END: wrong
+
+/// What the page computes with: spin in units of sqrt(g/R), and units of time, force, speed.
+struct Units {
+    spin: f64,
+    time: f64,
+    weight: f64,
+    speed: f64,
+}
+
+fn units(p: &Parameters) -> Result<Units> {
+    let time = (p.radius / p.gravity).sqrt();
+    let spin = p.spin * time;
+    from_to(1e-4, 1e5).check("spin sqrt(R/g)/friction", spin / p.friction)?;
+    let (weight, speed) = (p.mass * p.gravity, p.radius / time);
+    Ok(Units {
+        spin,
+        time,
+        weight,
+        speed,
+    })
+}
+
+/// Both senses, each to twice the time after which nothing changes any more.
+fn senses(p: &Parameters) -> Result<[Ride; 2]> {
+    let (cylinder, w) = (Cylinder::alike(p.friction), units(p)?.spin);
+    let (stop, roll) = (w / cylinder.braking(), w / (3.0 * p.friction));
+    Ok([
+        set_down(cylinder, w, 2.0 * stop, p.tolerance)?,
+        set_down(cylinder, -w, 2.0 * roll, p.tolerance)?,
+    ])
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (
+        Units {
+            spin,
+            time,
+            weight,
+            speed,
+        },
+        mu,
+    ) = (units(p)?, p.friction);
+    let (unit, [pressed, away]) = (p.gravity / p.radius, senses(p)?);
+    let [stops, rolls] = [pressed.event("floor sticks")?, away.event("floor sticks")?];
+    let ([floor, wall], end) = (
+        pressed.forces(0.5 * stops.t)?,
+        pressed.at(pressed.end_time())?,
+    );
+    let (n_floor, n_wall) = (weight / (1.0 + mu * mu), mu * weight / (1.0 + mu * mu));
+    let alpha = 2.0 * mu * (1.0 + mu) / (1.0 + mu * mu) * unit;
+    let (stop, roll, exact) = (
+        p.spin / alpha,
+        p.spin * p.radius / (3.0 * mu * p.gravity),
+        1e-12,
+    );
+    let (turns, v_roll) = (0.5 * stop * p.spin / TAU, p.spin * p.radius / 3.0);
+    let (heat, v) = (
+        0.25 * p.mass * p.radius * p.radius * p.spin * p.spin,
+        rolls.after.v,
+    );
+    let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
+    let joule = weight * p.radius;
+    let slower = Cylinder {
+        fading: p.fading * speed,
+        ..Cylinder::alike(mu)
+    };
+    let faded = faded(mu, slower.fading, spin) * time;
+    let fades = set_down(slower, spin, 2.0 * faded / time, p.tolerance)?;
+    claims! { report,
+        /// force of the floor
+        n_floor: n_floor, "N", "contact forces" => floor.normal * weight, within exact * n_floor,
+        in "Pressed to the wall":
+            weight => "the wall rubs as well: which way?",
+            weight / (1.0 - mu * mu).abs().max(1e-3) => "which way does the surface slip along the wall?",
+            n_wall => "that is the other one";
+        /// force of the wall
+        n_wall: n_wall, "N", "contact forces" => wall.normal * weight, within exact * n_wall,
+        in "Pressed to the wall":
+            mu * weight => "the floor does not carry the whole weight",
+            mu * n_wall => "that is the friction on the wall";
+        /// angular deceleration
+        alpha: alpha, "rad/s^2", "simulated" => (spin - pressed.at(0.5 * stops.t)?.v[2]) / (0.5 * stops.t) * unit,
+        within 10.0 * exact * alpha, in "Pressed to the wall":
+            0.5 * alpha => "that is for a thin tube",
+            2.0 * mu * unit => "two surfaces rub",
+            4.0 * mu * unit => "neither force is the weight",
+            2.0 * mu * (1.0 + mu) * unit => "the floor does not carry the whole weight";
+        /// time to the stop
+        t_stop: stop, "s", "located event" => stops.t * time, within exact * stop,
+        in "Pressed to the wall":
+            2.0 * stop => "that is for a thin tube",
+            0.5 * p.spin / (mu * unit) => "two surfaces rub";
+        /// turns until then
+        turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns,
+        in "Pressed to the wall":
+            2.0 * turns => "it slows down on the way",
+            turns * TAU => "that is in radians";
+        /// heat
+        heat: heat, "J", "friction times slip" => (rubbed[0] + rubbed[1]) * joule, within exact * heat,
+        in "Pressed to the wall":
+            2.0 * heat => "a uniform cylinder has half of that moment of inertia";
+        /// part of it that the wall gets
+        wall_share: mu / (1.0 + mu), "-", "friction times slip" => rubbed[1] / (rubbed[0] + rubbed[1]),
+        within exact, in "Pressed to the wall";
+        /// the other sense: when it rolls
+        t_roll: roll, "s", "located event" => rolls.t * time, within exact * roll,
+        in "The other sense":
+            1.5 * roll => "it has only to roll, not to stop turning",
+            3.0 * roll => "while it gets faster it also turns slower",
+            stop => "nothing presses it to the wall";
+        /// at this speed
+        v_roll: v_roll, "m/s", "simulated" => v[0] * speed, within exact * v_roll,
+        in "The other sense":
+            3.0 * v_roll => "while it gets faster it also turns slower",
+            1.5 * v_roll => "a uniform cylinder has half of that moment of inertia";
+        /// how far from the corner
+        way: 0.5 * v_roll * roll, "m", "simulated" => rolls.after.q[0] * p.radius, within exact * v_roll * roll,
+        in "The other sense":
+            v_roll * roll => "it starts from rest";
+        /// part of the energy that is left
+        kept: 1.0 / 3.0, "-", "simulated" => (2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin), within exact,
+        in "The other sense";
+        /// pressed, friction that fades: time to the stop
+        t_fading: faded, "s", "located event" => fades.event("floor sticks")?.t * time,
+        within (exact + 100.0 * p.tolerance) * faded;
+    }
+}
+
+/// Smooth and rough surfaces.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let braking = |mu| Cylinder::alike(mu).braking();
+    let (best, h) = (1.0 + SQRT_2, 1e-4);
+    let slope = (1.0 / braking(best + h) - 1.0 / braking(best - h)) / (2.0 * h);
+    let steady = faded(p.friction, 1e-6, 1.0) * braking(p.friction);
+    limits! { report,
+        /// the wall presses as little as the floor rubs: the brake of a floor alone
+        "mu = x: alpha R/(2 mu g)": braking(1e-9) / 2e-9 => 1.0, within 1e-8;
+        /// and here as well: what the wall adds it takes from the floor
+        "mu = 1: alpha R/(2 mu g)": 0.5 * braking(1.0) => 1.0, within 1e-15;
+        /// the friction of the wall carries the weight, with the lever R
+        "mu = 1/x: alpha R/g": braking(1e9) => 2.0, within 1e-8;
+        /// there it stops soonest
+        "mu = 1 + sqrt 2: slope of t_stop over mu": slope => 0.0, within 1e-8;
+        /// friction that does not fade
+        "fading = x: t_fading/t_stop": steady => 1.0, within 1e-5;
+    }
+}
+
+/// The card of effects; the air rubs at a wooden cylinder (700 kg/m^3) with 0.01 of rho v^2/2.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (mu, u, cylinder) = (p.friction, units(p)?, Cylinder::alike(p.friction));
+    let (alpha, rim) = (cylinder.braking(), p.spin * p.radius);
+    let leaning = Cylinder {
+        lean: TAU / 360.0,
+        ..cylinder
+    };
+    let drop = (2.0 * 1e-3 / p.radius).sqrt() * alpha / u.spin;
+    // Torque over that of the friction: the length of the cylinder follows from its mass.
+    let air = 1.204 * 0.01 * rim * rim * 2.0 / (700.0 * p.radius * p.gravity * alpha);
+    let fades = faded(mu, p.fading * u.speed, u.spin) * alpha / u.spin - 1.0;
+    let yields = 1e-4 / (mu * p.radius);
+    effect_card! { report,
+        "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop";
+        "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop";
+        "set down from 1 mm above": "sqrt(2 h/g)/t_stop" = drop, costs -drop, "of t_stop";
+        "surfaces that yield, normal forces 0.1 mm ahead": "d/(mu R)" = yields, costs -yields, "of t_stop";
+        "air": "torque over that of friction" = air, costs -air / 3.0, "of t_stop";
+    }
+}
+
+/// The accuracy strip: the stop if friction fades, where forces change on the way.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (u, mu) = (units(p)?, p.friction);
+    let (spin, fading) = (u.spin, p.fading * u.speed);
+    let cylinder = Cylinder {
+        fading,
+        ..Cylinder::alike(mu)
+    };
+    let stop = faded(mu, fading, spin);
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, rotation_dynamics::Error>(faded(mu, fading, part * spin))
+    }));
+    let run = move |step| set_down(cylinder, spin, 2.0 * stop, step);
+    let error = move |ride: &Ride| Ok((ride.event("floor sticks")?.t / stop - 1.0).abs());
+    report.dial("DOP853, error of a step", asked, run, Ride::work, error)
+}
+
+/// Other surfaces: forces and time to the stop, and the same time simulated.
+fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (u, mu, degrees) = (units(p)?, p.friction, TAU / 360.0);
+    let one = Cylinder::alike(mu);
+    let columns = [
+        "surfaces",
+        "N_floor/Mg",
+        "N_wall/Mg",
+        "t_stop / s",
+        "simulated / s",
+    ];
+    let mut table = Table::new("surfaces", columns)?;
+    for (name, cylinder) in [
+        ("as above", one),
+        (
+            "a smooth wall",
+            Cylinder {
+                mu: [mu, 0.0],
+                ..one
+            },
+        ),
+        (
+            "a wall twice as rough",
+            Cylinder {
+                mu: [mu, 2.0 * mu],
+                ..one
+            },
+        ),
+        (
+            "a floor twice as rough",
+            Cylinder {
+                mu: [2.0 * mu, mu],
+                ..one
+            },
+        ),
+        (
+            "a wall that leans back by 20 degrees",
+            Cylinder {
+                lean: 20.0 * degrees,
+                ..one
+            },
+        ),
+        (
+            "one that overhangs by 20 degrees",
+            Cylinder {
+                lean: -20.0 * degrees,
+                ..one
+            },
+        ),
+    ] {
+        let [floor, wall] = cylinder.pressed();
+        // Rougher than that, it climbs out on a wall that leans and jams under one that overhangs.
+        if cylinder.lean != 0.0 && mu > 1.0 {
+            continue;
+        }
+        let stop = u.spin / cylinder.braking();
+        let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance)?;
+        let stopped = ride.event("floor sticks")?.t;
+        let cells = [floor, wall, stop * u.time, stopped * u.time];
+        table.push(
+            [name.into()]
+                .into_iter()
+                .chain(cells.map(|x| format!("{x:.7}"))),
+        )?;
+    }
+    report.add(table)
+}
+
+/// What the law of signs makes of the stop.
+fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (w, cylinder) = (units(p)?.spin, Cylinder::alike(p.friction));
+    let stop = w / cylinder.braking();
+    let columns = [
+        "steps until t_stop",
+        "spin left / Omega",
+        "steps that change its sign",
+    ];
+    let mut table = Table::new("signs", columns)?;
+    for steps in [100, 1000, 10_000] {
+        // The stop comes within a step, as it does unless one is lucky.
+        let end = 2.0 * stop * f64::from(steps) / (f64::from(steps) + 0.4);
+        let all = by_sign(p.friction, w, false, end, 2 * steps);
+        let after = &all[steps as usize + 1..];
+        let left = after
+            .iter()
+            .fold(0.0, |m: f64, [_, spin]| m.max(spin.abs()));
+        let changes = after
+            .windows(2)
+            .filter(|pair| pair[0][1] * pair[1][1] < 0.0)
+            .count();
+        let part = changes as f64 / (after.len() - 1) as f64;
+        table.push([
+            steps.to_string(),
+            format!("{:.1e}", left / w),
+            format!("{part:.2}"),
+        ])?;
+    }
+    report.add(table)
+}
+
+example! {
+    ch16_ex3_corner: "Exercise 16.3: a spinning cylinder is set down in a corner";
+    "A spinning cylinder in a corner", "A cylinder that spins is set down between a floor and a wall.",
+    [claims, limits, effects, accuracy, surfaces, signs];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

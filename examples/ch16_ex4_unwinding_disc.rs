@@ -1,0 +1,264 @@
+//! Exercise 16.4: a disc falls and unwinds from a string, to the end of the string and over it.
+
+#[path = "ch16_ex4_unwinding_disc/figures.rs"]
+mod figures;
+#[path = "ch16_ex4_unwinding_disc/string.rs"]
+pub mod string;
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::exact::{Modulus, legendre};
+use rotation_dynamics::planar::Run;
+use rotation_dynamics::report::prelude::*;
+use string::{Disc, Leaves, long_string};
+
+parameters! {
+    /// The disc of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// mass of the disc
+        mass: number(3.0, "kg", above(0.0).usually(0.5, 5.0));
+        /// its radius, on which the string is wound
+        radius: number(0.2, "m", above(0.0).usually(0.05, 0.3));
+        /// its moment of inertia over M R^2: 1/2 for a disc, 1 for a hoop
+        shape: number(0.5, "-", from_to(1e-2, 1e2).usually(0.1, 2.0));
+        /// length of the string that is wound up
+        wound: number(1.0, "m", above(0.0).usually(0.3, 3.0));
+        /// length between the roof and the disc at the start
+        free: number(0.3, "m", above(0.0).usually(0.25, 2.0));
+        /// when the velocities are asked for
+        time: number(0.5, "s", above(0.0).usually(0.1, 0.55));
+        /// E A of a string that gives: of nylon, 2 mm thick
+        stiffness: number(9400.0, "N", above(0.0).usually(1000.0, 50000.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// error of a step of the simulations: from 1e-15 to 1e-6
+        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+    }
+}
+
+// ANCHOR: answer
+/// The fall while the string unwinds, in SI units.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    pub acceleration: f64,
+    pub tension: f64,
+    radius: f64,
+}
+
+impl Answer {
+    pub fn new(p: &Parameters) -> Self {
+        let acceleration = p.gravity / (1.0 + p.shape);
+        let tension = p.mass * p.gravity * p.shape / (1.0 + p.shape);
+        Self {
+            acceleration,
+            tension,
+            radius: p.radius,
+        }
+    }
+    pub fn velocity(&self, t: f64) -> f64 {
+        self.acceleration * t
+    }
+    pub fn angular_velocity(&self, t: f64) -> f64 {
+        self.velocity(t) / self.radius
+    }
+    /// The time after which this much string has unwound.
+    pub fn unwound(&self, length: f64) -> f64 {
+        (2.0 * length / self.acceleration).sqrt()
+    }
+}
+// ANCHOR_END: answer
+
+/// The disc in units of its radius, and of its mass and g.
+pub fn disc(p: &Parameters) -> Result<Disc> {
+    let (wound, free) = (p.wound / p.radius, p.free / p.radius);
+    from_to(1.0, 1e3).check("wound/radius", wound)?;
+    from_to(1.01, 1e6).check("free/radius, 1 where the disc touches the roof,", free)?;
+    let all = Answer::new(p).unwound(p.wound);
+    from_to(0.0, all).check("time, while there is string to unwind,", p.time)?;
+    Ok(Disc {
+        shape: p.shape,
+        wound,
+        free,
+    })
+}
+
+/// The largest tension over the weight if the string is so long that it stays vertical.
+pub fn long_peak(d: &Disc) -> f64 {
+    1.0 + 2.0 * (d.wound + 1.0) / d.shape
+}
+
+/// What a string of this stiffness would give in a turn with this tension, in radii.
+fn gives(d: &Disc, peak: f64, stiffness: f64) -> f64 {
+    peak * d.length() / stiffness
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (d, a, bound) = (disc(p)?, Answer::new(p), 1e3 * p.tolerance);
+    let (g, weight, k) = (p.gravity, p.mass * p.gravity, p.shape);
+    let (second, speed) = ((p.radius / g).sqrt(), (p.radius * g).sqrt());
+    let run = d.run(p.tolerance)?;
+    let [_, _, _, _, fall, spin] = run.at(p.time / second)?.1;
+    let ends = run.transition("all unwound")?;
+    let taut = d.taut(Leaves::Unwinding, &ends.before);
+    let (v, w) = (a.velocity(p.time), a.angular_velocity(p.time));
+    let end = a.unwound(p.wound);
+    let last = a.velocity(end);
+    // What follows, by two routes.
+    let over = run.transition("winds up")?;
+    let (peak, after) = (d.peak(&run)?, d.by_angles(1e-14)?);
+    let firm = p.stiffness / weight;
+    from_to(10.0, 1e6).check("stiffness/(M g)", firm)?;
+    let [soft, stored] = d.softly(&ends.before, firm, 1e-14)?;
+    let climbs = run.transition("top").is_ok();
+    let top = || {
+        let top = run.transition("top")?;
+        let length = p.radius * d.taut(Leaves::Winding, &top.before).margin;
+        Ok::<_, rotation_dynamics::Error>([length, (top.t - over.t) * second])
+    };
+    let [climb, rise] = if climbs { top()? } else { [0.0; 2] };
+    let [upright, _] = long_string(k, d.wound, 1e-14)?;
+    let long = long_peak(&d);
+    claims! { report,
+        /// acceleration of the centre, downward
+        a: a.acceleration, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g,
+        in "While the string unwinds":
+            g => "the string pulls as well",
+            g / k => "the weight has no moment about the centre; which force turns the disc?",
+            weight * k / (1.0 + k) / p.mass => "that is the tension over the mass";
+        /// tension
+        tension: a.tension, "N", "simulated" => weight * taut.tension, within bound * weight,
+        in "While the string unwinds":
+            weight => "then the disc would not fall",
+            weight / (1.0 + k) => "that is the mass times the acceleration, and the string pulls upward";
+        /// velocity of the centre at that time
+        v: v, "m/s", "simulated" => -speed * fall, within bound * v, in "While the string unwinds":
+            g * p.time => "the string pulls as well";
+        /// angular velocity at that time
+        omega: w, "rad/s", "simulated" => spin / second, within bound * w, in "While the string unwinds":
+            v => "divide by the radius",
+            g * p.time / p.radius => "the string pulls as well",
+            w / (2.0 * PI) => "not turns but radians a second";
+        /// part of the kinetic energy that is in the rotation
+        rotation: k / (1.0 + k), "-", "simulated" => k * spin * spin / (fall * fall + k * spin * spin), within bound,
+        in "While the string unwinds":
+            k => "that is its ratio to the other part";
+        /// when all string is unwound
+        t_end: end, "s", "located event" => ends.t * second, within bound * end, in "At the end of the string":
+            (2.0 * p.wound / g).sqrt() => "it does not fall freely";
+        /// velocity then
+        v_end: last, "m/s", "located event" => -speed * ends.before[4], within bound * last,
+        in "At the end of the string":
+            (2.0 * g * p.wound).sqrt() => "part of the energy is in the rotation";
+        /// angular velocity then
+        omega_end: last / p.radius, "rad/s", "located event" => ends.before[5] / second, within bound * last / p.radius,
+        in "At the end of the string";
+        /// time in which the disc turns over the knot
+        turn: (over.t - ends.t) * second, "s", "Lagrange, in angles" => after.turn * second, within 10.0 * bound * second;
+        /// largest tension on the way
+        peak: weight * peak, "N", "Lagrange, in angles" => weight * after.peak, within 10.0 * bound * weight * peak;
+        /// the same over the weight
+        peak_weights: peak, "-", "Lagrange, in angles" => after.peak, within 10.0 * bound * peak;
+        /// the same on a very long string
+        peak_long: long, "-", "upright string, simulated" => upright, within bound * long, in "At the end of the string":
+            1.0 + 2.0 * d.wound / (1.0 + k) => "at its lowest point the disc turns faster than before";
+        /// largest tension of a string that gives
+        peak_soft: weight * soft, "N", "energy stored in it" => weight * stored, within 1e-9 * weight * soft, if gives(&d, peak, firm) < 1.0;
+        /// string that is wound up again at the top
+        climb: climb, "m", "Lagrange, in angles" => p.radius * after.climb, within 1e2 * bound * p.wound, if climbs;
+        /// the time this takes
+        rise: rise, "s", "Lagrange, in angles" => after.rise * second, within 1e2 * bound * rise, if climbs;
+    }
+}
+
+/// A hoop, a weight with a thread, and turns over the knot with nothing sideways or no gravity.
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
+    let over_g = |shape: f64| {
+        Answer::new(&Parameters {
+            shape,
+            gravity: 1.0,
+            ..Parameters::default()
+        })
+        .acceleration
+    };
+    let disc = |wound, free| Disc {
+        shape: 0.5,
+        wound,
+        free,
+    };
+    let (long, fast) = (disc(5.0, 1e6), disc(1e6, 2e6));
+    let (run, after) = (long.run(1e-14)?, long.by_angles(1e-14)?);
+    let quarter = legendre::e(FRAC_PI_2, Modulus::from_k((1.0_f64 / 1.5).sqrt())?)?;
+    let swift = long_string(0.5, fast.wound, 1e-14)?[1] * (2.0 * fast.wound / 1.5).sqrt();
+    limits! { report,
+        /// all mass at the rim: M g s = M v^2
+        "hoop: a/g": over_g(1.0) => 0.5, within 1e-15;
+        /// a point on a thread falls freely
+        "I/(M R^2) = x: a/g": over_g(1e-9) => 1.0, within 1e-8;
+        /// it hangs still
+        "I/(M R^2) = 1/x: a/g": over_g(1e9) => 0.0, within 1e-8;
+        /// nothing pulls sideways: 1 + 2 (s_0 + R) M R/I
+        "string of 1e6 R: peak/(M g)": long.peak(&run)? => 25.0, within 1e-4;
+        /// and the disc comes back to where it started
+        "string of 1e6 R: wound up again/s_0": after.climb / 5.0 => 1.0, within 1e-6;
+        /// no gravity in the turn: 2 E(1/(1 + k)), an elliptic integral
+        "s_0 = 1e6 R: turn v/R": swift => 2.0 * quarter, within 2e-6;
+    }
+}
+
+/// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (d, a, weight) = (disc(p)?, Answer::new(p), p.mass * p.gravity);
+    let (k, area) = (p.shape, 1e-6 * PI);
+    let thick = 1e-3 / p.radius;
+    let string = 1150.0 * area * p.wound / p.mass;
+    let hangs = a.tension / p.stiffness;
+    let run = d.run(p.tolerance)?;
+    let (start, peak) = (run.transition("all unwound")?.before, d.peak(&run)?);
+    let firm = p.stiffness / weight;
+    let jerked = gives(&d, peak, firm);
+    // If it gives by a radius or more, the turn is another.
+    let spared = match jerked < 1.0 {
+        true => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
+        false => 1.0,
+    };
+    let width = p.mass / (7850.0 * PI * p.radius * p.radius);
+    let last = a.velocity(a.unwound(p.wound));
+    let air = 0.5 * 1.204 * 2.0 * p.radius * width * last * last / weight;
+    effect_card! { report,
+        "stretch of the string, at the turn": "T_max l/(R E A)" = jerked, costs spared, "of T_max";
+        "thickness of the string": "d/(2 R)" = thick, costs 2.0 * thick * k / (1.0 + k), "of a";
+        "mass of the string": "m/M" = string, costs string * (1.0 - k).abs() / (1.0 + k), "of a, at the start";
+        "stretch of the string, in the fall": "T/(E A)" = hangs, costs hangs, "of the way";
+        "air drag, at the end": "rho C S v^2/(2 M g)" = air, costs air, "of a, at the end";
+    }
+}
+
+/// The accuracy strip: the string that is wound up at the top, by Newton's law.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (d, a, end) = (disc(p)?, Answer::new(p), Answer::new(p).unwound(p.wound));
+    let climb = d.by_angles(1e-15)?.climb;
+    let error = move |run: &Run<Leaves, 6>| {
+        let last = run
+            .transitions()
+            .last()
+            .map_or(run.legs()[0].solution.end_state(), |event| &event.before);
+        Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
+    };
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, rotation_dynamics::Error>([a.velocity(part * end), a.angular_velocity(part * end)])
+    }));
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    report.dial(
+        "DOP853, error of a step",
+        asked,
+        move |step| d.run(step),
+        Run::work,
+        error,
+    )
+}
+
+example! {
+    ch16_ex4_unwinding_disc: "Exercise 16.4: a disc falls and unwinds from a string";
+    "A disc on a string", "A disc falls and unwinds from a string, to the end of the string and over it.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

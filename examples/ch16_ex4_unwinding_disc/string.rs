@@ -1,0 +1,285 @@
+//! A disc on a string that is wound on its rim and tied to it, in a plane: Newton's law, and the
+//! same by Lagrange in angles. Mass, radius and g are 1; x to the right, y up, the hook at (0, 0).
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::Result;
+use rotation_dynamics::integrators::{Dop853, Event, Solution, ode};
+use rotation_dynamics::math::{atan2, hypot, sin, sincos};
+use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
+use rotation_dynamics::report::times;
+
+/// The disc, and its string at the start.
+#[derive(Debug, Clone, Copy)]
+pub struct Disc {
+    /// Moment of inertia.
+    pub shape: f64,
+    /// Length of the string that is wound up.
+    pub wound: f64,
+    /// Length between hook and disc.
+    pub free: f64,
+}
+
+/// Where the string leaves the disc.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Leaves {
+    /// Its rim, the disc on the left of the string.
+    Unwinding,
+    /// The knot at its end.
+    Knot,
+    /// Its rim, the disc on the right.
+    Winding,
+}
+
+/// What the taut string does.
+#[derive(Debug, Clone, Copy)]
+pub struct Taut {
+    /// From the centre of the disc to where the string leaves it.
+    pub arm: [f64; 2],
+    pub tension: f64,
+    /// Acceleration of the centre.
+    pub acceleration: [f64; 2],
+    /// Angular acceleration.
+    pub spin: f64,
+    /// What must not be negative: length wound up, or how far the knot has turned away.
+    pub margin: f64,
+    /// The rate at which string is wound up or, negative, unwound.
+    pub winds: f64,
+}
+
+// ANCHOR: newton
+impl Disc {
+    pub fn length(&self) -> f64 {
+        self.wound + self.free
+    }
+
+    /// The string where it is taut. The state: the centre, the direction from it to the knot,
+    /// and their rates. The string pulls along `-u` at the end of the arm, which turns the disc
+    /// by `-tension * lever`; its far end is at rest, so there the acceleration is known.
+    pub fn taut(&self, leaves: Leaves, &[x, y, knot, vx, vy, rate]: &[f64; 6]) -> Taut {
+        let (sk, ck) = sincos(knot);
+        // The side of the string on which the disc is.
+        let side = if leaves == Leaves::Winding { 1.0 } else { -1.0 };
+        let ([ux, uy], arm, bend, margin, winds);
+        if leaves == Leaves::Knot {
+            let (far, [wx, wy]) = (hypot(x + ck, y + sk), [vx - rate * sk, vy + rate * ck]);
+            [ux, uy] = [(x + ck) / far, (y + sk) / far];
+            let along = ux * ck + uy * sk;
+            let across = ux * wy - uy * wx;
+            arm = [ck, sk];
+            bend = across * across / far - rate * rate * along;
+            (margin, winds) = (-along, 0.0);
+        } else {
+            let square = x * x + y * y;
+            let straight = (square - 1.0).sqrt();
+            [ux, uy] = [
+                (straight * x + side * y) / square,
+                (straight * y - side * x) / square,
+            ];
+            let across = ux * vy - uy * vx;
+            arm = [side * uy, -side * ux];
+            bend = across * across / straight;
+            let angle = atan2(ux, -uy) + if side > 0.0 { PI } else { 0.0 };
+            (margin, winds) = (side * (knot - angle), side * (rate - across / straight));
+        }
+        let lever = arm[0] * uy - arm[1] * ux;
+        let tension = (bend - uy) / (1.0 + lever * lever / self.shape);
+        let acceleration = [-tension * ux, -tension * uy - 1.0];
+        let spin = -tension * lever / self.shape;
+        Taut {
+            arm,
+            tension,
+            acceleration,
+            spin,
+            margin,
+            winds,
+        }
+    }
+    // ANCHOR_END: newton
+
+    /// The motion from rest: down, over the knot, and up until no more string is wound up.
+    pub fn run(&self, step: f64) -> Result<Run<Leaves, 6>> {
+        let start = [-1.0, -self.free, -self.wound, 0.0, 0.0, 0.0];
+        simulate(self, &Dop853::new(step)?, Leaves::Unwinding, start, 1e5)
+    }
+
+    /// Energy of a state, from the hook.
+    pub fn energy(&self, &[_, y, _, vx, vy, rate]: &[f64; 6]) -> f64 {
+        0.5 * (vx * vx + vy * vy + self.shape * rate * rate) + y
+    }
+
+    /// The largest tension on the knot.
+    pub fn peak(&self, run: &Run<Leaves, 6>) -> Result<f64> {
+        let span = [
+            run.transition("all unwound")?.t,
+            run.transition("winds up")?.t,
+        ];
+        highest(span, |t| {
+            Ok(self
+                .taut(Leaves::Knot, &run.legs()[1].solution.at(t)?)
+                .tension)
+        })
+        .map(|[_, peak]| peak)
+    }
+
+    /// The turn from this state on a string that gives, with the force `stiffness` for a stretch
+    /// of its own length: its largest tension, and the same from the energy at that moment.
+    pub fn softly(&self, start: &[f64; 6], stiffness: f64, step: f64) -> Result<[f64; 2]> {
+        // Before the turn it is stretched already.
+        let own = self.length() / (1.0 + self.taut(Leaves::Knot, start).tension / stiffness);
+        let string = move |&[x, y, knot, ..]: &[f64; 6]| {
+            let (s, c) = sincos(knot);
+            let far = hypot(x + c, y + s);
+            (
+                stiffness * (far / own - 1.0).max(0.0),
+                [(x + c) / far, (y + s) / far],
+                [c, s],
+            )
+        };
+        let pulled = ode(|_, y: &[f64; 6]| {
+            let (pull, [ux, uy], [c, s]) = string(y);
+            [
+                y[3],
+                y[4],
+                y[5],
+                -pull * ux,
+                -pull * uy - 1.0,
+                pull * (s * ux - c * uy) / self.shape,
+            ]
+        });
+        let along = |y: &[f64; 6]| {
+            let (_, u, arm) = string(y);
+            u[0] * arm[0] + u[1] * arm[1]
+        };
+        let winds = Event::rising("winds", |_, y| along(y)).terminal();
+        let over = Dop853::new(step)?.solve(&pulled, 0.0, start, 1e5, &[winds])?;
+        let [when, peak] = highest([0.0, over.end_time()], |t| Ok(string(&over.at(t)?).0))?;
+        let first = self.energy(start) + 0.5 * own * string(start).0 * string(start).0 / stiffness;
+        let stored = first - self.energy(&over.at(when)?);
+        Ok([peak, (2.0 * stored.max(0.0) * stiffness / own).sqrt()])
+    }
+
+    /// What follows the unwinding, by Lagrange's equations in the angle of the string and the
+    /// angle of the knot, then in the angle and the length of the string.
+    pub fn by_angles(&self, step: f64) -> Result<After> {
+        let (k, l, method) = (self.shape, self.length(), Dop853::new(step)?);
+        let knot = move |[string, knot, rate, turns]: &[f64; 4]| {
+            let ((s, c), delta) = (sincos(string - knot), string - knot);
+            let (a, b) = (
+                -turns * turns * c - sin(*string),
+                l * rate * rate * c + sincos(*knot).1,
+            );
+            let faster = (b + a * s) / (k + c * c);
+            let pull =
+                sincos(*string).1 + l * rate * rate - faster * c - turns * turns * sin(delta);
+            ([*rate, *turns, (a + faster * s) / l, faster], pull)
+        };
+        let spin = (2.0 * self.wound / (1.0 + k)).sqrt();
+        let winds = Event::rising("winds", |_, y: &[f64; 4]| sin(y[0] - y[1])).terminal();
+        let over = method.solve(
+            &ode(|_, y| knot(y).0),
+            0.0,
+            &[0.0, 0.0, 0.0, spin],
+            1e5,
+            &[winds],
+        )?;
+        let peak = highest([0.0, over.end_time()], |t| Ok(knot(&over.at(t)?).1))?[1];
+        let [string, _, rate, turns] = *over.end_state();
+        let reel = ode(move |_, &[angle, rate, s, turns]: &[f64; 4]| {
+            let ((sine, cosine), out) = (sincos(angle), rate - turns);
+            let swing = (s * rate * rate - s * sine - 2.0 * s * out * rate) / (s * s);
+            [rate, swing, out, -(s * rate * rate + cosine) / (1.0 + k)]
+        });
+        let top = Event::falling("top", |_, y: &[f64; 4]| y[3] - y[1]).terminal();
+        let up = method.solve(&reel, 0.0, &[string, rate, l, turns], 1e5, &[top])?;
+        let climb = l - up.end_state()[2];
+        Ok(After {
+            turn: over.end_time(),
+            peak,
+            climb,
+            rise: up.end_time(),
+        })
+    }
+}
+
+/// What follows the unwinding.
+#[derive(Debug, Clone, Copy)]
+pub struct After {
+    /// The time on the knot.
+    pub turn: f64,
+    /// The largest tension.
+    pub peak: f64,
+    /// Length that is wound up again.
+    pub climb: f64,
+    /// The time this takes.
+    pub rise: f64,
+}
+
+impl Phased<6> for Disc {
+    type Phase = Leaves;
+
+    fn derivative(&self, leaves: Leaves, y: &[f64; 6]) -> [f64; 6] {
+        let Taut {
+            acceleration: [ax, ay],
+            spin,
+            ..
+        } = self.taut(leaves, y);
+        [y[3], y[4], y[5], ax, ay, spin]
+    }
+
+    fn conditions(&self, leaves: Leaves) -> Vec<Condition<'_, Leaves, 6>> {
+        let margin = move |y: &[f64; 6]| self.taut(leaves, y).margin;
+        let slack = Condition::contact("slack", move |y| self.taut(leaves, y).tension, Next::End);
+        let roof = Condition::gap("roof", |y: &[f64; 6]| -1.0 - y[1], Next::End);
+        let winds = move |y: &[f64; 6]| self.taut(leaves, y).winds;
+        let mut all = vec![slack, roof];
+        all.extend(match leaves {
+            Leaves::Unwinding => vec![Condition::gap(
+                "all unwound",
+                margin,
+                Next::Enter(Leaves::Knot),
+            )],
+            Leaves::Knot => vec![Condition::opening_gap(
+                "winds up",
+                margin,
+                Next::Enter(Leaves::Winding),
+            )],
+            Leaves::Winding => vec![Condition::gap("top", winds, Next::End)],
+        });
+        all
+    }
+}
+
+/// The turn over the knot on a string so long that it stays vertical, to its lowest point: the
+/// tension there, and twice the time. The state: the angle of the knot, and its rate.
+pub fn long_string(shape: f64, wound: f64, step: f64) -> Result<[f64; 2]> {
+    let faster = move |angle: f64, rate: f64| {
+        let (s, c) = sincos(angle);
+        c * (1.0 + s * rate * rate) / (c * c + shape)
+    };
+    let start = [0.0, (2.0 * wound / (1.0 + shape)).sqrt()];
+    let lowest = Event::rising("lowest", |_, y: &[f64; 2]| y[0] - FRAC_PI_2).terminal();
+    let turn = ode(|_, y: &[f64; 2]| [y[1], faster(y[0], y[1])]);
+    let turned: Solution<2> = Dop853::new(step)?.solve(&turn, 0.0, &start, 1e5, &[lowest])?;
+    let rate = turned.end_state()[1];
+    Ok([1.0 + rate * rate, 2.0 * turned.end_time()])
+}
+
+/// The highest value of a function in this span, and where: the best of 100 points, then the
+/// golden section.
+pub fn highest([from, to]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> Result<[f64; 2]> {
+    let (step, mut best) = ((to - from) / 100.0, [from, f(from)?]);
+    for t in times(from, to, 100) {
+        let value = f(t)?;
+        if value > best[1] {
+            best = [t, value];
+        }
+    }
+    let (mut from, mut to) = ((best[0] - step).max(from), (best[0] + step).min(to));
+    let part = 0.5 * (5.0_f64.sqrt() - 1.0);
+    for _ in 0..50 {
+        let (a, b) = (to - part * (to - from), from + part * (to - from));
+        if f(a)? > f(b)? { to = b } else { from = a }
+    }
+    let t = 0.5 * (from + to);
+    Ok([t, f(t)?])
+}

@@ -1,0 +1,385 @@
+//! Exercise 16.5: a charged ball that an electric field drives over a rough slab.
+
+#[path = "ch16_ex5_charged_ball/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::integrators::{after, second_order};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, Mode, Motion, State, Surface, entry, motion_within,
+};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The ball of the exercise: 1 cm of wood, charged as highly as dry air allows.
+    pub struct Parameters {
+        /// charge of the ball
+        charge: number(1e-8, "C", above(0.0).usually(1e-9, 3e-8));
+        /// electric field along the slab
+        field: number(5e5, "V/m", above(0.0).usually(5e4, 1e6));
+        /// mass of the ball
+        mass: number(0.002, "kg", above(0.0).usually(0.001, 0.01));
+        /// radius of the ball
+        radius: number(0.01, "m", from_to(1e-4, 1e3).usually(0.005, 0.03));
+        /// k = I/(m R^2): 2/5 for a solid ball, 2/3 for a thin shell
+        shape: number(0.4, "-", from_to(1e-3, 1.0).usually(0.3, 0.7));
+        /// coefficient of friction between ball and slab
+        friction: number(0.3, "-", from_to(0.0, 1e3).usually(0.02, 0.6));
+        /// length of the slab, from the place where the ball starts from rest
+        length: number(0.2, "m", from_to(1e-3, 1e3).usually(0.05, 0.5));
+        /// velocity of a ball that is put down sliding, without spin
+        shot: number(-0.3, "m/s", from_to(-1e3, 1e3).usually(-1.0, 1.0));
+        /// how far off its middle a charged spot is, over R
+        spot: number(0.5, "-", from_to(0.0, 1.0).usually(0.0, 1.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// relative error asked for, at every event: from 1e-13 to 0.1
+        tolerance: number(1e-12, "-", from_to(1e-13, 0.1));
+    }
+}
+
+/// The ball, per unit mass: `[x, y, angle]`, along the slab, upward, and counterclockwise.
+#[derive(Debug, Clone, Copy)]
+pub struct Ball {
+    /// qE/m, m/s^2.
+    pub pull: f64,
+    /// N/m: g, and more if an image charge pulls at the ball.
+    pub press: f64,
+    pub radius: f64,
+    pub shape: f64,
+    pub mu: f64,
+    /// Distance of the charge from the middle, m; at the angle 0 it lies ahead.
+    pub spot: f64,
+    /// Arm of the normal force ahead of the middle, m, and drag over m v^2, 1/m.
+    pub resisting: [f64; 2],
+    /// Where the slab ends, m.
+    pub length: f64,
+}
+
+// ANCHOR: scene
+impl Mechanism<3, 6, 1> for Ball {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let turning = self.shape * self.radius * self.radius;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
+    }
+
+    fn force(&self, ball: &State<3>) -> [f64; 3] {
+        let ([arm, drag], [vx, ..]) = (self.resisting, ball.v);
+        // The field pulls where the charge is, and its moment is against the arm's height.
+        let moment = -self.pull * self.spot * sin(ball.q[2]);
+        [
+            self.pull - drag * vx * vx.abs(),
+            -self.press,
+            moment + arm * self.press,
+        ]
+    }
+
+    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 1] {
+        [Contact::rim("ball", ball, self.radius, Surface::FLOOR).friction(self.mu)]
+    }
+    // ANCHOR_END: scene
+
+    fn end(&self, ball: &State<3>) -> Option<(&'static str, f64)> {
+        Some(("arrives", self.length - ball.q[0]))
+    }
+
+    fn scale(&self, _: &State<3>) -> State<3> {
+        let (r, v) = (self.radius, (2.0 * self.pull * self.length).sqrt());
+        let q = [self.length, r, self.length / r];
+        State {
+            q,
+            v: [v, v, v / r],
+        }
+    }
+}
+
+/// A motion of the ball.
+pub type Roll = Motion<Ball, 3, 6, 1>;
+
+impl Ball {
+    /// The ball of these parameters, its charge in the middle.
+    pub fn new(p: &Parameters) -> Result<Self> {
+        let (pull, press, spot, resisting) =
+            (p.charge * p.field / p.mass, p.gravity, 0.0, [0.0; 2]);
+        from_to(1e-6, 1e6).check("q E/(m g)", pull / press)?;
+        let Parameters {
+            radius,
+            shape,
+            friction: mu,
+            length,
+            ..
+        } = *p;
+        Ok(Self {
+            pull,
+            press,
+            radius,
+            shape,
+            mu,
+            spot,
+            resisting,
+            length,
+        })
+    }
+
+    /// The same with its charge off the middle.
+    pub fn spotted(p: &Parameters) -> Result<Self> {
+        Ok(Self {
+            spot: p.spot * p.radius,
+            ..Self::new(p)?
+        })
+    }
+
+    /// At the start, turned by this angle, with this velocity and no spin.
+    pub fn start(&self, angle: f64, velocity: f64) -> State<3> {
+        State {
+            q: [0.0, self.radius, angle],
+            v: [velocity, 0.0, 0.0],
+        }
+    }
+
+    /// The motion from there, at most until `end`.
+    pub fn run(self, start: State<3>, end: f64, tolerance: f64) -> Result<Roll> {
+        motion_within(self, tolerance, start, end)
+    }
+
+    // ANCHOR: law
+    /// Friction that rolling needs, against the field, over the mass.
+    pub fn holding(&self) -> f64 {
+        self.shape / (1.0 + self.shape) * self.pull
+    }
+
+    /// Friction that there is: what rolling needs, or the most the slab can give.
+    pub fn friction(&self) -> f64 {
+        self.holding().min(self.mu * self.press)
+    }
+
+    /// x'' and R phi'', from rest.
+    pub fn accelerations(&self) -> [f64; 2] {
+        [self.pull - self.friction(), self.friction() / self.shape]
+    }
+    // ANCHOR_END: law
+
+    /// The part of the work of the field that is lost to rubbing.
+    pub fn lost(&self) -> f64 {
+        let [a, rim] = self.accelerations();
+        1.0 - (a * a + self.shape * rim * rim) / (self.pull * a)
+    }
+
+    /// When a ball that is put down sliding begins to roll, and its velocity then.
+    pub fn caught(&self, shot: f64) -> [f64; 2] {
+        let rub = -self.mu * self.press.copysign(shot);
+        let time = -shot / (self.pull + rub * (1.0 + 1.0 / self.shape));
+        [time, shot + (self.pull + rub) * time]
+    }
+}
+
+/// The least coefficient of friction with which the solver lets the ball stick: by bisection.
+fn holds_from(ball: Ball) -> Result<f64> {
+    let most = 2.0 * ball.pull / ball.press;
+    let (mut slips, mut sticks) = (0.0, most);
+    for _ in 0..60 {
+        let mu = 0.5 * (slips + sticks);
+        let there = Ball { mu, ..ball };
+        match entry(&there, there.start(0.0, 0.0))? {
+            ([Mode::Stick], _) => sticks = mu,
+            _ => slips = mu,
+        }
+    }
+    Ok(sticks)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (ball, m, g, r, k, d) = (
+        Ball::new(p)?,
+        p.mass,
+        p.gravity,
+        p.radius,
+        p.shape,
+        p.length,
+    );
+    let ([a, rim], pull, bound) = (ball.accelerations(), ball.pull, 16.0 * p.tolerance);
+    let (time, speed) = ((2.0 * d / a).sqrt(), (2.0 * d * a).sqrt());
+    let run = ball.run(ball.start(0.0, 0.0), 2.0 * time, p.tolerance)?;
+    let arrives = run.event("arrives")?;
+    let [ran, _, turning] = arrives.before.v;
+    let (spin, moving) = (rim * time / r, ran * ran + k * r * r * turning * turning);
+    let (needed, least) = (ball.holding() / g, holds_from(ball)?);
+    // A ball that is put down sliding.
+    let ([catch, then], shot) = (ball.caught(p.shot), p.shot.abs());
+    let far = Ball {
+        length: d + 10.0 * shot * catch.abs(),
+        ..ball
+    };
+    let slid = || far.run(far.start(0.0, p.shot), 2.0 * catch, p.tolerance);
+    let catches =
+        shot > 0.0 && catch > 0.0 && catch.is_finite() && p.friction > needed * (1.0 + 1e-9);
+    // A charged spot: below the middle it needs most friction.
+    let spotted = Ball::spotted(p)?;
+    let rough = Ball {
+        mu: 1e3 + 2.0 * pull / g,
+        ..spotted
+    };
+    let lowest = rough
+        .run(rough.start(-FRAC_PI_2, 0.0), 1e-3 * time, p.tolerance)?
+        .forces(0.0)?[0];
+    let most = (k + p.spot) / (1.0 + k) * pull;
+    let further = d - spotted.spot * (1.0 - cos(d / r));
+    let fast = (2.0 * pull * further / (1.0 + k)).sqrt();
+    let turned = || -> Result<f64> {
+        let run = spotted.run(spotted.start(0.0, 0.0), 1e2 * time, p.tolerance)?;
+        Ok(run.event("arrives")?.before.v[0])
+    };
+    let naive = pull - p.friction * g;
+    let dragged = after(1.0, &second_order(move |_, _, _| naive), &[0.0, 0.0], 1e-12)?[1];
+    claims! { report,
+        /// acceleration
+        a: a, "m/s^2", "located event" => ran * ran / (2.0 * d), within bound * pull, in "The motion":
+            pull => "that slides without friction",
+            pull - p.friction * g => "friction is not at its limit",
+            pull / 1.5 => "that is a cylinder",
+            pull / (1.0 + 2.0 / 3.0) => "that is a thin shell";
+        /// friction, against the field
+        friction: m * ball.friction(), "N", "contact solver" => -m * run.forces(0.5 * time)?[0].tangential, within bound * m * pull,
+        in "The friction":
+            -m * ball.friction() => "which way must it turn the ball?",
+            m * g * p.friction => "that is the most there can be",
+            m * k * pull => "friction itself makes the acceleration smaller",
+            m * pull => "then the ball would not start";
+        /// least coefficient of friction for rolling
+        mu_min: needed, "-", "bisection of the modes" => least, within 1e-9 * needed + 1e-11, in "The friction":
+            pull / g => "that is for a body that does not turn",
+            k * pull / g => "friction itself makes the acceleration smaller";
+        /// strongest field in which it rolls
+        field_max: 1e-6 * p.field * p.friction / needed, "MV/m", "bisection of the modes" => 1e-6 * p.field * p.friction / least,
+        within 1e-14 * p.field * p.friction / needed, in "The friction";
+        /// time to the end of the slab
+        time: time, "s", "located event" => arrives.t, within bound * time, in "The motion":
+            (2.0 * d / pull).sqrt() => "that slides without friction";
+        /// velocity there
+        speed: speed, "m/s", "located event" => ran, within bound * speed, in "The motion":
+            (2.0 * d * pull).sqrt() => "the turning takes its part of the work";
+        /// angular velocity there
+        omega: spin, "rad/s", "located event" => -turning, within bound * speed / r, in "The motion":
+            spin / (2.0 * PI) => "not turns but radians a second";
+        /// part of the work of the field that is in the turning
+        turning: k * (rim * time) * (rim * time) / (2.0 * pull * d), "-", "located event" => 1.0 - (ran * ran / (2.0 * pull * d)) - (1.0 - moving / (2.0 * pull * d)),
+        within 2.0 * bound;
+        /// part that is lost to rubbing
+        lost: ball.lost(), "-", "located event" => 1.0 - moving / (2.0 * pull * d), within 2.0 * bound;
+        /// a ball put down sliding: when it begins to roll
+        catch: catch, "s", "located event" => slid()?.event("ball sticks")?.t, within bound * catch, if catches;
+        /// velocity then
+        catch_velocity: then, "m/s", "located event" => slid()?.event("ball sticks")?.before.v[0], within bound * (shot + pull * catch), if catches;
+        /// charged spot: the most friction that rolling needs
+        spot_friction: m * most, "N", "contact solver" => -m * lowest.tangential, within bound * m * pull;
+        /// charged spot: least coefficient
+        spot_mu: most / g, "-", "contact solver" => -lowest.tangential / lowest.normal, within bound * pull / g;
+        /// charged spot, ahead at the start: velocity at the end of the slab
+        spot_speed: fast, "m/s", "located event" => turned()?, within 20.0 * bound * speed, if most < p.friction * g && p.spot < 0.999;
+        /// wrong: acceleration with the friction at its limit
+        naive_a: naive, "m/s^2", "simulated" => dragged, within 1e-11 * (pull + p.friction * g);
+    }
+}
+
+/// Bodies of known shape, and fields far from the threshold and near it.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let plain = Ball {
+        mu: 1e3,
+        pull: p.gravity,
+        ..Ball::new(p)?
+    };
+    let goes = |ball: Ball| -> Result<f64> {
+        let run = ball.run(
+            ball.start(0.0, 0.0),
+            10.0 * (ball.length / ball.pull).sqrt(),
+            1e-12,
+        )?;
+        Ok(0.5 * run.event("arrives")?.before.v[0].powi(2) / (ball.length * ball.pull))
+    };
+    let shaped = |shape| Ball { shape, ..plain };
+    let held = plain.holding() / p.gravity;
+    let top = Ball {
+        spot: p.radius,
+        ..plain
+    };
+    let top = top
+        .run(top.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?
+        .forces(0.0)?[0]
+        .tangential;
+    limits! { report,
+        /// all mass in the middle: it goes like a particle
+        "k = 1e-9: m x''/(q E)": goes(shaped(1e-9))? => 1.0, within 2e-9;
+        /// a thin shell, I = 2/3 m R^2
+        "k = 2/3: m x''/(q E)": goes(shaped(2.0 / 3.0))? => 0.6, within 1e-11;
+        /// no friction: nothing turns it
+        "mu = 0: m x''/(q E)": goes(Ball { mu: 0.0, ..plain })? => 1.0, within 1e-11;
+        /// just below the threshold it still goes as if it rolled
+        "mu = 0.9999999 mu_min: (1 + k) m x''/(q E)":
+            (1.0 + p.shape) * goes(Ball { mu: 0.999_999_9 * held, ..plain })? => 1.0, within 1e-6;
+        /// a pull at the top of the ball: friction helps, by 1 - k
+        "charge at the top: (1 + k) F/(q E)": (1.0 + p.shape) * top / plain.pull => 1.0 - p.shape, within 1e-9;
+    }
+}
+
+/// Permittivity of the vacuum, F/m.
+const EPSILON_0: f64 = 8.854_187_8e-12;
+
+/// Image force of a slab that conducts, over the weight; arm of the normal force, 0.02 mm, and
+/// drag over m v^2 for C = 0.47.
+pub fn left_out(p: &Parameters) -> (f64, [f64; 2]) {
+    let square = p.radius * p.radius;
+    let image = p.charge * p.charge / (16.0 * PI * EPSILON_0 * square);
+    (
+        image / (p.mass * p.gravity),
+        [2e-5, 0.5 * 1.204 * 0.47 * PI * square / p.mass],
+    )
+}
+
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (ball, (image, [arm, drag])) = (Ball::new(p)?, left_out(p));
+    let ([a, _], pull) = (ball.accelerations(), ball.pull);
+    let (time, speed) = ((2.0 * p.length / a).sqrt(), (2.0 * p.length * a).sqrt());
+    let own = p.charge / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
+    let (arm, drag) = (
+        arm * p.gravity / (p.radius * pull),
+        drag * speed * speed / pull,
+    );
+    let (magnetic, leaking) = (speed * 5e-5 / p.field, 1e-14 * time / EPSILON_0);
+    let slipping = ball.holding() / (p.friction.max(1e-300) * p.gravity);
+    effect_card! { report,
+        "slipping": "mu_min/mu" = slipping, costs 0.0, "of x''", included;
+        "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = (own + 3.0 * p.field) / 3e6, costs 0.0, "of x'' while below 1";
+        "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs -image / (1.0 + image), "of mu_min";
+        "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = arm, costs arm, "of x''";
+        "air drag, at the end": "rho C S v^2/(2 q E)" = drag, costs 0.5 * drag, "of the work";
+        "charge lost to the air": "sigma t/epsilon_0" = leaking, costs leaking / 3.0, "of the way";
+        "magnetic field of the Earth": "v B/E" = magnetic, costs magnetic, "of x''";
+    }
+}
+
+/// The accuracy strip: the ball with a charged spot, which does not accelerate evenly.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ball = Ball {
+        mu: 1e3,
+        ..Ball::spotted(p)?
+    };
+    let further = p.length - ball.spot * (1.0 - cos(p.length / p.radius));
+    let speed = (2.0 * ball.pull * further / (1.0 + p.shape)).sqrt();
+    let end = 1e2 * (p.length / ball.pull).sqrt();
+    let run = move |tolerance| ball.run(ball.start(0.0, 0.0), end, tolerance);
+    let error = move |run: &Roll| Ok(largest([run.event("arrives")?.before.v[0] / speed - 1.0]));
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
+    report.dial("contact by DOP853", asked, run, Roll::work, error)?;
+    report.set_closed_form(ClosedForm::new(move |part| {
+        Ok::<_, rotation_dynamics::Error>(part.sqrt() * speed)
+    }));
+    Ok(())
+}
+
+example! {
+    ch16_ex5_charged_ball: "Exercise 16.5: a charged ball that an electric field drives over a slab";
+    "The charged ball in a field", "A ball with a charge rolls over a rough slab, driven by an electric field along it.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

@@ -1,0 +1,486 @@
+//! Exercise 16.7: a pendulum of a rod and a disc that is fixed to it, or free on its axle.
+
+#[path = "ch16_ex7_rod_and_disc/figures.rs"]
+mod figures;
+
+use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::Error;
+use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
+use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::inertia::{MassProperties, solids};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
+use rotation_dynamics::integrators::{after, ode, second_order, small_frequency};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// The pendulum of the exercise; the notes leave all numbers open.
+    pub struct Parameters {
+        /// length of the rod
+        length: number(1.0, "m", above(0.0).usually(0.3, 2.0));
+        /// mass of the rod
+        rod: number(0.6, "kg", above(0.0).usually(0.1, 2.0));
+        /// mass of the disc
+        disc: number(1.1, "kg", above(0.0).usually(0.1, 3.0));
+        /// radius of the disc
+        radius: number(0.2, "m", above(0.0).usually(0.05, 0.9));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// angle of the wide swing, released at rest
+        release: number(1.0, "rad", between(0.0, PI).usually(0.1, 3.0));
+        /// torque in a greased axle over how fast the disc turns in it
+        friction: number(0.07, "N m s", above(0.0).usually(0.005, 1.0));
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+// ANCHOR: moments
+/// What counts in the pendulum, each about the pivot but for the disc's own.
+#[derive(Debug, Clone, Copy)]
+pub struct Moments {
+    /// Rod, and disc as if all of it were at its centre, kg m^2.
+    pub carried: f64,
+    /// The disc about its own axle, kg m^2.
+    pub own: f64,
+    /// Torque of gravity over sin(theta), N m.
+    pub gravity: f64,
+    /// The disc's own moment over what is carried.
+    pub share: f64,
+}
+
+impl Moments {
+    /// With the centre of the disc at the end of the rod.
+    pub fn new(p: &Parameters) -> Result<Self> {
+        let (l, m, big) = (p.length, p.rod, p.disc);
+        let (carried, own) = ((m / 3.0 + big) * l * l, 0.5 * big * p.radius * p.radius);
+        let share = from_to(1e-8, 2.0).check("(M R^2/2)/(m l^2/3 + M l^2)", own / carried)?;
+        let gravity = (0.5 * m + big) * p.gravity * l;
+        Ok(Self {
+            carried,
+            own,
+            gravity,
+            share,
+        })
+    }
+
+    /// Angular frequency of small swings, the disc free, rad/s.
+    pub fn rate(&self) -> f64 {
+        (self.gravity / self.carried).sqrt()
+    }
+}
+
+/// The pendulum in closed form, with this moment of inertia about the pivot.
+pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> Result<Pendulum> {
+    let mass = p.rod + p.disc;
+    let lever = (0.5 * p.rod + p.disc) * p.length / mass;
+    Pendulum::new(
+        Suspension {
+            moment,
+            mass,
+            gravity: p.gravity,
+            lever,
+        },
+        release,
+        0.0,
+    )
+}
+// ANCHOR_END: moments
+
+// ANCHOR: motion
+/// Rod and disc, each with its angle: `[theta, theta', phi, phi']`.
+/// In the unit of time the free pendulum has the angular frequency 1;
+/// `share` is J/A, `drag` is c/(J W), 0 if the disc is free.
+pub fn two_angles(share: f64, drag: f64) -> impl Ode<4> {
+    coupled(share, drag, sin)
+}
+
+/// With another pull of gravity: of small swings, the angle itself.
+fn coupled(share: f64, drag: f64, pull: fn(f64) -> f64) -> impl Ode<4> {
+    ode(move |_, [theta, rate, _, spin]: &[f64; 4]| {
+        let torque = drag * (rate - spin); // on the disc, over J
+        [*rate, -pull(*theta) - share * torque, *spin, torque]
+    })
+}
+
+/// Rod and disc as one body, in the same units.
+pub fn one_angle(share: f64) -> impl Ode<2> {
+    second_order(move |_, theta, _| -sin(theta) / (1.0 + share))
+}
+// ANCHOR_END: motion
+
+// ANCHOR: between
+/// Angular frequency and rate of decay of small swings, in units of W, for the friction
+/// `drag` = c/(J W), and which part of the disc's own moment goes along with the rod.
+#[derive(Debug, Clone, Copy)]
+pub struct Between {
+    pub frequency: f64,
+    pub decay: f64,
+    pub part: f64,
+}
+
+impl Between {
+    /// From the root x of x = drag^2 (1 + x)^2 (share - x) between 0 and `share`.
+    pub fn new(share: f64, drag: f64) -> Self {
+        let (mut low, mut high) = (0.0, share);
+        let lacks = |x: f64| drag * drag * (1.0 + x) * (1.0 + x) * (share - x) - x;
+        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+            let x = 0.5 * (low + high);
+            if lacks(x) > 0.0 { low = x } else { high = x }
+        }
+        let x = low;
+        let decay = 0.5 * x / (drag * (1.0 + x) * (1.0 + x));
+        let frequency = (1.0 / (1.0 + x) - decay * decay).sqrt();
+        Self {
+            frequency,
+            decay,
+            part: x / share,
+        }
+    }
+}
+
+/// The friction, as c/(J W), of the fastest decay.
+pub fn worst(share: f64) -> f64 {
+    (1.0 + 0.5 * share) / ((1.0 + share) * (1.0 + share).sqrt())
+}
+// ANCHOR_END: between
+
+/// [`Between`], simulated: period in 1/W and decay in W, between two zeros of a small swing
+/// that come late enough for disc and rod to have found their rhythm.
+pub fn measured(share: f64, drag: f64) -> Result<[f64; 2]> {
+    let (scene, method) = (coupled(share, drag, |angle| angle), Dop853::new(1e-15)?);
+    let late = after(36.0 / drag + 1.0, &scene, &[1.0, 0.0, 0.0, 0.0], 1e-15)?;
+    // Small swings do not depend on their size: it is 1 again.
+    let size = hypot(late[0], late[1]);
+    let start = [late[0] / size, late[1] / size, 0.0, late[3] / size];
+    let zero = |n| Ok(method.zero(&scene, start, n, 40.0, |y| y[0])?.0);
+    let [first, third]: [LocatedEvent<4>; 2] = [zero(1)?, zero(3)?];
+    let period = third.t - first.t;
+    Ok([period, log(first.state[1] / third.state[1]) / period])
+}
+
+/// [`worst`], simulated: where a little more friction and a little less damp alike.
+pub fn measured_worst(share: f64) -> Result<f64> {
+    let (mut low, mut high) = (0.2, 2.0);
+    while high - low > 1e-7 {
+        let drag = 0.5 * (low + high);
+        let more = measured(share, 1.002 * drag)?[1] - measured(share, drag / 1.002)?[1];
+        if more > 0.0 { low = drag } else { high = drag }
+    }
+    Ok(low)
+}
+
+/// The motion with two angles, from rest at `angle`, in units of 1/W.
+pub fn swung(share: f64, drag: f64, angle: f64, end: f64, step: f64) -> Result<Solution<4>> {
+    Dop853::new(step)?.solve(
+        &two_angles(share, drag),
+        0.0,
+        &[angle, 0.0, angle, 0.0],
+        end,
+        &[],
+    )
+}
+
+/// The return of a wide swing, in units of 1/W, and the work; the disc is free or drags.
+pub fn returns(share: f64, drag: f64, angle: f64, step: f64) -> Result<(LocatedEvent<4>, Work)> {
+    let start = [angle, 0.0, angle, 0.0];
+    Dop853::new(step)?.zero(&two_angles(share, drag), start, 2, 1e3, |y| y[1])
+}
+
+/// The same for the disc that is fixed.
+fn returns_fixed(share: f64, angle: f64, step: f64) -> Result<(LocatedEvent<2>, Work)> {
+    Dop853::new(step)?.zero(&one_angle(share), [angle, 0.0], 2, 1e3, |y| y[1])
+}
+
+/// Rod and disc put together by the library, the disc's centre so far from the pivot: the
+/// moment of inertia about the pivot, of the whole and of the rod with a ball at the centre.
+fn assembled(p: &Parameters, far: f64) -> Result<[f64; 2]> {
+    // The axle is along e1 for the rod and along e3 for the disc as the library makes them.
+    let rod =
+        solids::rod(p.rod, p.length)?.displaced(DesignVector::new(0.0, 0.0, -0.5 * p.length))?;
+    let place = DesignVector::new(0.0, 0.0, -far);
+    let ball = MassProperties::of_points(&[(p.disc, place)])?;
+    let own = solids::disc(p.disc, p.radius)?
+        .about_centre_of_mass()
+        .matrix()[2][2];
+    let carried = MassProperties::of_parts(&[rod, ball])?
+        .about(DesignVector::zero())?
+        .matrix()[0][0];
+    Ok([carried + own, carried])
+}
+
+/// The disc hung by its rim and free there, for small angles: both angular frequencies, the
+/// slower first, and the angle of the disc over that of the rod in each.
+pub fn by_the_rim(p: &Parameters, m: &Moments) -> [[f64; 2]; 2] {
+    let (k1, k2, cross) = (
+        m.gravity,
+        p.disc * p.gravity * p.radius,
+        p.disc * p.length * p.radius,
+    );
+    let own = 3.0 * m.own;
+    let (a, b) = (
+        m.carried * own - cross * cross,
+        0.5 * (k1 * own + k2 * m.carried),
+    );
+    let fast = (b + (b * b - a * k1 * k2).sqrt()) / a;
+    [k1 * k2 / (a * fast), fast].map(|square| [square.sqrt(), (k1 / square - m.carried) / cross])
+}
+
+/// Its motion: Lagrange's equations of two angles from the vertical.
+pub fn double(p: &Parameters, m: &Moments) -> impl Ode<4> {
+    let (k1, k2, cross) = (
+        m.gravity,
+        p.disc * p.gravity * p.radius,
+        p.disc * p.length * p.radius,
+    );
+    let (first, second) = (m.carried, 3.0 * m.own);
+    ode(move |_, [rod, rate, disc, spin]: &[f64; 4]| {
+        let (s, c) = sincos(rod - disc);
+        let f = -cross * s * spin * spin - k1 * sin(*rod);
+        let g = cross * s * rate * rate - k2 * sin(*disc);
+        let (mix, det) = (cross * c, first * second - cross * cross * c * c);
+        [
+            *rate,
+            (second * f - mix * g) / det,
+            *spin,
+            (first * g - mix * f) / det,
+        ]
+    })
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let m = Moments::new(p)?;
+    let (unit, share, fixed, step) = (1.0 / m.rate(), m.share, m.carried + m.own, p.tolerance);
+    let small = |moment| Ok(pendulum(p, moment, 0.0)?.period());
+    let wide = |moment| Ok(pendulum(p, moment, p.release)?.period());
+    let [t_fixed, t_free, w_fixed, w_free] = [
+        small(fixed)?,
+        small(m.carried)?,
+        wide(fixed)?,
+        wide(m.carried)?,
+    ];
+    let free = |size| [size, 0.0, size, 0.0];
+    let slow = small_frequency(&two_angles(share, 0.0), free, 20.0, |y| y[1])?;
+    let stiff = small_frequency(&one_angle(share), |size| [size, 0.0], 20.0, |y| y[1])?;
+    let bound = 1e3 * step;
+    let [all, carried] = assembled(p, p.length)?;
+    // The most that the joint has to pass on to the disc, from how the disc starts to turn.
+    let most = if p.release < FRAC_PI_2 {
+        sin(p.release)
+    } else {
+        1.0
+    };
+    let grip = m.own * m.gravity * most / fixed;
+    let hard = pendulum(
+        p,
+        fixed,
+        if p.release < FRAC_PI_2 {
+            p.release
+        } else {
+            FRAC_PI_2
+        },
+    )?;
+    let spin = |t: f64| Ok(m.own * hard.at(t * w_fixed)?.omega.abs() / (t * w_fixed));
+    let starts = (4.0 * spin(1e-4)? - spin(2e-4)?) / 3.0;
+    // A greased axle.
+    let drag = p.friction * unit / m.own;
+    let between = Between::new(share, drag);
+    let (ours, worst_friction) = (
+        2.0 * PI * unit / between.frequency,
+        worst(share) * m.own / unit,
+    );
+    let seen = if (1e-2..=1e2).contains(&drag) {
+        measured(share, drag)?
+    } else {
+        [0.0; 2]
+    };
+    let part = |decay: f64, period: f64| 1.0 - exp(-decay * period);
+    let (lost, most_lost) = (
+        part(between.decay, 2.0 * PI / between.frequency),
+        0.25 * share / (1.0 + share).sqrt(),
+    );
+    // The disc hung by its rim.
+    let far = p.length + p.radius;
+    let by_rim = 2.0
+        * PI
+        * (assembled(p, far)?[0] / ((0.5 * p.rod * p.length + p.disc * far) * p.gravity)).sqrt();
+    let sum = p.rod * p.length * p.length / 3.0 + p.disc * far * far + m.own;
+    let rim = 2.0 * PI * (sum / ((0.5 * p.rod * p.length + p.disc * far) * p.gravity)).sqrt();
+    let [[slower, ratio], _] = by_the_rim(p, &m);
+    let shape = |size: f64| [size, 0.0, size * ratio, 0.0];
+    let rim_slow = small_frequency(&double(p, &m), shape, 4.0 * t_fixed, |y| y[1])?;
+    let (rim_free, rim_seen) = (2.0 * PI / slower, 2.0 * PI / rim_slow);
+    let rod_only = 2.0 * PI * (2.0 * p.length / (3.0 * p.gravity)).sqrt();
+    claims! { report,
+        /// moment of inertia, the disc fixed
+        inertia_fixed: fixed, "kg m^2", "put together of solids" => all, within 1e-13 * fixed,
+        in "Moments of inertia about the pivot":
+            m.carried => "the disc turns with the rod",
+            m.carried + 0.5 * m.own => "that is a disc about its diameter",
+            fixed - 0.25 * p.rod * p.length * p.length => "the rod turns about its end";
+        /// moment of inertia, the disc free
+        inertia_free: m.carried, "kg m^2", "put together of solids" => carried, within 1e-13 * fixed,
+        in "Moments of inertia about the pivot":
+            fixed => "nothing turns the disc",
+            p.rod * p.length * p.length / 3.0 => "the disc still has to be carried along";
+        /// period of small swings, the disc fixed
+        period_fixed: t_fixed, "s", "simulated" => 2.0 * PI * unit / stiff, within 1e-9 * t_fixed,
+        in "Periods of small swings":
+            2.0 * PI * (p.length / p.gravity).sqrt() => "that is for all mass at the end",
+            rod_only => "that is the rod alone",
+            0.5 * t_fixed => "a period is there and back",
+            t_free => "that is the other case";
+        /// period of small swings, the disc free
+        period_free: t_free, "s", "two angles, simulated" => 2.0 * PI * unit / slow, within 1e-9 * t_free,
+        in "Periods of small swings":
+            t_fixed => "that is the other case";
+        /// period from the release, the disc fixed
+        wide_fixed: w_fixed, "s", "located event" => unit * returns_fixed(share, p.release, step)?.0.t,
+        within bound * w_fixed, in "The wide swing":
+            t_fixed => "a wide swing takes longer",
+            t_fixed * (1.0 + p.release * p.release / 16.0) => "that is the first term of a series";
+        /// period from the release, the disc free
+        wide_free: w_free, "s", "two angles, located event" => unit * returns(share, 0.0, p.release, step)?.0.t,
+        within bound * w_free, in "The wide swing":
+            t_free => "a wide swing takes longer",
+            t_free * (1.0 + p.release * p.release / 16.0) => "that is the first term of a series";
+        /// swings until the free one is half a swing ahead
+        ahead: 0.5 * t_fixed / (t_fixed - t_free), "-", "the simulated periods" => 0.5 * slow / (slow - stiff),
+        within 1e-6 / share;
+        /// torque that the fixed joint must hold
+        grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip,
+        in "The joint":
+            m.gravity * sin(p.release) => "that turns the whole pendulum",
+            m.own * m.gravity * most / m.carried => "the disc is fixed here";
+        /// greased axle: period of small swings
+        greased: ours, "s", "two angles, simulated" => unit * seen[0], within 1e-12 * ours, if seen[0] > 0.0;
+        /// part of the amplitude lost in a swing
+        lost: lost, "-", "two angles, simulated" => part(seen[1], seen[0]), within 1e-12, if seen[0] > 0.0;
+        /// part of the disc's own moment that goes along
+        part: between.part, "-", "from the simulated swing" => ((seen[1] * seen[1] + 4.0 * PI * PI / (seen[0] * seen[0])).recip() - 1.0) / share,
+        within 1e-11 / share, if seen[0] > 0.0;
+        /// friction of the fastest decay
+        worst: worst_friction, "N m s", "simulated, bisected" => measured_worst(share)? * m.own / unit,
+        within 1e-4 * worst_friction;
+        /// part of the amplitude that is lost there
+        most_lost: part(most_lost, 2.0 * PI / Between::new(share, worst(share)).frequency), "-",
+        "two angles, simulated" => { let [period, decay] = measured(share, worst(share))?; part(decay, period) }, within 1e-12;
+        /// hung by the rim, fixed: period of small swings
+        rim_fixed: rim, "s", "put together of solids" => by_rim, within 1e-13 * rim;
+        /// hung by the rim, free: period of the slow small swing
+        rim_free: rim_free, "s", "double pendulum, simulated" => rim_seen, within 1e-6 * rim_free;
+    }
+}
+
+/// No disc, a small one, no rod, a swing nearly over the top, axles that hardly rub or nearly hold.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let with = |rod, disc, radius| Parameters {
+        length: 1.0,
+        rod,
+        disc,
+        radius,
+        gravity: 1.0,
+        ..*p
+    };
+    let swing = |q: &Parameters, release: f64, hold: f64| {
+        let m = Moments::new(q)?;
+        Ok(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
+    };
+    let (light, point, wheel) = (
+        with(1.0, 1e-6, 0.2),
+        with(1.0, 1.0, 1e-3),
+        with(1e-9, 1.0, 1e-3),
+    );
+    let high = 2.0 * PI * swing(&point, PI - 1e-4, 0.0)? / swing(&point, 0.0, 0.0)?;
+    let [loose, tight] = [1e-4, 1e4].map(|drag| Between::new(0.02, drag));
+    limits! { report,
+        /// the rod alone, 2 pi sqrt(2 l/(3 g))
+        "M = 0: T/(2 pi sqrt(l/g))": swing(&light, 0.0, 1.0)? => (2.0_f64 / 3.0).sqrt(), within 1e-6;
+        /// a small disc has nothing to turn
+        "R = 0: T_fixed/T_free": swing(&point, 0.0, 1.0)? / swing(&point, 0.0, 0.0)? => 1.0, within 1e-6;
+        /// a weight on a string
+        "R = 0, m = 0: T/(2 pi sqrt(l/g))": swing(&wheel, 0.0, 1.0)? => 1.0, within 1e-6;
+        /// nearly upright: the period grows as a logarithm
+        "theta0 = pi - x: W T - 4 log(8/x)": high - 4.0 * log(8e4) => 0.0, within 1e-6;
+        /// a slippery axle lets the disc be
+        "c = x: part that goes along": loose.part => 0.0, within 1e-7;
+        /// a tough one takes it along
+        "c = 1/x: part that goes along": tight.part => 1.0, within 1e-7;
+        /// and neither takes energy
+        "both: kappa/W": loose.decay.max(tight.decay) => 0.0, within 1e-6;
+    }
+}
+
+/// An aluminium disc on a steel pin of 5 mm in a ball bearing; a rod 2 cm wide.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let m = Moments::new(p)?;
+    let (fixed, w2) = (m.carried + m.own, m.gravity / m.carried);
+    let size = sin(0.5 * p.release) * sin(0.5 * p.release);
+    let longer = pendulum(p, fixed, p.release)?.period() / pendulum(p, fixed, 0.0)?.period() - 1.0;
+    let air = 1.204 / 2700.0;
+    let pin = 0.002 * 0.005 * (p.rod + p.disc) * p.gravity / m.gravity;
+    let off = 0.001 * p.disc * p.length; // M l e
+    let askew = off * off * w2 / (m.carried * (m.own * w2 - 0.001 * p.disc * p.gravity));
+    let bearing = 1e-4 / (m.own * w2.sqrt());
+    let wide = 4e-4 / (p.length * p.length);
+    effect_card! { report,
+        "size of the swing": "sin^2(theta0/2)" = size, costs longer, "of T", included;
+        "buoyancy in air": "rho_a/rho" = air, costs 0.5 * air, "of T";
+        "friction at the pivot": "mu r (m + M) g/D" = pin, costs 4.0 * pin, "rad of amplitude a swing";
+        "the free disc's bearing": "c/(J W)" = bearing, costs PI * m.share * bearing, "of the amplitude a swing";
+        "disc 1 mm off its axle, free": "e/R" = 0.001 / p.radius, costs 0.5 * askew.abs(), "of T";
+        "width of the rod": "w^2/l^2" = wide, costs p.rod * wide * p.length * p.length / (24.0 * fixed), "of T";
+    }
+}
+
+/// What it costs to hold the disc by friction, which is not how to simulate a joint.
+fn held(p: &Parameters, report: &mut Report) -> Result<()> {
+    let m = Moments::new(p)?;
+    let mut table = Table::new(
+        "held",
+        [
+            "friction over c^*",
+            "period",
+            "derivatives",
+            "RK4, 100 steps",
+        ],
+    )?;
+    for power in 0..5 {
+        let drag = 10.0_f64.powi(power) * worst(m.share);
+        let (back, work) = returns(m.share, drag, p.release, 1e-10)?;
+        // Its steps must be shorter than 2.785 over the fastest rate.
+        let stable = (1.0 + m.share) * drag * 0.02 * PI < 2.785;
+        let name = ["grows without bound", "stable"][usize::from(stable)];
+        table.push([
+            format!("1e{power}"),
+            format!("{:.6} s", back.t / m.rate()),
+            work.derivatives.to_string(),
+            name.into(),
+        ])?;
+    }
+    report.add_table(table)
+}
+
+/// The accuracy strip: the wide swing with two angles, for a period.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (m, release) = (Moments::new(p)?, p.release);
+    let exact = pendulum(p, m.carried, release)?;
+    let period = exact.period() * m.rate();
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    report.set_closed_form(ClosedForm::new(move |part| exact.at(part * exact.period())));
+    let swing = move |step| match returns(m.share, 0.0, release, step) {
+        // Released high up, a coarse run goes over the top.
+        Err(Error::NotReached { .. }) => Err(Error::NotDelivered {
+            requested: step,
+            reached: PI,
+        }),
+        swing => swing,
+    };
+    report.dial_of_return(asked, swing, period, release)
+}
+
+example! {
+    ch16_ex7_rod_and_disc: "Exercise 16.7: a pendulum of a rod and a disc";
+    "A pendulum of rod and disc", "A rod hangs on a pivot; the disc at its end is fixed to it, or free on its axle.",
+    [claims, limits, effects, held, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

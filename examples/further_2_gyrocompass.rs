@@ -1,0 +1,529 @@
+//! A further problem: the gyrocompass, a spinning wheel that the turning Earth points north.
+
+#[path = "further_2_gyrocompass/figures.rs"]
+mod figures;
+
+use core::f64::consts::PI;
+use rotation_dynamics::exact::carlson;
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
+use rotation_dynamics::integrators::{after, newton, ode, place_and_velocity, small_frequency};
+use rotation_dynamics::report::prelude::*;
+
+/// Angular velocity of the Earth against the stars, rad/s.
+const EARTH: f64 = 7.292_115e-5;
+/// Mean radius of the Earth, m.
+const RADIUS: f64 = 6.371e6;
+
+parameters! {
+    /// A compass with numbers that are typical of one on a ship.
+    pub struct Parameters {
+        /// moment of inertia of the wheel about its axle
+        axial: number(0.012, "kg m^2", above(0.0).usually(1e-3, 0.1));
+        /// the same across the axle, of all that turns with it
+        transverse: number(0.008, "kg m^2", above(0.0).usually(1e-3, 0.1));
+        /// spin
+        spin: number(1500.0, "rad/s", above(0.0).usually(300.0, 2500.0));
+        /// latitude, negative south of the equator
+        latitude: number(0.9, "rad", from_to(-1.5, 1.5));
+        /// pendulosity over the one of question 3
+        tuning: number(1.0, "-", above(0.0).usually(0.3, 3.0));
+        /// damping torque about the vertical over the torque of the bob
+        offset: number(0.03, "rad", above(0.0).usually(0.01, 0.06));
+        /// speed of the ship towards the north
+        speed: number(10.0, "m/s", from_to(-50.0, 50.0));
+        /// azimuth of the axle when it is let go
+        release: number(0.5, "rad", from_to(1e-3, 3.1).usually(0.05, 1.5));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(9.7, 9.9));
+        /// error of a step of the simulations: from 1e-14 to 1e-6
+        tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));
+    }
+}
+
+/// A wheel on an axle, on the turning Earth. Axes: east, north, up.
+#[derive(Debug, Clone, Copy)]
+pub struct Compass {
+    /// moment of inertia across the axle, kg m^2
+    pub transverse: f64,
+    /// angular momentum along the axle, N m s
+    pub momentum: f64,
+    /// weight of the bob times its distance from the pivot, N m
+    pub pendulosity: f64,
+    /// angular velocity of the horizon: of the Earth, with that of a ship, rad/s
+    pub horizon: SpaceVector,
+    /// torque about the vertical over that of the bob
+    pub offset: f64,
+    /// torque that lowers the north end, whatever the tilt, N m
+    pub rider: f64,
+    /// viscous torque about the vertical over momentum and rate of azimuth
+    pub pivot: f64,
+}
+
+/// Angular velocity of the horizon on a ship that goes north at so many m/s.
+pub fn horizon(earth: f64, latitude: f64, speed: f64) -> SpaceVector {
+    let (s, c) = sincos(latitude);
+    SpaceVector::new(-speed / RADIUS, earth * c, earth * s)
+}
+
+const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+
+// ANCHOR: motions
+impl Compass {
+    /// The torque of the bob and of the rider; `up` is away from where the bob hangs to.
+    fn torque(&self, axle: SpaceVector, up: SpaceVector) -> SpaceVector {
+        let level = axle.cross(&up);
+        level * (-(self.pendulosity * axle.dot(&up) + self.rider) / level.norm())
+    }
+
+    /// The axle alone, which goes where the torques send the angular momentum that lies
+    /// along it; `push` is the acceleration of the ship towards the north over g.
+    pub fn slow(self, ship: impl Fn(f64) -> (SpaceVector, f64)) -> impl Ode<3> {
+        ode(move |t, &y: &[f64; 3]| {
+            let (axle, (horizon, push)) = (SpaceVector::from_array(y), ship(t));
+            let up = UP + SpaceVector::new(0.0, push, 0.0);
+            let drift = self.torque(axle, up) / self.momentum - horizon.cross(&axle);
+            // What acts about the vertical lowers or raises the axle.
+            let [x, y, _] = y;
+            let rate = (drift.x() * y - drift.y() * x) / (x * x + y * y);
+            let raised = UP - axle * axle.z();
+            let sinking = self.offset * self.pendulosity / self.momentum * axle.dot(&up);
+            (drift + raised * ((self.pivot * rate - sinking) / raised.norm())).to_array()
+        })
+    }
+
+    /// The whole body, nutation and all: its axle and the part of its angular velocity
+    /// across it; the angular momentum is L axle + I_t across.
+    pub fn whole(self) -> impl Ode<6> {
+        self.turning(move |axle, _, _| self.torque(axle, UP))
+    }
+
+    /// The same without a bob, the axle held level by a frame that is free to turn about
+    /// the vertical: the torque of the frame keeps the axle from rising.
+    pub fn held(self) -> impl Ode<6> {
+        self.turning(move |axle, across, gained| {
+            let turned = (across - self.horizon).cross(&axle);
+            let rises = gained.cross(&axle) + (across - self.horizon).cross(&turned);
+            axle.cross(&UP) * (-self.transverse * rises.z())
+        })
+    }
+
+    fn turning(
+        self,
+        torque: impl Fn(SpaceVector, SpaceVector, SpaceVector) -> SpaceVector,
+    ) -> impl Ode<6> {
+        let rate = self.foucault_rate();
+        ode(move |_, state: &[f64; 6]| {
+            let [axle, across] = place_and_velocity(state);
+            let turned = (across - self.horizon).cross(&axle);
+            let gyroscopic = across.cross(&axle) * (-self.momentum / self.transverse);
+            let gained = gyroscopic - self.horizon.cross(&across);
+            let torque = torque(axle, across, gained);
+            joined(turned, gained + torque / self.transverse)
+        })
+        .scaled(move |_| [1.0, 1.0, 1.0, rate, rate, rate])
+    }
+}
+// ANCHOR_END: motions
+
+fn joined(a: SpaceVector, b: SpaceVector) -> [f64; 6] {
+    let ([a, b, c], [d, e, f]) = (a.to_array(), b.to_array());
+    [a, b, c, d, e, f]
+}
+
+/// The axle at this azimuth, east of north, and tilt.
+pub fn axle(azimuth: f64, tilt: f64) -> SpaceVector {
+    let ((s, c), (up, level)) = (sincos(azimuth), sincos(tilt));
+    SpaceVector::new(s * level, c * level, up)
+}
+
+/// Azimuth and tilt of the axle.
+pub fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
+    [atan2(x, y), atan2(z, hypot(x, y))]
+}
+
+impl Compass {
+    /// The compass of the problem, without damping, on a ship in port.
+    pub fn new(p: &Parameters) -> Result<Self> {
+        let momentum = p.axial * p.spin;
+        let north = EARTH * cos(p.latitude);
+        let compass = Self {
+            transverse: p.transverse,
+            momentum,
+            pendulosity: p.tuning * momentum * p.gravity / (RADIUS * north),
+            horizon: horizon(EARTH, p.latitude, 0.0),
+            offset: 0.0,
+            rider: 0.0,
+            pivot: 0.0,
+        };
+        let flat = "moment across the axle over that about it";
+        from_to(0.5, 1e3).check(flat, p.transverse / p.axial)?;
+        let stiff = compass.pendulosity * p.transverse / (momentum * momentum);
+        from_to(0.0, 1e-3).check("(Foucault's period over the compass's)^2", stiff)?;
+        from_to(-0.9, 0.9).check("offset times tan(latitude)", p.offset * tan(p.latitude))?;
+        Ok(compass)
+    }
+
+    fn north(&self) -> f64 {
+        self.horizon.y()
+    }
+
+    /// Angular frequency of Foucault's compass, small swings.
+    pub fn foucault_rate(&self) -> f64 {
+        let north = self.north();
+        (north * (self.momentum / self.transverse - north)).sqrt()
+    }
+
+    /// Period of Foucault's compass from rest at `azimuth`.
+    pub fn foucault_period(&self, azimuth: f64) -> Result<f64> {
+        let rate = (self.north() * self.momentum / self.transverse).sqrt();
+        let small = self.transverse * self.north() / self.momentum;
+        let h = sin(0.5 * azimuth) * sin(0.5 * azimuth);
+        let less = 1.0 - small * (1.0 - h);
+        Ok(4.0 / (rate * less.sqrt()) * carlson::rf(0.0, 1.0 - h, 1.0 + small * h / less)?)
+    }
+
+    /// Where the axle rests: azimuth and tilt.
+    pub fn rest(&self) -> [f64; 2] {
+        let rate = self.pendulosity / self.momentum;
+        let (north, up) = (
+            self.horizon.y(),
+            self.horizon.z() - self.rider / self.momentum,
+        );
+        let mut at = [0.0; 2];
+        for _ in 0..100 {
+            let tilt = atan2(up, north * cos(at[0]) + rate);
+            at = [asin(self.offset * rate * sin(tilt) / north), tilt];
+        }
+        at
+    }
+
+    /// Minus half the trace, and the determinant, of the linear motion about rest.
+    pub fn linear(&self) -> [f64; 2] {
+        let (rate, north) = (self.pendulosity / self.momentum, self.north());
+        let [(s, c), (raised, level)] = self.rest().map(sincos);
+        let damping = self.offset * rate * level;
+        let across = (north * c + rate) / (level * level);
+        let along = north * s * raised / level;
+        [
+            0.5 * (damping - along),
+            north * c * across - along * damping,
+        ]
+    }
+
+    /// The slow swing of the whole body about a level rest: its angular frequency, and its
+    /// tilt over its rate of azimuth.
+    pub fn both(&self) -> [f64; 2] {
+        let (i, l, north) = (self.transverse, self.momentum, self.north());
+        let up = self.horizon.z();
+        let [a, b, l] = [
+            north * (l - i * north),
+            self.pendulosity + l * north - i * (north * north - up * up),
+            l - 2.0 * i * north,
+        ];
+        let sum = i * (a + b) + l * l;
+        let square = 2.0 * a * b / (sum + (sum * sum - 4.0 * i * i * a * b).sqrt());
+        [square.sqrt(), -l / (b - i * square)]
+    }
+
+    /// The whole body with its axle there, its azimuth changing at this rate, its tilt at rest.
+    pub fn start(&self, [azimuth, tilt]: [f64; 2], rate: f64) -> [f64; 6] {
+        let axle = axle(azimuth, tilt);
+        let moved = axle.cross(&UP) * rate + self.horizon.cross(&axle);
+        joined(axle, axle.cross(&moved))
+    }
+
+    /// The axle from this azimuth and tilt on, in port.
+    pub fn run(self, [azimuth, tilt]: [f64; 2], end: f64, step: f64) -> Result<Solution<3>> {
+        let port = self.slow(move |_| (self.horizon, 0.0));
+        Dop853::new(step)?.solve(&port, 0.0, &axle(azimuth, tilt).to_array(), end, &[])
+    }
+
+    /// Where it comes to rest: viscous friction of the vertical pivot, as much as makes the
+    /// swing die fastest, does not act on what rests.
+    pub fn settled(self, step: f64) -> Result<[f64; 2]> {
+        let ([decay, stiff], mut slowest) = (self.linear(), self.linear()[1].sqrt());
+        let most = 2.0 * slowest * self.momentum / self.pendulosity;
+        if decay > slowest {
+            slowest = stiff / (decay + (decay * decay - stiff).sqrt());
+        }
+        let pivot = (most - self.offset).max(0.0);
+        let run = Self { pivot, ..self }.run([0.01, 0.0], 60.0 / slowest, step)?;
+        Ok(angles(*run.end_state()))
+    }
+}
+
+/// A turning point of Foucault's compass let go at `release`.
+fn turned(p: &Parameters, count: u32, step: f64) -> Result<(LocatedEvent<6>, Work)> {
+    let c = Compass::new(p)?;
+    let (start, end) = (
+        c.start([p.release, 0.0], 0.0),
+        9.0 * c.foucault_period(p.release)?,
+    );
+    Dop853::new(step)?.zero(&c.held(), start, count, end, move |y| y[5] - start[5])
+}
+
+/// The ship speeds up to `speed` within `within` seconds: horizon and push, for [`Compass::slow`].
+fn ship(p: &Parameters, speed: f64, within: f64) -> impl Fn(f64) -> (SpaceVector, f64) + Copy {
+    let (latitude, g) = (p.latitude, p.gravity);
+    move |t| {
+        let x = (t / within).min(1.0);
+        let push = 6.0 * x * (1.0 - x) * speed / (within * g);
+        (
+            horizon(EARTH, latitude, speed * x * x * (3.0 - 2.0 * x)),
+            push,
+        )
+    }
+}
+
+/// The zero of a nearly straight function, by secants.
+fn secant(mut a: f64, mut b: f64, f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
+    let (mut at_a, mut at_b) = (f(a)?, f(b)?);
+    for _ in 0..6 {
+        if at_b == at_a {
+            break;
+        }
+        (a, b) = (b, b - at_b * (b - a) / (at_b - at_a));
+        (at_a, at_b) = (at_b, f(b)?);
+    }
+    Ok(b)
+}
+
+/// The pendulosity with which a ship that speeds up does not set the compass swinging.
+pub fn quiet(p: &Parameters) -> Result<f64> {
+    let (compass, speed) = (Compass::new(p)?, 0.01);
+    let own = compass.pendulosity / p.tuning;
+    secant(0.7 * own, 1.2 * own, |k| {
+        let tried = Compass {
+            pendulosity: k,
+            ..compass
+        };
+        let start = axle(0.0, tried.rest()[1]).to_array();
+        let end = after(900.0, &tried.slow(ship(p, speed, 900.0)), &start, 1e-14)?;
+        let there = atan2(-speed / RADIUS, compass.north());
+        Ok((angles(end)[0] - there) / there)
+    })
+}
+
+/// Half a period of a small damped swing, and by which factor it shrinks in that time.
+pub fn shrinking(c: Compass) -> Result<[f64; 2]> {
+    let rest = c.rest();
+    let [mut half, mut factor] = [0.0, 1.0];
+    for size in [1e-4, -1e-4] {
+        let start = axle(rest[0] + size, rest[1]).to_array();
+        let zero = |count| {
+            let method = Dop853::new(1e-14)?;
+            let port = c.slow(move |_| (c.horizon, 0.0));
+            let off = |y: &[f64; 3]| angles(*y)[0] - rest[0];
+            Ok(method.zero(&port, start, count, 1e8, off)?.0)
+        };
+        let [first, second] = [zero(1)?, zero(2)?];
+        half += 0.5 * (second.t - first.t);
+        let tilt = |event: &LocatedEvent<3>| angles(event.state)[1] - rest[1];
+        factor *= (-tilt(&second) / tilt(&first)).sqrt();
+    }
+    Ok([half, factor])
+}
+
+/// Tilt over azimuth of a small swing: what it has of each at its widest.
+fn flatness(c: Compass) -> Result<f64> {
+    let (size, [_, rest]) = (1e-4, c.rest());
+    let crossing = |count| {
+        let port = c.slow(move |_| (c.horizon, 0.0));
+        let start = axle(size, rest).to_array();
+        Ok(angles(
+            Dop853::new(1e-14)?
+                .zero(&port, start, count, 1e8, |y| y[0])?
+                .0
+                .state,
+        )[1])
+    };
+    Ok(0.5 * (crossing(1)? - crossing(2)?) / size)
+}
+
+/// Angular frequency of the smallest swings of the axle alone, simulated.
+pub fn measured(c: Compass) -> Result<f64> {
+    let port = c.slow(move |_| (c.horizon, 0.0));
+    let flat = c.north() / c.linear()[1].sqrt();
+    let start = |size| axle(0.0, c.rest()[1] + flat * size).to_array();
+    small_frequency(&port, start, 1e8, |y| y[0])
+}
+
+/// The same of the whole body.
+pub fn measured_whole(c: Compass) -> Result<f64> {
+    let [rate, tilt] = c.both();
+    let start = |size| c.start([0.0, c.rest()[1] + size * rate * tilt], size * rate);
+    small_frequency(&c.whole(), start, 20.0 / rate, |y| y[0])
+}
+
+/// The same in a frame that holds it level.
+pub fn measured_held(c: Compass) -> Result<f64> {
+    let rate = c.foucault_rate();
+    let start = |size| c.start([0.0; 2], size * rate);
+    small_frequency(&c.held(), start, 20.0 / rate, |y| y[0])
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let c = Compass::new(p)?;
+    let (l, north, up) = (c.momentum, c.north(), c.horizon.z());
+    let damped = Compass {
+        offset: p.offset,
+        ..c
+    };
+    let (small, wide) = (2.0 * PI / c.foucault_rate(), c.foucault_period(p.release)?);
+    let (tilt, rate) = (c.rest()[1], c.linear()[1].sqrt());
+    let flat = north / rate;
+    let tuned = l * p.gravity / (RADIUS * north);
+    let [decay, stiff] = damped.linear();
+    let swings = stiff > decay * decay;
+    let beat = (stiff - decay * decay).max(0.0).sqrt();
+    let [half, factor] = if swings { shrinking(damped)? } else { [0.0; 2] };
+    let error = damped.rest()[0];
+    let rider = secant(0.9 * l * up, 1.1 * l * up, |rider| {
+        Ok(Compass { rider, ..damped }
+            .run([0.0, 0.0], 200.0 / decay.min(rate), 1e-14)?
+            .end_state()[0])
+    });
+    let off = -atan2(p.speed / RADIUS, north);
+    let sailing = Compass {
+        horizon: horizon(EARTH, p.latitude, p.speed),
+        ..c
+    };
+    let stone = newton(|_, [r, _]| r * (-p.gravity / RADIUS * r.norm().powi(-3)));
+    let round = Dop853::new(1e-14)?.zero(
+        &stone,
+        [1.0, 0.0, 0.0, 0.0, (p.gravity / RADIUS).sqrt(), 0.0],
+        2,
+        1e7,
+        |y| y[1],
+    )?;
+    let (schuler, bound) = (
+        2.0 * PI * (RADIUS / p.gravity).sqrt() / 60.0,
+        100.0 * p.tolerance,
+    );
+    claims! { report,
+        /// Foucault: small swings
+        foucault: small, "s", "whole body" => 2.0 * PI / measured_held(c)?,
+        within 1e-8 * small, in "Foucault's compass: period":
+            small * cos(p.latitude).sqrt() => "that is at the equator; only a part of the Earth's rotation counts",
+            small / (2.0 * PI) => "look at the factor 2 pi",
+            small * (p.axial / p.transverse).sqrt() => "two different moments of inertia occur";
+        /// Foucault: from the release
+        wide: wide, "s", "located event" => turned(p, 2, p.tolerance)?.0.t,
+        within (1e-8 + 10.0 * bound) * wide / pow(cos(0.5 * p.release), 4.0), in "Foucault's compass: period":
+            small => "that is for small swings";
+        /// tilt at rest
+        tilt: tilt, "rad", "where it settles" => c.settled(p.tolerance)?[1], within 1e-11 + bound,
+        in "The pendulous compass";
+        /// period of small swings
+        period: 2.0 * PI / rate, "s", "simulated" => 2.0 * PI / measured(c)?,
+        within 1e-8 / rate, in "The pendulous compass";
+        /// tilt over azimuth of a swing
+        flatness: flat, "-", "simulated" => flatness(c)?, within 1e-6 * flat,
+        in "The pendulous compass":
+            1.0 / flat => "turn it over";
+        /// a stone that circles the Earth at the ground
+        schuler: schuler, "min", "simulated" => round.0.t / 60.0, within 1e-10 * schuler;
+        /// pendulosity that is not disturbed
+        tuned: tuned, "N m", "ships that speed up" => quiet(p)?, within 1e-5 * tuned,
+        in "The pendulous compass":
+            tuned * cos(p.latitude) => "only the part of the Earth's rotation that lies in the horizon counts";
+        /// half a period, damped
+        half: PI / beat, "s", "located events" => half, within 1e-6 / beat, if swings;
+        /// part of the swing left after it
+        left: exp(-PI * decay / beat), "-", "located events" => factor, within 1e-6, if swings,
+        in "Damped";
+        /// azimuth at rest, damped
+        latitude_error: error, "rad", "where it settles" => damped.settled(p.tolerance)?[0],
+        within 1e-9 + bound, in "Damped":
+            -error => "the other side",
+            p.offset => "that is the ratio of the torques; at the equator the azimuth is zero";
+        /// torque of a rider that takes this away
+        rider: l * up, "N m", "settles north" => rider?, within 1e-9 * l * EARTH, if swings && p.latitude.abs() > 1e-3,
+        in "Damped":
+            l * north => "the tilt at rest comes from the vertical part of the Earth's rotation";
+        /// azimuth at rest on the ship
+        speed_error: off, "rad", "where it settles" => sailing.settled(p.tolerance)?[0],
+        within 1e-9 + bound, in "The ship":
+            -off => "the other side",
+            -p.speed / (RADIUS * EARTH) => "that is at the equator";
+    }
+}
+
+/// Foucault's compass and the ship's are the ends of one instrument.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let c = Compass::new(p)?;
+    let (soft, stiff) = (
+        1e-9 * c.momentum,
+        1e9 * c.momentum * c.momentum / c.transverse,
+    );
+    let with = |pendulosity| Compass { pendulosity, ..c };
+    let level = horizon(EARTH, 0.0, 0.0);
+    let thin = Compass {
+        transverse: 1e-6 * c.transverse,
+        horizon: level,
+        ..c
+    };
+    let at = |latitude| Parameters {
+        latitude,
+        offset: 0.0,
+        ..p.clone()
+    };
+    let pole = |latitude| Ok(Compass::new(&at(latitude))?.foucault_rate() / cos(latitude).sqrt());
+    let free = (with(soft).linear()[1]).sqrt();
+    limits! { report,
+        /// the frame holds the axle level
+        "stiff bob: omega/omega_F": with(stiff).both()[0] / c.foucault_rate() => 1.0, within 1e-8;
+        /// no moment across the axle: it follows the torque at once
+        "I_t = 0: omega/omega_0": thin.both()[0] / thin.linear()[1].sqrt() => 1.0, within 1e-4;
+        /// a free axle points to a star, and goes round once in a day
+        "no bob: omega_0/Omega": free / EARTH => 1.0, within 1e-3;
+        /// only the part of the rotation in the horizon counts
+        "near the pole: omega_F/sqrt(cos)": pole(1.5)? / pole(0.0)? => 1.0, within 1e-6;
+        /// the horizon does not turn
+        "equator: tilt at rest": Compass::new(&at(0.0))?.rest()[1] => 0.0, within 1e-15;
+    }
+}
+
+/// The card of effects, with dry friction of 1e-6 N m in the vertical bearing.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let c = Compass::new(p)?;
+    let (north, rate) = (c.north(), c.linear()[1].sqrt());
+    let (grip, ratio) = (1e-6 / (c.momentum * north), rate / c.foucault_rate());
+    let [way, sail] = [
+        p.speed / RADIUS * 2.0 * PI / rate,
+        p.speed / (RADIUS * north),
+    ]
+    .map(f64::abs);
+    let (wide, flattening) = (p.release * p.release / 16.0, 1.0 / 298.257);
+    effect_card! { report,
+        "dry friction about the vertical": "M_f/(L Omega cos)" = grip, costs grip, "rad of azimuth";
+        "width of the swing": "alpha^2/16" = wide, costs wide, "of the period", included;
+        "moment across the axle": "(omega_0/omega_F)^2" = ratio * ratio,
+            costs 0.5 * ratio * ratio, "of the period";
+        "latitude sailed in a period": "v T/R" = way, costs way * sail * tan(p.latitude).abs(),
+            "rad of azimuth";
+        "the same speed towards the east": "v/(R Omega cos)" = sail, costs 0.5 * sail, "of the period";
+        "flattening of the Earth": "f" = flattening, costs 0.5 * flattening, "of 84 minutes";
+    }
+}
+
+/// The accuracy strip: Foucault's compass, let go, until it is back.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (own, period) = (p.clone(), Compass::new(p)?.foucault_period(p.release)?);
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
+    let (compass, release) = (Compass::new(p)?, p.release);
+    report.set_closed_form(ClosedForm::new(move |_| compass.foucault_period(release)));
+    report.dial_of_return(
+        asked,
+        move |step| turned(&own, 2, step),
+        period,
+        sin(release),
+    )
+}
+
+example! {
+    further_2_gyrocompass: "A further problem: the gyrocompass, which the turning Earth points north";
+    "The gyrocompass", "A spinning wheel on a level or pendulous axle, on the turning Earth.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

@@ -1,0 +1,606 @@
+//! Euler's disc: a coin or a heavy disc spun on a table, which settles faster and faster.
+
+#[path = "further_3_euler_disc/figures.rs"]
+mod figures;
+#[path = "further_3_euler_disc/rolling.rs"]
+mod rolling;
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use rotation_dynamics::Error;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Solution, Work, small_frequency};
+use rotation_dynamics::math::round_even;
+use rotation_dynamics::report::prelude::*;
+
+pub use rolling::{Disc, Loss, placed, rolling, settling};
+
+parameters! {
+    /// The disc of Moffatt's note; the inclination of the steady motion is ours.
+    pub struct Parameters {
+        /// radius of the disc
+        radius: number(0.0375, "m", from_to(1e-3, 1.0).usually(0.01, 0.1));
+        /// its mass
+        mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0));
+        /// inclination of the steady motion
+        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.2));
+        /// radius of the circle of its centre over R; positive on the side away from the contact
+        circle: number(0.0, "-", from_to(-10.0, 0.16).usually(-2.0, 0.1));
+        /// inclination from which it settles
+        start: number(0.1, "rad", from_to(0.01, 0.2));
+        /// what brakes it: the air under it, or rolling friction
+        loss: choice("air", "rolling");
+        /// coefficient of rolling friction
+        rolling: number(2e-5, "-", from_to(1e-6, 2e-4).usually(5e-6, 1e-4));
+        /// viscosity of the air
+        viscosity: number(1.78e-5, "Pa s", from_to(1e-6, 1e-3).usually(1e-5, 1e-4));
+        /// thickness under the centre at which a film of air, or a smooth edge, is none any more
+        film: number(1e-5, "m", from_to(1e-7, 1e-3).usually(1e-6, 1e-4));
+        /// a time before the end that is asked about
+        left: number(1.0, "s", from_to(1e-6, 1e4).usually(0.01, 50.0));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(1e-2, 1e3).usually(1.0, 25.0));
+        /// error of a step of the simulations: from 1e-14 to 1e-8
+        tolerance: number(1e-10, "-", from_to(1e-14, 1e-8));
+    }
+}
+
+// ANCHOR: steady
+/// A steady motion: inclination, and radius of the circle of the centre in R.
+#[derive(Debug, Clone, Copy)]
+pub struct Steady {
+    pub tilt: f64,
+    pub circle: f64,
+}
+
+impl Steady {
+    /// Rate at which the contact runs round, in sqrt(g/R).
+    pub fn rate(&self) -> f64 {
+        let (s, c) = sincos(self.tilt);
+        2.0 * (c / (s * (c - 6.0 * self.circle))).sqrt()
+    }
+
+    /// Angular velocity about the disc's axis.
+    pub fn spin(&self) -> f64 {
+        self.circle * self.rate()
+    }
+
+    /// How fast the face turns, seen from above.
+    pub fn face(&self) -> f64 {
+        let half = sin(0.5 * self.tilt);
+        self.rate() * (2.0 * half * half) + self.spin()
+    }
+
+    /// Energy in m g R.
+    pub fn energy(&self) -> f64 {
+        let (s, across) = (sin(self.tilt), self.rate() * sin(self.tilt));
+        s + 0.125 * across * across + 0.75 * self.spin() * self.spin()
+    }
+
+    /// Square of the angular frequency of a small nodding, over that of the rate.
+    pub fn nodding(&self) -> f64 {
+        let ((s, c), b) = (sincos(self.tilt), self.circle);
+        0.8 * (3.0 * b * b - 2.5 * c * b + s * s + 0.75 * c * c + 1.5 * b * s * s / c)
+    }
+}
+// ANCHOR_END: steady
+
+// ANCHOR: settle
+/// How the inclination falls, if slowly: as -k tilt^(-n) (1 - c tilt^2), in sqrt(g/R).
+#[derive(Debug, Clone, Copy)]
+pub struct Settling {
+    pub k: f64,
+    pub n: f64,
+    pub c: f64,
+}
+
+impl Settling {
+    pub fn of(loss: Loss) -> Self {
+        let [k, n, c] = match loss {
+            Loss::Rolling(part) => [4.0 / 3.0 * part, 0.5, 161.0 / 108.0],
+            Loss::Air(viscosity) => [TAU / 3.0 * viscosity, 2.0, 73.0 / 54.0],
+            Loss::None => [0.0; 3],
+        };
+        Self { k, n, c }
+    }
+
+    /// The steady motion through which a disc passes that has settled for long.
+    pub fn passing(tilt: f64) -> Steady {
+        Steady {
+            tilt,
+            circle: 5.0 / 18.0 * tilt * tilt,
+        }
+    }
+
+    /// Time left until the singularity.
+    pub fn left(&self, tilt: f64) -> f64 {
+        let first = pow(tilt, self.n + 1.0) / ((self.n + 1.0) * self.k);
+        first * (1.0 + self.c * tilt * tilt * (self.n + 1.0) / (self.n + 3.0))
+    }
+
+    /// Inclination when so much time is left.
+    pub fn tilt(&self, left: f64) -> f64 {
+        let first = pow((self.n + 1.0) * self.k * left, 1.0 / (self.n + 1.0));
+        let better = |tilt: f64, _| first * (1.0 - self.c * tilt * tilt / (self.n + 3.0));
+        (0..4).fold(first, better)
+    }
+
+    /// The rate goes with this power of the time left, the other way.
+    pub fn exponent(&self) -> f64 {
+        0.5 / (self.n + 1.0)
+    }
+
+    /// Where the centre would have to fall with the acceleration g.
+    pub fn falls(&self) -> f64 {
+        pow(self.n * self.k * self.k, 1.0 / (2.0 * self.n + 1.0))
+    }
+
+    /// Turns of the contact from this inclination to the singularity.
+    pub fn turns(&self, tilt: f64) -> f64 {
+        let (m, more) = (self.n + 0.5, (11.0 / 12.0 + self.c) * tilt * tilt);
+        pow(tilt, m) / (self.k * PI) * (1.0 / m + more / (m + 2.0))
+    }
+
+    /// Part of the inclination that it loses while the contact goes round by a radian.
+    pub fn haste(&self, tilt: f64) -> f64 {
+        0.5 * self.k * pow(tilt, -self.n - 0.5)
+    }
+}
+// ANCHOR_END: settle
+
+/// Where the page's numbers come from: units, and one loss.
+struct Case {
+    time: f64,
+    loss: Loss,
+    law: Settling,
+    /// Where the law ends: at the acceleration g, or at the film.
+    end: f64,
+    film: f64,
+    start: f64,
+    step: f64,
+}
+
+impl Case {
+    fn new(p: &Parameters, name: &str) -> Result<Self> {
+        let time = (p.radius / p.gravity).sqrt();
+        let loss = match name {
+            "air" => Loss::Air(p.viscosity * p.radius / p.mass * time),
+            _ => Loss::Rolling(p.rolling),
+        };
+        let (law, film) = (Settling::of(loss), p.film / p.radius);
+        let end = law.falls().max(film);
+        between(0.0, 0.1 * p.start).check(
+            "inclination at which the law ends, less than a tenth of the start,",
+            end,
+        )?;
+        let step = p.tolerance;
+        Ok(Self {
+            time,
+            loss,
+            law,
+            end,
+            film,
+            start: p.start,
+            step,
+        })
+    }
+
+    /// The settling simulated, to the film. It starts as one that has settled for long: with
+    /// the inclination falling already, and a face that will come to rest.
+    fn simulate(&self) -> Result<Settled> {
+        let steady = Settling::passing(self.start);
+        let falling = -self.law.k * pow(self.start, -self.law.n);
+        let from = placed(
+            self.start,
+            [steady.rate(), falling, steady.spin()],
+            steady.circle,
+        )?;
+        let marks = [0.4, 0.2, 0.1].map(|part| part * self.start);
+        let until = 2.0 * self.law.left(self.start);
+        let run = settling(self.loss, from, &marks, self.film, until, self.step)?;
+        let passed: Vec<f64> = run
+            .events()
+            .iter()
+            .filter(|e| e.name == "mark")
+            .map(|e| e.t)
+            .collect();
+        // Slow enough there for the law to say what is left.
+        let end = passed[2] + self.law.left(marks[2]);
+        Ok(Settled {
+            run,
+            passed,
+            end,
+            loss: self.loss,
+        })
+    }
+}
+
+/// A simulated settling, the times of its marks, and when it would end.
+struct Settled {
+    run: Solution<9>,
+    passed: Vec<f64>,
+    end: f64,
+    loss: Loss,
+}
+
+impl Settled {
+    fn at(&self, t: f64) -> Result<Disc> {
+        Ok(Disc::new(&self.run.at(t)?))
+    }
+
+    /// Turns of the contact from the start to `t`, by the rule of Simpson.
+    fn turns(&self, t: f64) -> Result<f64> {
+        let h = t / 20_000.0;
+        let values = sampled(times(0.0, t, 20_000), |t| Ok(self.at(t)?.rate))?;
+        let weight = |i: usize| {
+            if i == 0 || i == 20_000 {
+                1.0
+            } else {
+                2.0 + 2.0 * (i % 2) as f64
+            }
+        };
+        let sum: f64 = values
+            .iter()
+            .enumerate()
+            .map(|(i, rate)| weight(i) * rate)
+            .sum();
+        Ok(sum * h / (3.0 * TAU))
+    }
+
+    /// The exponent for which rate^(-1/exponent) falls on a line over the marks: bisected, as a
+    /// smaller one bends it one way and a larger one the other.
+    fn exponent(&self) -> Result<f64> {
+        let rates = sampled(self.passed.iter().copied(), |t| Ok(self.at(t)?.rate))?;
+        let (mut low, mut high) = (0.02, 1.0);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            match bend(middle, &self.passed, &rates) > 0.0 {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Ok(0.5 * (low + high))
+    }
+}
+
+/// How much rate^(-1/exponent) falls more in the first of two spans than in the second.
+pub fn bend(exponent: f64, t: &[f64], rates: &[f64]) -> f64 {
+    let z = |i: usize| pow(rates[i] / rates[0], -1.0 / exponent);
+    (z(0) - z(1)) / (t[1] - t[0]) - (z(1) - z(2)) / (t[2] - t[1])
+}
+
+/// The steady motion of the page; refused if there is none or the disc would leave it.
+fn steady(p: &Parameters) -> Result<Steady> {
+    let motion = Steady {
+        tilt: p.inclination,
+        circle: p.circle,
+    };
+    above(0.0).check(
+        "cos(inclination) - 6 circle",
+        cos(p.inclination) - 6.0 * p.circle,
+    )?;
+    above(0.02).check(
+        "square of the frequency of a nodding, over that of the rate,",
+        motion.nodding(),
+    )?;
+    Ok(motion)
+}
+
+/// A turn of the contact, simulated: how long, and where it ends.
+fn turn(motion: Steady, step: f64) -> Result<(f64, Disc, [f64; 2])> {
+    let start = placed(
+        motion.tilt,
+        [motion.rate(), 0.0, motion.spin()],
+        motion.circle,
+    )?;
+    let until = 2.0 * TAU / motion.rate();
+    let (back, _) = Dop853::new(step)?.zero(&rolling(Loss::None), start, 2, until, |y| {
+        Disc::new(y).axis.x()
+    })?;
+    let [w, x, y, z, ..] = back.state;
+    let angles = Attitude::from_quaternion([w, x, y, z])?.euler_angles();
+    Ok((back.t, Disc::new(&back.state), [angles.phi, angles.zeta]))
+}
+
+/// The frequency of a small nodding, simulated.
+pub fn measured_nodding(motion: Steady) -> Result<f64> {
+    let kick = motion.tilt.min(0.3) * motion.nodding().sqrt() * motion.rate();
+    let kicked = |size: f64| {
+        let rates = [motion.rate(), size * kick, motion.spin()];
+        placed(motion.tilt, rates, motion.circle).unwrap_or([f64::NAN; 9])
+    };
+    let rest = Disc::new(&kicked(0.0)).tilt;
+    let nods = |y: &[f64; 9]| Disc::new(y).tilt - rest;
+    small_frequency(&rolling(Loss::None), kicked, 200.0, nods)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (motion, time) = (steady(p)?, (p.radius / p.gravity).sqrt());
+    let (rate, (s, c)) = (motion.rate() / time, sincos(p.inclination));
+    let (turned, disc, [_, zeta]) = turn(motion, p.tolerance)?;
+    let bound = 1e4 * p.tolerance;
+    // Spin and precession in a turn, to whole turns: it is less than half a turn off.
+    let face = motion.face() * turned;
+    let seen = zeta + TAU * round_even((face - zeta) / TAU);
+    let energy = p.mass * p.gravity * p.radius;
+    let now = disc.angular_velocity.norm();
+    let own = disc.angular_velocity.dot(&disc.axis);
+    let held = sin(disc.tilt)
+        + 0.5 * disc.velocity().dot(&disc.velocity())
+        + 0.125 * (now * now + own * own);
+    let nods = rate * motion.nodding().sqrt();
+    let (air, rolls) = (Case::new(p, "air")?, Case::new(p, "rolling")?);
+    let (by_air, by_rolling) = (air.simulate()?, rolls.simulate()?);
+    let (case, run) = if p.loss == "air" {
+        (&air, &by_air)
+    } else {
+        (&rolls, &by_rolling)
+    };
+    let law = case.law;
+    let [ends, asked] = [law.left(case.end) * time, p.left];
+    from_to(ends, 0.85 * law.left(case.start) * time)
+        .check("left, down to where the law ends,", asked)?;
+    let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
+    let (tilt, near) = (
+        law.tilt(asked / time),
+        3.0 * pow(p.start, 4.0) + hasty(case),
+    );
+    let about = |case: &Case| case.law.exponent() * (p.start * p.start + hasty(case));
+    let then = run.at(run.end - asked / time);
+    let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);
+    let tone = |tilt: f64| Settling::passing(tilt).rate() / (TAU * time);
+    let sounds = then
+        .as_ref()
+        .map_or(f64::NAN, |disc| disc.rate / (TAU * time));
+    let (turns, rest) = (law.turns(case.start), law.turns(0.1 * case.start));
+    claims! { report,
+        /// rate at which the contact runs round
+        rate: rate, "rad/s", "a turn in vectors" => TAU / (turned * time), within bound * rate, in "The steady motion":
+            rate / 2.0_f64.sqrt() => "about a diameter the moment of inertia is m R^2/4",
+            (p.gravity / (p.radius * s)).sqrt() => "about a diameter the moment of inertia is m R^2/4",
+            rate / TAU => "that is turns a second";
+        /// angular speed of the disc
+        omega: hypot(rate * s, motion.spin() / time), "rad/s", "a turn in vectors" => now / time, within bound * rate,
+        in "The steady motion":
+            rate => "that is how fast the contact runs",
+            rate * c => "the disc turns about a line in its plane: which?";
+        /// how fast its face turns, seen from above
+        face: motion.face() / time, "rad/s", "quaternion after a turn" => seen / (turned * time), within bound * rate,
+        in "The steady motion":
+            rate => "that is how fast the contact runs",
+            rate * (1.0 + c) => "the spin is opposite to the precession";
+        /// energy
+        energy: motion.energy() * energy, "J", "after a turn" => held * energy, within bound * energy, in "The steady motion":
+            s * energy => "it moves as well",
+            2.0 * s * energy => "the centre rests: only the turning has kinetic energy";
+        /// angular frequency of a small nodding
+        nodding: nods, "rad/s", "two kicks" => measured_nodding(motion)? / time, within 1e-7 * nods, in "The steady motion":
+            rate => "the nodding is slower";
+        /// rolling friction: exponent of the rate
+        exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => by_rolling.exponent()?, within about(&rolls),
+        in "The last seconds":
+            2.0 / 3.0 => "that is the exponent of the inclination";
+        /// air: exponent of the rate
+        exponent_air: air.law.exponent(), "-", "bend of the simulation" => by_air.exponent()?, within about(&air),
+        in "The last seconds":
+            1.0 / 3.0 => "that is the exponent of the inclination";
+        /// inclination below which the air takes more than the rolling friction
+        equal: pow(air.law.k / rolls.law.k, 2.0 / 3.0), "rad", "powers, bisected" => balanced(&air, &rolls),
+        within 1e-12;
+        /// inclination at which the law ends
+        tilt_end: case.end, "rad", "bisected" => ending(case), within 1e-6 * case.end;
+        /// time that is left there
+        left_end: ends, "s", "fall from there, integrated" => fallen(&law, case.end) * time, within (1e-6 + 2.0 * case.end * case.end) * ends;
+        /// tone there
+        tone_end: tone(case.end), "Hz", "rate for small angles" => 1.0 / (PI * time * case.end.sqrt()),
+        within case.end * case.end * tone(case.end);
+    }?;
+    let (whole, group) = (law.left(case.start), "The last seconds");
+    report.add(
+        vec![
+            // The first power of the inclination alone is right as well.
+            claim("t_end", "time from the start to the end", whole * time, "s")
+                .agrees_with("simulated", run.end * time, near * whole * time)
+                .slip(whole * time * (law.n + 1.0), "it settles faster and faster"),
+            claim(
+                "turns",
+                "turns of the contact until a tenth of the inclination",
+                turns - rest,
+                "-",
+            )
+            .agrees_with("simulated", run.turns(run.passed[2])?, near * turns)
+            .slip(TAU * (turns - rest), "that is in radians"),
+            claim(
+                "tilt_left",
+                "inclination when so much time is left",
+                tilt,
+                "rad",
+            )
+            .agrees_with("simulated", told, near * tilt)
+            .slip(
+                case.start * asked / (whole * time),
+                "it does not sink at an even rate",
+            ),
+            claim("tone_left", "tone then", tone(tilt), "Hz")
+                .agrees_with("simulated", sounds, near * tone(tilt))
+                .slip(TAU * tone(tilt), "that is in radians a second"),
+        ]
+        .into_iter()
+        .map(|entry| entry.judged_within(0.02).answer(group))
+        .collect::<Vec<_>>(),
+    )
+}
+
+/// Where the law's own fall, taken by differences, comes up to g, or its film is used up.
+fn ending(case: &Case) -> f64 {
+    let speed = |tilt: f64| case.law.k * pow(tilt, -case.law.n);
+    let fall =
+        |tilt: f64| speed(tilt) * (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
+    let (mut low, mut high) = (1e-9_f64, 1.0_f64);
+    for _ in 0..100 {
+        let middle = (low * high).sqrt();
+        match fall(middle) > 1.0 {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low.max(case.film)
+}
+
+/// Where both losses take the same power.
+fn balanced(air: &Case, rolls: &Case) -> f64 {
+    let (mut low, mut high) = (1e-9_f64, 1e3_f64);
+    for _ in 0..100 {
+        let tilt = (low * high).sqrt();
+        match air.loss.drag(tilt, 2.0 / tilt.sqrt()) > rolls.loss.drag(tilt, 1.0) {
+            true => low = tilt,
+            false => high = tilt,
+        }
+    }
+    low
+}
+
+/// Time in which the law falls from there to nothing, by the rule of midpoints.
+fn fallen(law: &Settling, from: f64) -> f64 {
+    let h = from / 4000.0;
+    (0..4000)
+        .map(|i| h * pow(h * (f64::from(i) + 0.5), law.n) / law.k)
+        .sum()
+}
+
+/// Upright, flat, and falling.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let flat = Steady {
+        tilt: 1e-4,
+        circle: 0.0,
+    };
+    let upright = Steady {
+        tilt: FRAC_PI_2 - 1e-6,
+        circle: 0.0,
+    };
+    let coin = Steady {
+        tilt: FRAC_PI_2 - 1e-4,
+        circle: -1e3,
+    };
+    let falls = Disc::new(&placed(1e-3, [0.0; 3], 0.0)?)
+        .force(Loss::None)
+        .z();
+    let motion = Steady {
+        tilt: p.inclination,
+        circle: 0.0,
+    };
+    let (_, disc, _) = turn(motion, p.tolerance)?;
+    let held = disc.force(Loss::None) - SpaceVector::new(0.0, 0.0, 1.0);
+    limits! { report,
+        /// upright it spins about a diameter: the last of the steady motions
+        "alpha = pi/2: Omega/sqrt(g/R)": upright.rate() => 2.0, within 1e-11;
+        /// nearly flat the nodding is as fast as this, in the rate of the contact
+        "alpha = 0: nodding/Omega": flat.nodding().sqrt() => 0.6_f64.sqrt(), within 1e-8;
+        /// its face turns by half of alpha^2 for each turn of the contact
+        "alpha = x: face/Omega alpha^2": flat.face() / (flat.rate() * 1e-8) => 0.5, within 1e-8;
+        /// a coin on a large circle leans by v^2/(g rho) and half as much more
+        "large circle: Omega^2 6 rho/(4 g cot alpha)":
+            coin.rate() * coin.rate() * 1.5e3 / (1.0 / tan(coin.tilt)) => 1.0, within 1e-6;
+        /// a centre at rest needs no force but its weight
+        "circle = 0: friction and lift of the table": held.norm() => 0.0, within 1e4 * p.tolerance;
+        /// a disc that does not turn falls about its contact with 4 g/5: the table still pushes
+        "falling flat: force of the table over m g": falls => 0.2, within 1e-5;
+    }
+}
+
+/// The card of effects: a disc 1 cm thick, air as it is, a table that is not level.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (air, rolls) = (Case::new(p, "air")?, Case::new(p, "rolling")?);
+    let thick = 0.01 / p.radius;
+    // The layer that a surface drags in a turn, over the gap under the centre, at the start.
+    let layer = (2.0 * 1.5e-5 * air.time * p.start.sqrt() / 2.0).sqrt() / (p.radius * p.start);
+    let law = if p.loss == "air" { air.law } else { rolls.law };
+    let small = law.c * p.start * p.start * (law.n + 1.0) / (law.n + 3.0);
+    let slow = rolls.law.k / pow(p.start, 1.5);
+    let other = |a: &Case, b: &Case| {
+        let power = |case: &Case| case.law.k * pow(p.start, -case.law.n);
+        power(a) / power(b)
+    };
+    let beside = if p.loss == "air" {
+        other(&rolls, &air)
+    } else {
+        other(&air, &rolls)
+    };
+    effect_card! { report,
+        "the other of the two losses": "ratio of the powers, at the start" = beside, costs beside / (1.0 + beside), "of t_end";
+        "a thickness of 1 cm": "h/R" = thick, costs thick * thick / 6.0, "of Omega";
+        "air that does not move as a film": "layer/gap, at the start" = layer, costs 1.0 / layer - 1.0, "of the power";
+        "inclination that is not small": "alpha^2" = p.start * p.start, costs small, "of t_end", included;
+        "loss in a turn": "alpha'/(alpha Omega)" = 0.5 * slow * p.start.sqrt(), costs slow * slow, "of Omega";
+    }
+}
+
+/// The accuracy strip: a turn of the steady motion.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let motion = steady(p)?;
+    let start = placed(
+        motion.tilt,
+        [motion.rate(), 0.0, motion.spin()],
+        motion.circle,
+    )?;
+    let period = TAU / motion.rate();
+    let back = move |step: f64| {
+        Dop853::new(step)?.zero(&rolling(Loss::None), start, 2, 2.0 * period, |y| {
+            Disc::new(y).axis.x()
+        })
+    };
+    let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
+    report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(motion.rate())));
+    let error = move |(back, _): &(LocatedEvent<9>, Work)| Ok((back.t / period - 1.0).abs());
+    report.dial("DOP853, error of a step", asked, back, |run| run.1, error)
+}
+
+/// Both losses to the end: where the slow law gives up, and what the disc does instead.
+fn ends(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = [
+        "loss",
+        "law ends at / rad",
+        "because of",
+        "highest tone / Hz",
+        "at / rad",
+        "least N/mg",
+        "ends at / rad",
+    ];
+    let mut table = Table::new("ends", columns)?;
+    for name in ["air", "rolling"] {
+        let case = Case::new(p, name)?;
+        let settled = case.simulate()?;
+        let (from, end) = (settled.passed[2], settled.run.end_time());
+        let near = times(0.0, 1.0, 8000).map(|part| end - (end - from) * pow(1.0 - part, 3.0));
+        let (mut top, mut place, mut least) = (0.0, 0.0, f64::INFINITY);
+        for t in near {
+            let disc = settled.at(t.min(end))?;
+            least = disc.force(settled.loss).z().min(least);
+            if disc.rate > top {
+                (top, place) = (disc.rate, disc.tilt);
+            }
+        }
+        let why = if case.end > case.film {
+            "fall with g"
+        } else {
+            "film"
+        };
+        let last = settled.at(end)?.tilt;
+        let cells = [
+            format!("{:.2e}", case.end),
+            why.into(),
+            format!("{:.0}", top / (TAU * case.time)),
+            format!("{place:.1e}"),
+            format!("{least:.3}"),
+            format!("{last:.2e}"),
+        ];
+        table.push([name.to_string()].into_iter().chain(cells))?;
+    }
+    report.add(table)
+}
+
+example! {
+    further_3_euler_disc: "Euler's disc: a disc spun on a table settles faster and faster";
+    "Euler's disc", "A thin disc rolls round on its edge on a table, and settles.",
+    [claims, limits, effects, accuracy, ends];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

@@ -1,0 +1,254 @@
+//! The drawings of Euler's disc; lengths in radii.
+
+use super::*;
+use rotation_dynamics::report::draw::Camera;
+
+/// The centre of a disc that lies so, and its lowest point on the table.
+fn points(tilt: f64, disc: &Disc) -> [SpaceVector; 2] {
+    let centre = SpaceVector::new(0.0, 0.0, sin(tilt));
+    [centre, centre + disc.arm]
+}
+
+/// A level circle about the vertical through the origin.
+fn circle(radius: f64, from: f64, to: f64) -> impl Iterator<Item = SpaceVector> {
+    times(from, to, 60).map(move |a| SpaceVector::new(radius * cos(a), radius * sin(a), 0.0))
+}
+
+/// The disc on its table.
+fn view(tilt: f64, disc: &Disc) -> View {
+    let [centre, contact] = points(tilt, disc);
+    View::of(SpaceVector::new(0.0, 0.0, 0.25), 1.3)
+        .size(340, 230)
+        .camera(Camera::new(-0.6, 0.38))
+        .ground(SpaceVector::zero(), 1.35)
+        .dashed(circle(cos(tilt), 0.0, TAU), Ink::Frame)
+        .solid(
+            Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03),
+            Ink::Body,
+        )
+        .dot(contact, Ink::Ink, "", Side::Below)
+}
+
+/// Inclinations of the steady motions.
+fn inclinations() -> Sweep {
+    Sweep::over(r"$\alpha$ / rad", 0.0, FRAC_PI_2).at([0.06, 0.15, 0.3, 0.5, 0.8, 1.1, 1.4])
+}
+
+/// Both losses with their names and what is simulated.
+fn both(p: &Parameters) -> Result<Vec<(&'static str, Case, Settled)>> {
+    sampled_names(p, ["rolling", "air"])
+}
+
+fn sampled_names<const N: usize>(
+    p: &Parameters,
+    names: [&'static str; N],
+) -> Result<Vec<(&'static str, Case, Settled)>> {
+    let one = |name| {
+        let case = Case::new(p, name)?;
+        let settled = case.simulate()?;
+        Ok((name, case, settled))
+    };
+    names.into_iter().map(one).collect()
+}
+
+/// Time before the simulated end when the inclination is this.
+fn reached(settled: &Settled, tilt: f64) -> Result<f64> {
+    let (mut early, mut late) = (0.0, settled.run.end_time());
+    for _ in 0..60 {
+        let middle = 0.5 * (early + late);
+        match settled.at(middle)?.tilt > tilt {
+            true => early = middle,
+            false => late = middle,
+        }
+    }
+    Ok(settled.end - early)
+}
+
+figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt();
+    /// A disc of radius R stands askew on its edge on a table, at the inclination alpha to it.
+    /// Its centre is above the middle of a dashed circle on the table; on this circle the contact
+    /// runs round with the rate Omega.
+    setup: {
+        let tilt = 0.5;
+        let disc = Disc::new(&placed(tilt, [1.0, 0.0, 0.0], 0.0)?);
+        let [centre, contact] = points(tilt, &disc);
+        let (out, up) = (disc.towards, disc.arm * -1.0);
+        let arc = times(0.0, tilt, 20).map(|a| contact - out * (0.75 * cos(a)) + SpaceVector::new(0.0, 0.0, 0.75 * sin(a)));
+        let top = SpaceVector::new(0.0, 0.0, 1.15);
+        // In profile: the angle is in the plane of the paper.
+        view(tilt, &disc)
+            .camera(Camera::new(0.2, 0.25))
+            .dashed([SpaceVector::zero(), top], Ink::Frame)
+            .text(top, "$Z$", Ink::Frame, Side::Right)
+            .dashed([contact, contact - out * 0.95], Ink::Ink)
+            .line(arc, Ink::Ink)
+            .text(contact - out * 0.78 + SpaceVector::new(0.0, 0.0, 0.1), r"$\alpha$", Ink::Ink, Side::Left)
+            .arrow(centre, centre + disc.axis * 0.6, Ink::Body, "$e_3$", Side::Left)
+            .line([centre, centre + up], Ink::Body)
+            .text(centre + up * 0.55, "$R$", Ink::Body, Side::Above)
+            .turn(circle(1.15, -1.35, -0.55), Ink::Velocity)
+            .text(circle(1.3, -0.9, -0.9).next().unwrap_or(contact), r"$\Omega$", Ink::Velocity, Side::Below)
+    };
+
+    /// Rates against the inclination. That of the contact falls steeply from very large values
+    /// to two upright. The angular speed of the disc rises from zero to two. The rate at which
+    /// the face turns rises from zero even more slowly at first.
+    rates: {
+        let motion = |tilt| Steady { tilt, circle: 0.0 };
+        let rate = |tilt| Ok(TAU / turn(motion(tilt), 1e-10)?.0);
+        let omega = |tilt| Ok(turn(motion(tilt), 1e-10)?.1.angular_velocity.norm());
+        inclinations().panel(Axis::linear(r"rate / $(g/R)^{1/2}$").range(0.0, 8.0))
+            .curve(inclinations().beyond(0.0627).exact(|a| motion(a).rate()).label_at(r"$\Omega$ of the contact", 0.35, 3.9, Side::AboveRight))
+            .curve(inclinations().beyond(0.01).exact(|a| motion(a).rate() * sin(a)).dashed().label_at(r"$\omega$ of the disc", 0.62, 1.75, Side::AboveLeft))
+            .curve(inclinations().beyond(0.01).exact(|a| motion(a).face()).dotted().label_at("its face", 1.05, 0.85, Side::BelowRight))
+            .curve(inclinations().beyond(0.1).simulated(rate)?)
+            .curve(inclinations().simulated(omega)?)
+    };
+
+    /// Inclination against time for both losses. By rolling friction it falls a little faster all
+    /// the time, by air it stays long and then drops almost straight down.
+    settles: {
+        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$\alpha$ / rad").range(0.0, p.start));
+        for (name, case, settled) in &losses {
+            let end = case.law.left(p.start);
+            let law = |part: f64| case.law.tilt((end * (1.0 - part)).max(0.0));
+            let line = times(0.0, 1.0, 200).map(|u| 1.0 - (1.0 - u) * (1.0 - u) * (1.0 - u));
+            let points = line.map(|part| (part * end * time, law(part)));
+            let dots = sampled(times(0.0, 0.98 * settled.end, 10), |t| Ok((t * time, settled.at(t)?.tilt)))?;
+            panel = panel.curve(Curve::new(points, Ink::Ink).label_at(name, 0.75 * end * time, law(0.75), Side::AboveRight))
+                .curve(Curve::new(dots, Ink::Body).dots());
+        }
+        panel
+    };
+
+    /// Tone against the time left, both logarithmic: two straight lines that fall, that of rolling
+    /// friction twice as steep as that of air. Towards short times each ends at a ring.
+    tone: {
+        let ticks = [(1e-4, "100 µs"), (1e-2, "10 ms"), (1.0, "1 s"), (100.0, "100 s")];
+        let hertz = [10.0, 30.0, 100.0, 300.0].map(|f| (f, format!("{f}")));
+        let mut panel = Panel::over_axes(Axis::log("time left").range(1e-4, 150.0).ticks(ticks.map(|(t, s)| (t, s.to_string()))), Axis::log("tone / Hz").range(10.0, 500.0).ticks(hertz));
+        for (name, case, settled) in &losses {
+            let heard = |tilt: f64| Settling::passing(tilt).rate() / (TAU * time);
+            let tilts = times(log(p.start), log(case.end), 60).map(exp);
+            let points: Vec<_> = tilts.map(|tilt| (case.law.left(tilt) * time, heard(tilt))).collect();
+            let dots = sampled(times(log(0.9 * p.start), log(2.5 * case.end), 8).map(exp), |tilt| {
+                let left = reached(settled, tilt)?;
+                Ok((left * time, settled.at(settled.end - left)?.rate / (TAU * time)))
+            })?;
+            let (from, to) = (points[30], points[60]);
+            let side = if *name == "air" { Side::BelowRight } else { Side::AboveLeft };
+            panel = panel.curve(Curve::new(points, Ink::Ink).label_at(name, from.0, from.1, side))
+                .curve(Curve::new(dots, Ink::Body).dots())
+                .ring(to.0, to.1, Ink::Ink, "", Side::Above);
+        }
+        panel
+    };
+
+    /// The simulated rate, braked by air, to the power minus one over an assumed exponent,
+    /// against time. For 1/6 it is a straight line; for a smaller exponent it sags below it, for
+    /// a larger one it bulges above.
+    bend: {
+        let (_, _, settled) = &losses[1];
+        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/n}$").range(0.0, 1.0));
+        let from = settled.at(0.0)?.rate;
+        for (name, n, at, side) in [("$n = 0.12$", 0.12, 0.5, Side::BelowLeft), ("$n = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), ("$n = 0.3$", 0.3, 0.75, Side::AboveRight)] {
+            let z = |t: f64| Ok::<_, Error>((t * time, pow(settled.at(t)?.rate / from, -1.0 / n)));
+            let curve = Curve::new(sampled(times(0.0, settled.passed[2], 120), z)?, Ink::Velocity);
+            let (x, y) = z(at * settled.end)?;
+            let curve = if n == 1.0 / 6.0 { curve } else { curve.dashed() };
+            panel = panel.curve(curve.label_at(name, x, y, side));
+        }
+        panel
+    };
+
+    /// The last hundredths of a second with the air as the loss. The tone by the law rises without
+    /// end; that of the disc follows it, stays behind, and breaks off to zero.
+    last: {
+        let (_, case, settled) = &losses[1];
+        let (from, end) = (0.02 / time, settled.run.end_time());
+        let span = times(settled.end - from, end, 300);
+        let ms = |t: f64| 1e3 * (t - settled.end) * time;
+        let sounds = sampled(span, |t| Ok((ms(t), settled.at(t)?.rate / (TAU * time))))?;
+        let law = times(0.0, 1.0, 200).map(|u| from * (1.0 - u) * (1.0 - u) + 1e-4 * case.law.left(case.end));
+        let law = law.map(|left| (-1e3 * left * time, 2.0 / case.law.tilt(left).sqrt() / (TAU * time)));
+        let law: Vec<_> = law.filter(|(_, f)| *f < 150.0).collect();
+        Panel::over_axes("$t - t_0$ / ms", Axis::linear("tone / Hz").range(0.0, 150.0))
+            .curve(Curve::new(law, Ink::Wrong).dashed().label_at("wrong: the law", -1.0, 125.0, Side::Left))
+            .curve(Curve::new(sounds, Ink::Velocity).label_at("the disc", -6.0, 62.0, Side::BelowLeft))
+    };
+
+    /// The force of the table over the weight in the same time: it is one, falls, and ends at one
+    /// fifth, never at zero.
+    force: {
+        let (_, _, settled) = &losses[1];
+        let span = times(settled.end - 0.02 / time, settled.run.end_time(), 300);
+        let ms = |t: f64| 1e3 * (t - settled.end) * time;
+        let force = sampled(span, |t| Ok((ms(t), settled.at(t)?.force(settled.loss).z())))?;
+        Panel::over_axes("$t - t_0$ / ms", Axis::linear("$N/mg$").range(0.0, 1.2))
+            .level(0.2, Ink::Frame, "1/5")
+            .curve(Curve::new(force, Ink::Force))
+    };
+}
+
+/// The settling by the chosen loss, for `--csv`.
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let case = Case::new(p, &p.loss)?;
+    let settled = case.simulate()?;
+    let columns = "t [s], inclination [rad], tone [Hz], omega [rad/s], N/mg";
+    let end = settled.run.end_time();
+    Trajectory::sampled(columns.split(", "), times(0.0, end, 500), |t| {
+        let (disc, time) = (settled.at(t)?, case.time);
+        let omega = disc.angular_velocity.norm() / time;
+        Ok([
+            t * time,
+            disc.tilt,
+            disc.rate / (TAU * time),
+            omega,
+            disc.force(settled.loss).z(),
+        ])
+    })
+}
+
+/// The steady motion for three turns of the contact, with a mark on the face; below, the turns of
+/// both.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (motion, time) = (steady(p)?, (p.radius / p.gravity).sqrt());
+    let end = 3.0 * TAU / motion.rate();
+    let start = placed(
+        motion.tilt,
+        [motion.rate(), 0.0, motion.spin()],
+        motion.circle,
+    )?;
+    let run = Dop853::new(p.tolerance)?.solve(&rolling(Loss::None), 0.0, &start, end, &[])?;
+    let turns = |rate: f64| [(0.0, 0.0), (end * time, rate * end / TAU)];
+    let graph = Panel::over_axes("$t$ / s", "turns")
+        .curve(Curve::new(turns(motion.rate()), Ink::Velocity).label("contact"))
+        .curve(Curve::new(turns(motion.face()), Ink::Body).label("face"));
+    let span = end * time;
+    MovingPicture::above(graph, 0.0..=span, [0.0, span / 2.0, span], move |t| {
+        let y = run.at((t / time).min(end))?;
+        let disc = Disc::new(&y);
+        let attitude = Attitude::from_quaternion([y[0], y[1], y[2], y[3]])?;
+        let [centre, _] = points(disc.tilt, &disc);
+        let on_face =
+            |x: f64, across: f64| centre + attitude.to_space(BodyVector::new(x, across, 0.035));
+        let scene = view(disc.tilt, &disc)
+            .arrow(
+                on_face(0.0, 0.0),
+                on_face(0.9, 0.0),
+                Ink::Body,
+                "",
+                Side::Above,
+            )
+            .dot(on_face(0.9, 0.0), Ink::Body, "", Side::Above);
+        let (contact, face) = (
+            motion.rate() * t / (time * TAU),
+            motion.face() * t / (time * TAU),
+        );
+        let alt = format!(
+            "The disc after {t:.2} s, askew on its edge. Its contact has run round {contact:.2} times, \
+             and the mark on its face has turned by {face:.2} of a turn; below, both against time."
+        );
+        Ok((alt, scene))
+    })
+}

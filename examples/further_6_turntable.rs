@@ -1,0 +1,375 @@
+//! A ball that rolls on a turntable, and one that rolls inside an upright cylinder.
+
+#[path = "further_6_turntable/figures.rs"]
+mod figures;
+#[path = "further_6_turntable/rolling.rs"]
+pub mod rolling;
+
+use core::f64::consts::PI;
+use rolling::{Ball, Moving, Surface, at};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode};
+use rotation_dynamics::report::prelude::*;
+
+parameters! {
+    /// A ball on a table of the laboratory, and a golf ball in its hole.
+    pub struct Parameters {
+        /// angular velocity of the table
+        rate: number(10.0, "rad/s", from_to(1.0, 100.0).usually(3.0, 15.0));
+        /// radius of the table
+        table: number(0.3, "m", from_to(1e-3, 1e3).usually(0.1, 0.5));
+        /// radius of the ball
+        radius: number(0.02, "m", from_to(1e-3, 1.0).usually(0.005, 0.03));
+        /// k = I/(m a^2) of both balls: 2/5 for a uniform one, 2/3 for a thin shell
+        shape: number(0.4, "-", from_to(0.05, 1.0).usually(0.3, 0.7));
+        /// coefficient of friction
+        friction: number(0.2, "-", from_to(1e-3, 10.0).usually(0.05, 0.6));
+        /// where the ball starts: its distance from the axis, along x
+        place: number(0.15, "m", from_to(1e-4, 1.0).usually(0.02, 0.25));
+        /// its velocity there, along y
+        velocity: number(0.2, "m/s", from_to(1e-6, 2.0).usually(0.05, 0.4));
+        /// tilt of the table
+        tilt: number(0.01, "rad", from_to(1e-9, 1.5).usually(0.002, 0.03));
+        /// rolling resistance: its moment over m a^2 and the angular velocity
+        loss: number(0.05, "1/s", from_to(1e-3, 10.0).usually(0.01, 0.3));
+        /// radius of the upright cylinder
+        hole: number(0.054, "m", from_to(1e-3, 1e2).usually(0.05, 0.2));
+        /// radius of the ball in it
+        golf: number(0.02133, "m", from_to(1e-4, 1e2).usually(0.01, 0.04));
+        /// angular velocity of its middle about the axis of the cylinder
+        orbit: number(45.0, "rad/s", from_to(3.0, 1e3).usually(30.0, 80.0));
+        /// its velocity downward at the start
+        drop: number(0.3, "m/s", from_to(0.0, 10.0).usually(0.0, 0.6));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", from_to(0.1, 1e3).usually(1.0, 25.0));
+        /// error of a step of the simulations: from 1e-15 to 1e-3
+        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+    }
+}
+
+// ANCHOR: law
+/// The rate of the circle over that of the table.
+pub fn share(shape: f64) -> f64 {
+    shape / (1.0 + shape)
+}
+
+/// The middle of the circle on which a ball rolls, or would roll if it did not slip.
+pub fn centre(ball: &Ball, at: &Moving) -> SpaceVector {
+    let up = SpaceVector::new(0.0, 0.0, 1.0);
+    let rolled = at.spin - up * at.spin.z();
+    (rolled * ball.radius + up.cross(&at.velocity) / ball.shape) / ball.rate
+}
+// ANCHOR_END: law
+
+/// The exponents of a ball with rolling resistance, `x + i y = A exp(l1 t) + B exp(l2 t)`: that of
+/// the middle of the circle, and that of the circle, as real and imaginary part, 1/s.
+pub fn exponents(rate: f64, shape: f64, loss: f64) -> [[f64; 2]; 2] {
+    let (nu, damping) = (share(shape) * rate, loss / (1.0 + shape));
+    let re = damping * damping - nu * nu;
+    let im = damping * (4.0 * rate - 2.0 * nu);
+    let root = (0.5 * (hypot(re, im) - re)).sqrt();
+    let [x, y] = [0.5 * (0.5 * im / root - damping), 0.5 * (root + nu)];
+    // The product of the two is -i damping rate.
+    let scale = -damping * rate / (x * x + y * y);
+    [[scale * y, scale * x], [x, y]]
+}
+
+/// A ball in a cylinder: height, turning about the axis at the rate `orbit`, no spin about the
+/// normal at the start, where it comes from above with the velocity `drop`.
+#[derive(Debug, Clone, Copy)]
+pub struct Bobbing {
+    /// Angular frequency.
+    pub rate: f64,
+    /// The height about which it goes up and down.
+    pub middle: f64,
+    pub amplitude: f64,
+    /// When it is lowest.
+    pub lowest: f64,
+    /// The most friction over the weight.
+    pub friction: f64,
+}
+
+impl Bobbing {
+    pub fn new(p: &Parameters) -> Self {
+        let (k, g) = (p.shape, p.gravity);
+        let rate = p.orbit * share(k).sqrt();
+        let below = g / (k * p.orbit * p.orbit);
+        let middle = -below;
+        let amplitude = hypot(below, p.drop / rate);
+        let lowest = (PI - atan2(p.drop, below * rate)) / rate;
+        let friction = 1.0 + rate * rate * amplitude / g;
+        Self {
+            rate,
+            middle,
+            amplitude,
+            lowest,
+            friction,
+        }
+    }
+}
+
+/// A ball on this surface, which turns at this rate.
+#[rustfmt::skip]
+fn ball_on(surface: Surface, rate: f64, radius: f64, p: &Parameters) -> Ball {
+    let gravity = SpaceVector::new(0.0, 0.0, -p.gravity);
+    Ball { surface, rate, radius, shape: p.shape, mu: p.friction, gravity, loss: 0.0 }
+}
+
+/// The ball on the level table, rolling at the place and with the velocity of the parameters.
+pub fn on_table(p: &Parameters) -> (Ball, Moving) {
+    let ball = ball_on(Surface::Table { edge: p.table }, p.rate, p.radius, p);
+    (ball, thrown(&ball, [p.place, 0.0], [0.0, p.velocity]))
+}
+
+/// Rolling on a table, from here with this velocity, with the spin of the table about the normal.
+pub fn thrown(ball: &Ball, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Moving {
+    let place = SpaceVector::new(x, y, ball.radius);
+    ball.rolling(place, SpaceVector::new(vx, vy, 0.0), ball.rate)
+}
+
+/// Put down there without velocity and without spin.
+pub fn dead(ball: &Ball, place: [f64; 2]) -> Moving {
+    let spin = SpaceVector::zero();
+    Moving {
+        spin,
+        ..thrown(ball, place, [0.0; 2])
+    }
+}
+
+/// The same table with its right side, along x, lowered by the tilt.
+pub fn tilted(ball: Ball, p: &Parameters) -> Ball {
+    let gravity = SpaceVector::new(sin(p.tilt), 0.0, -cos(p.tilt)) * p.gravity;
+    Ball { gravity, ..ball }
+}
+
+/// The ball in the cylinder, which turns at the rate `turning`.
+pub fn in_hole(p: &Parameters, turning: f64) -> Result<(Ball, Moving)> {
+    let distance = p.hole - p.golf;
+    let ratio = "(radius of the cylinder - that of the ball)/(that of the ball)";
+    from_to(1e-3, 1e3).check(ratio, distance / p.golf)?;
+    let ball = ball_on(Surface::Wall { distance }, turning, p.golf, p);
+    let velocity = SpaceVector::new(0.0, distance * p.orbit, -p.drop);
+    let start = ball.rolling(SpaceVector::new(distance, 0.0, 0.0), velocity, 0.0);
+    Ok((ball, start))
+}
+
+/// The distance from the axis, or the speed along the table.
+fn level(v: SpaceVector) -> f64 {
+    hypot(v.x(), v.y())
+}
+
+/// Turning point `n` of the circle, where the velocity along x is zero again.
+fn turning(ball: Ball, start: Moving, n: u32, step: f64) -> Result<(LocatedEvent<13>, Work)> {
+    Dop853::new(step)?.zero(&ball.rolls(), start.numbers(), n, 1e9, |y| y[3])
+}
+
+/// The real part of exponent `n`, simulated: a ball that starts so that the other is not there.
+fn measured(ball: Ball, [re, im]: [f64; 2], step: f64) -> Result<f64> {
+    let start = thrown(&ball, [0.1, 0.0], [0.1 * re, 0.1 * im]);
+    let time = 2.0 / hypot(re, im);
+    let end = Moving::of(&after(time, &ball.rolls(), &start.numbers(), step)?);
+    Ok(log(level(end.place) / 0.1) / time)
+}
+
+/// Wrong: Lagrange's equation after rolling was put into the kinetic energy, `[x, y, x', y']`.
+fn naive(rate: f64, shape: f64) -> impl Ode<4> {
+    let nu = share(shape) * rate;
+    ode(move |_, &[x, y, vx, vy]: &[f64; 4]| {
+        let [ax, ay] = [rate * x - 2.0 * vy, rate * y + 2.0 * vx];
+        [vx, vy, nu * ax, nu * ay]
+    })
+}
+
+fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((ball, start), g, k, v, step) = (on_table(p), p.gravity, p.shape, p.velocity, p.tolerance);
+    let (nu, bound) = (share(k) * p.rate, 1e3 * p.tolerance);
+    let half = turning(ball, start, 1, step)?.0;
+    let whole = turning(ball, start, 2, step)?.0;
+    let (radius, size) = (v / nu, p.place + v / nu);
+    let held = ball.forces(&start).1.norm();
+    // Carried by the table, and let go.
+    let lying = thrown(&ball, [p.place, 0.0], [0.0, p.rate * p.place]);
+    let carried = p.place * p.friction * g / ball.forces(&lying).1.norm();
+    // Put down without spin: it slips at first.
+    let (wide, until) = (
+        ball.without_edge(),
+        2.0 * p.rate * p.place / (p.friction * g),
+    );
+    let slid = wide.run(&dead(&wide, [p.place, 0.0]), until, step)?;
+    let caught = slid
+        .transition("rolls")
+        .map(|rolls| Moving::of(&rolls.after));
+    let [far, quick] = caught
+        .as_ref()
+        .map_or([f64::NAN; 2], |at| [at.place, at.velocity].map(level));
+    claims! { report,
+        /// angular velocity on the circle
+        nu: nu, "rad/s", "located event" => 2.0 * PI / whole.t, within bound * nu, in "On the table":
+            p.rate => "that is the table, and the ball rolls on it",
+            k * p.rate => "friction has to move the ball as well as to turn it",
+            p.rate / (1.0 + k) => "which part of the change is it, k or 1?";
+        /// time of a turn of the circle
+        period: 2.0 * PI / nu, "s", "located event" => whole.t, within bound * whole.t, in "On the table":
+            2.0 * PI / p.rate => "that is a turn of the table";
+        /// radius of the circle
+        circle: radius, "m", "located event" => 0.5 * (p.place - half.state[0]).abs(), within bound * size, in "On the table":
+            p.place => "the axis of the table is not the middle of the circle";
+        /// place of its middle, along x
+        centre: p.place - radius, "m", "located event" => 0.5 * (p.place + half.state[0]), within bound * size, in "On the table":
+            p.place + radius => "to which side does it turn?";
+        /// coefficient of friction that it needs
+        mu_min: nu * v / g, "-", "contact forces" => held / g, within bound * nu * v / g, in "Where it slips";
+        /// carried by the table and let go: it rolls if it is nearer to the axis than
+        carried: p.friction * g / (nu * p.rate), "m", "contact forces" => carried, within bound * carried, in "Where it slips":
+            p.friction * g / (p.rate * p.rate) => "that is a coin, which goes with the table";
+        /// put down at rest: radius of the circle on which it rolls in the end
+        dead: far, "m", "velocity over nu" => quick / nu, within 1e-7 * far, if caught.is_ok();
+    }
+}
+
+fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((ball, start), g, k, v, step) = (on_table(p), p.gravity, p.shape, p.velocity, p.tolerance);
+    let (nu, bound) = (share(k) * p.rate, 1e3 * p.tolerance);
+    let (sloping, drift) = (tilted(ball, p), g * sin(p.tilt) / (k * p.rate));
+    let turn = after(2.0 * PI / nu, &sloping.rolls(), &start.numbers(), step)?;
+    let lossy = Ball {
+        loss: p.loss,
+        ..ball.without_edge()
+    };
+    let [shrinks, grows] = exponents(p.rate, k, p.loss);
+    // The acceleration of a circle about the axis that grows is grows^2 times its radius.
+    let slips = p.friction * g / (grows[0] * grows[0] + grows[1] * grows[1]);
+    let near = thrown(
+        &lossy,
+        [0.999 * slips, 0.0],
+        grows.map(|x| 0.999 * slips * x),
+    );
+    let spiral = lossy.run(&near, 0.01 / grows[0], step)?;
+    let let_go = level(Moving::of(&spiral.transition("slips")?.before).place);
+    // The wrong equation.
+    let wrong = nu / k.sqrt();
+    let away = |t: f64| -> Result<f64> {
+        let [x, y, ..] = after(t / wrong, &naive(p.rate, k), &[1.0, 0.0, 0.0, 1.0], 1e-14)?;
+        Ok(log(hypot(x, y)))
+    };
+    claims! { report,
+        /// tilted: velocity of the drift, across the slope
+        drift: drift, "m/s", "simulated" => (turn[1] - start.place.y()) * nu / (2.0 * PI), within bound * (drift + v), in "The tilted table":
+            drift * k / (1.0 + k) => "in the drift nothing accelerates";
+        /// tilted: drift down the slope
+        downhill: 0.0, "m/s", "simulated" => (turn[0] - start.place.x()) * nu / (2.0 * PI), within bound * (drift + v);
+        /// rolling resistance: the circle grows at the rate
+        grows: grows[0], "1/s", "simulated" => measured(lossy, grows, step)?, within 10.0 * bound * nu;
+        /// its middle comes to the axis at the rate
+        shrinks: -shrinks[0], "1/s", "simulated" => -measured(lossy, shrinks, step)?, within 10.0 * bound * nu;
+        /// the growing circle slips when its radius is
+        spiral_slip: slips, "m", "located event" => let_go, within 1e-6 * slips;
+        /// wrong: rate at which it leaves the axis
+        naive: wrong, "1/s", "simulated" => wrong * 0.125 * (away(24.0)? - away(16.0)?), within 1e-9 * wrong;
+    }
+}
+
+fn cylinder(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (bobbing, (golf, start)) = (Bobbing::new(p), in_hole(p, 0.0)?);
+    let (k, g, bound) = (p.shape, p.gravity, 1e4 * p.tolerance);
+    let method = Dop853::new(p.tolerance)?;
+    let extreme = |n| method.zero(&golf.rolls(), start.numbers(), n, 1e9, |y| y[5]);
+    let (low, after_it) = (extreme(1)?.0, extreme(3)?.0);
+    let (push, most) = golf.forces(&Moving::of(&low.state));
+    let (depth, bob) = (
+        bobbing.amplitude - bobbing.middle,
+        2.0 * PI / (after_it.t - low.t),
+    );
+    let pressed = p.orbit * p.orbit * (p.hole - p.golf);
+    let wall = bobbing.friction * g / pressed;
+    claims! { report,
+        /// in the cylinder: angular frequency of going up and down
+        bob: bobbing.rate, "rad/s", "located event" => bob, within bound * bobbing.rate, in "In the cylinder":
+            p.orbit => "not once a turn",
+            p.orbit * share(k) => "it is the square of the ratio";
+        /// turns about the axis for one time up and down
+        turns: p.orbit / bobbing.rate, "-", "located event" => p.orbit / bob, within bound * p.orbit / bobbing.rate, in "In the cylinder";
+        /// depth of the lowest place
+        depth: depth, "m", "located event" => -low.state[2], within bound * (depth + 1e-3), in "In the cylinder":
+            bobbing.amplitude => "count from the start, not from the middle";
+        /// when it is there
+        lowest: bobbing.lowest, "s", "located event" => low.t, within bound * low.t;
+        /// coefficient of friction that this needs
+        wall_mu: wall, "-", "contact forces" => most.norm() / push, within bound * wall, in "In the cylinder":
+            g / pressed => "at its lowest place it accelerates upward";
+    }
+}
+
+/// Balls of other kinds, and those that do nothing.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (ball, _) = on_table(p);
+    let slow = thrown(
+        &ball,
+        [0.01 * p.radius, 0.0],
+        [0.0, 1e-3 * p.rate * p.radius],
+    );
+    let rate = |shape| -> Result<f64> {
+        let ball = Ball { shape, ..ball };
+        Ok(2.0 * PI / (turning(ball, slow, 2, 1e-12)?.0.t * p.rate))
+    };
+    let still = thrown(&ball, [p.place, 0.0], [0.0; 2]).numbers();
+    let rests = after(100.0 / p.rate, &ball.rolls(), &still, 1e-12)?;
+    let [middle, circle] = exponents(1.0, p.shape, 1e-9 * (1.0 + p.shape));
+    let (golf, start) = in_hole(p, 0.0)?;
+    let hanging = golf
+        .rolling(start.place, SpaceVector::zero(), 0.0)
+        .numbers();
+    let falls = after(0.1, &golf.rolls(), &hanging, 1e-12)?[5];
+    limits! { report,
+        /// a thin shell, k = 2/3
+        "k = 2/3: nu/Omega": rate(2.0 / 3.0)? => 0.4, within 1e-11;
+        /// nearly all mass in the middle: friction cannot push it, it goes straight on
+        "k = 0.01: nu/(k Omega)": rate(0.01)? / 0.01 => 1.0, within 0.01;
+        /// too hard to turn: it goes around as the table does
+        "k = 1e9: nu/Omega": rate(1e9)? => 1.0, within 1e-8;
+        /// v = 0: it rolls on the spot, as the table passes below it
+        "v = 0: way/place": hypot(rests[0] - p.place, rests[1]) / p.place => 0.0, within 1e-12;
+        /// small rolling resistance c: the middle comes in with c/k
+        "c = 1e-9 (1 + k): shrinks k/c": -1e9 * middle[0] * share(p.shape) => 1.0, within 1e-7;
+        /// and the circle grows with c/(k (1 + k))
+        "c = 1e-9 (1 + k): grows k (1 + k)/c": 1e9 * circle[0] * p.shape => 1.0, within 1e-7;
+        /// no turning about the axis: it falls as on an upright slope
+        "W = 0: (1 + k) z''/g": -falls * 10.0 * (1.0 + p.shape) / p.gravity => 1.0, within 1e-11;
+    }
+}
+
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (nu, k) = (share(p.shape) * p.rate, p.shape);
+    let turn = 2.0 * PI / nu;
+    let lossy = p.loss / (1.0 + k);
+    let air = 3.0 * 1.204 * 0.47 * p.velocity / (8.0 * 7850.0 * p.radius);
+    let (level, earth) = (1e-3 * p.gravity / (k * p.rate), 1.4584e-4 / nu);
+    effect_card! { report,
+        "slipping": "nu v/(mu g)" = nu * p.velocity / (p.friction * p.gravity), costs 0.0, "of the circle", included;
+        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / p.velocity, costs turn * level, "m of drift a turn";
+        "rolling resistance": "c/((1 + k) nu)" = lossy / nu, costs turn * exponents(p.rate, k, p.loss)[1][0], "of the radius a turn";
+        "air drag, steel ball": "gamma/nu" = air / nu, costs turn * air / (1.0 + k), "of the radius a turn";
+        "turning of the Earth, at a pole": "2 Omega_E/nu" = earth, costs earth / (1.0 + k), "of nu";
+        "pivoting friction": "M_n/(m g a), without effect" = 0.0, costs 0.0, "of the circle";
+    }
+}
+
+/// The accuracy strip: a turn of the circle.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ((ball, start), nu) = (on_table(p), share(p.shape) * p.rate);
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
+    let turn = move |step| turning(ball, start, 2, step);
+    report.dial_of_return(asked, turn, 2.0 * PI / nu, p.place)?;
+    let (c, r) = (p.place - p.velocity / nu, p.velocity / nu);
+    report.set_closed_form(ClosedForm::new(move |part| {
+        let (s, k) = sincos(2.0 * PI * part);
+        Ok::<_, rotation_dynamics::Error>([c + r * k, r * s])
+    }));
+    Ok(())
+}
+
+example! {
+    further_6_turntable: "A ball that rolls on a turntable, and one inside an upright cylinder";
+    "A ball on a turntable", "A ball rolls without slipping on a table that turns, and another inside a cylinder.",
+    [circle, tilt_and_loss, cylinder, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

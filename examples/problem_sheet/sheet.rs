@@ -1,0 +1,202 @@
+//! Problem sheets: every student gets other numbers, and the teacher their answers.
+//!
+//! ```text
+//! cargo run --example problem_sheet -- --seed 7 --problems 16.6,15.8 --students Ada,Emmy
+//! ```
+//! An exercise is on offer as soon as its `parameters!` say what is drawn (`.drawn(1.0, 6.0, 0.5)`).
+//! Its text is that of its page, its answers are those of its answer box.
+
+#[path = "address.rs"]
+pub mod address;
+#[path = "draw.rs"]
+pub mod draw;
+#[path = "exercise.rs"]
+pub mod exercise;
+#[path = "paper.rs"]
+pub mod paper;
+#[path = "statement.rs"]
+pub mod statement;
+
+use clap::{Arg, ArgMatches, Command, value_parser};
+use draw::{Drawn, draw};
+use exercise::Exercise;
+use rotation_dynamics::report::cli::write_whole;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// What is asked for.
+pub struct Asked {
+    pub seed: u64,
+    /// Numbers of problems; none for all.
+    pub problems: Vec<String>,
+    /// One sheet each; a single empty name for a sheet without one.
+    pub students: Vec<String>,
+    pub title: String,
+    /// Where the book is, with a slash at its end.
+    pub book: String,
+}
+
+/// A student and the problems drawn for them.
+pub struct Sheet<'e> {
+    pub student: String,
+    pub problems: Vec<Drawn<'e>>,
+}
+
+/// The sheets and the answers, as HTML.
+pub fn written(asked: &Asked, all: &[Exercise]) -> Result<[String; 2], String> {
+    let chosen = exercise::chosen(all, &asked.problems)?;
+    let sheet = |student: &String| {
+        let drawn = chosen
+            .iter()
+            .map(|exercise| draw(exercise, asked.seed, student));
+        let (student, problems) = (student.clone(), drawn.collect::<Result<_, _>>()?);
+        Ok(Sheet { student, problems })
+    };
+    let sheets: Vec<Sheet> = asked
+        .students
+        .iter()
+        .map(sheet)
+        .collect::<Result<_, String>>()?;
+    Ok([
+        paper::sheets(asked, &sheets)?,
+        paper::answers(asked, &sheets),
+    ])
+}
+
+/// `sheet.html` has its answers in `sheet.answers.html`.
+pub fn answers_path(out: &Path) -> PathBuf {
+    match out.extension() {
+        Some(extension) => out.with_extension(format!("answers.{}", extension.display())),
+        None => out.with_extension("answers"),
+    }
+}
+
+/// Names parted by commas, or how many students there are.
+pub fn students(text: &str) -> Result<Vec<String>, String> {
+    if let Ok(count) = text.trim().parse::<i64>() {
+        return match count {
+            1..=500 => Ok((1..=count).map(|n| format!("Student {n}")).collect()),
+            _ => Err("there must be from 1 to 500 students".into()),
+        };
+    }
+    let names: Vec<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
+    for (n, name) in names.iter().enumerate() {
+        if name.is_empty() {
+            return Err("a name is empty; write names parted by commas, or a number".into());
+        }
+        if names[..n].contains(name) {
+            return Err(format!(
+                "{name} stands twice, and would get the same numbers twice"
+            ));
+        }
+    }
+    Ok(names)
+}
+
+fn address(text: &str) -> Result<String, String> {
+    let known = ["http://", "https://", "file:///"];
+    match known.iter().any(|scheme| text.starts_with(scheme))
+        && !text.contains(['?', '#', '"', ' '])
+    {
+        true => Ok(text.trim_end_matches('/').to_owned() + "/"),
+        false => Err("write http://…, https://… or file:///…, without ? and #".into()),
+    }
+}
+
+pub fn command() -> Command {
+    let arg = |name: &'static str, value: &'static str, help: &'static str| {
+        Arg::new(name).long(name).value_name(value).help(help)
+    };
+    Command::new("problem_sheet")
+        .bin_name("cargo run --example problem_sheet --")
+        .about("Problem sheets on which every student has other numbers, and their answers")
+        .disable_version_flag(true)
+        .arg(
+            arg("seed", "NUMBER", "The same seed gives the same sheet")
+                .default_value("1")
+                .value_parser(value_parser!(u64)),
+        )
+        .arg(
+            arg(
+                "problems",
+                "LIST",
+                "Numbers of exercises, parted by commas, or all",
+            )
+            .default_value("all"),
+        )
+        .arg(
+            arg(
+                "students",
+                "LIST",
+                "Names, parted by commas, or how many: a sheet for each",
+            )
+            .value_parser(students),
+        )
+        .arg(
+            arg("title", "TEXT", "Stands at the head of each sheet").default_value("Problem sheet"),
+        )
+        .arg(
+            arg(
+                "book",
+                "ADDRESS",
+                "Where the book is; as it stands, what `cargo book` serves",
+            )
+            .default_value("http://localhost:3000/")
+            .value_parser(address),
+        )
+        .arg(
+            arg(
+                "out",
+                "FILE",
+                "The sheet; the answers go beside it, to FILE with .answers",
+            )
+            .default_value("sheet.html")
+            .value_parser(value_parser!(PathBuf)),
+        )
+}
+
+/// Writes the two files; what there is to say.
+pub fn run(matches: &ArgMatches) -> Result<String, String> {
+    let text = |name: &str| matches.get_one::<String>(name).cloned().unwrap_or_default();
+    let problems = text("problems");
+    let asked = Asked {
+        seed: matches.get_one("seed").copied().unwrap_or(1),
+        problems: match problems.trim() {
+            "all" => Vec::new(),
+            list => list
+                .split(',')
+                .map(|number| number.trim().to_owned())
+                .collect(),
+        },
+        students: (matches.get_one::<Vec<String>>("students").cloned())
+            .unwrap_or_else(|| vec![String::new()]),
+        title: text("title"),
+        book: text("book"),
+    };
+    let out = matches
+        .get_one::<PathBuf>("out")
+        .cloned()
+        .unwrap_or_default();
+    let [sheet, answers] = written(&asked, &exercise::all()?)?;
+    let files = [(out.clone(), &*sheet), (answers_path(&out), &*answers)];
+    let replaced = write_whole(&files).map_err(|e| e.to_string())?;
+    let [sheet, answers] = files.map(|(path, _)| path.display().to_string());
+    let mut told = format!("wrote {sheet}, and the answers to {answers}\n");
+    if replaced > 0 {
+        told += &format!("{replaced} of these files were there before and are replaced\n");
+    }
+    Ok(told)
+}
+
+fn main() -> ExitCode {
+    match run(&command().get_matches()) {
+        Ok(told) => {
+            eprint!("{told}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Exercise 16.4, a disc that unwinds from a string. That Newton's law in the plane and Lagrange's
+//! equations in angles confirm each other is part of the report.
+
+use crate::told::{confirmed, number, refused, value};
+use pages::ch16_ex4_unwinding_disc::string::{Disc, Leaves};
+use pages::ch16_ex4_unwinding_disc::*;
+use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
+use support::{EPS, Errors};
+
+#[test]
+fn the_instances_of_the_notes_come_out() {
+    let mut errors = Errors::in_units_of(EPS, "instances, relative");
+    let instances = [
+        ("a", 6.537_766_666_666_666),
+        ("tension", 9.806_65),
+        ("omega", 16.344_416_666_666_667),
+        ("t_end", 0.553_095_709_523_567_5),
+        ("v_end", 3.616_010_693_199_528),
+    ];
+    for (key, instance) in instances {
+        errors.add(value(&EXAMPLE, key), instance, instance);
+    }
+    errors.attain(1.95..=1.96, 5);
+}
+
+#[test]
+fn other_discs_are_confirmed() {
+    let runs = [
+        "--shape=1",
+        "--shape=0.1 --time=0.4",
+        "--shape=50 --time=0.3",
+        "--wound=10 --free=5",
+        "--wound=0.25 --time=0.2",
+        "--radius=0.02 --free=0.1",
+        "--mass=0.05 --stiffness=100",
+        "--gravity=1.62",
+        "--tolerance=1e-6",
+    ];
+    confirmed(&EXAMPLE, runs, 9);
+    assert_eq!(number(&EXAMPLE, "--radius=0.1", "peak_long"), 45.0);
+    assert!(number(&EXAMPLE, "--free=100", "climb") > 0.99999);
+    assert_eq!(number(&EXAMPLE, "--shape=1", "peak_long"), 13.0);
+}
+
+#[test]
+fn what_does_not_unwind_is_refused() {
+    let runs = [
+        ("--radius=-0.2", "radius = -0.2 is not allowed"),
+        ("--shape=0", "shape = 0 is not allowed"),
+        ("--time=0.6", "while there is string to unwind, = 0.6"),
+        ("--free=0.1", "1 where the disc touches the roof, = 0.5"),
+        ("--wound=0.1 --time=0.1", "wound/radius = 0.5"),
+        ("--stiffness=1", "stiffness/(M g) = 0.03"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// The solver knows accelerations only. The string has its length all the way, measured along its
+/// straight part and the rim, and the energy stays; without the rotation it does not.
+#[test]
+fn length_and_energy_are_kept_over_the_knot() {
+    let (mut length, mut energy) = (Errors::of("length, R"), Errors::of("energy, M g R"));
+    let (mut damaged, mut phases) = (Errors::of("energy without the rotation"), [0; 3]);
+    for d in [usual(), Disc { shape: 1.0, wound: 3.0, free: 1.2 }, Disc { shape: 5.0, wound: 10.0, free: 4.0 }] {
+        let run = d.run(1e-14).unwrap();
+        for k in 1..=60 {
+            let (leaves, y) = run.at(run.end_time() * f64::from(k) / 60.0).unwrap();
+            phases[leaves as usize] += 1;
+            let ([x, height, ..], (s, c)) = (y, sincos(y[2]));
+            let far = hypot(x, height);
+            // Where the knot is if the string has its length: on the rim, beyond the point where
+            // a tangent from the hook touches it.
+            let on_rim = |side: f64| {
+                let touches = atan2(-height, -x) + side * acos(1.0 / far);
+                let knot = touches + side * (d.length() - (far * far - 1.0).sqrt());
+                hypot(cos(knot) - c, sin(knot) - s)
+            };
+            length.push(match leaves {
+                Leaves::Unwinding => on_rim(-1.0),
+                Leaves::Knot => hypot(x + c, height + s) - d.length(),
+                Leaves::Winding => on_rim(1.0),
+            });
+            energy.push(d.energy(&y) + d.free);
+            damaged.push(d.energy(&y) + d.free - 0.5 * d.shape * y[5] * y[5]);
+        }
+    }
+    assert!(phases.iter().all(|count| *count > 5), "{phases:?}");
+    length.attain(3.63e-14..=3.64e-14, 180);
+    energy.attain(2.33e-14..=2.34e-14, 180);
+    damaged.exceed(4.6e-4, 180);
+}
+
+/// Where the last of the string leaves the rim the knot is at rest and the tension goes on as it
+/// was; a solver that reverses the velocity has no time for the change of momentum.
+#[test]
+fn the_tension_does_not_jump_at_either_end_of_the_turn() {
+    let mut errors = Errors::of("jump of T, M g");
+    for d in [usual(), Disc { shape: 1.0, ..usual() }, Disc { wound: 50.0, ..usual() }] {
+        let run = d.run(1e-14).unwrap();
+        for (name, sides) in [("all unwound", [Leaves::Unwinding, Leaves::Knot]), ("winds up", [Leaves::Knot, Leaves::Winding])] {
+            let state = run.transition(name).unwrap().before;
+            let [before, after] = sides.map(|leaves| d.taut(leaves, &state).tension);
+            errors.push(after - before);
+        }
+        // But a little later it is many times the weight.
+        assert!(d.peak(&run).unwrap() > 10.0);
+    }
+    errors.attain(1.43e-13..=1.44e-13, 6);
+}
+
+/// The impulse of the string in the turn is what the momentum changes by, with gravity: the same
+/// for a turn and for a bounce. Simpson's rule over the tension.
+#[test]
+fn the_turn_gives_the_impulse_of_a_bounce() {
+    let (d, n) = (Disc { free: 1e6, ..usual() }, 2000);
+    let run = d.run(1e-14).unwrap();
+    let [from, to] = ["all unwound", "winds up"].map(|name| run.transition(name).unwrap().t);
+    let pull = |k: u32| {
+        let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
+        let y = run.at(from + (to - from) * f64::from(k) / f64::from(n)).unwrap().1;
+        weight * d.taut(Leaves::Knot, &y).tension
+    };
+    let impulse = (0..=n).map(pull).sum::<f64>() * (to - from) / f64::from(3 * n);
+    let speed = (2.0 * d.wound / (1.0 + d.shape)).sqrt();
+    let mut errors = Errors::of("impulse less 2 M v + M g t");
+    errors.push(impulse - 2.0 * speed - (to - from));
+    errors.attain(2.94e-12..=2.95e-12, 1);
+    let mut damaged = Errors::of("without gravity");
+    damaged.push(impulse - 2.0 * speed);
+    damaged.exceed(0.9, 1);
+}
+
+/// The stiffer the string, the nearer its largest tension is to that of one that does not give.
+#[test]
+fn a_stiff_string_is_one_that_does_not_give() {
+    let d = usual();
+    let run = d.run(1e-14).unwrap();
+    let (start, firm) = (run.transition("all unwound").unwrap().before, d.peak(&run).unwrap());
+    let mut errors = Errors::of("peak, relative");
+    for stiffness in [1e6, 1e8] {
+        errors.add(d.softly(&start, stiffness, 1e-12).unwrap()[0], firm, firm);
+    }
+    errors.attain(1.55e-3..=1.56e-3, 2);
+    assert!(d.softly(&start, 100.0, 1e-12).unwrap()[0] < 0.7 * firm);
+}
+
+fn usual() -> Disc {
+    disc(&Parameters::default()).unwrap()
+}

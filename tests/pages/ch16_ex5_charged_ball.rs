@@ -1,0 +1,154 @@
+//! Exercise 16.5, the charged ball. The simulation knows masses, pull and one contact with dry
+//! friction; that it confirms the formulas is part of the report.
+
+use crate::told::{confirmed, refused, value};
+use pages::ch16_ex5_charged_ball::*;
+use rotation_dynamics::planar::contact::{Mode, misdeclared};
+use rotation_dynamics::report::prelude::*;
+use support::{EPS, Errors};
+
+fn ball() -> Ball {
+    Ball::new(&Parameters::default()).unwrap()
+}
+
+#[test]
+fn other_balls_are_confirmed() {
+    let balls = ["", "--shape 0.6666666666666666 --radius 0.02", "--shape 1 --mass 0.05"];
+    let slabs = ["--friction 0", "--friction 0.05", "--friction 0.6 --field 2e5", "--field 1.5e6 --shot 0.4", "--spot=0 --shot=0"];
+    let runs = balls.iter().flat_map(|ball| slabs.iter().map(move |slab| format!("{ball} {slab}")));
+    confirmed(&EXAMPLE, runs, 15);
+}
+
+/// The numbers of the inventory, from its 15 digits.
+#[test]
+fn the_instance_of_the_inventory_is_met() {
+    let mut errors = Errors::in_units_of(EPS, "inventory, relative");
+    let cases = [
+        ("a", 1.785_714_285_714_285_7),
+        ("friction", 0.001_428_571_428_571_428_6),
+        ("mu_min", 0.072_836_872_355_566_3),
+    ];
+    for (key, expect) in cases {
+        errors.add(value(&EXAMPLE, key), expect, expect);
+    }
+    errors.attain(3.4..=3.5, 3);
+}
+
+#[test]
+fn what_is_no_charged_ball_is_refused() {
+    let runs = [
+        ("--charge=0", "charge = 0 is not allowed"),
+        ("--mass=-1", "mass = -1 is not allowed"),
+        ("--friction=-0.1", "friction = -0.1 is not allowed"),
+        ("--shape=1.5", "shape = 1.5 is not allowed"),
+        ("--spot=1.1", "spot = 1.1 is not allowed"),
+        ("--charge=1e-20", "q E/(m g)"),
+        ("--field=nan", "not a finite number"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Energy: what the field has done is in the going and in the turning; without the turning it
+/// is not. And the acceleration is that of a slope with tan(theta) = qE/mg, seen along it.
+#[test]
+fn the_work_of_the_field_is_shared() {
+    let (ball, mut errors, mut damaged) = (ball(), Errors::of("energy, relative"), Errors::of("without the turning"));
+    let run = ball.run(ball.start(0.0, 0.0), 9.0, 1e-13).unwrap();
+    for t in times(0.02, 0.46, 20) {
+        let State3 { x, v, rim } = State3::of(&run, t);
+        errors.push((v * v + 0.4 * rim * rim) / (2.0 * ball.pull * x) - 1.0);
+        damaged.push(v * v / (2.0 * ball.pull * x) - 1.0);
+        assert_eq!(run.modes(t).unwrap(), [Mode::Stick]);
+    }
+    errors.attain(1.66e-15..=1.67e-15, 21);
+    damaged.exceed(0.28, 21);
+    assert!(misdeclared(&ball, &ball.start(0.3, 1.3)) < 1e-9);
+}
+
+struct State3 {
+    x: f64,
+    v: f64,
+    rim: f64,
+}
+
+impl State3 {
+    fn of(run: &Roll, t: f64) -> Self {
+        let state = run.at(t).unwrap();
+        Self { x: state.q[0], v: state.v[0], rim: -0.01 * state.v[2] }
+    }
+}
+
+/// About a point of the slab neither N - mg nor friction has a moment: the angular momentum
+/// m R v + I omega grows by q E R t, whether the ball rolls or slips, and from any start.
+#[test]
+fn the_moment_about_the_slab_decides() {
+    let (mut errors, mut damaged) = (Errors::of("angular momentum, relative"), Errors::of("a hoop's"));
+    for (mu, shot) in [(0.3, 0.0), (0.05, 0.0), (0.0, 0.2), (0.3, -0.3), (0.05, 0.3)] {
+        let ball = Ball { mu, length: 10.0, ..ball() };
+        let run = ball.run(ball.start(0.0, shot), 0.4, 1e-13).unwrap();
+        let at = State3::of(&run, 0.4);
+        let moment = |k: f64| (at.v + k * at.rim - shot) / (0.4 * ball.pull) - 1.0;
+        errors.push(moment(0.4));
+        if mu > 0.0 {
+            damaged.push(moment(1.0));
+        }
+    }
+    errors.attain(2.22e-16..=2.23e-16, 5);
+    damaged.exceed(0.05, 4);
+}
+
+/// What rubbing takes, by simulation, is greatest for mu/mu_min = 7/2 - sqrt(35)/2, the root of
+/// 1 - 2 s + 2 s^2/7, and there 6 - sqrt(35), a twelfth.
+#[test]
+fn the_greatest_loss_is_a_twelfth() {
+    let root = 35.0_f64.sqrt();
+    let lost = |s: f64| {
+        let ball = Ball { mu: s * 0.5 * (7.0 - root) * ball().holding() / ball().press, ..ball() };
+        let run = ball.run(ball.start(0.0, 0.0), 0.3, 1e-12).unwrap();
+        let State3 { x, v, rim } = State3::of(&run, 0.3);
+        1.0 - (v * v + 0.4 * rim * rim) / (2.0 * ball.pull * x)
+    };
+    assert!(lost(0.99) < lost(1.0) && lost(1.01) < lost(1.0));
+    let (mut errors, mut damaged) = (Errors::of("greatest loss"), Errors::of("half the friction"));
+    errors.push(lost(1.0) - (6.0 - root));
+    damaged.push(lost(0.5) - (6.0 - root));
+    errors.attain(0.0..=0.0, 1);
+    damaged.exceed(0.01, 1);
+}
+
+/// A charged spot on a slab that is not rough enough for it: it slips where the formula says.
+#[test]
+fn a_spotted_ball_slips_where_friction_ends() {
+    let (mut errors, mut damaged) = (Errors::of("angle of the first slip"), Errors::of("spot half as far"));
+    for part in [0.3, 0.6, 0.9] {
+        let (k, spot) = (0.4, 0.5);
+        let mu = (k + part * spot) / (1.0 + k) * ball().pull / ball().press;
+        let there = Ball { mu, spot: spot * 0.01, ..ball() };
+        let run = there.run(there.start(0.0, 0.0), 0.2, 1e-10).unwrap();
+        let turned = -run.event("ball slips").unwrap().before.q[2];
+        errors.push(sin(turned) - part);
+        damaged.push(sin(turned) - 0.5 * part);
+    }
+    errors.attain(2.22e-16..=2.23e-16, 3);
+    damaged.exceed(0.1, 3);
+}
+
+/// The card of effects: an image charge, rolling resistance and air do what it says.
+#[test]
+fn what_is_left_out_costs_what_the_card_says() {
+    let (p, ball) = (Parameters::default(), ball());
+    let (image, [arm, drag]) = left_out(&p);
+    let speed = |ball: Ball| ball.run(ball.start(0.0, 0.0), 9.0, 1e-12).unwrap().event("arrives").unwrap().before.v[0];
+    let (plain, mut errors) = (speed(ball), Errors::of("loss of work over prediction, less one"));
+    let lost = |ball: Ball| 1.0 - speed(ball) * speed(ball) / (plain * plain);
+    errors.push(lost(Ball { resisting: [arm, 0.0], ..ball }) / (arm * p.gravity / (p.radius * ball.pull)) - 1.0);
+    errors.push(lost(Ball { resisting: [0.0, drag], ..ball }) / (0.5 * drag * plain * plain / ball.pull) - 1.0);
+    // The image charge presses, and nothing else: it goes as fast, and holds with less friction.
+    let pressed = Ball { press: ball.press * (1.0 + image), ..ball };
+    errors.push(lost(pressed));
+    errors.attain(4.21e-3..=4.22e-3, 3);
+    let run = pressed.run(pressed.start(0.0, 0.0), 0.01, 1e-12).unwrap();
+    let [force] = run.forces(0.005).unwrap();
+    let needed = -force.tangential / force.normal * (1.0 + image) / value(&EXAMPLE, "mu_min");
+    assert!((needed - 1.0).abs() < 1e-9, "{needed}");
+}

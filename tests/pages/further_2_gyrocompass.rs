@@ -1,0 +1,180 @@
+//! A further problem, the gyrocompass. That simulations confirm the formulas is part of the
+//! report; here they are asked far from the numbers of a ship, and damaged twins miss.
+
+use crate::told::{confirmed, refused};
+use pages::further_2_gyrocompass::*;
+use rotation_dynamics::integrators::after;
+use rotation_dynamics::math::{cos, log, pow, sin, tan};
+use rotation_dynamics::report::sampled;
+use support::Errors;
+
+#[test]
+fn formulas_and_simulations_agree_for_every_compass() {
+    let latitudes = [-1.4, -0.3, 0.0, 0.6, 1.3].into_iter();
+    let built = |at| {
+        ["--spin=300 --tuning=0.3", "--tuning=3 --release=3", "--offset=0.05 --speed=-30"]
+            .map(|flags| format!("--latitude={at} {flags}"))
+    };
+    confirmed(&EXAMPLE, latitudes.flat_map(built), 15);
+    let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2"];
+    confirmed(&EXAMPLE, coarse, 2);
+}
+
+#[test]
+fn what_is_no_compass_is_refused() {
+    let runs = [
+        ("--spin=0", "spin = 0 is not allowed"),
+        ("--latitude=1.5707", "from -1.5 to 1.5"),
+        ("--transverse=0.005", "from 0.5 to 1000"),
+        ("--spin=10", "(Foucault's period over the compass's)^2"),
+        ("--latitude=1.5 --offset=0.1", "offset times tan(latitude)"),
+        ("--release=4", "release = 4 is not allowed"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// A wheel with L/I_t = 1 on an Earth that turns at `earth`.
+fn wheel(earth: f64, latitude: f64, pendulosity: f64) -> Compass {
+    let horizon = horizon(earth, latitude, 0.0);
+    let (offset, rider, pivot) = (0.0, 0.0, 0.0);
+    Compass { transverse: 1.0, momentum: 1.0, pendulosity, horizon, offset, rider, pivot }
+}
+
+/// Foucault's compass on an Earth that turns as fast as a tenth of the nutation.
+#[test]
+fn eq_1_foucault() {
+    let (mut errors, mut damaged) = (Errors::of("rate"), Errors::of("the whole of Omega"));
+    for (earth, latitude) in [(0.1, 0.3), (0.1, -1.2), (1e-3, 0.8), (1e-4, 1.4)] {
+        let c = wheel(earth, latitude, 0.0);
+        let measured = measured_held(c).unwrap();
+        errors.push(c.foucault_rate() / measured - 1.0);
+        damaged.push((earth * (1.0 - earth)).sqrt() / measured - 1.0);
+    }
+    errors.attain(2.83e-11..=2.85e-11, 4);
+    damaged.exceed(0.01, 4);
+    // At the pole the axle stays wherever it is put; a little off it does not.
+    let turned = |latitude| {
+        let c = wheel(1e-3, latitude, 0.0);
+        let end = after(500.0, &c.held(), &c.start([1.0, 0.0], 0.0), 1e-13).unwrap();
+        angles([end[0], end[1], end[2]])[0] - 1.0
+    };
+    assert!(turned(core::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    assert!(turned(1.47).abs() > 1.0);
+}
+
+/// Tilt and rate of a pendulous axle, the Earth's turning not small.
+#[test]
+fn eq_3_the_pendulous_axle() {
+    let (mut errors, mut damaged) = (Errors::of("tilt, rate"), Errors::of("without Omega"));
+    for (earth, latitude, pull) in [(0.1, 0.4, 0.3), (0.1, -1.0, 0.5), (0.01, 1.2, 0.1)] {
+        let c = wheel(earth, latitude, pull);
+        let [rest, rate] = [c.settled(1e-14).unwrap()[1], measured(c).unwrap()];
+        errors.push(c.rest()[1] - rest);
+        errors.push(c.linear()[1].sqrt() / rate - 1.0);
+        damaged.push(earth * sin(latitude) / pull / rest - 1.0);
+        damaged.push((earth * cos(latitude) * pull).sqrt() / rate - 1.0);
+    }
+    errors.attain(1.91e-13..=1.93e-13, 6);
+    damaged.exceed(0.01, 6);
+}
+
+/// The slope of the logarithm of `error` over that of its argument, between neighbours.
+fn slopes(at: &[f64], error: impl Fn(f64) -> f64) -> Vec<f64> {
+    let logs: Vec<[f64; 2]> = at.iter().map(|x| [log(*x), log(error(*x))]).collect();
+    logs.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect()
+}
+
+/// The whole body: its two frequencies on an equator; the squares of the periods add up but
+/// for what falls with the rate of the Earth; the amplitude counts by its square.
+#[test]
+fn eq_4_the_whole_body() {
+    let (mut errors, mut damaged) = (Errors::of("whole body"), Errors::of("axle alone"));
+    for stiffness in [0.1, 1.0, 10.0, 100.0] {
+        let c = wheel(1e-3, 0.0, stiffness);
+        let whole = measured_whole(c).unwrap();
+        errors.push(c.both()[0] / whole - 1.0);
+        damaged.push(c.linear()[1].sqrt() / whole - 1.0);
+    }
+    errors.attain(6.91e-13..=6.93e-13, 4);
+    damaged.exceed(0.03, 4);
+
+    let off = |stiffness| {
+        let c = wheel(1e-6, 0.0, stiffness);
+        c.linear()[1].sqrt() / measured_whole(c).unwrap() - 1.0
+    };
+    let orders = slopes(&[1e-3, 2e-3, 4e-3], off);
+    assert!(orders.iter().all(|k| (0.99..1.01).contains(k)), "{orders:?}");
+    let added = |c: Compass| {
+        let [slow, held] = [c.linear()[1], pow(c.foucault_rate(), 2.0)];
+        (1.0 / slow + 1.0 / held) * pow(measured_whole(c).unwrap(), 2.0) - 1.0
+    };
+    let orders = slopes(&[1e-4, 2e-4, 4e-4], |earth| added(wheel(earth, 0.0, 1.0)).abs());
+    assert!(orders.iter().all(|k| (0.98..1.02).contains(k)), "{orders:?}");
+
+    let c = wheel(1e-4, 0.0, 0.1);
+    let wide = |size: f64| {
+        let start = axle(size, 0.0).to_array();
+        let port = c.slow(|_| (c.horizon, 0.0));
+        let method = rotation_dynamics::integrators::Dop853::new(1e-14).unwrap();
+        let back = method.zero(&port, start, 2, 1e6, |y| y[2]).unwrap().0.t;
+        back * c.linear()[1].sqrt() / core::f64::consts::TAU - 1.0
+    };
+    let orders = slopes(&[0.02, 0.04, 0.08], wide);
+    assert!(orders.iter().all(|k| (1.99..2.01).contains(k)), "{orders:?}");
+    assert!((wide(0.02) / 2.5e-5 - 1.0).abs() < 1e-2);
+}
+
+/// Schuler: what a ship that speeds up does not disturb, at every latitude and spin; the
+/// damaged twin takes the whole rotation of the Earth.
+#[test]
+fn eq_5_schuler() {
+    let (mut errors, mut damaged) = (Errors::of("tuned"), Errors::of("without cos"));
+    for (latitude, spin) in [(0.9, 1500.0), (-0.5, 600.0), (1.2, 2500.0)] {
+        let p = Parameters { latitude, spin, ..Parameters::default() };
+        let (c, quiet) = (Compass::new(&p).unwrap(), quiet(&p).unwrap());
+        errors.push(c.pendulosity / quiet - 1.0);
+        damaged.push(c.pendulosity * cos(latitude) / quiet - 1.0);
+    }
+    errors.attain(7.82e-7..=7.83e-7, 3);
+    damaged.exceed(0.1, 3);
+}
+
+/// Damping: what is left after half a period, and the azimuth at rest; the formula of the
+/// page, offset times tangent, is right to the tilt.
+#[test]
+fn eq_6_damping() {
+    let mut errors = Errors::of("offset tan(latitude)");
+    for latitude in [-1.0, -0.4, 0.4, 0.9] {
+        let p = Parameters { latitude, ..Parameters::default() };
+        let c = Compass { offset: p.offset, ..Compass::new(&p).unwrap() };
+        let settled = c.settled(1e-13).unwrap();
+        errors.push((p.offset * tan(latitude) - settled[0]) / settled[1]);
+        assert!(settled[0] * latitude > 0.0);
+    }
+    errors.attain(0.0297..=0.0298, 4);
+    let p = Parameters::default();
+    let c = Compass { offset: p.offset, ..Compass::new(&p).unwrap() };
+    let ratio = 0.5 * p.offset * c.linear()[1].sqrt() / c.horizon.y();
+    let left = |z: f64| rotation_dynamics::math::exp(-core::f64::consts::PI * z / (1.0 - z * z).sqrt());
+    let [_, factor] = shrinking(c).unwrap();
+    support::assert_error!((left(ratio) - factor).abs(), 2.58e-4);
+    assert!((left(2.0 * ratio) - factor).abs() > 0.1);
+}
+
+/// The speed error, on a ship fast enough to count: all of it is the direction of the sum.
+#[test]
+fn eq_7_the_ship() {
+    let (mut errors, mut damaged) = (Errors::of("direction"), Errors::of("wrong side"));
+    let speeds = [-300.0, -10.0, 10.0, 300.0];
+    let settled = sampled(speeds, |speed| {
+        let c = Compass::new(&Parameters::default())?;
+        Compass { horizon: horizon(7.292_115e-5, 0.9, speed), ..c }.settled(1e-13)
+    });
+    for (speed, at) in speeds.into_iter().zip(settled.unwrap()) {
+        let small = speed / (6.371e6 * 7.292_115e-5 * cos(0.9));
+        errors.push(tan(at[0]) + small);
+        damaged.push(tan(at[0]) - small);
+    }
+    errors.attain(8.21e-14..=8.23e-14, 4);
+    damaged.exceed(0.05, 4);
+}
