@@ -51,6 +51,7 @@ pub fn slab(p: &Parameters) -> Result<[f64; 3]> {
     let shape = from_to(1e-3, 0.99);
     shape.check("width over length", b / a)?;
     shape.check("thickness over width", c / b)?;
+    from_to(1e-30, 1e30).check("mass times length squared, kg m^2,", p.mass * a * a)?;
     let moments = [b * b + c * c, a * a + c * c, a * a + b * b];
     Ok(moments.map(|sum| p.mass * sum / 12.0))
 }

@@ -37,6 +37,7 @@ fn what_cannot_be_thrown_is_refused() {
         ("--tilt=0", "tilt = 0 is not allowed"),
         ("--turns=500", "turns in the flight"),
         ("--mass=NaN", "mass"),
+        ("--mass=1e-300", "mass times length squared"),
         ("--tilt=1e-10 --toward=0.6736", "distance of the start from the one that never turns over"),
     ];
     refused(&EXAMPLE, runs);
