@@ -409,7 +409,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             small * (p.axial / p.transverse).sqrt() => "two different moments of inertia occur";
         /// Foucault: from the release
         wide: wide, "s", "located event" => turned(p, 2, p.tolerance)?.0.t,
-        within (1e-8 + 10.0 * bound) * wide / pow(cos(0.5 * p.release), 4.0), in "Foucault's compass: period":
+        within (1e-8 + 10.0 * bound) * wide / pow(cos(0.5 * p.release), 4.0) / cos(p.latitude).sqrt(), in "Foucault's compass: period":
             small => "that is for small swings";
         /// tilt at rest
         tilt: tilt, "rad", "where it settles" => c.settled(p.tolerance)?[1], within 1e-11 + bound,

@@ -3,7 +3,7 @@
 
 use crate::told::{confirmed, refused};
 use pages::further_2_gyrocompass::*;
-use rotation_dynamics::integrators::after;
+use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::math::{cos, log, pow, sin, tan};
 use rotation_dynamics::report::sampled;
 use support::Errors;
@@ -18,6 +18,7 @@ fn formulas_and_simulations_agree_for_every_compass() {
     confirmed(&EXAMPLE, latitudes.flat_map(built), 15);
     let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2"];
     confirmed(&EXAMPLE, coarse, 2);
+    confirmed(&EXAMPLE, ["--latitude=1.5", "--latitude=-1.5 --speed=50"], 2);
 }
 
 #[test]
@@ -60,6 +61,29 @@ fn eq_1_foucault() {
     };
     assert!(turned(core::f64::consts::FRAC_PI_2).abs() < 1e-9);
     assert!(turned(1.47).abs() > 1.0);
+}
+
+/// The rates of azimuth and tilt for small angles: what is left out falls with their square.
+/// The damaged twin lets the bob push its end of the axle to the east.
+#[test]
+fn eq_2_small_angles() {
+    let (earth, latitude, pull) = (0.1, 0.4, 0.3);
+    let c = wheel(earth, latitude, pull);
+    let (north, up) = (earth * cos(latitude), earth * sin(latitude));
+    let off = |size: f64, pull: f64| {
+        let [azimuth, tilt] = [size, 0.7 * size];
+        let port = c.slow(|_| (c.horizon, 0.0));
+        let ([x, y, _], [vx, vy, vz]) = {
+            let at = axle(azimuth, tilt).to_array();
+            (at, port.derivative(0.0, &at))
+        };
+        let turned = (vx * y - vy * x) / (x * x + y * y) - (up - (pull + north) * tilt);
+        turned.abs() + (vz / cos(tilt) - north * azimuth).abs()
+    };
+    let orders = slopes(&[1e-3, 2e-3, 4e-3], |size| off(size, pull));
+    assert!(orders.iter().all(|k| *k > 1.9), "{orders:?}");
+    let damaged = slopes(&[1e-3, 2e-3, 4e-3], |size| off(size, -pull));
+    assert!(damaged.iter().all(|k| *k < 1.1), "{damaged:?}");
 }
 
 /// Tilt and rate of a pendulous axle, the Earth's turning not small.
