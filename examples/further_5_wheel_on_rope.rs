@@ -21,7 +21,7 @@ parameters! {
         /// length of the rope
         rope: number(2.0, "m", above(0.0).usually(0.2, 5.0));
         /// angular velocity along the axle, about an axis outward from the rope
-        spin: number(12.0, "rad/s", above(0.0).usually(5.0, 60.0));
+        spin: number(12.0, "rad/s", from_to(0.01, 1000.0).usually(5.0, 60.0));
         /// by how much the axle rises outward, in question 2
         rise: number(0.5, "rad", from_to(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
@@ -359,9 +359,9 @@ fn eigen(a: [[f64; 3]; 3]) -> Result<[Mode; 3]> {
     let turn = (trace * trace - 3.0 * minors).max(0.0).sqrt();
     let [low, high] = [(trace - turn) / 3.0, (trace + turn) / 3.0];
     let stable = at(0.0) < 0.0 && at(low) > 0.0 && at(high) < 0.0;
-    let name = "least squared frequency of a small oscillation over the largest";
+    let name = "stability of the level precession (1 stable, -1 not)";
     if !stable {
-        let allowed = "positive: this steady precession is not stable";
+        let allowed = "1: small oscillations must not grow";
         return Err(Error::OutOfRange {
             name,
             value: -1.0,
@@ -600,7 +600,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         p.mass * p.gravity / (1e9 * 0.25 * PI * 36e-6),
     );
     let air =
-        0.004 * 1.204 * p.radius * p.radius * p.radius * p.spin * p.spin * p.radius * p.radius;
+        0.0066 * 1.204 * p.radius * p.radius * p.radius * p.spin * p.spin * p.radius * p.radius;
     let slowing = air / (wheel.momentum * rate);
     let bound = wheel.at_end() * rate / wheel.momentum;
     effect_card! { report,

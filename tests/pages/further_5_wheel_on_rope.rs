@@ -197,6 +197,19 @@ fn directions_left_to_round_off_drift() {
 #[test]
 fn eq_7_slack() {
     let wheel = wheel(20.0, 1.0);
+    // The pull at the start by Newton's law; the damaged twin has the moment about the end.
+    let (mut pull, mut pivot) = (Errors::of("pull at the start"), Errors::of("with J for I_t"));
+    let (i, l) = (wheel.transverse, wheel.lever);
+    let at_end = i + wheel.mass * l * l;
+    for push in [-1.0, 0.5, 3.0] {
+        let start = wheel.in_space(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]);
+        let found = wheel.tension(&place(&start)) * at_end / wheel.mass;
+        let gyroscopic = l * wheel.momentum * push;
+        pull.push((wheel.gravity * i + gyroscopic) / found - 1.0);
+        pivot.push((wheel.gravity * at_end + gyroscopic) / found - 1.0);
+    }
+    assert!(pull.largest() < 1e-14, "{}", pull.largest());
+    pivot.exceed(0.05, 3);
     let push = 1.2 * wheel.forward();
     let run = wheel.let_go(push, 5.0, 1e-14).unwrap();
     let slack = run.stopped_by().expect("the rope goes slack");
