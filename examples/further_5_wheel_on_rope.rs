@@ -13,15 +13,15 @@ parameters! {
     /// The bicycle wheel of section 16.2, on a rope.
     pub struct Parameters {
         /// mass, all of it in the rim
-        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0));
+        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0)).drawn(1.5, 3.0, 0.1);
         /// radius of the rim
         radius: number(0.33, "m", above(0.0).usually(0.1, 0.5));
         /// from the rope to the hub
-        lever: number(0.15, "m", from_to(0.01, 2.0).usually(0.05, 0.3));
+        lever: number(0.15, "m", from_to(0.01, 2.0).usually(0.05, 0.3)).drawn(0.1, 0.18, 0.01);
         /// length of the rope
-        rope: number(2.0, "m", from_to(0.01, 100.0).usually(0.2, 5.0));
+        rope: number(2.0, "m", from_to(0.01, 100.0).usually(0.2, 5.0)).drawn(1.0, 2.0, 0.1);
         /// angular velocity along the axle, about an axis outward from the rope
-        spin: number(12.0, "rad/s", from_to(1.0, 1000.0).usually(5.0, 60.0));
+        spin: number(12.0, "rad/s", from_to(1.0, 1000.0).usually(5.0, 60.0)).drawn(14.0, 24.0, 1.0);
         /// by how much the axle rises outward, in question 2
         rise: number(0.5, "rad", from_to(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
