@@ -13,17 +13,17 @@ parameters! {
     /// The bicycle wheel of section 16.2, on a rope.
     pub struct Parameters {
         /// mass, all of it in the rim
-        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0));
+        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0)).drawn(1.5, 2.5, 0.1);
         /// radius of the rim
-        radius: number(0.33, "m", above(0.0).usually(0.1, 0.5));
+        radius: number(0.33, "m", above(0.0).usually(0.1, 0.5)).drawn(0.30, 0.36, 0.01);
         /// from the rope to the hub
-        lever: number(0.15, "m", above(0.0).usually(0.05, 0.3));
+        lever: number(0.15, "m", above(0.0).usually(0.05, 0.3)).drawn(0.10, 0.20, 0.01);
         /// length of the rope
-        rope: number(2.0, "m", above(0.0).usually(0.2, 5.0));
+        rope: number(2.0, "m", above(0.0).usually(0.2, 5.0)).drawn(1.0, 3.0, 0.1);
         /// angular velocity along the axle, about an axis outward from the rope
-        spin: number(12.0, "rad/s", above(0.0).usually(5.0, 60.0));
+        spin: number(12.0, "rad/s", above(0.0).usually(5.0, 60.0)).drawn(9.0, 15.0, 0.5);
         /// by how much the axle rises outward, in question 2
-        rise: number(0.5, "rad", from_to(-1.2, 1.2));
+        rise: number(0.5, "rad", from_to(-1.2, 1.2)).drawn(0.2, 0.6, 0.1);
         /// azimuthal rate with which the level axle is let go
         push: number(0.0, "rad/s", from_to(-20.0, 20.0).usually(-3.0, 3.0));
         /// acceleration of gravity
