@@ -18,19 +18,19 @@ parameters! {
     /// A compass with numbers that are typical of one on a ship.
     pub struct Parameters {
         /// moment of inertia of the wheel about its axle
-        axial: number(0.012, "kg m^2", above(0.0).usually(1e-3, 0.1));
+        axial: number(0.012, "kg m^2", above(0.0).usually(1e-3, 0.1)).drawn(0.008, 0.016, 0.001);
         /// the same across the axle, of all that turns with it
         transverse: number(0.008, "kg m^2", above(0.0).usually(1e-3, 0.1));
         /// spin
-        spin: number(1500.0, "rad/s", above(0.0).usually(300.0, 2500.0));
+        spin: number(1500.0, "rad/s", above(0.0).usually(300.0, 2500.0)).drawn(1000.0, 2000.0, 100.0);
         /// latitude, negative south of the equator
-        latitude: number(0.9, "rad", from_to(-1.5, 1.5));
+        latitude: number(0.9, "rad", from_to(-1.5, 1.5)).drawn(0.3, 1.1, 0.1);
         /// pendulosity over the one of question 3
         tuning: number(1.0, "-", above(0.0).usually(0.3, 3.0));
         /// damping torque about the vertical over the torque of the bob
-        offset: number(0.03, "rad", above(0.0).usually(0.01, 0.06));
+        offset: number(0.03, "rad", above(0.0).usually(0.01, 0.06)).drawn(0.02, 0.05, 0.01);
         /// speed of the ship towards the north
-        speed: number(10.0, "m/s", from_to(-50.0, 50.0));
+        speed: number(10.0, "m/s", from_to(-50.0, 50.0)).drawn(4.0, 14.0, 1.0);
         /// azimuth of the axle when it is let go
         release: number(0.5, "rad", from_to(1e-3, 3.1).usually(0.05, 1.5));
         /// acceleration of gravity

@@ -29,12 +29,14 @@ fn other_pendulums_are_confirmed() {
         "--gravity=1.62",
         "--release=0.001",
         "--release=3.1",
+        "--release=3.14159",
+        "--release=3.14159265",
         "--friction=0.002",
         "--friction=5",
         "--friction=1e4",
         "--tolerance=1e-3",
     ];
-    confirmed(&EXAMPLE, runs, 12);
+    confirmed(&EXAMPLE, runs, 14);
 }
 
 #[test]

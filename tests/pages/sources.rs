@@ -15,8 +15,8 @@ const FORBIDDEN: [&str; 7] = [
     "std::process::Command",
 ];
 
-/// The only files that may: the command line, what it writes, and the problem sheets, which
-/// read the locked outputs and write files.
+/// The only files that may: the command line, what it writes, and the maker of problem sheets,
+/// which is a program for the desk.
 const ALLOWED: [&str; 4] = [
     "src/report/cli.rs",
     "src/report/files.rs",
