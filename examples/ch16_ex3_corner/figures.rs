@@ -29,13 +29,11 @@ fn problem(sense: f64) -> Sketch {
 fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], px: f64) -> Sketch {
     // How long a unit of force is in the drawing, from the window of `corner`.
     let unit = px / 340.0 * (3.95 + (x.max(0.6) - 0.6));
-    let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| match hypot(
-        to.0 - from.0,
-        to.1 - from.1,
-    ) < 0.02
-    {
-        true => sketch,
-        false => sketch.arrow(from, to, Ink::Force, "", Side::Above),
+    let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
+        if hypot(to.0 - from.0, to.1 - from.1) < 0.02 {
+            return sketch;
+        }
+        sketch.arrow(from, to, Ink::Force, "", Side::Above)
     };
     let sketch = arrow(sketch, (x, y), (x, y - unit));
     let (low, left) = ((x, y - 1.0), (x - 1.0, y));
