@@ -193,7 +193,7 @@ fn mean_days(p: &Parameters, report: &mut Report) -> Result<()> {
             TAU - TAU / y => "the Earth goes round the Sun the way it turns";
         /// angular velocity of the Earth
         omega: omega, "rad/s", "P faces the Sun again" => whole / day,
-        within bound * omega, in "The mean day":
+        within bound * omega, judged 1e-5, in "The mean day":
             TAU / day => "that is the Sun in the sky, not the Earth",
             printed => "two different years are in that quotient";
         /// the same as printed in the notes

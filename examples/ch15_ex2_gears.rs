@@ -172,6 +172,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (origin, apart) = ([0.0; 2], p.radius_a + p.radius_b);
     let gained = kinetic_energy(p, end) - kinetic_energy(p, [p.rate, 0.0]);
     let (carried, moving) = (rate_b(p, arm), p.mass_b * apart * apart * arm);
+    // Nothing turns if the two would have no angular momentum together.
+    let kept = match la + lb {
+        0.0 => 0.0,
+        sum => la / sum * p.rate,
+    };
     let near = 1e-9 * (all + moving.abs() + p.inertia_b * carried.abs());
     claims! { report,
         /// rate of gear B
@@ -212,6 +217,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// rate of A in the end if nothing drives it
         undriven: undriven(p), "rad/s", "wheels simulated" => loose[0], within bound * p.rate,
         in "Setting B going":
+            kept => "the bearings give angular momentum too",
             p.inertia_a * p.rate / (p.inertia_a + p.inertia_b) => "they do not turn as one body";
         /// rate of gear B, carried by the arm
         carried_rate: carried, "rad/s", "no slip, from places" => without_slip(p, arm), within 1e-9 * (carried.abs() + p.rate + (1.0 + r) * arm.abs());

@@ -135,7 +135,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             u * r => "what stays is the angular momentum";
         /// speed
         speed: u * speed, "m/s", "string simulated" => u * hypot(last.v[0], last.v[1]), within bound * u * v,
-        in "The velocities":
+        judged 1e-4, in "The velocities":
             u * v => "the particle also moves inward";
         /// angular velocity
         angular_velocity: u / r0 * a.angular_velocity(end), "rad/s", "string simulated" => u / r0 * across(&last) / radius(&last),

@@ -13,13 +13,13 @@ parameters! {
     /// The cylinder of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// radius of the cylinder
-        radius: number(0.1, "m", from_to(1e-6, 1e6).usually(0.02, 0.5));
+        radius: number(0.1, "m", from_to(1e-6, 1e6).usually(0.02, 0.5)).drawn(0.05, 0.20, 0.01);
         /// its mass
-        mass: number(3.0, "kg", above(0.0).usually(0.1, 10.0));
+        mass: number(3.0, "kg", above(0.0).usually(0.1, 10.0)).drawn(1.0, 5.0, 0.5);
         /// coefficient of friction, on the floor and on the wall
-        friction: number(0.25, "-", from_to(1e-3, 10.0).usually(0.05, 3.0));
+        friction: number(0.25, "-", from_to(1e-3, 10.0).usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
         /// angular velocity at the start
-        spin: number(60.0, "rad/s", above(0.0).usually(5.0, 100.0));
+        spin: number(60.0, "rad/s", above(0.0).usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
         /// what changes: how friction falls with the slip speed s, as 1/(1 + fading s)

@@ -17,7 +17,7 @@ parameters! {
         /// charge of the ball
         charge: number(1e-8, "C", above(0.0).usually(1e-9, 3e-8));
         /// electric field along the slab
-        field: number(5e5, "V/m", above(0.0).usually(5e4, 1e6));
+        field: number(5e5, "V/m", above(0.0).usually(5e4, 1e6)).drawn(2e5, 6e5, 5e4);
         /// mass of the ball
         mass: number(0.002, "kg", above(0.0).usually(0.001, 0.01));
         /// radius of the ball
@@ -25,9 +25,9 @@ parameters! {
         /// k = I/(m R^2): 2/5 for a solid ball, 2/3 for a thin shell
         shape: number(0.4, "-", from_to(1e-3, 1.0).usually(0.3, 0.7));
         /// coefficient of friction between ball and slab
-        friction: number(0.3, "-", from_to(0.0, 1e3).usually(0.02, 0.6));
+        friction: number(0.3, "-", from_to(0.0, 1e3).usually(0.02, 0.6)).drawn(0.20, 0.50, 0.05);
         /// length of the slab, from the place where the ball starts from rest
-        length: number(0.2, "m", from_to(1e-3, 1e3).usually(0.05, 0.5));
+        length: number(0.2, "m", from_to(1e-3, 1e3).usually(0.05, 0.5)).drawn(0.10, 0.40, 0.05);
         /// velocity of a ball that is put down sliding, without spin
         shot: number(-0.3, "m/s", from_to(-1e3, 1e3).usually(-1.0, 1.0));
         /// how far off its middle a charged spot is, over R

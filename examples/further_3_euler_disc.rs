@@ -18,11 +18,11 @@ parameters! {
     /// The disc of Moffatt's note; the inclination of the steady motion is ours.
     pub struct Parameters {
         /// radius of the disc
-        radius: number(0.0375, "m", from_to(1e-3, 1.0).usually(0.01, 0.1));
+        radius: number(0.0375, "m", from_to(1e-3, 1.0).usually(0.01, 0.1)).drawn(0.0300, 0.0450, 0.0025);
         /// its mass
-        mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0));
+        mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0)).drawn(0.30, 0.50, 0.05);
         /// inclination of the steady motion
-        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.2));
+        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.2)).drawn(0.20, 0.60, 0.05);
         /// radius of the circle of its centre over R; positive on the side away from the contact
         circle: number(0.0, "-", from_to(-10.0, 0.16).usually(-2.0, 0.1));
         /// inclination from which it settles
@@ -328,30 +328,6 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         + 0.5 * disc.velocity().dot(&disc.velocity())
         + 0.125 * (now * now + own * own);
     let nods = rate * motion.nodding().sqrt();
-    let (air, rolls) = (Case::new(p, "air")?, Case::new(p, "rolling")?);
-    let (by_air, by_rolling) = (air.simulate()?, rolls.simulate()?);
-    let (case, run) = if p.loss == "air" {
-        (&air, &by_air)
-    } else {
-        (&rolls, &by_rolling)
-    };
-    let law = case.law;
-    let [ends, asked] = [law.left(case.end) * time, p.left];
-    from_to(ends, 0.85 * law.left(case.start) * time)
-        .check("left, down to where the law ends,", asked)?;
-    let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
-    let (tilt, near) = (
-        law.tilt(asked / time),
-        3.0 * pow(p.start, 4.0) + hasty(case),
-    );
-    let about = |case: &Case| case.law.exponent() * (p.start * p.start + hasty(case));
-    let then = run.at(run.end - asked / time);
-    let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);
-    let tone = |tilt: f64| Settling::passing(tilt).rate() / (TAU * time);
-    let sounds = then
-        .as_ref()
-        .map_or(f64::NAN, |disc| disc.rate / (TAU * time));
-    let (turns, rest) = (law.turns(case.start), law.turns(0.1 * case.start));
     claims! { report,
         /// rate at which the contact runs round
         rate: rate, "rad/s", "a turn in vectors" => TAU / (turned * time), within bound * rate, in "The steady motion":
@@ -375,25 +351,61 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// angular frequency of a small nodding
         nodding: nods, "rad/s", "two kicks" => measured_nodding(motion)? / time, within 1e-7 * nods, in "The steady motion":
             rate => "the nodding is slower";
-        /// rolling friction: exponent of the rate
-        exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => by_rolling.exponent()?, within about(&rolls),
-        in "The last seconds":
-            2.0 / 3.0 => "that is the exponent of the inclination";
-        /// air: exponent of the rate
-        exponent_air: air.law.exponent(), "-", "bend of the simulation" => by_air.exponent()?, within about(&air),
-        in "The last seconds":
-            1.0 / 3.0 => "that is the exponent of the inclination";
-        /// inclination below which the air takes more than the rolling friction
-        equal: pow(air.law.k / rolls.law.k, 2.0 / 3.0), "rad", "powers, bisected" => balanced(&air, &rolls),
-        within 1e-12;
-        /// inclination at which the law ends
-        tilt_end: case.end, "rad", "bisected" => ending(case), within 1e-6 * case.end;
-        /// time that is left there
-        left_end: ends, "s", "fall from there, integrated" => fallen(&law, case.end) * time, within (1e-6 + 2.0 * case.end * case.end) * ends;
-        /// tone there
-        tone_end: tone(case.end), "Hz", "rate for small angles" => 1.0 / (PI * time * case.end.sqrt()),
-        within case.end * case.end * tone(case.end);
-    }?;
+    }
+}
+
+/// The settling by both losses; the chosen one is asked for times and tones.
+fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (air, rolls) = (Case::new(p, "air")?, Case::new(p, "rolling")?);
+    let case = if p.loss == "air" { &air } else { &rolls };
+    let (law, time) = (case.law, case.time);
+    let [ends, asked] = [law.left(case.end) * time, p.left];
+    from_to(ends, 0.85 * law.left(case.start) * time)
+        .check("left, down to where the law ends,", asked)?;
+    let (by_air, by_rolling) = (air.simulate()?, rolls.simulate()?);
+    let run = if p.loss == "air" {
+        &by_air
+    } else {
+        &by_rolling
+    };
+    table_of_ends(
+        [("air", &air, &by_air), ("rolling", &rolls, &by_rolling)],
+        report,
+    )?;
+    let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
+    let (tilt, near) = (
+        law.tilt(asked / time),
+        3.0 * pow(p.start, 4.0) + hasty(case),
+    );
+    let about = |case: &Case| case.law.exponent() * (p.start * p.start + hasty(case));
+    let then = run.at(run.end - asked / time);
+    let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);
+    let tone = |tilt: f64| Settling::passing(tilt).rate() / (TAU * time);
+    let sounds = then
+        .as_ref()
+        .map_or(f64::NAN, |disc| disc.rate / (TAU * time));
+    let (turns, rest) = (law.turns(case.start), law.turns(0.1 * case.start));
+    let equal = pow(air.law.k / rolls.law.k, 2.0 / 3.0);
+    let power = |case: &Case| case.loss.drag(equal, 2.0 / equal.sqrt());
+    claims! { report,
+            /// rolling friction: exponent of the rate
+            exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => by_rolling.exponent()?, within about(&rolls),
+            in "The last seconds":
+                2.0 / 3.0 => "that is the exponent of the inclination";
+            /// air: exponent of the rate
+            exponent_air: air.law.exponent(), "-", "bend of the simulation" => by_air.exponent()?, within about(&air),
+            in "The last seconds":
+                1.0 / 3.0 => "that is the exponent of the inclination";
+            /// inclination below which the air takes more than the rolling friction
+    equal: equal, "rad", "powers there" => equal * power(&air) / power(&rolls), within 1e-12;
+            /// inclination at which the law ends
+            tilt_end: case.end, "rad", "by differences" => ending(case), within 1e-6 * case.end;
+            /// time that is left there
+            left_end: ends, "s", "fall from there, integrated" => fallen(&law, case.end) * time, within (1e-6 + 2.0 * case.end * case.end) * ends;
+            /// tone there
+            tone_end: tone(case.end), "Hz", "rate for small angles" => 1.0 / (PI * time * case.end.sqrt()),
+            within case.end * case.end * tone(case.end);
+        }?;
     let (whole, group) = (law.left(case.start), "The last seconds");
     report.add(
         vec![
@@ -430,33 +442,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     )
 }
 
-/// Where the law's own fall, taken by differences, comes up to g, or its film is used up.
+/// The end once more: where the law's fall, taken by differences, is g, or the film.
 fn ending(case: &Case) -> f64 {
-    let speed = |tilt: f64| case.law.k * pow(tilt, -case.law.n);
-    let fall =
-        |tilt: f64| speed(tilt) * (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
-    let (mut low, mut high) = (1e-9_f64, 1.0_f64);
-    for _ in 0..100 {
-        let middle = (low * high).sqrt();
-        match fall(middle) > 1.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    low.max(case.film)
-}
-
-/// Where both losses take the same power.
-fn balanced(air: &Case, rolls: &Case) -> f64 {
-    let (mut low, mut high) = (1e-9_f64, 1e3_f64);
-    for _ in 0..100 {
-        let tilt = (low * high).sqrt();
-        match air.loss.drag(tilt, 2.0 / tilt.sqrt()) > rolls.loss.drag(tilt, 1.0) {
-            true => low = tilt,
-            false => high = tilt,
-        }
-    }
-    low
+    let (tilt, speed) = (case.law.falls(), |tilt: f64| {
+        case.law.k * pow(tilt, -case.law.n)
+    });
+    let slope = (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
+    case.film.max(tilt * speed(tilt) * slope)
 }
 
 /// Time in which the law falls from there to nothing, by the rule of midpoints.
@@ -494,11 +486,11 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// upright it spins about a diameter: the last of the steady motions
         "alpha = pi/2: Omega/sqrt(g/R)": upright.rate() => 2.0, within 1e-11;
         /// nearly flat the nodding is as fast as this, in the rate of the contact
-        "alpha = 0: nodding/Omega": flat.nodding().sqrt() => 0.6_f64.sqrt(), within 1e-8;
+        "alpha = 0: nu/Omega": flat.nodding().sqrt() => 0.6_f64.sqrt(), within 1e-8;
         /// its face turns by half of alpha^2 for each turn of the contact
-        "alpha = x: face/Omega alpha^2": flat.face() / (flat.rate() * 1e-8) => 0.5, within 1e-8;
+        "alpha = x: Omega_f/(Omega alpha^2)": flat.face() / (flat.rate() * 1e-8) => 0.5, within 1e-8;
         /// a coin on a large circle leans by v^2/(g rho) and half as much more
-        "large circle: Omega^2 6 rho/(4 g cot alpha)":
+        "large circle: 6 rho Omega^2 tan alpha/(4 g)":
             coin.rate() * coin.rate() * 1.5e3 / (1.0 / tan(coin.tilt)) => 1.0, within 1e-6;
         /// a centre at rest needs no force but its weight
         "circle = 0: friction and lift of the table": held.norm() => 0.0, within 1e4 * p.tolerance;
@@ -555,20 +547,10 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Both losses to the end: where the slow law gives up, and what the disc does instead.
-fn ends(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = [
-        "loss",
-        "law ends at / rad",
-        "because of",
-        "highest tone / Hz",
-        "at / rad",
-        "least N/mg",
-        "ends at / rad",
-    ];
-    let mut table = Table::new("ends", columns)?;
-    for name in ["air", "rolling"] {
-        let case = Case::new(p, name)?;
-        let settled = case.simulate()?;
+fn table_of_ends(both: [(&str, &Case, &Settled); 2], report: &mut Report) -> Result<()> {
+    let columns = "loss, law ends at / rad, because of, highest tone / Hz, at / rad, least N/mg, ends at / rad";
+    let mut table = Table::new("ends", columns.split(", "))?;
+    for (name, case, settled) in both {
         let (from, end) = (settled.passed[2], settled.run.end_time());
         let near = times(0.0, 1.0, 8000).map(|part| end - (end - from) * pow(1.0 - part, 3.0));
         let (mut top, mut place, mut least) = (0.0, 0.0, f64::INFINITY);
@@ -601,6 +583,6 @@ fn ends(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     further_3_euler_disc: "Euler's disc: a disc spun on a table settles faster and faster";
     "Euler's disc", "A thin disc rolls round on its edge on a table, and settles.",
-    [claims, limits, effects, accuracy, ends];
+    [claims, last_seconds, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -14,7 +14,7 @@ parameters! {
     /// A ball on a table of the laboratory, and a golf ball in its hole.
     pub struct Parameters {
         /// angular velocity of the table
-        rate: number(10.0, "rad/s", from_to(1.0, 100.0).usually(3.0, 15.0));
+        rate: number(10.0, "rad/s", from_to(1.0, 100.0).usually(3.0, 15.0)).drawn(6.0, 14.0, 1.0);
         /// radius of the table
         table: number(0.3, "m", from_to(1e-3, 1e3).usually(0.1, 0.5));
         /// radius of the ball
@@ -22,13 +22,13 @@ parameters! {
         /// k = I/(m a^2) of both balls: 2/5 for a uniform one, 2/3 for a thin shell
         shape: number(0.4, "-", from_to(0.05, 1.0).usually(0.3, 0.7));
         /// coefficient of friction
-        friction: number(0.2, "-", from_to(1e-3, 10.0).usually(0.05, 0.6));
+        friction: number(0.2, "-", from_to(1e-3, 10.0).usually(0.05, 0.6)).drawn(0.15, 0.40, 0.05);
         /// where the ball starts: its distance from the axis, along x
-        place: number(0.15, "m", from_to(1e-4, 1.0).usually(0.02, 0.25));
+        place: number(0.15, "m", from_to(1e-4, 1.0).usually(0.02, 0.25)).drawn(0.08, 0.20, 0.01);
         /// its velocity there, along y
-        velocity: number(0.2, "m/s", from_to(1e-6, 2.0).usually(0.05, 0.4));
+        velocity: number(0.2, "m/s", from_to(1e-6, 2.0).usually(0.05, 0.4)).drawn(0.10, 0.30, 0.05);
         /// tilt of the table
-        tilt: number(0.01, "rad", from_to(1e-9, 1.5).usually(0.002, 0.03));
+        tilt: number(0.01, "rad", from_to(1e-9, 1.5).usually(0.002, 0.03)).drawn(0.005, 0.020, 0.005);
         /// rolling resistance: its moment over m a^2 and the angular velocity
         loss: number(0.05, "1/s", from_to(1e-3, 10.0).usually(0.01, 0.3));
         /// radius of the upright cylinder
@@ -36,9 +36,9 @@ parameters! {
         /// radius of the ball in it
         golf: number(0.02133, "m", from_to(1e-4, 1e2).usually(0.01, 0.04));
         /// angular velocity of its middle about the axis of the cylinder
-        orbit: number(45.0, "rad/s", from_to(3.0, 1e3).usually(30.0, 80.0));
+        orbit: number(45.0, "rad/s", from_to(3.0, 1e3).usually(30.0, 80.0)).drawn(40.0, 60.0, 5.0);
         /// its velocity downward at the start
-        drop: number(0.3, "m/s", from_to(0.0, 10.0).usually(0.0, 0.6));
+        drop: number(0.3, "m/s", from_to(0.0, 10.0).usually(0.0, 0.6)).drawn(0.1, 0.5, 0.1);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(0.1, 1e3).usually(1.0, 25.0));
         /// error of a step of the simulations: from 1e-15 to 1e-3

@@ -25,10 +25,8 @@ fn problem(sense: f64) -> Sketch {
 }
 
 /// The weight and the forces `[normal, tangential]` of floor and wall on the cylinder with its
-/// axis here, drawn to the points of contact, with so many px for the weight.
-fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], px: f64) -> Sketch {
-    // How long a unit of force is in the drawing, from the window of `corner`.
-    let unit = px / 340.0 * (3.95 + (x.max(0.6) - 0.6));
+/// axis here, drawn to the points of contact; the weight is `unit` long.
+fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit: f64) -> Sketch {
     let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
         if hypot(to.0 - from.0, to.1 - from.1) < 0.02 {
             return sketch;
@@ -78,7 +76,7 @@ figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
             .disc((0.0, 1.0), 1.0, Ink::Body, 0.15)
             .turn((0.0, 1.0), 0.45, (0.5 * PI - 1.1, 0.5 * PI + 1.1), Ink::Velocity)
             .dot((0.0, 1.0), Ink::Body, "", Side::Above);
-        let sketch = pushed(sketch, (0.0, 1.0), [[floor, -mu * floor], [wall, -mu * wall]], 80.0);
+        let sketch = pushed(sketch, (0.0, 1.0), [[floor, -mu * floor], [wall, -mu * wall]], 0.93);
         let label = |sketch: Sketch, (at, text, side)| sketch.text(at, text, Ink::Force, side);
         [
             ((0.06, 0.5), "$Mg$", Side::Right),
@@ -95,7 +93,7 @@ figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
     spin: {
         let [pressed, away] = &rides;
         let end = 1.2 * pressed.event("floor sticks")?.t * u.time;
-        let read = |ride: &Ride, i: usize, t: f64| Ok::<_, rotation_dynamics::Error>(ride.at(t / u.time)?.v[i].abs() / u.time);
+        let read = |ride: &Ride, i: usize, t: f64| Ok::<_, rotation_dynamics::Error>(ride.at((t / u.time).min(ride.end_time()))?.v[i].abs() / u.time);
         let (roll, rest) = (p.spin * p.radius / (3.0 * p.friction * p.gravity), p.spin / 3.0);
         let line = |points: Vec<(f64, f64)>, ink| Curve::new(points, ink);
         let dots = |ride, i, ink| Ok::<_, rotation_dynamics::Error>(Curve::sampled(times(0.0, end, 12), |t| read(ride, i, t), ink)?.dots());
@@ -142,9 +140,10 @@ figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
     /// together and turning fast, then, rolling, at equal distances.
     away: {
         let roll = rides[1].event("floor sticks")?.t;
-        let end = rides[1].at(1.6 * roll)?.q[0];
+        let until = (1.6 * roll).min(within(p, 30.0));
+        let end = rides[1].at(until)?.q[0];
         let mut sketch = corner(end).window((-1.3, end + 1.3), (-0.3, 2.3)).width(560);
-        for t in times(0.0, 1.6 * roll, 8) {
+        for t in times(0.0, until, 8) {
             let [x, y, turned] = rides[1].at(t)?.q;
             let drawn = |sketch: Sketch| sketch.roller((x, y), 1.0, 0.5 * PI + turned, Ink::Body);
             sketch = if t < roll { sketch.ghost(drawn) } else { drawn(sketch) };
@@ -168,12 +167,22 @@ figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
     };
 }
 
+/// A time until which it goes no farther than this, slipping.
+fn within(p: &Parameters, far: f64) -> f64 {
+    (2.0 * far / p.friction).sqrt()
+}
+
 /// The motion that is shown, its unit of time, and until when.
 fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
     let [pressed, away] = senses(p)?;
     let ride = if p.sense == "pressed" { pressed } else { away };
     let (time, change) = (units(p)?.time, ride.event("floor sticks")?.t);
-    Ok((ride, time, 1.25 * change * time))
+    let end = if p.sense == "away" {
+        within(p, 20.0)
+    } else {
+        f64::INFINITY
+    };
+    Ok((ride, time, (1.25 * change).min(end) * time))
 }
 
 /// That motion, for `--csv`.
@@ -204,7 +213,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let ([x, y, turned], speed) = (q, v[2].abs() / time);
         let scene = corner(far).roller((x, y), 1.0, 0.25 * PI + turned, Ink::Body);
         let forces = [floor, wall].map(|force| [force.normal, force.tangential]);
-        let scene = pushed(scene, (x, y), forces, 75.0);
+        let scene = pushed(scene, (x, y), forces, 0.9);
         let does = match modes {
             [Mode::Stick, Mode::Stick] => "It is at rest in the corner",
             [Mode::Stick, _] => "It rolls away from the wall",

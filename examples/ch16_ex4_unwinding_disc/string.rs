@@ -109,16 +109,10 @@ impl Disc {
 
     /// The largest tension on the knot.
     pub fn peak(&self, run: &Run<Leaves, 6>) -> Result<f64> {
-        let span = [
-            run.transition("all unwound")?.t,
-            run.transition("winds up")?.t,
-        ];
-        highest(span, |t| {
-            Ok(self
-                .taut(Leaves::Knot, &run.legs()[1].solution.at(t)?)
-                .tension)
-        })
-        .map(|[_, peak]| peak)
+        let [from, to] = ["all unwound", "winds up"].map(|name| run.transition(name));
+        let turn = &run.legs()[1].solution;
+        let pull = |t| Ok(self.taut(Leaves::Knot, &turn.at(t)?).tension);
+        Ok(highest([from?.t, to?.t], pull)?[1])
     }
 
     /// The turn from this state on a string that gives, with the force `stiffness` for a stretch
@@ -129,22 +123,13 @@ impl Disc {
         let string = move |&[x, y, knot, ..]: &[f64; 6]| {
             let (s, c) = sincos(knot);
             let far = hypot(x + c, y + s);
-            (
-                stiffness * (far / own - 1.0).max(0.0),
-                [(x + c) / far, (y + s) / far],
-                [c, s],
-            )
+            let pull = stiffness * (far / own - 1.0).max(0.0);
+            (pull, [(x + c) / far, (y + s) / far], [c, s])
         };
         let pulled = ode(|_, y: &[f64; 6]| {
             let (pull, [ux, uy], [c, s]) = string(y);
-            [
-                y[3],
-                y[4],
-                y[5],
-                -pull * ux,
-                -pull * uy - 1.0,
-                pull * (s * ux - c * uy) / self.shape,
-            ]
+            let spin = pull * (s * ux - c * uy) / self.shape;
+            [y[3], y[4], y[5], -pull * ux, -pull * uy - 1.0, spin]
         });
         let along = |y: &[f64; 6]| {
             let (_, u, arm) = string(y);
@@ -159,8 +144,9 @@ impl Disc {
     }
 
     /// What follows the unwinding, by Lagrange's equations in the angle of the string and the
-    /// angle of the knot, then in the angle and the length of the string.
-    pub fn by_angles(&self, step: f64) -> Result<After> {
+    /// angle of the knot, then in the angle and the length of the string: the time of the turn, the
+    /// largest tension, the length that is wound up again, and the time this takes.
+    pub fn by_angles(&self, step: f64) -> Result<[f64; 4]> {
         let (k, l, method) = (self.shape, self.length(), Dop853::new(step)?);
         let knot = move |[string, knot, rate, turns]: &[f64; 4]| {
             let ((s, c), delta) = (sincos(string - knot), string - knot);
@@ -175,13 +161,8 @@ impl Disc {
         };
         let spin = (2.0 * self.wound / (1.0 + k)).sqrt();
         let winds = Event::rising("winds", |_, y: &[f64; 4]| sin(y[0] - y[1])).terminal();
-        let over = method.solve(
-            &ode(|_, y| knot(y).0),
-            0.0,
-            &[0.0, 0.0, 0.0, spin],
-            1e5,
-            &[winds],
-        )?;
+        let turn = ode(|_, y: &[f64; 4]| knot(y).0);
+        let over = method.solve(&turn, 0.0, &[0.0, 0.0, 0.0, spin], 1e5, &[winds])?;
         let peak = highest([0.0, over.end_time()], |t| Ok(knot(&over.at(t)?).1))?[1];
         let [string, _, rate, turns] = *over.end_state();
         let reel = ode(move |_, &[angle, rate, s, turns]: &[f64; 4]| {
@@ -192,26 +173,8 @@ impl Disc {
         let top = Event::falling("top", |_, y: &[f64; 4]| y[3] - y[1]).terminal();
         let up = method.solve(&reel, 0.0, &[string, rate, l, turns], 1e5, &[top])?;
         let climb = l - up.end_state()[2];
-        Ok(After {
-            turn: over.end_time(),
-            peak,
-            climb,
-            rise: up.end_time(),
-        })
+        Ok([over.end_time(), peak, climb, up.end_time()])
     }
-}
-
-/// What follows the unwinding.
-#[derive(Debug, Clone, Copy)]
-pub struct After {
-    /// The time on the knot.
-    pub turn: f64,
-    /// The largest tension.
-    pub peak: f64,
-    /// Length that is wound up again.
-    pub climb: f64,
-    /// The time this takes.
-    pub rise: f64,
 }
 
 impl Phased<6> for Disc {

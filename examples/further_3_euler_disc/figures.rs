@@ -17,16 +17,21 @@ fn circle(radius: f64, from: f64, to: f64) -> impl Iterator<Item = SpaceVector> 
 /// The disc on its table.
 fn view(tilt: f64, disc: &Disc) -> View {
     let [centre, contact] = points(tilt, disc);
-    View::of(SpaceVector::new(0.0, 0.0, 0.25), 1.3)
-        .size(340, 230)
-        .camera(Camera::new(-0.6, 0.38))
-        .ground(SpaceVector::zero(), 1.35)
-        .dashed(circle(cos(tilt), 0.0, TAU), Ink::Frame)
-        .solid(
-            Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03),
-            Ink::Body,
-        )
-        .dot(contact, Ink::Ink, "", Side::Below)
+    // As near as a disc that stands so high allows.
+    let high = sin(tilt);
+    View::of(
+        SpaceVector::new(0.0, 0.0, 0.6 * high),
+        (high + 0.3).max(0.85),
+    )
+    .size(340, 230)
+    .camera(Camera::new(-0.6, 0.38))
+    .ground(SpaceVector::zero(), 1.22)
+    .dashed(circle(cos(tilt), 0.0, TAU), Ink::Frame)
+    .solid(
+        Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03),
+        Ink::Body,
+    )
+    .dot(contact, Ink::Velocity, "", Side::Below)
 }
 
 /// Inclinations of the steady motions.
@@ -74,7 +79,7 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
         let [centre, contact] = points(tilt, &disc);
         let (out, up) = (disc.towards, disc.arm * -1.0);
         let arc = times(0.0, tilt, 20).map(|a| contact - out * (0.75 * cos(a)) + SpaceVector::new(0.0, 0.0, 0.75 * sin(a)));
-        let top = SpaceVector::new(0.0, 0.0, 1.15);
+        let top = SpaceVector::new(0.0, 0.0, 1.02);
         // In profile: the angle is in the plane of the paper.
         view(tilt, &disc)
             .camera(Camera::new(0.2, 0.25))
@@ -84,10 +89,10 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
             .line(arc, Ink::Ink)
             .text(contact - out * 0.78 + SpaceVector::new(0.0, 0.0, 0.1), r"$\alpha$", Ink::Ink, Side::Left)
             .arrow(centre, centre + disc.axis * 0.6, Ink::Body, "$e_3$", Side::Left)
-            .line([centre, centre + up], Ink::Body)
-            .text(centre + up * 0.55, "$R$", Ink::Body, Side::Above)
-            .turn(circle(1.15, -1.35, -0.55), Ink::Velocity)
-            .text(circle(1.3, -0.9, -0.9).next().unwrap_or(contact), r"$\Omega$", Ink::Velocity, Side::Below)
+            .line([0.0, 1.0].map(|part| centre + disc.axis * 0.035 + up * part), Ink::Ink)
+            .text(centre + up * 0.55, "$R$", Ink::Ink, Side::Above)
+            .turn(circle(1.1, -1.35, -0.55), Ink::Velocity)
+            .text(circle(1.17, -0.95, -0.95).next().unwrap_or(contact), r"$\Omega$", Ink::Velocity, Side::Below)
     };
 
     /// Rates against the inclination. That of the contact falls steeply from very large values
@@ -149,9 +154,9 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
     /// a larger one it bulges above.
     bend: {
         let (_, _, settled) = &losses[1];
-        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/n}$").range(0.0, 1.0));
+        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/n'}$").range(0.0, 1.0));
         let from = settled.at(0.0)?.rate;
-        for (name, n, at, side) in [("$n = 0.12$", 0.12, 0.5, Side::BelowLeft), ("$n = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), ("$n = 0.3$", 0.3, 0.75, Side::AboveRight)] {
+        for (name, n, at, side) in [("$n' = 0.12$", 0.12, 0.5, Side::BelowLeft), ("$n' = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), ("$n' = 0.3$", 0.3, 0.75, Side::AboveRight)] {
             let z = |t: f64| Ok::<_, Error>((t * time, pow(settled.at(t)?.rate / from, -1.0 / n)));
             let curve = Curve::new(sampled(times(0.0, settled.passed[2], 120), z)?, Ink::Velocity);
             let (x, y) = z(at * settled.end)?;
@@ -192,7 +197,7 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
 
 /// The settling by the chosen loss, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let case = Case::new(p, &p.loss)?;
+    let case = Case::new(p, p.loss)?;
     let settled = case.simulate()?;
     let columns = "t [s], inclination [rad], tone [Hz], omega [rad/s], N/mg";
     let end = settled.run.end_time();
@@ -223,7 +228,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let turns = |rate: f64| [(0.0, 0.0), (end * time, rate * end / TAU)];
     let graph = Panel::over_axes("$t$ / s", "turns")
         .curve(Curve::new(turns(motion.rate()), Ink::Velocity).label("contact"))
-        .curve(Curve::new(turns(motion.face()), Ink::Body).label("face"));
+        .curve(Curve::new(turns(motion.face()), Ink::Ink).label("face"));
     let span = end * time;
     MovingPicture::above(graph, 0.0..=span, [0.0, span / 2.0, span], move |t| {
         let y = run.at((t / time).min(end))?;
@@ -232,15 +237,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [centre, _] = points(disc.tilt, &disc);
         let on_face =
             |x: f64, across: f64| centre + attitude.to_space(BodyVector::new(x, across, 0.035));
-        let scene = view(disc.tilt, &disc)
-            .arrow(
-                on_face(0.0, 0.0),
-                on_face(0.9, 0.0),
-                Ink::Body,
-                "",
-                Side::Above,
-            )
-            .dot(on_face(0.9, 0.0), Ink::Body, "", Side::Above);
+        // In ink: a mark in the colour of the body would be lost on a lit face.
+        let mark = [on_face(0.0, 0.0), on_face(0.9, 0.0)];
+        let scene = view(disc.tilt, &disc).arrow(mark[0], mark[1], Ink::Ink, "", Side::Above);
         let (contact, face) = (
             motion.rate() * t / (time * TAU),
             motion.face() * t / (time * TAU),

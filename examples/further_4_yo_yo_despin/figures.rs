@@ -3,10 +3,10 @@
 use super::*;
 
 /// The satellite with both strings in this state: what is wound, the free parts, the weights.
-fn drawn(mut sketch: Sketch, yoyo: &YoYo, hangs: Hangs, state: &[f64; 4], dot: f64) -> Sketch {
+fn drawn(mut sketch: Sketch, yoyo: &YoYo, state: &[f64; 4], dot: f64) -> Sketch {
     let [angle, unwound, ..] = *state;
     sketch = sketch.roller((0.0, 0.0), 1.0, angle, Ink::Body);
-    let [[x, y], _] = yoyo.weight(hangs, state);
+    let [[x, y], _] = yoyo.weight(state);
     for side in [1.0, -1.0] {
         let rim = |t: f64| (side * cos(t), side * sin(t));
         let (from, hook) = (angle + unwound.min(yoyo.length), angle + yoyo.length);
@@ -38,7 +38,7 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
     setup: {
         let yoyo = YoYo { inertia: 80.0, length: 2.6 };
         let sketch = Sketch::within((-2.1, 2.1), (-1.75, 1.75));
-        drawn(sketch, &yoyo, Hangs::Tangent, &[0.35, 0.95, 1.0, 2.0], 0.09)
+        drawn(sketch, &yoyo, &[0.35, 0.95, 1.0, 2.0], 0.09)
             .turn((0.0, 0.0), 0.55, (1.0, 2.6), Ink::Velocity)
             .text((0.0, 0.62), r"$\omega_0$", Ink::Velocity, Side::Above)
             .dimension((0.0, 0.0), (cos(-0.9), sin(-0.9)), "$R$", Side::Right)
@@ -132,7 +132,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     ];
     Trajectory::sampled(columns, times(0.0, run.end_time(), 600), |t| {
         let (hangs, y) = run.at(t)?;
-        let [[px, py], _] = yoyo.weight(hangs, &y);
+        let [[px, py], _] = yoyo.weight(&y);
         Ok([
             t / w,
             y[0],
@@ -152,7 +152,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         run.transition("unwound")?.t,
         run.transition("outward")?.before,
     );
-    let (free, [[x, y], [vx, vy]]) = (run.end_time(), yoyo.weight(Hangs::Hook, &out));
+    let (free, [[x, y], [vx, vy]]) = (run.end_time(), yoyo.weight(&out));
     let far = 1.0 + yoyo.length;
     let last = free + 0.45 * far / hypot(vx, vy);
     let spin = |t: f64| Ok((t / w, w * if t < free { run.at(t)?.1[2] } else { out[2] }));
@@ -170,10 +170,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let now = (t * w).min(last);
         let (hangs, state) = run.at(now.min(free))?;
         let path = sampled(times(0.0, now.min(free), 200), |t| {
-            Ok({
-                let (hangs, y) = run.at(t)?;
-                yoyo.weight(hangs, &y)[0]
-            })
+            Ok(yoyo.weight(&run.at(t)?.1)[0])
         })?;
         let mut sketch = Sketch::within((-wide, wide), (-wide, wide));
         for side in [1.0, -1.0] {
@@ -191,7 +188,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             }
             "the strings have let go, and the weights fly on"
         } else {
-            sketch = drawn(sketch, &yoyo, hangs, &state, 0.03 * far);
+            sketch = drawn(sketch, &yoyo, &state, 0.03 * far);
             match hangs {
                 Hangs::Tangent => "the strings unwind along tangents",
                 Hangs::Hook => "the strings are unwound and turn on their hooks",

@@ -2,11 +2,11 @@
 //! and Newton's law in polar coordinates. Lengths in the radius of the satellite, masses in that
 //! of both weights together, times in 1/w0.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Event, ode};
-use rotation_dynamics::interval::from_to;
-use rotation_dynamics::math::{atan2, cos, sin, sincos};
+use rotation_dynamics::interval::at_least;
+use rotation_dynamics::math::{atan2, cos, hypot, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
 /// A satellite with its strings, both of the same length.
@@ -72,14 +72,8 @@ impl YoYo {
     /// The motion from the release of the weights to that of the strings, which let go of their
     /// hooks where they point outward.
     pub fn run(&self, step: f64) -> Result<Run<Hangs, 4>> {
-        let start = [0.0, FIRST, 1.0, 1.0];
-        simulate(
-            self,
-            &Dop853::new(step)?,
-            Hangs::Tangent,
-            start,
-            100.0 * (1.0 + self.length),
-        )
+        let (start, end) = ([0.0, FIRST, 1.0, 1.0], 100.0 * (1.0 + self.length));
+        simulate(self, &Dop853::new(step)?, Hangs::Tangent, start, end)
     }
 
     /// The spin after the release.
@@ -88,24 +82,14 @@ impl YoYo {
     }
 
     /// Where a weight is, and its velocity.
-    pub fn weight(&self, hangs: Hangs, &[angle, unwound, spin, turns]: &[f64; 4]) -> [[f64; 2]; 2] {
-        let (free, from, along) = match hangs {
-            Hangs::Tangent => (unwound, angle + unwound, angle + unwound - FRAC_PI_2),
-            Hangs::Hook => (
-                self.length,
-                angle + self.length,
-                angle + unwound - FRAC_PI_2,
-            ),
-        };
-        let ((sf, cf), (sa, ca)) = (sincos(from), sincos(along));
+    pub fn weight(&self, &[angle, unwound, spin, turns]: &[f64; 4]) -> [[f64; 2]; 2] {
         // On the tangent the point of contact runs on, but the string only unwinds there.
-        [
-            [cf + free * ca, sf + free * sa],
-            [
-                -spin * sf - free * turns * sa,
-                spin * cf + free * turns * ca,
-            ],
-        ]
+        let free = unwound.min(self.length);
+        let (sf, cf) = sincos(angle + free);
+        let (sa, ca) = sincos(angle + unwound - FRAC_PI_2);
+        let (round, across) = (spin, free * turns);
+        let velocity = [-round * sf - across * sa, round * cf + across * ca];
+        [[cf + free * ca, sf + free * sa], velocity]
     }
 }
 
@@ -119,16 +103,12 @@ impl Phased<4> for YoYo {
 
     fn conditions(&self, hangs: Hangs) -> Vec<Condition<'_, Hangs, 4>> {
         let left = move |end: f64| move |y: &[f64; 4]| self.length + end - y[1];
-        let mut all = vec![Condition::gap(
-            "slack",
-            move |y| self.tension(hangs, y),
-            Next::End,
-        )];
-        all.push(match hangs {
+        let slack = Condition::gap("slack", move |y| self.tension(hangs, y), Next::End);
+        let other = match hangs {
             Hangs::Tangent => Condition::gap("unwound", left(0.0), Next::Enter(Hangs::Hook)),
             Hangs::Hook => Condition::gap("outward", left(FRAC_PI_2), Next::End),
-        });
-        all
+        };
+        vec![slack, other]
     }
 }
 
@@ -167,12 +147,8 @@ impl Reel {
             None => needed / (light + moment * moment / self.inertia),
             Some(stiffness) => (stiffness * (free - self.length)).max(0.0),
         };
-        [
-            pull,
-            pull * parts[0] * light,
-            pull * parts[1] * light,
-            pull * moment / self.inertia,
-        ]
+        let [out, across] = parts.map(|part| pull * part * light);
+        [pull, out, across, pull * moment / self.inertia]
     }
 
     /// From the release of the weight at this spin: spin, and velocity of the weight relative to
@@ -182,20 +158,14 @@ impl Reel {
             ode(move |_, y: &[f64; 6]| {
                 let [_, out, across, slower] = self.pull(hangs, y);
                 let [r, _, _, v, round, spin] = *y;
-                [
-                    v,
-                    round,
-                    spin,
-                    r * round * round + out,
-                    (across - 2.0 * v * round) / r,
-                    slower,
-                ]
+                let (out, across) = (out + r * round * round, across - 2.0 * v * round);
+                [v, round, spin, out, across / r, slower]
             })
         };
         // A string that gives may begin without a free part.
         let first = if self.stiffness.is_none() { 1e-4 } else { 0.0 };
         let start = [
-            (1.0_f64 + first * first).sqrt(),
+            hypot(1.0, first),
             -atan2(first, 1.0),
             self.length - first,
             0.0,
@@ -206,54 +176,25 @@ impl Reel {
             |_: f64, y: &[f64; 6]| y[2] - y[1] - atan2((y[0] * y[0] - 1.0).max(0.0).sqrt(), 1.0);
         let end = 100.0 * (1.0 + self.length) / spin;
         let method = Dop853::new(step)?;
-        let unwound = method.solve(
-            &newton(Hangs::Tangent),
-            0.0,
-            &start,
-            end,
-            &[Event::falling("unwound", left).terminal()],
-        )?;
-        let outward = Event::falling("outward", |_, y: &[f64; 6]| y[2] - y[1]).terminal();
-        let turned = method.solve(
-            &newton(Hangs::Hook),
-            0.0,
-            unwound.end_state(),
-            end,
-            &[outward],
-        )?;
+        let events = [
+            Event::falling("unwound", left).terminal(),
+            Event::falling("outward", |_, y: &[f64; 6]| y[2] - y[1]).terminal(),
+        ];
+        let (tangent, hook) = (newton(Hangs::Tangent), newton(Hangs::Hook));
+        let unwound = method.solve(&tangent, 0.0, &start, end, &events[..1])?;
+        let turned = method.solve(&hook, 0.0, unwound.end_state(), end, &events[1..])?;
         let [r, _, _, out, round, spin] = *turned.end_state();
         Ok([spin, out, r * round])
     }
 }
 
-/// The time on the hook from energy and angular momentum, by Simpson's rule over its angle.
-pub fn time_on_hook(yoyo: &YoYo) -> f64 {
-    let (whole, l, n) = (yoyo.inertia + 1.0, yoyo.length, 400_u32);
-    let slowness = |angle: f64| {
-        let mixed = l * sin(angle);
-        let (a, b) = (whole + mixed, l * l + mixed);
-        // turns = (whole - a spin)/b in the energy: a quadratic in the spin.
-        let (two, one) = (
-            whole + l * l * a * a / (b * b) - 2.0 * mixed * a / b,
-            2.0 * whole * (mixed - l * l * a / b) / b,
-        );
-        let none = l * l * whole * whole / (b * b) - whole;
-        let spin = (-one - (one * one - 4.0 * two * none).max(0.0).sqrt()) / (2.0 * two);
-        1.0 / ((whole - a * spin) / b - spin)
-    };
-    let part = |k: u32| {
-        let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
-        weight * slowness(FRAC_PI_2 * f64::from(k) / f64::from(n))
-    };
-    (0..=n).map(part).sum::<f64>() * PI / f64::from(6 * n)
-}
-
 /// Where a falling function is zero, by the secant with the sides kept apart.
 pub fn zero([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
     let (mut above, mut below, mut last) = (f(low)?, f(high)?, 0);
-    from_to(0.0, f64::MAX).check(
-        "what is asked of the strings, with any length between,",
-        -above * below,
+    let apart = -above * below;
+    at_least(0.0).check(
+        "spins left by a short and a long string, and their sign,",
+        apart,
     )?;
     for _ in 0..100 {
         let x = (low * below - high * above) / (below - above);

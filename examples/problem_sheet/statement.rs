@@ -147,6 +147,7 @@ impl Setting<'_> {
     fn link(&self, to: &str) -> String {
         match to.split_once(".md") {
             Some((page, part)) if !to.contains("://") => format!("{}{page}.html{part}", self.book),
+            _ if to.starts_with('#') => format!("{}{}.html{to}", self.book, self.stem),
             _ => to.to_owned(),
         }
     }

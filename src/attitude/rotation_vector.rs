@@ -52,6 +52,15 @@ impl Attitude {
         Ok(*self * exponential(rotation.to_array())?)
     }
 
+    /// The rotation by `angle` (rad) about coordinate axis 0, 1 or 2, to a few eps: for many
+    /// attitudes of which none is delivered.
+    pub(crate) fn about_coordinate(axis: usize, angle: f64) -> Self {
+        let (sin, cos) = math::sincos(0.5 * angle);
+        let mut quaternion = [cos, 0.0, 0.0, 0.0];
+        quaternion[1 + axis] = sin;
+        Self::from_unit(quaternion)
+    }
+
     /// The rotation vector: axis times angle, angle in [0, pi].
     ///
     /// 2 atan2(|v|, |w|)/|v| times the vector part v, with the sign of w.

@@ -5,7 +5,7 @@ use super::{AnyEffect, Effect, Feature, Known, Nature};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
-use crate::frame::{BodyVector, SpaceVector};
+use crate::frame::SpaceVector;
 use crate::math::EPS;
 
 /// Places at which an effect is looked at, and times beside those near its break points.
@@ -28,6 +28,9 @@ const SCALE_ABOVE: f64 = 1e6;
 
 /// Looks along a line on which a jump is searched.
 const GRID: usize = 128;
+
+/// A difference that has come down to this part of what may be left is that of no jump.
+const SETTLED: f64 = 1.0 / 16.0;
 
 /// A step of the torque from one look to the next that is so many times its neighbour's may
 /// be a jump.
@@ -265,16 +268,13 @@ impl<'e> Checked<'e> {
             ends.sort_by(f64::total_cmp);
             for piece in ends.windows(2) {
                 let piece = [piece[0].next_up(), piece[1].next_down()];
-                self.no_jump(piece, |t| Ok(self.acting(t, start)))?;
+                self.no_jump(piece, |t| self.acting(t, start))?;
             }
         }
         for axis in 0..3 {
-            let mut about = [0.0; 3];
-            about[axis] = 1.0;
-            let about = BodyVector::from_array(about);
             self.no_jump([0.0, core::f64::consts::TAU], |angle| {
-                let attitude = start.attitude.turned_in_body(about * angle)?;
-                Ok(self.acting(from, &State { attitude, ..*start }))
+                let attitude = start.attitude * Attitude::about_coordinate(axis, angle);
+                self.acting(from, &State { attitude, ..*start })
             })?;
         }
         if self.nature.on_rates {
@@ -284,7 +284,7 @@ impl<'e> Checked<'e> {
                     angular_momentum,
                     ..*start
                 };
-                Ok(self.acting(from, &state))
+                self.acting(from, &state)
             })?;
         }
         Ok(())
@@ -292,40 +292,40 @@ impl<'e> Checked<'e> {
 
     /// Between two neighbours that differ most, the torque is halved down: what is left of
     /// the difference over an interval that doubles hardly resolve is a jump.
-    fn no_jump(
-        &self,
-        [from, to]: [f64; 2],
-        torque: impl Fn(f64) -> Result<SpaceVector>,
-    ) -> Result<()> {
+    fn no_jump(&self, [from, to]: [f64; 2], torque: impl Fn(f64) -> SpaceVector) -> Result<()> {
         let at = |n: usize| from + (to - from) * (n as f64 / GRID as f64);
-        let mut seen = Vec::with_capacity(GRID + 1);
-        for n in 0..=GRID {
-            seen.push(torque(at(n))?);
-        }
-        let step = |n: usize| (seen[n + 1] - seen[n]).norm();
-        let Some(widest) = (0..GRID).max_by(|a, b| step(*a).total_cmp(&step(*b))) else {
-            return Ok(());
-        };
-        let first = step(widest);
-        let (mut a, mut b) = (at(widest), at(widest + 1));
-        let (mut low, mut high) = (seen[widest], seen[widest + 1]);
-        for _ in 0..40 {
-            let middle = 0.5 * (a + b);
-            let m = torque(middle)?;
-            if (m - low).norm() > (high - m).norm() {
-                (b, high) = (middle, m);
-            } else {
-                (a, low) = (middle, m);
+        let (mut a, mut b) = (from, from);
+        let (mut low, mut high) = (torque(from), torque(from));
+        let (mut before, mut first) = (low, -1.0);
+        for n in 1..=GRID {
+            let after = torque(at(n));
+            let step = (after - before).norm();
+            if step.total_cmp(&first).is_ge() {
+                ((a, b), (low, high), first) = ((at(n - 1), at(n)), (before, after), step);
             }
+            before = after;
         }
-        // A smooth torque would have come 2^40 times nearer; rounding leaves a little.
-        let left = (high - low).norm();
         let mut size = self.largest;
         if self.nature.slips {
             let rate = self.body.angular_velocity(&self.start).norm();
             size = size.max(self.start.angular_momentum.norm() * rate);
         }
+        // A smooth torque comes 2^40 times nearer; rounding leaves a little.
         let allowed = (1e-3 * first).max(ROUNDING * size);
+        let mut left = first;
+        for _ in 0..40 {
+            if left < SETTLED * allowed {
+                break;
+            }
+            let middle = 0.5 * (a + b);
+            let m = torque(middle);
+            let (below, above) = ((m - low).norm(), (high - m).norm());
+            (a, b, low, high, left) = if below > above {
+                (a, middle, low, m, below)
+            } else {
+                (middle, b, m, high, above)
+            };
+        }
         self.held(
             "that it is smooth between its break points",
             a,
@@ -429,13 +429,8 @@ impl<'e> Checked<'e> {
         }
         let axis = state.attitude.axis();
         if nature.axis_only {
-            let turned = state
-                .attitude
-                .turned_in_body(BodyVector::new(0.0, 0.0, 1.2))?;
-            let spun = State {
-                attitude: turned,
-                ..pushed
-            };
+            let attitude = state.attitude * Attitude::about_coordinate(2, 1.2);
+            let spun = State { attitude, ..pushed };
             let sees = "that it sees the body's axis only";
             self.held(sees, t, off(effect.torque(later, body, &spun)), slack)?;
             self.held(sees, t, torque.dot(&axis).abs(), slack)?;

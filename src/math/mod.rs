@@ -17,7 +17,9 @@ pub use libm::{
     acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
     ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
-pub(crate) use order::{order_of, order_of_three, sort_by_number};
+#[cfg(feature = "report")]
+pub(crate) use order::order_of;
+pub(crate) use order::{order_of_three, sort_by_number};
 pub(crate) use turns::{Clock, Reduced, Time, beside, known, sincos_of, unsigned_sincos_of};
 pub use turns::{round_even, sincos_turns};
 pub(crate) use versine::sinc_versine;

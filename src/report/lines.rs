@@ -3,7 +3,9 @@
 /// Adds claims to a report: what it is as a doc comment, then the key, the value, its unit,
 /// the independent route and what it gives, and the bound. What a student would compute goes
 /// `in` a group of the answer box; below it stand wrong answers that people give, each with a
-/// hint. A claim with an `if` is made only where that is true, and not computed elsewhere.
+/// hint. An answer may be off by the part that is `judged` right, a thousandth if nothing is
+/// said; a wrong answer that is nearer needs it. A claim with an `if` is made only where that
+/// is true, and not computed elsewhere.
 /// Evaluates to a `Result`.
 ///
 /// ```
@@ -16,12 +18,13 @@
 ///         0.5 * tau * (length / 9.81).sqrt() => "that is the time from side to side",
 ///         tau * (9.81 / length).sqrt() => "look at the unit";
 ///     /// the same, squared
-///     square: tau * tau * length / 9.81, "s^2", "by hand" => 8.049, within 1e-3;
+///     square: tau * tau * length / 9.81, "s^2", "by hand" => 8.049, within 1e-3, judged 1e-2;
 ///     /// the time in which a beam tips over
 ///     tip: f64::NAN, "s", "nothing" => 0.0, within 0.0, if length < 0.0;
 /// }?;
 /// assert_eq!(report.claims().len(), 2);
 /// assert_eq!(report.claims()[0].slips().len(), 2);
+/// assert_eq!(report.claims().iter().map(|c| c.tolerance()).collect::<Vec<_>>(), [1e-3, 1e-2]);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 ///
@@ -35,6 +38,7 @@ macro_rules! claims {
     ($report:expr,
      $( $(#[doc = $meaning:literal])+
         $key:ident : $value:expr, $unit:literal, $oracle:expr => $gives:expr, within $bound:expr
+        $(, judged $relative:expr)?
         $(, if $holds:expr)?
         $(, in $group:literal $(: $( $wrong:expr => $hint:literal ),+ )? )? ; )+) => { {
         let mut claims = Vec::new();
@@ -43,6 +47,7 @@ macro_rules! claims {
                 $crate::report::claim(stringify!($key), concat!($($meaning),+).trim(), $value, $unit)
                     .within($bound)
                     .against($oracle, $gives)
+                    $( .judged_within($relative) )?
                     $( .answer($group) $( $( .slip($wrong, $hint) )+ )? )?,
             );
         } )+

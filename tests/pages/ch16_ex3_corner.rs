@@ -5,6 +5,7 @@ use crate::told::{cell, computed, confirmed, refused, value};
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode};
+use rotation_dynamics::report::Page;
 use rotation_dynamics::planar::contact::{Mode, State, misdeclared, motion};
 use support::{EPS, Errors};
 
@@ -55,6 +56,15 @@ fn what_is_no_cylinder_in_a_corner_is_refused() {
         ("--sense=up", "sense"),
     ];
     refused(&EXAMPLE, runs);
+}
+
+/// Its figures are drawn for other cylinders as well.
+#[test]
+fn figures_are_drawn_for_other_cylinders() {
+    for (friction, spin, radius) in [(2.0, 5.0, 0.1), (9.0, 60.0, 0.1), (0.01, 300.0, 0.1), (1.0, 0.1, 5.0)] {
+        let flags = [("friction", friction), ("spin", spin), ("radius", radius)];
+        assert_eq!(EXAMPLE.figures_with(&flags).unwrap().len(), 8, "{flags:?}");
+    }
 }
 
 /// What the scene says about its contacts is true, with a wall that leans and friction that fades.

@@ -151,6 +151,7 @@ fn a_stiff_string_is_one_that_does_not_give() {
     }
     errors.attain(1.55e-3..=1.56e-3, 2);
     assert!(d.softly(&start, 100.0, 1e-12).unwrap()[0] < 0.7 * firm);
+    assert!(d.softly(&start, 2000.0, 1e-12).unwrap()[0] > 1.1 * firm);
 }
 
 fn usual() -> Disc {

@@ -32,12 +32,14 @@ fn other_pendulums_are_confirmed() {
         "--release=0.001",
         "--release=3.1 --tolerance=1e-15",
         "--release=3.1 --tolerance=1e-7",
+        "--release=3.14159",
+        "--release=3.14159265",
         "--friction=0.002",
         "--friction=5",
         "--friction=1e4",
         "--tolerance=1e-3",
     ];
-    confirmed(&EXAMPLE, runs, 15);
+    confirmed(&EXAMPLE, runs, 17);
 }
 
 #[test]

@@ -16,7 +16,10 @@ use std::path::{Path, PathBuf};
 
 /// Every exercise on offer is drawn for so many seeds, and compared with `--json` for the first.
 const SEEDS: u64 = 20;
-const COMPARED: u64 = 4;
+const COMPARED: u64 = 2;
+/// Fewer for those whose reports take long: they would cost more than all others together.
+const SLOW: [&str; 3] = ["ch15_ex8_string", "further_3_euler_disc", "further_6_turntable"];
+const SLOW_SEEDS: u64 = 4;
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../data").join(name)
@@ -73,7 +76,7 @@ fn is_answer(answer: &str, claim: &Claim, command: &[Value]) -> bool {
 
 #[test]
 fn every_draw_is_accepted_in_its_range_and_has_the_answers_of_the_command() {
-    let (mut drawn_sets, mut compared, offered) = (0, 0, offered());
+    let (mut drawn_sets, mut wanted, mut compared, offered) = (0, 0, 0, offered());
     for exercise in &offered {
         let grids = exercise.page.drawn();
         let stated = stated(&exercise.problem, exercise.page.stem());
@@ -84,7 +87,9 @@ fn every_draw_is_accepted_in_its_range_and_has_the_answers_of_the_command() {
             assert!((last - grid.to).abs() < 1e-9 * grid.step, "{}: --{flag}", exercise.number);
         }
         let mut seen = std::collections::BTreeSet::new();
-        for seed in 0..SEEDS {
+        let slow = SLOW.contains(&exercise.page.stem());
+        let seeds = if slow { SLOW_SEEDS } else { SEEDS };
+        for seed in 0..seeds {
             let drawn = draw(exercise, seed, "").expect("a set is found");
             for ((flag, value), (name, grid)) in drawn.flags.iter().zip(&grids) {
                 assert!(flag == name && on(grid, value), "{}: --{flag} {value}", exercise.number);
@@ -100,12 +105,13 @@ fn every_draw_is_accepted_in_its_range_and_has_the_answers_of_the_command() {
                 }
             }
         }
-        assert!(seen.len() as u64 * 2 > SEEDS, "{}: few sets are drawn: {seen:?}", exercise.number);
+        wanted += seeds;
+        assert!(seen.len() as u64 * 2 > seeds, "{}: few sets are drawn: {seen:?}", exercise.number);
     }
-    assert_eq!(drawn_sets, SEEDS as usize * offered.len());
+    assert_eq!(drawn_sets, wanted);
     assert!(compared >= 3 * offered.len(), "{compared} answers");
-    if pages::WHOLE {
-        assert!(offered.len() >= 13, "{} exercises", offered.len());
+    for page in pages::ALL.iter().filter(|page| page.stem().contains("_ex")) {
+        assert!(!page.drawn().is_empty(), "{}: say in parameters! what is drawn", page.stem());
     }
 }
 
@@ -247,12 +253,12 @@ fn what_a_sheet_cannot_set_is_refused() {
         prefix: "s",
         book: "b/",
     };
-    let set = "A *rod* of `x` {{param rod:length unit}}, $l = {{param rod:length}}$.[^a]\n\n1. \"Why\"?\n2. [How](a.md#b)?\n\n\
+    let set = "A *rod* of `x` {{param rod:length unit}}, $l = {{param rod:length}}$.[^a]\n\n1. \"Why\"?\n2. [How](a.md#b) [here](#c)?\n\n\
                {{figure rod:setup}}\n\n**So.** Seen.\n\n> The notes slip.\n\n$$\nl^2\n$$\n\n- one";
     let html = setting.html(set).expect("it can be set");
     for part in [
         "A <em>rod</em> of <code>x</code> <span class=\"glued\">4.0\u{202f}m</span>, ",
-        "<ol><li>\u{201c}Why\u{201d}?</li><li><a href=\"b/a.html#b\">How</a>?</li></ol>",
+        "<ol><li>\u{201c}Why\u{201d}?</li><li><a href=\"b/a.html#b\">How</a> <a href=\"b/rod.html#c\">here</a>?</li></ol>",
         "<figcaption><strong>So.</strong> Seen.</figcaption>",
         "<ul><li>one</li></ul>",
     ] {

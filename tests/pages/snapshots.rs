@@ -127,6 +127,28 @@ fn nothing_is_locked_twice_or_without_an_example() {
     }
 }
 
+/// A wrong answer that counts as right is never told its hint.
+#[test]
+fn every_slip_is_far_enough_from_the_answer() {
+    let mut slips = 0;
+    for example in all() {
+        let parsed = parse(&example.text).expect("the text follows its grammar");
+        let number = |section: &str, key: &str| -> f64 {
+            let table = parsed.table(section).expect("it is printed");
+            let row = table.rows().iter().find(|row| row[0] == key);
+            row.and_then(|row| row[1].parse().ok()).expect("a number")
+        };
+        for slip in parsed.table("slips").map_or(&[][..], |table| table.rows()) {
+            let (key, wrong): (_, f64) = (&slip[0], slip[1].parse().expect("a number"));
+            let (right, within) = (number("claims", key), number("checks", key));
+            let counts = within * if right == 0.0 { 1.0 } else { right.abs() };
+            assert!((wrong - right).abs() > counts, "{} {key}: {wrong}", example.stem);
+            slips += 1;
+        }
+    }
+    assert!(!WHOLE || slips > 100, "{slips} slips");
+}
+
 #[test]
 fn reports_read_back_and_have_their_sections() {
     for example in all() {

@@ -134,7 +134,11 @@ fn summary(lines: &[Line], more: &str) -> String {
     let Some(error) = contested.map(|line| line.requested) else {
         return String::new();
     };
-    let power = |error: f64| number_html(&format!("{error:e}")).unwrap_or_default();
+    let power = |error: f64| match error {
+        // Not 0 times a power of ten.
+        0.0 => "0".to_owned(),
+        _ => number_html(&format!("{error:e}")).unwrap_or_default(),
+    };
     let paragraph = |head: &str, text: String| format!("<p><strong>{head}</strong> {text}</p>");
     let timed = rivals(error).filter(|line| line.time.is_some());
     let all = rivals(error).all(|line| line.time.is_some());
@@ -323,6 +327,18 @@ fn note(record: &Parsed, marked: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_error_is_no_power_of_ten() {
+        let columns = ["method", "requested", "delivered", "work", "time"];
+        let mut table = Table::new(SECTION, columns).expect("sound");
+        for (method, delivered) in [("dial: exact", "0"), ("RK4", "5e-10")] {
+            let row = [method, "1e-9", delivered, "9 steps", "-"];
+            table.push(row).expect("sound");
+        }
+        let words = summary(&lines(&table), "");
+        assert!(words.contains("and delivers 0."), "{words}");
+    }
 
     #[test]
     fn the_least_is_found_among_those_that_deliver() {

@@ -1,0 +1,442 @@
+//! Further problem: a phone is thrown up with a somersault. Which side is up when it is caught?
+
+#[path = "further_1_phone/figures.rs"]
+mod figures;
+#[path = "further_1_phone/throw.rs"]
+pub mod throw;
+
+use core::f64::consts::{LN_10, PI, TAU};
+use rotation_dynamics::accuracy::Problem;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::inertia::{MassProperties, solids};
+use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, after, ode, second_order};
+use rotation_dynamics::report::prelude::*;
+use rotation_dynamics::scene::Scene;
+use throw::{Throw, euler, exchange, growth, measured_growth, screen, sway};
+
+parameters! {
+    /// A phone of a usual size, taken as a uniform slab, and a throw from the hand.
+    pub struct Parameters {
+        /// length
+        length: number(0.147, "m", above(0.0).usually(0.1, 0.2)).drawn(0.140, 0.165, 0.005);
+        /// width
+        width: number(0.071, "m", above(0.0).usually(0.03, 0.095)).drawn(0.066, 0.078, 0.002);
+        /// thickness
+        thickness: number(0.0078, "m", above(0.0).usually(0.002, 0.025)).drawn(0.0070, 0.0090, 0.0002);
+        /// mass
+        mass: number(0.17, "kg", above(0.0).usually(0.1, 0.3)).drawn(0.15, 0.20, 0.01);
+        /// turns a second
+        turns: number(3.0, "1/s", above(0.0).usually(1.0, 5.0));
+        /// how high it rises above the hand
+        height: number(0.55, "m", above(0.0).usually(0.1, 2.0));
+        /// angle of the axis of rotation from the short edge
+        tilt: number(0.05, "rad", from_to(1e-10, 1.2).usually(0.001, 0.5));
+        /// to which side: 0 towards the long edge, pi/2 towards the normal of the back
+        toward: number(0.0, "rad", from_to(-PI, PI).usually(-1.5, 1.5));
+        /// spread of this angle from throw to throw, in each of the two directions
+        spread: number(0.05, "rad", from_to(1e-3, 0.2).usually(0.01, 0.2));
+        /// a mass that sits near a corner
+        lump: number(0.01, "kg", above(0.0).usually(0.001, 0.03));
+        /// acceleration of gravity
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// error asked of the attitude after three flips: above 0, at most pi
+        tolerance: number(1e-9, "rad", above_to(0.0, PI));
+    }
+}
+
+/// A slab's moments about its long edge, its short edge and its normal.
+pub fn slab(p: &Parameters) -> Result<[f64; 3]> {
+    let (a, b, c) = (p.length, p.width, p.thickness);
+    let shape = from_to(1e-3, 0.99);
+    shape.check("width over length", b / a)?;
+    shape.check("thickness over width", c / b)?;
+    from_to(1e-30, 1e30).check("mass times length squared, kg m^2,", p.mass * a * a)?;
+    let moments = [b * b + c * c, a * a + c * c, a * a + b * b];
+    Ok(moments.map(|sum| p.mass * sum / 12.0))
+}
+
+/// The throw of these parameters.
+pub fn thrown(p: &Parameters) -> Result<Throw> {
+    let throw = Throw::new(slab(p)?, TAU * p.turns, p.tilt, p.toward);
+    from_to(1e-12, 1e3).check(
+        "distance of the start from the one that never turns over",
+        throw.off(),
+    )?;
+    from_to(1e-2, 100.0).check("turns in the flight", p.turns * flight(p))?;
+    Ok(throw)
+}
+
+/// Time from the hand back to the hand.
+pub fn flight(p: &Parameters) -> f64 {
+    2.0 * (2.0 * p.height / p.gravity).sqrt()
+}
+
+// ANCHOR: hand
+/// So many throws by a hand: a bell curve in each of two directions,
+/// by points on a spiral, as the seeds of a sunflower lie.
+pub fn hand(count: u32, moments: [f64; 3], rate: f64, spread: f64) -> impl Iterator<Item = Throw> {
+    (0..count).map(move |k| {
+        let part = (f64::from(k) + 0.5) / f64::from(count);
+        let tilt = spread * (-2.0 * log(1.0 - part)).sqrt();
+        let toward = f64::from(k) * GOLDEN_ANGLE;
+        Throw::new(moments, rate, tilt, toward)
+    })
+}
+// ANCHOR_END: hand
+
+/// pi (3 - sqrt 5), what is between two seeds.
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+
+/// The part of a hand's throws that are not half over after so many turns, by the strip.
+pub fn steady(moments: [f64; 3], turns: f64, spread: f64) -> Result<f64> {
+    let [into_1, into_3] = exchange(moments);
+    let strip = 4.0 * into_1.sqrt() * exp(-growth(moments) * TAU * turns);
+    let half_width = strip / (spread * (1.0 + into_1 / into_3).sqrt());
+    // What a bell curve has outside.
+    let bell = ode(|x, _: &[f64; 1]| [exp(-0.5 * x * x) * (2.0 / PI).sqrt()]);
+    Ok(after(half_width.min(9.0), &bell, &[0.0], 1e-12)?[0])
+}
+
+/// The part of `throws` of which this holds.
+pub fn part(
+    throws: impl Iterator<Item = Throw>,
+    holds: impl Fn(Throw) -> Result<bool>,
+) -> Result<f64> {
+    let held: Vec<bool> = throws.map(holds).collect::<Result<_>>()?;
+    Ok(held.iter().filter(|&&held| held).count() as f64 / held.len() as f64)
+}
+
+/// The angle off the short edge from which it first turns over after the time t, by `until`.
+pub fn margin(t: f64, pace: f64, until: impl Fn(f64) -> Result<f64>) -> Result<f64> {
+    let mut tilt = exp(-pace * t);
+    for _ in 0..40 {
+        // What is late by x must begin e^(pace x) times farther off.
+        let late: f64 = until(tilt)? - t;
+        tilt = (tilt * exp(pace * late)).min(1.4);
+        if late.abs() < 1e-13 * t {
+            break;
+        }
+    }
+    Ok(tilt)
+}
+
+/// How the axes lie if this mass sits 0.4 of the length and 0.35 of the width off the centre, on
+/// the middle plane: the angle between the middle axis and the short edge.
+fn lopsided(p: &Parameters, [i1, i2, _]: [f64; 3]) -> Result<[f64; 2]> {
+    let (x, y) = (0.4 * p.length, 0.35 * p.width);
+    let reduced = p.mass * p.lump / (p.mass + p.lump);
+    let (product, apart) = (reduced * x * y, i2 - i1 + reduced * (x - y) * (x + y));
+    let slab = solids::cuboid(p.mass, p.length, p.width, p.thickness)?;
+    let lump = MassProperties::of_points(&[(p.lump, DesignVector::new(x, y, 0.0))])?;
+    let both = MassProperties::of_parts(&[slab, lump])?.about_centre_of_mass();
+    let [_, middle, _] = both.principal_axes().axes();
+    let library = atan2(middle.x().abs(), middle.y().abs());
+    Ok([0.5 * atan2(2.0 * product, apart), library])
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (throw, rate, caught) = (thrown(p)?, TAU * p.turns, flight(p));
+    let moments @ [i1, i2, i3] = throw.moments;
+    let solid = solids::cuboid(p.mass, p.length, p.width, p.thickness)?.about_centre_of_mass();
+    let library = |i: usize| solid.matrix()[i][i];
+    let fall = second_order(|_, _, _| -p.gravity);
+    let speed = (2.0 * p.gravity * p.height).sqrt();
+    let falls = Dop853::new(1e-14)?.zero(&fall, [0.0, speed], 1, 2.0 * caught, |y| y[0]);
+    let pace = growth(moments) * rate;
+    let (first, between) = (throw.until_flip()?, throw.between_flips()?);
+    let seen = [1, 2, 10].map(|count| throw.flip(count, 1e-15));
+    let [one, two, ten] = seen;
+    let one = one?;
+    let last = first + 9.0 * between;
+    // Each flip multiplies an error of rounding, the later ones by as much again.
+    let slack = 1e-12 * last + 1e-14 / (throw.off() * pace);
+    let late = slack + 1e-14 / (throw.off() * throw.off() * pace);
+    let count = throw.flips(caught)?;
+    let counted = {
+        let run =
+            Dop853::new(1e-13)?.solve(&euler(moments), 0.0, &throw.rates, caught, &[over()])?;
+        run.events().len() as f64
+    };
+    let from = |toward: f64| move |tilt| Throw::new(moments, rate, tilt, toward).until_flip();
+    let stepped =
+        |toward: f64| move |tilt| Ok(Throw::new(moments, rate, tilt, toward).flip(1, 1e-15)?.t);
+    let long = margin(caught, pace, from(0.0))?;
+    let normal = margin(caught, pace, from(0.5 * PI))?;
+    let aimed = pace * caught < 25.0; // else no double is near enough to the axis
+    let tenth = |tilt| Throw::new(moments, rate, tilt, 0.0);
+    let waited = tenth(1e-7).flip(1, 1e-15)?.t - tenth(1e-6).flip(1, 1e-15)?.t;
+    let [exact, run] = [
+        throw.free()?.attitude(caught),
+        throw.stepped(caught, 1e-15)?,
+    ];
+    let away = |attitude: &Attitude| attitude.to_space(BodyVector::new(1.0, 0.0, 0.0)).x();
+    let sways = |axis: usize| {
+        let (angle, throw) = sway(moments, axis, p.tilt);
+        let ends = [throw.rates, throw.flip(1, 1e-15)?.state];
+        let angles = ends.map(|rates| acos(throw.along(axis, rates).min(1.0)));
+        Ok::<_, rotation_dynamics::Error>([angle, angles[0].max(angles[1])])
+    };
+    let [along_long, along_normal] = [sways(0)?, sways(2)?];
+    let hands = |count| hand(count, moments, rate, p.spread);
+    let over_by = |turns: f64| move |throw: Throw| Ok(throw.until_flip()? < turns / p.turns);
+    let down = |of: &dyn Fn(&Throw) -> Result<f64>| part(hands(600), |throw| Ok(of(&throw)? < 0.0));
+    let steady = [
+        steady(moments, 1.0, p.spread)?,
+        steady(moments, p.turns * caught, p.spread)?,
+    ];
+    // The strip is that of small strays.
+    let [into_1, into_3] = exchange(moments);
+    let askance = 0.2 * p.spread * p.spread / into_1.min(into_3);
+    let [askew, askew_library] = lopsided(p, moments)?;
+    claims! { report,
+        /// least moment, about the long edge
+        i1: i1, "kg m^2", "library's cuboid" => library(0), within 1e-14 * i1, in "The phone":
+            i2 => "that is about the short edge",
+            4.0 * i1 => "through the centre, not along an edge";
+        /// middle moment, about the short edge
+        i2: i2, "kg m^2", "library's cuboid" => library(1), within 1e-14 * i2, in "The phone":
+            i1 => "that is about the long edge",
+            i3 => "that is about the normal of the screen";
+        /// largest moment, about the normal of the screen
+        i3: i3, "kg m^2", "library's cuboid" => library(2), within 1e-14 * i3, in "The phone":
+            i2 => "that is about the short edge";
+        /// time in the air
+        flight: caught, "s", "fall, located event" => falls?.0.t, within 1e-12 * caught, in "The throw":
+            0.5 * caught => "that is the way up; it comes down as well";
+        /// rate at which an error grows
+        growth: pace, "1/s", "growth of 1e-7, stepped" => rate * measured_growth(moments)?, within 1e-9 * pace,
+        in "The throw":
+            pace / rate => "that is per radian of its turning",
+            pace / p.turns => "that is per turn";
+        /// factor by which it grows in a turn
+        per_turn: exp(pace / p.turns), "-", "the same, stepped" => exp(TAU * measured_growth(moments)?),
+        within 1e-7 * exp(pace / p.turns), in "The throw":
+            exp(growth(moments)) => "a turn is 2 pi radians";
+        /// time until it is half over
+        half_over: first, "s", "located event" => one.t, within slack, in "The throw":
+            between => "that is from one flip to the next",
+            log(1.0 / p.tilt) / pace => "e-foldings alone: what is the factor before the exponential?";
+        /// time from one flip to the next
+        between: between, "s", "located events" => two?.t - one.t, within late, if throw.off() > 1e-5, in "The throw":
+            2.0 * between => "that is a whole period, two flips",
+            first => "that is from the release to the first";
+        /// flips in the flight
+        flips: count, "-", "counted, stepped" => counted, within 0.4, in "The throw";
+        /// turns of the throw until it is half over
+        turns_to_flip: p.turns * first, "-", "located event" => p.turns * one.t, within p.turns * slack;
+        /// off towards the long edge: half over just at the catch
+        margin_long: long, "rad", "stepped" => margin(caught, pace, stepped(0.0))?, within 1e-6 * long + 1e-14, if aimed,
+        in "How well one must aim":
+            exp(-pace * caught) => "the factor before the exponential is missing";
+        /// the same, off towards the normal
+        margin_normal: normal, "rad", "stepped" => margin(caught, pace, stepped(0.5 * PI))?,
+        within 1e-6 * normal + 1e-14, if aimed, in "How well one must aim":
+            long => "that is towards the long edge";
+        /// ten times nearer to the axis: so much later
+        decade: LN_10 / pace, "s", "from 1e-6 and 1e-7 rad, stepped" => waited, within 1e-5 / pace,
+        in "How well one must aim":
+            1.0 / pace => "that is e times nearer",
+            2.0 * LN_10 / pace => "between two flips; to the first it counts once";
+        /// the tenth flip
+        tenth: last, "s", "located event" => ten?.t, within 20.0 * late, if throw.off() > 1e-5, in "Ten flips":
+            10.0 * between => "the first comes after half of that";
+        /// cosine of the screen's direction from upward at the catch
+        screen: screen(&exact).z(), "-", "stepped" => screen(&run).z(), within 1e-10 + 1e-3 * slack,
+        in "The catch";
+        /// cosine of the long edge's direction from that of the start
+        long_edge: away(&exact), "-", "stepped" => away(&run), within 1e-10 + 1e-3 * slack, in "The catch";
+        /// about the long edge: largest angle between it and L
+        sway_long: along_long[0], "rad", "stepped to its two ends" => along_long[1], within 1e-8;
+        /// about the normal of the screen: the same
+        sway_normal: along_normal[0], "rad", "stepped to its two ends" => along_normal[1], within 1e-8;
+        /// by hand: part not half over after one turn
+        steady_one: steady[0], "-", "4000 throws, counted" => 1.0 - part(hands(4000), over_by(1.0))?,
+        within (0.008 + askance) * steady[0].sqrt();
+        /// by hand: part not half over at the catch
+        steady_caught: steady[1], "-", "4000 throws, counted" => 1.0 - part(hands(4000), over_by(p.turns * caught))?,
+        within (0.008 + askance) * steady[1].sqrt() + 1e-4;
+        /// by hand: part that is caught screen down
+        hand_down: down(&|throw| Ok(screen(&throw.free()?.attitude(caught)).z()))?, "-", "stepped" =>
+            down(&|throw| Ok(screen(&throw.stepped(caught, 1e-10)?).z()))?, within 1e-3;
+        /// lump near a corner: middle axis from the short edge
+        askew: askew, "rad", "library's principal axes" => askew_library, within 1e-13 + 1e-14 / askew;
+    }
+}
+
+/// The event that axis 2 is across L.
+pub fn over<'a>() -> rotation_dynamics::integrators::Event<'a, 3> {
+    rotation_dynamics::integrators::Event::crossing("half over", |_, y: &[f64; 3]| y[1])
+}
+
+/// Nearly the axis, a thin plate, two moments nearly equal, the direction that comes nearer first.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let moments = slab(p)?;
+    let [into_1, into_3] = exchange(moments);
+    let (pace, tiny) = (growth(moments), |toward| {
+        Throw::new(moments, 1.0, 1e-9, toward)
+    });
+    let wait = |factor: f64| log(4.0 * factor / 1e-9) / pace;
+    let lean = (into_1 / into_3).sqrt();
+    let never = atan2(1.0, lean); // p = lean r
+    let plate = [1.0, 3.0, 4.0];
+    let needle = [1.0, 3.0, 3.0 + 1e-8];
+    let beside = Throw::new(moments, 1.0, 1e-3, never + 1e-7);
+    let lost = log(4.0 * into_1.sqrt() / beside.off()) / pace;
+    limits! { report,
+        /// a logarithm: the first factor is that of the long edge
+        "tilt = 1e-9: t_1 less its logarithm": tiny(0.0).until_flip()? - wait(into_1.sqrt()) => 0.0, within 1e-12;
+        /// and this that of the normal
+        "toward pi/2: the same": tiny(0.5 * PI).until_flip()? - wait(into_3.sqrt()) => 0.0, within 1e-12;
+        /// from beside the axis the first wait is half of the others
+        "toward = 0: T/t_1": tiny(0.0).between_flips()? / tiny(0.0).until_flip()? => 2.0, within 1e-15;
+        /// beside the direction that runs into the axis only what is off it counts
+        "tilt = 1e-3, beside: t_1 less its logarithm": beside.until_flip()? - lost => 0.0, within 1e-5;
+        /// a plate has I3 = I1 + I2
+        "plate: lambda^2/Omega^2": growth(plate) * growth(plate) => (plate[1] - plate[0]) / (plate[1] + plate[0]), within 1e-15;
+        /// two equal moments: nothing grows
+        "I3 = I2: lambda/Omega": growth(needle) => 0.0, within 1e-4;
+    }
+}
+
+/// Drag of the two halves of a plate in the air, over I2 and the square of the rate, 1/rad.
+pub fn drag(p: &Parameters, i2: f64) -> f64 {
+    let a2 = p.length * p.length;
+    1.204 * 1.2 * p.width * a2 * a2 / (64.0 * i2)
+}
+
+/// Air; the hand; a phone that is not uniform; the fall.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (throw, rate, caught) = (thrown(p)?, TAU * p.turns, flight(p));
+    let [i1, i2, i3] = throw.moments;
+    let (pace, first) = (growth(throw.moments) * rate, throw.until_flip()?);
+    let slowed = drag(p, i2) * rate;
+    let [askew, _] = lopsided(p, throw.moments)?;
+    let speed = (2.0 * p.gravity * p.height).sqrt();
+    // Wind of the flight on a face, its centre of pressure a tenth of the width off.
+    let wind = 0.5 * 1.204 * 1.2 * p.length * p.width * speed * speed * 0.1 * p.width;
+    let gradient = 3.0 * 9.80665 / 6.371e6 * (i3 - i1) / i2;
+    effect_card! { report,
+        "a degree in the throw": "delta/tilt" = 0.0175 / p.tilt, costs 0.0175 / (p.tilt * pace), "s to the first flip";
+        "a lump near a corner": "angle of axis 2" = askew, costs askew, "rad of aim";
+        "air, on the turning": "rho C b l^4 Omega^2/(64 L lambda)" = slowed / pace, costs slowed * first * (0.5 * first - 1.0 / pace).abs(), "s to the first flip";
+        "air, on the flight": "rho C S v^2 b/(20 I2 Omega lambda)" = wind / (i2 * rate * pace), costs wind * caught / (i2 * rate), "rad of L, at most";
+        "gravity is weaker above": "3 (I3 - I1) g/(R_E I2 lambda^2)" = gradient / (pace * pace), costs gradient / pace * caught, "rad of L, at most";
+    }
+}
+
+/// Ten flips in a row: closed form, steps that hold an error, and steps of a clock.
+fn ten_flips(p: &Parameters, report: &mut Report) -> Result<()> {
+    let throw = thrown(p)?;
+    let columns = [
+        "flip",
+        "closed form",
+        "DOP853, 1e-15",
+        "DOP853, 1e-6",
+        "RK4, 60 steps a second",
+    ];
+    let mut table = Table::new("ten", columns)?;
+    for (n, [exact, fine, coarse, clock]) in (1..).zip(ten(&throw)?) {
+        let off = |t: f64| format!("{:+.1e} s", t - exact);
+        table.push([
+            n.to_string(),
+            format!("{exact:.6} s"),
+            off(fine),
+            off(coarse),
+            off(clock),
+        ])?;
+    }
+    report.add_table(table)
+}
+
+/// The times of ten flips: exact, by two tolerances, and by RK4 with 60 steps a second.
+pub fn ten(throw: &Throw) -> Result<Vec<[f64; 4]>> {
+    let (first, between) = (throw.until_flip()?, throw.between_flips()?);
+    let (mut clock, mut t, mut rates) = (Vec::new(), 0.0, throw.rates);
+    while clock.len() < 10 && t < 20.0 * first + 20.0 * between {
+        let before = rates;
+        rates = Rk4::new(1)?
+            .advance(&euler(throw.moments), 0.0, &rates, 1.0 / 60.0)?
+            .0;
+        if before[1] * rates[1] <= 0.0 {
+            clock.push(t + before[1] / (before[1] - rates[1]) / 60.0);
+        }
+        t += 1.0 / 60.0;
+    }
+    let by = |step, n| Ok(throw.flip(n, step)?.t);
+    let each = (1..).zip(clock).map(|(n, late)| {
+        let exact = first + f64::from(n - 1) * between;
+        Ok([exact, by(1e-15, n)?, by(1e-6, n)?, late])
+    });
+    each.collect()
+}
+
+/// Thrown about the short edge to the last bit, and stepped with attitude and L in space: when
+/// it turns over all the same, if it does within thirty turns.
+pub fn by_rounding(moments: [f64; 3], step: f64) -> Result<Option<f64>> {
+    let throw = Throw {
+        moments,
+        rates: [0.0, TAU, 0.0],
+    };
+    let (scene, method) = (Scene::new(throw.body()?), Dop853::new(step)?);
+    // Held in no special direction.
+    let held = Attitude::from_euler(EulerAngles {
+        phi: 0.3,
+        theta: 1.0,
+        zeta: 0.4,
+    })?;
+    let rates = BodyVector::from_array(throw.rates);
+    let (mut state, mut last) = (throw.body()?.state(held, rates)?, 0.0);
+    for t in times(0.0, 30.0, 600).skip(1) {
+        state = method.advance(&scene, last, &state, t)?.0;
+        if throw.body()?.angular_velocity(&state).y() < 0.0 {
+            return Ok(Some(t));
+        }
+        last = t;
+    }
+    Ok(None)
+}
+
+/// [`by_rounding`], for three errors of a step.
+fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
+    let mut table = Table::new("rounding", ["stepped", "half over after"])?;
+    let body = Dop853::new(1e-6)?
+        .advance(&euler(slab(p)?), 0.0, &[0.0, TAU, 0.0], 1000.0)?
+        .0;
+    let never = if body == [0.0, TAU, 0.0] {
+        "never in 1000 turns"
+    } else {
+        "it has strayed"
+    };
+    table.push(["rates on the body's axes, 1e-6", never])?;
+    for step in [1e-6, 1e-10, 1e-15] {
+        let after = by_rounding(slab(p)?, step)?;
+        let told = after.map_or("never in 30 turns".into(), |t| format!("{t:.1} turns"));
+        table.push([format!("attitude and L in space, {step:e}"), told])?;
+    }
+    report.add_table(table)
+}
+
+/// The accuracy strip: the attitude after three flips and a third, where errors have grown.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let throw = thrown(p)?;
+    let (motion, end) = (
+        throw.free()?,
+        throw.until_flip()? + 7.0 / 3.0 * throw.between_flips()?,
+    );
+    let problem = Problem::new(
+        Scene::new(throw.body()?),
+        throw.start()?,
+        end,
+        motion.state(end),
+    );
+    let problem = problem.in_closed_form(move |t| motion.attitude(t));
+    report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-10])
+}
+
+example! {
+    further_1_phone: "Further problem: a phone thrown up with a somersault";
+    "A phone thrown up", "A phone is thrown up with a somersault about its middle axis, and a little beside it.",
+    [claims, limits, effects, ten_flips, rounding, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
