@@ -232,13 +232,13 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     .last(1.0, 1e-12)?[0];
     limits! { report,
         /// nothing has unwound
-        "l = 0: omega/w0": light.spin_outward(0.0) => 1.0, within 1e-15;
+        "l/R = 0: omega/w0": light.spin_outward(0.0) => 1.0, within 1e-15;
         /// far out the weights keep no energy: as fast as before, backward
-        "l = 1/x, tangent: omega/w0": light.spin_tangent(1e9) => -1.0, within 1e-15;
+        "l/R = 1/x, tangent: omega/w0": light.spin_tangent(1e9) => -1.0, within 1e-15;
         /// where the strings are let go does not matter
         "I/(2 m R^2) = 1/x: stop sqrt(x)/R": heavy.length_outward(0.0) / 1e4 => 1.0, within 2e-4;
         /// twice the angular velocity of the satellite at the start
-        "l = x R, unwound: Omega/w0": YoYo { inertia: 80.0, length: 1e-3 }.run(1e-13)?.transition("unwound")?.before[3] => 2.0, within 1e-6;
+        "l/R = x, unwound: Omega/w0": YoYo { inertia: 80.0, length: 1e-3 }.run(1e-13)?.transition("unwound")?.before[3] => 2.0, within 1e-6;
         /// springs that hardly give, by Newton's law
         "stiff springs: omega/w0": stiff => light.spin_outward(6.0), within 1e-5;
     }
