@@ -88,9 +88,9 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
             .dashed([contact, contact - out * 0.95], Ink::Ink)
             .line(arc, Ink::Ink)
             .text(contact - out * 0.78 + SpaceVector::new(0.0, 0.0, 0.1), r"$\alpha$", Ink::Ink, Side::Left)
-            .arrow(centre, centre + disc.axis * 0.6, Ink::Body, "$e_3$", Side::Left)
-            .line([centre, centre + up], Ink::Body)
-            .text(centre + up * 0.55, "$R$", Ink::Body, Side::Above)
+            .arrow(centre, centre + disc.axis * 0.6, Ink::Body, r"$\hat e_3$", Side::Left)
+            .line([centre, centre + up].map(|at| at + disc.axis * 0.04), Ink::Ink)
+            .text(centre + up * 0.55, "$R$", Ink::Ink, Side::Above)
             .turn(circle(1.1, -1.35, -0.55), Ink::Velocity)
             .text(circle(1.17, -0.95, -0.95).next().unwrap_or(contact), r"$\Omega$", Ink::Velocity, Side::Below)
     };
