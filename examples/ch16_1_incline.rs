@@ -75,10 +75,7 @@ impl Mechanism<3, 6, 1> for Roller {
     }
 
     fn force(&self, body: &State<3>) -> [f64; 3] {
-        let (along, across) = (
-            self.gravity * sin(self.slope),
-            self.gravity * cos(self.slope),
-        );
+        let [along, across] = [sin, cos].map(|part| self.gravity * part(self.slope));
         let drag = self.drag * body.v[0] * body.v[0];
         [-along - drag, -across, self.arm * across]
     }
@@ -112,26 +109,16 @@ pub type Roll = Motion<Roller, 3, 6, 1>;
 impl Roller {
     /// The body of these parameters.
     pub fn new(p: &Parameters) -> Self {
-        let Parameters {
-            angle,
-            radius,
-            shape,
-            friction,
-            gravity,
-            speed,
-            ..
-        } = *p;
-        let (arm, drag, goal) = (0.0, 0.0, Goal::Never);
         Self {
-            slope: angle,
-            radius,
-            shape,
-            mu: friction,
-            gravity,
-            speed,
-            arm,
-            drag,
-            goal,
+            slope: p.angle,
+            radius: p.radius,
+            shape: p.shape,
+            mu: p.friction,
+            gravity: p.gravity,
+            speed: p.speed,
+            arm: 0.0,
+            drag: 0.0,
+            goal: Goal::Never,
         }
     }
 
@@ -188,9 +175,10 @@ impl Roller {
     /// The same, simulated.
     pub fn run_back(self, tolerance: f64) -> Result<[f64; 2]> {
         let end = -2.0 * self.speed / self.acceleration();
-        let State {
-            v: [vx, _, rate], ..
-        } = self.run(Goal::Never, self.speed, end, tolerance)?.at(end)?;
+        let [vx, _, rate] = self
+            .run(Goal::Never, self.speed, end, tolerance)?
+            .at(end)?
+            .v;
         let (speed, spin) = (vx / self.speed, -rate * self.radius / self.speed);
         Ok([
             spin,
@@ -213,12 +201,10 @@ pub fn holds_from(body: Roller) -> Result<f64> {
     for _ in 0..60 {
         let mu = 0.5 * (slips + sticks);
         let there = Roller { mu, ..body };
-        let ([mode], _) = entry(&there, there.rolling(body.speed))?;
-        *(if mode == Mode::Stick {
-            &mut sticks
-        } else {
-            &mut slips
-        }) = mu;
+        match entry(&there, there.rolling(body.speed))?.0 {
+            [Mode::Stick] => sticks = mu,
+            _ => slips = mu,
+        }
     }
     Ok(sticks)
 }

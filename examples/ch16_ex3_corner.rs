@@ -73,14 +73,15 @@ pub type Ride = Motion<Cylinder, 3, 6, 2>;
 
 // ANCHOR: forms
 impl Cylinder {
-    /// Floor and wall alike, the wall upright, friction that does not ask for the speed.
+    /// With friction that does not ask for the speed.
+    pub fn new(mu: [f64; 2], lean: f64) -> Self {
+        let fading = 0.0;
+        Self { mu, fading, lean }
+    }
+
+    /// Floor and wall alike, and the wall upright.
     pub fn alike(mu: f64) -> Self {
-        let mu = [mu, mu];
-        Self {
-            mu,
-            fading: 0.0,
-            lean: 0.0,
-        }
+        Self::new([mu, mu], 0.0)
     }
 
     /// Forces of floor and wall over the weight, while both slip counterclockwise.
@@ -167,15 +168,8 @@ fn senses(p: &Parameters) -> Result<[Ride; 2]> {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (
-        Units {
-            spin,
-            time,
-            weight,
-            speed,
-        },
-        mu,
-    ) = (units(p)?, p.friction);
+    let (u, mu) = (units(p)?, p.friction);
+    let (spin, time, weight, speed) = (u.spin, u.time, u.weight, u.speed);
     let (unit, [pressed, away]) = (p.gravity / p.radius, senses(p)?);
     let [stops, rolls] = [pressed.event("floor sticks")?, away.event("floor sticks")?];
     let ([floor, wall], end) = (
@@ -286,10 +280,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, u, cylinder) = (p.friction, units(p)?, Cylinder::alike(p.friction));
     let (alpha, rim) = (cylinder.braking(), p.spin * p.radius);
-    let leaning = Cylinder {
-        lean: TAU / 360.0,
-        ..cylinder
-    };
+    let leaning = Cylinder::new([mu, mu], TAU / 360.0);
     let drop = (2.0 * 1e-3 / p.radius).sqrt() * alpha / u.spin;
     // Torque over that of the friction: the length of the cylinder follows from its mass.
     let air = 1.204 * 0.01 * rim * rim * 2.0 / (700.0 * p.radius * p.gravity * alpha);
@@ -324,68 +315,28 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Other surfaces: forces and time to the stop, and the same time simulated.
 fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (u, mu, degrees) = (units(p)?, p.friction, TAU / 360.0);
-    let one = Cylinder::alike(mu);
-    let columns = [
-        "surfaces",
-        "N_floor/Mg",
-        "N_wall/Mg",
-        "t_stop / s",
-        "simulated / s",
-    ];
-    let mut table = Table::new("surfaces", columns)?;
-    for (name, cylinder) in [
-        ("as above", one),
-        (
-            "a smooth wall",
-            Cylinder {
-                mu: [mu, 0.0],
-                ..one
-            },
-        ),
-        (
-            "a wall twice as rough",
-            Cylinder {
-                mu: [mu, 2.0 * mu],
-                ..one
-            },
-        ),
-        (
-            "a floor twice as rough",
-            Cylinder {
-                mu: [2.0 * mu, mu],
-                ..one
-            },
-        ),
-        (
-            "a wall that leans back by 20 degrees",
-            Cylinder {
-                lean: 20.0 * degrees,
-                ..one
-            },
-        ),
-        (
-            "one that overhangs by 20 degrees",
-            Cylinder {
-                lean: -20.0 * degrees,
-                ..one
-            },
-        ),
+    let (u, mu, lean) = (units(p)?, p.friction, 20.0 * TAU / 360.0);
+    let columns = "surfaces, N_floor/Mg, N_wall/Mg, t_stop / s, simulated / s";
+    let mut table = Table::new("surfaces", columns.split(", "))?;
+    for (name, rough, lean) in [
+        ("as above", [mu, mu], 0.0),
+        ("a smooth wall", [mu, 0.0], 0.0),
+        ("a wall twice as rough", [mu, 2.0 * mu], 0.0),
+        ("a floor twice as rough", [2.0 * mu, mu], 0.0),
+        ("a wall that leans back by 20 degrees", [mu, mu], lean),
+        ("one that overhangs by 20 degrees", [mu, mu], -lean),
     ] {
+        let cylinder = Cylinder::new(rough, lean);
         let [floor, wall] = cylinder.pressed();
-        // Rougher than that, it climbs out on a wall that leans and jams under one that overhangs.
-        if cylinder.lean != 0.0 && mu > 1.0 {
+        // Without a force of the floor it climbs out.
+        if floor <= 0.0 {
             continue;
         }
         let stop = u.spin / cylinder.braking();
         let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance)?;
         let stopped = ride.event("floor sticks")?.t;
-        let cells = [floor, wall, stop * u.time, stopped * u.time];
-        table.push(
-            [name.into()]
-                .into_iter()
-                .chain(cells.map(|x| format!("{x:.7}"))),
-        )?;
+        let cells = [floor, wall, stop * u.time, stopped * u.time].map(|x| format!("{x:.7}"));
+        table.push([name.into()].into_iter().chain(cells))?;
     }
     report.add(table)
 }
@@ -394,12 +345,8 @@ fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
 fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
     let (w, cylinder) = (units(p)?.spin, Cylinder::alike(p.friction));
     let stop = w / cylinder.braking();
-    let columns = [
-        "steps until t_stop",
-        "spin left / Omega",
-        "steps that change its sign",
-    ];
-    let mut table = Table::new("signs", columns)?;
+    let columns = "steps until t_stop, spin left / Omega, steps that change its sign";
+    let mut table = Table::new("signs", columns.split(", "))?;
     for steps in [100, 1000, 10_000] {
         // The stop comes within a step, as it does unless one is lucky.
         let end = 2.0 * stop * f64::from(steps) / (f64::from(steps) + 0.4);

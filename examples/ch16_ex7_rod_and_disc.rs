@@ -208,15 +208,17 @@ fn assembled(p: &Parameters, far: f64) -> Result<[f64; 2]> {
     Ok([carried + own, carried])
 }
 
+/// The disc hinged at its rim: the pull of gravity on each angle, what couples them, M l R, and
+/// the moment of inertia of the disc about the hinge.
+fn hinged(p: &Parameters, m: &Moments) -> [f64; 4] {
+    let lever = p.disc * p.radius;
+    [m.gravity, lever * p.gravity, lever * p.length, 3.0 * m.own]
+}
+
 /// The disc hung by its rim and free there, for small angles: both angular frequencies, the
 /// slower first, and the angle of the disc over that of the rod in each.
 pub fn by_the_rim(p: &Parameters, m: &Moments) -> [[f64; 2]; 2] {
-    let (k1, k2, cross) = (
-        m.gravity,
-        p.disc * p.gravity * p.radius,
-        p.disc * p.length * p.radius,
-    );
-    let own = 3.0 * m.own;
+    let [k1, k2, cross, own] = hinged(p, m);
     let (a, b) = (
         m.carried * own - cross * cross,
         0.5 * (k1 * own + k2 * m.carried),
@@ -227,12 +229,7 @@ pub fn by_the_rim(p: &Parameters, m: &Moments) -> [[f64; 2]; 2] {
 
 /// Its motion: Lagrange's equations of two angles from the vertical.
 pub fn double(p: &Parameters, m: &Moments) -> impl Ode<4> {
-    let (k1, k2, cross) = (
-        m.gravity,
-        p.disc * p.gravity * p.radius,
-        p.disc * p.length * p.radius,
-    );
-    let (first, second) = (m.carried, 3.0 * m.own);
+    let ([k1, k2, cross, second], first) = (hinged(p, m), m.carried);
     ode(move |_, [rod, rate, disc, spin]: &[f64; 4]| {
         let (s, c) = sincos(rod - disc);
         let f = -cross * s * spin * spin - k1 * sin(*rod);
@@ -267,21 +264,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let told = bound < 0.1; // else no step can confirm it
     let [all, carried] = assembled(p, p.length)?;
     // The most that the joint has to pass on to the disc, from how the disc starts to turn.
-    let most = if p.release < FRAC_PI_2 {
-        sin(p.release)
-    } else {
-        1.0
-    };
-    let grip = m.own * m.gravity * most / fixed;
-    let hard = pendulum(
-        p,
-        fixed,
-        if p.release < FRAC_PI_2 {
-            p.release
-        } else {
-            FRAC_PI_2
-        },
-    )?;
+    let hardest = p.release.min(FRAC_PI_2);
+    let most = sin(hardest);
+    let (grip, hard) = (
+        m.own * m.gravity * most / fixed,
+        pendulum(p, fixed, hardest)?,
+    );
     let spin = |t: f64| Ok(m.own * hard.at(t * w_fixed)?.omega.abs() / (t * w_fixed));
     let starts = (4.0 * spin(1e-4)? - spin(2e-4)?) / 3.0;
     // A greased axle.
@@ -291,10 +279,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         2.0 * PI * unit / between.frequency,
         worst(share) * m.own / unit,
     );
-    let seen = if (1e-2..=1e2).contains(&drag) {
-        measured(share, drag)?
-    } else {
-        [0.0; 2]
+    let seen = match drag {
+        1e-2..=1e2 => measured(share, drag)?,
+        _ => [0.0; 2],
     };
     let part = |decay: f64, period: f64| 1.0 - exp(-decay * period);
     let (lost, most_lost) = (
@@ -303,11 +290,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     // The disc hung by its rim.
     let far = p.length + p.radius;
-    let by_rim = 2.0
-        * PI
-        * (assembled(p, far)?[0] / ((0.5 * p.rod * p.length + p.disc * far) * p.gravity)).sqrt();
+    let pull = (0.5 * p.rod * p.length + p.disc * far) * p.gravity;
+    let period = |moment: f64| 2.0 * PI * (moment / pull).sqrt();
     let sum = p.rod * p.length * p.length / 3.0 + p.disc * far * far + m.own;
-    let rim = 2.0 * PI * (sum / ((0.5 * p.rod * p.length + p.disc * far) * p.gravity)).sqrt();
+    let (rim, by_rim) = (period(sum), period(assembled(p, far)?[0]));
     let [[slower, ratio], _] = by_the_rim(p, &m);
     let shape = |size: f64| [size, 0.0, size * ratio, 0.0];
     let rim_slow = small_frequency(&double(p, &m), shape, 4.0 * t_fixed, |y| y[1])?;
@@ -438,15 +424,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// What it costs to hold the disc by friction, which is not how to simulate a joint.
 fn held(p: &Parameters, report: &mut Report) -> Result<()> {
     let m = Moments::new(p)?;
-    let mut table = Table::new(
-        "held",
-        [
-            "friction over c^*",
-            "period",
-            "derivatives",
-            "RK4, 100 steps",
-        ],
-    )?;
+    let columns = "friction over c^*; period; derivatives; RK4, 100 steps";
+    let mut table = Table::new("held", columns.split("; "))?;
     for power in 0..5 {
         let drag = 10.0_f64.powi(power) * worst(m.share);
         let (back, work) = returns(m.share, drag, p.release, 1e-10)?;

@@ -110,6 +110,12 @@ pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
     Ok(Plank { p, sense })
 }
 
+/// The same, released elsewhere.
+fn from(p: &Parameters, offset: f64) -> Parameters {
+    let p = p.clone();
+    Parameters { offset, ..p }
+}
+
 /// Its motion from rest at the offset, until then or until it has tipped.
 pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
     let start = State::rest([p.offset, 0.0, 0.0]);
@@ -244,10 +250,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         released(p, -1.0, 1e3 * span(p))?,
     );
     let (zero, top) = quarter(p)?;
-    let small = Parameters {
-        offset: 0.05 * lift(p, 1.0).min(v / growth),
-        ..p.clone()
-    };
+    let small = from(p, 0.05 * lift(p, 1.0).min(v / growth));
     let grown = released(&small, -1.0, 3.0 / growth)?.at(3.0 / growth)?.q[0] / small.offset;
     let right = 0.5 + p.offset / (2.0 * lift(p, 1.0));
     let (amplitude, round) = cycle(p);
@@ -301,15 +304,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn quarter(p: &Parameters) -> Result<(f64, f64)> {
     let offset = 0.5 * lift(p, 1.0).min(p.speed / rate(p, 1.0));
     let quarter = FRAC_PI_2 / rate(p, 1.0);
-    let State { q, v } = released(
-        &Parameters {
-            offset,
-            ..p.clone()
-        },
-        1.0,
-        quarter,
-    )?
-    .at(quarter)?;
+    let State { q, v } = released(&from(p, offset), 1.0, quarter)?.at(quarter)?;
     Ok((quarter - q[0] / v[0], offset * p.speed / -v[0]))
 }
 
@@ -323,47 +318,22 @@ fn farthest(p: &Parameters, ride: &Ride) -> Result<f64> {
 /// Equal coefficients, slow rollers, thick planks, the edge.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (swing, growth) = (rate(p, 1.0), rate(p, -1.0));
-    let equal = cycle(&Parameters {
-        holding: p.kinetic,
-        ..p.clone()
-    })
-    .1;
-    let (p1, slow) = (
-        Parameters {
-            holding: 2.0 * p.kinetic,
-            ..p.clone()
-        },
-        1e-6 * swing * p.distance,
-    );
-    let crawl = cycle(&Parameters {
-        speed: slow,
-        ..p1.clone()
-    })
-    .1 * slow
-        / (4.0 * held(&p1));
-    let thin = Parameters {
-        thickness: 0.0,
-        ..p.clone()
+    let with = |change: &dyn Fn(&mut Parameters)| {
+        let mut p = p.clone();
+        change(&mut p);
+        p
     };
-    let thick = Parameters {
-        thickness: 0.96 * p.distance / p.kinetic,
-        ..p.clone()
-    };
-    let edge = Parameters {
-        offset: lift(p, 1.0) * (1.0 - 1e-12),
-        ..p.clone()
-    };
+    let equal = cycle(&with(&|p| p.holding = p.kinetic)).1;
+    let slow = with(&|p| {
+        p.holding = 2.0 * p.kinetic;
+        p.speed = 1e-6 * swing * p.distance;
+    });
+    let crawl = cycle(&slow).1 * slow.speed / (4.0 * held(&slow));
+    let thin = with(&|p| p.thickness = 0.0);
+    let thick = with(&|p| p.thickness = 0.96 * p.distance / p.kinetic);
+    let edge = from(p, lift(p, 1.0) * (1.0 - 1e-12));
     let left = released(&edge, 1.0, 1e-3 / swing)?.forces(0.0)?[0].normal / p.gravity;
-    let tip = |offset| {
-        caught(
-            &Parameters {
-                offset,
-                ..p.clone()
-            },
-            -1.0,
-        )
-        .2
-    };
+    let tip = |offset| caught(&from(p, offset), -1.0).2;
     let near = 1e-6 * (p.speed / growth).min(p.distance);
     limits! { report,
         /// the roller lets go where it would have carried it through the middle
@@ -400,14 +370,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
     let at = p.clone();
     let run = move |tolerance| {
-        released(
-            &Parameters {
-                tolerance,
-                ..at.clone()
-            },
-            -1.0,
-            2.0 * end,
-        )
+        let p = at.clone();
+        released(&Parameters { tolerance, ..p }, -1.0, 2.0 * end)
     };
     let error = move |ride: &Ride| Ok(largest([ride.event("left lets go")?.t / end - 1.0]));
     report.dial("DOP853, error of a step", asked, run, Ride::work, error)?;

@@ -19,13 +19,13 @@ parameters! {
     /// A phone of a usual size, taken as a uniform slab, and a throw from the hand.
     pub struct Parameters {
         /// length
-        length: number(0.147, "m", above(0.0).usually(0.1, 0.2));
+        length: number(0.147, "m", above(0.0).usually(0.1, 0.2)).drawn(0.140, 0.165, 0.005);
         /// width
-        width: number(0.071, "m", above(0.0).usually(0.03, 0.095));
+        width: number(0.071, "m", above(0.0).usually(0.03, 0.095)).drawn(0.066, 0.078, 0.002);
         /// thickness
-        thickness: number(0.0078, "m", above(0.0).usually(0.002, 0.025));
+        thickness: number(0.0078, "m", above(0.0).usually(0.002, 0.025)).drawn(0.0070, 0.0090, 0.0002);
         /// mass
-        mass: number(0.17, "kg", above(0.0).usually(0.1, 0.3));
+        mass: number(0.17, "kg", above(0.0).usually(0.1, 0.3)).drawn(0.15, 0.20, 0.01);
         /// turns a second
         turns: number(3.0, "1/s", above(0.0).usually(1.0, 5.0));
         /// how high it rises above the hand

@@ -18,11 +18,11 @@ parameters! {
     /// The disc of Moffatt's note; the inclination of the steady motion is ours.
     pub struct Parameters {
         /// radius of the disc
-        radius: number(0.0375, "m", from_to(1e-3, 1.0).usually(0.01, 0.1));
+        radius: number(0.0375, "m", from_to(1e-3, 1.0).usually(0.01, 0.1)).drawn(0.0300, 0.0450, 0.0025);
         /// its mass
-        mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0));
+        mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0)).drawn(0.30, 0.50, 0.05);
         /// inclination of the steady motion
-        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.2));
+        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.2)).drawn(0.20, 0.60, 0.05);
         /// radius of the circle of its centre over R; positive on the side away from the contact
         circle: number(0.0, "-", from_to(-10.0, 0.16).usually(-2.0, 0.1));
         /// inclination from which it settles
@@ -385,26 +385,27 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
         .as_ref()
         .map_or(f64::NAN, |disc| disc.rate / (TAU * time));
     let (turns, rest) = (law.turns(case.start), law.turns(0.1 * case.start));
+    let equal = pow(air.law.k / rolls.law.k, 2.0 / 3.0);
+    let power = |case: &Case| case.loss.drag(equal, 2.0 / equal.sqrt());
     claims! { report,
-        /// rolling friction: exponent of the rate
-        exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => by_rolling.exponent()?, within about(&rolls),
-        in "The last seconds":
-            2.0 / 3.0 => "that is the exponent of the inclination";
-        /// air: exponent of the rate
-        exponent_air: air.law.exponent(), "-", "bend of the simulation" => by_air.exponent()?, within about(&air),
-        in "The last seconds":
-            1.0 / 3.0 => "that is the exponent of the inclination";
-        /// inclination below which the air takes more than the rolling friction
-        equal: pow(air.law.k / rolls.law.k, 2.0 / 3.0), "rad", "powers, bisected" => balanced(&air, &rolls),
-        within 1e-12;
-        /// inclination at which the law ends
-        tilt_end: case.end, "rad", "bisected" => ending(case), within 1e-6 * case.end;
-        /// time that is left there
-        left_end: ends, "s", "fall from there, integrated" => fallen(&law, case.end) * time, within (1e-6 + 2.0 * case.end * case.end) * ends;
-        /// tone there
-        tone_end: tone(case.end), "Hz", "rate for small angles" => 1.0 / (PI * time * case.end.sqrt()),
-        within case.end * case.end * tone(case.end);
-    }?;
+            /// rolling friction: exponent of the rate
+            exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => by_rolling.exponent()?, within about(&rolls),
+            in "The last seconds":
+                2.0 / 3.0 => "that is the exponent of the inclination";
+            /// air: exponent of the rate
+            exponent_air: air.law.exponent(), "-", "bend of the simulation" => by_air.exponent()?, within about(&air),
+            in "The last seconds":
+                1.0 / 3.0 => "that is the exponent of the inclination";
+            /// inclination below which the air takes more than the rolling friction
+    equal: equal, "rad", "powers there" => equal * power(&air) / power(&rolls), within 1e-12;
+            /// inclination at which the law ends
+            tilt_end: case.end, "rad", "by differences" => ending(case), within 1e-6 * case.end;
+            /// time that is left there
+            left_end: ends, "s", "fall from there, integrated" => fallen(&law, case.end) * time, within (1e-6 + 2.0 * case.end * case.end) * ends;
+            /// tone there
+            tone_end: tone(case.end), "Hz", "rate for small angles" => 1.0 / (PI * time * case.end.sqrt()),
+            within case.end * case.end * tone(case.end);
+        }?;
     let (whole, group) = (law.left(case.start), "The last seconds");
     report.add(
         vec![
@@ -441,33 +442,13 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
     )
 }
 
-/// Where the law's own fall, taken by differences, comes up to g, or its film is used up.
+/// The end once more: where the law's fall, taken by differences, is g, or the film.
 fn ending(case: &Case) -> f64 {
-    let speed = |tilt: f64| case.law.k * pow(tilt, -case.law.n);
-    let fall =
-        |tilt: f64| speed(tilt) * (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
-    let (mut low, mut high) = (1e-9_f64, 1.0_f64);
-    for _ in 0..100 {
-        let middle = (low * high).sqrt();
-        match fall(middle) > 1.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    low.max(case.film)
-}
-
-/// Where both losses take the same power.
-fn balanced(air: &Case, rolls: &Case) -> f64 {
-    let (mut low, mut high) = (1e-9_f64, 1e3_f64);
-    for _ in 0..100 {
-        let tilt = (low * high).sqrt();
-        match air.loss.drag(tilt, 2.0 / tilt.sqrt()) > rolls.loss.drag(tilt, 1.0) {
-            true => low = tilt,
-            false => high = tilt,
-        }
-    }
-    low
+    let (tilt, speed) = (case.law.falls(), |tilt: f64| {
+        case.law.k * pow(tilt, -case.law.n)
+    });
+    let slope = (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
+    case.film.max(tilt * speed(tilt) * slope)
 }
 
 /// Time in which the law falls from there to nothing, by the rule of midpoints.

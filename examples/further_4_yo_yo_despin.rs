@@ -14,17 +14,17 @@ parameters! {
     /// A satellite and its strings; the numbers are typical of a small one.
     pub struct Parameters {
         /// moment of inertia about the axis of the spin
-        inertia: number(20.0, "kg m^2", above(0.0).usually(5.0, 80.0));
+        inertia: number(20.0, "kg m^2", above(0.0).usually(5.0, 80.0)).drawn(10.0, 30.0, 1.0);
         /// radius on which the strings are wound
-        radius: number(0.5, "m", above(0.0).usually(0.2, 1.0));
+        radius: number(0.5, "m", above(0.0).usually(0.2, 1.0)).drawn(0.40, 0.80, 0.05);
         /// mass of each of the two weights
-        weight: number(0.5, "kg", above(0.0).usually(0.2, 2.0));
+        weight: number(0.5, "kg", above(0.0).usually(0.2, 2.0)).drawn(0.3, 1.0, 0.1);
         /// spin before
-        spin: number(10.0, "rad/s", above(0.0).usually(1.0, 20.0));
+        spin: number(10.0, "rad/s", above(0.0).usually(1.0, 20.0)).drawn(5.0, 15.0, 0.5);
         /// length of each string
-        string: number(3.0, "m", above(0.0).usually(1.0, 5.0));
+        string: number(3.0, "m", above(0.0).usually(1.0, 5.0)).drawn(2.0, 4.0, 0.1);
         /// spin that is wanted
-        aim: number(1.0, "rad/s", at_least(0.0).usually(0.0, 5.0));
+        aim: number(1.0, "rad/s", at_least(0.0).usually(0.0, 5.0)).drawn(0.5, 2.0, 0.5);
         /// mass of a satellite that has one string only
         body: number(160.0, "kg", above(0.0).usually(50.0, 500.0));
         /// stiffness of the spring in each string of a stretch yo-yo

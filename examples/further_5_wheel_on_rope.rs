@@ -13,15 +13,15 @@ parameters! {
     /// The bicycle wheel of section 16.2, on a rope.
     pub struct Parameters {
         /// mass, all of it in the rim
-        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0));
+        mass: number(2.0, "kg", above(0.0).usually(0.5, 5.0)).drawn(1.5, 3.0, 0.1);
         /// radius of the rim
         radius: number(0.33, "m", above(0.0).usually(0.1, 0.5));
         /// from the rope to the hub
-        lever: number(0.15, "m", above(0.0).usually(0.05, 0.3));
+        lever: number(0.15, "m", from_to(0.01, 2.0).usually(0.05, 0.3)).drawn(0.1, 0.18, 0.01);
         /// length of the rope
-        rope: number(2.0, "m", above(0.0).usually(0.2, 5.0));
+        rope: number(2.0, "m", from_to(0.01, 100.0).usually(0.2, 5.0)).drawn(1.0, 2.0, 0.1);
         /// angular velocity along the axle, about an axis outward from the rope
-        spin: number(12.0, "rad/s", above(0.0).usually(5.0, 60.0));
+        spin: number(12.0, "rad/s", from_to(1.0, 1000.0).usually(5.0, 60.0)).drawn(14.0, 24.0, 1.0);
         /// by how much the axle rises outward, in question 2
         rise: number(0.5, "rad", from_to(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
@@ -340,13 +340,19 @@ impl Wheel {
         let c = ODD.map(|to| EVEN.map(|by| jacobian(to, by)));
         let squared =
             [0, 1, 2].map(|i| [0, 1, 2].map(|j| -(0..4).map(|k| c[i][k] * b[k][j]).sum::<f64>()));
-        eigen(squared)
+        let (name, value) = ("spin", self.momentum / (2.0 * self.transverse));
+        let allowed = "another one is needed: this steady precession is not stable";
+        eigen(squared).ok_or(Error::OutOfRange {
+            name,
+            value,
+            allowed,
+        })
     }
 }
 // ANCHOR_END: modes
 
 /// The eigenvalues of a matrix as squared frequencies, with their eigenvectors.
-fn eigen(a: [[f64; 3]; 3]) -> Result<[Mode; 3]> {
+fn eigen(a: [[f64; 3]; 3]) -> Option<[Mode; 3]> {
     let row = |i: usize| SpaceVector::from_array(a[i]);
     let trace = a[0][0] + a[1][1] + a[2][2];
     let minor = |i: usize, j: usize| a[i][i] * a[j][j] - a[i][j] * a[j][i];
@@ -358,15 +364,8 @@ fn eigen(a: [[f64; 3]; 3]) -> Result<[Mode; 3]> {
     // The turning points of the characteristic polynomial part its zeros.
     let turn = (trace * trace - 3.0 * minors).max(0.0).sqrt();
     let [low, high] = [(trace - turn) / 3.0, (trace + turn) / 3.0];
-    let stable = at(0.0) < 0.0 && at(low) > 0.0 && at(high) < 0.0;
-    let name = "least squared frequency of a small oscillation over the largest";
-    if !stable {
-        let allowed = "positive: this steady precession is not stable";
-        return Err(Error::OutOfRange {
-            name,
-            value: -1.0,
-            allowed,
-        });
+    if !(at(0.0) < 0.0 && at(low) > 0.0 && at(high) < 0.0) {
+        return None;
     }
     let mode = |mut from: f64, mut to: f64| {
         for _ in 0..200 {
@@ -389,7 +388,7 @@ fn eigen(a: [[f64; 3]; 3]) -> Result<[Mode; 3]> {
             start: (longest / longest.norm()).to_array(),
         }
     };
-    Ok([mode(0.0, low), mode(low, high), mode(high, trace)])
+    Some([mode(0.0, low), mode(low, high), mode(high, trace)])
 }
 
 /// The frequency of a mode, simulated: two sizes of either sign, a period between zeros of
@@ -502,6 +501,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (wheel, weight) = (Wheel::new(p), p.mass * p.gravity);
     let (level, bound) = (wheel.going(0.0)?, 1e-9 + 1e4 * p.tolerance);
     let [rate, rope] = wheel.steady(0.0)?;
+    from_to(0.0, 1.4).check("angle of the rope with a level axle", rope)?;
     let [risen, leaning] = wheel.steady(p.rise)?;
     let [slow, fast, nod] = wheel.modes(level)?;
     let [flat, up] = [0.0, p.rise].map(|rise| after_a_while(wheel, rise, p.tolerance));

@@ -27,13 +27,11 @@ fn problem(sense: f64) -> Sketch {
 /// The weight and the forces `[normal, tangential]` of floor and wall on the cylinder with its
 /// axis here, drawn to the points of contact; the weight is `unit` long.
 fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit: f64) -> Sketch {
-    let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| match hypot(
-        to.0 - from.0,
-        to.1 - from.1,
-    ) < 0.02
-    {
-        true => sketch,
-        false => sketch.arrow(from, to, Ink::Force, "", Side::Above),
+    let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
+        if hypot(to.0 - from.0, to.1 - from.1) < 0.02 {
+            return sketch;
+        }
+        sketch.arrow(from, to, Ink::Force, "", Side::Above)
     };
     let sketch = arrow(sketch, (x, y), (x, y - unit));
     let (low, left) = ((x, y - 1.0), (x - 1.0, y));

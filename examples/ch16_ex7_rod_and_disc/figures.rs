@@ -177,21 +177,13 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     );
     let drag = p.friction / (m.own * m.rate());
     let run = swung(m.share, drag, p.release, 2.0 * PI * SWINGS, p.tolerance)?;
-    let columns = [
-        "t [s]",
-        "theta fixed [rad]",
-        "theta free [rad]",
-        "theta greased [rad]",
-        "phi greased [rad]",
-    ];
-    Trajectory::sampled(
-        columns,
-        times(0.0, 2.0 * PI * SWINGS / m.rate(), 600),
-        |t| {
-            let [rod, _, disc, _] = run.at((t * m.rate()).min(run.end_time()))?;
-            Ok([t, fixed.at(t)?.theta, free.at(t)?.theta, rod, disc])
-        },
-    )
+    let columns =
+        "t [s], theta fixed [rad], theta free [rad], theta greased [rad], phi greased [rad]";
+    let all = times(0.0, 2.0 * PI * SWINGS / m.rate(), 600);
+    Trajectory::sampled(columns.split(", "), all, |t| {
+        let [rod, _, disc, _] = run.at((t * m.rate()).min(run.end_time()))?;
+        Ok([t, fixed.at(t)?.theta, free.at(t)?.theta, rod, disc])
+    })
 }
 
 /// Both from the same release: the free one on the left.
@@ -207,12 +199,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(Curve::new(angle(&free)?, Ink::Body))
         .curve(Curve::new(angle(&fixed)?, Ink::Ink).dashed());
     // As wide as the widest swing, and as high.
-    let wide = if release < FRAC_PI_2 {
-        sin(release)
-    } else {
-        1.0
-    } + radius
-        + 0.08;
+    let wide = sin(release.min(FRAC_PI_2)) + radius + 0.08;
     let top = (radius - cos(release)).max(0.0) + 0.34;
     let stills = [0.0, 0.25 * fixed.period(), end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {

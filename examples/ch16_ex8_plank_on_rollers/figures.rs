@@ -48,14 +48,7 @@ fn problem(sense: f64) -> Sketch {
 
 /// The motion from rest at this offset, as points of the phase plane in units of the distance.
 fn portrait(p: &Parameters, sense: f64, offset: f64, end: f64) -> Result<Vec<(f64, f64)>> {
-    let ride = released(
-        &Parameters {
-            offset,
-            ..p.clone()
-        },
-        sense,
-        end,
-    )?;
+    let ride = released(&from(p, offset), sense, end)?;
     let until = ride
         .event("left lets go")
         .map_or(ride.end_time(), |event| event.t);

@@ -154,7 +154,7 @@ figures! { p: &Parameters, compass = Compass::new(p)?;
         let corrected = over_minutes(&c.run([p.release, 0.0], END, 1e-10)?, END)?;
         Panel::over_axes("$t$ / min", r"azimuth $\alpha$ / rad")
             .level(0.0, Ink::Frame, "")
-            .curve(Curve::new(over_minutes(&damped(p)?, END)?, Ink::Wrong).dashed().label("without rider"))
+            .curve(Curve::new(over_minutes(&damped(p)?, END)?, Ink::Frame).dashed().label("without rider"))
             .curve(Curve::new(corrected, Ink::Body).label("with rider"))
     };
 

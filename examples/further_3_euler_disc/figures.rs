@@ -31,7 +31,7 @@ fn view(tilt: f64, disc: &Disc) -> View {
         Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03),
         Ink::Body,
     )
-    .dot(contact, Ink::Ink, "", Side::Below)
+    .dot(contact, Ink::Velocity, "", Side::Below)
 }
 
 /// Inclinations of the steady motions.
@@ -89,7 +89,7 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
             .line(arc, Ink::Ink)
             .text(contact - out * 0.78 + SpaceVector::new(0.0, 0.0, 0.1), r"$\alpha$", Ink::Ink, Side::Left)
             .arrow(centre, centre + disc.axis * 0.6, Ink::Body, r"$\hat e_3$", Side::Left)
-            .line([centre, centre + up].map(|at| at + disc.axis * 0.04), Ink::Ink)
+            .line([centre, centre + up].map(|at| at + disc.axis * 0.035), Ink::Ink)
             .text(centre + up * 0.55, "$R$", Ink::Ink, Side::Above)
             .turn(circle(1.1, -1.35, -0.55), Ink::Velocity)
             .text(circle(1.17, -0.95, -0.95).next().unwrap_or(contact), r"$\Omega$", Ink::Velocity, Side::Below)
@@ -228,7 +228,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let turns = |rate: f64| [(0.0, 0.0), (end * time, rate * end / TAU)];
     let graph = Panel::over_axes("$t$ / s", "turns")
         .curve(Curve::new(turns(motion.rate()), Ink::Velocity).label("contact"))
-        .curve(Curve::new(turns(motion.face()), Ink::Body).label("face"));
+        .curve(Curve::new(turns(motion.face()), Ink::Ink).label("face"));
     let span = end * time;
     MovingPicture::above(graph, 0.0..=span, [0.0, span / 2.0, span], move |t| {
         let y = run.at((t / time).min(end))?;
@@ -237,15 +237,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [centre, _] = points(disc.tilt, &disc);
         let on_face =
             |x: f64, across: f64| centre + attitude.to_space(BodyVector::new(x, across, 0.035));
-        let scene = view(disc.tilt, &disc)
-            .arrow(
-                on_face(0.0, 0.0),
-                on_face(0.9, 0.0),
-                Ink::Body,
-                "",
-                Side::Above,
-            )
-            .dot(on_face(0.9, 0.0), Ink::Body, "", Side::Above);
+        // In ink: a mark in the colour of the body would be lost on a lit face.
+        let mark = [on_face(0.0, 0.0), on_face(0.9, 0.0)];
+        let scene = view(disc.tilt, &disc).arrow(mark[0], mark[1], Ink::Ink, "", Side::Above);
         let (contact, face) = (
             motion.rate() * t / (time * TAU),
             motion.face() * t / (time * TAU),

@@ -12,6 +12,13 @@ fn spun(p: &Parameters, spin: f64) -> Wheel {
     Wheel::new(&Parameters { spin, ..p.clone() })
 }
 
+/// The points of a line where there is something to be computed.
+fn found(at: impl IntoIterator<Item = f64>, y: impl Fn(f64) -> Result<f64>) -> Vec<(f64, f64)> {
+    at.into_iter()
+        .filter_map(|x| Some((x, y(x).ok()?)))
+        .collect()
+}
+
 /// Time of the moving picture, s.
 const END: f64 = 12.0;
 
@@ -59,16 +66,16 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
         let below = times(2.0, 10.0, 400).filter_map(inward);
         let simulated = |spin: f64| Ok(after_a_while(spun(p, spin), 0.0, 1e-12)?[1]);
         let kept = |spin: f64| {
-            let (wheel, rest) = (spun(p, spin), spun(p, spin).inward());
-            let start = wheel.in_space(&rest.unwrap_or([0.0; 8]));
-            Ok((spin, angles(&after(3.0, &wheel.hung(), &start, 1e-12)?)[0]))
+            let wheel = spun(p, spin);
+            let start = wheel.in_space(&wheel.inward()?);
+            Some((spin, angles(&after(3.0, &wheel.hung(), &start, 1e-12).ok()?)[0]))
         };
         spins().panel(Axis::linear(r"$\delta$ / rad").range(-0.4, 1.6))
             .level(0.0, Ink::Frame, "")
             .curve(spins().exact(outward).label_at("outward", 6.5, 0.4, Side::Right))
             .curve(Curve::new(below, Ink::Ink).label_at("inward", 5.1, -0.28, Side::Right))
             .curve(spins().simulated(simulated)?)
-            .curve(Curve::new(sampled([2.4, 3.4, 4.4], kept)?, Ink::Body).dots())
+            .curve(Curve::new([2.4, 3.4, 4.4].into_iter().filter_map(kept), Ink::Body).dots())
     };
 
     /// Rate of steady precession over that of the lecture against the rise of the axle, for
@@ -80,13 +87,13 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             let wheel = spun(p, spin);
             let ratio = |rise: f64| Ok(wheel.steady(rise)?[0] / wheel.lecture());
             let end = if spin < 15.0 { 0.62 } else { 1.1 };
-            let line = Curve::sampled(times(-1.1, end, 160), ratio, Ink::Ink)?;
-            let dots = sampled([-0.8, -0.3, 0.3, 0.6], |rise| {
-                Ok((rise, after_a_while(wheel, rise, 1e-12)?[0] / wheel.lecture()))
-            })?;
+            let line = Curve::new(found(times(-1.1, end, 160), ratio), Ink::Ink);
+            let dots = found([-0.8, -0.3, 0.3, 0.6], |rise| {
+                Ok(after_a_while(wheel, rise, 1e-12)?[0] / wheel.lecture())
+            });
             let label = format!("{spin} rad/s");
             Ok::<_, Error>(panel
-                .curve(line.label_at(&label, at, ratio(at)?, if spin > 15.0 { Side::Below } else { Side::Left }))
+                .curve(line.label_at(&label, at, ratio(at).unwrap_or(1.0), if spin > 15.0 { Side::Below } else { Side::Left }))
                 .curve(Curve::new(dots, Ink::Body).dots()))
         })?
     };
@@ -101,14 +108,14 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
         let simulated = |spin: f64, k: usize| {
             let wheel = spun(p, spin);
             let rest = wheel.going(0.0)?;
-            Ok((spin, measured(wheel, rest, &wheel.modes(rest)?[k], k == 2)?))
+            measured(wheel, rest, &wheel.modes(rest)?[k], k == 2)
         };
         let panel = Panel::over_axes("spin / (rad/s)", Axis::log("angular frequency / (rad/s)").range(0.4, 50.0));
         [("slow swing", 19.0, Side::Below), ("fast swing", 19.0, Side::Above), ("nutation", 15.0, Side::AboveLeft)]
             .into_iter().zip(0..).try_fold(panel, |panel, ((label, at, side), k)| {
-                let line = Curve::sampled(times(6.0, 25.0, 120), |spin| frequency(spin, k), Ink::Ink)?;
-                let dots = sampled([7.0, 10.0, 14.0, 21.0], |spin| simulated(spin, k))?;
-                let label = line.label_at(label, at, frequency(at, k)?, side);
+                let line = Curve::new(found(times(6.0, 25.0, 120), |spin| frequency(spin, k)), Ink::Ink);
+                let dots = found([7.0, 10.0, 14.0, 21.0], |spin| simulated(spin, k));
+                let label = line.label_at(label, at, frequency(at, k).unwrap_or(1.0), side);
                 Ok::<_, Error>(panel.curve(label).curve(Curve::new(dots, Ink::Body).dots()))
             })?
     };

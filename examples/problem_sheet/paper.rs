@@ -33,7 +33,7 @@ const FONTS: [(&str, &str, &[u8]); 4] = [
     ),
 ];
 
-fn document(title: &str, body: &str) -> String {
+fn document(title: &str, more: &str, body: &str) -> String {
     let font = |(family, style, file): &(&str, &str, &[u8])| {
         let file = base64(file);
         format!(
@@ -45,7 +45,7 @@ fn document(title: &str, body: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>\n{fonts}{style}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
+         <title>{title}</title>\n<style>\n{fonts}{style}{more}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
     )
 }
 
@@ -74,7 +74,7 @@ pub fn sheets(asked: &Asked, sheets: &[Sheet]) -> Result<String, String> {
             asked.seed
         );
     }
-    Ok(document(&asked.title, &body))
+    Ok(document(&asked.title, "", &body))
 }
 
 fn problem(asked: &Asked, drawn: &Drawn, n: usize, place: &str) -> Result<String, String> {
@@ -183,7 +183,10 @@ fn questions(drawn: &Drawn) -> (String, String) {
 pub fn answer(claim: &Claim) -> String {
     let printed = claim.printed();
     let digits = digits_asked(claim.tolerance()) as usize + 2;
-    shortened(&printed, digits).unwrap_or(printed)
+    // One that ends in a 5 is not rounded there, but a digit later.
+    (digits..16)
+        .find_map(|digits| shortened(&printed, digits))
+        .unwrap_or(printed)
 }
 
 /// The answers: for each problem a table with a row for each student.
@@ -240,5 +243,7 @@ pub fn answers(asked_for: &Asked, sheets: &[Sheet]) -> String {
             meanings.collect::<Vec<_>>().join("; ")
         );
     }
-    document(&title, &(body + "</main>\n"))
+    // Wide tables want a wide paper.
+    let landscape = "@page { size: A4 landscape; }\nmain { max-width: none; }\n";
+    document(&title, landscape, &(body + "</main>\n"))
 }

@@ -53,7 +53,7 @@ pub fn wrong_with_errata(text: &str) -> Vec<String> {
 /// The names in backticks in the column of the code.
 fn identifiers(text: &str) -> BTreeSet<&str> {
     let rows = text.lines().filter(|line| line.starts_with("| "));
-    let cells = rows.filter_map(|row| row.split(" | ").nth(4));
+    let cells = rows.filter_map(|row| row.rsplit(" | ").nth(1));
     cells
         .flat_map(|cell| cell.split('`').skip(1).step_by(2))
         .collect()

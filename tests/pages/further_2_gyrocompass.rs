@@ -16,14 +16,15 @@ fn formulas_and_simulations_agree_for_every_compass() {
             .map(|flags| format!("--latitude={at} {flags}"))
     };
     confirmed(&EXAMPLE, latitudes.flat_map(built), 15);
-    let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2"];
-    confirmed(&EXAMPLE, coarse, 2);
+    let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2", "--latitude=1.5", "--tuning=0.1 --spin=50000"];
+    confirmed(&EXAMPLE, coarse, 4);
 }
 
 #[test]
 fn what_is_no_compass_is_refused() {
     let runs = [
         ("--spin=0", "spin = 0 is not allowed"),
+        ("--tuning=0.01", "from 0.1 to 10"),
         ("--latitude=1.5707", "from -1.5 to 1.5"),
         ("--transverse=0.005", "from 0.5 to 1000"),
         ("--spin=10", "(Foucault's period over the compass's)^2"),

@@ -23,6 +23,7 @@ fn what_is_no_wheel_on_a_rope_is_refused() {
         ("--rope=0", "rope = 0 is not allowed"),
         ("--spin=-20", "spin = -20 is not allowed"),
         ("--rise=1.5", "from -1.2 to 1.2"),
+        ("--spin=2 --rise=0", "angle of the rope with a level axle"),
         ("--spin=6", "no steady precession holds it up"),
         ("--push=-3", "tension at the start over the weight"),
     ];
