@@ -12,7 +12,7 @@ use rotation_dynamics::planar::contact::{
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
-    /// The ball of the exercise: 1 cm of wood, charged as highly as dry air allows.
+    /// The ball of the exercise: 1 cm of wood, charged nearly as highly as the air allows in this field.
     pub struct Parameters {
         /// charge of the ball
         charge: number(1e-8, "C", above(0.0).usually(1e-9, 3e-8));
@@ -100,25 +100,17 @@ pub type Roll = Motion<Ball, 3, 6, 1>;
 impl Ball {
     /// The ball of these parameters, its charge in the middle.
     pub fn new(p: &Parameters) -> Result<Self> {
-        let (pull, press, spot, resisting) =
-            (p.charge * p.field / p.mass, p.gravity, 0.0, [0.0; 2]);
-        from_to(1e-6, 1e6).check("q E/(m g)", pull / press)?;
-        let Parameters {
-            radius,
-            shape,
-            friction: mu,
-            length,
-            ..
-        } = *p;
+        let pull = p.charge * p.field / p.mass;
+        from_to(1e-6, 1e6).check("q E/(m g)", pull / p.gravity)?;
         Ok(Self {
             pull,
-            press,
-            radius,
-            shape,
-            mu,
-            spot,
-            resisting,
-            length,
+            press: p.gravity,
+            radius: p.radius,
+            shape: p.shape,
+            mu: p.friction,
+            spot: 0.0,
+            resisting: [0.0; 2],
+            length: p.length,
         })
     }
 
@@ -190,14 +182,8 @@ fn holds_from(ball: Ball) -> Result<f64> {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (ball, m, g, r, k, d) = (
-        Ball::new(p)?,
-        p.mass,
-        p.gravity,
-        p.radius,
-        p.shape,
-        p.length,
-    );
+    let (ball, m, g) = (Ball::new(p)?, p.mass, p.gravity);
+    let (r, k, d) = (p.radius, p.shape, p.length);
     let ([a, rim], pull, bound) = (ball.accelerations(), ball.pull, 16.0 * p.tolerance);
     let (time, speed) = ((2.0 * d / a).sqrt(), (2.0 * d * a).sqrt());
     let run = ball.run(ball.start(0.0, 0.0), 2.0 * time, p.tolerance)?;
@@ -263,7 +249,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         omega: spin, "rad/s", "located event" => -turning, within bound * speed / r, in "The motion":
             spin / (2.0 * PI) => "not turns but radians a second";
         /// part of the work of the field that is in the turning
-        turning: k * (rim * time) * (rim * time) / (2.0 * pull * d), "-", "located event" => 1.0 - (ran * ran / (2.0 * pull * d)) - (1.0 - moving / (2.0 * pull * d)),
+        turning: k * (rim * time) * (rim * time) / (2.0 * pull * d), "-", "located event" => (moving - ran * ran) / (2.0 * pull * d),
         within 2.0 * bound;
         /// part that is lost to rubbing
         lost: ball.lost(), "-", "located event" => 1.0 - moving / (2.0 * pull * d), within 2.0 * bound;
@@ -290,23 +276,15 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         ..Ball::new(p)?
     };
     let goes = |ball: Ball| -> Result<f64> {
-        let run = ball.run(
-            ball.start(0.0, 0.0),
-            10.0 * (ball.length / ball.pull).sqrt(),
-            1e-12,
-        )?;
+        let long = 10.0 * (ball.length / ball.pull).sqrt();
+        let run = ball.run(ball.start(0.0, 0.0), long, 1e-12)?;
         Ok(0.5 * run.event("arrives")?.before.v[0].powi(2) / (ball.length * ball.pull))
     };
     let shaped = |shape| Ball { shape, ..plain };
     let held = plain.holding() / p.gravity;
-    let top = Ball {
-        spot: p.radius,
-        ..plain
-    };
-    let top = top
-        .run(top.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?
-        .forces(0.0)?[0]
-        .tangential;
+    let spot = p.radius;
+    let top = Ball { spot, ..plain }.run(plain.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?;
+    let top = top.forces(0.0)?[0].tangential;
     limits! { report,
         /// all mass in the middle: it goes like a particle
         "k = 1e-9: m x''/(q E)": goes(shaped(1e-9))? => 1.0, within 2e-9;
@@ -341,16 +319,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([a, _], pull) = (ball.accelerations(), ball.pull);
     let (time, speed) = ((2.0 * p.length / a).sqrt(), (2.0 * p.length * a).sqrt());
     let own = p.charge / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
-    let (arm, drag) = (
-        arm * p.gravity / (p.radius * pull),
-        drag * speed * speed / pull,
-    );
+    let arm = arm * p.gravity / (p.radius * pull);
+    let drag = drag * speed * speed / pull;
     let (magnetic, leaking) = (speed * 5e-5 / p.field, 1e-14 * time / EPSILON_0);
     let slipping = ball.holding() / (p.friction.max(1e-300) * p.gravity);
     effect_card! { report,
         "slipping": "mu_min/mu" = slipping, costs 0.0, "of x''", included;
         "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = (own + 3.0 * p.field) / 3e6, costs 0.0, "of x'' while below 1";
-        "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs -image / (1.0 + image), "of mu_min";
+        "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs image / (1.0 + image), "of mu_min";
         "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = arm, costs arm, "of x''";
         "air drag, at the end": "rho C S v^2/(2 q E)" = drag, costs 0.5 * drag, "of the work";
         "charge lost to the air": "sigma t/epsilon_0" = leaking, costs leaking / 3.0, "of the way";

@@ -20,7 +20,7 @@ parameters! {
         /// mass of each of the two weights
         weight: number(0.5, "kg", above(0.0).usually(0.2, 2.0)).drawn(0.3, 1.0, 0.1);
         /// spin before
-        spin: number(10.0, "rad/s", above(0.0).usually(1.0, 20.0)).drawn(5.0, 15.0, 0.5);
+        spin: number(10.0, "rad/s", from_to(1e-6, 1e6).usually(1.0, 20.0)).drawn(5.0, 15.0, 0.5);
         /// length of each string
         string: number(3.0, "m", above(0.0).usually(1.0, 5.0)).drawn(2.0, 4.0, 0.1);
         /// spin that is wanted
@@ -232,39 +232,40 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     .last(1.0, 1e-12)?[0];
     limits! { report,
         /// nothing has unwound
-        "l = 0: omega/w0": light.spin_outward(0.0) => 1.0, within 1e-15;
+        "l/R = 0: omega/w0": light.spin_outward(0.0) => 1.0, within 1e-15;
         /// far out the weights keep no energy: as fast as before, backward
-        "l = 1/x, tangent: omega/w0": light.spin_tangent(1e9) => -1.0, within 1e-15;
+        "l/R = 1/x, tangent: omega/w0": light.spin_tangent(1e9) => -1.0, within 1e-15;
         /// where the strings are let go does not matter
         "I/(2 m R^2) = 1/x: stop sqrt(x)/R": heavy.length_outward(0.0) / 1e4 => 1.0, within 2e-4;
         /// twice the angular velocity of the satellite at the start
-        "l = x R, unwound: Omega/w0": YoYo { inertia: 80.0, length: 1e-3 }.run(1e-13)?.transition("unwound")?.before[3] => 2.0, within 1e-6;
+        "l/R = x, unwound: Omega/w0": YoYo { inertia: 80.0, length: 1e-3 }.run(1e-13)?.transition("unwound")?.before[3] => 2.0, within 1e-6;
         /// springs that hardly give, by Newton's law
         "stiff springs: omega/w0": stiff => light.spin_outward(6.0), within 1e-5;
     }
 }
 
-/// Strings of Kevlar 1.5 mm thick (70 GPa, 1440 kg/m^3), weights of 4 cm.
+/// Strings of Kevlar 1.5 mm thick (70 GPa, 1440 kg/m^3), long enough for a stop, and weights of
+/// 4 cm that turn with them.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (yoyo, a) = scene(p)?;
-    let (j, l) = (yoyo.inertia, yoyo.length);
+    let a = scene(p)?.1;
+    let (j, stop) = (a.inertia, a.length_outward(0.0));
     let area = 0.25 * PI * 1.5e-3 * 1.5e-3;
-    let mass = 1440.0 * area * p.string / p.weight;
-    let heavy = heavy_stop(&a, 1440.0 * area * p.radius / p.weight)? / a.length_outward(0.0) - 1.0;
+    let heavy = 1440.0 * area * p.radius / p.weight;
+    let shorter = 1.0 - heavy_stop(&a, heavy)? / stop;
     let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
     let most = a
-        .tension(((j + 1.0) / 3.0).sqrt().min(l))
-        .max(tension_outward(&a, l));
+        .tension(((j + 1.0) / 3.0).sqrt().min(stop))
+        .max(tension_outward(&a, stop));
     let stretch = newton * most / (70e9 * area);
     let size = 0.4 * 0.02 * 0.02 / (p.radius * p.radius);
     let thick = 0.75e-3 / p.radius;
-    let per = (j + 1.0) / j * l / (1.0 + l);
+    let per = (j + 1.0) / j * stop / (1.0 + stop);
     effect_card! { report,
         "moment of inertia, known to 1 %": "dI/I" = 0.01, costs 0.005, "of w0";
-        "mass of the strings": "mu/(2 m)" = mass, costs heavy.abs() * per, "of w0, at the stop";
-        "thickness of the strings": "d/(2 R)" = thick, costs thick * per / (1.0 + l), "of w0, at the stop";
+        "mass of the strings": "mu/(2 m)" = heavy * stop, costs shorter.abs() * per, "of w0";
+        "thickness of the strings": "d/(2 R)" = thick, costs thick * per / (1.0 + stop), "of w0";
         "stretch of the strings": "T/(E A)" = stretch, costs stretch * per, "of w0, at most";
-        "size of the weights": "2 b^2/(5 R^2)" = size, costs size / (j + 1.0), "of w0";
+        "size of the weights": "2 b^2/(5 R^2)" = size, costs size / (2.0 * j * stop * stop), "of w0";
     }
 }
 

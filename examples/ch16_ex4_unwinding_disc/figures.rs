@@ -124,36 +124,15 @@ figures! { _: &Parameters, d = usual()?, run = d.run(1e-12)?, end = run.transiti
 
 /// The motion for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (d, second, speed) = (
-        disc(p)?,
-        (p.radius / p.gravity).sqrt(),
-        (p.radius * p.gravity).sqrt(),
-    );
+    let (d, r, second) = (disc(p)?, p.radius, (p.radius / p.gravity).sqrt());
     let run = d.run(p.tolerance)?;
-    let columns = [
-        "t [s]",
-        "x [m]",
-        "y [m]",
-        "turned by [rad]",
-        "vx [m/s]",
-        "vy [m/s]",
-        "omega [rad/s]",
-        "T [N]",
-    ];
-    Trajectory::sampled(columns, times(0.0, run.end_time(), 800), |t| {
+    let columns = "t [s], x [m], y [m], turned by [rad], vx [m/s], vy [m/s], omega [rad/s], T [N]";
+    Trajectory::sampled(columns.split(", "), times(0.0, run.end_time(), 800), |t| {
         let (leaves, y) = run.at(t)?;
-        let pull = p.mass * p.gravity * d.taut(leaves, &y).tension;
+        let (pull, v) = (p.mass * p.gravity * d.taut(leaves, &y).tension, r / second);
         let [x, y, angle, vx, vy, rate] = y;
-        Ok([
-            t * second,
-            x * p.radius,
-            y * p.radius,
-            angle + d.wound,
-            vx * speed,
-            vy * speed,
-            rate / second,
-            pull,
-        ])
+        let place = [t * second, r * x, r * y, angle + d.wound];
+        Ok([place, [v * vx, v * vy, rate / second, pull]].concat())
     })
 }
 

@@ -114,10 +114,8 @@ figures! { p: &Parameters;
 /// The ball that is put down sliding, and how long it is followed.
 fn slide(p: &Parameters) -> Result<(Roll, f64)> {
     let ball = Ball::new(p)?;
-    let (shot, [a, _]) = (
-        if p.shot == 0.0 { 0.3 } else { p.shot },
-        ball.accelerations(),
-    );
+    let shot = if p.shot == 0.0 { 0.3 } else { p.shot };
+    let [a, _] = ball.accelerations();
     let end = 2.0 * shot.abs() / a;
     let far = Ball {
         length: p.length + 10.0 * shot.abs() * end,
@@ -129,24 +127,11 @@ fn slide(p: &Parameters) -> Result<(Roll, f64)> {
 /// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (run, end) = slide(p)?;
-    let columns = [
-        "t [s]",
-        "x [m]",
-        "turned [rad]",
-        "vx [m/s]",
-        "R omega [m/s]",
-        "friction [N]",
-    ];
-    Trajectory::sampled(columns, times(0.0, end, 300), |t| {
+    let columns = "t [s], x [m], turned [rad], vx [m/s], R omega [m/s], friction [N]";
+    Trajectory::sampled(columns.split(", "), times(0.0, end, 300), |t| {
         let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
-        Ok([
-            t,
-            q[0],
-            -q[2],
-            v[0],
-            -p.radius * v[2],
-            -p.mass * force.tangential,
-        ])
+        let (turned, rim) = (0.0 - q[2], 0.0 - p.radius * v[2]);
+        Ok([t, q[0], turned, v[0], rim, -p.mass * force.tangential])
     })
 }
 
@@ -170,39 +155,30 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .fold((0.0_f64, 0.0_f64), |(a, b), &x| (a.min(x), b.max(x)));
     let catch = ball.caught(p.shot)[0].clamp(0.0, end);
     let catch = if catch > 0.0 { catch } else { 0.1 * end };
-    MovingPicture::above(
-        graph,
-        0.0..=end,
-        [0.4 * catch, 0.2 * end, 0.85 * end],
-        move |t| {
-            let (
-                State {
-                    q: [x, _, turn],
-                    v: [vx, _, rate],
-                },
-                [force],
-            ) = (run.at(t)?, run.forces(t)?);
-            let rub = force.tangential / ball.pull;
-            let slips = (vx + r * rate).abs() > 1e-6 * (vx.abs() + r * rate.abs());
-            let does = ["rolls", "slides"][usize::from(slips)];
-            let way = ["against the field", "with the field"][usize::from(vx > 0.0)];
-            let along = ["against", "along"][usize::from(rub > 0.0)];
-            let alt = format!(
-                "After {t:.3} s the ball {does} {way}, and the friction at its contact points {along} the field. \
+    let stills = [0.4 * catch, 0.2 * end, 0.85 * end];
+    MovingPicture::above(graph, 0.0..=end, stills, move |t| {
+        let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
+        let ([x, _, turn], [vx, _, rate]) = (q, v);
+        let rub = force.tangential / ball.pull;
+        let slips = (vx + r * rate).abs() > 1e-6 * (vx.abs() + r * rate.abs());
+        let does = ["rolls", "slides"][usize::from(slips)];
+        let way = ["against the field", "with the field"][usize::from(vx > 0.0)];
+        let along = ["against", "along"][usize::from(rub > 0.0)];
+        let alt = format!(
+            "After {t:.3} s the ball {does} {way}, and the friction at its contact points {along} the field. \
              Below, the velocities of its middle and of its rim against time."
+        );
+        let scene = Sketch::within((left - 3.0 * r, right + 4.5 * r), (-0.9 * r, 2.6 * r))
+            .wall((left - 3.0 * r, 0.0), (right + 4.5 * r, 0.0))
+            .roller((x, r), r, FRAC_PI_2 + turn, Ink::Body)
+            .vector((x, r), (1.0, 0.0), 60.0, Ink::Force, "$qE$")
+            .vector((x, 0.09 * r), (rub, 0.0), 60.0, Ink::Force, "")
+            .text(
+                (x + 0.3 * r * rub.signum(), -0.16 * r),
+                "$F$",
+                Ink::Force,
+                Side::Below,
             );
-            let scene = Sketch::within((left - 3.0 * r, right + 4.5 * r), (-0.9 * r, 2.6 * r))
-                .wall((left - 3.0 * r, 0.0), (right + 4.5 * r, 0.0))
-                .roller((x, r), r, FRAC_PI_2 + turn, Ink::Body)
-                .vector((x, r), (1.0, 0.0), 60.0, Ink::Force, "$qE$")
-                .vector((x, 0.09 * r), (rub, 0.0), 60.0, Ink::Force, "")
-                .text(
-                    (x + 0.3 * r * rub.signum(), -0.16 * r),
-                    "$F$",
-                    Ink::Force,
-                    Side::Below,
-                );
-            Ok((alt, scene))
-        },
-    )
+        Ok((alt, scene))
+    })
 }

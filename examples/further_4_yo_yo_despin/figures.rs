@@ -196,7 +196,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         };
         let alt = format!(
             "After {t:.2} s {does}; the satellite turns with {:.2} rad/s. Below, its spin against time: \
-             it falls faster and faster, then evenly, and stays.",
+             it falls faster and faster, then evenly, \
+             and levels off where the strings let go.",
             w * state[2]
         );
         Ok((alt, sketch))

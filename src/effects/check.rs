@@ -95,6 +95,8 @@ pub(crate) struct Checked<'e> {
     start: State,
     /// The longest torque that was seen (N m).
     largest: f64,
+    /// The largest size that its rounding was a part of (N m).
+    size: f64,
     span: [f64; 2],
 }
 
@@ -119,9 +121,9 @@ impl<'e> Checked<'e> {
         }
         let places = checked.places(state)?;
         for (t, state) in &places {
-            checked.largest = checked
-                .largest
-                .max(checked.finite_torque(*t, state)?.norm());
+            let torque = checked.finite_torque(*t, state)?;
+            checked.largest = checked.largest.max(torque.norm());
+            checked.size = checked.size.max(effect.torque_size(*t, body, state));
         }
         checked.scale(state)?;
         for (t, state) in &places {
@@ -144,6 +146,7 @@ impl<'e> Checked<'e> {
             body: *body,
             start: *state,
             largest: 0.0,
+            size: 0.0,
             span,
         }
     }
@@ -238,7 +241,7 @@ impl<'e> Checked<'e> {
             return Ok(());
         }
         let above = "that its torque comes within a millionth of torque_scale";
-        self.held(above, t, scale, SCALE_ABOVE * self.largest)
+        self.held(above, t, scale, SCALE_ABOVE * self.size)
     }
 
     /// What changes L on the body's axes, beside their turning by I^-1 L: the torque, and
@@ -305,7 +308,7 @@ impl<'e> Checked<'e> {
             }
             before = after;
         }
-        let mut size = self.largest;
+        let mut size = self.size;
         if self.nature.slips {
             let rate = self.body.angular_velocity(&self.start).norm();
             size = size.max(self.start.angular_momentum.norm() * rate);
@@ -406,7 +409,7 @@ impl<'e> Checked<'e> {
     pub fn at(&self, t: f64, state: &State) -> Result<()> {
         let (effect, body, nature) = (self.effect, &self.body, self.nature);
         let torque = self.finite_torque(t, state)?;
-        let slack = ROUNDING * self.largest.max(torque.norm());
+        let slack = ROUNDING * self.size.max(torque.norm());
         let off = |other: SpaceVector| (other - torque).norm();
         if nature.torque_free {
             self.held("that there is no torque", t, torque.norm(), 0.0)?;
@@ -538,7 +541,7 @@ impl<'e> Checked<'e> {
         };
         let off = (found - power).abs();
         let rounding = 4.0 * EPS * before.abs().max(after.abs()) / dt;
-        let size = self.largest.max(torque.norm()).max(acting.norm());
+        let size = self.size.max(torque.norm()).max(acting.norm());
         let allowed = POWER * size * rate + rounding;
         let claim = if self.nature.keeps.energy {
             "that it keeps the energy"

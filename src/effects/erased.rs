@@ -14,6 +14,7 @@ pub(crate) trait AnyEffect {
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn torque_scale(&self, body: &RigidBody, state: &State) -> f64;
+    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn break_points(&self) -> Vec<f64>;
     fn narrowest(&self) -> Option<Feature>;
     fn known(&self) -> Known;
@@ -42,6 +43,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
         Effect::torque_scale(self, body, state)
+    }
+    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        Effect::torque_size(self, t, body, state)
     }
     fn break_points(&self) -> Vec<f64> {
         Effect::break_points(self)

@@ -157,6 +157,12 @@ pub trait Effect {
         self.torque(0.0, body, state).norm()
     }
 
+    /// The size that its rounding is a part of (N m): the length of the torque; of several
+    /// effects the sum of theirs, which may cancel.
+    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.torque(t, body, state).norm()
+    }
+
     /// The times (s) at which the torque jumps or has a kink: solutions are cut there, and
     /// between them the effect is as smooth as its nature says.
     fn break_points(&self) -> Vec<f64> {

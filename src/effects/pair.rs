@@ -86,6 +86,10 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         self.0.torque_scale(body, state) + self.1.torque_scale(body, state)
     }
 
+    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_size(t, body, state) + self.1.torque_size(t, body, state)
+    }
+
     fn break_points(&self) -> Vec<f64> {
         let mut all = self.0.break_points();
         all.extend(self.1.break_points());

@@ -22,13 +22,16 @@ fn the_reference_case_is_met() {
 fn other_pendulums_are_confirmed() {
     let runs = [
         "--radius=0.9",
+        "--radius=1.5",
+        "--radius=1.5 --friction=0.5",
         "--radius=0.001",
         "--rod=20",
         "--disc=1e-3",
         "--length=0.05 --radius=0.05",
         "--gravity=1.62",
         "--release=0.001",
-        "--release=3.1",
+        "--release=3.1 --tolerance=1e-15",
+        "--release=3.1 --tolerance=1e-7",
         "--release=3.14159",
         "--release=3.14159265",
         "--friction=0.002",
@@ -36,7 +39,7 @@ fn other_pendulums_are_confirmed() {
         "--friction=1e4",
         "--tolerance=1e-3",
     ];
-    confirmed(&EXAMPLE, runs, 14);
+    confirmed(&EXAMPLE, runs, 17);
 }
 
 #[test]
@@ -47,7 +50,8 @@ fn what_is_no_such_pendulum_is_refused() {
         ("--disc=NaN", "disc"),
         ("--release=3.2", "release = 3.2 is not allowed"),
         ("--friction=0", "friction = 0 is not allowed"),
-        ("--radius=3", "from 0.00000001 to 2"),
+        ("--radius=3", "from 0.00000001 to 1"),
+        ("--release=1e-9", "from 0.001 to 3.1"),
     ];
     refused(&EXAMPLE, runs);
 }

@@ -26,6 +26,7 @@ fn what_is_no_satellite_is_refused() {
     let runs = [
         ("--radius=-0.5", "radius = -0.5 is not allowed"),
         ("--weight=0", "weight = 0 is not allowed"),
+        ("--spin=1e200", "it must be from 0.000001 to 1000000"),
         ("--aim=11", "aim/spin = 1.1"),
         ("--inertia=0.01", "I/(2 m R^2) = 0.04"),
         ("--string=20", "string/radius = 40"),

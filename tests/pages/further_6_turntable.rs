@@ -223,6 +223,31 @@ fn the_energy_in_the_cylinder_is_kept() {
     damaged.exceed(0.019, 11);
 }
 
+/// On the green the ball rolled, v = a omega x n; with that spin it swings about a place that is
+/// b higher, above the edge, and turns back before it is 4 mm deep.
+#[test]
+fn a_ball_that_rolled_over_the_green_is_turned_back() {
+    let p = Parameters::default();
+    let ((ball, start), bobbing, b) = (in_hole(&p, 0.0).unwrap(), Bobbing::new(&p), p.hole - p.golf);
+    let up = SpaceVector::new(0.0, 0.0, 1.0);
+    let green = up.cross(&SpaceVector::new(0.0, b * p.orbit, 0.0)) / p.golf;
+    let start = Moving { spin: start.spin + green, ..start };
+    let height = |middle: f64, t: f64| {
+        let (s, c) = sincos(bobbing.rate * t);
+        middle * (1.0 - c) - p.drop / bobbing.rate * s
+    };
+    let (mut errors, mut damaged) = (Errors::of("height, m"), Errors::of("without that spin"));
+    for t in times(0.02, 0.3, 10) {
+        let z = later(ball, &start, t).place.z();
+        errors.push(z - height(bobbing.middle + b, t));
+        damaged.push(z - height(bobbing.middle, t));
+    }
+    errors.attain(4.54e-16..=4.55e-16, 11);
+    damaged.exceed(1e-3, 11);
+    let middle = bobbing.middle + b;
+    assert!(middle > 0.02 && hypot(middle, p.drop / bobbing.rate) - middle < 0.0036);
+}
+
 /// With two thirds of the friction that it needs the golf ball slips, sinks, and stays below the
 /// lowest place that it had with enough; with enough it comes back.
 #[test]

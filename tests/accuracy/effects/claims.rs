@@ -5,7 +5,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
     CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, Known, Nature,
-    PrescribedTorque, Profile, ViscousFriction, check,
+    PrescribedTorque, Profile, Torque, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 
@@ -208,6 +208,31 @@ fn every_claim_is_true_and_its_twin_is_refused() {
     let of_all = 7 + 9 + 3 * 12 + 4 * 12 + 2 * 11;
     assert_eq!(tally.refused, 4 * of_all + 2 * 12);
     assert_eq!(tally.refused + tally.allowed, 46 * LIES.len());
+}
+
+/// Gravity and a wire that bears all of it but a small part: what is left is judged against
+/// the rounding of the two, not its own. Its twin has a jump that is longer than that.
+#[test]
+fn effects_that_nearly_cancel_are_judged_by_their_own_sizes() {
+    let body = body(1.0, 1.0, 0.6);
+    let start = tilted(&body, [0.3, 0.1, 2.0]);
+    let weight = 9.8;
+    let (mut held, mut refused) = (0, 0);
+    for left in [0.0, 1e-15, 1e-13, 1e-9] {
+        for jump in [0.0, 1e-7] {
+            let lever = GravityAtLever::new(weight, 0.3).expect("gravity");
+            let wire = Torque::on_space("wire", move |_t, _body: &RigidBody, state: &State| {
+                let axis = state.attitude.axis();
+                let aside = if axis.x() > 0.1 { jump } else { 0.0 };
+                SpaceVector::new(axis.y(), -axis.x(), 0.0) * (weight * 0.3 * (1.0 - left))
+                    + SpaceVector::new(0.0, 0.0, aside)
+            });
+            let verdict = check(&(lever, wire.smooth()), &body, SPAN, &start);
+            held += usize::from(jump == 0.0 && verdict.is_ok());
+            refused += usize::from(jump > 0.0 && verdict.is_err());
+        }
+    }
+    assert_eq!((held, refused), (4, 4));
 }
 
 /// A body at rest, a start without spin, a torque of size zero: nothing is claimed falsely.
