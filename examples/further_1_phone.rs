@@ -107,13 +107,17 @@ pub fn part(
     Ok(held.iter().filter(|&&held| held).count() as f64 / held.len() as f64)
 }
 
-/// The angle off the short edge from which it first turns over after the time t, by `until`.
+/// The widest throw that is asked for: farther off it is about another axis.
+const WIDEST: f64 = 1.4;
+
+/// The angle off the short edge from which it first turns over after the time t, by `until`; the
+/// widest, if it turns over later from there as well.
 pub fn margin(t: f64, pace: f64, until: impl Fn(f64) -> Result<f64>) -> Result<f64> {
     let mut tilt = exp(-pace * t);
     for _ in 0..40 {
         // What is late by x must begin e^(pace x) times farther off.
         let late: f64 = until(tilt)? - t;
-        tilt = (tilt * exp(pace * late)).min(1.4);
+        tilt = (tilt * exp(pace * late)).min(WIDEST);
         if late.abs() < 1e-13 * t {
             break;
         }
@@ -180,7 +184,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [along_long, along_normal] = [sways(0)?, sways(2)?];
     let hands = |count| hand(count, moments, rate, p.spread);
     let over_by = |turns: f64| move |throw: Throw| Ok(throw.until_flip()? < turns / p.turns);
-    let down = |of: &dyn Fn(&Throw) -> Result<f64>| part(hands(600), |throw| Ok(of(&throw)? < 0.0));
+    let down =
+        |of: &dyn Fn(&Throw) -> Result<f64>| part(hands(2500), |throw| Ok(of(&throw)? < 0.0));
     let steady = [
         steady(moments, 1.0, p.spread)?,
         steady(moments, p.turns * caught, p.spread)?,
@@ -226,12 +231,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// turns of the throw until it is half over
         turns_to_flip: p.turns * first, "-", "located event" => p.turns * one.t, within p.turns * slack;
         /// off towards the long edge: half over just at the catch
-        margin_long: long, "rad", "stepped" => margin(caught, pace, stepped(0.0))?, within 1e-6 * long + 1e-14, if aimed,
+        margin_long: long, "rad", "stepped" => margin(caught, pace, stepped(0.0))?, within 1e-6 * long + 1e-14, if aimed && long < WIDEST,
         in "How well one must aim":
             exp(-pace * caught) => "the factor before the exponential is missing";
         /// the same, off towards the normal
         margin_normal: normal, "rad", "stepped" => margin(caught, pace, stepped(0.5 * PI))?,
-        within 1e-6 * normal + 1e-14, if aimed, in "How well one must aim":
+        within 1e-6 * normal + 1e-14, if aimed && normal < WIDEST, in "How well one must aim":
             long => "that is towards the long edge";
         /// ten times nearer to the axis: so much later
         decade: LN_10 / pace, "s", "from 1e-6 and 1e-7 rad, stepped" => waited, within 1e-5 / pace,

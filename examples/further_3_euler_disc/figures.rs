@@ -88,8 +88,8 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
             .dashed([contact, contact - out * 0.95], Ink::Ink)
             .line(arc, Ink::Ink)
             .text(contact - out * 0.78 + SpaceVector::new(0.0, 0.0, 0.1), r"$\alpha$", Ink::Ink, Side::Left)
-            .arrow(centre, centre + disc.axis * 0.6, Ink::Body, "$e_3$", Side::Left)
-            .line([0.0, 1.0].map(|part| centre + disc.axis * 0.035 + up * part), Ink::Ink)
+            .arrow(centre, centre + disc.axis * 0.6, Ink::Body, r"$\hat e_3$", Side::Left)
+            .line([centre, centre + up].map(|at| at + disc.axis * 0.035), Ink::Ink)
             .text(centre + up * 0.55, "$R$", Ink::Ink, Side::Above)
             .turn(circle(1.1, -1.35, -0.55), Ink::Velocity)
             .text(circle(1.17, -0.95, -0.95).next().unwrap_or(contact), r"$\Omega$", Ink::Velocity, Side::Below)
@@ -154,9 +154,9 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
     /// a larger one it bulges above.
     bend: {
         let (_, _, settled) = &losses[1];
-        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/n'}$").range(0.0, 1.0));
+        let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/\beta}$").range(0.0, 1.0));
         let from = settled.at(0.0)?.rate;
-        for (name, n, at, side) in [("$n' = 0.12$", 0.12, 0.5, Side::BelowLeft), ("$n' = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), ("$n' = 0.3$", 0.3, 0.75, Side::AboveRight)] {
+        for (name, n, at, side) in [(r"$\beta = 0.12$", 0.12, 0.5, Side::BelowLeft), (r"$\beta = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), (r"$\beta = 0.3$", 0.3, 0.75, Side::AboveRight)] {
             let z = |t: f64| Ok::<_, Error>((t * time, pow(settled.at(t)?.rate / from, -1.0 / n)));
             let curve = Curve::new(sampled(times(0.0, settled.passed[2], 120), z)?, Ink::Velocity);
             let (x, y) = z(at * settled.end)?;
