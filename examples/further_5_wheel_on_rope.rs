@@ -312,7 +312,7 @@ pub fn angles(y: &[f64; 12]) -> [f64; 2] {
 
 // ANCHOR: modes
 /// Small oscillations about a steady precession: a squared frequency, and the rates of
-/// [`ODD`] with which it starts.
+/// `ODD` with which it starts.
 pub struct Mode {
     pub frequency: f64,
     pub start: [f64; 3],
