@@ -46,7 +46,9 @@ fn over_years(end: f64, count: u32, size: impl Fn(f64) -> f64, ink: Ink) -> Curv
 
 fn sampled_steps(p: &Parameters) -> Result<Vec<f64>> {
     let steps = LEDGER.into_iter();
-    steps.map(|step| Ok(step.period(p)? * p.day / DAY)).collect()
+    steps
+        .map(|step| Ok(step.period(p)? * p.day / DAY))
+        .collect()
 }
 
 /// The steps of the ledger, one below the other, each from the period before to its own.
@@ -56,11 +58,17 @@ fn stairs(p: &Parameters) -> Result<Panel> {
     let high = periods.iter().copied().fold(p.observed, f64::max);
     let axes = Panel::over_axes(
         Axis::linear("period / d").range(low - 0.15 * (high - low), high + 0.2 * (high - low)),
-        Axis::linear("").range(0.4, 5.6).ticks(Vec::<(f64, &str)>::new()),
+        Axis::linear("")
+            .range(0.4, 5.6)
+            .ticks(Vec::<(f64, &str)>::new()),
     );
     let mut panel = axes.upright(p.observed, Ink::Frame, "observed");
     let mut before: Option<f64> = None;
-    for ((step, period), row) in LEDGER.into_iter().zip(periods).zip([5.0, 4.0, 3.0, 2.0, 1.0]) {
+    for ((step, period), row) in LEDGER
+        .into_iter()
+        .zip(periods)
+        .zip([5.0, 4.0, 3.0, 2.0, 1.0])
+    {
         let simulated = step.simulated(p, 1e-9)? * p.day / DAY;
         if let Some(from) = before {
             let stair = [(from, row + 1.0), (from, row), (period, row)];
@@ -134,7 +142,11 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
 /// The pole of rotation on the ground, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let excited = Excited::new(p)?;
-    let columns = ["t [d]", "towards Greenwich [arcsec]", "towards 90 E [arcsec]"];
+    let columns = [
+        "t [d]",
+        "towards Greenwich [arcsec]",
+        "towards 90 E [arcsec]",
+    ];
     Trajectory::sampled(columns, times(0.0, 13.0 * YEAR, 950), |t| {
         let [x, y] = excited.at(t);
         Ok([t, x, y])
@@ -149,8 +161,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         hypot(x, y)
     };
     let top = times(0.0, 13.0, 400).map(distance).fold(0.0, f64::max);
-    let graph = Panel::over_axes("years", Axis::linear("distance / arcsec").range(0.0, 1.05 * top))
-        .curve(Curve::of(times(0.0, 13.0, 400), distance, Ink::Velocity));
+    let graph = Panel::over_axes(
+        "years",
+        Axis::linear("distance / arcsec").range(0.0, 1.05 * top),
+    )
+    .curve(Curve::of(times(0.0, 13.0, 400), distance, Ink::Velocity));
     let reach = 1.1 * top;
     MovingPicture::above(graph, 0.0..=13.0, [1.6, 3.2, 6.4], move |t| {
         let path = |from: f64| {
@@ -168,8 +183,20 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             hypot(x, y)
         );
         let ground = Sketch::within((-reach, 1.25 * reach), (-0.85 * reach, 0.95 * reach))
-            .arrow((0.0, 0.0), (1.1 * reach, 0.0), Ink::Frame, "Greenwich", Side::Below)
-            .arrow((0.0, 0.0), (0.0, 0.85 * reach), Ink::Frame, "90° E", Side::Right)
+            .arrow(
+                (0.0, 0.0),
+                (1.1 * reach, 0.0),
+                Ink::Frame,
+                "Greenwich",
+                Side::Below,
+            )
+            .arrow(
+                (0.0, 0.0),
+                (0.0, 0.85 * reach),
+                Ink::Frame,
+                "90° E",
+                Side::Right,
+            )
             .curve(Curve::new(path(0.0)?, Ink::Velocity).thin().faint(0.45))
             .curve(Curve::new(path((t - 1.0).max(0.0))?, Ink::Velocity))
             .dot((x, y), Ink::Velocity, r"$\Omega$", Side::AboveRight);

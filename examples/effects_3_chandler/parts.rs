@@ -38,9 +38,8 @@ impl CoreAndMantle {
     /// The two momenta: that of the whole, and that of the core, which counts its vortices.
     /// The tensors are those of an even turning, and what has changed of them.
     pub fn momenta(&self, [omega, chi]: Turning) -> Turning {
-        let times = |[x, y, z]: [f64; 3], v: BodyVector| {
-            BodyVector::new(x * v.x(), y * v.y(), z * v.z())
-        };
+        let times =
+            |[x, y, z]: [f64; 3], v: BodyVector| BodyVector::new(x * v.x(), y * v.y(), z * v.z());
         let [own, both, core] = self.yields;
         let turned = omega + chi;
         let follows = |a: f64, b: f64, v: BodyVector| {
@@ -49,16 +48,20 @@ impl CoreAndMantle {
         let of_core = follows(both, core, turned);
         let whole = times(self.whole, omega) + times(self.link, chi);
         let fluid = times(self.link, omega) + times(self.core, chi);
-        [whole + follows(own, both, omega) + follows(both, core, chi), fluid + of_core]
+        [
+            whole + follows(own, both, omega) + follows(both, core, chi),
+            fluid + of_core,
+        ]
     }
 
     /// How they change: L' = L x omega, as for any free body, and N' = chi x N, since the
-    /// vortices go with the fluid.
-    pub fn law(self) -> impl Ode<6> {
-        ode(move |_, y: &[f64; 6]| {
+    /// vortices go with the fluid; `sizes` against which errors count.
+    pub fn law(self, sizes: [f64; 6]) -> impl Ode<6> {
+        let law = ode(move |_, y: &[f64; 6]| {
             let ([l, n], [omega, chi]) = (pair(y), self.turning(pair(y)));
             joined([l.cross(&omega), chi.cross(&n)])
-        })
+        });
+        law.scaled(move |_| sizes)
     }
 }
 
@@ -87,14 +90,20 @@ impl CoreAndMantle {
         let (across, along) = (p.core * p.a, p.core * p.a * (1.0 + p.cavity));
         from_to(0.0, p.a).check("moment of the core", along)?;
         let link = (along * (2.0 * across - along)).sqrt();
-        let elastic = if step.elastic { p.love / p.fluid * (p.c - p.a) } else { 0.0 };
+        let elastic = if step.elastic {
+            p.love / p.fluid * (p.c - p.a)
+        } else {
+            0.0
+        };
         let own = step.following(p)? * (p.c - p.a);
+        // A core of another size bears on the mantle, and yields, in proportion to it.
         let [of_whole, by_core, of_core] = YIELDING;
+        let core = elastic * p.core / of_whole;
         Ok(Self {
             whole,
             link: [link, link, along],
             core: [across, across, along],
-            yields: [own, elastic * by_core / of_whole, elastic * CORE * of_core / of_whole],
+            yields: [own, core * by_core / CORE, core * of_core],
         })
     }
 
@@ -122,8 +131,16 @@ impl CoreAndMantle {
     fn equation(&self) -> [f64; 3] {
         let [own, both, core] = self.yields;
         let (c, c_f) = (self.whole[2], self.core[2]);
-        let (a, link, f) = (self.whole[0] + own, self.link[0] + both, self.core[0] + core);
-        [(a - c) * c_f, (a - c) * f + a * c_f - link * link, a * f - link * link]
+        let (a, link, f) = (
+            self.whole[0] + own,
+            self.link[0] + both,
+            self.core[0] + core,
+        );
+        [
+            (a - c) * c_f,
+            (a - c) * f + a * c_f - link * link,
+            a * f - link * link,
+        ]
     }
 
     /// The rates of small wobbles over that of the day: the slow one, and the nearly daily
@@ -147,7 +164,7 @@ impl CoreAndMantle {
         let chi = BodyVector::new(size * self.share(rate), 0.0, 0.0);
         let start = self.momenta([BodyVector::new(size, 0.0, 1.0), chi]);
         let [[x, _, z], [u, _, w]] = start.map(|v| v.to_array().map(f64::abs));
-        let law = self.law().scaled(move |_| [x, x, z, u, u, w]);
+        let law = self.law([x, x, z, u, u, w]);
         let pole = |y: &[f64; 6]| self.turning(pair(y))[0].y();
         let back = Dop853::new(step)?.zero(&law, joined(start), count, 1e6, pole)?;
         Ok(back.0.t / TAU)
@@ -199,8 +216,11 @@ impl CoreAndMantle {
             along * along - w.dot(&w) * v.dot(&v) / 3.0
         };
         let [pp, pq, qq] = {
-            let [ww, wv, vv] =
-                [product(omega, omega), product(omega, turned), product(turned, turned)];
+            let [ww, wv, vv] = [
+                product(omega, omega),
+                product(omega, turned),
+                product(turned, turned),
+            ];
             [ww, wv - ww, vv - 2.0 * wv + ww]
         };
         let strain = 0.25 * own * pp + 0.5 * both * pq + 0.25 * core * qq;

@@ -257,8 +257,7 @@ impl Effect for ElasticYielding {
         let (_, change) = self.turning(body, momentum);
         let (i, l) = (body.moments().to_array(), momentum.to_array());
         // l/(I + change) - l/I, which is small, without a difference.
-        let [x, y, z] =
-            core::array::from_fn(|k| -l[k] * (change[k] / (i[k] * (i[k] + change[k]))));
+        let [x, y, z] = core::array::from_fn(|k| -l[k] * (change[k] / (i[k] * (i[k] + change[k]))));
         state.attitude.to_space(BodyVector::new(x, y, z))
     }
 
