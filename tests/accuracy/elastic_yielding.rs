@@ -13,7 +13,7 @@ use rotation_dynamics::integrators::{Dop853, Method, ode};
 use rotation_dynamics::math::log;
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::{Invariant, Scene};
-use support::{EPS, Errors, assert_error};
+use support::{Errors, assert_error};
 
 const RATE: f64 = 2.0;
 
@@ -93,8 +93,8 @@ fn the_turning_has_this_momentum() {
             assert_eq!(scene.angular_velocity(0.0, &still).norm(), 0.0);
         }
     }
-    momentum.attain(0.0..=3.0 * EPS, 48);
-    turning.attain(0.0..=8.0 * EPS, 48);
+    momentum.attain(1.47e-16..=1.48e-16, 48);
+    turning.attain(2.86e-15..=2.87e-15, 48);
     twin.exceed(1e-2, 12);
 }
 
@@ -120,8 +120,8 @@ fn a_symmetric_body_moves_as_a_rigid_one() {
             twin.push_at(end.attitude.angle_to(&rigid.attitude(20.0)), (i3, part));
         }
     }
-    delivered.attain(0.0..=1.0, 9);
-    twin.exceed(0.1, 9);
+    delivered.attain(8.8e-3..=8.9e-3, 9);
+    twin.exceed(0.03, 9);
 }
 
 /// The free period of small wobbles, simulated: (1 + f k)/(f (1 - k)) turns for a part k and
@@ -157,7 +157,7 @@ fn the_free_period_grows_by_what_follows() {
             }
         }
     }
-    errors.attain(1e-13..=1e-10, 12);
+    errors.attain(1.24e-13..=1.25e-13, 12);
     let slope = |k: usize| (first[k + 1].1 - first[k].1) / (first[k + 1].0 - first[k].0);
     for k in 0..2 {
         assert!((slope(k) - 1.0).abs() < 0.01, "order {}", slope(k));
@@ -203,7 +203,7 @@ fn what_is_kept() {
             .all(|state| state.angular_momentum == start.angular_momentum)
     );
     let energy = drift(&|state| scene.energy(state), &states);
-    assert_error!(energy, 0.0, 1e-12);
+    assert_error!(energy, 4.0 eps);
     // The motion's energy alone, with the strain's left out, is not kept.
     let twin = Scene::new(body).with(Unstrained(yielding));
     assert!(drift(&|state| twin.energy(state), &states) > 1e-4);
@@ -220,7 +220,7 @@ fn what_is_kept() {
     );
     let end = scene.solve(&start, 50.0, 1e-12).expect("solved").state;
     let axial = |state| scene.value(Invariant::AxialMomentum, state);
-    assert_error!(axial(&end), axial(&start), 1e-12);
+    assert_error!(axial(&end), axial(&start), 2.0 eps);
 }
 
 /// A heavy body that yields keeps its energy; friction takes what the power says.
@@ -230,7 +230,7 @@ fn a_heavy_body_keeps_its_energy_or_loses_what_its_power_says() {
     let gravity = GravityAtLever::new(2.0, 0.3).expect("gravity");
     let heavy = Scene::new(body).with(gravity).with(yielding);
     let end = heavy.solve(&start, 20.0, 1e-12).expect("solved").state;
-    assert_error!(heavy.energy(&end) / heavy.energy(&start), 1.0, 1e-12);
+    assert_error!(heavy.energy(&end) / heavy.energy(&start), 1.0, 4.0 eps);
     assert!(
         heavy.power(3.0, &end).abs() < 1e-9,
         "{}",
@@ -250,7 +250,7 @@ fn a_heavy_body_keeps_its_energy_or_loses_what_its_power_says() {
     // Without what the torques make of the strain.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-2, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 1e-8);
+    assert_error!(scene.power(t, &state), slope, 6.7e-11);
 }
 
 #[test]
@@ -366,7 +366,8 @@ fn what_yields_by_no_such_part_is_refused() {
     let earth = ElasticYielding::from_love_number(0.3, 6.371e6, 7.292_115e-5).expect("the Earth");
     let size = 5.972e24 * 6.378e6 * 6.378e6;
     let body = self::body([0.329_591 * size, 0.329_591 * size, 0.330_675 * size]);
-    assert_error!(earth.number(&body), 0.32, 1e-2);
+    // The mean radius for the one at the equator, whose fifth power counts.
+    assert_error!(earth.number(&body), 0.319_721, 6.77e-3);
 }
 
 /// Methods that carry attitude and L agree.
@@ -388,5 +389,5 @@ fn every_method_carries_it() {
             .expect("carried");
         errors.push_at(end.attitude.angle_to(&reference.attitude), method);
     }
-    errors.attain(1e-13..=1e-11, 4);
+    errors.attain(1.78e-13..=1.79e-13, 4);
 }
