@@ -212,8 +212,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let stepped = |step: Step| Ok(step.simulated(p, 1e-13)? * days);
     let [rigid, shell, elastic] = [period(RIGID)?, period(SHELL)?, period(ELASTIC)?];
     let [fluid, ocean, whole] = [period(FLUID)?, period(OCEAN)?, period(WHOLE)?];
-    // The formulas are those of a small wobble.
-    let bound = 1e-9 * whole;
+    // The formulas are those of a small wobble; that of the quality is of first order.
+    let (bound, first) = (1e-9 * whole, flattening(p)?);
     let year = excited::YEAR;
     let quality = 0.5 * (p.fluid * (1.0 - WHOLE.following(p)?)) / p.loss;
     let complex = CoreAndMantle::of(p, &WHOLE)?.quality(p.loss / p.fluid * (p.c - p.a));
@@ -258,12 +258,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             2.0 * quality => "the energy goes as the square";
         /// the part of the wobble that is left after a circuit, at this quality
         left_over: exp(-PI / quality), "-",
-        "simulated with both effects" => faded(p, quality)?, within 1e-6, in "Fading":
+        "simulated with both effects" => faded(p, quality)?, within 5e-3 / (quality * quality), in "Fading":
             exp(-2.0 * PI / quality) => "that is the energy";
         /// time in which it fades to 1/e
         fading: quality * whole / (PI * year), "yr",
         "complex root for core and mantle" => complex * whole / (PI * year),
-        within 0.02 * quality * whole / (PI * year), in "Fading":
+        within first * quality * whole / (PI * year), in "Fading":
             2.0 * quality * whole / (PI * year) => "that is of the energy: a factor of two";
         /// from one beat with the year to the next
         beat: beat, "yr", "located on the path" => excited.located_beat()?,
