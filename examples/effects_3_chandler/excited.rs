@@ -74,7 +74,6 @@ pub struct Excited {
 /// Months of the motion that is kept: 150 years.
 const MONTHS: usize = 1827;
 
-// ANCHOR: excited
 impl Excited {
     /// The wobble of the whole Earth, which starts with its usual size.
     pub fn new(p: &Parameters) -> Result<Self> {
@@ -104,6 +103,7 @@ impl Excited {
         Ok(this)
     }
 
+    // ANCHOR: excited
     /// Where the pole goes in a time from `from`, the axis of the figure pushed to `to`: it
     /// winds about that, and comes nearer.
     fn pushed(&self, from: Plane, to: Plane, time: f64) -> Plane {
@@ -128,10 +128,8 @@ impl Excited {
             t - MONTH * month as f64,
         )
     }
-}
-// ANCHOR_END: excited
+    // ANCHOR_END: excited
 
-impl Excited {
     /// The distance of the pole if nobody pushes, without its yearly part.
     pub fn unpushed(&self, t: f64) -> f64 {
         self.wobble * exp(-self.rate[1] * t)

@@ -88,16 +88,17 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
     /// off the figure axis. Inside the mantle a flattened fluid core. A dashed outline, turned
     /// a part of the way towards the axis of rotation, shows the bulge that has followed.
     parts: {
-        let (tilt, along) = (0.22, |v: [(f64, f64); 2]| v[1]);
-        Sketch::within((-1.55, 1.75), (-1.25, 1.65))
-            .body(ellipse(1.2, 1.0, 0.0), Ink::Body, 0.12)
-            .curve(Curve::new(ellipse(1.2, 1.0, 0.1), Ink::Body).dashed().thin())
-            .body(ellipse(0.62, 0.52, 0.0), Ink::Energy, 0.25)
-            .guide(through(0.0, -1.1, 1.25))
-            .arrow((0.0, 0.0), along(through(tilt, 0.0, 1.45)), Ink::Velocity, r"$\Omega$", Side::Right)
-            .text((0.0, 1.25), "$z$", Ink::Body, Side::Above)
-            .text((0.0, -0.3), "fluid core", Ink::Energy, Side::Centre)
-            .text((0.0, -0.78), "mantle", Ink::Body, Side::Centre)
+        let (tilt, end) = (0.4, |v: [(f64, f64); 2]| v[1]);
+        Sketch::within((-1.6, 1.7), (-1.2, 1.6))
+            .body(ellipse(1.3, 0.92, 0.0), Ink::Body, 0.12)
+            .curve(Curve::new(ellipse(1.3, 0.92, 0.16), Ink::Body).dashed())
+            .body(ellipse(0.66, 0.5, 0.0), Ink::Energy, 0.25)
+            .guide(through(0.0, -1.1, 1.3))
+            .arrow((0.0, 0.0), end(through(tilt, 0.0, 1.5)), Ink::Velocity, "", Side::Right)
+            .text(end(through(tilt, 0.0, 1.5)), r"$\Omega$", Ink::Velocity, Side::Right)
+            .text((0.0, 1.3), "$z$", Ink::Body, Side::Above)
+            .text((-0.32, 0.0), "fluid core", Ink::Energy, Side::Centre)
+            .text((-0.9, 0.0), "mantle", Ink::Body, Side::Centre)
     };
 
     /// Periods from the rigid Earth, 303 days, in steps: the yielding mantle takes it beyond
@@ -166,7 +167,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         Axis::linear("distance / arcsec").range(0.0, 1.05 * top),
     )
     .curve(Curve::of(times(0.0, 13.0, 400), distance, Ink::Velocity));
-    let reach = 1.1 * top;
     MovingPicture::above(graph, 0.0..=13.0, [1.6, 3.2, 6.4], move |t| {
         let path = |from: f64| {
             let count = 2 + (60.0 * (t - from)) as u32;
@@ -182,21 +182,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              over thirteen years.",
             hypot(x, y)
         );
-        let ground = Sketch::within((-reach, 1.25 * reach), (-0.85 * reach, 0.95 * reach))
-            .arrow(
-                (0.0, 0.0),
-                (1.1 * reach, 0.0),
-                Ink::Frame,
-                "Greenwich",
-                Side::Below,
-            )
-            .arrow(
-                (0.0, 0.0),
-                (0.0, 0.85 * reach),
-                Ink::Frame,
-                "90° E",
-                Side::Right,
-            )
+        let ground = Sketch::within((-1.15 * top, 2.0 * top), (-1.1 * top, 1.45 * top))
+            .guide([(0.0, 0.0), (1.25 * top, 0.0)])
+            .guide([(0.0, 0.0), (0.0, 1.2 * top)])
+            .text((1.25 * top, 0.0), "Greenwich", Ink::Frame, Side::Right)
+            .text((0.0, 1.2 * top), "90° E", Ink::Frame, Side::Above)
             .curve(Curve::new(path(0.0)?, Ink::Velocity).thin().faint(0.45))
             .curve(Curve::new(path((t - 1.0).max(0.0))?, Ink::Velocity))
             .dot((x, y), Ink::Velocity, r"$\Omega$", Side::AboveRight);
