@@ -65,7 +65,7 @@ parameters! {
 
 /// (C - A)/A.
 fn flattening(p: &Parameters) -> Result<f64> {
-    from_to(1e-3, 0.01).check("(C - A)/A", (p.c - p.a) / p.a)
+    from_to(5e-4, 0.02).check("(C - A)/A", (p.c - p.a) / p.a)
 }
 
 /// An Earth of the ledger: which effects it has.
@@ -268,7 +268,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             2.0 * quality * whole / (PI * year) => "that is of the energy: a factor of two";
         /// from one beat with the year to the next
         beat: beat, "yr", "located on the path" => excited.located_beat()?,
-        within 1e-9 * beat, if p.annual > 0.0 && beat < 50.0 && beat > 1.5, in "The beat":
+        within 1e-9 * beat, if p.annual > 0.01 * p.wobble && beat < 50.0 && beat > 1.5, in "The beat":
             (whole - year) / year => "subtract the frequencies, not the periods";
         /// monthly pushes that keep up the wobble, root mean square of each component
         push: 1e3 * excited.push, "mas", "a thousand fading times of pushes" => {

@@ -73,8 +73,12 @@ fn stairs(p: &Parameters) -> Result<Panel> {
         if let Some(from) = before {
             let stair = [(from, row + 1.0), (from, row), (period, row)];
             panel = panel.curve(Curve::new(stair, Ink::Frame).thin());
-            let middle = (0.5 * (from + period)).min(high - 0.15 * (high - low));
-            panel = panel.note(middle, row, Ink::Ink, step.name, Side::Above);
+            let (left, middle) = (from.min(period), 0.5 * (from + period));
+            // Beside a stair where there is room, else above it.
+            panel = match left > 0.5 * (low + high) {
+                true => panel.note(left, row, Ink::Ink, step.name, Side::Left),
+                false => panel.note(middle, row, Ink::Ink, step.name, Side::Above),
+            };
         }
         let label = if before.is_none() { step.name } else { "" };
         panel = panel.dot(simulated, row, Ink::Body, label, Side::Right);
@@ -92,13 +96,13 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
         Sketch::within((-1.6, 1.7), (-1.2, 1.6))
             .body(ellipse(1.3, 0.92, 0.0), Ink::Body, 0.12)
             .curve(Curve::new(ellipse(1.3, 0.92, 0.16), Ink::Body).dashed())
-            .body(ellipse(0.66, 0.5, 0.0), Ink::Energy, 0.25)
+            .body(ellipse(0.66, 0.5, 0.0), Ink::Frame, 0.25)
             .guide(through(0.0, -1.1, 1.3))
             .arrow((0.0, 0.0), end(through(tilt, 0.0, 1.5)), Ink::Velocity, "", Side::Right)
             .text(end(through(tilt, 0.0, 1.5)), r"$\Omega$", Ink::Velocity, Side::Right)
             .text((0.0, 1.3), "$z$", Ink::Body, Side::Above)
-            .text((-0.32, 0.0), "fluid core", Ink::Energy, Side::Centre)
-            .text((-0.9, 0.0), "mantle", Ink::Body, Side::Centre)
+            .text((0.32, -0.16), "core", Ink::Frame, Side::Centre)
+            .text((-0.97, 0.0), "mantle", Ink::Body, Side::Centre)
     };
 
     /// Periods from the rigid Earth, 303 days, in steps: the yielding mantle takes it beyond
@@ -110,7 +114,7 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
     /// a fluid core it is lower by a ninth everywhere. Simulated dots on both lines.
     love: {
         let [frozen, frozen_dots] = swept(p, ELASTIC, Ink::Body)?;
-        let [fluid, fluid_dots] = swept(p, FLUID, Ink::Energy)?;
+        let [fluid, fluid_dots] = swept(p, FLUID, Ink::Frame)?;
         Panel::over_axes(Axis::linear("$k_2$").range(0.0, 0.6), Axis::linear("period / d").over([200.0, 900.0]))
             .level(p.observed, Ink::Frame, "observed")
             .curve(frozen.label_at("core frozen", 0.42, days(p, ELASTIC, 0.42), Side::Left))

@@ -7,7 +7,7 @@ use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 
-/// Newton's steps for the moments: each gains at least half of what they are, or is the last.
+/// Newton's steps for omega^2, at most: two or three do, more where a soft body turns fast.
 const STEPS: usize = 128;
 
 /// Elastic yielding to the centrifugal force: the tensor of inertia follows the angular
