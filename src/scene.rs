@@ -128,7 +128,7 @@ impl<E: Effect> Scene<E> {
         let slip = self.effects.slip(t, &self.body, state);
         let torque = self.effects.torque(t, &self.body, state);
         let rate = (slip.norm()).max(torque.norm() / state.angular_momentum.norm());
-        if !(rate > 0.0 && rate.is_finite()) {
+        if rate == 0.0 || !rate.is_finite() {
             return power;
         }
         let dt = SLIPPED / rate;

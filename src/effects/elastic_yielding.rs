@@ -218,10 +218,11 @@ impl ElasticYielding {
                 slope += rate * rate / moment;
             }
             let next = square - (square - sum) / (1.0 + 4.0 / 3.0 * self.compliance * slope);
-            if step > 0 && !(next > square) {
+            if step == 0 || next > square {
+                square = next;
+            } else {
                 break;
             }
-            square = next;
         }
         (square, self.change(square))
     }

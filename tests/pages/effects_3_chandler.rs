@@ -15,7 +15,7 @@ use support::{Errors, assert_error};
 fn every_such_earth_is_confirmed() {
     let runs = [
         "--love=0 --ocean=0 --slow=0", "--love=0.6", "--core=0.01", "--core=0.5", "--cavity=0.01",
-        "--cavity=0.001", "--a=0.329 --c=0.332", "--a=0.2 --c=0.20011 --core=0.5 --love=0.6 --ocean=0.1 --slow=0.05 --fluid=0.84 --loss=0.001 --wobble=1", "--a=0.3 --c=0.306 --loss=0.02 --love=0.6", "--day=20000", "--day=9e5",
+        "--cavity=0.001", "--a=0.329 --c=0.332", "--a=0.2 --c=0.20011 --core=0.5 --love=0.6 --ocean=0.1 --slow=0.05 --fluid=0.84 --loss=0.001 --wobble=1", "--a=0.3 --c=0.3058 --loss=0.02 --love=0.6", "--day=20000", "--day=9e5",
         "--loss=0.001", "--loss=0.02", "--fluid=1.2", "--wobble=1 --annual=1", "--annual=0", "--annual=1e-9",
         "--wobble=0.01", "--seed=0", "--seed=7.5", "--tolerance=1", "--observed=500",
     ];
@@ -63,10 +63,10 @@ fn eq_1_first_order() {
         let p = flat(f);
         LEDGER.map(|step| (step.simple(&p).unwrap() / step.period(&p).unwrap() - 1.0).abs())
     };
-    let errors = [0.00125, 0.0025, 0.005].map(|f| off(f));
+    let [fine, coarse] = [0.00125, 0.005].map(off);
     let mut slopes = Errors::of("order less one");
-    for k in 1..5 {
-        slopes.push(log(errors[2][k] / errors[0][k]) / log(4.0) - 1.0);
+    for (small, large) in fine.iter().zip(&coarse).skip(1) {
+        slopes.push(log(large / small) / log(4.0) - 1.0);
     }
     slopes.attain(8.6e-4..=8.7e-4, 4);
     let (p, mut twins) = (Parameters::default(), Errors::of("core forgotten, or its bulge"));
