@@ -144,7 +144,7 @@ fn eq_3_rates_of_core_and_mantle() {
 
 /// What the whole yields to the core's turning is what the core yields to the whole's.
 #[test]
-fn action_is_reaction() {
+fn the_yielding_is_reciprocal() {
     // Mathews et al. (1991): xi over A, gamma over A_f, their moments.
     assert_error!(2.222e-4 / CORE / 1.965e-3, 1.0, 1.12e-4);
     // Within half of the last digit of gamma.
