@@ -4,9 +4,9 @@
 #[path = "effects_1_gyroscope/figures.rs"]
 mod figures;
 #[path = "effects_1_gyroscope/ledger.rs"]
-mod ledger;
+pub mod ledger;
 #[path = "effects_1_gyroscope/measured.rs"]
-mod measured;
+pub mod measured;
 
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::Error;
@@ -21,25 +21,25 @@ parameters! {
     /// The half-kilogram gyroscope of the notes' section, in light gimbals with plain bearings.
     pub struct Parameters {
         /// turns of the rotor in a minute
-        rpm: number(3000.0, "1/min", from_to(2000.0, 10000.0).usually(2000.0, 6000.0)).drawn(2500.0, 5000.0, 500.0);
+        rpm: number(3000.0, "1/min", from_to(2000.0, 10000.0).usually(2000.0, 6000.0));
         /// tilt of the axis at the release
-        theta: number(PI / 3.0, "rad", from_to(0.5, 1.6).usually(0.7, 1.5)).drawn(0.6, 1.4, 0.1);
+        theta: number(PI / 3.0, "rad", from_to(0.5, 1.6).usually(0.7, 1.5));
         /// moment of the ring about the line of nodes, and across the axle
-        ring: number(1.5e-4, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 1e-3)).drawn(1e-4, 4e-4, 5e-5);
+        ring: number(1.5e-4, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 1e-3));
         /// moment of the ring along the axle
         ring_along: number(2e-5, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 1e-4));
         /// moment of the fork about the vertical
-        fork: number(2e-4, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 2e-3)).drawn(2e-4, 8e-4, 1e-4);
+        fork: number(2e-4, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 2e-3));
         /// dry friction of the tilt bearing
-        tilt_dry: number(3e-3, "N m", from_to(0.0, 0.1).usually(1e-3, 2e-2)).drawn(2e-3, 6e-3, 1e-3);
+        tilt_dry: number(3e-3, "N m", from_to(0.0, 0.03).usually(1e-3, 2e-2));
         /// viscous friction of the tilt bearing
-        tilt_viscous: number(1e-3, "N m s", from_to(1e-5, 0.1).usually(1e-4, 1e-2));
+        tilt_viscous: number(1e-3, "N m s", from_to(1e-5, 0.02).usually(1e-4, 1e-2));
         /// dry friction of the vertical pivot
-        pivot_dry: number(1e-4, "N m", from_to(5e-5, 2e-3).usually(5e-5, 5e-4)).drawn(5e-5, 2e-4, 5e-5);
+        pivot_dry: number(1e-4, "N m", from_to(5e-5, 2e-3).usually(5e-5, 5e-4));
         /// viscous friction of the vertical pivot
         pivot_viscous: number(1e-5, "N m s", from_to(0.0, 1e-3).usually(0.0, 1e-4));
         /// dry friction of the axle's ball bearings
-        axle_dry: number(1.5e-5, "N m", from_to(0.0, 1e-3).usually(0.0, 2e-4));
+        axle_dry: number(1.5e-5, "N m", from_to(0.0, 2e-4).usually(0.0, 2e-4));
         /// tilt at which the ring meets its stop
         stop: number(2.0, "rad", from_to(1.7, 2.8).usually(1.8, 2.4));
         /// error of a step of the simulations: from 1e-13 to 1e-8
@@ -81,7 +81,12 @@ impl Gyroscope {
             air: Some(DiscDrag::new(RADIUS, density, viscosity, spin)?),
         };
         let start = gimbals.released(p.theta, spin);
-        Ok(Self { gimbals, bearings, start }.dying()?)
+        Ok(Self {
+            gimbals,
+            bearings,
+            start,
+        }
+        .dying()?)
     }
 
     /// Its motion until `until` (s) or to the stop at this tilt (rad).
@@ -100,20 +105,26 @@ impl Gyroscope {
         self.gimbals.weight_moment() * sin(self.start.theta)
     }
 
-    /// m g l N/(L_z^2 sin^2): what is small for a fast rotor; the dip over 2 sin theta.
+    /// m g l N/(L_z^2 sin^2 theta), small for a fast rotor: the dip over 2 sin theta.
     pub fn slowness(&self) -> f64 {
-        let (s, axial) = (sin(self.start.theta), self.start.axial_momentum);
-        self.gimbals.weight_moment() * self.gimbals.turning(self.start.theta)
-            / (axial * axial * s * s)
+        let (theta, axial) = (self.start.theta, self.start.axial_momentum);
+        let momentum = axial * sin(theta);
+        self.gimbals.weight_moment() * self.gimbals.turning(theta) / (momentum * momentum)
     }
 
-    /// The bottom of the valley: where the axis would precess steadily with the momenta it has.
+    /// The bottom of the valley at the release.
     pub fn bottom(&self) -> Result<f64> {
-        let (g, axial) = (&self.gimbals, self.start.axial_momentum);
-        let vertical = g.vertical_momentum(&self.start);
-        let mut theta = self.start.theta;
+        self.bottom_at(&self.start, 0.0)
+    }
+
+    /// Where the axis would precess steadily with the momenta it has there, if a torque `held`
+    /// takes over a part of the weight's.
+    pub fn bottom_at(&self, at: &Pose, held: f64) -> Result<f64> {
+        let (g, axial) = (&self.gimbals, at.axial_momentum);
+        let vertical = g.vertical_momentum(at);
+        let mut theta = at.theta;
         for _ in 0..60 {
-            let rate = g.steady_rate(theta, axial, 0.0)?;
+            let rate = g.steady_rate(theta, axial, held)?;
             let there = g.turning(theta) * rate + axial * cos(theta);
             theta -= (vertical - there) / (axial * sin(theta));
         }
@@ -146,7 +157,7 @@ impl Gyroscope {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let y = Gyroscope::new(p)?;
-    let (g, axial, slow) = (&y.gimbals, y.start.axial_momentum, y.slowness());
+    let (g, axial) = (&y.gimbals, y.start.axial_momentum);
     let nod = Nod::of(g, &y.start)?;
     let simulated = measured::nod(&y, p.tolerance)?;
     let (dip, bottom) = (nod.theta_max - nod.theta_min, y.bottom()?);
@@ -157,7 +168,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (smooth, heat) = measured::damped(&y, p.tolerance)?;
     let fallen = g.weight_moment() * (cos(p.theta) - cos(bottom));
     let walking = 0.5 * g.turning(bottom) * steady * steady;
-    let fading = y.fading()?;
+    let (fading, slowness) = (y.fading()?, y.slowness());
+    // The axis sinks, and that changes the nods as well.
+    let sinks = slowness * p.pivot_viscous / g.turning(bottom);
+    let free = y.with(Bearings {
+        tilt: Bearing::SMOOTH,
+        ..y.bearings
+    });
+    let sag = free.fading()?.sag;
+    let about = p.pivot_dry + p.pivot_viscous * steady + p.axle_dry;
     let noise = 1e3 * p.tolerance;
     claims! { report,
         /// time of one nod, gimbals and all
@@ -185,33 +204,37 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             p.theta => "it cannot precess at the height at which it was released",
             p.theta + dip => "that is the lowest point of the first nod";
         /// rate of the smooth precession there
-        smooth_rate: steady, "rad/s", "m g l/L_z, to first order" => leading * (1.0 + slow * cos(p.theta)),
-        within 20.0 * slow * slow * leading;
+        smooth_rate: steady, "rad/s", "simulated, a turn" => measured::walk(&y, p.tolerance)?, within noise,
+        in "When the nods are over":
+            leading * sin(bottom) => "the torque has a factor sin(theta), and so has the momentum it turns";
         /// heat of the nods over what the fall gives
         heat_share: (fallen - walking) / fallen, "-", "simulated heat" => heat / fallen, within 1e-7 + noise,
         in "When the nods are over":
             1.0 => "the precession has a share of it, too";
         /// rate at which viscous friction takes the nods
         decay: fading.decay, "1/s", "simulated swings" => measured::decay(&y, p.tolerance)?,
-        within 2e-3 * fading.decay;
+        within 1e-3 * fading.decay + 3.0 * sinks, if 30.0 * sinks < fading.decay;
     }?;
-    let (count, halves) = (measured::half_nods(&y, p.tolerance)?, ledger::half_nods(&y)?);
+    let (count, halves) = (
+        measured::half_nods(&y, p.tolerance)?,
+        f64::from(ledger::half_nods(&y)),
+    );
     let end = measured::to_the_stop(&y, p)?;
     claims! { report,
         /// half nods until dry friction holds the tilt
         half_nods: halves, "-", "simulated, counted" => count.unwrap_or_default(),
-        within 2.0 + 4.0 * slow * halves, judged 0.05, if count.is_some(), in "When the nods are over":
+        within 0.0, judged 0.05, if count.is_some(), in "When the nods are over":
             2.0 * halves => "each half nod loses on both sides of the balance";
         /// sinking of the axis, at first
-        sag: fading.sag, "rad/s", "simulated without tilt friction" => measured::sag(&y, p.tolerance)?,
-        within 0.01 * (p.pivot_dry + p.axle_dry) / axial + 1e-6, judged 0.02, in "The sag":
-            -fading.sag => "the pivot takes angular momentum about the vertical";
+        sag: sag, "rad/s", "simulated without tilt friction" => measured::sag(&y, p.tolerance)?,
+        within 0.02 * about / (axial * sin(bottom)) + 1e-6, judged 0.02, in "The sag":
+            -sag => "the pivot takes angular momentum about the vertical";
         /// time to the stop
         to_stop: end.as_ref().map_or(0.0, |e| e.slow), "s", "simulated, all of it" => end.as_ref().map_or(0.0, |e| e.t),
-        within 2e-3 * end.as_ref().map_or(0.0, |e| e.t), judged 0.05, if end.is_some(), in "The sag";
+        within 0.2 + 2e-4 * end.as_ref().map_or(0.0, |e| e.t), judged 0.05, if end.is_some(), in "The sag";
         /// spin of the rotor when the ring meets its stop
         spin_left: end.as_ref().map_or(0.0, |e| e.spin_slow), "rad/s", "simulated, all of it" => end.as_ref().map_or(0.0, |e| e.spin),
-        within 1e-2 * end.as_ref().map_or(0.0, |e| e.spin), if end.is_some();
+        within 0.05 + 1e-3 * end.as_ref().map_or(0.0, |e| e.spin), if end.is_some();
     }
 }
 
@@ -221,14 +244,25 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let with = |fork: f64| Gimbals::new(rotor, [0.0; 3], fork);
     let bare = measured::nod_without_gimbals(&y)?.period / measured::bare(&y)?;
     let walks = |fork: f64| with(fork)?.steady_rate(p.theta, axial, 0.0);
-    let fast = Pose { axial_momentum: 1e3 * axial, ..y.start };
+    let fast = Pose {
+        axial_momentum: 1e3 * axial,
+        ..y.start
+    };
     let (quick, fast) = (Nod::of(g, &fast)?, fast.axial_momentum);
     let walk = quick.precession / quick.period * fast / g.weight_moment();
     let nods = TAU / quick.period / (fast * sin(p.theta));
     let fixed = with(1e18)?;
-    let pendulum = Suspension { moment: I1, mass: MASS, gravity: GRAVITY, lever: LENGTH };
+    let pendulum = Suspension {
+        moment: I1,
+        mass: MASS,
+        gravity: GRAVITY,
+        lever: LENGTH,
+    };
     let pendulum = Pendulum::new(pendulum, PI - p.theta, 0.0)?.period();
-    let axle = Bearings { axle: Bearing::new(0.0, 0.1)?, ..Bearings::SMOOTH };
+    let axle = Bearings {
+        axle: Bearing::new(0.0, 0.1)?,
+        ..Bearings::SMOOTH
+    };
     let braked = y.with(axle).run(None, 0.5, p.tolerance)?.at(0.5)?;
     limits! { report,
         /// a top on a pivot, by elliptic functions
@@ -254,9 +288,13 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let nod = Nod::of(&y.gimbals, &y.start)?;
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
     let (gimbals, start) = (y.gimbals, y.start);
-    report.set_closed_form(ClosedForm::new(move |_| Ok(Nod::of(&gimbals, &start)?.period)));
+    report.set_closed_form(ClosedForm::new(move |_| {
+        Ok(Nod::of(&gimbals, &start)?.period)
+    }));
     let back = move |step: f64| {
-        Dop853::new(step)?.zero(&y.gimbals, y.start.to_array(), 2, 3.0 * nod.period, |y| y[1])
+        Dop853::new(step)?.zero(&y.gimbals, y.start.to_array(), 2, 3.0 * nod.period, |y| {
+            y[1]
+        })
     };
     report.dial_of_return(asked, back, nod.period, p.theta)
 }

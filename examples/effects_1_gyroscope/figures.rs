@@ -91,32 +91,27 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
     /// A disc on an axle, held by a ring; the ring tilts in a fork about a level axis; the fork
     /// turns on a stand about the vertical. Three bearings are marked: pivot, tilt and axle.
     setup: {
-        let (theta, phi) = (0.9, 0.7);
+        let (theta, phi) = (0.9, 0.15);
         let (axis, node) = (direction(theta, phi), SpaceVector::new(cos(phi), sin(phi), 0.0));
         on_stand(theta, phi, 0.9)
             .dashed([SpaceVector::zero(), UP * 0.95], Ink::Frame)
             .text(UP * 0.95, "$Z$", Ink::Frame, Side::Above)
             .turn(times(0.0, theta, 24).map(|t| direction(t, phi) * 0.8), Ink::Ink)
             .text(direction(0.5 * theta, phi) * 0.82, r"$\theta$", Ink::Ink, Side::Above)
-            .dot(node * WIDE, Ink::Velocity, "tilt", Side::Right)
+            .dot(node * WIDE, Ink::Velocity, "tilt", Side::Left)
             .dot(UP * -0.78, Ink::Velocity, "pivot", Side::Right)
             .dot(axis, Ink::Velocity, "axle", Side::Left)
-            .text(node * -WIDE + UP * -0.3, "fork", Ink::Frame, Side::Left)
-            .text(axis * 0.8 - node * HALF, "ring", Ink::Force, Side::Left)
+            .text(node * WIDE + UP * -0.42, "fork", Ink::Frame, Side::Left)
+            .text(axis * 0.85 + node * HALF, "ring", Ink::Force, Side::Left)
     };
 
     /// The path of the end of the axis on a sphere, near the start: cusp after cusp, each nod
     /// smaller than the one before, until a smooth line of latitude is left, lower than the start.
-    trace: {
-        let (course, _) = &first;
-        let middle = direction(p.theta, course.at(0.5 * course.end_time().min(2.4))?.phi);
-        View::of(middle * 0.9, 0.75)
-            .camera(Camera::new(0.9, 0.45))
-            .sphere()
-            .latitude(p.theta)
-            .trace(path(course, 2.4)?, Ink::Body)
-            .dot(direction(p.theta, 0.0), Ink::Body, "start", Side::Above)
-    };
+    trace: View::of(SpaceVector::zero(), 1.12)
+        .camera(Camera::new(0.3, 1.25))
+        .sphere()
+        .trace(path(&first.0, 0.985 * TAU / y.fading()?.precession)?, Ink::Body)
+        .dot(direction(p.theta, 0.0), Ink::Body, "start", Side::Left);
 
     /// Tilt against time in the first moments: nods between the tilt of the release and twice
     /// the drop, in an envelope that closes nearly along straight lines; then a level line.
@@ -130,22 +125,29 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
             .curve(side(-1.0).dashed())
     };
 
-    /// Energy against time. The fall gives more and more, in waves, and ends at a level; half
-    /// of it is heat of the tilt bearing by then, and half is kinetic energy of the precession.
+    /// Energy against time. That of the nods falls, by a curve that is steepest at first, and
+    /// ends at zero; the heat of the tilt bearing mirrors it. The kinetic energy of the
+    /// precession, as large as either, stays.
     energy: {
         let (course, end) = &first;
-        let (g, weight) = (&y.gimbals, y.gimbals.weight_moment());
-        let curve = |of: &dyn Fn(f64, &Pose) -> Result<f64>, ink: Ink| -> Result<Curve> {
-            let points = sampled(times(0.0, *end, 1200), |t| Ok((t, 1e3 * of(t, &course.at(t)?)?)))?;
-            Ok(Curve::new(points, ink).thin())
+        let milli = |of: &dyn Fn(f64, &Pose) -> Result<f64>, ink: Ink| {
+            Curve::sampled(times(0.0, *end, 400), |t| Ok(1e3 * of(t, &course.at(t)?)?), ink)
         };
-        let fallen = |_: f64, at: &Pose| Ok(weight * (cos(p.theta) - cos(at.theta)));
-        let walks = |_: f64, at: &Pose| Ok(0.5 * g.turning(at.theta) * at.phi_rate * at.phi_rate);
+        let smooth = |at: &Pose| -> Result<Pose> {
+            let theta = y.bottom_at(at, 0.0)?;
+            let phi_rate = y.gimbals.steady_rate(theta, at.axial_momentum, 0.0)?;
+            Ok(Pose { theta, theta_rate: 0.0, phi_rate, ..*at })
+        };
+        let walks = |_: f64, at: &Pose| {
+            let at = smooth(at)?;
+            Ok(y.gimbals.axis_energy(&at) - y.gimbals.weight_moment() * cos(at.theta))
+        };
+        let nods = |_: f64, at: &Pose| Ok(y.gimbals.axis_energy(at) - y.gimbals.axis_energy(&smooth(at)?));
         let heat = |t: f64, _: &Pose| Ok(course.heat(t)?[0]);
         Panel::over_axes("$t$ / s", "energy / mJ")
-            .curve(curve(&walks, Ink::Velocity)?.faint(0.45).label("precession"))
-            .curve(curve(&fallen, Ink::Energy)?.label("given by the fall"))
-            .curve(curve(&heat, Ink::Force)?.width(1.8).label("heat of the tilt bearing"))
+            .curve(milli(&walks, Ink::Velocity)?.dashed().label("precession"))
+            .curve(milli(&nods, Ink::Energy)?.label("nods"))
+            .curve(milli(&heat, Ink::Force)?.label("heat"))
     };
 
     /// Tilt against time with one bearing at a time: dry tilt bearing, the nods shrink along
@@ -172,8 +174,8 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
         let formula = times(0.0, 0.95 * end, 200).filter_map(|t| Some((minutes(t), y.sunk(t)?)));
         Panel::over_axes("$t$ / min", r"tilt $\theta$ / rad")
             .level(p.stop, Ink::Frame, "stop")
-            .curve(Curve::new(line, Ink::Body).label("simulated"))
-            .curve(Curve::new(formula, Ink::Ink).dashed().label_end("formula"))
+            .curve(Curve::new(line, Ink::Body).label_at("simulated", minutes(0.5 * end), whole.at(0.5 * end)?.theta, Side::AboveLeft))
+            .curve(Curve::new(formula, Ink::Ink).dashed().label("formula"))
             .curve(Curve::new(dots, Ink::Ink).dots())
     };
 
@@ -186,7 +188,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
             nod.and_then(|nod| longer(k, nod.period)).unwrap_or(f64::NAN)
         };
         let small = exact(1e-4) / 1e-4;
-        Sweep::over("weight of the gimbals, in ours", 0.0, 20.0)
+        Sweep::over("inertia of the gimbals over that of ours", 0.0, 20.0)
             .at([1.0, 4.0, 8.0, 12.0, 16.0, 19.0])
             .exact_and_simulated("nod longer by", exact, |k| {
                 let y = heavier(p, k)?;
@@ -197,14 +199,21 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
 }
 
 impl Gyroscope {
-    /// The tilt at `t` by the simplest formula: the pivot alone, and a rotor that the air slows.
+    /// The tilt at `t` in closed form: the pivot, and a rotor that the air slows and that has to
+    /// precess the faster. Friction of the axle is left out.
     pub fn sunk(&self, t: f64) -> Option<f64> {
         let (axial, i3) = (self.start.axial_momentum, self.gimbals.rotor().i3());
-        let drag = self.bearings.air.map_or(0.0, |air| -air.axial_torque(axial / i3));
-        let half = 2.0 * axial / drag;
-        let grown = pow(1.0 + t / half, 3.0) - 1.0;
-        let bottom = self.bottom().ok()?;
-        let c = cos(bottom) - self.bearings.azimuth.dry() / axial * half / 3.0 * grown;
+        let drag = self
+            .bearings
+            .air
+            .map_or(0.0, |air| -air.axial_torque(axial / i3));
+        let (bottom, pivot) = (self.bottom().ok()?, self.bearings.azimuth);
+        let (rate, half) = (self.gimbals.weight_moment() / axial, 2.0 * axial / drag);
+        let grown = |k: f64| pow(1.0 + t / half, k) - 1.0;
+        let taken =
+            half * (pivot.dry() * grown(3.0) / 3.0 + pivot.viscous() * rate * grown(5.0) / 5.0);
+        let walks = 0.5 * self.gimbals.turning(bottom) * rate * grown(4.0);
+        let c = cos(bottom) - (taken + walks) / axial;
         (c > -1.0).then(|| acos(c))
     }
 }
@@ -212,7 +221,8 @@ impl Gyroscope {
 /// The whole motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (course, _) = nods(&Gyroscope::new(p)?, p)?;
-    let mut trajectory = Trajectory::new(["t [s]", "theta [rad]", "phi [rad]", "heat of the tilt [J]"])?;
+    let mut trajectory =
+        Trajectory::new(["t [s]", "theta [rad]", "phi [rad]", "heat of the tilt [J]"])?;
     for t in times(0.0, course.end_time(), 4000) {
         let at = course.at(t)?;
         trajectory.push([t, at.theta, at.phi, course.heat(t)?[0]])?;
@@ -240,8 +250,28 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             at.theta, at.phi
         );
         // Spokes at their true place would stand still in one frame and jump in the next.
-        let scene = on_stand(at.theta, at.phi, 0.02 * at.zeta);
-        let drawn: Vec<SpaceVector> = trail.iter().take_while(|(when, _)| *when <= t).map(|(_, e)| *e).collect();
-        Ok((alt, if drawn.len() > 1 { scene.line(drawn, Ink::Body) } else { scene }))
+        let axis = direction(at.theta, at.phi);
+        let scene = on_stand(at.theta, at.phi, 0.02 * at.zeta)
+            .arrow(axis, axis * 1.3, Ink::Momentum, "$L$", Side::Above)
+            .arrow(
+                axis * HUB,
+                axis * HUB - UP * 0.5,
+                Ink::Force,
+                "$mg$",
+                Side::Left,
+            );
+        let drawn: Vec<SpaceVector> = trail
+            .iter()
+            .take_while(|(when, _)| *when <= t)
+            .map(|(_, e)| *e)
+            .collect();
+        Ok((
+            alt,
+            if drawn.len() > 1 {
+                scene.line(drawn, Ink::Body)
+            } else {
+                scene
+            },
+        ))
     })
 }

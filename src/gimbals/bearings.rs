@@ -95,7 +95,11 @@ impl Hold {
     }
 
     const fn of(rate: f64) -> Self {
-        if rate < 0.0 { Self::Back } else { Self::Forward }
+        if rate < 0.0 {
+            Self::Back
+        } else {
+            Self::Forward
+        }
     }
 }
 
@@ -150,9 +154,8 @@ impl Rubbing {
         let air = self.bearings.air.map_or(0.0, |air| air.axial_torque(spin));
         let rates = self.bearing_rates(at);
         let all = self.bearings.all();
-        let mut torques: [f64; 3] = core::array::from_fn(|i| {
-            -all[i].viscous * rates[i] - all[i].dry * holds[i].sense()
-        });
+        let mut torques: [f64; 3] =
+            core::array::from_fn(|i| -all[i].viscous * rates[i] - all[i].dry * holds[i].sense());
         let stuck = holds.map(|hold| hold == Hold::Sticks);
         let tilt = if stuck[0] {
             torques[0] = -force;
@@ -288,8 +291,7 @@ impl Phased<N> for Rubbing {
                     all.push(Condition::opening_gap(SLIPS[i], left, Next::Enter(after)));
                 }
             } else {
-                let rate =
-                    move |y: &[f64; N]| holds[i].sense() * self.bearing_rates(&pose(y))[i];
+                let rate = move |y: &[f64; N]| holds[i].sense() * self.bearing_rates(&pose(y))[i];
                 let decide = move |_t: f64, y: &[f64; N]| {
                     let mut still = holds.map(|hold| hold == Hold::Sticks);
                     still[i] = true;

@@ -211,9 +211,15 @@ impl Course {
                     from = to;
                 }
                 // A dry bearing stops there, by a rate that round-off leaves on either side.
-                let next = run.legs().get(i + 1).map(|next| next.solution.start_state());
+                let next = run
+                    .legs()
+                    .get(i + 1)
+                    .map(|next| next.solution.start_state());
                 let last = leg.solution.end_state();
-                if next.is_some_and(|y| y[1] == 0.0) && last[1] != 0.0 && found.last().is_none_or(|(t, _)| *t < start + from) {
+                if next.is_some_and(|y| y[1] == 0.0)
+                    && last[1] != 0.0
+                    && found.last().is_none_or(|(t, _)| *t < start + from)
+                {
                     found.push((start + from, pose(last)));
                 }
             }
@@ -239,9 +245,16 @@ fn nodding(gimbals: &Gimbals, at: &Pose) -> (f64, bool) {
         return (TAU / sizes[1], true);
     };
     let nods = gimbals.nodding(at.theta, at.axial_momentum, rate);
-    let nod = if nods > 0.0 { TAU / nods } else { TAU / sizes[1] };
+    let nod = if nods > 0.0 {
+        TAU / nods
+    } else {
+        TAU / sizes[1]
+    };
     let inertia = (gimbals.turning(at.theta) / gimbals.tilting()).sqrt();
-    let nodding = at.theta_rate.abs().max((at.phi_rate - rate).abs() * inertia);
+    let nodding = at
+        .theta_rate
+        .abs()
+        .max((at.phi_rate - rate).abs() * inertia);
     (nod, nodding > OVER * rate.abs())
 }
 

@@ -264,7 +264,9 @@ impl Gimbals {
         let bend = 2.0 * self.excess() * (c * c - s * s);
         [
             axial * s - precession * self.turning_slope((s, c)),
-            axial * precession * c - 0.5 * precession * precession * bend - self.weight_moment() * c,
+            axial * precession * c
+                - 0.5 * precession * precession * bend
+                - self.weight_moment() * c,
         ]
     }
 

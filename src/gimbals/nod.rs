@@ -152,7 +152,11 @@ impl Nod {
         let tilt = |w: f64| {
             // Of small w the difference of the tilts, not of their cosines.
             let (near, u) = (atan2(s0, u0), u0 - w);
-            if w == 0.0 { near.abs() } else { acos(u.clamp(-1.0, 1.0)) }
+            if w == 0.0 {
+                near.abs()
+            } else {
+                acos(u.clamp(-1.0, 1.0))
+            }
         };
         // w and dt/dpsi, over a full turn of psi.
         let step = |psi: f64| match way {
