@@ -176,6 +176,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         ..y.bearings
     });
     let sag = free.fading()?.sag;
+    // In the time of the measurement the axis has sunk, too.
+    let part = 0.003 + 0.1 * slowness + 2.0 * sag.abs() / steady;
     let about = p.pivot_dry + p.pivot_viscous * steady + p.axle_dry;
     let noise = 1e3 * p.tolerance;
     claims! { report,
@@ -223,11 +225,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     claims! { report,
         /// half nods until dry friction holds the tilt
         half_nods: halves, "-", "simulated, counted" => count.unwrap_or_default(),
-        within 0.0, judged 0.05, if count.is_some(), in "When the nods are over":
+        within 0.4, judged 0.05, if count.is_some(), in "When the nods are over":
             2.0 * halves => "each half nod loses on both sides of the balance";
         /// sinking of the axis, at first
         sag: sag, "rad/s", "simulated without tilt friction" => measured::sag(&y, p.tolerance)?,
-        within 0.02 * about / (axial * sin(bottom)) + 1e-6, judged 0.02, in "The sag":
+        within part * about / (axial * sin(bottom)) + 1e-6, judged 0.02, in "The sag":
             -sag => "the pivot takes angular momentum about the vertical";
         /// time to the stop
         to_stop: end.as_ref().map_or(0.0, |e| e.slow), "s", "simulated, all of it" => end.as_ref().map_or(0.0, |e| e.t),

@@ -1,6 +1,7 @@
 //! What gimbals and bearings do: predicted beforehand, and measured with them in.
 
 use super::*;
+use rotation_dynamics::report::supported_digits;
 
 /// How many half nods the dry tilt bearing needs, alone: by work and energy, turning point by
 /// turning point, V(next) = V(last) - tau |next - last|, until the valley's slope is less than tau.
@@ -78,7 +79,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
     Ok(vec![
         Line {
             what: "gimbals: the nod is longer",
-            number: "A/I1 + (N/I1 sin^2 - 1)",
+            number: "A/I1 + N/(I1 sin(theta)^2) - 1",
             value: a + b,
             predicted: ((1.0 + a) * (1.0 + b)).sqrt() - 1.0,
             measured: nod.period / bare.period - 1.0,
@@ -86,7 +87,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         },
         Line {
             what: "gimbals: the dip is deeper",
-            number: "N/I1 sin^2 - 1",
+            number: "N/(I1 sin(theta)^2) - 1",
             value: b,
             predicted: b,
             measured: sizes(&nod) / sizes(&bare) - 1.0,
@@ -94,7 +95,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         },
         Line {
             what: "tilt bearing: half nods",
-            number: "m g l sin/2 tau",
+            number: "m g l sin(theta)/(2 tau)",
             value: 0.5 * y.pull() / p.tilt_dry,
             predicted: 0.5 * y.pull() / p.tilt_dry,
             measured: measured::half_nods(y, p.tolerance)?.unwrap_or(f64::NAN),
@@ -102,7 +103,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         },
         Line {
             what: "pivot: the axis sinks",
-            number: "2 pi tau/m g l sin",
+            number: "2 pi tau/(m g l sin(theta))",
             value: TAU * p.pivot_dry / y.pull(),
             predicted: pivot,
             measured: pivot_seen,
@@ -110,7 +111,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         },
         Line {
             what: "axle bearings: it rises",
-            number: "2 pi tau/m g l tan",
+            number: "2 pi tau/(m g l tan(theta))",
             value: TAU * p.axle_dry / y.pull() * cos(p.theta),
             predicted: axle,
             measured: axle_seen,
@@ -118,7 +119,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         },
         Line {
             what: "air: it sinks",
-            number: "torque x turn/L_z",
+            number: "torque x turn / L_z",
             value: drag * turn / axial,
             predicted: air,
             measured: air_seen,
@@ -143,7 +144,7 @@ pub fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
         if line.measured.is_nan() {
             continue;
         }
-        let cell = |x: f64| format!("{x:.2e}");
+        let cell = |x: f64| supported_digits(x, 5e-3 * x.abs());
         table.push([
             line.what.into(),
             line.number.into(),
@@ -169,15 +170,15 @@ fn card(p: &Parameters, y: &Gyroscope, report: &mut Report) -> Result<()> {
     let bends = pow(f.frequency / (TAU * 300.0), 2.0);
     let play = 1e-5;
     effect_card! { report,
-        "inertia of ring and fork": "N/I1 sin^2 - 1" = b, costs b, "of the dip", included;
-        "dry friction of the tilt": "pi tau/m g l sin" = halves, costs 1.0, "of the nods", included;
+        "inertia of ring and fork": "N/(I1 sin(theta)^2) - 1" = b, costs b, "of the dip", included;
+        "dry friction of the tilt": "pi tau/(m g l sin(theta))" = halves, costs 1.0, "of the nods", included;
         "viscous friction of the tilt": "decay x nod" = f.decay * TAU / f.frequency,
             costs 1.0 - exp(-f.decay * turn), "of the nods, in a turn", included;
-        "friction of the vertical pivot": "2 pi tau/m g l sin" = TAU * p.pivot_dry / pull,
+        "friction of the vertical pivot": "2 pi tau/(m g l sin(theta))" = TAU * p.pivot_dry / pull,
             costs p.pivot_dry * turn / (axial * sin(p.theta)), "rad a turn", included;
-        "friction of the axle": "torque x turn/L_z" = p.axle_dry * turn / axial,
+        "friction of the axle": "torque x turn / L_z" = p.axle_dry * turn / axial,
             costs p.axle_dry * turn / (axial * tan(p.theta)), "rad a turn", included;
-        "air on the rotor": "torque x turn/L_z" = drag * turn / axial,
+        "air on the rotor": "torque x turn / L_z" = drag * turn / axial,
             costs 0.5 * drag * turn * TAU / axial, "rad a turn, in φ", included;
         "play of the tilt bearing": "play/dip" = play / (y.bottom()? - p.theta), costs play, "rad";
         "a ring that bends": "(nods/own frequency)^2" = bends, costs 0.5 * bends, "of a nod";

@@ -118,7 +118,7 @@ fn a_dry_pivot_does_not_take_the_nods() {
     };
     let dry = |tau: f64| Bearing::new(0.0, tau).unwrap();
     assert_error!(left(Bearings { azimuth: dry(5e-3), ..b }) - 1.0, 2.49e-3);
-    assert!(left(Bearings { tilt: dry(3e-3), ..b }) < 0.3);
+    assert!(left(Bearings { tilt: dry(3e-3), ..b }) < 0.4);
 }
 
 /// The sag: to first order the torques about the vertical over L_z sin; what is left out falls
