@@ -81,12 +81,12 @@ impl Gyroscope {
             air: Some(DiscDrag::new(RADIUS, density, viscosity, spin)?),
         };
         let start = gimbals.released(p.theta, spin);
-        Ok(Self {
+        let gyroscope = Self {
             gimbals,
             bearings,
             start,
-        }
-        .dying()?)
+        };
+        gyroscope.dying()
     }
 
     /// Its motion until `until` (s) or to the stop at this tilt (rad).

@@ -35,8 +35,12 @@ pub struct Change {
 /// them the equations are smooth. The two gimbal bearings stop in each nod.
 ///
 /// While the axis nods, a step is at most a thirty-second part of a nod: with eight looks a
-/// step, a reversal that is over within a 256th part of a nod may be missed. How much that is:
-/// `tests/exact/gimbals.rs`.
+/// step, a reversal that is over within a 256th part of a nod may be missed. None was, in ten
+/// motions with stops of all three bearings: the changes are the same at errors of a step of
+/// 1e-8 and 1e-13, within 4e-13 s.
+///
+/// Accuracy, as measured: the energy lost is the heat within 1.3e-13 m g l at an error of a step
+/// of 1e-12.
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::SymmetricTop;
@@ -68,6 +72,8 @@ pub struct Course {
 impl Course {
     /// The motion from `start` at t = 0 until `until` (s), or until the tilt reaches `stop`
     /// (rad), with this error of a step of DOP853.
+    ///
+    /// Memory: some 100 numbers a step, 32 steps a nod while the axis nods and two beyond.
     ///
     /// # Errors
     /// A start that is not finite or beyond the stop; those of [`simulate`].
@@ -192,7 +198,7 @@ impl Course {
         Ok(self.state(t)?.0)
     }
 
-    /// The poses in which the tilt turns back, in order.
+    /// The times (s) and poses in which the tilt turns back, in order.
     pub fn turning_points(&self) -> Vec<(f64, Pose)> {
         let mut found = Vec::new();
         for (start, run) in &self.pieces {

@@ -5,6 +5,7 @@ use crate::told::{confirmed, refused};
 use pages::effects_1_gyroscope::*;
 use rotation_dynamics::gimbals::{Bearing, Bearings, Fading, Nod, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
+use rotation_dynamics::report::parse;
 use support::{Errors, assert_error};
 
 fn with(change: impl Fn(&mut Parameters)) -> Gyroscope {
@@ -163,4 +164,19 @@ fn eq_7_to_the_stop() {
     assert_error!(paid(Bearings { air: y.bearings.air, ..Bearings::SMOOTH }), 1.39e-9);
     let axle = Bearing::new(0.0, 1e-4).unwrap();
     assert!(paid(Bearings { axle, ..Bearings::SMOOTH }).abs() > 0.5);
+}
+
+/// Each line of the ledger, for gyroscopes of all kinds: predicted and measured.
+#[test]
+fn the_ledger_predicts_what_is_measured() {
+    let flags = ["", "--rpm=2000", "--rpm=8000 --theta=1.3", "--fork=2e-3 --ring=1e-3", "--pivot-dry=1e-3 --axle-dry=1e-4"];
+    let mut errors = Errors::of("predicted over measured");
+    for flags in flags {
+        let told = parse(&EXAMPLE.answer(flags.split_whitespace()).stdout).expect("a report");
+        for row in told.table("table ledger").expect("a ledger").rows() {
+            let [predicted, measured] = [3, 4].map(|i| row[i].parse::<f64>().expect("a number"));
+            errors.push_at(predicted / measured - 1.0, (flags, &row[0]));
+        }
+    }
+    errors.attain(2.89e-2..=2.9e-2, 30);
 }
