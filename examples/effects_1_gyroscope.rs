@@ -144,7 +144,7 @@ impl Gyroscope {
         Ok(viscous * log(1.0 + (1.0 / viscous) * size / dry.max(0.02 * size / viscous)))
     }
 
-    /// Itself, if its nods die before anyone loses patience.
+    /// Itself, if friction takes its nods in a time that can be simulated.
     fn dying(self) -> Result<Self> {
         let (size, f) = (self.bottom()? - self.start.theta, self.fading()?);
         let nods = self.lasting(size)? * f.frequency / TAU;
