@@ -57,7 +57,8 @@ pub struct Lossy {
     pub inverse: [f64; 3],
     /// a |L|.
     pub loss: f64,
-    free: FreeFlow,
+    /// The motion without a loss.
+    pub free: FreeFlow,
 }
 
 impl Lossy {
@@ -124,7 +125,11 @@ impl Lossy {
         let moments = PrincipalMoments::new(least, 1.0, largest)?;
         let inverse = [1.0 / least, 1.0, 1.0 / largest];
         let free = FreeFlow::new(moments);
-        Ok(Self { inverse, loss, free })
+        Ok(Self {
+            inverse,
+            loss,
+            free,
+        })
     }
 
     /// 1/I1 - 1/I2 and 1/I2 - 1/I3.
@@ -147,11 +152,16 @@ impl Lossy {
 
     /// From `aside` until it has fallen through the separatrix: flips on the way, and that.
     pub fn fall(&self, aside: f64, step: f64) -> Result<Solution<3>> {
+        self.fall_from(start(aside), step)
+    }
+
+    /// The same from any direction above the separatrix.
+    pub fn fall_from(&self, n: [f64; 3], step: f64) -> Result<Solution<3>> {
         let [one, three] = self.gaps();
         let until = 1e3 / (self.loss * one.min(three));
         let flip = Event::crossing("flip", |_, n: &[f64; 3]| n[1]);
         let through = Event::falling("separatrix", |_, n: &[f64; 3]| self.above(n)).terminal();
-        Dop853::new(step)?.solve(&self.equations(), 0.0, &start(aside), until, &[flip, through])
+        Dop853::new(step)?.solve(&self.equations(), 0.0, &n, until, &[flip, through])
     }
 
     /// About which end of the largest axis it turns in the end: once below the separatrix,
@@ -180,7 +190,9 @@ impl Lossy {
     pub fn edge_angles(&self, beyond: f64) -> Result<Vec<f64>> {
         let met = self.edges(beyond)?;
         let edges = met.events().iter().filter(|event| event.name == "edge");
-        Ok(edges.map(|event| atan2(event.state[0].abs(), event.state[1].abs())).collect())
+        Ok(edges
+            .map(|event| atan2(event.state[0].abs(), event.state[1].abs()))
+            .collect())
     }
 
     /// An edge between two starts that end on different sides, by halving.
@@ -202,12 +214,19 @@ impl Lossy {
     pub fn averaged(&self, above: f64) -> Result<[f64; 2]> {
         let [one, three] = self.gaps();
         // The polhode goes round the axis `near`, the widest n2 is at `widest`.
-        let (near, far) = if above > 0.0 { (one, three) } else { (three, one) };
+        let (near, far) = if above > 0.0 {
+            (one, three)
+        } else {
+            (three, one)
+        };
         let (inside, outside) = (near - above.abs(), far + above.abs());
         let modulus = Modulus::from_m1((near + far) * above.abs() / (near * outside))?;
         let quarter = legendre::k(modulus)?;
         let square = inside / near * legendre::complete_d(modulus)? / quarter;
-        Ok([inside * outside - near * far * square, 2.0 * quarter / (near * outside).sqrt()])
+        Ok([
+            inside * outside - near * far * square,
+            2.0 * quarter / (near * outside).sqrt(),
+        ])
     }
 
     /// The time from `from` down to `to` above the separatrix by the averaged loss, and the
@@ -218,7 +237,11 @@ impl Lossy {
         for i in 1..=pieces {
             let s = f64::from(i) / f64::from(pieces);
             let [mean, half] = self.averaged(to + (from - to) * s * s * s * s)?;
-            let weight = if i == pieces { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+            let weight = if i == pieces {
+                1.0
+            } else {
+                f64::from(2 + 2 * (i % 2))
+            };
             let slowness = weight * 4.0 * (from - to) * s * s * s / (2.0 * self.loss * mean);
             sums = [sums[0] + slowness, sums[1] + slowness / half];
         }
@@ -258,7 +281,10 @@ fn satellite(p: &Parameters, report: &mut Report) -> Result<()> {
     // The law knows t/tau alone: the runs lose as much in a few turns.
     let quick = sat.quickened();
     let (late, doubled) = (quick.run(quick.settled(), 1e-9)?, quick.doubled()?);
-    let (from, to) = (sat.energy(p.nutation), 0.5 * sat.momentum * sat.momentum / ends);
+    let (from, to) = (
+        sat.energy(p.nutation),
+        0.5 * sat.momentum * sat.momentum / ends,
+    );
     let scale = p.growth / quick.tau();
     let rpm = 60.0 / TAU;
     claims! { report,
@@ -307,12 +333,24 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
     let edges = body.edge_angles(aside)?;
     let below = edges.iter().filter(|edge| **edge < aside).count();
     let parity = if below % 2 == 0 { -1.0 } else { 1.0 };
-    let near = edges.iter().copied().min_by(|a, b| (a - aside).abs().total_cmp(&(b - aside).abs()));
-    let near = near.ok_or(rotation_dynamics::Error::NotReached { name: "edge", until: aside })?;
-    let width = edges.windows(2).map(|pair| pair[1] - pair[0]).fold(edges[0], f64::min);
+    let near = edges
+        .iter()
+        .copied()
+        .min_by(|a, b| (a - aside).abs().total_cmp(&(b - aside).abs()));
+    let near = near.ok_or(rotation_dynamics::Error::NotReached {
+        name: "edge",
+        until: aside,
+    })?;
+    let width = edges
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .fold(edges[0], f64::min);
     let found = body.halved(near - 0.3 * width, near + 0.3 * width)?;
     let away = (near - aside).abs();
-    let (leaves, stays) = (0.5 * p.loss * (2.0 * one + three), 0.5 * p.loss * (one + 2.0 * three));
+    let (leaves, stays) = (
+        0.5 * p.loss * (2.0 * one + three),
+        0.5 * p.loss * (one + 2.0 * three),
+    );
     let upset = 1.0 / away.max(1e-9);
     claims! { report,
         /// time between flips without a loss
@@ -350,7 +388,7 @@ fn split(body: &Lossy, aside: f64, t: f64, steps: f64) -> Result<(f64, [f64; 3])
 /// Weak losses, and bodies that are nearly symmetric.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let body = lossy(p)?;
-    let weak = Lossy { loss: 1e-6, ..body };
+    let weak = Lossy { loss: 1e-8, ..body };
     let [one, three] = weak.gaps();
     let edge = weak.edge_angles(1e-6)?[0];
     let met = weak.edges(1e-6)?;
@@ -362,10 +400,10 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (b, e) = (twin.gaps()[0], 0.4 * twin.gaps()[0]);
     limits! { report,
         /// a flip along the separatrix costs 4 a L sqrt(gap gap)
-        "a L = 1e-6: first edge over its formula":
+        "a L = 1e-8: first edge over its formula":
             sin(edge) / (weak.toll() / one).sqrt() => 1.0, within 1e-4;
         /// and the next one as much again
-        "a L = 1e-6: energy from edge to edge over the toll":
+        "a L = 1e-8: energy from edge to edge over the toll":
             (passed[1] - passed[0]) / weak.toll() => 1.0, within 1e-4;
         /// near the least axis the mean loss is that of the linear sway
         "e -> 1/I1: mean loss over (1/I1 - e)":
@@ -385,7 +423,10 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// What the tumbling satellite leaves out, over the time to 45 degrees.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sat = Opening::new(p)?;
-    let (time, l) = (p.growth * log(1.0 / tan(p.nutation)).abs().max(1.0), sat.momentum);
+    let (time, l) = (
+        p.growth * log(1.0 / tan(p.nutation)).abs().max(1.0),
+        sat.momentum,
+    );
     // An orbit of 115 minutes, perigee at 360 km with 1e-11 kg/m^3, an arm of 5 cm.
     let orbit = TAU / 6900.0;
     let gravity = 1.5 * orbit * orbit * (sat.transverse - sat.axial).abs() / l;
@@ -404,10 +445,16 @@ fn averaging(p: &Parameters) -> Result<Table> {
     let columns = "a L, flips, flips averaged, time, time averaged, off by flips";
     let mut table = Table::new("averaging", columns.split(", "))?;
     for part in [4.0, 2.0, 1.0, 0.5] {
-        let body = Lossy { loss: part * p.loss, ..lossy(p)? };
+        let body = Lossy {
+            loss: part * p.loss,
+            ..lossy(p)?
+        };
         let fallen = body.fall(p.aside, 1e-12)?;
         let flips = fallen.events().len() - 1;
-        let (from, to) = (body.above(&start(p.aside)), 0.5 * body.above(&start(p.aside)));
+        let (from, to) = (
+            body.above(&start(p.aside)),
+            0.5 * body.above(&start(p.aside)),
+        );
         let [_, passed] = body.averaged_fall(from, 0.0)?;
         let [time, _] = body.averaged_fall(from, to)?;
         let direct = half_way(&body, p.aside)?;
@@ -430,14 +477,27 @@ pub fn half_way(body: &Lossy, aside: f64) -> Result<f64> {
     let half = 0.5 * body.above(&start(aside));
     let there = |n: &[f64; 3]| body.above(n) - half;
     let until = 1e3 / body.loss;
-    Ok(Dop853::new(1e-13)?.zero(&body.equations(), start(aside), 1, until, there)?.0.t)
+    Ok(Dop853::new(1e-13)?
+        .zero(&body.equations(), start(aside), 1, until, there)?
+        .0
+        .t)
 }
 
 /// The error of L's direction after `time`, and the work: evaluations of the loss.
-pub fn price(body: &Lossy, aside: f64, time: f64, scheme: Option<Scheme>, fine: f64) -> Result<(f64, Work)> {
-    let exact = Dop853::new(1e-15)?.advance(&body.equations(), 0.0, &start(aside), time)?.0;
+pub fn price(
+    body: &Lossy,
+    aside: f64,
+    time: f64,
+    scheme: Option<Scheme>,
+    fine: f64,
+) -> Result<(f64, Work)> {
+    let exact = Dop853::new(1e-15)?
+        .advance(&body.equations(), 0.0, &start(aside), time)?
+        .0;
     let (n, work) = match scheme {
-        Some(scheme) => Splitting::new(scheme, fine as u64)?.advance(body, 0.0, &start(aside), time)?,
+        Some(scheme) => {
+            Splitting::new(scheme, fine as u64)?.advance(body, 0.0, &start(aside), time)?
+        }
         None => Dop853::new(fine)?.advance(&body.equations(), 0.0, &start(aside), time)?,
     };
     Ok((apart(n, exact), work))
@@ -450,7 +510,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let end = 2.0 * quick.tau();
     let (scene, first) = quick.scene()?;
     let problem = Problem::new(scene, first, end, quick.state(end)?);
-    let problem = problem.in_closed_form(move |t| quick.state(t).map_or(Attitude::IDENTITY, |s| s.attitude));
+    let problem =
+        problem.in_closed_form(move |t| quick.state(t).map_or(Attitude::IDENTITY, |s| s.attitude));
     report.strip(&problem, &[p.tolerance, 1e-3, 1e-6])
 }
 

@@ -16,12 +16,21 @@ fn on_sphere([one, two, three]: [f64; 3]) -> SpaceVector {
 fn sphere() -> View {
     let (eye, up) = (
         SpaceVector::new(-sin(EYE.0), cos(EYE.0), 0.0),
-        SpaceVector::new(-sin(EYE.1) * cos(EYE.0), -sin(EYE.1) * sin(EYE.0), cos(EYE.1)),
+        SpaceVector::new(
+            -sin(EYE.1) * cos(EYE.0),
+            -sin(EYE.1) * sin(EYE.0),
+            cos(EYE.1),
+        ),
     );
     let outline = times(0.0, TAU, 90).map(|turn| eye * cos(turn) + up * sin(turn));
-    let axes = [([1.0, 0.0, 0.0], "$1$", Side::Above), ([0.0, 1.0, 0.0], "$2$", Side::BelowLeft),
-        ([0.0, 0.0, 1.0], "$3$", Side::Right)];
-    let view = View::of(SpaceVector::zero(), 1.3).camera(Camera::new(EYE.0, EYE.1)).line(outline, Ink::Frame);
+    let axes = [
+        ([1.0, 0.0, 0.0], "$1$", Side::Above),
+        ([0.0, 1.0, 0.0], "$2$", Side::BelowLeft),
+        ([0.0, 0.0, 1.0], "$3$", Side::Right),
+    ];
+    let view = View::of(SpaceVector::zero(), 1.3)
+        .camera(Camera::new(EYE.0, EYE.1))
+        .line(outline, Ink::Frame);
     axes.into_iter().fold(view, |view, (axis, label, side)| {
         let out = on_sphere(axis);
         view.arrow(out, out * 1.3, Ink::Body, label, side)
@@ -43,7 +52,9 @@ fn separatrices(body: &Lossy, view: View) -> View {
 
 /// A path on the sphere, in so many pieces.
 fn path(run: &Solution<3>, pieces: u32) -> Result<Vec<SpaceVector>> {
-    sampled(times(0.0, run.end_time(), pieces), |t| Ok(on_sphere(unit(run.at(t)?))))
+    sampled(times(0.0, run.end_time(), pieces), |t| {
+        Ok(on_sphere(unit(run.at(t)?)))
+    })
 }
 
 /// The body of the page from its start, for so long.
@@ -51,6 +62,18 @@ fn falling(p: &Parameters, body: &Lossy, time: f64) -> Result<Solution<3>> {
     Dop853::new(1e-11)?.solve(&body.equations(), 0.0, &start(p.aside), time, &[])
 }
 
+/// Directions about axis 1 on the side of the reader.
+fn grid() -> impl Iterator<Item = [f64; 3]> {
+    times(-0.9, 1.5, 5).flat_map(|turn| {
+        times(0.5, 1.3, 6).map(move |lean| {
+            let ((s, c), (a, b)) = (sincos(lean), sincos(turn));
+            [c, s * b, s * a]
+        })
+    })
+}
+
+/// Where the staircase starts, rad from the middle axis.
+const STAIRS: f64 = 0.3;
 /// By how much the page's motion is shown beyond the separatrix.
 const BEYOND: f64 = 1.7;
 
@@ -115,8 +138,10 @@ figures! { p: &Parameters, body = lossy(p)?,
     /// Energy against time: a staircase, with a step at each flip and a tread in each wait,
     /// along a smooth line of the average. At the separatrix the treads are longest.
     staircase: {
+        let late = Parameters { aside: STAIRS, ..p.clone() };
+        let run = falling(&late, &body, 2.0 * body.fall(STAIRS, 1e-12)?.end_time())?;
         let twice = |t: f64| Ok(body.above(&run.at(t)?) + 1.0);
-        let top = body.above(&start(p.aside));
+        let top = body.above(&start(STAIRS));
         let mean = sampled(times(0.0, 1.0, 60), |s| {
             let above = top * (1.0 - s * s * (2.0 - s * s)).max(1e-9);
             Ok((body.averaged_fall(top, above)?[0], above + 1.0))
@@ -128,36 +153,46 @@ figures! { p: &Parameters, body = lossy(p)?,
     };
 
     /// The upper half of the sphere, about axis 1, is cut into spiral bands by four curves that
-    /// come from the two ends of axis 2. Bands end by turns about the plus and about the minus
-    /// end of axis 3.
+    /// come from the two ends of axis 2. Dots and rings, in bands by turns, are
+    /// starts that end about the plus and about the minus end of axis 3.
     basins: {
-        let back = body.edges(1.3)?;
+        let strong = Lossy { loss: 0.05, ..body };
+        let back = strong.edges(1.2)?;
         let curve = path(&back, 2400)?;
         let turned = curve.iter().map(|n| SpaceVector::new(-n.x(), -n.y(), n.z()));
         let down = curve.iter().map(|n| SpaceVector::new(n.x(), -n.y(), -n.z()));
         let other = curve.iter().map(|n| SpaceVector::new(-n.x(), n.y(), -n.z()));
-        sphere().trace(down, Ink::Velocity).trace(other, Ink::Momentum)
-            .trace(turned, Ink::Velocity).trace(curve.iter().copied(), Ink::Momentum)
+        let view = sphere().trace(down, Ink::Momentum).trace(other, Ink::Momentum)
+            .trace(turned, Ink::Momentum).trace(curve.iter().copied(), Ink::Momentum);
+        grid().filter(|n| strong.above(n) > 0.0).try_fold(view, |view, n| {
+            let plus = strong.fall_from(n, 1e-10)?.end_state()[2] > 0.0;
+            let at = on_sphere(n);
+            Ok::<_, rotation_dynamics::Error>(match plus {
+                true => view.dot(at, Ink::Body, "", Side::Right),
+                false => view.ring(at, Ink::Body, "", Side::Right),
+            })
+        })?
     };
 
     /// Starts at which the end changes, against the loss, both on logarithmic axes: a ladder of
     /// straight lines with the slope one half. Dots, found by halving between starts, lie on
     /// the lines; a mark shows the body of the page between two of them.
     stripes: {
-        let losses = || times(-3.0, -1.3, 24).map(|x| pow(10.0, x));
-        let edge = |loss: f64, k: usize| {
-            let tried = Lossy { loss, ..body };
-            let edges = tried.edge_angles((3.0 * tried.toll()).sqrt().min(1.0))?;
-            Ok(edges.get(k).copied().unwrap_or(f64::NAN))
+        let edges = |log: f64| {
+            let tried = Lossy { loss: pow(10.0, log), ..body };
+            let far = asin((12.0 * tried.toll() / body.gaps()[0]).sqrt().min(0.9));
+            Ok((tried, tried.edge_angles(far)?))
         };
-        let mut panel = Panel::over_axes(Axis::log("$a L$").range(1e-3, 0.05), Axis::log("start off axis 2 / rad").range(0.04, 1.0));
-        for k in 0..5 {
-            panel = panel.curve(Curve::sampled(losses(), |loss| edge(loss, k), Ink::Ink)?);
-            let found = |loss: f64| {
-                let (at, tried) = (edge(loss, k)?, Lossy { loss, ..body });
-                tried.halved(0.97 * at, 1.03 * at)
-            };
-            panel = panel.curve(Curve::sampled([0.003, 0.01, 0.03], found, Ink::Body)?.dots());
+        let lines = sampled(times(-3.0, -1.3, 24), edges)?;
+        let axis = Axis::log("start off axis 2 / rad").range(0.04, 1.0);
+        let mut panel = Panel::over_axes(Axis::log("$a L$").range(1e-3, 0.05), axis);
+        for k in 0..12 {
+            let line = lines.iter().filter_map(|(body, at)| Some((body.loss, *at.get(k)?)));
+            panel = panel.curve(Curve::new(line.filter(|(_, at)| *at < 1.0), Ink::Ink).thin());
+        }
+        for (tried, at) in sampled([-2.5, -2.0, -1.5], edges)? {
+            let found = sampled(at[..4].iter().copied(), |at| Ok((tried.loss, tried.halved(0.97 * at, 1.03 * at)?)))?;
+            panel = panel.curve(Curve::new(found, Ink::Body).dots());
         }
         panel.dot(p.loss, p.aside, Ink::Momentum, "the page's", Side::Left)
     };
@@ -174,16 +209,23 @@ figures! { p: &Parameters, body = lossy(p)?,
                 Ok((work.torques() as f64, error.max(1e-15)))
             })?;
             let method = scheme.map_or(Method::Dop853, |scheme| Method::named(scheme.name));
-            panel = panel.curve(method.curve(points).with_dots().label_end(method.label()));
+            let curve = method.curve(points.iter().copied()).with_dots();
+            let (x, y) = points[points.len() - 1];
+            panel = panel.curve(match scheme {
+                Some(_) => curve.label_at(method.label(), x, y, Side::BelowLeft),
+                None => curve.label_end(method.label()),
+            });
         }
         panel
     };
 }
 
 /// Methods and settings of the last figure: steps, or errors of a step.
-const PRICED: [(Option<Scheme>, &[f64]); 4] = [
-    (Some(Scheme::STRANG), &[20.0, 40.0, 80.0, 160.0, 320.0, 640.0]),
-    (Some(Scheme::ABA82), &[5.0, 10.0, 20.0, 40.0, 80.0]),
+const PRICED: [(Option<Scheme>, &[f64]); 3] = [
+    (
+        Some(Scheme::STRANG),
+        &[20.0, 40.0, 80.0, 160.0, 320.0, 640.0],
+    ),
     (Some(Scheme::ABA1064), &[5.0, 8.0, 12.0, 20.0, 32.0, 48.0]),
     (None, &[1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13]),
 ];
@@ -193,7 +235,9 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let body = lossy(p)?;
     let run = falling(p, &body, BEYOND * body.fall(p.aside, 1e-12)?.end_time())?;
     let columns = ["t [I2/L]", "n1 [-]", "n2 [-]", "n3 [-]", "2 E I2/L^2 [-]"];
-    Trajectory::of(&run, columns, 1200, |t, n| [t, n[0], n[1], n[2], 1.0 + body.above(&n)])
+    Trajectory::of(&run, columns, 1200, |t, n| {
+        [t, n[0], n[1], n[2], 1.0 + body.above(&n)]
+    })
 }
 
 /// The satellite of the picture: its outline, with whips.
@@ -202,14 +246,28 @@ fn satellite(view: View, attitude: &Attitude, roll: f64) -> View {
     let (s, c) = sincos(roll);
     let whip = |turn: f64| {
         let (x, y) = (cos(turn + roll), sin(turn + roll));
-        [place(0.09 * x, 0.09 * y, -0.1), place(0.42 * x, 0.42 * y, -0.16)]
+        [
+            place(0.09 * x, 0.09 * y, -0.1),
+            place(0.42 * x, 0.42 * y, -0.16),
+        ]
     };
-    let seam = [place(0.092 * c, 0.092 * s, -0.85), place(0.092 * c, 0.092 * s, 0.7)];
+    let seam = [
+        place(0.092 * c, 0.092 * s, -0.85),
+        place(0.092 * c, 0.092 * s, 0.7),
+    ];
     let view = view
-        .solid(Solid::cylinder(place(0.0, 0.0, -0.85), place(0.0, 0.0, 0.7), 0.09)
-            .with(Solid::cone(place(0.0, 0.0, 0.7), place(0.0, 0.0, 1.0), 0.09)), Ink::Body)
+        .solid(
+            Solid::cylinder(place(0.0, 0.0, -0.85), place(0.0, 0.0, 0.7), 0.09).with(Solid::cone(
+                place(0.0, 0.0, 0.7),
+                place(0.0, 0.0, 1.0),
+                0.09,
+            )),
+            Ink::Body,
+        )
         .line(seam, Ink::Paper);
-    (0..4).fold(view, |view, k| view.line(whip(0.5 * PI * f64::from(k)), Ink::Ink))
+    (0..4).fold(view, |view, k| {
+        view.line(whip(0.5 * PI * f64::from(k)), Ink::Ink)
+    })
 }
 
 /// In the picture the axis precesses so often while the angle opens.
@@ -220,11 +278,22 @@ const SLOWED: f64 = 40.0;
 /// The satellite from its spin to its tumble, the loss as in so few turns.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let sat = Opening::new(p)?;
-    let end = if sat.thin() { log(1.0 / tan(p.nutation)) + 2.5 } else { log(tan(p.nutation)).max(0.0) + 4.0 };
+    let end = if sat.thin() {
+        log(1.0 / tan(p.nutation)) + 2.5
+    } else {
+        log(tan(p.nutation)).max(0.0) + 4.0
+    };
     // In units of tau, with a precession that the eye can follow.
-    let unit_time = Opening { rate: sat.rate.signum(), ..sat };
+    let unit_time = Opening {
+        rate: sat.rate.signum(),
+        ..sat
+    };
     let line = Curve::of(times(0.0, end, 200), move |x| unit_time.angle(x), Ink::Body);
-    let graph = Panel::over_axes(r"$t/\tau$", Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8)).curve(line);
+    let graph = Panel::over_axes(
+        r"$t/\tau$",
+        Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8),
+    )
+    .curve(line);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.62 * end, end], move |x| {
         let theta = unit_time.angle(x);
         let phi = TAU * TURNS * x / end;
@@ -232,7 +301,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let lean = |theta: f64| log(tan(0.5 * theta));
         let turned = (lean(theta) - lean(unit_time.nutation)) * unit_time.rate.signum();
         let slower = (sat.transverse / sat.axial - 1.0) / SLOWED;
-        let attitude = Attitude::from_euler(rotation_dynamics::attitude::EulerAngles { phi, theta, zeta: 0.0 })?;
+        let attitude = Attitude::from_euler(rotation_dynamics::attitude::EulerAngles {
+            phi,
+            theta,
+            zeta: 0.0,
+        })?;
         let nose = |x: f64| {
             let ((s, c), phi) = (sincos(unit_time.angle(x)), TAU * TURNS * x / end);
             SpaceVector::new(s * sin(phi), -s * cos(phi), c)
@@ -246,7 +319,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let shown = (x - 1.4 * end / TURNS).max(0.0);
         let view = View::of(up * 0.05, 1.2)
             .line(sampled(times(shown, x, 60), |x| Ok(nose(x)))?, Ink::Body)
-            .arrow(SpaceVector::zero(), up * 1.25, Ink::Momentum, "$L$", Side::Above);
-        Ok((alt, satellite(view, &attitude, TAU * TURNS / end * slower * turned)))
+            .arrow(
+                SpaceVector::zero(),
+                up * 1.25,
+                Ink::Momentum,
+                "$L$",
+                Side::Above,
+            );
+        Ok((
+            alt,
+            satellite(view, &attitude, TAU * TURNS / end * slower * turned),
+        ))
     })
 }
