@@ -152,18 +152,15 @@ figures! { p: &Parameters, body = lossy(p)?,
             .curve(Curve::new(mean, Ink::Ink).dashed())
     };
 
-    /// The upper half of the sphere, about axis 1, is cut into spiral bands by four curves that
-    /// come from the two ends of axis 2. Dots and rings, in bands by turns, are
+    /// The upper half of the sphere, about axis 1, is cut into spiral bands by two curves that
+    /// come from the ends of axis 2. Dots and rings, in bands by turns, are
     /// starts that end about the plus and about the minus end of axis 3.
     basins: {
         let strong = Lossy { loss: 0.05, ..body };
         let back = strong.edges(1.2)?;
         let curve = path(&back, 2400)?;
         let turned = curve.iter().map(|n| SpaceVector::new(-n.x(), -n.y(), n.z()));
-        let down = curve.iter().map(|n| SpaceVector::new(n.x(), -n.y(), -n.z()));
-        let other = curve.iter().map(|n| SpaceVector::new(-n.x(), n.y(), -n.z()));
-        let view = sphere().trace(down, Ink::Momentum).trace(other, Ink::Momentum)
-            .trace(turned, Ink::Momentum).trace(curve.iter().copied(), Ink::Momentum);
+        let view = sphere().trace(turned, Ink::Momentum).trace(curve.iter().copied(), Ink::Momentum);
         grid().filter(|n| strong.above(n) > 0.0).try_fold(view, |view, n| {
             let plus = strong.fall_from(n, 1e-10)?.end_state()[2] > 0.0;
             let at = on_sphere(n);

@@ -185,7 +185,7 @@ fn eq_7_the_averaged_loss() {
     }
     mean.attain(2.53e-14..=2.55e-14, 20);
     period.attain(4.47e-16..=4.49e-16, 20);
-    damaged.exceed(0.1, 8);
+    damaged.exceed(0.01, 8);
 }
 
 /// The time by the average is off by a part of the time between flips, however weak the loss:
