@@ -264,17 +264,9 @@ fn the_loss_alone_is_exact_and_the_splitting_of_its_order() {
 /// less the weaker the loss.
 #[test]
 fn a_weak_loss_is_cheap_for_a_splitting() {
-    let least = |lossy: &Lossy, scheme: Option<Scheme>| {
-        let settings = (0..60).map(|k| match scheme {
-            Some(_) => (4.0 * 1.1_f64.powi(k)).floor(),
-            None => 0.1 * 0.6_f64.powi(k),
-        });
-        let runs = settings.map(|fine| price(lossy, 0.5, 40.0, scheme, fine).unwrap());
-        runs.filter(|(error, _)| *error <= 1e-8).map(|(_, work)| work.torques()).min().unwrap()
-    };
     let counts = [1e-2, 1e-3, 1e-4].map(|loss| {
         let lossy = body(BODIES[0], loss);
-        [Some(Scheme::ABA1064), None].map(|scheme| least(&lossy, scheme))
+        [Some(Scheme::ABA1064), None].map(|scheme| least_price(&lossy, 0.5, scheme).unwrap().unwrap().torques())
     });
     assert_eq!(counts, [[256, 1214], [128, 1190], [88, 1202]]);
 }
