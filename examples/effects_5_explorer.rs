@@ -62,14 +62,16 @@ pub struct Lossy {
 }
 
 impl Lossy {
-    /// n' = n x w + a|L| n x (n x w), with w = n/I.
+    /// n' = n x w + a|L| n x (n x w), with w = n/I; written out such that |n| is kept, too,
+    /// where rounding has changed it.
     pub fn equations(self) -> impl Ode<3> {
         ode(move |_, n: &[f64; 3]| {
             let w = [0, 1, 2].map(|i| n[i] * self.inverse[i]);
-            let along: f64 = (0..3).map(|i| n[i] * w[i]).sum();
+            let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            let (along, square) = (dot(n, &w), dot(n, n));
             [0, 1, 2].map(|i| {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                n[j] * w[k] - n[k] * w[j] + self.loss * (n[i] * along - w[i])
+                n[j] * w[k] - n[k] * w[j] + self.loss * (n[i] * along - w[i] * square)
             })
         })
     }
@@ -267,7 +269,7 @@ fn lossy(p: &Parameters) -> Result<Lossy> {
     let body = Lossy::new(p.least, p.largest, p.loss)?;
     let [one, three] = body.gaps();
     // A body that is nearly symmetric flips so slowly that the loss is not weak.
-    from_to(3.0, 1e9).check("sqrt(gap gap)/(a |L|)", (one * three).sqrt() / p.loss)?;
+    from_to(8.0, 1e9).check("sqrt(gap gap)/(a |L|)", (one * three).sqrt() / p.loss)?;
     Ok(body)
 }
 
@@ -329,7 +331,7 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
     let hundred = (flip(101)? - flip(1)?) / 100.0;
     let fallen = body.fall(aside, 1e-14)?;
     let (t, end) = (fallen.end_time(), *fallen.end_state());
-    let split = split(&body, aside, t, 4.0)?;
+    let split = split(&body, aside, t)?;
     let edges = body.edge_angles(aside)?;
     let below = edges.iter().filter(|edge| **edge < aside).count();
     let parity = if below % 2 == 0 { -1.0 } else { 1.0 };
@@ -356,7 +358,7 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
         /// time between flips without a loss
         between: half, "I2/L", "a hundred flips, located" => hundred, within 1e-11 * half, in "The flips";
         /// time until the separatrix is crossed
-        crossing: t, "I2/L", "splitting, to the same energy" => t + split.0, within 1e-8 * upset * t;
+        crossing: t, "I2/L", "splitting, to the same energy" => split.0, within 1e-8 * upset * t;
         /// end of the largest axis: +1 or -1
         side: end[2].signum(), "-", "edges below the start, counted" => parity, within 1e-12, in "The end";
         /// n3 where it crosses
@@ -375,14 +377,25 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// The splitting to the time `t`: by how much later (s) it is on the separatrix, and where it is.
-fn split(body: &Lossy, aside: f64, t: f64, steps: f64) -> Result<(f64, [f64; 3])> {
-    let steps = (steps * t) as u64 + 1;
-    let (n, _) = Splitting::new(Scheme::KAHAN_LI17, steps)?.advance(body, 0.0, &start(aside), t)?;
-    let rates = body.equations().derivative(t, &n);
-    let [one, three] = body.gaps();
-    let slope = 2.0 * (one * n[0] * rates[0] - three * n[2] * rates[2]);
-    Ok((-body.above(&n) / slope, n))
+/// The splitting from `aside` to near the time `t`: when it is on the separatrix, by Newton's
+/// method, and where it is at `t`.
+fn split(body: &Lossy, aside: f64, t: f64) -> Result<(f64, [f64; 3])> {
+    let advance = |n: &[f64; 3], time: f64| {
+        // So many steps while the fastest rate turns by a radian.
+        let steps = (4.0 * body.inverse[0] * time.abs()) as u64 + 1;
+        Ok(Splitting::new(Scheme::KAHAN_LI17, steps)?
+            .advance(body, 0.0, n, time)?
+            .0)
+    };
+    let there = advance(&start(aside), t)?;
+    let (mut n, mut met, [one, three]) = (there, t, body.gaps());
+    for _ in 0..6 {
+        let rates = body.equations().derivative(met, &n);
+        let slope = 2.0 * (one * n[0] * rates[0] - three * n[2] * rates[2]);
+        let step = -body.above(&n) / slope;
+        (n, met) = (advance(&n, step)?, met + step);
+    }
+    Ok((met, there))
 }
 
 /// Weak losses, and bodies that are nearly symmetric.

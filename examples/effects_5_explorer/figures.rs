@@ -62,6 +62,13 @@ fn falling(p: &Parameters, body: &Lossy, time: f64) -> Result<Solution<3>> {
     Dop853::new(1e-11)?.solve(&body.equations(), 0.0, &start(p.aside), time, &[])
 }
 
+/// The body with as strong a loss as the page allows.
+fn strong(body: &Lossy) -> Lossy {
+    let [one, three] = body.gaps();
+    let loss = ((one * three).sqrt() / 8.0).min(0.05);
+    Lossy { loss, ..*body }
+}
+
 /// Directions about axis 1 on the side of the reader.
 fn grid() -> impl Iterator<Item = [f64; 3]> {
     times(-0.9, 1.5, 5).flat_map(|turn| {
@@ -156,7 +163,7 @@ figures! { p: &Parameters, body = lossy(p)?,
     /// come from the ends of axis 2. Dots and rings, in bands by turns, are
     /// starts that end about the plus and about the minus end of axis 3.
     basins: {
-        let strong = Lossy { loss: 0.05, ..body };
+        let strong = strong(&body);
         let back = strong.edges(1.2)?;
         let curve = path(&back, 2400)?;
         let turned = curve.iter().map(|n| SpaceVector::new(-n.x(), -n.y(), n.z()));
@@ -180,15 +187,17 @@ figures! { p: &Parameters, body = lossy(p)?,
             let far = asin((12.0 * tried.toll() / body.gaps()[0]).sqrt().min(0.9));
             Ok((tried, tried.edge_angles(far)?))
         };
-        let lines = sampled(times(-3.0, -1.3, 24), edges)?;
+        let strongest = log(strong(&body).loss) / core::f64::consts::LN_10;
+        let lines = sampled(times(-3.0, strongest, 24), edges)?;
         let axis = Axis::log("start off axis 2 / rad").range(0.04, 1.0);
         let mut panel = Panel::over_axes(Axis::log("$a L$").range(1e-3, 0.05), axis);
         for k in 0..12 {
             let line = lines.iter().filter_map(|(body, at)| Some((body.loss, *at.get(k)?)));
             panel = panel.curve(Curve::new(line.filter(|(_, at)| *at < 1.0), Ink::Ink).thin());
         }
-        for (tried, at) in sampled([-2.5, -2.0, -1.5], edges)? {
-            let found = sampled(at[..4].iter().copied(), |at| Ok((tried.loss, tried.halved(0.97 * at, 1.03 * at)?)))?;
+        let tried = [-2.5, -2.0, -1.5].into_iter().filter(|log| *log <= strongest);
+        for (tried, at) in sampled(tried, edges)? {
+            let found = sampled(at.iter().copied().take(4), |at| Ok((tried.loss, tried.halved(0.97 * at, 1.03 * at)?)))?;
             panel = panel.curve(Curve::new(found, Ink::Body).dots());
         }
         panel.dot(p.loss, p.aside, Ink::Momentum, "the page's", Side::Left)
@@ -276,7 +285,7 @@ const SLOWED: f64 = 40.0;
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let sat = Opening::new(p)?;
     let end = if sat.thin() {
-        log(1.0 / tan(p.nutation)) + 2.5
+        log(1.0 / tan(p.nutation)).max(0.0) + 2.5
     } else {
         log(tan(p.nutation)).max(0.0) + 4.0
     };

@@ -38,7 +38,7 @@ fn what_is_no_body_is_refused() {
         ("--least=0.5 --largest=1.9", "moments"),
         ("--loss=0", "from 0.002 to 0.05"),
         ("--length=0.1 --diameter=0.1155", "moment across the axis over that about it"),
-        ("--least=0.94 --largest=1.06 --loss=0.05", "sqrt(gap gap)/(a |L|)"),
+        ("--least=0.94 --largest=1.06 --loss=0.02", "sqrt(gap gap)/(a |L|)"),
         ("--nutation=1.6", "nutation = 1.6 is not allowed"),
     ];
     refused(&EXAMPLE, runs);
@@ -71,7 +71,7 @@ fn eq_2_the_energy_falls_and_the_momentum_stays() {
         let falls: f64 = (0..3).map(|i| w[i] * slope[i] + at[i] * along[i]).sum();
         power.add(falls, -2.0 * 0.02 * across, across);
     }
-    same.attain(1e-13..=1.1e-13, 4);
+    same.attain(6.17e-14..=6.18e-14, 4);
     other.exceed(0.1, 4);
     power.attain(7.88e-14..=7.89e-14, 4);
 }
@@ -268,7 +268,7 @@ fn a_weak_loss_is_cheap_for_a_splitting() {
         let lossy = body(BODIES[0], loss);
         [Some(Scheme::ABA1064), None].map(|scheme| least_price(&lossy, 0.5, scheme).unwrap().unwrap().torques())
     });
-    assert_eq!(counts, [[256, 1214], [128, 1190], [88, 1202]]);
+    assert_eq!(counts, [[256, 1142], [128, 1118], [88, 1202]]);
 }
 
 #[test]
