@@ -73,7 +73,7 @@ fn eq_2_the_energy_falls_and_the_momentum_stays() {
     }
     same.attain(6.17e-14..=6.18e-14, 4);
     other.exceed(0.1, 4);
-    power.attain(7.88e-14..=7.89e-14, 4);
+    power.attain(6.41e-16..=6.42e-16, 4);
 }
 
 /// tan(theta) and the whole attitude, for thin bodies and flat ones; the damaged twin takes the
