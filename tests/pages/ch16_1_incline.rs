@@ -165,7 +165,7 @@ fn resistance_and_air_shorten_the_way() {
     assert_error!(back.t, stop, 0.0 eps);
     let down = fall * (back.t - 2.0);
     assert_error!(rolls.at(2.0).unwrap().v[0], down, 1.8 eps);
-    errors.attain(6.66e-16..=6.67e-16, 2);
+    errors.attain(1.22e-15..=1.23e-15, 2);
 }
 
 #[test]
