@@ -455,7 +455,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The averaged loss against the motion itself.
 fn averaging(p: &Parameters) -> Result<Table> {
-    let columns = "loss, flips, flips averaged, time, time averaged, off by flips";
+    let columns = "loss, flips, averaged, half way, averaged to half way, off by flips, separatrix, averaged to it";
     let mut table = Table::new("averaging", columns.split(", "))?;
     for part in [4.0, 2.0, 1.0, 0.5] {
         let body = Lossy {
@@ -468,7 +468,7 @@ fn averaging(p: &Parameters) -> Result<Table> {
             body.above(&start(p.aside)),
             0.5 * body.above(&start(p.aside)),
         );
-        let [_, passed] = body.averaged_fall(from, 0.0)?;
+        let [whole, passed] = body.averaged_fall(from, 0.0)?;
         let [time, _] = body.averaged_fall(from, to)?;
         let direct = half_way(&body, p.aside)?;
         let period = body.averaged(to)?[1];
@@ -480,6 +480,8 @@ fn averaging(p: &Parameters) -> Result<Table> {
             digits(direct),
             digits(time),
             format!("{:.2}", (direct - time) / period),
+            digits(fallen.end_time()),
+            digits(whole),
         ])?;
     }
     Ok(table)
