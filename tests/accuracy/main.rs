@@ -9,4 +9,5 @@ mod effects;
 mod gravity_gradient;
 mod internal_dissipation;
 mod measures;
+mod orbiting_body;
 mod sweep;
