@@ -161,19 +161,21 @@ pub fn yearly(rate: f64) -> f64 {
     rate * YEAR / ARCSEC
 }
 
-/// The true axis of the epoch: the mean one with the nutation of the node.
-pub fn start(p: &Parameters) -> Result<[f64; 3]> {
-    let [precession, tilt] = nutation::of_node(p, 0.0)?;
+/// The axis of the epoch: the mean one, with so many terms of the nutation. In its orbits it
+/// has three, as the ring of the Moon one, that of the node.
+pub fn start(p: &Parameters, terms: usize) -> Result<[f64; 3]> {
+    let [precession, tilt] = nutation::at(p, 0.0, terms)?;
     Ok(pole([precession, p.obliquity + tilt]))
 }
 
-/// The axis under these pulls from the epoch to `end` (s).
+/// The axis under these pulls from the epoch, begun with so many terms, to `end` (s).
 pub fn run<const N: usize>(
     p: &Parameters,
     pulls: impl Fn(f64) -> [Pull; N],
+    terms: usize,
     end: f64,
 ) -> Result<Solution<3>> {
-    Dop853::new(p.tolerance)?.solve(&axis(p, pulls), 0.0, &start(p)?, end, &[])
+    Dop853::new(p.tolerance)?.solve(&axis(p, pulls), 0.0, &start(p, terms)?, end, &[])
 }
 
 /// The Earth with its three axes, C = 1, and its state at the epoch: it turns about `axis`.
@@ -207,9 +209,9 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
     let round = TAU / (TAU / (p.node_period * YEAR) + moon_rate);
     let turning = axis(p, |t| [ring.pull(t)]);
     let after = Dop853::new(p.tolerance)?
-        .advance(&turning, 0.0, &start(p)?, round)?
+        .advance(&turning, 0.0, &start(p, 1)?, round)?
         .0;
-    let by_moon = (angles(after)[0] - angles(start(p)?)[0]) / round;
+    let by_moon = (angles(after)[0] - angles(start(p, 1)?)[0]) / round;
     let by_both = nutation::Spectrum::of(p)?.rate;
     // In a year the equinox has moved, and with it the phase of the half-yearly nutation.
     let [longitude, tilt] = nutation::first_order(p)?[1];
@@ -220,8 +222,8 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
     let halves = 3.0 * TAU * ARCSEC * (longitude + tilt) * (longitude + tilt);
     let node = nutation::first_order(p)?[0][0];
     let great = TAU / both.abs() / YEAR;
-    let whole = run(p, as_rings(p)?, great * YEAR)?;
-    let left = angles(*whole.end_state())[0] - angles(start(p)?)[0];
+    let whole = run(p, as_rings(p)?, 1, great * YEAR)?;
+    let left = angles(*whole.end_state())[0] - angles(start(p, 1)?)[0];
     claims! { report,
         /// precession by the Sun, a year
         sun: yearly(sun_rate), "arcsec", "its orbit, simulated" => yearly(by_sun), within phase,
@@ -314,12 +316,12 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let level = with(|p| p.moon_inclination = 0.0);
     let kepler = TAU / (ANOMALISTIC_YEAR * DAY);
     let by_hand = -1.5 * cos(p.obliquity) * p.ellipticity * kepler * kepler / spin(p);
-    let straight = run(&level, as_rings(&level)?, 1000.0 * YEAR)?;
+    let straight = run(&level, as_rings(&level)?, 1, 1000.0 * YEAR)?;
     let tilt = angles(*straight.end_state())[1];
     let once = TAU / rate(p).abs();
-    let round = run(&level, as_one(&level)?, TAU / rate(&level).abs())?;
+    let round = run(&level, as_one(&level)?, 0, TAU / rate(&level).abs())?;
     let back = SpaceVector::from_array(*round.end_state());
-    let begun = SpaceVector::from_array(start(&level)?);
+    let begun = SpaceVector::from_array(start(&level, 0)?);
     let far = with(|p| p.moon_distance = 6e8);
     let cube = pow(p.moon_distance / 6e8, 3.0);
     limits! { report,

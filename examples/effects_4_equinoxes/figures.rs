@@ -36,7 +36,7 @@ fn nutated(p: &Parameters, run: &Solution<3>, t: f64) -> Result<(f64, f64)> {
 fn wobbled(p: &Parameters, end: f64) -> Result<Vec<(f64, f64)>> {
     let system = levels::full(p)?;
     let motion = levels::turning(p, &system)?;
-    let alone = run(p, in_orbit(p)?, end)?;
+    let alone = run(p, in_orbit(p)?, 3, end)?;
     sampled(times(0.0, end, 600), |t| {
         let [x, y, z] = alone.at(t)?;
         let s = SpaceVector::new(x, y, z);
@@ -73,10 +73,12 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
             .text((-1.5, 0.0), "ecliptic", Ink::Frame, Side::AboveRight)
             .guide([(0.0, 0.0), (0.0, 1.35)])
             .guide([out(bulge, 1.15), out(bulge + PI, 1.15)])
-            .text(out(bulge, 1.15), "equator", Ink::Body, Side::BelowRight)
-            .arrow((0.0, 0.0), out(tilt, 1.3), Ink::Momentum, "$L$", Side::Left)
+            .text(out(bulge + PI, 1.15), "equator", Ink::Body, Side::Left)
+            .arrow((0.0, 0.0), out(tilt, 1.3), Ink::Momentum, "", Side::Left)
+            .text(out(tilt, 1.0), "$L$", Ink::Momentum, Side::Right)
             .angle((0.0, 0.0), 1.05, (tilt, 0.5 * PI), r"$\varepsilon$")
-            .arrow(near, (near.0 + 0.62, near.1), Ink::Force, "more", Side::Below)
+            .arrow(near, (near.0 + 0.62, near.1), Ink::Force, "", Side::Below)
+            .text((near.0 + 0.62, near.1), "more", Ink::Force, Side::Right)
             .arrow(far, (far.0 + 0.36, far.1), Ink::Force, "less", Side::Above)
             .ring(out(tilt, 1.3), Ink::Force, "", Side::Right)
             .dot(out(tilt, 1.3), Ink::Force, "torque, towards you", Side::Right)
@@ -87,7 +89,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
     /// the right, Polaris at the top, Errai and Alderamin on the left and, at some distance,
     /// Vega at the bottom; marks every two thousand years, the pole moving anticlockwise.
     sky: {
-        let whole = run(p, as_rings(p)?, 26_000.0 * YEAR)?;
+        let whole = run(p, as_rings(p)?, 1, 26_000.0 * YEAR)?;
         let path = sampled(times(0.0, 25_800.0, 600), |a| {
             Ok(on_map(SpaceVector::from_array(whole.at(a * YEAR)?)))
         })?;
@@ -100,7 +102,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
             let (x, y) = at(year);
             map = map.curve(Curve::new([(0.96 * x, 0.96 * y), (1.04 * x, 1.04 * y)], Ink::Frame).thin());
             if [-4000.0, 0.0, 6000.0, 10_000.0, 14_000.0, 18_000.0].contains(&year) {
-                map = map.text((0.86 * x, 0.86 * y), &format!("{year:.0}"), Ink::Frame, Side::Centre);
+                map = map.text((0.86 * x, 0.86 * y), &format!("{year:.0}").replace('-', "−"), Ink::Frame, Side::Centre);
             }
         }
         sky::STARS.iter().fold(map, |map, star| {
@@ -112,12 +114,12 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
     /// little higher than wide; a fine line with two wiggles a year runs along it.
     ellipse: {
         let round = nutation::node_round(p);
-        let (orbits, rings) = (run(p, in_orbit(p)?, round)?, run(p, as_rings(p)?, round)?);
+        let (orbits, rings) = (run(p, in_orbit(p)?, 3, round)?, run(p, as_rings(p)?, 1, round)?);
         let fine = sampled(times(0.0, round, 2400), |t| nutated(p, &orbits, t))?;
         let smooth = sampled(times(0.0, round, 200), |t| nutated(p, &rings, t))?;
         let most = 1.15 * node[1].max(node[0] * sin(p.obliquity)).max(1.0);
         Panel::over_axes(
-                Axis::linear(r"$\psi\sin\varepsilon$ / arcsec").range(-most, most),
+                Axis::linear(r"$\psi\,\sin\varepsilon$ / arcsec").range(-most, most),
                 Axis::linear(r"$\Delta\varepsilon$ / arcsec").range(-most, most))
             .equal_aspect()
             .curve(Curve::new(smooth, Ink::Frame).dashed())
@@ -128,7 +130,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
     /// the full curve swings about it twice a year by half a second of arc, with ripples of
     /// half a month on it.
     year: {
-        let (orbits, rings) = (run(p, in_orbit(p)?, YEAR)?, run(p, as_rings(p)?, YEAR)?);
+        let (orbits, rings) = (run(p, in_orbit(p)?, 3, YEAR)?, run(p, as_rings(p)?, 1, YEAR)?);
         let tilt = |run: &Solution<3>, d: f64| Ok(nutated(p, run, (d * DAY).min(YEAR))?.1);
         Panel::over_axes("days of the year 2000", r"$\Delta\varepsilon$ / arcsec")
             .curve(Curve::sampled(times(0.0, 365.25, 60), |d| tilt(&rings, d), Ink::Frame)?.dashed().label("rings"))
@@ -137,7 +139,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
 
     /// Five days of the figure axis of the full body, seen from the axis alone, in thousandths
     /// of a second of arc: daily loops, nearly circles, that do not quite close.
-    days: Panel::over_axes("along the precession / mas", "towards the ecliptic's pole / mas")
+    days: Panel::over_axes("along the precession / mas", "towards the ecliptic’s pole / mas")
         .equal_aspect()
         .curve(Curve::new(wobbled(p, 5.0_f64.min(p.days) * DAY)?, Ink::Body).thin().arrow(0.05));
 }
@@ -145,7 +147,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
 /// The motion over a round of the node, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let round = nutation::node_round(p);
-    let path = run(p, in_orbit(p)?, round)?;
+    let path = run(p, in_orbit(p)?, 3, round)?;
     let columns = ["t [d]", "precession [arcsec]", "tilt [rad]"];
     Trajectory::of(&path, columns, 3000, |t, state| {
         let [precession, tilt] = angles(state);
@@ -170,6 +172,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let profile: Vec<(f64, f64)> = times(-0.5 * PI, 0.5 * PI, 16)
         .map(|a| (0.72 * rim * sin(a), rim * cos(a)))
         .collect();
+    let front = SpaceVector::new(cos(0.35), -sin(0.35), 0.0);
     let stills = [79.0, 172.0, 265.0];
     MovingPicture::above(graph, 0.0..=days, stills, move |d| {
         let (n, _) = sun.pull(d * DAY);
@@ -188,7 +191,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .solid(Solid::turned(o, s, &profile), Ink::Body)
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)
-            .dot(n, Ink::Energy, "Sun", Side::Above)
+            .dot(
+                n,
+                Ink::Energy,
+                "Sun",
+                if n.dot(&front) > 0.0 {
+                    Side::Below
+                } else {
+                    Side::Above
+                },
+            )
             .arrow(o, s, Ink::Momentum, "$L$", Side::Right);
         if size > 0.02 {
             scene = scene.arrow(s, s + torque * 0.5, Ink::Force, "torque", Side::Above);

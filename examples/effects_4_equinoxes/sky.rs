@@ -64,8 +64,7 @@ pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
     } else {
         when + 100.0
     } * YEAR;
-    let mean = pole([0.0, p.obliquity]);
-    let path = Dop853::new(1e-14)?.solve(&axis(p, as_one(p)?), 0.0, &mean, span, &[])?;
+    let path = run(p, as_one(p)?, 0, span)?;
     // The first maximum of the cosine, halved down: coarsely over the last two centuries.
     let near = |t: f64| Ok(SpaceVector::from_array(path.at(t)?).dot(&at));
     let before = span - 200.0 * YEAR * span.signum();
