@@ -355,7 +355,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             costs 1.5 * sin(i) * sin(i) * moon_part, "arcsec a year", included;
         "the Sun narrows the Moon's orbit": "(1/2) (month/year)^2" = 0.5 * ratio * ratio,
             costs 0.5 * ratio * ratio * moon_part, "arcsec a year", included;
-        "planets turn the ecliptic": "chi_A cos(eps)/psi_A" = PLANETS / 50.384_815_07,
+        "planets turn the ecliptic": "planets over all" = PLANETS / 50.384_815_07,
             costs PLANETS, "arcsec a year";
         "geodesic precession": "(3/2) (v/c)^2" = 1.5 * slowness(), costs geodesic(), "arcsec a year";
         "fluid core and yielding": "part of the 18.6-year nutation" = (node[1] - 9.2052) / 9.2052,

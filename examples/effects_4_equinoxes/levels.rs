@@ -97,7 +97,7 @@ pub fn spin_in_closed_form(p: &Parameters) -> Result<f64> {
 }
 
 /// What one ring in place of two leaves out, arcsec: the largest distance in a round of the
-/// node, and the longitude that is lost in the whole span, in the mean.
+/// node, and the longitude by which it runs ahead in the whole span, in the mean.
 pub fn node_left_out(p: &Parameters) -> Result<[f64; 2]> {
     let round = nutation::node_round(p);
     let (rings, one) = (run(p, as_rings(p)?, 1, WHOLE * YEAR)?, one_ring(p)?);
@@ -209,7 +209,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         momentum: 1e3 * momentum, "mas", "none, to first order" => 0.0, within expected + 1e9 * p.tolerance;
         /// largest distance of two rings from one ring in a round of the node
         ellipse: ellipse, "arcsec", "nutation of the node" => widest, within widest - node[1] + 2e-3 * widest + 1e-6;
-        /// longitude by which one ring falls behind two in 26 000 years
+        /// longitude by which one ring runs ahead of two in 26 000 years
         drift: drift, "arcsec", "product of two nutations" => expected_drift, within 0.05 * expected_drift.abs() + 0.1;
     }?;
     report.add(table)

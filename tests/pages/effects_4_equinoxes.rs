@@ -66,7 +66,7 @@ fn eq_2_the_axis_alone() {
     let ([figure, momentum], _) = levels::spin_left_out(&p).unwrap();
     assert_error!(1e3 * momentum, 1.2e-4);
     let expected = levels::spin_in_closed_form(&p).unwrap();
-    assert_error!(figure / expected - 1.0, 0.02);
+    assert_error!(figure / expected - 1.0, 3.3e-3);
     assert!(figure > 1e4 * momentum);
 }
 
@@ -129,8 +129,8 @@ fn eq_5_the_nutation_of_the_node() {
     let by_the_stars = p.node_period * YEAR / nutation::node_round(&p);
     assert_error!(by_the_stars * formula[0][1] / found.terms[0][1] - 1.0, 7.2e-4);
     // The shorter ones.
-    assert_error!(formula[1][0] / found.terms[1][0] - 1.0, 1e-5);
-    assert_error!(formula[2][0] / found.terms[2][0] - 1.0, 1e-5);
+    assert_error!(formula[1][0] / found.terms[1][0] - 1.0, 1.51e-5);
+    assert_error!(formula[2][0] / found.terms[2][0] - 1.0, 2.54e-5);
 }
 
 /// Against theory and observation.
