@@ -17,7 +17,7 @@ use core::f64::consts::PI;
 ///
 /// with n the direction to the attracting body, of mass m, and r its distance, both from
 /// the orbit. On a circle it is the [`GravityGradient`](super::GravityGradient), to rounding
-/// (3 eps, as measured). Several attracting bodies are several effects of one scene.
+/// (4 eps, as measured). Several attracting bodies are several effects of one scene.
 ///
 /// [`averaged`](OrbitingBody::averaged) is the mean of it over the orbit, for times
 /// that are long against the period: with the normal k of the orbit, since the mean of
