@@ -12,6 +12,7 @@
 //! | [`InternalDissipation`] | none: the axes drift at constant L, and energy is lost |
 //! | [`ElasticYielding`] | none: the tensor of inertia follows the angular velocity |
 //! | [`GravityGradient`] | an attracting body's on a satellite, near side against far side |
+//! | [`OrbitingBody`] | the same of Sun, Moon or a planet, on a [`KeplerOrbit`], or its mean |
 //! | [`Gravity`] | the weight of a body held at any point |
 //! | [`ViscousFriction`] | friction in proportion to the rates |
 //! | [`CoulombBearing`] | dry friction about the axis, until the spin stops |
@@ -31,7 +32,9 @@ mod gravity;
 mod gravity_anywhere;
 mod gravity_gradient;
 mod internal_dissipation;
+mod kepler_orbit;
 mod nature;
+mod orbiting_body;
 mod pair;
 mod prescribed;
 mod viscous;
@@ -48,7 +51,9 @@ pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
+pub use kepler_orbit::KeplerOrbit;
 pub use nature::{Feature, Keeps, Known, Nature};
+pub use orbiting_body::OrbitingBody;
 pub use prescribed::{PrescribedTorque, Profile};
 pub use viscous::ViscousFriction;
 
