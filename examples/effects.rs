@@ -1,0 +1,174 @@
+//! Only the effects that a scene calls for: which matter, what the absent ones cost, and before
+//! which digit a model must be better.
+
+#[path = "effects/desk.rs"]
+pub mod desk;
+#[path = "effects/digits.rs"]
+pub mod digits;
+#[path = "effects/figures.rs"]
+mod figures;
+#[path = "effects/kept.rs"]
+pub mod kept;
+#[path = "effects/methods.rs"]
+pub mod methods;
+#[path = "effects/weigh.rs"]
+pub mod weigh;
+
+use desk::{ROOM, Spinner, Turning, gradient, gyroscope, on_the_earth};
+use rotation_dynamics::accuracy::Problem;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::State;
+use rotation_dynamics::effects::{Effect, GravityAtLever};
+use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::report::Prepared;
+use rotation_dynamics::report::prelude::*;
+use rotation_dynamics::scene::Scene;
+use std::sync::Arc;
+use weigh::Question;
+
+parameters! {
+    /// A half-kilogram gyroscope on a desk.
+    pub struct Parameters {
+        /// spin at the start
+        spin: number(314.159_265, "rad/s", from_to(250.0, 1000.0).usually(250.0, 600.0));
+        /// friction torque of the vertical pivot
+        pivot: number(1e-4, "N m", from_to(0.0, 3e-4));
+        /// time for which the axis is followed
+        seconds: number(10.0, "s", from_to(1.0, 20.0));
+        /// error asked of the direction of the axis
+        tolerance: number(1e-3, "rad", from_to(1e-9, 0.1));
+    }
+}
+
+/// The weight alone.
+type Weight = ((), GravityAtLever);
+
+/// The gyroscope's axis for the time asked for.
+pub fn question(p: &Parameters) -> Result<Question<Weight>> {
+    let (scene, start) = gyroscope(p).scene()?;
+    let (end, of_axis) = (p.seconds, true);
+    Ok(Question { scene, start, end, of_axis })
+}
+
+/// The six motions, computed once for each parameters.
+pub fn cases(p: &Parameters) -> Result<Arc<Vec<digits::Case>>> {
+    static CASES: Prepared<Parameters, Vec<digits::Case>> = Prepared::new();
+    CASES.get(p, digits::all)
+}
+
+/// By how much the axis is elsewhere if the spin is braked, by the slow precession alone:
+/// phi'' = (m g l/L_z^2) torque, the tilt staying as it is. Rough: released at rest, it nods.
+fn lead(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
+    let rotor = gyroscope(p);
+    let (i3, weight) = (rotor.moments[1], rotor.weight());
+    let law = ode(move |_t, &[spin, _]: &[f64; 2]| {
+        [torque(spin) / i3, weight / (i3 * spin) - weight / (i3 * p.spin)]
+    });
+    let end = after(p.seconds, &law, &[p.spin, 0.0], 1e-12)?;
+    // Two directions at one tilt, phi apart.
+    Ok(2.0 * asin(sin(rotor.tilt) * sin(0.5 * end[1]).abs()))
+}
+
+/// What leaving an effect out costs, by the linear response and by two simulations.
+fn weighed(q: &Question<Weight>, effect: impl Effect) -> Result<(f64, f64)> {
+    Ok((q.predicted(&effect)?.predicted, q.simulated(effect, 1e-9)?))
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (rotor, asked) = (gyroscope(p), question(p)?);
+    // To second order the prediction is off by about its square.
+    let within = |x: f64| 0.02 * x + 2.0 * x * x + 1e-8;
+    let (air, dry) = (weighed(&asked, rotor.air()?)?, weighed(&asked, rotor.dry()?)?);
+    let (pivot, lift) = (weighed(&asked, rotor.pivot())?, weighed(&asked, rotor.buoyancy())?);
+    let (room, above) = (weighed(&asked, on_the_earth())?, weighed(&asked, gradient()?)?);
+    let (drag, bearing) = (rotor.air()?, rotor.bearing);
+    let by_air = lead(p, |spin| drag.axial_torque(spin))?;
+    let by_dry = lead(p, |_| -bearing)?;
+    claims! { report,
+        /// air: how far the axis is elsewhere without it, at most
+        air: air.0, "rad", "simulated with it and without" => air.1, within within(air.0),
+        in "The desk":
+            0.0 => "the rotor slows down, and a slower rotor precesses faster";
+        /// air, simulated
+        air_simulated: air.1, "rad", "precession alone, the spin falling" => by_air, within 0.02 * by_air + 1e-3;
+        /// bearing of the axle
+        bearing: dry.0, "rad", "simulated with it and without" => dry.1, within within(dry.0);
+        /// bearing, simulated
+        bearing_simulated: dry.1, "rad", "precession alone, the spin falling" => by_dry, within 0.02 * by_dry + 1e-4;
+        /// pivot
+        pivot: pivot.0, "rad", "simulated with it and without" => pivot.1, within within(pivot.0);
+        /// weight of the air that is displaced
+        buoyancy: lift.0, "rad", "simulated with it and without" => lift.1, within within(lift.0);
+        /// rotation of the Earth
+        room: room.0, "rad", "simulated with it and without" => room.1, within within(room.0);
+        /// gravity is weaker above
+        above: above.0, "rad", "simulated with it and without" => above.1, within within(above.0);
+    }
+}
+
+/// Where the answer is known without a simulation.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let q = question(p)?;
+    // No pivot, no sag; a room that does not turn, no drift.
+    let still = Turning { rate: SpaceVector::zero() };
+    let smooth = Spinner { pivot: 0.0, ..gyroscope(p) };
+    // A free rotor in a turning room: its axis is left behind by the angle of the room.
+    let free = Question { scene: Scene::new(*q.scene.body()), start: upright(p)?, end: q.end, of_axis: true };
+    let turning = Turning { rate: SpaceVector::new(1e-4, 0.0, 0.0) };
+    let behind = free.predicted(&turning)?.predicted;
+    limits! { report,
+        /// nothing holds the pivot back
+        "a pivot without friction, rad": q.predicted(&smooth.pivot())?.predicted => 0.0, within 1e-12;
+        /// the stars go round no more
+        "a room that does not turn, rad": q.predicted(&still)?.predicted => 0.0, within 1e-12;
+        /// the axis keeps its direction among the stars, and the room turns by rate times time
+        "a free rotor in a turning room: angle over rate x time": behind / (1e-4 * q.end) => 1.0, within 1e-4;
+    }
+}
+
+/// The rotor with its axis upright, free.
+fn upright(p: &Parameters) -> Result<State> {
+    let (scene, _) = gyroscope(p).scene()?;
+    let spin = BodyVector::new(0.0, 0.0, p.spin);
+    scene.body().state(Attitude::IDENTITY, spin)
+}
+
+/// The card: what acts on the desk beside the weight.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (rotor, q) = (gyroscope(p), question(p)?);
+    let left_out = q.scene.called_for(&q.start, q.end, p.tolerance)?.of_axis();
+    let (l, t, rate) = (rotor.momentum(), q.end, rotor.weight() / rotor.momentum());
+    let of = "rad, of the axis";
+    let ratio = rotor.weight() * rotor.moments[0] / (l * l);
+    let air = -rotor.air()?.axial_torque(p.spin) * t / l;
+    report.add(vec![
+        left_out.line("air on the rotor", "torque t / L_z", air, &rotor.air()?, of)?,
+        left_out.line("bearing of the axle", "torque t / L_z", rotor.bearing * t / l, &rotor.dry()?, of)?,
+        left_out.line("friction of the pivot", "torque / m g l", rotor.pivot / rotor.weight(), &rotor.pivot(), of)?,
+        left_out.line("weight of the air displaced", "rho_air / rho_steel", rotor.lifted(), &rotor.buoyancy(), of)?,
+        left_out.line("the Earth turns", "Omega_E / (dphi/dt)", ROOM / rate, &on_the_earth(), of)?,
+        left_out.line("gravity is weaker above", "l / R_E", rotor.lever / 6.371e6, &gradient()?, of)?,
+        effect("weight").number("m g l I1 / L_z^2", ratio).costs(rate * t * sin(rotor.tilt), "rad of precession").included(),
+    ])
+}
+
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let q = question(p)?;
+    let motion = q.scene.exact(&q.start)?;
+    let problem = Problem::new(q.scene, q.start, q.end, motion.try_state(q.end)?);
+    let problem = problem.in_closed_form(move |t| motion.attitude(t));
+    report.strip(&problem, &[p.tolerance, 1e-6, 1e-9])
+}
+
+fn tables(p: &Parameters, report: &mut Report) -> Result<()> {
+    report.add(methods::table(&methods::all(p)?)?)?;
+    report.add(digits::table(&cases(p)?)?)?;
+    report.add(kept::table()?)
+}
+
+example! {
+    effects: "Only the effects that a scene calls for: a gyroscope on a desk, and before which digit its model must be better";
+    "Only the effects that are called for", "a gyroscope on a desk, what acts on it, and what leaving it out costs",
+    [claims, limits, effects, accuracy, tables];
+    figures::figures, figures::trajectory, figures::moving_picture
+}
