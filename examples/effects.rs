@@ -19,7 +19,7 @@ use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::{Effect, GravityAtLever};
-use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::integrators::{Dop853, ode};
 use rotation_dynamics::report::Prepared;
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::scene::Scene;
@@ -47,7 +47,12 @@ type Weight = ((), GravityAtLever);
 pub fn question(p: &Parameters) -> Result<Question<Weight>> {
     let (scene, start) = gyroscope(p).scene()?;
     let (end, of_axis) = (p.seconds, true);
-    Ok(Question { scene, start, end, of_axis })
+    Ok(Question {
+        scene,
+        start,
+        end,
+        of_axis,
+    })
 }
 
 /// The six motions, computed once for each parameters.
@@ -56,17 +61,34 @@ pub fn cases(p: &Parameters) -> Result<Arc<Vec<digits::Case>>> {
     CASES.get(p, digits::all)
 }
 
-/// By how much the axis is elsewhere if the spin is braked, by the slow precession alone:
-/// phi'' = (m g l/L_z^2) torque, the tilt staying as it is. Rough: released at rest, it nods.
-fn lead(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
-    let rotor = gyroscope(p);
-    let (i3, weight) = (rotor.moments[1], rotor.weight());
-    let law = ode(move |_t, &[spin, _]: &[f64; 2]| {
-        [torque(spin) / i3, weight / (i3 * spin) - weight / (i3 * p.spin)]
-    });
-    let end = after(p.seconds, &law, &[p.spin, 0.0], 1e-12)?;
-    // Two directions at one tilt, phi apart.
-    Ok(2.0 * asin(sin(rotor.tilt) * sin(0.5 * end[1]).abs()))
+/// How far the axis is from where it would be, at most, if this torque acts along it: by the
+/// equations of the notes, 16.2 (2) and (3), in theta and phi, with L_z and L_Z as it makes them.
+fn by_angles(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
+    let (rotor, places) = (gyroscope(p), 400);
+    let ([i1, i3], weight) = (rotor.moments, rotor.weight());
+    let axis = |strength: f64| {
+        let torque = &torque;
+        let law = ode(move |_t, &[theta, rate, _, axial, vertical]: &[f64; 5]| {
+            let (s, c) = sincos(theta);
+            let precession = (vertical - axial * c) / (i1 * s * s);
+            let pull = weight * s - precession * s * (axial - i1 * precession * c);
+            let brake = strength * torque(axial / i3);
+            [rate, pull / i1, precession, brake, brake * c]
+        });
+        let (theta, axial) = (rotor.tilt, rotor.momentum());
+        let start = [theta, 0.0, 0.0, axial, axial * cos(theta)];
+        Dop853::new(1e-12)?.solve(&law, 0.0, &start, p.seconds, &[])
+    };
+    let (with, without) = (axis(1.0)?, axis(0.0)?);
+    let mut largest = 0.0_f64;
+    for t in times(0.0, p.seconds, places) {
+        let [a, b] = [with.at(t)?, without.at(t)?].map(|[theta, _, phi, ..]| {
+            let ((s, c), (sp, cp)) = (sincos(theta), sincos(phi));
+            SpaceVector::new(s * sp, -s * cp, c)
+        });
+        largest = largest.max(atan2(a.cross(&b).norm(), a.dot(&b)));
+    }
+    Ok(largest)
 }
 
 /// What leaving an effect out costs, by the linear response and by two simulations.
@@ -78,30 +100,38 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rotor, asked) = (gyroscope(p), question(p)?);
     // To second order the prediction is off by about its square.
     let within = |x: f64| 0.02 * x + 2.0 * x * x + 1e-8;
-    let (air, dry) = (weighed(&asked, rotor.air()?)?, weighed(&asked, rotor.dry()?)?);
-    let (pivot, lift) = (weighed(&asked, rotor.pivot())?, weighed(&asked, rotor.buoyancy())?);
-    let (room, above) = (weighed(&asked, on_the_earth())?, weighed(&asked, gradient()?)?);
+    let (air, dry) = (
+        asked.simulated(rotor.air()?, 1e-9)?,
+        weighed(&asked, rotor.dry()?)?,
+    );
+    let (pivot, lift) = (
+        weighed(&asked, rotor.pivot())?,
+        weighed(&asked, rotor.buoyancy())?,
+    );
+    let (room, above) = (
+        weighed(&asked, on_the_earth())?,
+        weighed(&asked, gradient()?)?,
+    );
     let (drag, bearing) = (rotor.air()?, rotor.bearing);
-    let by_air = lead(p, |spin| drag.axial_torque(spin))?;
-    let by_dry = lead(p, |_| -bearing)?;
+    let by_air = by_angles(p, |spin| drag.axial_torque(spin))?;
+    let by_dry = by_angles(p, |_| -bearing)?;
     claims! { report,
-        /// air: how far the axis is elsewhere without it, at most
-        air: air.0, "rad", "simulated with it and without" => air.1, within within(air.0),
+        /// air: how far the axis is elsewhere without it, at most; simulated
+        air: air, "rad", "DOP853 on (2), (3), L_z falling" => by_air, within 1e-7,
         in "The desk":
-            0.0 => "the rotor slows down, and a slower rotor precesses faster";
-        /// air, simulated
-        air_simulated: air.1, "rad", "precession alone, the spin falling" => by_air, within 0.02 * by_air + 1e-3;
-        /// bearing of the axle
+            1e-9 => "the rotor slows down, and a slower rotor precesses faster",
+            0.5 * air => "both the lead and the nods count: look at the whole way";
+        /// bearing of the axle, predicted
         bearing: dry.0, "rad", "simulated with it and without" => dry.1, within within(dry.0);
         /// bearing, simulated
-        bearing_simulated: dry.1, "rad", "precession alone, the spin falling" => by_dry, within 0.02 * by_dry + 1e-4;
-        /// pivot
+        bearing_simulated: dry.1, "rad", "DOP853 on (2), (3), L_z falling" => by_dry, within 1e-7;
+        /// pivot, predicted
         pivot: pivot.0, "rad", "simulated with it and without" => pivot.1, within within(pivot.0);
-        /// weight of the air that is displaced
+        /// weight of the air that is displaced, predicted
         buoyancy: lift.0, "rad", "simulated with it and without" => lift.1, within within(lift.0);
-        /// rotation of the Earth
+        /// rotation of the Earth, predicted
         room: room.0, "rad", "simulated with it and without" => room.1, within within(room.0);
-        /// gravity is weaker above
+        /// gravity is weaker above, predicted
         above: above.0, "rad", "simulated with it and without" => above.1, within within(above.0);
     }
 }
@@ -110,11 +140,23 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let q = question(p)?;
     // No pivot, no sag; a room that does not turn, no drift.
-    let still = Turning { rate: SpaceVector::zero() };
-    let smooth = Spinner { pivot: 0.0, ..gyroscope(p) };
+    let still = Turning {
+        rate: SpaceVector::zero(),
+    };
+    let smooth = Spinner {
+        pivot: 0.0,
+        ..gyroscope(p)
+    };
     // A free rotor in a turning room: its axis is left behind by the angle of the room.
-    let free = Question { scene: Scene::new(*q.scene.body()), start: upright(p)?, end: q.end, of_axis: true };
-    let turning = Turning { rate: SpaceVector::new(1e-4, 0.0, 0.0) };
+    let free = Question {
+        scene: Scene::new(*q.scene.body()),
+        start: upright(p)?,
+        end: q.end,
+        of_axis: true,
+    };
+    let turning = Turning {
+        rate: SpaceVector::new(1e-4, 0.0, 0.0),
+    };
     let behind = free.predicted(&turning)?.predicted;
     limits! { report,
         /// nothing holds the pivot back
@@ -143,12 +185,45 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air = -rotor.air()?.axial_torque(p.spin) * t / l;
     report.add(vec![
         left_out.line("air on the rotor", "torque t / L_z", air, &rotor.air()?, of)?,
-        left_out.line("bearing of the axle", "torque t / L_z", rotor.bearing * t / l, &rotor.dry()?, of)?,
-        left_out.line("friction of the pivot", "torque / m g l", rotor.pivot / rotor.weight(), &rotor.pivot(), of)?,
-        left_out.line("weight of the air displaced", "rho_air / rho_steel", rotor.lifted(), &rotor.buoyancy(), of)?,
-        left_out.line("the Earth turns", "Omega_E / (dphi/dt)", ROOM / rate, &on_the_earth(), of)?,
-        left_out.line("gravity is weaker above", "l / R_E", rotor.lever / 6.371e6, &gradient()?, of)?,
-        effect("weight").number("m g l I1 / L_z^2", ratio).costs(rate * t * sin(rotor.tilt), "rad of precession").included(),
+        left_out.line(
+            "bearing of the axle",
+            "torque t / L_z",
+            rotor.bearing * t / l,
+            &rotor.dry()?,
+            of,
+        )?,
+        left_out.line(
+            "friction of the pivot",
+            "torque / m g l",
+            rotor.pivot / rotor.weight(),
+            &rotor.pivot(),
+            of,
+        )?,
+        left_out.line(
+            "weight of the air displaced",
+            "rho_air / rho_steel",
+            rotor.lifted(),
+            &rotor.buoyancy(),
+            of,
+        )?,
+        left_out.line(
+            "the Earth turns",
+            "Omega_E / (dphi/dt)",
+            ROOM / rate,
+            &on_the_earth(),
+            of,
+        )?,
+        left_out.line(
+            "gravity is weaker above",
+            "l / R_E",
+            rotor.lever / 6.371e6,
+            &gradient()?,
+            of,
+        )?,
+        effect("weight")
+            .number("m g l I1 / L_z^2", ratio)
+            .costs(rate * t * sin(rotor.tilt), "rad of precession")
+            .included(),
     ])
 }
 

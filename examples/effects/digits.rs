@@ -47,7 +47,14 @@ impl Case {
             None => scene.solve(start, end, 1e-11)?.state.attitude,
         };
         let runs = question.runs(&ASKED, &exact)?;
-        Ok(Self { key, name, model, left_out, runs, closed })
+        Ok(Self {
+            key,
+            name,
+            model,
+            left_out,
+            runs,
+            closed,
+        })
     }
 
     /// Evaluations for this error (rad), between the runs beside it.
@@ -59,7 +66,14 @@ impl Case {
 
 /// All of them.
 pub fn all(p: &Parameters) -> Result<Vec<Case>> {
-    Ok(vec![spinner_case(p)?, top_case()?, book()?, year()?, great_year()?, satellite()?])
+    Ok(vec![
+        spinner_case(p)?,
+        top_case()?,
+        book()?,
+        year()?,
+        great_year()?,
+        satellite()?,
+    ])
 }
 
 fn spinner_case(p: &Parameters) -> Result<Case> {
@@ -67,7 +81,12 @@ fn spinner_case(p: &Parameters) -> Result<Case> {
     let (scene, start) = rotor.scene()?;
     let (end, of_axis) = (10.0, true);
     let exact = scene.exact(&start)?.try_attitude(end)?;
-    let q = Question { scene, start, end, of_axis };
+    let q = Question {
+        scene,
+        start,
+        end,
+        of_axis,
+    };
     let left_out = vec![
         q.left_out("air", rotor.air()?)?,
         q.left_out("bearing", rotor.dry()?)?,
@@ -76,7 +95,12 @@ fn spinner_case(p: &Parameters) -> Result<Case> {
         q.left_out("the Earth turns", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
-    Case::of(["gyroscope", "gyroscope, 10 s", "weight"], &q, Some(exact), left_out)
+    Case::of(
+        ["gyroscope", "gyroscope, 10 s", "weight"],
+        &q,
+        Some(exact),
+        left_out,
+    )
 }
 
 fn top_case() -> Result<Case> {
@@ -84,7 +108,12 @@ fn top_case() -> Result<Case> {
     let (scene, start) = top.scene()?;
     let (end, of_axis) = (10.0, true);
     let exact = scene.exact(&start)?.try_attitude(end)?;
-    let q = Question { scene, start, end, of_axis };
+    let q = Question {
+        scene,
+        start,
+        end,
+        of_axis,
+    };
     let left_out = vec![
         q.left_out("air", top.air()?)?,
         q.left_out("drilling tip", top.dry()?)?,
@@ -92,7 +121,12 @@ fn top_case() -> Result<Case> {
         q.left_out("the Earth turns", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
-    Case::of(["top", "toy top, 10 s", "weight, fixed tip"], &q, Some(exact), left_out)
+    Case::of(
+        ["top", "toy top, 10 s", "weight, fixed tip"],
+        &q,
+        Some(exact),
+        left_out,
+    )
 }
 
 /// The book of the page on three different moments: half a kilogram, 21 by 14 by 2.5 cm,
@@ -110,9 +144,7 @@ fn book() -> Result<Case> {
     let (end, of_axis) = (1.0, false);
     let exact = scene.exact(&start)?.attitude(end);
     // Each half of a plate that turns about an edge in its plane pushes air: coefficient 1.2.
-    let push = |half: f64, along: f64| {
-        0.5 * 1.204 * 1.2 * along * half * half * half * half / 2.0
-    };
+    let push = |half: f64, along: f64| 0.5 * 1.204 * 1.2 * along * half * half * half * half / 2.0;
     let (short_way, long_way) = (push(0.5 * w, l), push(0.5 * l, w));
     let air = Torque::on_body("air", move |_t, body: &RigidBody, state: &State| {
         let [p, q, _] = body.angular_velocity(state).to_array();
@@ -121,14 +153,24 @@ fn book() -> Result<Case> {
     // Paper creaks: it bends at 50 Hz with a quality factor of 20.
     let bent = 12.0 / (TAU * 50.0);
     let creaks = InternalDissipation::new(bent * bent / 20.0 / momentum)?;
-    let q = Question { scene, start, end, of_axis };
+    let q = Question {
+        scene,
+        start,
+        end,
+        of_axis,
+    };
     let left_out = vec![
         q.left_out("air", air)?,
         q.left_out("it bends and creaks", creaks)?,
         q.left_out("the Earth turns", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
-    Case::of(["book", "thrown book, 1 s", "nothing"], &q, Some(exact), left_out)
+    Case::of(
+        ["book", "thrown book, 1 s", "nothing"],
+        &q,
+        Some(exact),
+        left_out,
+    )
 }
 
 /// The Earth of the notes: A and C over M R^2, which is the unit of its moments here.
@@ -190,8 +232,16 @@ fn year() -> Result<Case> {
     let (scene, start) = earth()?;
     let (end, of_axis) = (YEAR, true);
     let exact = scene.exact(&start)?.attitude(end);
-    let q = Question { scene, start, end, of_axis };
-    let (normal, equinox) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
+    let q = Question {
+        scene,
+        start,
+        end,
+        of_axis,
+    };
+    let (normal, equinox) = (
+        SpaceVector::new(0.0, 0.0, 1.0),
+        SpaceVector::new(1.0, 0.0, 0.0),
+    );
     let [sun, moon] = attractors();
     let on_orbit = |rate: f64, whole: f64| {
         // The Moon attracts with a part of what its mean motion would need.
@@ -203,11 +253,19 @@ fn year() -> Result<Case> {
     // k_2 = 0.30 over k_s = 0.938.
     let yielding = Yielding { part: 0.30 / 0.938 };
     let left_out = vec![
-        q.left_out("torque of the Moon", on_orbit(moon, TAU / (27.321_661 * 86_400.0))?)?,
+        q.left_out(
+            "torque of the Moon",
+            on_orbit(moon, TAU / (27.321_661 * 86_400.0))?,
+        )?,
         q.left_out("torque of the Sun", on_orbit(sun, sun)?)?,
         q.left_out("yielding mantle", yielding)?,
     ];
-    Case::of(["year", "Earth, a year", "nothing"], &q, Some(exact), left_out)
+    Case::of(
+        ["year", "Earth, a year", "nothing"],
+        &q,
+        Some(exact),
+        left_out,
+    )
 }
 
 /// 26,000 years, in which the equinoxes go round: too long to follow day by day, so the torque
@@ -216,7 +274,10 @@ fn great_year() -> Result<Case> {
     let (scene, start) = earth()?;
     let end = 26_000.0 * YEAR;
     let spin = TAU / DAY;
-    let k: f64 = attractors().map(|n| 1.5 * n * n * (C - A) / (C * spin)).iter().sum();
+    let k: f64 = attractors()
+        .map(|n| 1.5 * n * n * (C - A) / (C * spin))
+        .iter()
+        .sum();
     let (s, c) = sincos(OBLIQUITY);
     // Time in units of the span.
     let law = ode(move |_, [x, y, z]: &[f64; 3]| [k * end * z * y, -k * end * z * x, 0.0]);
@@ -232,7 +293,11 @@ fn great_year() -> Result<Case> {
         // The obliquity goes from 22.1 to 24.5 degrees and back in 41,000 years (Berger 1978).
         LeftOut::new("the orbit tilts", (24.5 - 22.1) * degrees, "literature"),
         // The constant of nutation, 9.2025 arcsec (IAU 1980).
-        LeftOut::new("the Moon's nodes go round", 9.2025 / 3600.0 * degrees, "literature"),
+        LeftOut::new(
+            "the Moon's nodes go round",
+            9.2025 / 3600.0 * degrees,
+            "literature",
+        ),
     ];
     let closed = scene.solve(&start, end, 1e-3)?.estimate;
     Ok(Case {
@@ -248,7 +313,10 @@ fn great_year() -> Result<Case> {
 /// The satellite of the page on the library, askew by a hundredth of a radian.
 fn satellite() -> Result<Case> {
     let n0 = 1.1e-3;
-    let (normal, down) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(-1.0, 0.0, 0.0));
+    let (normal, down) = (
+        SpaceVector::new(0.0, 0.0, 1.0),
+        SpaceVector::new(-1.0, 0.0, 0.0),
+    );
     let gradient = GravityGradient::on_orbit(n0, normal, down)?;
     let body = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0)?);
     let askew = Attitude::about_space_axis(normal, 0.01)?;
@@ -258,7 +326,9 @@ fn satellite() -> Result<Case> {
     let light = 4.5e-6 * 4.0 * 0.05;
     let sunlight = Torque::on_space("sunlight", move |_, _, _| SpaceVector::new(0.0, 0.0, light));
     let magnet = Torque::on_space("magnet", move |_t, _body: &RigidBody, state: &State| {
-        let magnet = state.attitude.to_space(BodyVector::new(0.1 * 3e-5, 0.0, 0.0));
+        let magnet = state
+            .attitude
+            .to_space(BodyVector::new(0.1 * 3e-5, 0.0, 0.0));
         magnet.cross(&SpaceVector::new(0.0, 0.0, 1.0))
     });
     // An orbit of eccentricity 0.001: ahead by 2 e sin(n t), nearer by e cos(n t).
@@ -267,20 +337,36 @@ fn satellite() -> Result<Case> {
         let there = gradient.torque(t + 2e-3 * s / n0, body, state) * (1.0 + 3e-3 * c);
         there - gradient.torque(t, body, state)
     });
-    let q = Question { scene, start, end, of_axis };
+    let q = Question {
+        scene,
+        start,
+        end,
+        of_axis,
+    };
     let left_out = vec![
         q.left_out("sunlight", sunlight.smooth())?,
         q.left_out("magnet on board", magnet.smooth())?,
         q.left_out("orbit no circle", ellipse.smooth())?,
     ];
-    Case::of(["satellite", "satellite, a day", "gradient of gravity"], &q, None, left_out)
+    Case::of(
+        ["satellite", "satellite, a day", "gradient of gravity"],
+        &q,
+        None,
+        left_out,
+    )
 }
 
 /// The table: for each the largest three, what a digit is worth, and what it costs.
 pub fn table(cases: &[Case]) -> Result<Table> {
     let columns = [
-        "motion", "has in", "first left out", "then", "then",
-        "digits worth having", "evaluations for them", "digits to be had",
+        "motion",
+        "has in",
+        "first left out",
+        "then",
+        "then",
+        "digits worth having",
+        "evaluations for them",
+        "digits to be had",
     ];
     let mut table = Table::new("digits", columns)?;
     for case in cases {
@@ -290,7 +376,11 @@ pub fn table(cases: &[Case]) -> Result<Table> {
             })
         };
         let least = case.left_out[0].error;
-        let finest = case.runs.iter().map(|run| run.1).fold(f64::INFINITY, f64::min);
+        let finest = case
+            .runs
+            .iter()
+            .map(|run| run.1)
+            .fold(f64::INFINITY, f64::min);
         let finest = case.closed.map_or(finest, |closed| closed.min(finest));
         let price = match (case.closed, case.price(least)) {
             (_, Some(price)) => short(price, 2),

@@ -135,7 +135,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .guide(ring)
             .arrow((0.0, 0.0), (a.x(), a.y()), Ink::Body, "vacuum", Side::Right)
             .arrow((0.0, 0.0), (b.x(), b.y()), Ink::Ink, "air", Side::Left);
-        let alt = format!("The axle from above after {t:.1} s: in air it is {:.2} rad from where it would be in a vacuum; below, that angle against time.", angle([a, b]));
+        let alt = format!(
+            "The axle from above after {t:.1} s: in air it is {:.2} rad from where it would be in a vacuum; below, that angle against time.",
+            angle([a, b])
+        );
         Ok((alt, sketch))
     })
 }

@@ -5,8 +5,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, Effect, GravityAtLever, GravityGradient, InternalDissipation,
-    ViscousFriction,
+    CoulombBearing, Effect, GravityAtLever, GravityGradient, InternalDissipation, ViscousFriction,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -65,13 +64,20 @@ pub fn run<E: Effect>(scene: &Scene<E>, start: &State) -> Result<Kept> {
                 Invariant::Energy => (scene.energy_at(0.0, start), scene.energy_at(end, &last)),
                 other => (scene.value(other, start), scene.value(other, &last)),
             };
-            let size = if quantity == Invariant::Energy { energy } else { momentum };
+            let size = if quantity == Invariant::Energy {
+                energy
+            } else {
+                momentum
+            };
             (after - before).abs() / size
         })
         .fold(0.0, f64::max);
     let gained = (scene.energy_at(end, &last) - scene.energy_at(0.0, start)) / energy;
     Ok(Kept {
-        names: scene.invariants().map(|quantity| quantity.name_and_unit().0).collect(),
+        names: scene
+            .invariants()
+            .map(|quantity| quantity.name_and_unit().0)
+            .collect(),
         drift: drift / (EPS * work.steps as f64),
         balance: (gained - done / energy).abs(),
         gained,
@@ -89,7 +95,10 @@ pub fn table() -> Result<Table> {
     let bearing = CoulombBearing::new(0.02, &body, &start, 0.0)?;
     let oil = ViscousFriction::new(0.02, 0.01)?;
     let creaks = InternalDissipation::new(0.01)?;
-    let (up, aside) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
+    let (up, aside) = (
+        SpaceVector::new(0.0, 0.0, 1.0),
+        SpaceVector::new(1.0, 0.0, 0.0),
+    );
     let (held, moving) = (
         GravityGradient::fixed(0.1, up)?,
         GravityGradient::on_orbit(0.1, up, aside)?,
@@ -100,14 +109,32 @@ pub fn table() -> Result<Table> {
         ("dry bearing", run(&free.with(bearing), &start)?),
         ("oil", run(&free.with(oil), &start)?),
         ("losses inside", run(&free.with(creaks), &start)?),
-        ("gradient, from a fixed side", run(&free.with(held), &start)?),
+        (
+            "gradient, from a fixed side",
+            run(&free.with(held), &start)?,
+        ),
         ("gradient, on an orbit", run(&free.with(moving), &start)?),
-        ("weight and dry bearing", run(&free.with(weight).with(bearing), &start)?),
+        (
+            "weight and dry bearing",
+            run(&free.with(weight).with(bearing), &start)?,
+        ),
         ("weight and oil", run(&free.with(weight).with(oil), &start)?),
-        ("weight and gradient from a fixed side", run(&free.with(weight).with(held), &start)?),
-        ("losses inside and gradient on an orbit", run(&free.with(creaks).with(moving), &start)?),
+        (
+            "weight and gradient from a fixed side",
+            run(&free.with(weight).with(held), &start)?,
+        ),
+        (
+            "losses inside and gradient on an orbit",
+            run(&free.with(creaks).with(moving), &start)?,
+        ),
     ];
-    let columns = ["what acts", "kept", "drift / eps a step", "energy gained", "less work done"];
+    let columns = [
+        "what acts",
+        "kept",
+        "drift / eps a step",
+        "energy gained",
+        "less work done",
+    ];
     let mut table = Table::new("kept", columns)?;
     for (name, kept) in rows {
         let (names, drift) = if kept.names.is_empty() {
@@ -115,8 +142,18 @@ pub fn table() -> Result<Table> {
         } else {
             (kept.names.join("; "), short(kept.drift, 2))
         };
-        let gained = if kept.gained.abs() < 1e-12 { "none".to_owned() } else { format!("{} of E", short(kept.gained, 3)) };
-        table.push([name.to_owned(), names, drift, gained, rounded_up(kept.balance)])?;
+        let gained = if kept.gained.abs() < 1e-12 {
+            "none".to_owned()
+        } else {
+            format!("{} of E", short(kept.gained, 3))
+        };
+        table.push([
+            name.to_owned(),
+            names,
+            drift,
+            gained,
+            rounded_up(kept.balance),
+        ])?;
     }
     Ok(table)
 }

@@ -41,7 +41,10 @@ enum Law {
     /// This torque (N m), until l_3 is 0.
     Dry(f64),
     /// l_3' = -factor |l_3|^power l_3.
-    Power { factor: f64, power: f64 },
+    Power {
+        factor: f64,
+        power: f64,
+    },
 }
 
 impl Resistance {
@@ -158,7 +161,11 @@ impl Resistance {
         match self.law {
             Law::None => {
                 let x = self.rates[2] * dt;
-                if x == 0.0 { l * dt } else { -l * dt * expm1(-x) / x }
+                if x == 0.0 {
+                    l * dt
+                } else {
+                    -l * dt * expm1(-x) / x
+                }
             }
             Law::Dry(torque) if dt > 0.0 && l * torque >= 0.0 => 0.0,
             Law::Dry(torque) => {

@@ -117,7 +117,11 @@ impl Effect for ViscousFriction {
     fn resistance(&self, _t: f64, body: &RigidBody) -> Option<Resistance> {
         let [i1, i2, i3] = body.moments().to_array();
         let (transverse, axial) = (self.transverse, self.axial);
-        Some(Resistance::linear([transverse / i1, transverse / i2, axial / i3]))
+        Some(Resistance::linear([
+            transverse / i1,
+            transverse / i2,
+            axial / i3,
+        ]))
     }
 
     fn narrowest(&self) -> Option<Feature> {

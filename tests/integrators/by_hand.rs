@@ -71,7 +71,11 @@ impl<const HEAVY: bool> Ode<7> for ByHand<HEAVY> {
 
     fn scale(&self, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
         let q = length([w, x, y, z]);
-        let built_up = if HEAVY { (self.moments[2] * self.moment).sqrt() } else { 0.0 };
+        let built_up = if HEAVY {
+            (self.moments[2] * self.moment).sqrt()
+        } else {
+            0.0
+        };
         let l = SpaceVector::new(lx, ly, lz).norm().max(built_up);
         [q, q, q, q, l, l, l]
     }
@@ -135,10 +139,7 @@ impl TurnAndPush<true> {
 }
 
 /// A sum with what its rounding has left out.
-fn plus<const N: usize>(
-    (value, carry): &mut ([f64; N], [f64; N]),
-    increment: [f64; N],
-) {
+fn plus<const N: usize>((value, carry): &mut ([f64; N], [f64; N]), increment: [f64; N]) {
     for i in 0..N {
         let (a, b) = (value[i], increment[i] + carry[i]);
         let sum = a + b;

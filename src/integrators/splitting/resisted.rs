@@ -22,9 +22,14 @@ use crate::scene::Scene;
 /// L_z goes its own way, L_z' = -k L_z or its law, and the angle of the spin is the integral of
 /// that in closed form.
 ///
-/// Which scheme: any but SRKN 6b and 14a, whose order rests on kicks that depend on the
-/// attitude only (measured with friction: 2 for both). Where dry friction stops the spin on
-/// the way, one without negative parts, Strang or ABA(8,2), or a run cut at the stop.
+/// Which scheme: all keep their order but SRKN 14a, whose order 6 rests on kicks that depend on
+/// the attitude only; it falls to 4 where the resistance is strong (measured 4.0 with a rate
+/// of 3/s on a body that turns by 2 rad/s), and is the cheapest all the same where it is weak.
+/// Where dry friction stops the spin on the way, take one without negative parts, Strang or
+/// ABA(8,2), or cut the run at the stop.
+///
+/// Cost: for the gyroscope of the example below, off by 9.4e-7 rad after ten seconds, SRKN 14a
+/// takes 2800 kicks, DOP853 nearly 14 times as many derivatives.
 ///
 /// ```
 /// use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -41,11 +46,11 @@ use crate::scene::Scene;
 /// let scene = Scene::new(body).with(GravityAtLever::new(4.9, 0.1)?).with(friction);
 /// let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 })?;
 /// let start = body.state(tilted, BodyVector::new(0.0, 0.0, 314.0))?;
-/// let split = Splitting::new(Scheme::ABA104, 1200)?;
+/// let split = Splitting::new(Scheme::SRKN14, 200)?;
 /// let (end, work) = split.advance(&Resisted::new(&scene, 0.0)?, 0.0, &start, 10.0)?;
 /// let (other, more) = Dop853::new(1e-12)?.advance(&scene, 0.0, &start, 10.0)?;
 /// assert!(end.attitude.angle_to(&other.attitude) < 1e-6);
-/// assert!(8 * work.torques() < more.torques());
+/// assert!(14 * work.torques() < more.torques());
 /// # Ok(())
 /// # }
 /// ```
