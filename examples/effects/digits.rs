@@ -27,9 +27,6 @@ pub struct Case {
     pub closed: Option<f64>,
 }
 
-/// Errors asked of the dial, rad.
-const ASKED: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-
 impl Case {
     fn of<E: Effect + Clone>(
         names: [&'static str; 3],
@@ -46,7 +43,7 @@ impl Case {
             Some(exact) => exact,
             None => scene.solve(start, end, 1e-11)?.state.attitude,
         };
-        let runs = question.runs(&ASKED, &exact)?;
+        let runs = question.runs(&exact)?;
         Ok(Self {
             key,
             name,
@@ -57,10 +54,10 @@ impl Case {
         })
     }
 
-    /// Evaluations for this error (rad), between the runs beside it.
+    /// Evaluations of the first run that comes so near (rad), with all after it.
     pub fn price(&self, error: f64) -> Option<f64> {
-        let at = self.runs.iter().position(|(_, off)| *off <= error)?;
-        Some(self.runs[at].0)
+        let far = self.runs.iter().rposition(|(_, off)| *off > error);
+        self.runs.get(far.map_or(0, |n| n + 1)).map(|run| run.0)
     }
 }
 

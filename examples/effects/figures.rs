@@ -10,8 +10,8 @@ use rotation_dynamics::motion::Motion;
 fn aside(q: &Question<Weight>, effect: impl Effect, name: &str, ink: Ink) -> Result<Curve> {
     let limits = Limits::default();
     let scene = q.scene.with(effect);
-    let with = scene.solve_along(&q.start, q.end, 1e-10, &limits)?;
-    let without = q.scene.solve_along(&q.start, q.end, 1e-10, &limits)?;
+    let with = scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
+    let without = q.scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
     // Equal distances on a logarithmic axis.
     let times = (0..=160).map(|n| q.end * pow(10.0, -2.0 + f64::from(n) / 80.0));
     let (mut largest, mut points) = (1e-9_f64, Vec::new());
@@ -25,16 +25,16 @@ fn aside(q: &Question<Weight>, effect: impl Effect, name: &str, ink: Ink) -> Res
 }
 
 /// Error against price for one of the motions, with what its model leaves out.
-fn digits(p: &Parameters, key: &str) -> Result<Panel> {
-    let cases = cases(p)?;
+fn digits(key: &str) -> Result<Panel> {
+    let cases = cases()?;
     let Some(case) = cases.iter().find(|case| case.key == key) else {
         return Ok(Panel::over_axes("", ""));
     };
     let first = case.runs.first().map_or(10.0, |run| run.0);
     let last = case.runs.last().map_or(1e4, |run| run.0);
     let mut panel = Panel::over_axes(
-        Axis::log("evaluations").range(0.5 * first, 3.0 * last),
-        Axis::log("error / rad").range(1e-14, 10.0),
+        Axis::log("evaluations").range(0.8 * first, 1.3 * last),
+        Axis::log("error / rad").range(1e-15, 10.0),
     )
     .curve(Curve::new(case.runs.iter().copied(), Ink::Body).with_dots());
     for one in named(case) {
@@ -73,27 +73,27 @@ figures! { p: &Parameters;
 
     /// Error against evaluations of the gyroscope's axis after ten seconds: the runs fall to
     /// the floor of rounding, far below the level lines of what the model leaves out.
-    digits_gyroscope: digits(p, "gyroscope")?;
+    digits_gyroscope: digits("gyroscope")?;
 
     /// The same for a toy top.
-    digits_top: digits(p, "top")?;
+    digits_top: digits("top")?;
 
     /// The same for a thrown book: its largest effect, the air, is small.
-    digits_book: digits(p, "book")?;
+    digits_book: digits("book")?;
 
     /// The same for the axis of the Earth over a year, with the torques of Moon and Sun.
-    digits_year: digits(p, "year")?;
+    digits_year: digits("year")?;
 
     /// The same for a satellite over a day.
-    digits_satellite: digits(p, "satellite")?;
+    digits_satellite: digits("satellite")?;
 }
 
 /// The axis with its weight alone and in air, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (rotor, q, limits) = (gyroscope(p), question(p)?, Limits::default());
     let scene = q.scene.with(rotor.air()?);
-    let with = scene.solve_along(&q.start, q.end, 1e-9, &limits)?;
-    let without = q.scene.solve_along(&q.start, q.end, 1e-9, &limits)?;
+    let with = scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
+    let without = q.scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
     let columns = ["t [s]", "X", "Y", "Z", "X in air", "Y in air", "Z in air"];
     Trajectory::sampled(columns, times(0.0, q.end, 1000), |t| {
         let [a, b, c] = without.try_state(t)?.attitude.axis().to_array();
@@ -126,9 +126,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         [0, 1].map(|i| axes[n][i] * (1.0 - part) + axes[n + 1][i] * part)
     };
     let angle = |[a, b]: [SpaceVector; 2]| atan2(a.cross(&b).norm(), a.dot(&b));
-    let curve = Curve::of(times(0.0, end, 300), |t| angle(at(t)), Ink::Body);
+    let curve = Curve::of(times(0.0, end, 1000), |t| angle(at(t)), Ink::Body);
     let graph = Panel::over_axes("$t$ / s", "apart / rad").curve(curve);
-    MovingPicture::above(graph, 0.0..=end, [0.1 * end, 0.5 * end, end], move |t| {
+    MovingPicture::above(graph, 0.0..=end, [0.3 * end, 0.6 * end, end], move |t| {
         let [a, b] = at(t);
         let ring = times(0.0, core::f64::consts::TAU, 90).map(|x| (0.87 * cos(x), 0.87 * sin(x)));
         let sketch = Sketch::within((-1.25, 1.25), (-1.1, 1.1))

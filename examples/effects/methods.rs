@@ -38,7 +38,7 @@ impl Paid {
         end: f64,
     ) -> Result<Self> {
         let solved = scene.solve(start, end, PRICED)?;
-        let exact = scene.solve(start, end, 1e-10)?.state.attitude;
+        let exact = scene.solve(start, end, 1e-8)?.state.attitude;
         let dop853 = least(&exact, |level| {
             let method = Dop853::new(1e-3 * pow(10.0, -0.25 * level))?;
             method.advance(scene, 0.0, start, end)

@@ -5,7 +5,8 @@ use rotation_dynamics::accuracy::{Limits, Weighed};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::Effect;
-use rotation_dynamics::math::{atan2, log10};
+use rotation_dynamics::integrators::{Dop853, Integrator};
+use rotation_dynamics::math::{atan2, log10, pow};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 
@@ -86,17 +87,15 @@ impl<E: Effect + Clone> Question<E> {
         Ok(LeftOut::new(name, error, "simulated"))
     }
 
-    /// Runs of the dial, whatever the closed form: evaluations of the torque, and how far each
-    /// ends from `exact`, rad.
-    pub fn runs(&self, tolerances: &[f64], exact: &Attitude) -> Result<Vec<(f64, f64)>> {
+    /// Runs of DOP853, coarse to fine: evaluations of the torque, and how far each ends from
+    /// `exact`, rad.
+    pub fn runs(&self, exact: &Attitude) -> Result<Vec<(f64, f64)>> {
         let mut runs = Vec::new();
-        for tolerance in tolerances {
-            // Beyond what doubles determine it says no.
-            let Ok(run) = (self.scene).solve_by_stepping(&self.start, self.end, *tolerance) else {
-                break;
-            };
-            let off = self.apart(&run.state.attitude, exact).max(1e-16);
-            runs.push((run.run.torques() as f64, off));
+        for n in 0..12 {
+            let method = Dop853::new(1e-2 * pow(10.0, -f64::from(n)))?;
+            let (end, work) = method.advance(&self.scene, 0.0, &self.start, self.end)?;
+            let off = self.apart(&end.attitude, exact).max(1e-15);
+            runs.push((work.torques() as f64, off));
         }
         Ok(runs)
     }

@@ -27,10 +27,11 @@ fn what_is_no_gyroscope_is_refused() {
     refused(&EXAMPLE, runs);
 }
 
-/// Linear: half the effect, half the error.
+/// Linear: half the effect, half the error; simulated with a hundred
+/// times the friction it is not so.
 #[test]
 fn half_of_a_small_effect_costs_half() {
-    let mut errors = Errors::of("ratio less two");
+    let (mut errors, mut damaged) = (Errors::of("ratio less two"), Errors::of("far from linear"));
     for spin in [250.0, 500.0] {
         let p = Parameters { spin, ..Parameters::default() };
         let half = Parameters { pivot: 0.5 * p.pivot, ..p.clone() };
@@ -39,6 +40,12 @@ fn half_of_a_small_effect_costs_half() {
             question(p).unwrap().predicted(&effect).unwrap().predicted
         };
         errors.push(predicted(&p) / predicted(&half) - 2.0);
+        let simulated = |pivot: f64| {
+            let strong = desk::Spinner { pivot, ..desk::gyroscope(&p) };
+            question(&p).unwrap().simulated(strong.pivot(), 1e-6).unwrap()
+        };
+        damaged.push(simulated(1e-2) / simulated(5e-3) - 2.0);
     }
     errors.attain(0.0..=0.0, 2);
+    damaged.exceed(0.01, 2);
 }

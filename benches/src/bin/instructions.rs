@@ -67,9 +67,9 @@ fn record(arguments: Vec<String>) -> Outcome<()> {
     let conditions = Conditions::read("instructions", arguments.into_iter())?;
     let mut report = Report::new(
         "Instructions of an evaluation",
-        "By valgrind's callgrind: of a derivative, and of ABA(10,4) of a kick with its flow; \
-         Gauss-Legendre sweeps them eight at a time. \
-         Count again: cargo run --release -p benches --bin instructions",
+        "Of a derivative, and of ABA(10,4) of a kick with its flow, counted by valgrind's callgrind; \
+         Gauss-Legendre sweeps its derivatives eight at a time. \
+         Count again: benches/measure instructions",
     )?;
     report.add_table(conditions.table()?)?;
     let columns = core::iter::once("scene").chain(METHODS);

@@ -120,6 +120,9 @@ impl<E: Effect> Separable for Scene<E> {
 
     /// The momentum changes by the torque times dt; nothing moves.
     fn kick(&self, point: &mut BodyPoint, dt: f64) {
+        if const { E::NATURE.torque_free } {
+            return;
+        }
         let axis = Attitude::from_unit(point.quaternion.value).axis();
         let torque = (self.effects()).torques_on_axis(self.body(), axis.to_array());
         point.momentum = point.momentum.plus(&torque.map(|m| dt * m));

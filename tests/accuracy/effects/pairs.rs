@@ -62,6 +62,8 @@ struct Book {
     refused: Vec<String>,
     ran: usize,
     kept: usize,
+    /// What is kept all the same.
+    unsaid: Vec<((&'static str, &'static str), Invariant)>,
     /// Pairs that keep the energy.
     energy: usize,
 }
@@ -78,6 +80,7 @@ impl Book {
             refused: Vec::new(),
             ran: 0,
             kept: 0,
+            unsaid: Vec::new(),
             energy: 0,
         }
     }
@@ -125,8 +128,9 @@ impl Book {
                 if quantity == Invariant::Energy {
                     self.half.push_at((gained - 0.5 * done) / size, names);
                 }
-                if change.abs() < 1e-6 {
-                    println!("{names:?} {quantity:?} {change:e}");
+                if change.abs() < 1e-12 {
+                    self.unsaid.push((names, quantity));
+                    continue;
                 }
                 self.not_kept.push_at(change, (names, quantity));
             }
@@ -216,16 +220,6 @@ fn all_pairs_keep_what_they_say_and_do_the_work_they_say() {
             let start = book.start;
             book.each(&bearing(&book.body, &start));
         }
-        println!(
-            "ran {}, refused {}, kept {}, drift {:e}, not kept {:e}, balance {:e}, half {:e}",
-            book.ran,
-            book.refused.len(),
-            book.kept,
-            book.drift.largest(),
-            book.not_kept.smallest(),
-            book.balance.largest(),
-            book.half.smallest(),
-        );
     }
     let [round, brick] = books;
     // Two weights (4), dry friction with what has a torque about the axis (2 x 8, and itself).
@@ -240,8 +234,14 @@ fn all_pairs_keep_what_they_say_and_do_the_work_they_say() {
     round.half.exceed(2e-5, round.ran - round.energy);
     brick.half.exceed(3e-3, brick.ran - brick.energy);
     brick.not_kept.exceed(5e-4, 5 * 77 - 12);
-    // Two cases of 79 x 5 - 12 change by rounding: see the list.
-    drop(round.not_kept.largest());
+    // That the gradient has no torque about the axis of a symmetric body its nature, which
+    // holds for all bodies, cannot say.
+    round.not_kept.exceed(1e-6, 5 * 79 - 12 - 8);
+    let of_gradients = |((a, b), quantity): &((&str, &str), Invariant)| {
+        *quantity == Invariant::AxialMomentum && [a, b].contains(&&"gravity gradient")
+    };
+    assert_eq!((round.unsaid.len(), brick.unsaid.len()), (8, 0));
+    assert!(round.unsaid.iter().all(of_gradients), "{:?}", round.unsaid);
     let told = round.refused.iter().chain(&brick.refused);
     for refusal in told {
         assert!(
