@@ -78,7 +78,7 @@ fn record(arguments: Vec<String>) -> Outcome<()> {
         let mut row = vec![scene.to_owned()];
         for method in METHODS {
             row.push(match counted(method, scene)? {
-                Some(count) => format!("{count:.1}"),
+                Some(count) => format!("{count:.0}"),
                 None => "-".to_owned(),
             });
         }
