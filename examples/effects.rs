@@ -30,7 +30,7 @@ parameters! {
     /// A half-kilogram gyroscope on a desk.
     pub struct Parameters {
         /// spin at the start
-        spin: number(314.159_265, "rad/s", from_to(250.0, 1000.0).usually(250.0, 600.0));
+        spin: number(314.16, "rad/s", from_to(250.0, 1000.0).usually(250.0, 600.0));
         /// friction torque of the vertical pivot
         pivot: number(1e-4, "N m", from_to(0.0, 3e-4));
         /// time for which the axis is followed

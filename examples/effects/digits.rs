@@ -89,7 +89,7 @@ fn spinner_case(p: &Parameters) -> Result<Case> {
         q.left_out("bearing", rotor.dry()?)?,
         q.left_out("pivot", rotor.pivot())?,
         q.left_out("buoyancy", rotor.buoyancy())?,
-        q.left_out("the Earth turns", on_the_earth())?,
+        q.left_out("turning Earth", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
     Case::of(
@@ -115,7 +115,7 @@ fn top_case() -> Result<Case> {
         q.left_out("air", top.air()?)?,
         q.left_out("drilling tip", top.dry()?)?,
         q.left_out("buoyancy", top.buoyancy())?,
-        q.left_out("the Earth turns", on_the_earth())?,
+        q.left_out("turning Earth", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
     Case::of(
@@ -158,8 +158,8 @@ fn book() -> Result<Case> {
     };
     let left_out = vec![
         q.left_out("air", air)?,
-        q.left_out("it bends and creaks", creaks)?,
-        q.left_out("the Earth turns", on_the_earth())?,
+        q.left_out("creaking", creaks)?,
+        q.left_out("turning Earth", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
     Case::of(
@@ -357,13 +357,12 @@ fn satellite() -> Result<Case> {
 pub fn table(cases: &[Case]) -> Result<Table> {
     let columns = [
         "motion",
-        "has in",
         "first left out",
         "then",
-        "then",
-        "digits worth having",
-        "evaluations for them",
-        "digits to be had",
+        "and then",
+        "digits",
+        "evaluations",
+        "at most",
     ];
     let mut table = Table::new("digits", columns)?;
     for case in cases {
@@ -381,12 +380,11 @@ pub fn table(cases: &[Case]) -> Result<Table> {
         let finest = case.closed.map_or(finest, |closed| closed.min(finest));
         let price = match (case.closed, case.price(least)) {
             (_, Some(price)) => short(price, 2),
-            (Some(_), None) => "closed form".to_owned(),
+            (Some(_), None) => "-".to_owned(),
             (None, None) => "-".to_owned(),
         };
         table.push([
-            case.name.to_owned(),
-            case.model.to_owned(),
+            format!("{}, with {}", case.name, case.model),
             told(0),
             told(1),
             told(2),

@@ -47,7 +47,7 @@ fn digits(key: &str) -> Result<Panel> {
 fn named(case: &Case) -> Vec<&super::weigh::LeftOut> {
     let mut all: Vec<&super::weigh::LeftOut> = Vec::new();
     for one in &case.left_out {
-        if all.last().is_none_or(|last| one.error < 0.1 * last.error) {
+        if all.last().is_none_or(|last| one.error < 0.06 * last.error) {
             all.push(one);
         }
     }

@@ -31,7 +31,8 @@ impl<E: Effect> Ode<8> for WithWork<'_, E> {
     fn scale(&self, &[w, x, y, z, a, b, c, _]: &[f64; 8]) -> [f64; 8] {
         let y7 = [w, x, y, z, a, b, c];
         let [w, x, y, z, a, b, c] = self.0.scale(&y7);
-        let energy = state(&y7).map_or(1.0, |state| self.0.body().kinetic_energy(&state));
+        let body = self.0.body();
+        let energy = state(&y7).map_or(1.0, |state| body.kinetic_energy(&state));
         [w, x, y, z, a, b, c, energy]
     }
 }
@@ -46,6 +47,17 @@ pub struct Kept {
     pub balance: f64,
     /// The energy gained, as such a part.
     pub gained: f64,
+}
+
+/// What a quantity is called in the table.
+fn symbol(quantity: Invariant) -> &'static str {
+    match quantity {
+        Invariant::Energy => "energy",
+        Invariant::MomentumX => "L_X",
+        Invariant::MomentumY => "L_Y",
+        Invariant::MomentumZ => "L_Z",
+        Invariant::AxialMomentum => "L_z",
+    }
 }
 
 /// A run of ten seconds.
@@ -74,10 +86,7 @@ pub fn run<E: Effect>(scene: &Scene<E>, start: &State) -> Result<Kept> {
         .fold(0.0, f64::max);
     let gained = (scene.energy_at(end, &last) - scene.energy_at(0.0, start)) / energy;
     Ok(Kept {
-        names: scene
-            .invariants()
-            .map(|quantity| quantity.name_and_unit().0)
-            .collect(),
+        names: scene.invariants().map(symbol).collect(),
         drift: drift / (EPS * work.steps as f64),
         balance: (gained - done / energy).abs(),
         gained,
@@ -140,7 +149,7 @@ pub fn table() -> Result<Table> {
         let (names, drift) = if kept.names.is_empty() {
             ("nothing".to_owned(), "-".to_owned())
         } else {
-            (kept.names.join("; "), short(kept.drift, 2))
+            (kept.names.join(", "), short(kept.drift, 2))
         };
         let gained = if kept.gained.abs() < 1e-12 {
             "none".to_owned()

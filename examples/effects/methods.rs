@@ -62,8 +62,8 @@ impl Paid {
 }
 
 // ANCHOR: split
-/// So many steps by a splitting with the resistance in its kick, cut where dry friction stops
-/// the spin.
+/// So many steps of a splitting with the resistance in its kick, cut where dry
+/// friction stops the spin.
 fn split<E: Effect>(
     scene: &Scene<E>,
     start: &State,
@@ -190,7 +190,7 @@ pub fn table(all: &[Paid]) -> Result<Table> {
     for paid in all {
         let told = |work: Option<u64>| work.map_or("-".to_owned(), |n| n.to_string());
         let run = match paid.run.torques() {
-            0 => "none".to_owned(),
+            0 => "-".to_owned(),
             n => n.to_string(),
         };
         table.push([

@@ -153,10 +153,10 @@ fn plus<const N: usize>((value, carry): &mut ([f64; N], [f64; N]), increment: [f
 fn series(x: f64) -> [f64; 2] {
     let sum = |first: f64| {
         let (mut c, mut factorial) = ([0.0; 9], 1.0);
-        for k in 0..9 {
+        for (k, term) in c.iter_mut().enumerate() {
             let n = 2.0 * k as f64 + first;
             factorial *= if n == 1.0 { 1.0 } else { (n - 1.0) * n };
-            c[k] = if k % 2 == 0 { 1.0 } else { -1.0 } / factorial;
+            *term = if k % 2 == 0 { 1.0 } else { -1.0 } / factorial;
         }
         let (x2, x4) = (x * x, x * x * (x * x));
         let high = (c[5] + c[6] * x) + x2 * (c[7] + c[8] * x);
