@@ -13,4 +13,5 @@ mod heavy_top;
 mod motion;
 mod pendulum;
 mod plank;
+mod scene;
 mod turns;
