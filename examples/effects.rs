@@ -116,7 +116,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let by_air = by_angles(p, |spin| drag.axial_torque(spin))?;
     let by_dry = by_angles(p, |_| -bearing)?;
     claims! { report,
-        /// air: how far the axis is elsewhere without it, at most; simulated
+        /// how far the axis is from where it would be without the air, at most
         air: air, "rad", "DOP853 on (2), (3), L_z falling" => by_air, within 1e-7,
         in "The desk":
             1e-9 => "the rotor slows down, and a slower rotor precesses faster",

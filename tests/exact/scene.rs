@@ -43,6 +43,6 @@ fn the_type_and_the_dial_have_one_closed_form() {
     apart.attain(0.0..=0.0, 9);
     twin.exceed(1e-4, 6);
     let (free, start) = scene([1.0, 1.4, 0.6]);
-    let refused = free.with(gravity).exact(&start).err().expect("refused");
+    let refused = free.with(gravity).exact(&start).expect_err("refused");
     assert!(refused.to_string().contains("I2 - I1"), "{refused}");
 }
