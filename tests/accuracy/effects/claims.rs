@@ -5,9 +5,10 @@ use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
     CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, KeplerOrbit, Known, Nature,
-    OrbitingBody, PrescribedTorque, Profile, Torque, ViscousFriction, check,
+    OrbitingBody, PrescribedTorque, Profile, Resistance, Torque, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::math::Lane;
 
 /// What a twin says that may be false. One claim is left out: that a torque is an analytic
 /// function where it has no jump cannot be seen by looking at it.
@@ -224,6 +225,58 @@ fn every_claim_is_true_and_its_twin_is_refused() {
     let of_all = 7 + 9 + 3 * 12 + 4 * 12 + 2 * 11;
     assert_eq!(tally.refused, 4 * of_all + 2 * 12 + 2 * 3 * 12);
     assert_eq!(tally.refused + tally.allowed, 52 * LIES.len());
+}
+
+/// An effect that says it resists the rotation twice as strongly as its torque does.
+struct Overstated<E>(E);
+
+impl<E: Effect> Effect for Overstated<E> {
+    const NATURE: Nature = E::NATURE;
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        self.0.torques_on_axis(body, axis)
+    }
+
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        Some(self.0.resistance(t, body)?.times(2.0))
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        self.0.break_points()
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.0.narrowest()
+    }
+}
+
+#[test]
+fn a_resistance_that_is_overstated_is_refused() {
+    let body = body(1.0, 1.0, 0.6);
+    let start = tilted(&body, [0.3, 0.1, 2.0]);
+    let viscous = ViscousFriction::new(0.02, 0.05).expect("friction");
+    let drag = DiscDrag::new(0.1, 1.2, 1.5e-5, 1e3).expect("drag");
+    let bearing = CoulombBearing::new(0.3, &body, &start, 0.0).expect("a bearing");
+    let told = [
+        check(&Overstated(viscous), &body, SPAN, &start),
+        check(&Overstated(drag), &body, SPAN, &start),
+        check(&Overstated(bearing), &body, SPAN, &start),
+    ]
+    .map(|verdict| verdict.expect_err("overstated").to_string());
+    for told in told {
+        assert!(
+            told.contains("says what of its torque resists the rotation"),
+            "{told}"
+        );
+    }
 }
 
 /// Gravity and a wire that bears all of it but a small part: what is left is judged against
