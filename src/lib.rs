@@ -19,6 +19,7 @@
 //! | [`integrators`] | one method per file, coefficients as data |
 //! | [`accuracy`] | errors against the exact motion, and what they cost |
 //! | [`planar`] | one-axis scenes with contacts and located events |
+//! | [`tops`] | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
 //! | [`report`] | claims, tables, figures and the command line of the examples (features `report` and `cli`) |
 //!
 //! # Notation
@@ -130,5 +131,6 @@ pub mod planar;
 #[cfg(feature = "report")]
 pub mod report;
 pub mod scene;
+pub mod tops;
 
 pub use error::{Error, Result};
