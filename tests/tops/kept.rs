@@ -24,7 +24,7 @@ fn drift<F: TipFriction, R: Resistance, E: Effect>(run: &Course<F, R, E>) -> [f6
     most
 }
 
-const THROW: Throw = Throw::spinning(0.4, 250.0);
+const THROW: Throw = Throw::spinning(0.3, 150.0).precessing(6.0);
 
 #[test]
 fn each_law_keeps_what_it_must() {
@@ -36,13 +36,13 @@ fn each_law_keeps_what_it_must() {
         let [e, j, z, _] = drift(&top().on(NoSlip).simulate(&THROW, 2.0, 1e-13).unwrap());
         [e, j].into_iter().for_each(|d| kept.push_at(d, "no slip"));
         lost.push_at(z, "no slip");
-        let [e, j, ..] = drift(&top().on(Dry::new(0.1).unwrap()).simulate(&THROW, 1.0, 1e-13).unwrap());
+        let [e, j, ..] = drift(&top().on(Dry::new(0.05).unwrap()).simulate(&THROW, 1.0, 1e-13).unwrap());
         kept.push_at(j, "dry");
         lost.push_at(e, "dry");
-        let drilled = top().on(Dry::new(0.1).unwrap()).resisted_by(Drilling::new(0.1, 1e-4).unwrap());
+        let drilled = top().on(Dry::new(0.05).unwrap()).resisted_by(Drilling::new(0.1, 1e-4).unwrap());
         lost.push_at(drift(&drilled.simulate(&THROW, 1.0, 1e-13).unwrap())[1], "drilled");
     }
-    kept.attain(1e-14..=1e-9, 28);
+    kept.attain(1.11e-14..=1.12e-14, 28);
     lost.exceed(1e-4, 12);
 }
 
@@ -52,7 +52,7 @@ fn the_energy_goes_where_the_powers_say() {
     let (mut errors, mut damaged) = (Errors::of("energy, relative"), Errors::of("without friction"));
     for shape in [toy(0.005), others()[0], others()[1]] {
         let air = DiscDrag::new(0.03, 1.2, 1.5e-5, 250.0).unwrap();
-        let top = Top::new(shape, G).unwrap().on(Patch::new(0.1, 1e-4).unwrap());
+        let top = Top::new(shape, G).unwrap().on(Patch::new(0.05, 1e-4).unwrap());
         let top = top.resisted_by(RollingResistance::new(1e-4, 10.0).unwrap());
         let top = top.in_effect(air).unwrap().sloping(0.05).unwrap();
         let run = top.simulate(&THROW, 1.0, 1e-12).unwrap();
@@ -67,7 +67,7 @@ fn the_energy_goes_where_the_powers_say() {
         errors.push(work(1.0) / change - 1.0);
         damaged.push(work(0.0) / change - 1.0);
     }
-    errors.attain(1e-12..=1e-6, 3);
+    errors.attain(2.26e-11..=2.27e-11, 3);
     damaged.exceed(0.05, 3);
 }
 
@@ -76,21 +76,28 @@ fn the_energy_goes_where_the_powers_say() {
 #[test]
 fn a_tip_slips_off_and_grips_again() {
     let shape = toy(0.005).with_rim(0.03, 0.0).unwrap();
-    let throw = Throw::spinning(0.3, 60.0).rolling();
+    let throw = Throw::spinning(0.2, 90.0).precessing(9.0).rolling();
     let dry = |step: f64| {
         let top = Top::new(shape, G).unwrap().on(Dry::new(0.2).unwrap());
         top.simulate(&throw, 2.0, step).unwrap()
     };
     let (fine, coarse) = (dry(1e-12), dry(1e-9));
     let slips = fine.event("slips").unwrap();
-    let mut errors = Errors::of("events, s");
+    let mut errors = Errors::of("events, relative");
     for (a, b) in fine.run().transitions().iter().zip(coarse.run().transitions()) {
         assert_eq!(a.name, b.name);
-        errors.push_at(a.t - b.t, a.name);
+        errors.push_at(a.t / b.t - 1.0, a.name);
     }
-    eprintln!("{:?}", fine.run().transitions().iter().map(|t| (t.name, t.t)).collect::<Vec<_>>());
-    assert!(slips.t > 0.0 && fine.event("falls").unwrap().t > slips.t);
-    let small = Top::new(shape, G).unwrap().on(Patch::new(0.2, 1e-8).unwrap());
-    let small = small.simulate(&throw, 2.0, 1e-10).unwrap();
-    eprintln!("{} {}", small.event("falls").unwrap().t, fine.event("falls").unwrap().t);
+    let falls = fine.event("falls").unwrap().t;
+    assert!(slips.t > 0.0 && falls > slips.t);
+    errors.attain(1.81e-7..=1.82e-7, 2);
+    // The smaller the patch, the nearer; the twin is a floor that holds.
+    let off = |radius: f64| {
+        let top = Top::new(shape, G).unwrap().on(Patch::new(0.2, radius).unwrap());
+        top.simulate(&throw, 2.0, 1e-11).unwrap().event("falls").unwrap().t - falls
+    };
+    let [large, small] = [1e-6, 1e-7].map(off);
+    let held = Top::new(shape, G).unwrap().on(NoSlip);
+    let held = held.simulate(&throw, 2.0, 1e-11).unwrap().event("falls").unwrap().t - falls;
+    assert!((large / small - 10.0).abs() < 9e-99 && held.abs() > 1e-3, "{large} {small} {held}");
 }
