@@ -53,7 +53,12 @@ impl Parameters {
     }
 
     fn air(&self) -> Result<DiscDrag> {
-        DiscDrag::new(RIM, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, self.spin)
+        DiscDrag::new(
+            RIM,
+            DiscDrag::AIR_DENSITY,
+            DiscDrag::AIR_VISCOSITY,
+            self.spin,
+        )
     }
 
     /// The radius of the patch that the weight presses into tip and floor.
@@ -172,12 +177,15 @@ pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
     // A tenth of the friction and of the patch: as viscous, with a hundredth of the pivoting.
     let firm = Patch::new(0.1 * p.friction, 0.1 * p.patch()?)?;
     let top = Top::new(p.shape()?, GRAVITY)?.on(firm);
-    let start = Throw::spinning(1e-5, spin).precessing(p.precession(spin.max(1.02 * p.rolling_spin())));
+    let start =
+        Throw::spinning(1e-5, spin).precessing(p.precession(spin.max(1.02 * p.rolling_spin())));
     let run = top.simulate(&start.rolling(), 18.0, 1e-12)?;
     // Over whole turns of the precession what is left of a nod averages out.
     let turn = TAU / p.precession(spin.max(1.02 * p.rolling_spin()));
     let mean = |from: f64| -> Result<f64> {
-        let sizes = sampled(times(from, from + turn, 200), |t| Ok(log(run.stance(t)?.tilt())))?;
+        let sizes = sampled(times(from, from + turn, 200), |t| {
+            Ok(log(run.stance(t)?.tilt()))
+        })?;
         Ok(sizes.iter().sum::<f64>() / 201.0)
     };
     let (from, to) = (8.0, 8.0 + 10.0 * turn.min(0.7));
@@ -202,17 +210,27 @@ fn simpson(from: f64, to: f64, n: u32, f: impl Fn(f64) -> Result<f64>) -> Result
     let h = (to - from) / f64::from(n);
     let mut sum = 0.0;
     for i in 0..=n {
-        let weight = if i == 0 || i == n { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
+        let weight = if i == 0 || i == n {
+            1.0
+        } else {
+            2.0 + 2.0 * f64::from(i % 2)
+        };
         sum += weight * f(from + h * f64::from(i))?;
     }
     Ok(sum * h / 3.0)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    above(1.25).check("spin over the least spin of a sleeping top", p.spin / p.least_spin())?;
+    above(1.25).check(
+        "spin over the least spin of a sleeping top",
+        p.spin / p.least_spin(),
+    )?;
     let (life, again) = (p.life(p.tolerance)?, p.life(0.01 * p.tolerance)?);
     let at = |name| -> Result<[Stance; 2]> {
-        Ok([life.stance_at(life.event(name)?), again.stance_at(again.event(name)?)])
+        Ok([
+            life.stance_at(life.event(name)?),
+            again.stance_at(again.event(name)?),
+        ])
     };
     let when = |name| -> Result<[f64; 2]> { Ok([life.event(name)?.t, again.event(name)?.t]) };
     let first = life.stance(0.0)?;
@@ -227,7 +245,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [fallen, fallen_again] = at("falls")?;
     let least = p.least_spin();
     // Between two spins of the sleep.
-    let (early, late) = (life.event("unstable")?.t * 0.5, life.event("unstable")?.t * 0.9);
+    let (early, late) = (
+        life.event("unstable")?.t * 0.5,
+        life.event("unstable")?.t * 0.9,
+    );
     let (fast, slow) = (life.stance(early)?.spin(), life.stance(late)?.spin());
     let slept = simpson(slow, fast, 200, |w| Ok(1.0 / p.braking(w)?))?;
     let crossed = least_by_growth(p)?;
@@ -237,11 +258,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let close = 1e-2;
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
     let grip = |step: f64| -> Result<[f64; 2]> {
-        let point = p.toy(Dry::new(p.friction)?)?.simulate(&p.throw(), 5.0, step)?;
+        let point = p
+            .toy(Dry::new(p.friction)?)?
+            .simulate(&p.throw(), 5.0, step)?;
         let event = point.event("grips")?;
         Ok([event.t, point.stance_at(event).tilt()])
     };
-    let ([grips, gripped], [grips_again, gripped_again]) = (grip(p.tolerance)?, grip(0.01 * p.tolerance)?);
+    let ([grips, gripped], [grips_again, gripped_again]) =
+        (grip(p.tolerance)?, grip(0.01 * p.tolerance)?);
     claims! { report,
         /// precession of the throw
         precession: p.throw().precession, "rad/s", "the simulated axis" => first.precession(), within 1e-10;
@@ -288,18 +312,32 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = || Top::new(p.shape()?, GRAVITY);
     let kept = |part: [f64; 2]| (part[1] / part[0] - 1.0).abs();
-    let point = top()?.on(Dry::new(p.friction)?).simulate(&p.throw(), 2.0, p.tolerance)?;
+    let point = top()?
+        .on(Dry::new(p.friction)?)
+        .simulate(&p.throw(), 2.0, p.tolerance)?;
     let ends = |f: &dyn Fn(&Stance) -> f64| -> Result<[f64; 2]> {
         Ok([f(&point.stance(0.0)?), f(&point.stance(2.0)?)])
     };
     let jellett = ends(&|at| point.top().jellett(at))?;
     let smooth = top()?.simulate(&p.throw(), 2.0, p.tolerance)?;
     let first = smooth.stance(0.0)?;
-    let energies = [smooth.top().energy(&first), smooth.top().energy(&smooth.stance(2.0)?)];
-    let rolls = top()?.on(NoSlip).simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
-    let held = [0.0, 2.0].map(|t| rolls.stance(t).map_or(f64::NAN, |at| rolls.top().energy(&at)));
+    let energies = [
+        smooth.top().energy(&first),
+        smooth.top().energy(&smooth.stance(2.0)?),
+    ];
+    let rolls = top()?
+        .on(NoSlip)
+        .simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
+    let held = [0.0, 2.0].map(|t| {
+        rolls
+            .stance(t)
+            .map_or(f64::NAN, |at| rolls.top().energy(&at))
+    });
     // The spins at which a top can sleep, for a tip that shrinks to a point.
-    let sharp = Parameters { tip: 1e-9, ..p.clone() };
+    let sharp = Parameters {
+        tip: 1e-9,
+        ..p.clone()
+    };
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let within = 1e3 * p.tolerance;
     limits! { report,

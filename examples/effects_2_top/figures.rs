@@ -4,6 +4,10 @@ use super::*;
 use rotation_dynamics::report::draw::Camera;
 use rotation_dynamics::tops::Forces;
 
+/// The throw that hops: spin (rad/s) and tilt (rad).
+const FAST: f64 = 250.0;
+const STEEP: f64 = 0.4;
+
 /// Millimetres.
 const MM: f64 = 1e3;
 
@@ -11,7 +15,15 @@ const MM: f64 = 1e3;
 fn body(p: &Parameters, centre: SpaceVector, axis: SpaceVector) -> Solid {
     let r = MM * p.tip;
     let ball = times(0.0, 1.9, 7).map(|a| (-MM * LEVER - r * cos(a), r * sin(a)));
-    let above = [(-6.0, 22.0), (-2.0, 30.0), (3.0, 30.0), (7.0, 12.0), (9.0, 3.0), (27.0, 2.2), (28.0, 0.0)];
+    let above = [
+        (-6.0, 22.0),
+        (-2.0, 30.0),
+        (3.0, 30.0),
+        (7.0, 12.0),
+        (9.0, 3.0),
+        (27.0, 2.2),
+        (28.0, 0.0),
+    ];
     let profile: Vec<_> = ball.chain(above).collect();
     Solid::turned(centre, axis, &profile)
 }
@@ -53,7 +65,7 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
         View::of(SpaceVector::new(2.0, 0.0, 44.0), 62.0)
             .camera(Camera::new(-0.95, 0.25))
             .ground(SpaceVector::zero(), 60.0)
-            .dashed([foot, foot + up * 96.0], Ink::Frame)
+            .dashed([foot, foot + up * 80.0], Ink::Frame)
             .solid(body(p, centre, axis), Ink::Body)
             .arrow(centre, tip, Ink::Momentum, "$L$", Side::Right)
             .arrow(tip, tip - SpaceVector::new(c, 0.0, -s) * 20.0, Ink::Force, "torque of $F$", Side::Above)
@@ -76,7 +88,7 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
     /// which the top can sleep, and at the end goes up a little before the fall.
     spin: {
         let spins = sampled(times(0.0, end, 500), |t| Ok((t, life.stance(t)?.spin())))?;
-        Panel::over_axes("$t$ / s", Axis::linear(r"$\omega_3$ / (rad/s)").range(80.0, 160.0))
+        Panel::over_axes("$t$ / s", Axis::linear(r"spin $\omega$ / (rad/s)").range(80.0, 160.0))
             .level(p.least_spin(), Ink::Ink, "least to sleep")
             .curve(Curve::new(spins, Ink::Velocity))
     };
@@ -132,11 +144,12 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
             .curve(Curve::of(times(0.0, 4.0, 200), |v| -grip(v).torque, Ink::Ink).dashed().label_at("torque", 1.1, 0.24, Side::AboveRight))
     };
 
-    /// The normal force over the weight after a throw without precession at half as much spin
-    /// again: it swings about one ever more widely, until it is zero and the line ends.
+    /// The normal force over the weight after a fast throw without precession: it swings about
+    /// one ever more widely, until the line ends where it would be below zero.
     hops: {
-        let fast = Parameters { spin: 1.5 * p.spin, ..p.clone() };
-        let run = fast.toy(p.rubbing()?)?.simulate(&Throw::spinning(p.tilt + 0.1, fast.spin), 3.0, 1e-10)?;
+        let fast = Parameters { spin: FAST, tilt: STEEP, ..p.clone() };
+        let throw = fast.throw().precessing(0.0);
+        let run = fast.toy(p.rubbing()?)?.simulate(&throw, 0.5, 1e-10)?;
         let force = sampled(times(0.0, run.end_time(), 900), |t| Ok((t, run.forces(t)?.1.normal / WEIGHT)))?;
         Panel::over_axes("$t$ / s", Axis::linear("$N/mg$").range(0.0, 2.5))
             .level(1.0, Ink::Frame, "")
@@ -147,11 +160,25 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
 /// The life, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let life = p.life(p.tolerance)?;
-    let columns = "t [s], tilt [rad], spin [rad/s], precession [rad/s], slip [m/s], x [m], y [m], N [N]";
-    Trajectory::sampled(columns.split(", "), times(0.0, life.end_time(), 2000), |t| {
-        let (at, Forces { normal, .. }) = life.forces(t)?;
-        Ok([t, at.tilt(), at.spin(), at.precession(), at.slip.norm(), at.centre.x(), at.centre.y(), normal])
-    })
+    let columns =
+        "t [s], tilt [rad], spin [rad/s], precession [rad/s], slip [m/s], x [m], y [m], N [N]";
+    Trajectory::sampled(
+        columns.split(", "),
+        times(0.0, life.end_time(), 2000),
+        |t| {
+            let (at, Forces { normal, .. }) = life.forces(t)?;
+            Ok([
+                t,
+                at.tilt(),
+                at.spin(),
+                at.precession(),
+                at.slip.norm(),
+                at.centre.x(),
+                at.centre.y(),
+                normal,
+            ])
+        },
+    )
 }
 
 /// Film time at the acts' ends: the slide, the creep, the sleep, the waking, the end.
@@ -162,32 +189,64 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let life = p.life(p.tolerance)?;
     let (p, end) = (p.clone(), life.end_time());
     let wakes = life.event("wakes")?.t;
-    let knots = [0.0, 1.2, life.event("sleeps")?.t, wakes - 4.0, wakes + 3.0, end];
+    let knots = [
+        0.0,
+        1.2,
+        life.event("sleeps")?.t,
+        wakes - 4.0,
+        wakes + 3.0,
+        end,
+    ];
     let pace = move |u: f64| {
         let i = (1..5).find(|&i| u <= ACTS[i]).unwrap_or(5);
         let part = (u - ACTS[i - 1]) / (ACTS[i] - ACTS[i - 1]);
         (knots[i - 1] + part * (knots[i] - knots[i - 1])).min(end)
     };
-    let ticks = ACTS.into_iter().zip(knots).map(|(u, t)| (u, if t < 10.0 { format!("{t:.1}") } else { format!("{t:.0}") }));
-    let line = sampled(times(0.0, ACTS[5], 900), |u| Ok((u, life.stance(pace(u))?.tilt())))?;
-    let graph = Panel::over_axes(Axis::linear("$t$ / s, each part at its own pace").range(0.0, ACTS[5]).ticks(ticks), Axis::linear("tilt / rad"))
-        .curve(Curve::new(line, Ink::Body));
+    let ticks = ACTS.into_iter().zip(knots).map(|(u, t)| {
+        (
+            u,
+            if t < 10.0 {
+                format!("{t:.1}")
+            } else {
+                format!("{t:.0}")
+            },
+        )
+    });
+    let line = sampled(times(0.0, ACTS[5], 900), |u| {
+        Ok((u, life.stance(pace(u))?.tilt()))
+    })?;
+    let graph = Panel::over_axes(
+        Axis::linear("$t$ / s, each part at its own pace")
+            .range(0.0, ACTS[5])
+            .ticks(ticks),
+        Axis::linear("tilt / rad"),
+    )
+    .curve(Curve::new(line, Ink::Body));
     MovingPicture::above(graph, 0.0..=ACTS[5], [0.0, 9.0, ACTS[5]], move |u| {
         let t = pace(u);
         let (at, forces) = life.forces(t)?;
         let height = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
         let contact = seen(&at, at.contact());
-        let trail = sampled(times((t - 1.0).max(0.0), t, 120), |t| Ok(seen(&at, life.stance(t)?.contact())))?;
+        let trail = sampled(times((t - 1.0).max(0.0), t, 120), |t| {
+            Ok(seen(&at, life.stance(t)?.contact()))
+        })?;
         let friction = forces.friction * (30.0 / (p.friction * WEIGHT));
         let alt = format!(
             "The top {t:.1} s after the throw: its axis leans by {:.3} rad and it spins at {:.0} rad/s. \
              On the floor the path of its contact in the last second; below, the tilt against time.",
-            at.tilt(), at.spin()
+            at.tilt(),
+            at.spin()
         );
         let mut scene = view(&p, &at)
             .line(trail, Ink::Velocity)
             .dot(contact, Ink::Velocity, "", Side::Below)
-            .arrow(height, height + at.axis * (42.0 * at.spin() / p.spin), Ink::Momentum, "$L$", Side::Right);
+            .arrow(
+                height,
+                height + at.axis * (60.0 * at.spin() / p.spin),
+                Ink::Momentum,
+                "$L$",
+                Side::Right,
+            );
         if friction.norm() > 4.0 {
             scene = scene.arrow(contact, contact + friction, Ink::Force, "$F$", Side::Below);
         }

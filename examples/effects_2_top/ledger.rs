@@ -7,7 +7,8 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
     let life = p.life(p.tolerance)?;
     let mut table = Table::new(
         "phases",
-        "phase, from / s, to / s, spin / rad/s, tilt / rad, sliding / mJ, pivoting / mJ, air / mJ".split(", "),
+        "phase, from / s, to / s, spin / rad/s, tilt / rad, sliding / mJ, pivoting / mJ, air / mJ"
+            .split(", "),
     )?;
     let names = ["slides", "creeps", "sleeps", "stands", "dies"];
     let ends = ["creeps", "sleeps", "unstable", "wakes", "falls"];
@@ -23,15 +24,26 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
             format!("{:.1}", at.spin()),
             format!("{:.4}", at.tilt()),
         ];
-        let cells = cells.into_iter().chain(work.map(|w| format!("{:.3}", -1e3 * w)));
+        let cells = cells
+            .into_iter()
+            .chain(work.map(|w| format!("{:.3}", -1e3 * w)));
         table.push([name.to_string()].into_iter().chain(cells))?;
         from = to;
     }
     report.add(table)?;
     let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.stance(t)?)) };
     let change = energy(from)? - energy(0.0)?;
-    let claim = claim("lost", "energy lost from the throw to the fall", -1e3 * change, "mJ");
-    report.add(claim.within(-1e-2 * change).against("work of friction and air, summed", -1e3 * lost))
+    let claim = claim(
+        "lost",
+        "energy lost from the throw to the fall",
+        -1e3 * change,
+        "mJ",
+    );
+    report.add(
+        claim
+            .within(-1e-2 * change)
+            .against("work of friction and air, summed", -1e3 * lost),
+    )
 }
 
 /// Work (J) of sliding, pivoting and air between two times.
@@ -44,10 +56,17 @@ fn works<F: TipFriction>(
     let mut sums = [0.0; 3];
     let h = (to - from) / f64::from(n);
     for i in 0..=n {
-        let weight = if i == 0 || i == n { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
+        let weight = if i == 0 || i == n {
+            1.0
+        } else {
+            2.0 + 2.0 * f64::from(i % 2)
+        };
         let (at, forces) = life.forces(from + h * f64::from(i))?;
         let powers = life.top().powers(&at, &forces);
-        for (sum, power) in sums.iter_mut().zip([powers.sliding, powers.couple, powers.effects]) {
+        for (sum, power) in sums
+            .iter_mut()
+            .zip([powers.sliding, powers.couple, powers.effects])
+        {
             *sum += weight * power * h / 3.0;
         }
     }
@@ -62,8 +81,14 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     let bare = Top::new(p.shape()?, GRAVITY)?.on(patch).sloping(p.slope)?;
     let rows = [
         ("nothing", tilts(&p.toy(patch)?, p)?),
-        ("the patch: dry friction at a point", tilts(&p.toy(point)?, p)?),
-        ("the slip: a tip that never slides", tilts(&p.toy(NoSlip)?, p)?),
+        (
+            "the patch: dry friction at a point",
+            tilts(&p.toy(point)?, p)?,
+        ),
+        (
+            "the slip: a tip that never slides",
+            tilts(&p.toy(NoSlip)?, p)?,
+        ),
         ("all friction: a smooth floor", tilts(&p.toy(Smooth)?, p)?),
         ("the air", tilts(&bare, p)?),
     ];
@@ -85,7 +110,9 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
         Ok(tilts.iter().sum::<f64>() / 101.0)
     };
     let tilts = [tilt(1.0)?, tilt(5.0)?, tilt(20.0)?];
-    let grips = run.event("grips").map(|event| (event.t, run.stance_at(event).tilt()));
+    let grips = run
+        .event("grips")
+        .map(|event| (event.t, run.stance_at(event).tilt()));
     let fate = match (grips, tilts[2] < ASLEEP) {
         (Ok((t, tilt)), _) => format!("grips after {t:.2} s at {tilt:.3} rad and rises no more"),
         (_, true) => "falls asleep".into(),
@@ -97,22 +124,52 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
 /// Rules of thumb, and what the simulation says.
 pub fn estimates(p: &Parameters, report: &mut Report) -> Result<()> {
     let life = p.life(p.tolerance)?;
-    let point = p.toy(Dry::new(p.friction)?)?.simulate(&p.throw(), 5.0, p.tolerance)?;
+    let point = p
+        .toy(Dry::new(p.friction)?)?
+        .simulate(&p.throw(), 5.0, p.tolerance)?;
     let grips = point.stance_at(point.event("grips")?).tilt();
     let upright = AXIAL * p.spin * p.tilt / (p.friction * WEIGHT * LEVER);
     let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let when = |name| -> Result<f64> { Ok(life.event(name)?.t) };
-    let mut table = Table::new("estimates", "what, unit, rule of thumb, simulated".split(", "))?;
+    let mut table = Table::new(
+        "estimates",
+        "what, unit, rule of thumb, simulated".split(", "),
+    )?;
     let rows = [
-        ("to stand upright, by sliding all the way", "s", upright, when("sleeps")?),
+        (
+            "to stand upright, by sliding all the way",
+            "s",
+            upright,
+            when("sleeps")?,
+        ),
         ("tilt at which a point grips", "rad", p.grip_tilt(), grips),
-        ("spin down by the air of the throw alone", "s", p.spin / brake, when("wakes")?),
-        ("spin at which it wakes, sharp tip held", "rad/s", notes, life.stance(when("wakes")?)?.spin()),
-        ("the same, tip that creeps", "rad/s", p.least_spin(), life.stance(when("wakes")?)?.spin()),
+        (
+            "spin down by the air of the throw alone",
+            "s",
+            p.spin / brake,
+            when("wakes")?,
+        ),
+        (
+            "spin at which it wakes, sharp tip held",
+            "rad/s",
+            notes,
+            life.stance(when("wakes")?)?.spin(),
+        ),
+        (
+            "the same, tip that creeps",
+            "rad/s",
+            p.least_spin(),
+            life.stance(when("wakes")?)?.spin(),
+        ),
     ];
     for (what, unit, told, simulated) in rows {
-        table.push([what.into(), unit.into(), format!("{told:.3}"), format!("{simulated:.3}")])?;
+        table.push([
+            what.into(),
+            unit.into(),
+            format!("{told:.3}"),
+            format!("{simulated:.3}"),
+        ])?;
     }
     report.add(table)
 }

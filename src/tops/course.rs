@@ -76,10 +76,16 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
     /// [`simulate`].
     pub fn simulate(&self, throw: &Throw, t_end: f64, tolerance: f64) -> Result<Course<F, R, E>> {
         let method = Dop853::new(tolerance)?;
-        let scene = Scene { top: self, step: tolerance };
+        let scene = Scene {
+            top: self,
+            step: tolerance,
+        };
         let (phase, start) = self.start(&scene, throw)?;
         let run = simulate(&scene, &method, phase, start, t_end)?;
-        Ok(Course { top: self.clone(), run })
+        Ok(Course {
+            top: self.clone(),
+            run,
+        })
     }
 
     fn start(&self, scene: &Scene<'_, F, R, E>, throw: &Throw) -> Result<(Phase, Coordinates)> {
@@ -97,7 +103,10 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
         let [vx, vy] = throw.velocity.unwrap_or([0.0; 2]);
         let [px, py] = [vx, vy].map(|v| shape.mass() * v);
         let start = checked([w, x, y, z, 0.0, l1, l2, l3, 0.0, 0.0, height, px, py, 0.0])?;
-        let sliding = Phase { contact: Contact::Sliding, passed: 0 };
+        let sliding = Phase {
+            contact: Contact::Sliding,
+            passed: 0,
+        };
         let rolls = throw.velocity.is_none() || !F::SLIDES;
         let slip = self.stance(sliding, &start).slip;
         let still = hypot(slip.x(), slip.y()) <= 1e-7 * scene.speed();
@@ -111,12 +120,21 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
 
 impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     fn rolling(&self, y: &Coordinates) -> (Phase, Coordinates) {
-        let phase = Phase { contact: Contact::Rolling, passed: 0 };
+        let phase = Phase {
+            contact: Contact::Rolling,
+            passed: 0,
+        };
         (phase, self.with_velocity(phase, y))
     }
 
     fn sliding(&self, y: &Coordinates) -> Coordinates {
-        self.with_velocity(Phase { contact: Contact::Sliding, passed: 0 }, y)
+        self.with_velocity(
+            Phase {
+                contact: Contact::Sliding,
+                passed: 0,
+            },
+            y,
+        )
     }
 
     fn with_velocity(&self, phase: Phase, y: &Coordinates) -> Coordinates {

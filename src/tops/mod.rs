@@ -90,7 +90,10 @@ impl Shape {
     pub fn with_rim(self, radius: f64, height: f64) -> Result<Self> {
         positive("rim radius", radius)?;
         finite("height of the rim", height)?;
-        positive("height of the rim above the floor", self.lever + self.tip + height)?;
+        positive(
+            "height of the rim above the floor",
+            self.lever + self.tip + height,
+        )?;
         Ok(Self {
             rim: Some([radius, height]),
             ..self
@@ -188,15 +191,47 @@ impl Top {
 impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     /// The same on a floor that rubs so.
     pub fn on<G: TipFriction>(self, friction: G) -> Top<G, R, E> {
-        let Self { shape, body, gravity, resistance, effects, marks, .. } = self;
-        Top { shape, body, gravity, friction, resistance, effects, marks }
+        let Self {
+            shape,
+            body,
+            gravity,
+            resistance,
+            effects,
+            marks,
+            ..
+        } = self;
+        Top {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            effects,
+            marks,
+        }
     }
 
     /// The same with one more resistance of the contact.
     pub fn resisted_by<S: Resistance>(self, resistance: S) -> Top<F, (R, S), E> {
-        let Self { shape, body, gravity, friction, effects, marks, .. } = self;
+        let Self {
+            shape,
+            body,
+            gravity,
+            friction,
+            effects,
+            marks,
+            ..
+        } = self;
         let resistance = (self.resistance, resistance);
-        Top { shape, body, gravity, friction, resistance, effects, marks }
+        Top {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            effects,
+            marks,
+        }
     }
 
     /// The same with one more effect on the body: a torque about its centre of mass.
@@ -215,9 +250,25 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
                           points, and does not depend on the time",
             });
         }
-        let Self { shape, body, gravity, friction, resistance, marks, .. } = self;
+        let Self {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            marks,
+            ..
+        } = self;
         let effects = (self.effects, effect);
-        Ok(Top { shape, body, gravity, friction, resistance, effects, marks })
+        Ok(Top {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            effects,
+            marks,
+        })
     }
 
     /// The same on a floor that falls off by this angle (rad) towards X. Z stays the normal of
@@ -248,7 +299,11 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         value: f64,
         margin: fn(&Stance, f64) -> f64,
     ) -> Self {
-        self.marks.push(Mark { name, margin, value });
+        self.marks.push(Mark {
+            name,
+            margin,
+            value,
+        });
         self
     }
 

@@ -65,14 +65,23 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     /// A tip that does not move over the floor: it rolls if friction can hold it, and slides
     /// off otherwise.
     pub fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
-        let phase = Phase { contact: Contact::Rolling, passed };
+        let phase = Phase {
+            contact: Contact::Rolling,
+            passed,
+        };
         let (at, forces) = self.seen(phase, y);
         let force = hypot(forces.friction.x(), forces.friction.y());
         let settled = self.settled(&at, y);
         if force < self.top.friction.holds() * forces.normal {
             return (phase, settled);
         }
-        (Phase { contact: Contact::Sliding, passed }, self.let_go(&forces, settled))
+        (
+            Phase {
+                contact: Contact::Sliding,
+                passed,
+            },
+            self.let_go(&forces, settled),
+        )
     }
 
     /// Off in the direction in which friction could not hold it any more.
@@ -85,8 +94,17 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     }
 
     fn slides(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
-        let (at, forces) = self.seen(Phase { contact: Contact::Rolling, passed }, y);
-        let phase = Phase { contact: Contact::Sliding, passed };
+        let (at, forces) = self.seen(
+            Phase {
+                contact: Contact::Rolling,
+                passed,
+            },
+            y,
+        );
+        let phase = Phase {
+            contact: Contact::Sliding,
+            passed,
+        };
         (phase, self.let_go(&forces, self.settled(&at, y)))
     }
 }
@@ -156,8 +174,12 @@ impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E>
             }
         }
         if let Some(mark) = self.top.marks.get(passed) {
-            let next = Phase { passed: passed + 1, ..phase };
-            let margin = move |y: &Coordinates| (mark.margin)(&self.top.stance(phase, y), mark.value);
+            let next = Phase {
+                passed: passed + 1,
+                ..phase
+            };
+            let margin =
+                move |y: &Coordinates| (mark.margin)(&self.top.stance(phase, y), mark.value);
             conditions.push(Condition::gap(mark.name, margin, Next::Enter(next)));
         }
         conditions
@@ -171,11 +193,20 @@ impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E>
         let size = shape.lever().abs() + shape.tip();
         let moving = shape.mass() * self.speed();
         [
-            1.0, 1.0, 1.0, 1.0,
+            1.0,
+            1.0,
+            1.0,
+            1.0,
             y[4].abs().max(1.0),
-            turning, turning, turning,
-            y[8].abs().max(size), y[9].abs().max(size), size,
-            moving, moving, moving,
+            turning,
+            turning,
+            turning,
+            y[8].abs().max(size),
+            y[9].abs().max(size),
+            size,
+            moving,
+            moving,
+            moving,
         ]
     }
 }

@@ -118,9 +118,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         // The tip stays on the floor: its contact has no velocity upward.
         let velocity = match phase.contact {
             Contact::Rolling => turning * -1.0,
-            Contact::Sliding => {
-                SpaceVector::new(p1 / shape.mass, p2 / shape.mass, -turning.z())
-            }
+            Contact::Sliding => SpaceVector::new(p1 / shape.mass, p2 / shape.mass, -turning.z()),
         };
         let slip = velocity + turning;
         Stance {
@@ -232,7 +230,12 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     }
 
     /// A point of the body, given from its centre of mass, on the axes of the floor (m).
-    pub fn point(&self, coordinates: &Coordinates, at: &Stance, from_centre: BodyVector) -> SpaceVector {
+    pub fn point(
+        &self,
+        coordinates: &Coordinates,
+        at: &Stance,
+        from_centre: BodyVector,
+    ) -> SpaceVector {
         at.centre + self.attitude(coordinates).to_space(from_centre)
     }
 }
