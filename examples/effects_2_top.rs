@@ -46,6 +46,8 @@ const WEIGHT: f64 = MASS * GRAVITY;
 
 /// A top of the page, with air and on a floor that slopes.
 type Toy<F> = Top<F, (), ((), DiscDrag)>;
+/// Its motion.
+pub type Life = Course<Patch, (), ((), DiscDrag)>;
 
 impl Parameters {
     fn shape(&self) -> Result<Shape> {
@@ -62,7 +64,7 @@ impl Parameters {
     }
 
     /// The radius of the patch that the weight presses into tip and floor.
-    fn patch(&self) -> Result<f64> {
+    pub fn patch(&self) -> Result<f64> {
         Patch::hertz_radius(WEIGHT, self.tip, self.modulus)
     }
 
@@ -84,10 +86,15 @@ impl Parameters {
         Throw::spinning(self.tilt, self.spin).precessing(precession)
     }
 
-    /// From the throw to the fall, with marks on the way.
-    fn life(&self, tolerance: f64) -> Result<Course<Patch, (), ((), DiscDrag)>> {
+    /// From the throw to the fall.
+    fn life(&self, tolerance: f64) -> Result<Life> {
+        self.life_on(self.rubbing()?, tolerance)
+    }
+
+    /// The same on this patch, with marks on the way.
+    pub fn life_on(&self, patch: Patch, tolerance: f64) -> Result<Life> {
         let top = self
-            .toy(self.rubbing()?)?
+            .toy(patch)?
             .passing("creeps", self.patch()?, |at, patch| {
                 at.slip.norm() - patch * at.angular_velocity.z().abs()
             })
@@ -123,9 +130,9 @@ impl Parameters {
         let (s, c) = sincos(self.tilt);
         let high = LEVER * c + self.tip;
         let heavier = ACROSS + MASS * LEVER * LEVER * s * s;
-        let part = 0.5 * self.friction * MASS * high / heavier;
-        let grow = part * LEVER * s * AXIAL * self.spin / ACROSS;
-        [grow, part * GRAVITY * high / self.first_slip()]
+        let part = 0.5 * self.friction * MASS / heavier;
+        let grow = part * LEVER * (LEVER + self.tip * c) * s * AXIAL * self.spin / ACROSS;
+        [grow, part * GRAVITY * high * high / self.first_slip()]
     }
 
     /// The tilt at which the friction can carry the centre of mass round with the tip.
@@ -172,6 +179,15 @@ impl Parameters {
 }
 // ANCHOR_END: laws
 
+/// The load (N) of the pressure 2 a E*/(pi r) sqrt(1 - (rho/a)^2) on the patch.
+fn load(p: &Parameters) -> Result<f64> {
+    let a = p.patch()?;
+    let middle = 4.0 * a * p.modulus / (TAU * p.tip);
+    // Over the angle whose sine is rho/a.
+    let ring = |(s, c): (f64, f64)| Ok(TAU * a * a * middle * s * c * c);
+    simpson(0.0, 0.25 * TAU, 2000, |angle| ring(sincos(angle)))
+}
+
 /// How fast a small tilt grows (1/s) on a level floor without air, at this spin.
 pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
     // A tenth of the friction and of the patch: as viscous, with a hundredth of the pivoting.
@@ -195,7 +211,7 @@ pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
 /// The spin at which a small tilt neither grows nor dies, by bisection.
 fn least_by_growth(p: &Parameters) -> Result<f64> {
     let (mut low, mut high) = (0.97 * p.least_spin(), 1.04 * p.least_spin());
-    for _ in 0..7 {
+    for _ in 0..11 {
         let middle = 0.5 * (low + high);
         match growth(p, middle)? > 0.0 {
             true => low = middle,
@@ -255,7 +271,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
     // What wakes it is what the steps leave: it comes a little later when they leave less.
-    let close = 1e-2;
+    let close = 5e-3 * pow(p.tolerance / 1e-10, 0.2).max(1.0);
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
     let grip = |step: f64| -> Result<[f64; 2]> {
         let point = p
@@ -270,8 +286,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// precession of the throw
         precession: p.throw().precession, "rad/s", "the simulated axis" => first.precession(), within 1e-10;
         /// radius of the patch of contact
-        patch: 1e6 * p.patch()?, "um", "pressure of 3 N/(2 pi a^2) sinks by a^2/r" =>
-            1e6 * cbrt(3.0 * WEIGHT * p.tip / (4.0 * p.modulus)), within 1e-9, in "The contact";
+        patch: 1e3 * p.patch()?, "mm", "load of its pressure, summed" =>
+            1e3 * p.patch()? * cbrt(WEIGHT / load(p)?), within 1e-9, in "The contact";
         /// speed of the slip at the throw
         slip: p.first_slip(), "m/s", "the simulated contact" => first.slip.norm(), within 1e-12, in "Sliding":
             p.tip * p.spin * sin(p.tilt) => "the ball's centre moves as well, because the axis precesses";
@@ -294,7 +310,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// time in which it sleeps from a half to nine tenths of the way to instability
         slept: slept, "s", "simulated" => late - early, within 5e-4 * slept;
         /// least spin at which it can sleep
-        least: least, "rad/s", "zero of the simulated growth" => crossed, within 2e-3 * least, in "Sleeping":
+        least: least, "rad/s", "zero of the simulated growth" => crossed, within 5e-4 * least, in "Sleeping":
             p.rolling_spin() => "that is for a tip that rolls",
             2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL => "that is for a sharp tip that does not slip";
         /// it wakes
@@ -361,6 +377,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         -p.air()?.axial_torque(p.spin) / AXIAL / p.braking(p.spin)?,
     ];
     let nod = AXIAL * p.spin / ACROSS;
+    let geared = AXIAL + MASS * p.tip * (LEVER + p.tip);
+    let rolls = 0.01 * p.tip * WEIGHT / (geared * p.spin);
     let hop = p.friction * p.tilt * nod * nod * LEVER * p.throw().precession / (nod * GRAVITY);
     let earth = 7.292e-5 / p.precession(least * 1.05);
     effect_card! { report,
@@ -370,7 +388,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "friction of pivoting": "share of the braking" = pivots, costs 1.0 / (1.0 - pivots) - 1.0, "of the life", included;
         "slope of the floor": "slope" = p.slope, costs p.slope * (LEVER + p.tip) / LEVER, "rad of the tilt asleep", included;
         "force that varies in a nod, and patch with it": "(N/mg - 1)/3 at the throw" = hop / 3.0, costs hop / 3.0, "of the patch";
-        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs 0.01 * p.tip * WEIGHT / (AXIAL * p.spin), "rad/s of rise";
+        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs rolls, "rad/s of rise";
         "drag of the air on the axis's motion": "theta" = ASLEEP, costs ASLEEP * ASLEEP, "of the drag";
         "rotation of the Earth": "Omega_E/precession" = earth, costs earth, "rad of the tilt asleep";
     }

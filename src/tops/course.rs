@@ -103,47 +103,18 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
         let [vx, vy] = throw.velocity.unwrap_or([0.0; 2]);
         let [px, py] = [vx, vy].map(|v| shape.mass() * v);
         let start = checked([w, x, y, z, 0.0, l1, l2, l3, 0.0, 0.0, height, px, py, 0.0])?;
-        let sliding = Phase {
-            contact: Contact::Sliding,
-            passed: 0,
-        };
+        let [sliding, rolling] =
+            [Contact::Sliding, Contact::Rolling].map(|contact| Phase { contact, passed: 0 });
         let rolls = throw.velocity.is_none() || !F::SLIDES;
+        let first = if rolls { rolling } else { sliding };
+        let start = scene.settled(&self.stance(first, &start), &start);
         let slip = self.stance(sliding, &start).slip;
         let still = hypot(slip.x(), slip.y()) <= 1e-7 * scene.speed();
-        Ok(match F::STICKS && (rolls || still) {
-            true if !F::SLIDES => scene.rolling(&start),
-            true => scene.stuck(0, &start),
-            false => (sliding, scene.sliding(&start)),
+        Ok(match (F::STICKS, F::SLIDES) {
+            (true, false) => (rolling, start),
+            (true, true) if still => scene.stuck(0, &start),
+            _ => (sliding, start),
         })
-    }
-}
-
-impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
-    fn rolling(&self, y: &Coordinates) -> (Phase, Coordinates) {
-        let phase = Phase {
-            contact: Contact::Rolling,
-            passed: 0,
-        };
-        (phase, self.with_velocity(phase, y))
-    }
-
-    fn sliding(&self, y: &Coordinates) -> Coordinates {
-        self.with_velocity(
-            Phase {
-                contact: Contact::Sliding,
-                passed: 0,
-            },
-            y,
-        )
-    }
-
-    fn with_velocity(&self, phase: Phase, y: &Coordinates) -> Coordinates {
-        let v = self.top.stance(phase, y).velocity.to_array();
-        let mut y = *y;
-        for (place, v) in y[11..].iter_mut().zip(v) {
-            *place = self.top.shape().mass() * v;
-        }
-        y
     }
 }
 

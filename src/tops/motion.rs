@@ -53,7 +53,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     }
 
     /// The coordinates with height and momentum as the contact has them.
-    fn settled(&self, at: &Stance, y: &Coordinates) -> Coordinates {
+    pub fn settled(&self, at: &Stance, y: &Coordinates) -> Coordinates {
         let mut settled = *y;
         settled[10] = at.centre.z();
         for (place, v) in settled[11..].iter_mut().zip(at.velocity.to_array()) {

@@ -2,9 +2,10 @@
 //! they are asked for other throws and tops, and damaged twins miss.
 
 use crate::told::{cell, confirmed, refused, value};
+use core::f64::consts::TAU;
 use pages::effects_2_top::*;
 use rotation_dynamics::math::{cos, log, sin};
-use rotation_dynamics::tops::{Dry, NoSlip, Patch, Shape, Smooth, Throw, TipFriction, Top};
+use rotation_dynamics::tops::{Dry, NoSlip, Patch, RollingResistance, Shape, Smooth, Throw, TipFriction, Top};
 use support::Errors;
 
 const G: f64 = 9.80665;
@@ -17,7 +18,8 @@ fn top<F: TipFriction>(tip: f64, friction: F) -> Top<F> {
 fn every_throw_agrees_with_its_formulas() {
     let runs = [
         "--tip=0.004 --spin=170 --tilt=0.2", "--tip=0.007 --spin=130 --tilt=0.35 --friction=0.03",
-        "--friction=0.08 --modulus=2e9 --slope=2e-3", "--spin=170 --tilt=0.35 --modulus=8e9 --slope=3e-4",
+        "--friction=0.08 --modulus=2e9 --slope=2e-3",
+        "--spin=170 --tilt=0.35 --modulus=8e9 --slope=3e-4",
         "--tolerance=1e-8", "--tip=0.006 --friction=0.04 --tilt=0.25 --spin=140",
     ];
     confirmed(&EXAMPLE, runs, 6);
@@ -90,7 +92,7 @@ fn eq_6_nods_grow_or_die() {
     for (tip, tilt, spin) in [(0.005, 0.4, 220.0), (0.005, 0.3, 150.0), (0.01, 0.4, 150.0), (0.003, 0.3, 160.0)] {
         let p = Parameters { tip, tilt, spin, friction: 2e-4, ..Parameters::default() };
         let (s, k) = (sin(tilt), 4e-5 * spin);
-        let nod = core::f64::consts::TAU * (4e-5_f64 * (4e-5 + 0.1 * 0.0016 * s * s)).sqrt() / k;
+        let nod = TAU * (4e-5_f64 * (4e-5 + 0.1 * 0.0016 * s * s)).sqrt() / k;
         let [grow, damp] = p.nods();
         let throw = p.throw().precessing(0.98 * p.throw().precession);
         let run = top(tip, Dry::new(p.friction).unwrap()).simulate(&throw, 31.0 * nod, 1e-12).unwrap();
@@ -106,7 +108,7 @@ fn eq_6_nods_grow_or_die() {
         errors.push_at((measured - (grow - damp)) / (grow + damp), (tip, tilt, measured, grow, damp));
         damaged.push((measured - grow) / (grow + damp));
     }
-    errors.attain(5.1e-2..=5.12e-2, 4);
+    errors.attain(2.0e-2..=2.01e-2, 4);
     damaged.exceed(0.1, 4);
 }
 
@@ -158,4 +160,28 @@ fn the_axis_of_precession_comes_in() {
     assert!(side(p.spin) > 0.1 && side(1.0001 * p.least_spin()).abs() < 0.02 * side(p.spin));
     let falls = value(&EXAMPLE, "falls");
     assert!((cell(&EXAMPLE, "", ["table phases", "dies", "to / s"]) - falls).abs() < 1.0);
+}
+
+/// The card against simulations: what the slope, rolling resistance and pivoting change.
+#[test]
+fn the_card_is_right_to_a_factor_of_two() {
+    let p = Parameters::default();
+    let told = |effect: &str| cell(&EXAMPLE, "", ["effects", effect, "error if left out"]);
+    // A tenth of friction and patch creeps alike and pivots with a hundredth.
+    let firm = Patch::new(0.1 * p.friction, 0.1 * p.patch().unwrap()).unwrap();
+    let slept = |life: Life| life.event("wakes").unwrap().t;
+    let [with, without] = [p.life_on(Patch::new(p.friction, p.patch().unwrap()).unwrap(), 1e-9), p.life_on(firm, 1e-9)];
+    let longer = slept(without.unwrap()) / slept(with.unwrap()) - 1.0;
+    let rolls = top(p.tip, NoSlip).resisted_by(RollingResistance::new(0.01 * p.tip, 1e-2).unwrap());
+    let risen = |t: f64| {
+        let run = rolls.simulate(&p.throw().rolling(), t + 1.0, 1e-10).unwrap();
+        (0..100).map(|i| run.stance(t + 0.01 * f64::from(i)).unwrap().tilt()).sum::<f64>() / 100.0
+    };
+    let rate = 0.5 * (risen(0.0) - risen(2.0));
+    let mut ratios = Errors::of("told over simulated");
+    ratios.push_at(told("friction of pivoting") / longer, "pivoting");
+    ratios.push_at(told("rolling resistance, an arm of a hundredth of r") / rate, "rolling");
+    ratios.push_at(told("slope of the floor") / value(&EXAMPLE, "leans"), "slope");
+    ratios.attain(0.977..=0.979, 3);
+    ratios.exceed(0.5, 3);
 }
