@@ -210,8 +210,8 @@ pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
 
 /// The spin at which a small tilt neither grows nor dies, by bisection.
 fn least_by_growth(p: &Parameters) -> Result<f64> {
-    let (mut low, mut high) = (0.97 * p.least_spin(), 1.04 * p.least_spin());
-    for _ in 0..11 {
+    let (mut low, mut high) = (0.985 * p.least_spin(), 1.015 * p.least_spin());
+    for _ in 0..8 {
         let middle = 0.5 * (low + high);
         match growth(p, middle)? > 0.0 {
             true => low = middle,
@@ -241,7 +241,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         "spin over the least spin of a sleeping top",
         p.spin / p.least_spin(),
     )?;
-    let (life, again) = (p.life(p.tolerance)?, p.life(0.01 * p.tolerance)?);
+    let (life, again) = (p.life(p.tolerance)?, p.life(0.1 * p.tolerance)?);
     let at = |name| -> Result<[Stance; 2]> {
         Ok([
             life.stance_at(life.event(name)?),
@@ -411,6 +411,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     effects_2_top: "The rising, sleeping and dying top, from throw to fall";
     "A top from throw to fall", "The toy top of 16.2 on a rounded tip that slides and creeps, in air.",
-    [claims, ledger::phases, ledger::without, ledger::estimates, limits, effects, accuracy];
+    [claims, ledger::phases, ledger::without, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Where the energy goes, part by part; together it is all that is lost.
+/// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
 pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
     let life = p.life(p.tolerance)?;
     let mut table = Table::new(
@@ -31,6 +31,7 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
         from = to;
     }
     report.add(table)?;
+    estimates(p, &life, report)?;
     let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.stance(t)?)) };
     let change = energy(from)? - energy(0.0)?;
     let claim = claim(
@@ -122,8 +123,7 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
 }
 
 /// Rules of thumb, and what the simulation says.
-pub fn estimates(p: &Parameters, report: &mut Report) -> Result<()> {
-    let life = p.life(p.tolerance)?;
+fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
     let point = p
         .toy(Dry::new(p.friction)?)?
         .simulate(&p.throw(), 5.0, p.tolerance)?;
