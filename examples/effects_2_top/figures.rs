@@ -32,7 +32,7 @@ fn body(p: &Parameters, centre: SpaceVector, axis: SpaceVector) -> Solid {
 fn view(p: &Parameters, at: &Stance) -> View {
     let floor = SpaceVector::new(0.0, 0.0, 0.0);
     let centre = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
-    View::of(SpaceVector::new(0.0, 0.0, 32.0), 62.0)
+    View::of(SpaceVector::new(0.0, 0.0, 38.0), 66.0)
         .camera(Camera::new(-0.5, 0.3))
         .ground(floor, 62.0)
         .solid(body(p, centre, at.axis), Ink::Body)
@@ -242,7 +242,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .dot(contact, Ink::Velocity, "", Side::Below)
             .arrow(
                 height,
-                height + at.axis * (60.0 * at.spin() / p.spin),
+                height + at.axis * (56.0 * at.spin() / p.spin),
                 Ink::Momentum,
                 "$L$",
                 Side::Right,

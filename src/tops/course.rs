@@ -70,6 +70,16 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
     /// A tip counts as stopped when it is slower than 10 tolerances of sqrt(g (l + r)), and
     /// begins to slip with 1e-8 of that speed or 100 tolerances.
     ///
+    /// Accuracy, as measured at tolerance 1e-13: 5e-11 rad after 3 s of nutation, against the
+    /// heavy top in closed form; Jellett's integral, energy and momenta, where they are kept,
+    /// within 1.2e-14 of themselves over 2 s. After a slip from rest 2e-7 of the time of the
+    /// fall, by the speed with which it begins.
+    ///
+    /// Cost: about 15 derivatives a step, and steps that follow the nutation, whose rate is
+    /// I3 omega/I1, even where there is none to be seen. A tip on [`Dry`](super::Dry) friction
+    /// that slides for long with a slip close to zero makes the equations stiff, and may need
+    /// more steps than the method allows; a [`Patch`](super::Patch) creeps there instead.
+    ///
     /// # Errors
     /// A throw that is not finite; a start that the floor would have to hold down or with the
     /// rim in the floor ([`ConditionBroken`](crate::Error::ConditionBroken)); those of

@@ -126,8 +126,8 @@ impl TipFriction for Dry {
 /// slips but a viscous one, and it creeps where a point would stick; and one that slides is
 /// hardly braked in its pivoting. Without slip the torque is the (3 pi/16) mu N a of drilling.
 ///
-/// Accuracy: 3e-15, against double sums over the patch to 1e-9 and its own branches where they
-/// meet. The patch is that of the weight at rest: it does not grow with the normal force
+/// Accuracy, as measured: its three forms (a polynomial, arcs beyond v = 1, a series beyond 2)
+/// meet within 2 eps; a sum over 160,000 pieces of the patch agrees to its own 4e-6. The patch is that of the weight at rest: it does not grow with the normal force
 /// (a goes with the cube root of N).
 ///
 /// ```

@@ -150,7 +150,7 @@ fn eq_7_the_least_spin() {
 }
 
 /// The precession axis passes through the centre of mass at the least spin: above it the centre
-/// goes round on the near side, with the tip, as in Cross's films.
+/// of mass goes round with the tip, the axis beyond it.
 #[test]
 fn the_axis_of_precession_comes_in() {
     let p = Parameters::default();
