@@ -73,7 +73,22 @@ impl Scene<()> {
 
 impl<E: Effect> Scene<E> {
     /// The same scene with one more effect.
+    ///
+    /// A body has one weight, at one place. A second gravity does not compile:
+    ///
+    /// ```compile_fail,E0080
+    /// # use rotation_dynamics::{body::RigidBody, effects::GravityAtLever, scene::Scene};
+    /// # fn twice(body: RigidBody, gravity: GravityAtLever) {
+    /// let scene = Scene::new(body).with(gravity).with(gravity);
+    /// # }
+    /// ```
     pub fn with<F: Effect>(self, effect: F) -> Scene<(E, F)> {
+        const {
+            assert!(
+                !(E::NATURE.weight && F::NATURE.weight),
+                "gravity would act twice in this scene: one weight at one place is allowed"
+            );
+        }
         Scene {
             body: self.body,
             effects: (self.effects, effect),
