@@ -333,6 +333,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         arm / (p.radius * tan(p.angle)),
         drag * v * v / (p.gravity * sin(p.angle)),
     );
+    // How far up the slope it comes with this in and without.
+    let way = |body: Roller| -> Result<f64> {
+        let end = -2.0 * v / Roller::new(p).acceleration();
+        Ok(body.run(Goal::Top, v, end, 1e-10)?.event("turns")?.before.q[0])
+    };
+    let [lever, air] = resisting(p);
+    let plain = way(body)?;
+    let (rolled, blown) = (
+        1.0 - way(Roller { arm: lever, ..body })? / plain,
+        1.0 - way(Roller { drag: air, ..body })? / plain,
+    );
     let thick = Roller {
         mu: body.mu * 0.99,
         ..body
@@ -342,8 +353,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         - 1.0;
     effect_card! { report,
         "slipping": "mu_min/mu" = body.needed() / p.friction.max(1e-300), costs thick, "of x'' for 1 % less mu", included;
-        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance";
-        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs (1.0 - log1p(drag) / drag).max(0.0), "of the distance";
+        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance",
+            measured rolled, within 1e-8;
+        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs (1.0 - log1p(drag) / drag).max(0.0), "of the distance",
+            measured if sliding { None } else { Some(blown) }, within 1e-8;
     }
 }
 
