@@ -354,13 +354,17 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, a, swing) = (p.kinetic, p.distance, rate(p, 1.0));
     let (thick, falling) = (0.5 * mu * 0.02 / a, 0.5 * p.gravity * 0.1 * mu);
+    let is_thin = (swing * swing * a / (2.0 * mu * p.gravity) - 1.0).abs() < 0.1;
     // A small swing of a thin plank between rollers whose friction falls so.
     let rubs = |slip: f64| mu * slip.signum() * (1.0 - 0.1 * (slip.abs() - p.speed));
     let law = second_order(|_, x, v| {
         let (left, right) = (0.5 - x / a, 0.5 + x / a);
         p.gravity * (rubs(p.speed - v) * left + rubs(-p.speed - v) * right)
     });
-    let (small, slow) = (1e-3 * a.min(p.speed / swing), falling < 0.1 * swing);
+    let (small, slow) = (
+        1e-3 * a.min(p.speed / swing),
+        falling < 0.1 * swing && is_thin,
+    );
     let grown = match slow {
         true => Some(
             Dop853::new(1e-12)?

@@ -9,7 +9,9 @@ use std::sync::Mutex;
 static TEXT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 
 fn leave(text: String) -> usize {
-    let mut left = TEXT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut left = TEXT
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
     *left = text.into_bytes();
     left.len()
 }
@@ -17,7 +19,9 @@ fn leave(text: String) -> usize {
 /// Where the text lies that was left last.
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
-    let left = TEXT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let left = TEXT
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
     left.as_ptr()
 }
 
@@ -36,7 +40,9 @@ pub extern "C" fn stem(n: usize) -> usize {
 /// Leaves what the n-th example prints, or the error.
 #[unsafe(no_mangle)]
 pub extern "C" fn report(n: usize) -> usize {
-    let text = every_example::ALL[n].report().and_then(|report| report.text());
+    let text = every_example::ALL[n]
+        .report()
+        .and_then(|report| report.text());
     leave(text.unwrap_or_else(|error| format!("error: {error}")))
 }
 
@@ -44,6 +50,8 @@ pub extern "C" fn report(n: usize) -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn figures(n: usize) -> usize {
     let figures = every_example::ALL[n].figures().unwrap_or_default();
-    let each = figures.into_iter().map(|figure| format!("{}\n{}\0", figure.name, figure.svg));
+    let each = figures
+        .into_iter()
+        .map(|figure| format!("{}\n{}\0", figure.name, figure.svg));
     leave(each.collect())
 }
