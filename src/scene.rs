@@ -77,9 +77,13 @@ impl<E: Effect> Scene<E> {
     /// A body has one weight, at one place. A second gravity does not compile:
     ///
     /// ```compile_fail,E0080
-    /// # use rotation_dynamics::{body::RigidBody, effects::GravityAtLever, scene::Scene};
-    /// # fn twice(body: RigidBody, gravity: GravityAtLever) {
+    /// # use rotation_dynamics::{body::RigidBody, effects::GravityAtLever};
+    /// # use rotation_dynamics::{inertia::PrincipalMoments, scene::Scene};
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// # let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+    /// let gravity = GravityAtLever::new(4.9, 0.1)?;
     /// let scene = Scene::new(body).with(gravity).with(gravity);
+    /// # Ok(())
     /// # }
     /// ```
     pub fn with<F: Effect>(self, effect: F) -> Scene<(E, F)> {
