@@ -139,6 +139,21 @@ pub fn rubbed(p: &Parameters, left: f64, torque: impl Fn(f64) -> f64) -> Result<
 }
 // ANCHOR_END: laws
 
+/// The rate at which both turn in the end if something brakes the two discs from outside (N m,
+/// of their rates).
+fn braked(p: &Parameters, brake: &dyn Fn(f64, f64) -> [f64; 2]) -> Result<f64> {
+    let a = Answer::new(p);
+    let rubs = p.friction * a.relative.signum();
+    let law = ode(|_, &[fast, slow]: &[f64; 2]| {
+        let [upper, lower] = brake(fast, slow);
+        [-(rubs + upper) / p.upper, (rubs - lower) / p.lower]
+    });
+    let over = Event::falling("over", |_, y: &[f64; 2]| (y[0] - y[1]) / a.relative).terminal();
+    let start = [p.upper_rate, p.lower_rate];
+    let run = Dop853::new(1e-11)?.solve(&law, 0.0, &start, 1e3 * a.time, &[over])?;
+    Ok(run.end_state()[0])
+}
+
 /// The laws of the page over their parameters: dry friction, friction that weakens with the
 /// slip, a film of oil; each has the torque of the page at the first slip.
 pub fn torque(p: &Parameters, law: &str, slip: f64) -> f64 {
@@ -275,10 +290,34 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Two faces, one of each disc: 3.87/sqrt(Re) of rho w^2 R^5/2, laminar.
     let reynolds = size * radius * radius / 1.5e-5;
     let air = 3.87 / reynolds.sqrt() * 0.5 * 1.204 * size * size * radius.powi(5);
+    // What brakes a disc turns round with it: over the slip, the rate changes evenly.
+    let mean = |from: f64, power: f64| {
+        let turned = a.common - from;
+        let grown = pow(a.common.abs(), power + 1.0) - pow(from.abs(), power + 1.0);
+        if turned == 0.0 {
+            0.0
+        } else {
+            grown / ((power + 1.0) * turned)
+        }
+    };
+    let by_bearing = bearing * mean(p.lower_rate, 0.0) * a.time / whole;
+    let blown = mean(p.upper_rate, 1.5) + mean(p.lower_rate, 1.5);
+    let by_air = 0.5 * air / pow(size, 1.5) * blown * a.time / whole;
+    let dry = |_: f64, lower: f64| [0.0, bearing * lower.signum()];
+    let wind = |rate: f64| 0.5 * air * rate / size * (rate.abs() / size).sqrt();
+    let common = |brake: &dyn Fn(f64, f64) -> [f64; 2]| braked(p, brake);
+    let [dried, blown] = [
+        common(&dry)?,
+        common(&|upper, lower| [wind(upper), wind(lower)])?,
+    ];
+    // Where the two halves cancel, what is left is of second order.
+    let second = |torque: f64| 4.0 * size * pow(torque / p.friction, 2.0) + 1e-9 * size;
     let beside = 1e-6 / (radius * radius);
     effect_card! { report,
-        "friction of the bearing, 1 cm": "tau_b/tau" = bearing / p.friction, costs bearing * a.time / whole, "rad/s";
-        "air on the outer faces": "tau_a/tau" = air / p.friction, costs air * a.time / whole, "rad/s, at most";
+        "friction of the bearing, 1 cm": "tau_b/tau" = bearing / p.friction, costs by_bearing, "rad/s",
+            measured a.common - dried, within second(bearing);
+        "air on the outer faces": "tau_a/tau" = air / p.friction, costs by_air, "rad/s",
+            measured a.common - blown, within second(air);
         "it lands 1 mm beside the axis": "e^2/R^2" = beside, costs 2.0 * p.upper * beside * size / whole, "rad/s, at most";
         "the fall": "t_f/T" = (2.0 * p.drop / p.gravity).sqrt() / a.time, costs 0.0, "s of the time from the release", included;
     }

@@ -9,6 +9,7 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
 };
@@ -397,8 +398,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         - 1.0;
     effect_card! { report,
         "slipping": "mu_min/mu" = body.needed() / p.friction.max(1e-300), costs thick, "of x'' for 1 % less mu", included;
-        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs rolled.max(0.0), "of the distance";
-        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs slowed.max(0.0), "of the distance";
+        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance",
+            measured rolled.max(0.0), within 1e-8;
+        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs (1.0 - log1p(drag) / drag).max(0.0), "of the distance",
+            measured if sliding { None } else { Some(slowed.max(0.0)) }, within 1e-8;
     }
 }
 

@@ -3,8 +3,10 @@
 //! Without flags: the five motions of the notes' figures 3 and 4. With `--a`,
 //! `--b`, `--c`, `--energy`, `--start`: the motion you ask for, in the notes'
 //! dimensionless time t'. With `--i1`, `--i3`, `--mass`, ...: a gyroscope in SI
-//! units, time in seconds.
+//! units, time in seconds, and `--with friction`, `--without gravity` for what acts on it.
 
+#[path = "ch16_2_gyroscope/driven.rs"]
+mod driven;
 #[path = "ch16_2_gyroscope/fast.rs"]
 mod fast;
 #[path = "ch16_2_gyroscope/figures.rs"]
@@ -24,7 +26,7 @@ use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::report::heavy_top::{Motion, Nod, trajectory};
-use rotation_dynamics::report::{ClaimEntry, Report, claim};
+use rotation_dynamics::report::{ClaimEntry, Report, Trajectory, claim};
 use rotation_dynamics::{Error, Result};
 
 // ANCHOR: equations
@@ -108,8 +110,6 @@ rotation_dynamics::parameters! {
         i3: optional("kg m^2", any());
         /// mass
         mass: optional("kg", above(0.0));
-        /// acceleration of gravity
-        gravity: optional("m/s^2", any());
         /// from the pivot to the centre of mass
         length: optional("m", any());
         /// tilt of the axis at the start
@@ -120,6 +120,14 @@ rotation_dynamics::parameters! {
         precession: optional("rad/s", any());
         /// rate of theta at the start
         nutation: optional("rad/s", any());
+        /// acceleration of gravity
+        gravity: effect(9.80665, "m/s^2", above(0.0)).present();
+        /// bearing about which the axis nods, torque over dtheta/dt
+        friction: effect(0.02, "N m s", above(0.0));
+        /// air about the rotor, a disc: its density
+        air: effect(1.204, "kg/m^3", above(0.0));
+        /// bearings of the axle, dry: their torque
+        bearing: effect(1.5e-5, "N m", above(0.0));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", any());
     }
@@ -131,8 +139,8 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
     match (reduced, rotor::asked_for(p)) {
         (true, Some(_)) => Err(Error::Text {
             text: "dimensionless and SI flags together".into(),
-            allowed: "give either --a, --b, --c, --energy, --start \
-                      or --i1, --i3, --mass, --gravity, --length, --theta, --spin, --precession, --nutation",
+            allowed: "give either --a, --b, --c, --energy, --start or --i1, --i3, --mass, \
+                      --length, --theta, --spin, --precession, --nutation, --with, --without",
         }),
         (true, None) => {
             let (a, b, c) = (p.a.unwrap_or(2.0), p.b.unwrap_or(1.2), p.c.unwrap_or(0.2));
@@ -164,6 +172,9 @@ fn near_the_cusps() -> Result<ClaimEntry> {
 
 fn report(p: &Parameters) -> Result<Report> {
     let motions = motions(p)?;
+    if driven::is_asked_for(p) {
+        return driven::report(p);
+    }
     let description = match motions.as_slice() {
         [one] => one.description(),
         _ => {
@@ -188,8 +199,17 @@ fn report(p: &Parameters) -> Result<Report> {
     Ok(report)
 }
 
+/// The motion, or the motions, for `--csv`.
+fn samples(p: &Parameters) -> Result<Trajectory> {
+    let motions = motions(p)?;
+    match driven::is_asked_for(p) {
+        true => driven::rotor(p)?.trajectory(),
+        false => trajectory(&motions),
+    }
+}
+
 rotation_dynamics::example! {
     ch16_2_gyroscope:
         "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)";
-    report, figures::all, |p| trajectory(&motions(p)?), picture::moving
+    report, figures::all, samples, picture::moving
 }

@@ -2,8 +2,11 @@
 //! 16, Section 2, "Other types of gyroscopes".
 //!
 //! The equations are the gyroscope's, with I1' = I1 + m l^2 for I1. Without flags:
-//! both bodies. With `--body` or any other flag: that body as you want it.
+//! both bodies. With `--body` or any other flag: that body as you want it; with
+//! `--with air`, `--without gravity`: with what acts on it, stepped where no closed form knows it.
 
+#[path = "ch16_2_top_and_wheel/driven.rs"]
+mod driven;
 #[path = "ch16_2_top_and_wheel/figures.rs"]
 mod figures;
 #[path = "ch16_2_top_and_wheel/left_out.rs"]
@@ -92,14 +95,21 @@ impl Body {
     pub fn motion(&self, name: &'static str) -> Result<Motion> {
         let (mass, gravity, lever) = (self.mass, self.gravity, self.length);
         let top = SymmetricTop::from_mass(self.moment(), self.i3, mass, gravity, lever)?;
-        let start = EulerAngles {
+        Motion::new(name, HeavyTop::from_body(top, self.tilted(), self.rates())?)
+    }
+
+    /// Where it starts.
+    pub const fn tilted(&self) -> EulerAngles {
+        EulerAngles {
             phi: 0.0,
             theta: self.theta,
             zeta: 0.0,
-        };
-        // Along the line of nodes, at right angles to it, and along the axis.
-        let omega = BodyVector::new(self.nutation, self.precession * sin(self.theta), self.spin);
-        Motion::new(name, HeavyTop::from_body(top, start, omega)?)
+        }
+    }
+
+    /// How it starts to turn: along the line of nodes, at right angles to it, along the axis.
+    pub fn rates(&self) -> BodyVector {
+        BodyVector::new(self.nutation, self.precession * sin(self.theta), self.spin)
     }
 }
 // ANCHOR_END: fixed_point
@@ -135,8 +145,6 @@ rotation_dynamics::parameters! {
         i1: optional("kg m^2", any());
         /// moment of inertia about the axis
         i3: optional("kg m^2", any());
-        /// acceleration of gravity
-        gravity: optional("m/s^2", any().usually(1.0, 25.0));
         /// tilt of the axis at the start
         theta: optional("rad", any().usually(0.01, 3.0));
         /// angular velocity along the axis
@@ -145,6 +153,14 @@ rotation_dynamics::parameters! {
         precession: optional("rad/s", any().usually(-10.0, 10.0));
         /// rate of theta at the start
         nutation: optional("rad/s", any().usually(-10.0, 10.0));
+        /// acceleration of gravity
+        gravity: effect(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0)).present();
+        /// bearing about which the axis nods, torque over dtheta/dt
+        friction: effect(1e-5, "N m s", above(0.0));
+        /// air about the body, a disc: its density
+        air: effect(1.204, "kg/m^3", above(0.0));
+        /// dry friction against the spin, at the tip or in the bearings: its torque
+        brake: effect(5e-6, "N m", above(0.0));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", any());
     }
@@ -158,7 +174,7 @@ impl Parameters {
             length: self.length.unwrap_or(body.length),
             i1: self.i1.unwrap_or(body.i1),
             i3: self.i3.unwrap_or(body.i3),
-            gravity: self.gravity.unwrap_or(body.gravity),
+            gravity: self.gravity.unwrap_or(0.0),
             theta: self.theta.unwrap_or(body.theta),
             spin: self.spin.unwrap_or(body.spin),
             precession: self.precession.unwrap_or(body.precession),
@@ -193,6 +209,9 @@ impl Parameters {
 
 fn report(p: &Parameters) -> Result<Report> {
     let motions = p.motions()?;
+    if driven::is_asked_for(p) {
+        return driven::report(p);
+    }
     let description = match motions.as_slice() {
         [one] => one.description(),
         _ => "a toy top on its tip and a bicycle wheel hung by its axle: gyroscopes whose centre of mass moves".into(),
@@ -213,7 +232,10 @@ fn report(p: &Parameters) -> Result<Report> {
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    heavy_top::trajectory(&p.motions()?)
+    match driven::is_asked_for(p) {
+        true => driven::body(p)?.trajectory(),
+        false => heavy_top::trajectory(&p.motions()?),
+    }
 }
 
 rotation_dynamics::example! {

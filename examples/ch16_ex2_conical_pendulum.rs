@@ -215,9 +215,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slope = if q < 1.0 { q / sin(cone(q)) } else { 0.0 };
     let stretch = m * (l * w * w).max(p.gravity) / (3e9 * area);
     let (string, size, earth) = (1150.0 * area * l / m, 0.4 * r * r / (l * l), 1.4584e-4 / w);
+    // From the steady turning, with the air: how much lower after a turn.
+    let start = in_space([cone(q), 0.0], 0.0);
+    let [x, y, z, ..] = after(2.0 * PI, &on_string(q, drag), &start, 1e-12)?;
+    let sunk = cone(q) - atan2(hypot(x, y), -z);
     effect_card! { report,
         "air drag, bob left to itself":
-            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn";
+            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn",
+            measured sunk, within 1e-9;
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
         "mass of the string": "m/M" = string, costs slope * string / 6.0, "rad of theta";
         "size of the bob": "2 r^2/(5 l^2)" = size, costs 0.5 * size, "of Omega";

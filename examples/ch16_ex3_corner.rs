@@ -286,9 +286,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air = 1.204 * 0.01 * rim * rim * 2.0 / (700.0 * p.radius * p.gravity * alpha);
     let fades = faded(mu, p.fading * u.speed, u.spin) * alpha / u.spin - 1.0;
     let yields = 1e-4 / (mu * p.radius);
+    // How much later it stops, simulated.
+    let later = |cylinder: Cylinder, about: f64| -> Result<f64> {
+        let ride = set_down(cylinder, u.spin, 2.0 * about, p.tolerance.min(1e-9))?;
+        Ok(ride.event("floor sticks")?.t * alpha / u.spin - 1.0)
+    };
+    let fading = p.fading * u.speed;
+    let leans = later(leaning, u.spin / leaning.braking())?;
+    let faded = later(Cylinder { fading, ..cylinder }, faded(mu, fading, u.spin))?;
     effect_card! { report,
-        "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop";
-        "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop";
+        "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop", measured faded, within 1e-7;
+        "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop", measured leans, within 1e-7;
         "set down from 1 mm above": "sqrt(2 h/g)/t_stop" = drop, costs -drop, "of t_stop";
         "surfaces that yield, normal forces 0.1 mm ahead": "d/(mu R)" = yields, costs -yields, "of t_stop";
         "air": "torque over that of friction" = air, costs -air / 3.0, "of t_stop";

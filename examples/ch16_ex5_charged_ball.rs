@@ -5,7 +5,7 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::integrators::{after, second_order};
+use rotation_dynamics::integrators::{after, ode, second_order};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, State, Surface, entry, motion_within,
 };
@@ -322,13 +322,21 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let arm = arm * p.gravity / (p.radius * pull);
     let drag = drag * speed * speed / pull;
     let (magnetic, leaking) = (speed * 5e-5 / p.field, 1e-14 * time / EPSILON_0);
+    // The square of the speed along the slab, over that at the end without air.
+    let dragged = after(
+        1.0,
+        &ode(|_, &[square]: &[f64; 1]| [1.0 - drag * square]),
+        &[0.0],
+        1e-12,
+    )?;
     let slipping = ball.holding() / (p.friction.max(1e-300) * p.gravity);
     effect_card! { report,
         "slipping": "mu_min/mu" = slipping, costs 0.0, "of x''", included;
         "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = (own + 3.0 * p.field) / 3e6, costs 0.0, "of x'' while below 1";
         "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs image / (1.0 + image), "of mu_min";
         "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = arm, costs arm, "of x''";
-        "air drag, at the end": "rho C S v^2/(2 q E)" = drag, costs 0.5 * drag, "of the work";
+        "air drag, at the end": "rho C S v^2/(2 q E)" = drag, costs 0.5 * drag, "of the work",
+            measured 1.0 - dragged[0], within 1e-10;
         "charge lost to the air": "sigma t/epsilon_0" = leaking, costs leaking / 3.0, "of the way";
         "magnetic field of the Earth": "v B/E" = magnetic, costs magnetic, "of x''";
     }

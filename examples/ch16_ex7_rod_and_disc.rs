@@ -415,11 +415,32 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let askew = off * off * w2 / (m.carried * (m.own * w2 - 0.001 * p.disc * p.gravity));
     let bearing = 1e-4 / (m.own * w2.sqrt());
     let wide = 4e-4 / (p.length * p.length);
+    // Small swings from 1 rad over 1: a turn of the phase, and two half swings that rub.
+    let rubbed = after(
+        2.0 * PI,
+        &coupled(m.share, bearing, |angle| angle),
+        &[1.0, 0.0, 1.0, 0.0],
+        1e-13,
+    )?;
+    let half = |from: f64| -> Result<f64> {
+        let law = second_order(|_, angle, _| -angle + pin * from.signum());
+        let (end, _) = Dop853::new(1e-13)?.zero(&law, [from, 0.0], 1, 9.0, |y| y[1])?;
+        Ok(end.state[0])
+    };
+    let stopped = if pin < 0.25 {
+        Some(1.0 - half(half(1.0)?)?)
+    } else {
+        None
+    };
     effect_card! { report,
-        "size of the swing": "sin^2(theta0/2)" = size, costs longer, "of T", included;
+        "size of the swing": "sin^2(theta0/2)" = size, costs longer, "of T",
+            measured returns_fixed(m.share, p.release, 1e-13)?.0.t / returns_fixed(m.share, 1e-3 * p.release, 1e-13)?.0.t - 1.0,
+            within 1e-9, included;
         "buoyancy in air": "rho_a/rho" = air, costs 0.5 * air, "of T";
-        "friction at the pivot": "mu r (m + M) g/D" = pin, costs 4.0 * pin, "rad of amplitude a swing";
-        "the free disc's bearing": "c/(J W)" = bearing, costs PI * m.share * bearing, "of the amplitude a swing";
+        "friction at the pivot": "mu r (m + M) g/D" = pin, costs 4.0 * pin, "rad of amplitude a swing",
+            measured stopped, within 1e-9;
+        "the free disc's bearing": "c/(J W)" = bearing, costs PI * m.share * bearing, "of the amplitude a swing",
+            measured 1.0 - rubbed[0], within 1e-9;
         "disc 1 mm off its axle, free": "e/R" = 0.001 / p.radius, costs 0.5 * askew.abs(), "of T";
         "width of the rod": "w^2/l^2" = wide, costs p.rod * wide * p.length * p.length / (24.0 * fixed), "of T";
     }

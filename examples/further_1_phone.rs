@@ -321,8 +321,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Wind of the flight on a face, its centre of pressure a tenth of the width off.
     let wind = 0.5 * 1.204 * 1.2 * p.length * p.width * speed * speed * 0.1 * p.width;
     let gradient = 3.0 * 9.80665 / 6.371e6 * (i3 - i1) / i2;
+    // Small tilts only: the estimate is that of the exponential growth.
+    let sooner = Throw::new(throw.moments, rate, p.tilt + 0.0175, p.toward)
+        .flip(1, 1e-12)?
+        .t;
+    let sooner = (p.tilt < 0.3).then_some(first - sooner);
     effect_card! { report,
-        "a degree in the throw": "delta/tilt" = 0.0175 / p.tilt, costs 0.0175 / (p.tilt * pace), "s to the first flip";
+        "a degree in the throw": "delta/tilt" = 0.0175 / p.tilt, costs 0.0175 / (p.tilt * pace), "s to the first flip",
+            measured sooner;
         "a lump near a corner": "angle of axis 2" = askew, costs askew, "rad of aim";
         "air, on the turning": "rho C b l^4 Omega^2/(64 L lambda)" = slowed / pace, costs slowed * first * (0.5 * first - 1.0 / pace).abs(), "s to the first flip";
         "air, on the flight": "rho C S v^2 b/(20 I2 Omega lambda)" = wind / (i2 * rate * pace), costs wind * caught / (i2 * rate), "rad of L, at most";

@@ -497,9 +497,15 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     ]
     .map(f64::abs);
     let (wide, flattening) = (p.release * p.release / 16.0, 1.0 / 298.257);
+    let narrow = Parameters {
+        release: 0.01 * p.release,
+        ..p.clone()
+    };
+    let [swing, small] = [p, &narrow].map(|p| turned(p, 2, 1e-12));
+    let longer = swing?.0.t / small?.0.t - 1.0;
     effect_card! { report,
         "dry friction about the vertical": "M_f/(L Omega cos)" = grip, costs grip, "rad of azimuth";
-        "width of the swing": "alpha^2/16" = wide, costs wide, "of the period", included;
+        "width of the swing": "alpha^2/16" = wide, costs wide, "of the period", measured longer, within 1e-7, included;
         "moment across the axle": "(omega_0/omega_F)^2" = ratio * ratio,
             costs 0.5 * ratio * ratio, "of the period";
         "latitude sailed in a period": "v T/R" = way, costs way * sail * tan(p.latitude).abs(),

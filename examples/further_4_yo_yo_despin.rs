@@ -260,8 +260,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let size = 0.4 * 0.02 * 0.02 / (p.radius * p.radius);
     let thick = 0.75e-3 / p.radius;
     let per = (j + 1.0) / j * stop / (1.0 + stop);
+    let (inertia, length) = (1.01 * j, stop);
+    let left = YoYo { inertia, length }.last_spin(1e-12)?;
     effect_card! { report,
-        "moment of inertia, known to 1 %": "dI/I" = 0.01, costs 0.005, "of w0";
+        "moment of inertia, known to 1 %": "dI/I" = 0.01, costs 0.005, "of w0", measured left;
         "mass of the strings": "mu/(2 m)" = heavy * stop, costs shorter.abs() * per, "of w0";
         "thickness of the strings": "d/(2 R)" = thick, costs thick * per / (1.0 + stop), "of w0";
         "stretch of the strings": "T/(E A)" = stretch, costs stretch * per, "of w0, at most";

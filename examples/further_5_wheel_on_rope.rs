@@ -602,6 +602,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air =
         0.0066 * 1.204 * p.radius * p.radius * p.radius * p.spin * p.spin * p.radius * p.radius;
     let slowing = air / (wheel.momentum * rate);
+    // The spin over that at the start, for a turn about the rope.
+    let law = ode(|_, &[spin]: &[f64; 1]| [-2.0 * PI * slowing * spin * spin]);
+    let left = after(1.0, &law, &[1.0], 1e-12)?[0];
     let bound = wheel.at_end() * rate / wheel.momentum;
     effect_card! { report,
         "lean of the rope": "p^2 b/g" = rate * rate * p.rope / p.gravity,
@@ -609,7 +612,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "precession not slow": "J p/L" = bound, costs bound * tan(p.rise).abs(), "of the rate", included;
         "mass of the rope": "m_r/m" = mass, costs 0.5 * mass * rope, "rad of the rope";
         "stretch of the rope": "mg/(E A)" = stretch, costs stretch * rope, "rad of the rope";
-        "air on the wheel": "M/(L p)" = slowing, costs 2.0 * PI * slowing, "of the spin a turn";
+        "air on the wheel": "M/(L p)" = slowing, costs 2.0 * PI * slowing, "of the spin a turn", measured 1.0 - left;
         "turning of the Earth": "Omega_E/p" = 7.292e-5 / rate, costs 7.292e-5 / rate, "of the rate, at most";
     }
 }

@@ -343,10 +343,28 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let lossy = p.loss / (1.0 + k);
     let air = 3.0 * 1.204 * 0.47 * p.velocity / (8.0 * 7850.0 * p.radius);
     let (level, earth) = (1e-3 * p.gravity / (k * p.rate), 7.292e-5 / nu);
+    let ((ball, start), step) = (on_table(p), p.tolerance.min(1e-9));
+    let sloping = tilted(
+        ball,
+        &Parameters {
+            tilt: 1e-3,
+            ..p.clone()
+        },
+    );
+    let [x, y, ..] = after(turn, &sloping.rolls(), &start.numbers(), step)?;
+    let drifted = hypot(x - start.place.x(), y - start.place.y());
+    let rolling = Ball {
+        loss: p.loss,
+        ..ball.without_edge()
+    };
+    let grows = exponents(p.rate, k, p.loss)[1];
+    let noise = 1e4 * step;
     effect_card! { report,
         "slipping": "nu v/(mu g)" = nu * p.velocity / (p.friction * p.gravity), costs 0.0, "of the circle", included;
-        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / p.velocity, costs turn * level, "m of drift a turn";
-        "rolling resistance": "c/((1 + k) nu)" = lossy / nu, costs turn * exponents(p.rate, k, p.loss)[1][0], "of the radius a turn";
+        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / p.velocity, costs turn * level, "m of drift a turn",
+            measured drifted, within noise * (p.place + p.velocity / nu);
+        "rolling resistance": "c/((1 + k) nu)" = lossy / nu, costs turn * grows[0], "of the radius a turn",
+            measured turn * measured(rolling, grows, step)?, within noise;
         "air drag, steel ball": "gamma/nu" = air / nu, costs turn * air / (1.0 + k), "of the radius a turn";
         "turning of the Earth, at a pole": "Omega_E/nu" = earth, costs earth / (1.0 + k), "of nu";
         "pivoting friction": "M_n/(m g a), without effect" = 0.0, costs 0.0, "of the circle";

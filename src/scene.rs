@@ -73,7 +73,26 @@ impl Scene<()> {
 
 impl<E: Effect> Scene<E> {
     /// The same scene with one more effect.
+    ///
+    /// A body has one weight, at one place. A second gravity does not compile:
+    ///
+    /// ```compile_fail,E0080
+    /// # use rotation_dynamics::{body::RigidBody, effects::GravityAtLever};
+    /// # use rotation_dynamics::{inertia::PrincipalMoments, scene::Scene};
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// # let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+    /// let gravity = GravityAtLever::new(4.9, 0.1)?;
+    /// let scene = Scene::new(body).with(gravity).with(gravity);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn with<F: Effect>(self, effect: F) -> Scene<(E, F)> {
+        const {
+            assert!(
+                !(E::NATURE.weight && F::NATURE.weight),
+                "gravity would act twice in this scene: one weight at one place is allowed"
+            );
+        }
         Scene {
             body: self.body,
             effects: (self.effects, effect),

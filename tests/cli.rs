@@ -443,3 +443,198 @@ fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error: length = -3"));
 }
+
+rotation_dynamics::parameters! {
+    /// A pendulum, whose weight is in and whose friction is not.
+    pub struct Swing {
+        /// length
+        length: number(1.0, "m", above(0.0));
+        /// friction of the hinge
+        friction: effect(0.02, "N m s", above(0.0));
+        /// density of the air
+        air_drag: effect(1.2, "kg/m^3", from_to(0.0, 2.0));
+        /// weight
+        gravity: effect(9.81, "m/s^2", any()).present();
+    }
+}
+
+/// The decay of the swing, and its period where there is weight.
+fn swinging(p: &Swing) -> Result<Report> {
+    let mut report = Report::new("A pendulum", "a weight on a string")?;
+    let decay = 0.5 * (p.friction.unwrap_or(0.0) + p.air_drag.unwrap_or(0.0)) / p.length;
+    let gravity = p.gravity.unwrap_or(0.0);
+    rotation_dynamics::claims! { report,
+        /// rate at which a swing dies
+        decay: decay, "1/s", "itself" => decay, within 1e-3;
+        /// square of the rate of the swings
+        square: gravity / p.length, "1/s^2", "itself" => gravity / p.length, within 1e-3,
+            if p.gravity.is_some();
+    }?;
+    Ok(report)
+}
+
+const SWING: Example<Swing> = Example {
+    stem: "swing",
+    about: "A pendulum",
+    report: swinging,
+    figures: |_| Ok(Vec::new()),
+    trajectory: |_| Trajectory::new(["t [s]"]),
+    moving_picture: None,
+};
+
+fn swing(arguments: &str) -> Outcome {
+    SWING.answer(arguments.split_whitespace())
+}
+
+/// The rows of the effects that are in, as `name value unit`.
+fn effects_in(arguments: &str) -> Vec<String> {
+    let outcome = swing(arguments);
+    assert_eq!(
+        (outcome.code, outcome.stderr.as_str()),
+        (0, ""),
+        "{arguments}"
+    );
+    let parsed = parse(&outcome.stdout).expect("the text follows its grammar");
+    let table = parsed.table("parameters").expect("there are parameters");
+    let effect = |row: &Vec<String>| {
+        Some(format!(
+            "{} {} {}",
+            row[0].strip_prefix("--with ")?,
+            row[1],
+            row[2]
+        ))
+    };
+    table.rows().iter().filter_map(effect).collect()
+}
+
+#[test]
+fn effects_are_put_in_and_left_out_by_name() {
+    let weight = "gravity 9.81 m/s^2";
+    let cases: [(&str, &[&str]); 8] = [
+        ("", &[weight]),
+        ("--with friction", &["friction 0.02 N m s", weight]),
+        (
+            "--with friction=0.03 --length 2",
+            &["friction 0.03 N m s", weight],
+        ),
+        (
+            "--with=friction=3e-2 --with air-drag=0",
+            &["friction 0.03 N m s", "air-drag 0 kg/m^3", weight],
+        ),
+        ("--without gravity", &[]),
+        (
+            "--without gravity --with air-drag",
+            &["air-drag 1.2 kg/m^3"],
+        ),
+        ("--with gravity=-1.62", &["gravity -1.62 m/s^2"]),
+        // It is out already.
+        ("--without friction", &[weight]),
+    ];
+    for (arguments, expected) in cases {
+        assert_eq!(effects_in(arguments), expected, "{arguments}");
+    }
+    // What a reader answers, what is read by machines, and what sheets set sees them too.
+    let judged = swing("--with friction=0.03 --check decay=0.015");
+    assert_eq!(
+        (judged.code, judged.stdout.as_str()),
+        (0, "right: decay = 0.015 1/s\n")
+    );
+    assert!(
+        swing("--json --with friction")
+            .stdout
+            .contains("\"value\": 0.01,")
+    );
+    assert!(!swing("--json --without gravity").stdout.contains("square"));
+    let set = Page::report_with(&SWING, &[("friction", 0.5), ("air-drag", 0.1)]).expect("sound");
+    assert_eq!(set.claim("decay").map(Claim::value), Some(0.3));
+}
+
+#[test]
+fn effects_that_cannot_be_are_refused_by_name() {
+    let cases = [
+        (
+            "--with frction",
+            "there is no effect 'frction'; there are: friction, air-drag, gravity; do you mean friction?",
+        ),
+        ("--without grvty", "do you mean gravity?"),
+        (
+            "--with length",
+            "there is no effect 'length'; there are: friction, air-drag, gravity\n",
+        ),
+        (
+            "--with magnetism=2",
+            "there are: friction, air-drag, gravity\n",
+        ),
+        (
+            "--with friction=-3",
+            "friction = -3 is not allowed: it must be greater than 0",
+        ),
+        (
+            "--with air-drag=2.5",
+            "air_drag = 2.5 is not allowed: it must be from 0 to 2",
+        ),
+        ("--with friction=strong", "it is not a number"),
+        ("--with friction=", "it is not a number"),
+        ("--with friction=nan", "NaN is not a finite number"),
+        ("--with friction=1,5", "decimals come after a point"),
+        (
+            "--with friction --with friction=1",
+            "the effect friction stands twice after --with",
+        ),
+        (
+            "--without gravity --without gravity",
+            "the effect gravity stands twice after --without",
+        ),
+        (
+            "--without friction --with friction",
+            "the effect friction stands after --with and after --without: is it in or out?",
+        ),
+        ("--without friction=1", "there is no effect 'friction=1'"),
+        ("--with", "a value is required"),
+        (
+            "--friction 0.02",
+            "friction is an effect: --with friction=VALUE or --without friction",
+        ),
+        ("--fricton 0.02", "unexpected argument"),
+    ];
+    for (arguments, told) in cases {
+        let outcome = swing(arguments);
+        assert_eq!(
+            (outcome.code, outcome.stdout.as_str()),
+            (2, ""),
+            "{arguments}"
+        );
+        assert!(
+            outcome.stderr.contains(told),
+            "{arguments}: {}",
+            outcome.stderr
+        );
+    }
+    assert_eq!(cases.len(), 17);
+    // An example without effects says so, and does not offer the flags.
+    let none = answer("--with friction");
+    assert_eq!(none.code, 2);
+    assert!(
+        none.stderr
+            .contains("this example has none to put in or leave out"),
+        "{}",
+        none.stderr
+    );
+    assert!(!answer("--help").stdout.contains("--with"));
+}
+
+#[test]
+fn help_lists_the_effects_with_unit_range_and_strength() {
+    let help = swing("--help").stdout;
+    for part in [
+        "Effects:",
+        "--with <NAME[=VALUE]>",
+        "friction: friction of the hinge [0.02 N m s; it must be greater than 0]",
+        "air-drag: density of the air [1.2 kg/m^3; it must be from 0 to 2]",
+        "--without <NAME>",
+        "in without this: gravity",
+    ] {
+        assert!(help.contains(part), "{part} in {help}");
+    }
+    assert!(!help.contains("--friction"), "{help}");
+}

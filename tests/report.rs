@@ -2,8 +2,8 @@
 
 use rotation_dynamics::Error;
 use rotation_dynamics::report::{
-    Answer, Claim, DEGREES, EffectEntry, Limit, Oracle, Price, RECIPROCAL, Report, Table,
-    USUAL_SLIPS, Verdict, parse,
+    Answer, Claim, DEGREES, EffectEntry, EffectLine, Limit, Oracle, Price, RECIPROCAL, Report,
+    Table, USUAL_SLIPS, Verdict, effect, parse,
 };
 use serde_json::{Value, json};
 
@@ -96,7 +96,11 @@ fn sound() -> Report {
         value: 0.0123,
         error: 4.56e-7,
         unit: "rad".into(),
+        measured: None,
+        within: 0.0,
+        cost: None,
         included: false,
+        needed_for: None,
     });
     report.add_price(Price {
         method: "RK4".into(),
@@ -361,4 +365,88 @@ fn the_cases_of_the_answer_box_are_judged_alike() {
         "usual": usual,
     });
     assert_eq!(rules, expected, "write: {expected:#}");
+}
+
+/// A line of the card: its number, what is predicted, what is measured.
+fn measured(number: f64, predicted: f64, measured: impl Into<Option<f64>>) -> EffectLine {
+    let line = effect("air drag").number("rho C A l / m", number);
+    line.costs(predicted, "rad").measured(measured)
+}
+
+#[test]
+fn the_card_becomes_a_ledger_where_something_is_measured() {
+    let mut report = Report::new("A title", "What the scene is.").expect("sound");
+    report
+        .add(vec![
+            measured(0.01, 2.0e-3, 2.1e-3).at_cost("closed form, 812 torques"),
+            effect("weight")
+                .number("m g l / L w", 0.03)
+                .costs(6.3, "rad")
+                .included(),
+        ])
+        .expect("sound");
+    let text = report.text().expect("sound");
+    let expected = "effects\n\
+        effect    number         value  error if left out  measured  cost: without, with       here\n\
+        air drag  rho C A l / m  0.010  0.0020 rad         0.0021    closed form, 812 torques  left out\n\
+        weight    m g l / L w    0.030  6.3 rad            -         -                         in\n";
+    assert!(text.ends_with(expected), "{text}");
+    assert_eq!(
+        parse(&text).expect("it follows its grammar").tables,
+        report.sections().expect("sound")
+    );
+}
+
+/// Half and twice the prediction are within the factor 2, a little more is not; of a large
+/// effect anything may come.
+#[test]
+fn a_prediction_that_no_simulation_bears_out_is_refused() {
+    let add = |line| {
+        Report::new("A title", "What the scene is.")
+            .expect("sound")
+            .add(line)
+    };
+    let mut ran = 0;
+    for (number, predicted, found, sound) in [
+        (0.01, 2e-3, 1e-3, true),
+        (0.01, 2e-3, 4e-3, true),
+        (0.01, -2e-3, -1.5e-3, true),
+        (0.0, 0.0, 0.0, true),
+        (0.01, 2e-3, 0.999e-3, false),
+        (0.01, 2e-3, 4.001e-3, false),
+        (0.01, 2e-3, -2e-3, false),
+        (0.01, 2e-3, 0.0, false),
+        (-0.01, 0.0, 1e-9, false),
+        (0.1, 2e-3, 8e-3, false),
+        // Not small.
+        (0.11, 2e-3, 8e-3, true),
+        (0.11, 2e-3, f64::NAN, false),
+        (0.01, 2e-3, f64::INFINITY, false),
+    ] {
+        let added = add(measured(number, predicted, found));
+        assert_eq!(
+            added.is_ok(),
+            sound,
+            "{number} {predicted} {found}: {added:?}"
+        );
+        ran += 1;
+    }
+    assert_eq!(ran, 13);
+    assert!(
+        add(measured(0.01, 2e-3, None)).is_ok(),
+        "nothing is measured"
+    );
+    // What the simulation cannot tell apart is not held against the prediction.
+    assert!(add(measured(0.01, 0.0, 1e-9).within(2e-9)).is_ok());
+    assert!(add(measured(0.01, 2e-3, 5e-3).within(f64::NAN)).is_err());
+    let told = add(measured(0.01, 2e-3, 5e-3))
+        .expect_err("refused")
+        .to_string();
+    for part in [
+        "leaving out 'air drag'",
+        "0.002",
+        "simulation with it and without gives 0.005",
+    ] {
+        assert!(told.contains(part), "{part} in {told}");
+    }
 }

@@ -86,22 +86,31 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     let (width, thickness) = (0.1 * l, p.mass / (600.0 * 0.1 * l * l));
     let drag = 0.5 * 1.204 * 1.2 * width / p.mass;
     let number = 1.5 * drag * l * l;
-    let windy = Plank {
-        drag,
-        ..Plank::smooth(p)
+    let windy = |part: f64| -> Result<f64> {
+        let drag = part * drag;
+        let windy = Plank {
+            drag,
+            ..Plank::smooth(p)
+        }
+        .fall(1e-8, p.angle, 0.0)?;
+        Ok(1.0 - windy.event("arrives")?.before.v[2] / exact.landing().omega)
     };
     // What has more drag than this floats down like a leaf, and all of the rate is lost.
-    let slower = if number < 30.0 {
-        let windy = windy.fall(1e-7, p.angle, 0.0)?;
-        1.0 - windy.event("arrives")?.before.v[2] / exact.landing().omega
+    let slower = if number < 30.0 { windy(1.0)? } else { 1.0 };
+    // Predicted from a tenth of the effect, as the linear response to it.
+    let blown = if number < 30.0 {
+        (10.0 * windy(0.1)?).min(1.0)
     } else {
         1.0
     };
-    let rubbed = rubbing(p, 0.01)?.event("arrives")?.t / rubbing(p, 0.0)?.event("arrives")?.t - 1.0;
+    let time = |mu: f64| Ok::<_, rotation_dynamics::Error>(rubbing(p, mu)?.event("arrives")?.t);
+    let slides = time(0.0)?;
+    let rubbed = time(0.01)? / slides - 1.0;
+    let response = 10.0 * (time(0.001)? / slides - 1.0);
     rotation_dynamics::effect_card! { report,
         "square-cut foot of a wooden plank": "h/l" = thickness / l, costs thickness / l, "rad to tip over";
-        "friction, mu = 0.01": "4 mu/(3 theta0)" = 0.04 / (3.0 * p.angle), costs rubbed, "of t_floor";
-        "air drag": "3 rho C w l^2/(4 m)" = number, costs slower, "of omega_floor";
+        "friction, mu = 0.01": "4 mu/(3 theta0)" = 0.04 / (3.0 * p.angle), costs response, "of t_floor", measured rubbed, within 1e-6;
+        "air drag": "3 rho C w l^2/(4 m)" = number, costs blown, "of omega_floor", measured slower, within 1e-6;
         "one-sided contact of the foot": "least N/(m g)" = least_force()[1], costs 0.0, "of omega_floor", included;
     }
 }

@@ -2,7 +2,7 @@
 
 use super::friction::{FRICTION, damped, tilts};
 use super::picture::{HUB, UP, camera, causes, on_stand};
-use super::{Equations, Parameters, fast};
+use super::{Equations, Parameters, driven, fast};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow};
@@ -15,6 +15,9 @@ use core::f64::consts::PI;
 /// All of them for the motions of the notes; for one motion, its own.
 pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     let motions = super::motions(p)?;
+    if driven::is_asked_for(p) {
+        return driven::rotor(p)?.figures(camera());
+    }
     let [steady, nutating, below_one @ ..] = motions.as_slice() else {
         return Ok(Vec::new());
     };

@@ -1,6 +1,6 @@
 //! The gyroscope on its stand: as it moves, and as two stills that show the cause.
 
-use super::{Parameters, motions};
+use super::{Parameters, driven, motions};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::report::draw::{Camera, Ink, Side, Solid, View};
@@ -81,6 +81,9 @@ pub fn causes() -> Result<[Figure; 2]> {
 /// The motion asked for, or the rotor released at rest, which draws cusps.
 pub fn moving(p: &Parameters) -> Result<MovingPicture> {
     let mut motions = motions(p)?;
+    if driven::is_asked_for(p) {
+        return driven::rotor(p)?.moving(HUB, |pose| on_stand("scene", "scene", pose));
+    }
     let motion = motions.swap_remove(if motions.len() > 1 { 3 } else { 0 });
     motion.moving(HUB, |pose| on_stand("scene", "scene", pose))
 }

@@ -52,18 +52,25 @@ impl Rotor {
             mass,
             gravity,
             length,
-            theta,
             ..
         } = *self;
         let body = SymmetricTop::from_mass(i1, i3, mass, gravity, length)?;
-        let start = EulerAngles {
+        Motion::new("", HeavyTop::from_body(body, self.tilted(), self.rates())?)
+    }
+
+    /// Where it starts.
+    pub const fn tilted(&self) -> EulerAngles {
+        EulerAngles {
             phi: 0.0,
-            theta,
+            theta: self.theta,
             zeta: 0.0,
-        };
-        // along the line of nodes, at right angles to it and the axis, along the axis
-        let omega = BodyVector::new(self.nutation, self.precession * sin(theta), self.spin);
-        Motion::new("", HeavyTop::from_body(body, start, omega)?)
+        }
+    }
+
+    /// How it starts to turn: along the line of nodes, at right angles to it and the axis, and
+    /// along the axis.
+    pub fn rates(&self) -> BodyVector {
+        BodyVector::new(self.nutation, self.precession * sin(self.theta), self.spin)
     }
 }
 
@@ -83,18 +90,18 @@ pub fn asked_for(p: &Parameters) -> Option<Rotor> {
         (&mut rotor.i1, p.i1),
         (&mut rotor.i3, p.i3),
         (&mut rotor.mass, p.mass),
-        (&mut rotor.gravity, p.gravity),
         (&mut rotor.length, p.length),
         (&mut rotor.theta, p.theta),
         (&mut rotor.spin, p.spin),
         (&mut rotor.precession, p.precession),
         (&mut rotor.nutation, p.nutation),
     ];
-    let mut changed = false;
+    let mut changed = super::driven::is_asked_for(p) || p.gravity != Some(ROTOR.gravity);
     for (field, given) in fields {
         changed |= given.is_some();
         *field = given.unwrap_or(*field);
     }
+    rotor.gravity = p.gravity.unwrap_or(0.0);
     changed.then_some(rotor)
 }
 

@@ -1,7 +1,7 @@
 //! The figures of the page.
 
 use super::sleeping::{kicked, reach};
-use super::{Parameters, TOP, WHEEL};
+use super::{Parameters, TOP, WHEEL, driven};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sincos;
@@ -14,6 +14,9 @@ use core::f64::consts::FRAC_PI_2;
 /// All of them for both bodies; for one body, its own motion.
 pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     let motions = p.motions()?;
+    if driven::is_asked_for(p) {
+        return driven::body(p)?.figures(Camera::new(-0.45, 0.38));
+    }
     let mut figures = Vec::new();
     if motions.len() > 1 {
         figures.extend([top()?, wheel()?, tilt_reached()?, falls()?]);

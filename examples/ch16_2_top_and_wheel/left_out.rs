@@ -185,7 +185,7 @@ fn brake(
     report: &mut Report,
     [key, name]: [&str; 2],
     body: &Body,
-    effect: impl Effect,
+    effect: impl Effect + Clone,
     torque: impl Fn(f64) -> f64,
 ) -> Result<EffectLine> {
     let (steady, unit) = (body.steady()?, "rad a turn, of the axis");

@@ -1,6 +1,6 @@
 //! A spin that is braked: the sleeping top that wakes, and what friction costs.
 
-use super::{Body, Parameters, TOP};
+use super::{Body, Parameters, TOP, driven};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -11,7 +11,7 @@ use rotation_dynamics::integrators::scene::{components, state};
 use rotation_dynamics::integrators::{Dop853, Solution, after, ode};
 use rotation_dynamics::math::{acos, cos, pow, sin, sincos};
 use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::heavy_top::Steady;
+use rotation_dynamics::report::heavy_top::{Pose, Steady};
 use rotation_dynamics::report::{MovingPicture, sampled, times};
 use rotation_dynamics::scene::Scene;
 
@@ -19,7 +19,7 @@ use core::f64::consts::TAU;
 
 impl Body {
     /// As a rigid body that turns about its fixed point, and its weight.
-    fn parts(&self) -> Result<(RigidBody, GravityAtLever)> {
+    pub fn parts(&self) -> Result<(RigidBody, GravityAtLever)> {
         let body = RigidBody::new(PrincipalMoments::symmetric(self.moment(), self.i3)?);
         let gravity = GravityAtLever::new(self.mass * self.gravity, self.length)?;
         Ok((body, gravity))
@@ -138,6 +138,10 @@ const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
 /// The top that is asked for, or the page's, as its spin goes through the critical one.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    p.motions()?;
+    if driven::is_asked_for(p) {
+        return driven::body(p)?.moving(0.44, leaning);
+    }
     let mut bodies = p.bodies().into_iter();
     let asked = bodies.find(|(name, body)| *name == "top" && body.weight_moment() > 0.0);
     let waking = Waking::new(asked.map_or(TOP, |(_, body)| body))?;
@@ -191,6 +195,18 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
 /// Height of the top and the radius of its belly.
 const HEIGHT: f64 = 1.0;
 const BELLY: f64 = 0.42;
+
+/// A top that leans, with a mark on its shoulder.
+fn leaning(pose: &Pose) -> View {
+    let (axis, origin, spoke) = (pose.axis(), SpaceVector::zero(), pose.spoke(0.0));
+    let mark = [(0.625, 0.1), (0.515, 0.97)].map(|(h, r)| axis * h + spoke * (r * BELLY));
+    View::new("scene", "scene")
+        .around(UP * 0.2, 1.25)
+        .size(340, 320)
+        .ground(origin, 0.55)
+        .solid(Solid::top(origin, axis, HEIGHT, BELLY), Ink::Body)
+        .line(mark, Ink::Paper)
+}
 
 /// The top with the vectors that move it.
 fn scene(moment: &Moment) -> View {

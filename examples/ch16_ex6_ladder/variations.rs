@@ -110,12 +110,16 @@ fn air(p: &Parameters, exact: &Exact) -> Result<(f64, f64)> {
 /// The card of effects: what was left out, and what that costs.
 pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let exact = &solved.exact;
-    let later = rubbing(p, 0.1)?.end_time() / exact.landing_time() - 1.0;
+    let later = |part| {
+        Ok::<_, rotation_dynamics::Error>(rubbing(p, part)?.end_time() / exact.landing_time() - 1.0)
+    };
+    // Predicted from a tenth of the friction, as the linear response to it.
+    let (response, later) = (10.0 * later(0.01)?, later(0.1)?);
     let (drag, lost) = air(p, exact)?;
     let kept = landing_error(exact, &solved.naive)?;
     rotation_dynamics::effect_card! { report,
         "friction, a tenth of what would hold the ladder":
-            "mu / tan(theta0/2)" = 0.1, costs later, "of t_floor";
+            "mu / tan(theta0/2)" = 0.1, costs response, "of t_floor", measured later;
         "air drag on a light ladder (4 kg/m, 8 cm solid width)":
             "rho C w l^2 / m" = drag, costs 0.5 * lost, "of omega_floor";
         "one-sided contact of the wall":

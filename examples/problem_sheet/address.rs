@@ -10,7 +10,7 @@
 
 use super::draw::{Drawn, hash};
 use super::exercise::asked;
-use rotation_dynamics::report::{rounded_up, supported_digits};
+use rotation_dynamics::report::{name_of_flag, rounded_up, supported_digits};
 
 /// Name, value, unit and meaning of each parameter of the page, but for the error asked for.
 pub fn parameters(drawn: &Drawn) -> Result<Vec<[String; 4]>, String> {
@@ -20,7 +20,7 @@ pub fn parameters(drawn: &Drawn) -> Result<Vec<[String; 4]>, String> {
         .find(|table| table.heading() == "parameters");
     let rows = table.map_or(&[][..], |table| table.rows());
     let one = |row: &Vec<String>| {
-        let name = row[0].trim_start_matches("--").to_owned();
+        let name = name_of_flag(&row[0]).to_owned();
         let own = drawn.flags.iter().find(|(flag, _)| *flag == name);
         let value = own.map_or(&row[1], |(_, value)| value).clone();
         (name != "tolerance").then(|| [name, value, row[2].clone(), row[3].clone()])

@@ -22,7 +22,7 @@ mod measures;
 mod problem;
 mod sweep;
 
-pub use called_for::{CalledFor, Weighed};
+pub use called_for::{CalledFor, Measured, Weighed};
 pub use carry::{Carrier, Fineness, Variables, applies};
 pub use dial::{ExactMotion, Limits, Solved, SolvedMotion};
 pub(crate) use measures::larger;

@@ -78,6 +78,7 @@ impl Effect for GravityAtLever {
         on_rates: false,
         on_time: false,
         smooth: true,
+        weight: true,
         keeps: Keeps {
             energy: true,
             momentum: [false, false, true],

@@ -91,6 +91,7 @@ impl Effect for Gravity {
         on_rates: false,
         on_time: false,
         smooth: true,
+        weight: true,
         keeps: Keeps {
             energy: true,
             momentum: [false, false, true],

@@ -4,7 +4,8 @@
 //! itself (its [`Nature`], its potential, the times at which it jumps) opens faster roads,
 //! and all of it is held against that torque by [`check`]. Effects are composed in the
 //! type: `()` is no effect, and a pair of effects is an effect. What a scene does not name
-//! is not stored, not called and not asked about.
+//! is not stored, not called and not asked about. An effect that a flag may leave out is an
+//! `Option`.
 //!
 //! | effect | torque |
 //! |---|---|
@@ -34,6 +35,7 @@ mod gravity_gradient;
 mod internal_dissipation;
 mod kepler_orbit;
 mod nature;
+mod optional;
 mod orbiting_body;
 mod pair;
 mod prescribed;

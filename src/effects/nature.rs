@@ -64,6 +64,9 @@ pub struct Nature {
     /// The effect turns the body beyond I^-1 L, by its [`slip`](super::Effect::slip). Without
     /// this the slip is not asked for; an effect that has one and does not say so is refused.
     pub slips: bool,
+    /// The effect is the weight of the body. A scene has one: a second does not compile
+    /// ([`Scene::with`](crate::scene::Scene::with)).
+    pub weight: bool,
     /// What the effect leaves alone.
     pub keeps: Keeps,
 }
@@ -77,6 +80,7 @@ impl Nature {
         on_time: false,
         smooth: true,
         slips: false,
+        weight: false,
         keeps: Keeps::ALL,
     };
 
@@ -88,6 +92,7 @@ impl Nature {
         on_time: true,
         smooth: false,
         slips: false,
+        weight: false,
         keeps: Keeps::NONE,
     };
 
@@ -100,6 +105,7 @@ impl Nature {
             on_time: self.on_time || other.on_time,
             smooth: self.smooth && other.smooth,
             slips: self.slips || other.slips,
+            weight: self.weight || other.weight,
             keeps: self.keeps.and(other.keeps),
         }
     }

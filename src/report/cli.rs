@@ -6,9 +6,11 @@
 
 pub use super::files::write_whole;
 use super::files::{Directories, failure};
+use super::number::exactly;
 use super::{Answer, Claim, Example, Flag, ParameterSet, Report, Verdict};
 use crate::error::{Error, Result};
-use clap::{Arg, ArgAction, ArgMatches, Command, error::ErrorKind, value_parser};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -32,6 +34,124 @@ fn arg<P: ParameterSet>(flag: &Flag<P>, defaults: &P) -> Arg {
         arg.value_name("WORD")
             .value_parser(clap::builder::PossibleValuesParser::new(flag.words()))
     }
+}
+
+/// The effects of an example, of which `--with` puts in and `--without` leaves out.
+fn effects<P: ParameterSet>() -> impl Iterator<Item = &'static Flag<P>> {
+    P::FLAGS.iter().filter(|flag| flag.usual().is_some())
+}
+
+/// `--with` and `--without`, with a line for each effect; out of sight if there is none.
+fn effect_args<P: ParameterSet>(defaults: &P) -> [Arg; 2] {
+    let (mut list, mut present) = (String::new(), Vec::new());
+    for flag in effects::<P>() {
+        let usual = exactly(flag.usual().unwrap_or_default());
+        let unit = match flag.unit() {
+            "-" => String::new(),
+            unit => format!(" {unit}"),
+        };
+        let allowed = flag.allowed().map_or(String::new(), |a| format!("; {a}"));
+        let (name, meaning) = (flag.name(), flag.meaning());
+        list += &format!("\n  {name}: {meaning} [{usual}{unit}{allowed}]");
+        if flag.printed(defaults).is_some() {
+            present.push(name);
+        }
+    }
+    let out = match present.is_empty() {
+        true => "Leave an effect out".into(),
+        false => format!(
+            "Leave an effect out; in without this: {}",
+            present.join(", ")
+        ),
+    };
+    let arg = |name: &'static str, value: &'static str, help: String| {
+        let arg = Arg::new(name).long(name).value_name(value).help(help);
+        arg.action(ArgAction::Append).hide(list.is_empty())
+    };
+    let put = format!("Put an effect in, with its usual strength or with VALUE:{list}");
+    [
+        arg(WITH, "NAME[=VALUE]", put).value_parser(effect_and_strength),
+        arg(WITHOUT, "NAME", out),
+    ]
+}
+
+const WITH: &str = "with";
+const WITHOUT: &str = "without";
+
+/// `NAME` or `NAME=VALUE`.
+fn effect_and_strength(text: &str) -> core::result::Result<(String, Option<f64>), String> {
+    match text.split_once('=') {
+        None => Ok((text.into(), None)),
+        Some((name, value)) => Ok((name.into(), Some(number(value)?))),
+    }
+}
+
+/// Puts in and leaves out the effects that are named, each once.
+fn put_in<P: ParameterSet>(matches: &ArgMatches, p: &mut P) -> core::result::Result<(), String> {
+    let mut named: Vec<(&str, &str)> = Vec::new();
+    let (put, left) = (
+        matches.get_many::<(String, Option<f64>)>(WITH),
+        matches.get_many::<String>(WITHOUT),
+    );
+    let put = (put.into_iter().flatten()).map(|(name, strength)| (name, WITH, *strength));
+    let left = (left.into_iter().flatten()).map(|name| (name, WITHOUT, None));
+    for (name, how, strength) in put.chain(left) {
+        let flag = effects::<P>().find(|flag| flag.name() == *name);
+        let flag = flag.ok_or_else(|| no_effect::<P>(name))?;
+        match named.iter().find(|(known, _)| known == name) {
+            Some((_, other)) if *other == how => {
+                return Err(format!("the effect {name} stands twice after --{how}"));
+            }
+            Some(_) => {
+                return Err(format!(
+                    "the effect {name} stands after --{WITH} and after --{WITHOUT}: is it in or out?"
+                ));
+            }
+            None => named.push((name, how)),
+        }
+        match how {
+            WITH => flag.set_number(p, strength.or(flag.usual()).unwrap_or_default()),
+            _ => flag.leave_out(p),
+        }
+    }
+    Ok(())
+}
+
+/// What is said to an effect that the example does not have.
+fn no_effect<P: ParameterSet>(name: &str) -> String {
+    let known: Vec<String> = effects::<P>().map(Flag::name).collect();
+    if known.is_empty() {
+        return format!(
+            "there is no effect '{name}': this example has none to put in or leave out"
+        );
+    }
+    let near = known
+        .iter()
+        .map(|known| (changes(name, known), known))
+        .min();
+    let near = near.filter(|(changes, _)| *changes <= 1 + name.len() / 3);
+    let near = near.map_or(String::new(), |(_, known)| {
+        format!("; do you mean {known}?")
+    });
+    format!(
+        "there is no effect '{name}'; there are: {}{near}",
+        known.join(", ")
+    )
+}
+
+/// How many letters one adds, drops or exchanges to make one word of the other (Levenshtein).
+fn changes(word: &str, other: &str) -> usize {
+    let other: Vec<char> = other.chars().collect();
+    let mut row: Vec<usize> = (0..=other.len()).collect();
+    for (i, a) in word.chars().enumerate() {
+        let mut diagonal = core::mem::replace(&mut row[0], i + 1);
+        for (j, b) in other.iter().enumerate() {
+            let exchanged = diagonal + usize::from(a != *b);
+            diagonal = row[j + 1];
+            row[j + 1] = exchanged.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[other.len()]
 }
 
 fn apply<P: ParameterSet>(flag: &Flag<P>, matches: &ArgMatches, parameters: &mut P) {
@@ -74,6 +194,18 @@ fn joined(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
         }
     }
     all
+}
+
+/// How to name an effect, to those who typed it as a flag of its own.
+fn hint<P: ParameterSet>(error: &clap::Error) -> String {
+    let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidArg) else {
+        return String::new();
+    };
+    let named = effects::<P>().find(|flag| typed.trim_start_matches("--") == flag.name());
+    named.map_or(String::new(), |flag| {
+        let name = flag.name();
+        format!("\n{name} is an effect: --{WITH} {name}=VALUE or --{WITHOUT} {name}\n")
+    })
 }
 
 /// `KEY=VALUE`, a reader's answer.
@@ -133,14 +265,17 @@ impl<P: ParameterSet> Example<P> {
             Err(error) => {
                 return Outcome {
                     stdout: String::new(),
-                    stderr: error.render().to_string(),
+                    stderr: error.render().to_string() + &hint::<P>(&error),
                     code: 2,
                 };
             }
         };
         let mut parameters = P::default();
-        for flag in P::FLAGS {
+        for flag in P::FLAGS.iter().filter(|flag| flag.usual().is_none()) {
             apply(flag, &matches, &mut parameters);
+        }
+        if let Err(reason) = put_in(&matches, &mut parameters) {
+            return Outcome::refused(reason);
         }
         self.run(&parameters, &matches)
             .unwrap_or_else(Outcome::refused)
@@ -153,10 +288,12 @@ impl<P: ParameterSet> Example<P> {
             .about(self.about)
             .disable_version_flag(true)
             .next_help_heading("Parameters");
-        for flag in P::FLAGS {
+        for flag in P::FLAGS.iter().filter(|flag| flag.usual().is_none()) {
             command = command.arg(arg(flag, &defaults));
         }
         command
+            .next_help_heading("Effects")
+            .args(effect_args(&defaults))
             .next_help_heading("Output")
             .arg(
                 Arg::new("check")

@@ -1,11 +1,13 @@
 //! The lines of a report, one builder each: `report.add(claim(…).within(…).against(…))?`.
 
 use super::claim::{Claim, Oracle, Slip};
+use super::number::rounded_up;
 use super::sections::{EffectEntry, Limit, Price, Report};
 use super::table::Table;
 use crate::accuracy::CalledFor;
 use crate::effects::Effect;
 use crate::error::Result;
+use crate::integrators::Work;
 
 /// Something that a report can hold; added by [`Report::add`], which checks it.
 pub trait Entry {
@@ -174,7 +176,11 @@ pub fn effect(effect: impl Into<String>) -> EffectLine {
         value: f64::NAN,
         error: f64::NAN,
         unit: "-".into(),
+        measured: None,
+        within: 0.0,
+        cost: None,
         included: false,
+        needed_for: None,
     })
 }
 
@@ -194,6 +200,23 @@ impl EffectLine {
         (self.0.error, self.0.unit) = (error, unit.into());
         self
     }
+    /// The same error, with its sign, from a simulation with the effect and one without it;
+    /// `None` where none could tell. For a small effect, whose number is 0.1 or less, the
+    /// report refuses a prediction that is off by more than a factor 2.
+    pub fn measured(mut self, error: impl Into<Option<f64>>) -> Self {
+        self.0.measured = error.into();
+        self
+    }
+    /// The error of what is measured itself.
+    pub fn within(mut self, bound: f64) -> Self {
+        self.0.within = bound;
+        self
+    }
+    /// What a simulation costs without it and with it: `"closed form, 812 torques"`.
+    pub fn at_cost(mut self, cost: impl Into<String>) -> Self {
+        self.0.cost = Some(cost.into());
+        self
+    }
     /// The scene includes it.
     pub fn included(mut self) -> Self {
         self.0.included = true;
@@ -201,10 +224,11 @@ impl EffectLine {
     }
 }
 
-impl<E: Effect> CalledFor<'_, E> {
+impl<E: Effect + Clone> CalledFor<'_, E> {
     /// The line of the card for an effect that the scene leaves out: what the page calls it,
     /// the number that measures it, as a formula and its value, the effect, and what the
-    /// predicted angle is: `"rad a turn, of the axis"`.
+    /// predicted angle is: `"rad a turn, of the axis"`. Beside the prediction stands what two
+    /// simulations measure, what they cost, and whether the tolerance needs the effect.
     ///
     /// ```
     /// use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -225,29 +249,48 @@ impl<E: Effect> CalledFor<'_, E> {
     /// let mut report = Report::new("A rotor", "a disc on an axle")?;
     /// let number = air.number(&body, &start);
     /// report.add(left_out.line("air", "torque / |L| omega", number, &air, "rad in 0.2 s")?)?;
-    /// assert!(report.text()?.contains("rad in 0.2 s"));
+    /// let text = report.text()?;
+    /// assert!(text.contains("rad in 0.2 s") && text.contains("left out"), "{text}");
     /// # Ok(())
     /// # }
     /// ```
     ///
     /// # Errors
-    /// As [`CalledFor::weigh`].
-    pub fn line(
+    /// As [`CalledFor::weigh`] and [`CalledFor::measure`].
+    pub fn line<C: Effect + Clone>(
         &self,
         name: impl Into<String>,
         formula: impl Into<String>,
         number: f64,
-        candidate: &impl Effect,
+        candidate: &C,
         of: &str,
     ) -> Result<EffectLine> {
         let weighed = self.weigh(candidate, number)?;
+        let measured = self.measure(candidate)?;
+        let torques = |work: Work| match work.torques() {
+            0 => "closed form".into(),
+            torques => format!("{torques} torques"),
+        };
+        let [without, with] = measured.work.map(torques);
         let order = if weighed.linear {
             ""
         } else {
             ", to first order"
         };
         let line = effect(name).number(formula, number);
-        Ok(line.costs(weighed.predicted, format!("{of}{order}")))
+        let mut line = line
+            .costs(weighed.predicted, format!("{of}{order}"))
+            .at_cost(format!("{without}, {with}"));
+        if weighed.called_for {
+            line.0.needed_for = Some(format!("{} rad", rounded_up(self.tolerance())));
+        }
+        // Of an effect that is not small the first order need not hold.
+        let within = if weighed.linear {
+            measured.within
+        } else {
+            f64::INFINITY
+        };
+        Ok(line.measured(measured.error).within(within))
     }
 }
 

@@ -93,29 +93,39 @@ macro_rules! limits {
 }
 
 /// Adds lines to the card of effects: the effect, the dimensionless number that measures it,
-/// as a formula and its value, the error of leaving it out, and of what it is an error.
-/// Evaluates to a `Result`.
+/// as a formula and its value, the error of leaving it out, and of what it is an error. After
+/// that may stand what a simulation measures of that error, `measured`, what it costs,
+/// `at_cost`, and that the scene has it `included`: the verbs of
+/// [`EffectLine`](crate::report::EffectLine). Evaluates to a `Result`.
 ///
 /// ```
 /// use rotation_dynamics::report::Report;
 /// let mut report = Report::new("A pendulum", "a weight on a string")?;
 /// let (drag, angle) = (1e-3, 0.1_f64);
 /// rotation_dynamics::effect_card! { report,
-///     "air": "rho C S l/M" = drag, costs 4.0 / 3.0 * drag * angle, "of the swing";
+///     "air": "rho C S l/M" = drag, costs 4.0 / 3.0 * drag * angle, "of the swing",
+///         measured 1.4e-4;
 ///     "size of the swing": "theta^2" = angle * angle, costs 0.0, "of the period", included;
 /// }?;
 /// assert!(report.text()?.contains("rho C S l/M"));
+/// // A small effect whose prediction a simulation does not bear out is refused.
+/// assert!(rotation_dynamics::effect_card! { report,
+///     "air": "rho C S l/M" = drag, costs 1e-3, "of the swing", measured 4e-4;
+/// }.is_err());
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite) for a NaN or an infinity.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for a NaN or an infinity,
+/// [`Error::Contradicted`](crate::Error::Contradicted) for a small effect whose prediction is
+/// off by more than a factor 2.
 #[macro_export]
 macro_rules! effect_card {
     ($report:expr,
-     $( $effect:literal : $number:literal = $value:expr, costs $error:expr, $of:literal $(, $included:ident)?; )+) => {
+     $( $effect:literal : $number:literal = $value:expr, costs $error:expr, $of:literal $(, $verb:ident $($what:expr)? )*; )+) => {
         $report.add(vec![ $(
-            $crate::report::effect($effect).number($number, $value).costs($error, $of) $( .$included() )?,
+            $crate::report::effect($effect).number($number, $value).costs($error, $of)
+                $( .$verb( $($what)? ) )*,
         )+ ])
     };
 }

@@ -29,10 +29,12 @@
 //! | `parameters` | `flag`, `value`, `unit`, `meaning` |
 //! | `claims` | `key`, `value`, `unit`, `bound`, `checked against`, `differs by` |
 //! | `limits` | `limit`, `must give`, `gives`, `within`, `because` |
-//! | `effects` | `effect`, `number`, `value`, `error if left out`, `here` |
+//! | `effects` | `effect`, `number`, `value`, `error if left out`, `measured`, `cost: without, with`, `here` |
 //! | `accuracy` | `method`, `requested`, `delivered`, `work`, `relative time` |
 //! | `checks` | `key`, `within`, `meaning`, `group` |
 //! | `slips` | `key`, `value`, `hint` |
+//!
+//! `measured` and `cost: without, with` stand in `effects` where a line has them.
 //!
 //! A claim's value shows only the digits its bound supports ([`supported_digits`]).
 //! `within` in `checks` is the relative tolerance of [`Claim::verdict`], which is
@@ -70,7 +72,7 @@ pub use entries::{ClaimEntry, EffectLine, Entry, LimitEntry, claim, effect, limi
 pub use example::{Example, Page};
 pub use moving::MovingPicture;
 pub use number::{below, rounded_up, short, supported_digits};
-pub use parameters::{Flag, Grid, ParameterSet};
+pub use parameters::{Flag, Grid, ParameterSet, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};
 pub use sections::{EffectEntry, Limit, Price, Report, for_reading};

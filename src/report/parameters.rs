@@ -13,7 +13,11 @@ use crate::interval::Interval;
 /// - `number(DEFAULT, UNIT, ALLOWED)`: an `f64`; `ALLOWED` is an [`Interval`] by one of the
 ///   functions of [`crate::interval`];
 /// - `optional(UNIT, ALLOWED)`: an `Option<f64>`, `None` unless it is set;
-/// - `choice(DEFAULT, OTHERS…)`: one of these words, a `&'static str`.
+/// - `choice(DEFAULT, OTHERS…)`: one of these words, a `&'static str`;
+/// - `effect(USUAL, UNIT, ALLOWED)`: an `Option<f64>`, the strength of an effect, `None` while
+///   the effect is left out. On the command line `--with NAME` puts it in with its usual
+///   strength, `--with NAME=VALUE` with another, and `--without NAME` leaves it out. One that
+///   is in unless it is left out is `.present()`.
 ///
 /// A number that a problem sheet may draw says among which: `.drawn(FROM, TO, STEP)`.
 ///
@@ -28,11 +32,15 @@ use crate::interval::Interval;
 ///         mass: optional("kg", above(0.0));
 ///         /// how it starts
 ///         start: choice("rest", "turning");
+///         /// friction of the hinge
+///         friction: effect(0.02, "N m s", above(0.0));
+///         /// weight
+///         gravity: effect(9.81, "m/s^2", above(0.0)).present();
 ///     }
 /// }
 /// let p = Parameters { length: -3.0, ..Parameters::default() };
 /// assert_eq!(p.check().unwrap_err().to_string(), "length = -3 is not allowed: it must be greater than 0");
-/// assert_eq!((p.mass, p.start), (None, "rest"));
+/// assert_eq!((p.mass, p.start, p.friction, p.gravity), (None, "rest", None, Some(9.81)));
 /// assert_eq!(Parameters::FLAGS[1].name(), "mass");
 /// assert_eq!(Parameters::FLAGS[0].grid().map(|grid| grid.typed(1)).as_deref(), Some("1.5"));
 /// ```
@@ -41,6 +49,9 @@ macro_rules! parameters {
     (@type number) => { f64 };
     (@type optional) => { Option<f64> };
     (@type choice) => { &'static str };
+    (@type effect) => { Option<f64> };
+    (@default effect @present () $usual:expr, $unit:literal, $allowed:expr) => { Some($usual) };
+    (@default effect $usual:expr, $unit:literal, $allowed:expr) => { None };
     (@default number $default:expr, $unit:literal, $allowed:expr) => { $default };
     (@default optional $unit:literal, $allowed:expr) => { None };
     (@default choice $default:literal $(, $other:literal)*) => { $default };
@@ -57,6 +68,10 @@ macro_rules! parameters {
         $crate::report::Flag::<Self>::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
             |p| p.$field, |p, x| p.$field = Some(x))
     };
+    (@flag effect $name:expr, $meaning:expr, $field:ident; $usual:expr, $unit:literal, $allowed:expr) => {
+        $crate::report::Flag::<Self>::effect($name, $unit, $meaning, $usual,
+            $crate::parameters!(@allowed $allowed), |p| p.$field, |p, x| p.$field = x)
+    };
     (@flag choice $name:expr, $meaning:expr, $field:ident; $($word:literal),+) => {
         $crate::report::Flag::<Self>::choice($name, $meaning, &[$($word),+], |p| p.$field, |p, w| p.$field = w)
     };
@@ -66,7 +81,7 @@ macro_rules! parameters {
             $(
                 $(#[doc = $meaning:literal])+
                 $field:ident : $kind:ident ( $($setting:tt)* )
-                    $( .drawn($from:expr, $to:expr, $step:expr) )?;
+                    $( .drawn($from:expr, $to:expr, $step:expr) )? $( .present $present:tt )?;
             )*
         }
     ) => {
@@ -77,7 +92,7 @@ macro_rules! parameters {
         }
         impl Default for $set {
             fn default() -> Self {
-                Self { $( $field: $crate::parameters!(@default $kind $($setting)*), )* }
+                Self { $( $field: $crate::parameters!(@default $kind $( @present $present )? $($setting)*), )* }
             }
         }
         impl $crate::report::ParameterSet for $set {
@@ -87,6 +102,20 @@ macro_rules! parameters {
             ];
         }
     };
+}
+
+/// What stands before the name of an effect in the section `parameters`.
+const PUT_IN: &str = "--with ";
+
+/// The name of a parameter or an effect, from its cell in the section `parameters`.
+///
+/// ```
+/// use rotation_dynamics::report::name_of_flag;
+/// assert_eq!(["--length", "--with friction"].map(name_of_flag), ["length", "friction"]);
+/// ```
+pub fn name_of_flag(typed: &str) -> &str {
+    let effect = typed.strip_prefix(PUT_IN);
+    effect.unwrap_or(typed.trim_start_matches("--"))
 }
 
 /// The parameters of an example; made by [`parameters!`](crate::parameters).
@@ -113,12 +142,12 @@ pub trait ParameterSet: Default + Clone + 'static {
             let Some(value) = flag.printed(self) else {
                 continue;
             };
-            table.push([
-                format!("--{}", flag.name()),
-                value,
-                flag.unit.into(),
-                flag.meaning().into(),
-            ])?;
+            let name = flag.name();
+            let typed = match flag.usual() {
+                None => format!("--{name}"),
+                Some(_) => format!("{PUT_IN}{name}"),
+            };
+            table.push([typed, value, flag.unit.into(), flag.meaning().into()])?;
         }
         Ok(table)
     }
@@ -184,6 +213,12 @@ enum Kind<P: 'static> {
         get: fn(&P) -> Option<f64>,
         set: fn(&mut P, f64),
     },
+    Effect {
+        usual: f64,
+        allowed: Interval,
+        get: fn(&P) -> Option<f64>,
+        set: fn(&mut P, Option<f64>),
+    },
     Choice {
         among: &'static [&'static str],
         get: fn(&P) -> &'static str,
@@ -207,6 +242,31 @@ impl<P> Flag<P> {
             unit,
             meaning,
             kind: Kind::Number { allowed, get, set },
+            grid: None,
+        }
+    }
+
+    /// An effect, of the strength `usual` in `unit` unless another is given. `get` returns
+    /// `None` while it is left out.
+    pub const fn effect(
+        field: &'static str,
+        unit: &'static str,
+        meaning: &'static str,
+        usual: f64,
+        allowed: Interval,
+        get: fn(&P) -> Option<f64>,
+        set: fn(&mut P, Option<f64>),
+    ) -> Self {
+        Self {
+            field,
+            unit,
+            meaning,
+            kind: Kind::Effect {
+                usual,
+                allowed,
+                get,
+                set,
+            },
             grid: None,
         }
     }
@@ -253,7 +313,7 @@ impl<P> Flag<P> {
     /// What the number may be; `None` for a choice.
     pub fn allowed(&self) -> Option<Interval> {
         match self.kind {
-            Kind::Number { allowed, .. } => Some(allowed),
+            Kind::Number { allowed, .. } | Kind::Effect { allowed, .. } => Some(allowed),
             Kind::Choice { .. } => None,
         }
     }
@@ -263,10 +323,18 @@ impl<P> Flag<P> {
         self.grid
     }
 
+    /// The usual strength of an effect; `None` for what is no effect.
+    pub fn usual(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Effect { usual, .. } => Some(usual),
+            _ => None,
+        }
+    }
+
     /// The words to choose from; none for a number.
     pub fn words(&self) -> &'static [&'static str] {
         match self.kind {
-            Kind::Number { .. } => &[],
+            Kind::Number { .. } | Kind::Effect { .. } => &[],
             Kind::Choice { among, .. } => among,
         }
     }
@@ -274,15 +342,24 @@ impl<P> Flag<P> {
     /// The value as it is typed; `None` if it is not set.
     pub fn printed(&self, parameters: &P) -> Option<String> {
         match &self.kind {
-            Kind::Number { get, .. } => get(parameters).map(exactly),
+            Kind::Number { get, .. } | Kind::Effect { get, .. } => get(parameters).map(exactly),
             Kind::Choice { get, .. } => Some(get(parameters).into()),
         }
     }
 
-    /// Sets the number; a choice stays as it is.
+    /// Sets the number, or puts the effect in with this strength; a choice stays as it is.
     pub fn set_number(&self, parameters: &mut P, value: f64) {
-        if let Kind::Number { set, .. } = &self.kind {
-            set(parameters, value);
+        match &self.kind {
+            Kind::Number { set, .. } => set(parameters, value),
+            Kind::Effect { set, .. } => set(parameters, Some(value)),
+            Kind::Choice { .. } => {}
+        }
+    }
+
+    /// Leaves the effect out; what is no effect stays as it is.
+    pub fn leave_out(&self, parameters: &mut P) {
+        if let Kind::Effect { set, .. } = &self.kind {
+            set(parameters, None);
         }
     }
 
@@ -296,7 +373,8 @@ impl<P> Flag<P> {
     }
 
     fn check(&self, parameters: &P) -> Result<()> {
-        let Kind::Number { allowed, get, .. } = &self.kind else {
+        let (Kind::Number { allowed, get, .. } | Kind::Effect { allowed, get, .. }) = &self.kind
+        else {
             return Ok(());
         };
         match get(parameters) {

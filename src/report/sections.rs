@@ -71,9 +71,26 @@ pub struct EffectEntry {
     pub error: f64,
     /// The unit of that error, `"-"` if it has none.
     pub unit: String,
+    /// The same error from a simulation with the effect and one without it, where one was made.
+    pub measured: Option<f64>,
+    /// The error of that itself.
+    pub within: f64,
+    /// What a simulation costs without it and with it, in words, where it was counted:
+    /// `"closed form, 812 torques"`.
+    pub cost: Option<String>,
     /// Whether the scene includes it.
     pub included: bool,
+    /// The accuracy that is asked for and needs it, in words, if it was weighed against one:
+    /// `"1e-3 rad"`.
+    pub needed_for: Option<String>,
 }
+
+/// An effect whose number is larger is not small: a prediction to first order in it need not
+/// hold.
+const SMALL: f64 = 0.1;
+
+/// Prediction and simulation of a small effect agree within this factor.
+const WITHIN: f64 = 2.0;
 
 impl EffectEntry {
     pub(super) fn check(&self) -> Result<()> {
@@ -81,7 +98,37 @@ impl EffectEntry {
         finite("the error of leaving out an effect", self.error)?;
         [&self.effect, &self.number, &self.unit]
             .into_iter()
-            .try_for_each(|cell| check_cell(cell))
+            .chain(&self.cost)
+            .chain(&self.needed_for)
+            .try_for_each(|cell| check_cell(cell))?;
+        self.measured
+            .map_or(Ok(()), |measured| self.predicts(measured))
+    }
+
+    /// That what is measured of a small effect is what is predicted, within a factor 2.
+    fn predicts(&self, measured: f64) -> Result<()> {
+        finite("the measured error of leaving out an effect", measured)?;
+        let larger = self.error.abs().max(measured.abs());
+        let bound = larger * (1.0 - 1.0 / WITHIN);
+        if self.value.abs() > SMALL || (measured - self.error).abs() <= bound + self.within {
+            return Ok(());
+        }
+        Err(Error::Contradicted {
+            key: format!("the predicted error of leaving out '{}'", self.effect),
+            value: self.error,
+            oracle: "simulation with it and without".into(),
+            oracle_value: measured,
+            bound,
+        })
+    }
+
+    /// Whether it is in, and what needs it.
+    fn here(&self) -> String {
+        let here = if self.included { "in" } else { "left out" };
+        match &self.needed_for {
+            None => here.into(),
+            Some(accuracy) => format!("{here}, needed for {accuracy}"),
+        }
     }
 }
 
@@ -269,7 +316,13 @@ impl Report {
         }
         all.push(table);
 
-        let columns = ["effect", "number", "value", "error if left out", "here"];
+        // Two columns stand only where a line has something to say in them.
+        let measured = self.effects.iter().any(|e| e.measured.is_some());
+        let counted = self.effects.iter().any(|e| e.cost.is_some());
+        let mut columns = vec!["effect", "number", "value", "error if left out"];
+        columns.extend(measured.then_some("measured"));
+        columns.extend(counted.then_some("cost: without, with"));
+        columns.push("here");
         let mut table = Table::headed("effects", columns)?;
         for e in &self.effects {
             e.check()?;
@@ -278,13 +331,17 @@ impl Report {
             } else {
                 format!(" {}", e.unit)
             };
-            table.push([
+            let mut row = vec![
                 e.effect.clone(),
                 e.number.clone(),
                 short(e.value, 2),
                 format!("{}{unit}", short(e.error, 2)),
-                if e.included { "in" } else { "left out" }.into(),
-            ])?;
+            ];
+            let dash = || "-".to_string();
+            row.extend(measured.then(|| e.measured.map_or_else(dash, |m| short(m, 2))));
+            row.extend(counted.then(|| e.cost.clone().unwrap_or_else(dash)));
+            row.push(e.here());
+            table.push(row)?;
         }
         all.push(table);
 

@@ -97,3 +97,84 @@ fn a_slow_top_is_refused() {
         assert!(said.contains("the weight lets the axis fall"), "{said}");
     }
 }
+
+/// What is measured is what the runs of [`over_prediction`] find, beside the prediction, and
+/// has its price: without the effect there is a closed form.
+#[test]
+fn what_is_measured_is_what_was_predicted() {
+    let mut errors = Errors::of("measured over predicted, less one");
+    let mut damaged = Errors::of("the same of twice the effect");
+    let steady = gyroscope(1.0, 314.0);
+    let (body, start) = (steady.scene.body(), &steady.start);
+    let candidates = steady.left_out().expect("candidates");
+    for torque in [3e-6, 3e-7, 3e-8] {
+        let bearing = |torque| CoulombBearing::new(torque, body, start, 0.0).expect("a bearing");
+        let predicted = candidates
+            .weigh(&bearing(torque), 0.0)
+            .expect("weighed")
+            .predicted;
+        let measured = candidates.measure(&bearing(torque)).expect("measured");
+        errors.push_at(measured.error / predicted - 1.0, torque);
+        let twice = candidates
+            .measure(&bearing(2.0 * torque))
+            .expect("measured");
+        damaged.push(twice.error / predicted - 1.0);
+        let [without, with] = measured.work.map(|work| work.torques());
+        assert!(without == 0 && with > 100, "{without} {with}");
+        assert!(measured.within <= 0.1 * predicted);
+    }
+    errors.attain(2.71e-5..=2.72e-5, 3);
+    damaged.exceed(0.9, 3);
+}
+
+/// An effect that may be left out while the program runs: `None` is no effect, to the bit, and
+/// `Some` is the effect, to the bit.
+#[test]
+fn an_optional_effect_is_the_effect_or_nothing() {
+    let steady = gyroscope(1.0, 200.0);
+    let (body, start) = (*steady.scene.body(), &steady.start);
+    let bearing = CoulombBearing::new(3e-4, &body, start, 0.0).expect("a bearing");
+    let solved =
+        |scene: Result<_, _>| -> rotation_dynamics::accuracy::Solved { scene.expect("solved") };
+    let plain = solved(steady.scene.solve(start, 1.0, 1e-9));
+    let none = solved(
+        steady
+            .scene
+            .with(None::<CoulombBearing>)
+            .solve(start, 1.0, 1e-9),
+    );
+    assert_eq!(
+        (plain.state, plain.method, plain.work),
+        (none.state, none.method, none.work)
+    );
+    let with = solved(steady.scene.with(bearing).solve(start, 1.0, 1e-9));
+    let some = solved(steady.scene.with(Some(bearing)).solve(start, 1.0, 1e-9));
+    assert_eq!(
+        (with.state, with.method, with.work),
+        (some.state, some.method, some.work)
+    );
+    assert_ne!(with.state, plain.state);
+    // The damaged twin: another strength is another motion.
+    let other = CoulombBearing::new(2e-4, &body, start, 0.0).expect("a bearing");
+    let other = solved(steady.scene.with(Some(other)).solve(start, 1.0, 1e-9));
+    assert_ne!(with.state, other.state);
+    // What one refuses, the other refuses.
+    let twice = |a: Option<CoulombBearing>| {
+        Scene::new(body)
+            .with(Some(bearing))
+            .with(a)
+            .solve(start, 1.0, 1e-6)
+    };
+    let slowing =
+        Torque::on_body("motor", |_, _, _: &State| BodyVector::new(0.0, 0.0, 1e-4)).smooth();
+    let refused = Scene::new(body)
+        .with(Some(bearing))
+        .with(Some(slowing))
+        .solve(start, 1.0, 1e-6);
+    let said = refused.expect_err("refused").to_string();
+    assert!(
+        said.contains("must be the only torque about the body's axis; here are also: motor"),
+        "{said}"
+    );
+    assert!(twice(None).is_ok() && twice(Some(bearing)).is_err());
+}

@@ -3,7 +3,9 @@
 use crate::notation;
 use crate::project::Project;
 use crate::text::{escape, number_html, unit_html};
-use rotation_dynamics::report::{DEGREES, RECIPROCAL, Table, USUAL_SLIPS, digits_asked};
+use rotation_dynamics::report::{
+    DEGREES, RECIPROCAL, Table, USUAL_SLIPS, digits_asked, name_of_flag,
+};
 use serde_json::{Value, json};
 
 /// A claim that a reader can answer.
@@ -64,7 +66,7 @@ fn assumed(project: &Project, stem: &str) -> String {
             return None;
         };
         // The script puts the numbers of a problem sheet in their places.
-        let (name, typed) = (flag.trim_start_matches("--"), escape(value));
+        let (name, typed) = (name_of_flag(flag), escape(value));
         let value = number_html(value).unwrap_or_else(|| typed.clone());
         let unit = match unit.as_str() {
             "-" => String::new(),

@@ -1,7 +1,7 @@
 //! The files that pages include: examples, snapshots, figures, tests.
 
 use crate::race;
-use rotation_dynamics::report::{Parsed, Table, parse};
+use rotation_dynamics::report::{Parsed, Table, name_of_flag, parse};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -139,16 +139,13 @@ impl Project {
         })
     }
 
-    /// A parameter of an example, whose flag is `--NAME`: its value and unit, as for a claim.
+    /// A parameter of an example, whose flag is `--NAME`, or of an effect that is in: its value and unit, as for a claim.
     pub fn parameter(&self, stem: &str, name: &str) -> Result<Claim, String> {
         let table = self.table(stem, "parameters")?;
-        let flag = format!("--{name}");
-        let row = table.rows().iter().find(|row| row[0] == flag);
+        let mut rows = table.rows().iter();
+        let row = rows.find(|row| name_of_flag(&row[0]) == name);
         let row = row.ok_or_else(|| {
-            let known = table
-                .rows()
-                .iter()
-                .map(|row| row[0].trim_start_matches("--"));
+            let known = table.rows().iter().map(|row| name_of_flag(&row[0]));
             let known: Vec<&str> = known.collect();
             format!(
                 "{stem} has no parameter '{name}'; it has: {}",

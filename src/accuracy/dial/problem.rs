@@ -98,6 +98,7 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_
         on_time: !AXIS_ONLY,
         smooth: true,
         slips: SLIPS,
+        weight: false,
         torque_free: false,
         keeps: Keeps::NONE,
     };

@@ -7,12 +7,14 @@ mod moving;
 mod pictures;
 mod routes;
 mod steady;
+mod stepped;
 mod strip;
 
 pub use moving::Pose;
 pub use pictures::{direction, extents};
 pub use routes::{Newton, Nod};
 pub use steady::Steady;
+pub use stepped::{Added, Stepped};
 pub use strip::Gravity;
 
 use super::{Trajectory, times};

@@ -6,13 +6,80 @@ use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::{acos, sincos};
 use crate::report::draw::{Axis, Curve, Ink, Panel, Side, View};
-use crate::report::{MovingPicture, times};
+use crate::report::{MovingPicture, sampled, times};
+use std::sync::Arc;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// Length of the longest arrow of L, of the torque on a level axis, and of dL over the torque.
 const MOMENTUM: f64 = 1.3;
 const TORQUE: f64 = 0.62;
 const CHANGE: f64 = 0.6;
+
+/// A motion as its picture needs it.
+pub(super) struct Drawn {
+    /// How far it is shown.
+    pub end: f64,
+    /// The times of the stills.
+    pub stills: [f64; 3],
+    /// Whether times are in seconds, not in t'.
+    pub seconds: bool,
+    /// 1, -1 for a centre of mass on the other side, 0 without weight.
+    pub sense: f64,
+    pub at: At,
+}
+
+/// What there is at a time.
+type At = Box<dyn Fn(f64) -> Result<Moment> + Send + Sync>;
+
+/// A top at one time.
+pub(super) struct Moment {
+    pub pose: Pose,
+    pub axis: SpaceVector,
+    pub momentum: SpaceVector,
+}
+
+impl Drawn {
+    /// The moving picture: `body` draws the body and what holds it, with its centre of mass at
+    /// `hub` along an axis of length 1, whose end draws on a sphere; below, what `panel` makes
+    /// of the tilt against time.
+    pub fn moving(
+        self,
+        panel: impl FnOnce(Vec<(f64, f64)>) -> Panel,
+        hub: f64,
+        body: impl Fn(&Pose) -> View + Send + Sync + 'static,
+    ) -> Result<MovingPicture> {
+        let moments = sampled(times(0.0, self.end, 600), |t| Ok((t, (self.at)(t)?)))?;
+        // A gyroscope whose spin runs against z has L along -z.
+        let longest = moments.iter().map(|(_, now)| now.momentum.norm());
+        let scale = MOMENTUM / longest.fold(0.0, f64::max);
+        let tilt = |(t, now): &(f64, Moment)| (*t, acos(now.axis.z().clamp(-1.0, 1.0)));
+        let panel = panel(moments.iter().map(tilt).collect());
+        let path: Vec<_> = moments.into_iter().map(|(t, now)| (t, now.axis)).collect();
+        MovingPicture::above(panel, 0.0..=self.end, self.stills, move |t| {
+            let Moment {
+                pose,
+                axis,
+                momentum,
+            } = (self.at)(t)?;
+            let time = if self.seconds {
+                format!("t = {t:.3} s")
+            } else {
+                format!("t' = {t:.2}")
+            };
+            let alt = format!(
+                "The body at {time}: its axis leans at {:.2} rad and has gone {:.2} rad round the vertical; \
+                 arrows show L, the level torque of the weight, and at the tip of L its change, along the torque; \
+                 the end of the axis has drawn its path on a sphere; below, the tilt against time",
+                pose.theta, pose.phi
+            );
+            let drawn = path.iter().take_while(|(s, _)| *s < t);
+            let drawn = drawn.map(|(_, axis)| *axis).chain([axis]);
+            let view = body(&pose).sphere().trace(drawn, Ink::Body);
+            let view = pose.with_cause(view, hub, self.sense, momentum * scale);
+            Ok((alt, view.dot(axis, Ink::Body, "", Side::Right)))
+        })
+    }
+}
 
 /// Where a top is, its fixed point at the origin: tilt, precession and spin (rad).
 #[derive(Debug, Clone, Copy)]
@@ -101,40 +168,22 @@ impl Motion {
             [0.0, 0.5 * end, end]
         };
         let c = self.top.c();
-        let sense = if c == 0.0 { 0.0 } else { c.signum() };
-        let samples: Vec<f64> = times(0.0, end, 600).collect();
-        let path: Vec<SpaceVector> = samples.iter().map(|&t| self.exact.axis(t)).collect();
-        let momenta = samples
-            .iter()
-            .map(|&t| self.exact.angular_momentum(t).norm());
-        // A gyroscope whose spin runs against z has L along -z.
-        let scale = MOMENTUM / momenta.fold(0.0, f64::max);
-        let tilt = samples.iter().zip(&path);
-        let tilt: Vec<_> = tilt
-            .map(|(&t, e)| (t, acos(e.z().clamp(-1.0, 1.0))))
-            .collect();
-        let panel = self.tilts(tilt);
-        MovingPicture::above(panel, 0.0..=end, stills, move |t| {
-            let pose = self.pose(t);
-            let time = if self.in_seconds() {
-                format!("t = {t:.3} s")
-            } else {
-                format!("t' = {t:.2}")
-            };
-            let alt = format!(
-                "The body at {time}: its axis leans at {:.2} rad and has gone {:.2} rad round the vertical; \
-                 arrows show L, the level torque of the weight, and at the tip of L its change, along the torque; \
-                 the end of the axis has drawn its path on a sphere; below, the tilt against time",
-                pose.theta, pose.phi
-            );
-            let axis = self.exact.axis(t);
-            let drawn = samples.iter().zip(&path).take_while(|(s, _)| **s < t);
-            let drawn = drawn.map(|(_, axis)| *axis).chain([axis]);
-            let momentum = self.exact.angular_momentum(t) * scale;
-            let view = body(&pose).sphere().trace(drawn, Ink::Body);
-            let view = pose.with_cause(view, hub, sense, momentum);
-            Ok((alt, view.dot(axis, Ink::Body, "", Side::Right)))
-        })
+        let shared = Arc::new(self);
+        let motion = Arc::clone(&shared);
+        let drawn = Drawn {
+            end,
+            stills,
+            seconds: shared.in_seconds(),
+            sense: if c == 0.0 { 0.0 } else { c.signum() },
+            at: Box::new(move |t| {
+                Ok(Moment {
+                    pose: motion.pose(t),
+                    axis: motion.exact.axis(t),
+                    momentum: motion.exact.angular_momentum(t),
+                })
+            }),
+        };
+        drawn.moving(|tilt| shared.tilts(tilt), hub, body)
     }
 
     /// The tilt against time, with the tilt at which the precession reverses, if it does.

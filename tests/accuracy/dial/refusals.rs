@@ -141,7 +141,8 @@ fn the_road_is_picked() {
     );
     let heavy = Scene::new(odd).with(gravity);
     assert!(!method(heavy.solve(&start(odd), 5.0, 1e-9)).contains("closed"));
-    let twice = Scene::new(top).with(gravity).with(gravity);
+    // One after the other they do not compile; a pair made elsewhere is refused.
+    let twice = Scene::new(top).with((gravity, gravity));
     let error = twice
         .solve(&start(top), 5.0, 1e-9)
         .expect_err("two weights");

@@ -1,0 +1,55 @@
+//! The rotor with what `--with` puts in. No closed form knows it, so it is stepped.
+
+use super::Parameters;
+use super::rotor::{ROTOR, asked_for};
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::{DiscDrag, GravityAtLever};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::report::Report;
+use rotation_dynamics::report::heavy_top::{Added, Stepped};
+
+/// Whether something is put in that no closed form knows.
+pub fn is_asked_for(p: &Parameters) -> bool {
+    [p.friction, p.air, p.bearing].iter().any(Option::is_some)
+}
+
+/// The rotor with what is put in, for a second.
+pub fn rotor(p: &Parameters) -> Result<Stepped> {
+    let rotor = asked_for(p).unwrap_or(ROTOR);
+    // It refuses what no gyroscope can be.
+    rotor.motion()?;
+    let body = RigidBody::new(PrincipalMoments::symmetric(rotor.i1, rotor.i3)?);
+    let start = body.state(Attitude::from_euler(rotor.tilted())?, rotor.rates())?;
+    let gravity = |g| GravityAtLever::new(rotor.mass * g, rotor.length);
+    // A disc of the rotor's mass and moment.
+    let radius = (2.0 * rotor.i3 / rotor.mass).sqrt();
+    let air = |density| DiscDrag::new(radius, density, DiscDrag::AIR_VISCOSITY, rotor.spin);
+    let added = Added {
+        nodes: p.friction,
+        air: p.air.map(air).transpose()?,
+        dry: p.bearing,
+    };
+    Stepped::new(body, p.gravity.map(gravity).transpose()?, added, start, 1.0)
+}
+
+/// Where it ends, and what each effect has done.
+pub fn report(p: &Parameters) -> Result<Report> {
+    let mut report = Report::new(
+        "The gyroscope",
+        "a rotor with what --with puts in, for a second: stepped; nods, turning points and the strip, \
+         which need the closed form, are left out",
+    )?;
+    let (rotor, names) = (
+        rotor(p)?,
+        [
+            "bearing of the line of nodes",
+            "air on the rotor",
+            "bearings of the axle",
+        ],
+    );
+    report.add(rotor.claims(p.tolerance)?)?;
+    report.add(rotor.ledger(p.tolerance, names)?)?;
+    Ok(report)
+}
