@@ -1,0 +1,85 @@
+//! Bodies whose moments are equal, nearly equal, or as unequal as can be.
+
+use super::forms::Form;
+use super::motions::{By, Motion};
+use super::naive::jittered;
+use super::table::{Family, Naive, Row};
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+
+pub const FAMILY: Family = Family {
+    key: "shapes",
+    title: "Nearly symmetric bodies, needle, disc and sphere",
+    cure: "the direct differences of moments stand in every formula, and equal ones have a formula of their own",
+    methods: &By::names(By::FREE),
+    forms: &Form::NAMES,
+    rows,
+};
+
+const END: f64 = 30.0;
+const RATES: [f64; 3] = [0.8, 0.4, 0.9];
+
+fn free(moments: [f64; 3]) -> Result<Motion> {
+    let attitude = Attitude::from_euler(EulerAngles {
+        phi: 0.3,
+        theta: 0.8,
+        zeta: 0.2,
+    })?;
+    Ok(Motion::free(moments, attitude, RATES, END))
+}
+
+fn rows() -> Result<Vec<Row>> {
+    let mut rows = Vec::new();
+    for (words, moments) in [
+        (
+            ["I2/I1 - 1 = 0", "formulas for three moments are 0/0"],
+            [1.0, 1.0, 1.7],
+        ),
+        (
+            [
+                "I2/I1 - 1 = 1e-15",
+                "all that tells them apart is four last bits",
+            ],
+            [1.0, 1.0 + 1e-15, 1.7],
+        ),
+        (
+            ["I2/I1 - 1 = 1e-10", "neither symmetric nor far from it"],
+            [1.0, 1.0 + 1e-10, 1.7],
+        ),
+        (
+            [
+                "all but a sphere",
+                "every difference of moments is a billionth",
+            ],
+            [1.0, 1.0 + 1e-9, 1.0 - 1e-9],
+        ),
+        (
+            ["sphere", "nothing tells one axis from another"],
+            [2.0, 2.0, 2.0],
+        ),
+    ] {
+        let motion = free(moments)?;
+        let naive = Naive {
+            method: "a moment changed by 1e-9, so that nothing is 0/0",
+            error: motion.off(jittered(&motion)),
+        };
+        rows.push(motion.row(words, &By::FREE, naive)?);
+    }
+    // A disc: the larger moment is the sum of the others, or a rounding more.
+    for (words, moments) in [(
+        [
+            "disc, I3 = I1 + I2 and a rounding",
+            "0.7 + 0.1 is less than 0.8 in doubles",
+        ],
+        [0.7, 0.1, 0.8],
+    )] {
+        let motion = free(moments)?;
+        let [a, b, c] = moments;
+        let naive = Naive {
+            method: "triangle inequality to the last bit",
+            error: motion.off((c <= a + b).then(|| motion.truth()).transpose()?),
+        };
+        rows.push(motion.row(words, &By::FREE, naive)?);
+    }
+    Ok(rows)
+}
