@@ -1,5 +1,7 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 
+#[path = "hard_cases/findings.rs"]
+mod findings;
 #[path = "hard_cases/flips.rs"]
 mod flips;
 #[path = "hard_cases/forms.rs"]
@@ -42,7 +44,7 @@ rotation_dynamics::parameters! {
     /// Which family is computed.
     pub struct Parameters {
         /// family of cases
-        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques");
+        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings");
         /// error asked for in the accuracy strip; three of them if none is given
         tolerance: optional("rad", from_to(1e-14, 1.0));
     }
@@ -60,6 +62,7 @@ pub const FAMILIES: &[Family] = &[
     scales::FAMILY,
     long::FAMILY,
     torques::FAMILY,
+    findings::FAMILY,
 ];
 
 /// The families asked for, each computed once.

@@ -201,6 +201,18 @@ impl Motion {
         truth.after(&start, DoubleDouble::from(self.end)).attitude()
     }
 
+    /// The attitude at the end of the motion that really begins when this one is given in a
+    /// representation and as an angular momentum in space: both are rounded, and where the
+    /// condition is large that is another motion.
+    pub fn truth_as_given(&self, form: Form) -> Result<Attitude> {
+        let body = RigidBody::new(self.body()?);
+        let rates = BodyVector::from_array(self.rates);
+        let start = body.state(form.through(self.attitude)?, rates)?;
+        let (truth, _) = self.series()?;
+        let end = DoubleDouble::from(self.end);
+        truth.after(&truth.place_of(&start), end).attitude()
+    }
+
     /// The rates at the end, in a unit of their own.
     pub fn true_rates(&self) -> Result<[f64; 3]> {
         let (truth, start) = self.series()?;

@@ -98,8 +98,8 @@ pub fn jittered(motion: &Motion) -> Option<Attitude> {
     other.truth().ok()
 }
 
-/// K, sn, cn and dn of the parameter m, with 1 - m formed by subtraction.
-fn jacobi(u: f64, m: f64) -> [f64; 3] {
+/// sn, cn and dn of the parameter m, with 1 - m formed by subtraction.
+pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
     let mut a = [1.0; 32];
     let mut c = [0.0; 32];
     let (mut b, mut n) = ((1.0 - m).max(0.0).sqrt(), 0);

@@ -2,12 +2,12 @@
 
 use super::forms::Form;
 use super::motions::{By, Motion};
-use super::naive::rates_by_landau;
+use super::naive::{jacobi, on_euler_angles, rates_by_landau};
 use super::table::{Family, Naive, Row};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::math::log;
+use rotation_dynamics::math::{atanh, cos, log, tan, tanh};
 
 pub const FAMILY: Family = Family {
     key: "separatrix",
@@ -83,5 +83,63 @@ fn rows() -> Result<Vec<Row>> {
         "any rounding is a kick, and grows as exp(t/3)",
     ];
     rows.push(motion.row(words, &By::FREE, by_landau(&motion)?)?);
+    // On the separatrix itself: 3 (4 - 3) omega_1^2 = 6 (6 - 4) omega_3^2 to the last bit.
+    let motion = free([0.5, 1.0, 0.25], 15.0)?;
+    let words = [
+        "1 - k^2 = 0, between the ends",
+        "K is infinite, and sn, cn, dn are no longer periodic",
+    ];
+    rows.push(motion.row(words, &By::FREE, by_mean(&motion)?)?);
+
+    // A top at the energy and the momentum of the upright one, on its way up and not yet there.
+    let (moments, theta) = ([1.0, 0.25], 2.0);
+    let spin = 2.0;
+    let across = moments[1] * spin * tan(0.5 * theta);
+    let lost = 2.0 * (1.0 - cos(theta));
+    let along = -(lost - across * across).sqrt();
+    let tilted = Attitude::from_euler(EulerAngles {
+        phi: 0.3,
+        theta,
+        zeta: 0.0,
+    })?;
+    let top = |end: f64| Motion::top(moments, 1.0, tilted, [along, across, spin], end);
+    for (words, end) in [
+        (
+            [
+                "homoclinic top, after 8 s",
+                "it comes to the vertical in an infinite time",
+            ],
+            8.0,
+        ),
+        (
+            [
+                "homoclinic top, after 16 s",
+                "and the rounding of its start decides on which side it falls",
+            ],
+            16.0,
+        ),
+    ] {
+        let motion = top(end);
+        let naive = Naive {
+            method: "RK4 on Euler angles, 2000 steps",
+            error: motion.off(on_euler_angles(&motion, 2000)),
+        };
+        rows.push(motion.row(words, &By::FREE, naive)?);
+    }
     Ok(rows)
+}
+
+/// sn at k = 1 by the descent of the arithmetic-geometric mean, which has no bottom there, and
+/// the hyperbolic tangent that it is.
+fn by_mean(motion: &Motion) -> Result<Naive> {
+    let [p, q, r] = motion.rates;
+    let [i1, i2, i3] = MOMENTS;
+    // The largest middle rate, and the phase at the start and at the end.
+    let largest = ((i1 * p * p + i2 * q * q + i3 * r * r) / i2).sqrt();
+    let phase = atanh(q / largest) + largest * motion.end / 3.0;
+    let [sn, ..] = jacobi(phase, 1.0);
+    Ok(Naive {
+        method: "Jacobi's functions by the arithmetic-geometric mean",
+        error: (sn - tanh(phase)).abs(),
+    })
 }

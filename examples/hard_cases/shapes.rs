@@ -2,7 +2,7 @@
 
 use super::forms::Form;
 use super::motions::{By, Motion};
-use super::naive::jittered;
+use super::naive::{jittered, on_quaternion};
 use super::table::{Family, Naive, Row};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -81,5 +81,42 @@ fn rows() -> Result<Vec<Row>> {
         };
         rows.push(motion.row(words, &By::FREE, naive)?);
     }
+    // A disc in round numbers, and needles: the spin about the thin axis is not in L.
+    let motion = free([1.0, 2.0, 3.0])?;
+    let words = [
+        "disc, I3 = I1 + I2 exactly",
+        "one of the differences of moments is the third moment",
+    ];
+    rows.push(motion.row(words, &By::FREE, jitter(&motion))?);
+    for (words, moments) in [
+        (
+            [
+                "needle, I3/I1 = 1e-9",
+                "a rounding of L across the needle is a spin about it",
+            ],
+            [1.0, 1.0, 1e-9],
+        ),
+        (
+            ["needle of three moments", "I1 - I2 is half of I3"],
+            [1.0, 1.0 + 5e-10, 1e-9],
+        ),
+    ] {
+        let motion = Motion {
+            end: 5.0,
+            ..free(moments)?
+        };
+        let naive = Naive {
+            method: "RK4 on quaternion and rates, 20 steps",
+            error: motion.off(on_quaternion(&motion, 20)),
+        };
+        rows.push(motion.row(words, &By::FREE, naive)?);
+    }
     Ok(rows)
+}
+
+fn jitter(motion: &Motion) -> Naive {
+    Naive {
+        method: "a moment changed by 1e-9, so that nothing is 0/0",
+        error: motion.off(jittered(motion)),
+    }
 }

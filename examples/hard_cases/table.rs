@@ -136,10 +136,12 @@ pub fn bound(k: f64, condition: f64) -> f64 {
 }
 
 impl Row {
-    /// The smallest bound of the row: what a careful method is held to.
+    /// The smallest bound of the row: what a careful method is held to, or what was asked for
+    /// and refused.
     pub fn least_bound(&self) -> f64 {
         let bounds = self.cells.iter().filter_map(|cell| match cell.verdict {
             Verdict::Holds { bound, .. } => Some(bound),
+            Verdict::Refuses(Error::BeyondCondition { requested, .. }) => Some(requested),
             Verdict::Refuses(_) => None,
         });
         bounds.fold(f64::INFINITY, f64::min)
@@ -193,7 +195,10 @@ impl Computed {
             table.push([
                 row.case.to_owned(),
                 row.wrong.to_owned(),
-                short(row.condition, 2),
+                match row.condition {
+                    known if known.is_finite() => short(known, 2),
+                    _ => "-".to_owned(),
+                },
                 row.naive.method.to_owned(),
                 error,
                 broken,

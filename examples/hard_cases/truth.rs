@@ -7,6 +7,7 @@
 
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::State;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{DoubleDouble as Dd, pow};
@@ -69,6 +70,22 @@ impl Truth {
                 w.square() + z.square() - x.square() - y.square(),
             ],
         }
+    }
+
+    /// A start given by its angular momentum in space: I^-1 R^T L to all digits.
+    pub fn place_of(&self, state: &State) -> Place {
+        let mut place = self.place(state.attitude, BodyVector::zero());
+        let momentum = state.angular_momentum.to_array().map(Dd::from);
+        let [_, x, y, z] = product(
+            product(
+                conjugate(place.quaternion),
+                [Dd::ZERO, momentum[0], momentum[1], momentum[2]],
+            ),
+            place.quaternion,
+        );
+        let [i1, i2, i3] = self.moments;
+        place.rates = [x / i1, y / i2, z / i3].map(|rate| rate.scaled(1.0 / self.per_second));
+        place
     }
 
     /// Where it is after `t` (s).
