@@ -274,7 +274,9 @@ impl<'e> Checked<'e> {
                 self.no_jump(piece, |t| self.acting(t, start))?;
             }
         }
-        for axis in 0..3 {
+        // What sees the axis only has been held to that: a turn about it changes nothing.
+        let axes = if self.nature.axis_only { 2 } else { 3 };
+        for axis in 0..axes {
             self.no_jump([0.0, core::f64::consts::TAU], |angle| {
                 let attitude = start.attitude * Attitude::about_coordinate(axis, angle);
                 self.acting(from, &State { attitude, ..*start })
@@ -486,7 +488,7 @@ impl<'e> Checked<'e> {
             let claim = "that its slip does not depend on the time";
             self.held(claim, t, off(effect.slip(later, body, state)), slack)?;
         }
-        if nature.keeps.axial_momentum {
+        if nature.keeps.axial_momentum && body.moments().is_symmetric() {
             let claim = "that its slip leaves L_z alone";
             let rate = state.angular_momentum.cross(&slip);
             let slack = slack * state.angular_momentum.norm();
@@ -525,14 +527,12 @@ impl<'e> Checked<'e> {
             rate
         };
         let dt = STEP / rate;
-        let moved = |by: f64| -> Result<f64> {
-            let state = State {
-                attitude: state.attitude.turned_in_space(omega * by)?,
-                ..*state
-            };
-            Ok(effect.potential_energy(t + by, body, &state))
+        let turn = Attitude::from_rotation_vector(omega * dt)?;
+        let moved = |turn: Attitude, by: f64| {
+            let attitude = turn * state.attitude;
+            effect.potential_energy(t + by, body, &State { attitude, ..*state })
         };
-        let (before, after) = (moved(-dt)?, moved(dt)?);
+        let (before, after) = (moved(turn.inverse(), -dt), moved(turn, dt));
         let found = acting.dot(&omega) + (after - before) / (2.0 * dt);
         let power = if self.nature.keeps.energy {
             0.0

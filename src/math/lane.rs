@@ -251,6 +251,20 @@ pub(crate) trait Sampler<const N: usize> {
     fn sample<L: Phased>(&self, t: L) -> [L; N];
 }
 
+/// True if the processor has registers of eight doubles, and `--cfg registers` does not keep
+/// this build from them: `.ci/same_bits` compares what narrower ones give.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn has_avx512() -> bool {
+    cfg!(not(any(registers = "avx2", registers = "plain")))
+        && std::is_x86_feature_detected!("avx512f")
+}
+
+/// True if the processor has registers of four doubles, and this build may use them.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn has_avx2() -> bool {
+    cfg!(not(registers = "plain")) && std::is_x86_feature_detected!("avx2")
+}
+
 /// Hands the sample at each time to `put`, with the widest registers the processor has.
 pub(crate) fn for_each_sample<const N: usize>(
     sampler: &impl Sampler<N>,
@@ -259,11 +273,11 @@ pub(crate) fn for_each_sample<const N: usize>(
 ) {
     #[cfg(target_arch = "x86_64")]
     {
-        if std::is_x86_feature_detected!("avx512f") {
+        if has_avx512() {
             // SAFETY: the processor has the feature, as just detected.
             return unsafe { x86::avx512(sampler, times, put) };
         }
-        if std::is_x86_feature_detected!("avx2") {
+        if has_avx2() {
             // SAFETY: the processor has the feature, as just detected.
             return unsafe { x86::avx2(sampler, times, put) };
         }

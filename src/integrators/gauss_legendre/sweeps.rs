@@ -12,7 +12,7 @@ use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
 use crate::integrators::explicit::node;
 use crate::integrators::ode::finite_derivative;
-use crate::math::{DoubleDouble, ilogb, ldexp};
+use crate::math::{DoubleDouble, ilogb, lane, ldexp};
 use core::hint::black_box;
 
 /// More sweeps than any contracting step needs.
@@ -78,12 +78,12 @@ impl GaussLegendre {
             // room in the registers, and the narrower ones answer sooner.
             if const { N > 4 } {
                 let wide = self.registers >= Registers::Avx512;
-                if wide && std::is_x86_feature_detected!("avx512f") {
+                if wide && lane::has_avx512() {
                     // SAFETY: the processor has the feature, as just detected.
                     return unsafe { self.run_avx512(ode, t, start, t_end, companion, work) };
                 }
             }
-            if self.registers >= Registers::Avx2 && std::is_x86_feature_detected!("avx2") {
+            if self.registers >= Registers::Avx2 && lane::has_avx2() {
                 // SAFETY: the processor has the feature, as just detected.
                 return unsafe { self.run_avx2(ode, t, start, t_end, companion, work) };
             }
