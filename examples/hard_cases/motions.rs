@@ -110,7 +110,7 @@ pub struct Motion {
 
 /// Its closed form.
 enum Closed {
-    Free(FreeBody),
+    Free(Box<FreeBody>),
     Top(Box<HeavyTop>),
 }
 
@@ -176,7 +176,7 @@ impl Motion {
             angular_velocity: rates,
         } = from;
         Ok(match self.gravity {
-            None => Closed::Free(FreeBody::new(self.body()?, attitude, rates)?),
+            None => Closed::Free(Box::new(FreeBody::new(self.body()?, attitude, rates)?)),
             Some([weight, lever]) => {
                 let [i1, _, i3] = self.moments;
                 let top = SymmetricTop::new(i1, i3, weight, lever)?;

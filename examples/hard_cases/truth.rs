@@ -113,9 +113,9 @@ impl Truth {
         // The period to all digits, by a step of Newton's method along the path.
         let slope = self.slope(start);
         let (mut along, mut square) = (Dd::ZERO, Dd::ZERO);
-        for i in 0..3 {
-            along += (once.rates[i] - start.rates[i]) * slope[i];
-            square += slope[i].square();
+        for (i, slope) in slope.iter().enumerate() {
+            along += (once.rates[i] - start.rates[i]) * *slope;
+            square += slope.square();
         }
         let period = Dd::from(period) - (along / square).scaled(1.0 / self.per_second);
         let once = self.after(start, period);
