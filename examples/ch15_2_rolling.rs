@@ -3,6 +3,8 @@
 
 #[path = "ch15_2_rolling/figures.rs"]
 mod figures;
+#[path = "ch15_2_rolling/hoop.rs"]
+pub mod hoop;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 use rotation_dynamics::Error;
@@ -418,6 +420,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // pressed from the arc 2 b R into the chord 2 R sin(b).
     let (flat, resistance) = (0.01_f64, 0.005);
     let turn = TAU / p.wheel_rate;
+    let slower = hoop::lost(p.wheel_radius, speed, resistance, 9.80665, turn)?;
     // Milled edges, half a hundredth of a millimetre more or less on the radius.
     let edge = 5e-6 / p.coin_radius;
     // A tyre that touches over 2 cm.
@@ -426,7 +429,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "flattening of a solid tyre":
             "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed";
         "rolling resistance of a hoop":
-            "C" = resistance, costs 0.5 * resistance * 9.80665 * turn, "m/s a turn";
+            "C" = resistance, costs slower, "m/s a turn";
         "coins that differ a little":
             "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit";
         "width of the tyre on the circle":

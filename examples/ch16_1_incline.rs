@@ -9,9 +9,8 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, State, Surface, entry, motion_within,
+    Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
 };
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::report::short;
@@ -60,10 +59,6 @@ pub struct Roller {
     pub gravity: f64,
     /// The speed that errors count against.
     pub speed: f64,
-    /// Arm of the normal force, ahead of the centre while the body rolls up, m.
-    pub arm: f64,
-    /// Drag over the mass, for a unit of speed on the way up, 1/m.
-    pub drag: f64,
     pub goal: Goal,
 }
 
@@ -74,10 +69,9 @@ impl Mechanism<3, 6, 1> for Roller {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, body: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &State<3>) -> [f64; 3] {
         let [along, across] = [sin, cos].map(|part| self.gravity * part(self.slope));
-        let drag = self.drag * body.v[0] * body.v[0];
-        [-along - drag, -across, self.arm * across]
+        [-along, -across, 0.0]
     }
 
     fn contacts(&self, body: &State<3>) -> [Contact<3>; 1] {
@@ -103,6 +97,36 @@ impl Mechanism<3, 6, 1> for Roller {
     }
 }
 
+// ANCHOR: resisted
+/// The body with rolling resistance: one contact more, which rides on the other.
+#[derive(Debug, Clone, Copy)]
+pub struct Resisted {
+    pub roller: Roller,
+    /// The torque over normal force and radius.
+    pub resistance: f64,
+}
+
+impl Mechanism<3, 6, 2> for Resisted {
+    fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
+        self.roller.mass(q)
+    }
+    fn force(&self, body: &State<3>) -> [f64; 3] {
+        self.roller.force(body)
+    }
+    fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+        let [rim] = self.roller.contacts(body);
+        let rolling = Contact::rolling("rolling", 0, self.roller.radius, self.resistance);
+        [rim, rolling]
+    }
+    // ANCHOR_END: resisted
+    fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
+        self.roller.end(body)
+    }
+    fn scale(&self, body: &State<3>) -> State<3> {
+        self.roller.scale(body)
+    }
+}
+
 /// A motion of the body.
 pub type Roll = Motion<Roller, 3, 6, 1>;
 
@@ -116,8 +140,6 @@ impl Roller {
             mu: p.friction,
             gravity: p.gravity,
             speed: p.speed,
-            arm: 0.0,
-            drag: 0.0,
             goal: Goal::Never,
         }
     }
@@ -319,6 +341,18 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// How far up the slope a body comes that starts rolling at this speed.
+pub fn way<const C: usize>(
+    body: impl Mechanism<3, 6, C>,
+    start: State<3>,
+    end: f64,
+) -> Result<f64> {
+    Ok(motion_within(body, 1e-10, start, end)?
+        .event("turns")?
+        .before
+        .q[0])
+}
+
 /// Arm of the normal force, 0.2 mm, and drag over the mass, for a cylinder of wood (700 kg/m^3,
 /// C = 1) in air: `rho C (2 R l)/(2 m)` with its length l. Both shorten the way up: to
 /// `1/(1 + b/(R tan))` of it, and to `log(1 + d)/d` with d the drag over the pull of the slope.
@@ -329,9 +363,30 @@ pub fn resisting(p: &Parameters) -> [f64; 2] {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, [arm, drag]) = (Roller::new(p), resisting(p));
     let (v, sliding) = (p.speed, body.grip() < body.needed());
+    // With the effect in and without: up to the highest place.
+    let (up, start, end) = (
+        Roller {
+            goal: Goal::Top,
+            ..body
+        },
+        body.rolling(v),
+        -4.0 * v / body.acceleration(),
+    );
+    let resisted = Resisted {
+        roller: up,
+        resistance: arm / p.radius,
+    };
+    let (still, air) = (way(up, start, end)?, QuadraticDrag::new(drag)?);
+    let slowed = 1.0 - way(up.with(air), start, end)? / still;
+    // What slides is not slowed down by what its turning meets.
+    let rolled = if sliding {
+        0.0
+    } else {
+        1.0 - way(resisted, start, end)? / still
+    };
     let (arm, drag) = (
         arm / (p.radius * tan(p.angle)),
-        drag * v * v / (p.gravity * sin(p.angle)),
+        air.number(v, p.gravity * sin(p.angle)),
     );
     let thick = Roller {
         mu: body.mu * 0.99,
@@ -342,8 +397,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         - 1.0;
     effect_card! { report,
         "slipping": "mu_min/mu" = body.needed() / p.friction.max(1e-300), costs thick, "of x'' for 1 % less mu", included;
-        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance";
-        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs (1.0 - log1p(drag) / drag).max(0.0), "of the distance";
+        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs rolled.max(0.0), "of the distance";
+        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs slowed.max(0.0), "of the distance";
     }
 }
 

@@ -14,6 +14,8 @@ mod impacts;
 mod ladder;
 #[path = "planar/lift.rs"]
 mod lift;
+#[path = "planar/resistance.rs"]
+mod resistance;
 #[path = "planar/rod.rs"]
 mod rod;
 #[path = "planar/rollers.rs"]

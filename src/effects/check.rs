@@ -463,8 +463,22 @@ impl<'e> Checked<'e> {
             let claim = "that it has no torque about the body's axis";
             self.held(claim, t, torque.dot(&axis).abs(), slack)?;
         }
+        self.resistance(t, state, torque, slack)?;
         self.known(t, state, torque, slack)?;
         self.power(t, state, torque)
+    }
+
+    /// What resists, with what sees the axis only, is all of the torque.
+    fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
+        let (effect, body) = (self.effect, &self.body);
+        let resistance = effect.resistance(t, body);
+        let Some(resists) = resistance.and_then(|r| r.torque(body.angular_momentum(state))) else {
+            return Ok(());
+        };
+        let on_axis = effect.torque_on_axis(body, state.attitude.axis().to_array());
+        let claimed = SpaceVector::from_array(on_axis) + state.attitude.to_space(resists);
+        let claim = "what of its torque resists the rotation";
+        self.held(claim, t, (torque - claimed).norm(), slack)
     }
 
     /// What turns the body beyond I^-1 L is said, and does what is claimed.

@@ -1,10 +1,10 @@
 //! Dry friction about the axis, until the spin stops.
 
-use super::{Effect, Feature, Nature, part_per_radian};
+use super::{Effect, Feature, Nature, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::SpaceVector;
-use crate::math::EPS;
+use crate::math::{EPS, Lane};
 
 /// What this effect is called.
 const NAME: &str = "Coulomb bearing";
@@ -144,6 +144,20 @@ impl Effect for CoulombBearing {
         } else {
             SpaceVector::zero()
         }
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, _body: &RigidBody, _axis: [L; 3]) -> [L; 3] {
+        [L::of(0.0); 3]
+    }
+
+    /// Until the stop.
+    fn resistance(&self, t: f64, _body: &RigidBody) -> Option<Resistance> {
+        Some(if t < self.stop {
+            Resistance::dry(self.torque)
+        } else {
+            Resistance::NONE
+        })
     }
 
     fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {

@@ -1,10 +1,10 @@
 //! The drag of still air on a disc that spins.
 
-use super::{Effect, Feature, Nature, part_per_radian};
+use super::{Effect, Feature, Nature, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
-use crate::math::pow;
+use crate::math::{Lane, pow};
 
 /// How the air flows along the disc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,6 +126,16 @@ impl DiscDrag {
     }
 }
 
+impl DiscDrag {
+    /// The power of |omega| that the torque has beside omega.
+    const fn power(&self) -> f64 {
+        match self.regime {
+            Regime::Laminar => 0.5,
+            Regime::Turbulent => 0.8,
+        }
+    }
+}
+
 fn regime(reynolds: f64) -> Regime {
     if reynolds < DiscDrag::TRANSITION {
         Regime::Laminar
@@ -148,6 +158,15 @@ impl Effect for DiscDrag {
     fn torque(&self, _t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         let spin = body.angular_velocity(state).z();
         state.attitude.axis() * self.axial_torque(spin)
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, _body: &RigidBody, _axis: [L; 3]) -> [L; 3] {
+        [L::of(0.0); 3]
+    }
+
+    fn resistance(&self, _t: f64, body: &RigidBody) -> Option<Resistance> {
+        Some(Resistance::power(self.factor, self.power(), body))
     }
 
     fn narrowest(&self) -> Option<Feature> {

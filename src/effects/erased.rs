@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Effect, Feature, Known, Nature};
+use super::{Effect, Feature, Known, Nature, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -10,6 +10,7 @@ pub(crate) trait AnyEffect {
     fn nature(&self) -> Nature;
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3];
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance>;
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64;
@@ -31,6 +32,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
         self.torques_on_axis(body, axis)
+    }
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        Effect::resistance(self, t, body)
     }
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         Effect::slip(self, t, body, state)

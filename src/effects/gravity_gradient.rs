@@ -47,6 +47,8 @@ use crate::math::sincos;
 /// # }
 /// ```
 ///
+/// Other orbits: [`OrbitingBody`](super::OrbitingBody).
+///
 /// Source: P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), 8.1 and 9.3; for the
 /// potential H. Goldstein, C. Poole, J. Safko, *Classical Mechanics*, 3rd ed., 5.8.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,13 +149,28 @@ impl<const FIXED: bool> GravityGradient<FIXED> {
     }
 }
 
-fn extremes(body: &RigidBody) -> [f64; 2] {
+/// 3 g n x (I n) for this direction n and this 3 g (1/s^2), from the differences of the
+/// moments: exactly 0 for a sphere.
+#[inline]
+pub(super) fn torque_towards(
+    direction: SpaceVector,
+    strength: f64,
+    body: &RigidBody,
+    state: &State,
+) -> SpaceVector {
+    let [x, y, z] = state.attitude.to_body(direction).to_array();
+    let [i1, i2, i3] = body.moments().to_array();
+    let turn = BodyVector::new((i3 - i2) * y * z, (i1 - i3) * z * x, (i2 - i1) * x * y);
+    state.attitude.to_space(turn) * strength
+}
+
+pub(super) fn extremes(body: &RigidBody) -> [f64; 2] {
     let [i1, i2, i3] = body.moments().to_array();
     [i1.min(i2).min(i3), i1.max(i2).max(i3)]
 }
 
 /// The moments less their mean, from their differences.
-fn deviations(body: &RigidBody) -> [f64; 3] {
+pub(super) fn deviations(body: &RigidBody) -> [f64; 3] {
     let [i1, i2, i3] = body.moments().to_array();
     [
         ((i1 - i2) + (i1 - i3)) / 3.0,
@@ -180,11 +197,8 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
 
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        let [x, y, z] = state.attitude.to_body(self.direction(t)).to_array();
-        let [i1, i2, i3] = body.moments().to_array();
-        // n x (I n), from the differences of the moments: exactly 0 for a sphere.
-        let turn = BodyVector::new((i3 - i2) * y * z, (i1 - i3) * z * x, (i2 - i1) * x * y);
-        state.attitude.to_space(turn) * (3.0 * self.mean_motion * self.mean_motion)
+        let strength = 3.0 * self.mean_motion * self.mean_motion;
+        torque_towards(self.direction(t), strength, body, state)
     }
 
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {

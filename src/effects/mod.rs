@@ -12,6 +12,7 @@
 //! | [`InternalDissipation`] | none: the axes drift at constant L, and energy is lost |
 //! | [`ElasticYielding`] | none: the tensor of inertia follows the angular velocity |
 //! | [`GravityGradient`] | an attracting body's on a satellite, near side against far side |
+//! | [`OrbitingBody`] | the same of Sun, Moon or a planet, on a [`KeplerOrbit`], or its mean |
 //! | [`Gravity`] | the weight of a body held at any point |
 //! | [`ViscousFriction`] | friction in proportion to the rates |
 //! | [`CoulombBearing`] | dry friction about the axis, until the spin stops |
@@ -31,9 +32,12 @@ mod gravity;
 mod gravity_anywhere;
 mod gravity_gradient;
 mod internal_dissipation;
+mod kepler_orbit;
 mod nature;
+mod orbiting_body;
 mod pair;
 mod prescribed;
+mod resistance;
 mod viscous;
 
 pub(crate) use check::Checked;
@@ -48,8 +52,11 @@ pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
+pub use kepler_orbit::KeplerOrbit;
 pub use nature::{Feature, Keeps, Known, Nature};
+pub use orbiting_body::OrbitingBody;
 pub use prescribed::{PrescribedTorque, Profile};
+pub use resistance::Resistance;
 pub use viscous::ViscousFriction;
 
 use crate::attitude::Attitude;
@@ -112,7 +119,8 @@ pub trait Effect {
 
     /// The torque on bodies whose axes have these directions, side by side, with the same
     /// bits: asked for only of effects that see nothing but the axis
-    /// ([`Nature::axis_only`]).
+    /// ([`Nature::axis_only`]), and of those with a [`resistance`](Self::resistance), which
+    /// leave it out here.
     ///
     /// This form asks for [`torque`](Self::torque) one after the other. An effect that
     /// writes its own, over [`Lane`] and marked `#[inline(always)]`, lets
@@ -121,6 +129,14 @@ pub trait Effect {
     #[inline(always)]
     fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
         one_by_one(self, body, axis)
+    }
+
+    /// What of the torque, from the time `t` (s) on, depends on the momentum, if at a fixed
+    /// attitude that has a closed form. All that is left of the torque is then what
+    /// [`torques_on_axis`](Self::torques_on_axis) gives: nothing, or an effect that sees the
+    /// axis only. `None` makes no claim.
+    fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
+        Self::NATURE.axis_only.then_some(Resistance::NONE)
     }
 
     /// The angular velocity, on the fixed axes (rad/s), that the body's axes have beyond

@@ -1,6 +1,6 @@
 //! No effect, and two effects together.
 
-use super::{Effect, Feature, Known, Nature};
+use super::{Effect, Feature, Known, Nature, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -60,6 +60,11 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         let [a, b, c] = self.0.torques_on_axis(body, axis);
         let [d, e, f] = self.1.torques_on_axis(body, axis);
         [a + d, b + e, c + f]
+    }
+
+    /// Known if both are and their closed forms go together.
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        (self.0.resistance(t, body)?).and(self.1.resistance(t, body)?)
     }
 
     #[inline(always)]

@@ -1,9 +1,10 @@
 //! Friction in proportion to the rates.
 
-use super::{Effect, Feature, Nature, part_per_radian};
+use super::{Effect, Feature, Nature, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, not_negative};
 use crate::frame::{BodyVector, SpaceVector};
+use crate::math::Lane;
 
 /// Friction in proportion to the angular velocity.
 ///
@@ -105,6 +106,22 @@ impl Effect for ViscousFriction {
             -transverse * w2,
             -axial * w3,
         ))
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, _body: &RigidBody, _axis: [L; 3]) -> [L; 3] {
+        [L::of(0.0); 3]
+    }
+
+    /// The part c_i/I_i of the momentum in a second.
+    fn resistance(&self, _t: f64, body: &RigidBody) -> Option<Resistance> {
+        let [i1, i2, i3] = body.moments().to_array();
+        let (transverse, axial) = (self.transverse, self.axial);
+        Some(Resistance::linear([
+            transverse / i1,
+            transverse / i2,
+            axial / i3,
+        ]))
     }
 
     fn narrowest(&self) -> Option<Feature> {

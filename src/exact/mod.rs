@@ -26,6 +26,7 @@ mod nome;
 pub mod pendulum;
 mod phase;
 pub mod plank;
+mod scene;
 
 pub use modulus::{Characteristic, Modulus};
 

@@ -10,7 +10,7 @@
 //! | [`GaussLegendre`] | any [`StageOde`], eight stages side by side | fixed |
 //! | [`Dop853`] | any [`Ode`]; dense output and events by [`Dop853::solve`] | adaptive |
 //! | [`MuntheKaas4`] | any scene; turns the attitude instead of adding to it | fixed |
-//! | [`Splitting`] | any body under effects that see only its axis, and any [`Separable`] | fixed |
+//! | [`Splitting`] | any body under effects that see only its axis, also with what resists its rotation ([`Resisted`]), and any [`Separable`] | fixed |
 //!
 //! [`Projected`] keeps energy and momenta in long runs of any of them. A scene is an [`Ode`] and, where it applies, [`Separable`]; every method
 //! carries its [`State`](crate::body::State)s. [`SpinFree`] takes the spin of a
@@ -43,7 +43,7 @@ pub use ode::{ByClosure, Ode, Scale, newton, ode, place_and_velocity, second_ord
 pub use projected::{Kept, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;
-pub use splitting::{Scheme, Separable, Splitting};
+pub use splitting::{Resisted, Scheme, Separable, Splitting};
 pub use work::Work;
 
 use crate::error::Result;

@@ -19,7 +19,8 @@
 //! Where several contacts act at once and rub, which of them do what is itself a problem to
 //! be solved: [`contact`].
 //!
-//! Not for: rotation in three dimensions ([`crate::scene`]).
+//! Not for: rotation in three dimensions ([`crate::scene`]); but [`crate::tops`] go through
+//! phases as well, and are run by what is here.
 
 mod asked;
 mod bilateral;

@@ -10,4 +10,5 @@ mod elastic_yielding;
 mod gravity_gradient;
 mod internal_dissipation;
 mod measures;
+mod orbiting_body;
 mod sweep;

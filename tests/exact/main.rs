@@ -14,4 +14,5 @@ mod heavy_top;
 mod motion;
 mod pendulum;
 mod plank;
+mod scene;
 mod turns;

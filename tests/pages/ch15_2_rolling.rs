@@ -255,3 +255,18 @@ fn e10_the_line_turns_about_z() {
     assert_error!((turn - at(0.0, 0.0, phi)).norm(), 2.1175e-16);
     assert!((turn - at(phi, 0.0, 0.0)).norm() > 1.0);
 }
+
+/// The card: rolling resistance takes C g/2 of a hoop's speed a second, until there is none.
+#[test]
+fn a_hoop_is_slowed_down_by_its_rolling() {
+    let (mut errors, mut damaged) = (Errors::of("speed lost"), Errors::of("a sliding block"));
+    for (radius, speed, t) in [(0.35, 7.0, 0.3), (0.01, 0.1, 2.0), (10.0, 100.0, 600.0)] {
+        let found = hoop::lost(radius, speed, 0.005, 9.80665, t).unwrap();
+        let said = 0.5 * 0.005 * 9.80665 * t;
+        errors.add(found, said, said);
+        damaged.add(found, 2.0 * said, said);
+    }
+    errors.attain(4.05e-14..=4.06e-14, 3);
+    damaged.exceed(0.9, 3);
+    assert_error!(hoop::lost(0.35, 3.5e-4, 0.005, 9.80665, 6000.0).unwrap() - 3.5e-4, 0.0);
+}

@@ -110,7 +110,7 @@ fn every_draw_is_accepted_in_its_range_and_has_the_answers_of_the_command() {
     }
     assert_eq!(drawn_sets, wanted);
     assert!(compared >= 3 * offered.len(), "{compared} answers");
-    for page in pages::ALL.iter().filter(|page| page.stem().contains("_ex")) {
+    for page in pages::ALL.iter().filter(|page| page.stem().starts_with("ch") && page.stem().contains("_ex")) {
         assert!(!page.drawn().is_empty(), "{}: say in parameters! what is drawn", page.stem());
     }
 }

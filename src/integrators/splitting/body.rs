@@ -9,7 +9,7 @@
 
 use super::Separable;
 use crate::attitude::Attitude;
-use crate::body::State;
+use crate::body::{RigidBody, State};
 use crate::effects::Effect;
 use crate::error::Result;
 use crate::exact::free_body::FreeFlow;
@@ -23,14 +23,14 @@ use crate::scene::Scene;
 /// space, both with compensated sums.
 #[derive(Debug, Clone, Copy)]
 pub struct BodyPoint {
-    quaternion: Compensated<4>,
-    momentum: Compensated<3>,
-    free: Free,
+    pub(super) quaternion: Compensated<4>,
+    pub(super) momentum: Compensated<3>,
+    pub(super) free: Free,
 }
 
 /// The free rotation of the body.
 #[derive(Debug, Clone, Copy)]
-enum Free {
+pub(super) enum Free {
     /// Two equal moments: a turn about L, and a steady spin about the axis (rad/s).
     Symmetric { spin: f64 },
     /// Three different moments.
@@ -38,47 +38,39 @@ enum Free {
 }
 
 impl BodyPoint {
+    /// The point of this state.
+    pub(super) fn new(body: &RigidBody, state: &State) -> Self {
+        let free = if body.moments().is_symmetric() {
+            Free::Symmetric {
+                spin: spin_rate(body, state),
+            }
+        } else {
+            Free::Asymmetric(FreeFlow::new(body.moments()))
+        };
+        Self {
+            quaternion: Compensated::new(state.attitude.quaternion()),
+            momentum: Compensated::new(state.angular_momentum.to_array()),
+            free,
+        }
+    }
+
     /// The quaternion as it is carried, of unit length but for round-off.
     pub const fn quaternion(&self) -> [f64; 4] {
         self.quaternion.value
     }
-}
 
-impl<E: Effect> Separable for Scene<E> {
-    type State = State;
-    type Point = BodyPoint;
-
-    fn enter(&self, state: &State) -> Result<BodyPoint> {
-        axis_only(self.effects())?;
-        let free = if self.body().moments().is_symmetric() {
-            Free::Symmetric {
-                spin: spin_rate(self.body(), state),
-            }
-        } else {
-            Free::Asymmetric(FreeFlow::new(self.body().moments()))
-        };
-        Ok(BodyPoint {
-            quaternion: Compensated::new(state.attitude.quaternion()),
-            momentum: Compensated::new(state.angular_momentum.to_array()),
-            free,
-        })
+    /// The momentum as it is carried, on the fixed axes (kg m^2/s).
+    pub const fn momentum(&self) -> [f64; 3] {
+        self.momentum.value
     }
 
-    fn leave(&self, point: &BodyPoint, elapsed: f64) -> Result<State> {
-        let spin = match point.free {
-            Free::Symmetric { spin } => spin * elapsed,
-            Free::Asymmetric(_) => 0.0,
-        };
-        spun(point.quaternion.value, spin, point.momentum.value)
-    }
-
-    fn flow(&self, point: &mut BodyPoint, dt: f64) {
-        let quaternion = point.quaternion.value;
-        let momentum = point.momentum.value;
-        let increment = match &point.free {
-            Free::Symmetric { .. } => {
-                turned_about(momentum, dt / self.body().moments().i1(), quaternion)
-            }
+    /// Free rotation for the time `dt`.
+    #[inline(always)]
+    pub(super) fn turn_freely(&mut self, body: &RigidBody, dt: f64) {
+        let quaternion = self.quaternion.value;
+        let momentum = self.momentum.value;
+        let increment = match &self.free {
+            Free::Symmetric { .. } => turned_about(momentum, dt / body.moments().i1(), quaternion),
             Free::Asymmetric(flow) => {
                 let attitude = Attitude::from_unit(quaternion);
                 let momentum = attitude.to_body(SpaceVector::from_array(momentum));
@@ -92,22 +84,52 @@ impl<E: Effect> Separable for Scene<E> {
                 ]
             }
         };
-        point.quaternion = point.quaternion.plus(&increment);
+        self.quaternion = self.quaternion.plus(&increment);
+    }
+
+    /// The quaternion is brought back to unit length: along itself, so that the
+    /// attitude and what its rounding has left out are not touched.
+    #[inline(always)]
+    pub(super) fn settle(&mut self) {
+        let q = self.quaternion.value;
+        let excess = q.iter().map(|c| c * c).sum::<f64>() - 1.0;
+        self.quaternion = self.quaternion.plus(&q.map(|c| -0.5 * excess * c));
+    }
+}
+
+impl<E: Effect> Separable for Scene<E> {
+    type State = State;
+    type Point = BodyPoint;
+
+    fn enter(&self, state: &State) -> Result<BodyPoint> {
+        axis_only(self.effects())?;
+        Ok(BodyPoint::new(self.body(), state))
+    }
+
+    fn leave(&self, point: &BodyPoint, elapsed: f64) -> Result<State> {
+        let spin = match point.free {
+            Free::Symmetric { spin } => spin * elapsed,
+            Free::Asymmetric(_) => 0.0,
+        };
+        spun(point.quaternion.value, spin, point.momentum.value)
+    }
+
+    fn flow(&self, point: &mut BodyPoint, dt: f64) {
+        point.turn_freely(self.body(), dt);
     }
 
     /// The momentum changes by the torque times dt; nothing moves.
     fn kick(&self, point: &mut BodyPoint, dt: f64) {
+        if const { E::NATURE.torque_free } {
+            return;
+        }
         let axis = Attitude::from_unit(point.quaternion.value).axis();
         let torque = (self.effects()).torques_on_axis(self.body(), axis.to_array());
         point.momentum = point.momentum.plus(&torque.map(|m| dt * m));
     }
 
-    /// The quaternion is brought back to unit length: along itself, so that the
-    /// attitude and what its rounding has left out are not touched.
     fn settle(&self, point: &mut BodyPoint) {
-        let q = point.quaternion.value;
-        let excess = q.iter().map(|c| c * c).sum::<f64>() - 1.0;
-        point.quaternion = point.quaternion.plus(&q.map(|c| -0.5 * excess * c));
+        point.settle();
     }
 }
 

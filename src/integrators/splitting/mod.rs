@@ -5,12 +5,15 @@
 //! rotation (of any body, exact: [`FreeFlow`](crate::exact::free_body::FreeFlow)) and
 //! the kick of the torque. Each part keeps the geometry (unit quaternion, L_Z, for
 //! a symmetric body L_z, symplecticity, reversibility), so every composition
-//! does; the coefficients only choose the order.
+//! does; the coefficients only choose the order. What resists the rotation joins the kick,
+//! exact too ([`Resisted`]).
 
 mod body;
+mod resisted;
 mod scheme;
 
 pub use body::BodyPoint;
+pub use resisted::{Resisted, ResistedPoint};
 pub use scheme::{Outer, Scheme};
 
 use super::explicit::no_steps;

@@ -100,6 +100,8 @@ pub(super) enum Press {
     TwoSided,
     /// A given force.
     Given(f64),
+    /// The normal force of the contact at this place.
+    By(usize),
 }
 
 /// A contact at one instant.
@@ -147,6 +149,16 @@ impl<const N: usize> Contact<N> {
     pub const fn pressed(name: &'static str, force: f64) -> Self {
         Self {
             press: Press::Given(force),
+            ..Self::new(name, 0.0, [0.0; N], 0.0)
+        }
+    }
+
+    /// A resistance that rides on another contact: pressed with the normal force of the contact
+    /// at the place `by` in the list, and open where that is open. Its `tangent` is the rate that
+    /// it resists; see [`rolling`](Contact::rolling).
+    pub const fn pressed_by(name: &'static str, by: usize) -> Self {
+        Self {
+            press: Press::By(by),
             ..Self::new(name, 0.0, [0.0; N], 0.0)
         }
     }
@@ -234,6 +246,63 @@ impl Contact<3> {
         let (gradient, bias) = row(surface.normal);
         let (along, slip_bias) = row(surface.tangent());
         Self::new(name, gap, gradient, bias).tangent(along, slip_bias)
+    }
+
+    /// Rolling resistance of a round body at the contact `by`, on a surface at rest: a torque of
+    /// at most
+    ///
+    /// ```text
+    /// |M| <= C_rr N R,
+    /// ```
+    ///
+    /// equal to it and against the rotation while the body turns; at rest it takes any value up
+    /// to that, so that a body at rest stays where less would move it, and one that comes to
+    /// rest stops, at an event ("stops"; "starts" and "reverses" are the others).
+    ///
+    /// `radius` R (m); `coefficient` C_rr (not negative; 0.002 for steel on a rail, 0.01 for a
+    /// tyre on a road). The number that it is judged by is C_rr itself: on the level a body
+    /// with I = k m R^2 that rolls loses C_rr g/(1 + k) of speed a second, and on an incline of
+    /// less than C_rr it does not begin to roll. Range of validity: a resistance that
+    /// does not depend on the speed, and speeds at which the surfaces creep back in time.
+    ///
+    /// A mechanism without it has one contact less: there is nothing to be called.
+    ///
+    /// Accuracy: time and place of the stop to 8 eps at a tolerance of 1e-12
+    /// (`tests/planar/resistance.rs`).
+    ///
+    /// ```
+    /// use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+    ///
+    /// /// A wheel of radius 0.3 m: m = 1, I = m R^2, C_rr = 0.01.
+    /// struct Wheel;
+    /// impl Mechanism<3, 6, 2> for Wheel {
+    ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+    ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.09]]
+    ///     }
+    ///     fn force(&self, _: &State<3>) -> [f64; 3] {
+    ///         [0.0, -9.81, 0.0]
+    ///     }
+    ///     fn contacts(&self, wheel: &State<3>) -> [Contact<3>; 2] {
+    ///         let rim = Contact::rim("rim", wheel, 0.3, Surface::FLOOR).friction(0.5);
+    ///         [rim, Contact::rolling("wheel", 0, 0.3, 0.01)]
+    ///     }
+    /// }
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// let start = State { q: [0.0, 0.3, 0.0], v: [1.0, 0.0, -1.0 / 0.3] };
+    /// let motion = motion_within(&Wheel, 1e-12, start, 60.0)?;
+    /// let stops = motion.event("wheel stops")?;
+    /// assert!((stops.t - 2.0 / (0.01 * 9.81)).abs() < 1e-11);
+    /// assert!(motion.at(60.0)?.v[0].abs() < 1e-15);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Source: K. L. Johnson, *Contact Mechanics* (1985), 9; as a set-valued torque F.
+    /// Pfeiffer, C. Glocker, cited with [this module](super).
+    pub const fn rolling(name: &'static str, by: usize, radius: f64, coefficient: f64) -> Self {
+        Self::pressed_by(name, by)
+            .tangent([0.0, 0.0, radius], 0.0)
+            .friction(coefficient)
     }
 
     /// The rim of a disc or ball of this radius about the centre, on a surface.

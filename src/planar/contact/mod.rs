@@ -13,6 +13,8 @@
 //! | [`Contact`], [`Friction`], [`Surface`] | one contact at one instant |
 //! | [`Mode`], [`Sense`] | open, smooth, stick, slip |
 //! | [`motion`], [`motion_within`], [`Motion`] | the motion, its events, the forces at any time |
+//! | [`Contact::rolling`] | rolling resistance, which rides on a contact |
+//! | [`QuadraticDrag`], [`LinearDrag`] and of spin, [`Load`], [`With`] | what a mechanism may feel in addition |
 //! | [`misdeclared`] | whether the rows of the contacts are those of their gaps |
 //! | [`Modal`], [`entry`] | the same as a [`Phased`](super::Phased) scene, with the phase it starts in |
 //!
@@ -29,6 +31,7 @@
 
 mod declare;
 mod declared;
+mod drag;
 mod linear;
 mod modal;
 mod motion;
@@ -37,6 +40,7 @@ mod response;
 
 pub use declare::{Contact, Friction, Mode, Row, Sense, State, Surface};
 pub use declared::misdeclared;
+pub use drag::{LinearDrag, LinearSpinDrag, Load, QuadraticDrag, QuadraticSpinDrag, With};
 pub use modal::{Modal, entry};
 pub use motion::{Event, Motion, kept_within, motion, motion_within};
 pub use response::Force;
@@ -89,6 +93,14 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
     /// What ends the scene: a name, and a margin that is positive until then.
     fn end(&self, _state: &State<N>) -> Option<(&'static str, f64)> {
         None
+    }
+
+    /// The same mechanism with one more force, such as a [`QuadraticDrag`].
+    fn with<F: Load<N>>(self, load: F) -> With<Self, F>
+    where
+        Self: Sized,
+    {
+        With::new(self, load)
     }
 
     /// The size against which errors count, as [`super::Phased::scale`]: coordinates first.

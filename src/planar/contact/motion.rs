@@ -1,6 +1,6 @@
 //! The motion of a mechanism, with the events and forces of its contacts.
 
-use super::declare::{Mode, State};
+use super::declare::{Mode, Press, State};
 use super::modal::{Modal, entry, split};
 use super::{Force, Mechanism, Modes};
 use crate::accuracy::larger;
@@ -13,7 +13,9 @@ use core::fmt;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event<const N: usize, const C: usize> {
     /// The name of the contact and what it did: "floor touches", "floor bounces",
-    /// "floor sticks", "floor slips", "floor reverses", "floor lets go"; or that of the end.
+    /// "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
+    /// [rolling resistance](super::Contact::rolling) "wheel stops", "wheel starts", "wheel
+    /// reverses"; or that of the end.
     pub name: String,
     /// When.
     pub t: f64,
@@ -208,7 +210,15 @@ fn events<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     let contacts = scene.0.contacts(&split(&at.after));
     let did = (0..C).filter_map(|i| {
         let name = contacts[i].name;
+        let rides = matches!(contacts[i].press, Press::By(_));
         let what = match (at.from[i], to[i]) {
+            // What presses it is said of the contact that does.
+            (Mode::Open, _) | (_, Mode::Open) if rides => return None,
+            (a, b) if rides && a != b => match (a, b) {
+                (_, Mode::Stick) => "stops",
+                (Mode::Stick, _) => "starts",
+                _ => "reverses",
+            },
             (Mode::Open, Mode::Open) if at.name == name => "bounces",
             (a, b) if a == b => return None,
             (Mode::Open, _) => "touches",

@@ -74,12 +74,13 @@ fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize
     match contact.press {
         Press::TwoSided => return Choices::only(Mode::Smooth),
         Press::OneSided if !shut || leaves => return Choices::only(Mode::Open),
+        Press::By(_) if !shut => return Choices::only(Mode::Open),
         _ => {}
     }
     let rubs = contact.friction.holding > 0.0;
     let slip = contact.tangent.speed(&state.v);
     let slips = trigger != Some(Trigger::Slip(i)) && slip.abs() > ZERO * scene.slip_size(i, state);
-    let may_open = contact.press == Press::OneSided;
+    let may_open = matches!(contact.press, Press::OneSided | Press::By(_));
     let sense = if slip > 0.0 {
         Sense::Forward
     } else {
@@ -132,12 +133,16 @@ fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     state: &State<N>,
 ) -> [bool; C] {
     let contacts = scene.0.contacts(state);
-    core::array::from_fn(|i| {
+    let shut: [bool; C] = core::array::from_fn(|i| {
         let acted = before
             .is_some_and(|(modes, trigger)| modes[i] != Mode::Open || trigger == Trigger::Gap(i));
         acted
             || contacts[i].press != Press::OneSided
             || contacts[i].gap <= ZERO * scene.gap_size(i, state)
+    });
+    core::array::from_fn(|i| match contacts[i].press {
+        Press::By(by) => shut[by],
+        _ => shut[i],
     })
 }
 
@@ -176,7 +181,9 @@ fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     };
     let choices = core::array::from_fn(|i| match contacts[i].press {
         Press::TwoSided => Choices::only(Mode::Smooth),
-        Press::OneSided if shut[i] => Choices::shut(contacts[i].friction.kinetic > 0.0, true),
+        Press::OneSided | Press::By(_) if shut[i] => {
+            Choices::shut(contacts[i].friction.kinetic > 0.0, true)
+        }
         _ => Choices::only(Mode::Open),
     });
     let (_, Response { rate, .. }) = problem
@@ -211,7 +218,7 @@ fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
         let modes = core::array::from_fn(|i| match (contacts[i].press, modes[i]) {
             (_, Mode::Open) => Mode::Open,
             (_, Mode::Stick) if !of_coordinates => Mode::Stick,
-            (Press::Given(_), _) => Mode::Open,
+            (Press::Given(_) | Press::By(_), _) => Mode::Open,
             _ => Mode::Smooth,
         });
         let aim = core::array::from_fn(|i| {
@@ -256,7 +263,8 @@ fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: u
     t: f64,
     state: &State<N>,
 ) -> Result<()> {
-    for (i, contact) in scene.0.contacts(state).iter().enumerate() {
+    let contacts = scene.0.contacts(state);
+    for (i, contact) in contacts.iter().enumerate() {
         let Contact {
             gap,
             friction,
@@ -304,6 +312,17 @@ fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: u
             Press::Given(force) => {
                 finite("force that presses", force)?;
                 force >= 0.0
+            }
+            Press::By(by) => {
+                let other = contacts.get(by).map(|other| other.press);
+                if by == i || matches!(other, None | Some(Press::By(_) | Press::TwoSided)) {
+                    return Err(Error::OutOfRange {
+                        name: "place of the contact that presses",
+                        value: by as f64,
+                        allowed: "that of another contact, which pushes and does not pull",
+                    });
+                }
+                true
             }
         };
         if !holds {

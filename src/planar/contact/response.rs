@@ -61,6 +61,12 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                     rows[row][normal] = 1.0;
                     right[row] = if self.impact { 0.0 } else { force };
                 }
+                (Press::By(by), _) => {
+                    rows[row][normal] = 1.0;
+                    if by < C && by != i {
+                        rows[row][N + 2 * by] = -1.0;
+                    }
+                }
                 (_, Mode::Open) => rows[row][normal] = 1.0,
                 _ => {
                     rows[row][..N].copy_from_slice(&contact.normal.along);
@@ -192,7 +198,11 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                 }
                 _ => true,
             };
-            moves && holds.into_iter().all(|margin| margin >= forces)
+            let rides = match contact.press {
+                Press::By(by) => (modes[i] == Mode::Open) == (modes[by] == Mode::Open),
+                _ => true,
+            };
+            rides && moves && holds.into_iter().all(|margin| margin >= forces)
         })
     }
 

@@ -4,10 +4,11 @@ use super::{body, tilted};
 use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, Known, Nature,
-    PrescribedTorque, Profile, Torque, ViscousFriction, check,
+    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, KeplerOrbit, Known, Nature,
+    OrbitingBody, PrescribedTorque, Profile, Resistance, Torque, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::math::Lane;
 
 /// What a twin says that may be false. One claim is left out: that a torque is an analytic
 /// function where it has no jump cannot be seen by looking at it.
@@ -135,7 +136,9 @@ impl Tally {
         for (lie, verdict) in twins.into_iter().enumerate() {
             let breaks = !effect.break_points().is_empty();
             let true_all_the_same = match lie {
-                9 | 10 => E::NATURE.keeps.energy == (lie == 10),
+                // Of an effect that keeps no energy it is true where there is no potential.
+                9 => effect.potential_energy(SPAN[0], body, state) == 0.0,
+                10 => E::NATURE.keeps.energy,
                 11 => false,
                 // It may be that none of the places lie where it is that large.
                 12 => breaks || effect.narrowest() != Some(Feature::WIDE),
@@ -196,18 +199,84 @@ fn every_claim_is_true_and_its_twin_is_refused() {
                 tally.judge(&on_space(profile), &body, &start);
                 tally.judge(&on_body(profile), &body, &start);
             }
+            if !body.moments().is_symmetric() {
+                for e in [0.4, 1.3] {
+                    let orbit = KeplerOrbit::about(1.0, 2.0, e)
+                        .and_then(|orbit| orbit.oriented(0.3, 0.8, 1.9))
+                        .and_then(|orbit| orbit.turning(-0.02, 0.03))
+                        .expect("an orbit");
+                    let planet = OrbitingBody::new(0.7, orbit).expect("a body");
+                    tally.judge(&planet, &body, &start);
+                    if let Ok(mean) = planet.averaged() {
+                        tally.judge(&mean, &body, &start);
+                    }
+                }
+            }
             if body.moments().is_symmetric() {
                 let bearing = CoulombBearing::new(0.3, &body, &start, 0.0).expect("a bearing");
                 tally.judge(&bearing, &body, &start);
             }
         }
     }
-    assert_eq!(tally.checked, 4 * 11 + 2);
+    assert_eq!(tally.checked, 4 * 11 + 2 * 3 + 2);
     // False claims: 7 of gravity at a lever, 9 of gravity anywhere, 12 of friction and of
-    // drag, 12 of steps and of lines, 11 of a pulse, each on both axes; 12 of the bearing.
+    // drag, 12 of steps and of lines, 11 of a pulse, each on both axes; 12 of the bearing and
+    // of an orbiting body, on an ellipse, on a hyperbola and averaged.
     let of_all = 7 + 9 + 3 * 12 + 4 * 12 + 2 * 11;
-    assert_eq!(tally.refused, 4 * of_all + 2 * 12);
-    assert_eq!(tally.refused + tally.allowed, 46 * LIES.len());
+    assert_eq!(tally.refused, 4 * of_all + 2 * 12 + 2 * 3 * 12);
+    assert_eq!(tally.refused + tally.allowed, 52 * LIES.len());
+}
+
+/// An effect that says it resists the rotation twice as strongly as its torque does.
+struct Overstated<E>(E);
+
+impl<E: Effect> Effect for Overstated<E> {
+    const NATURE: Nature = E::NATURE;
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        self.0.torques_on_axis(body, axis)
+    }
+
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        Some(self.0.resistance(t, body)?.times(2.0))
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        self.0.break_points()
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.0.narrowest()
+    }
+}
+
+#[test]
+fn a_resistance_that_is_overstated_is_refused() {
+    let body = body(1.0, 1.0, 0.6);
+    let start = tilted(&body, [0.3, 0.1, 2.0]);
+    let viscous = ViscousFriction::new(0.02, 0.05).expect("friction");
+    let drag = DiscDrag::new(0.1, 1.2, 1.5e-5, 1e3).expect("drag");
+    let bearing = CoulombBearing::new(0.3, &body, &start, 0.0).expect("a bearing");
+    let told = [
+        check(&Overstated(viscous), &body, SPAN, &start),
+        check(&Overstated(drag), &body, SPAN, &start),
+        check(&Overstated(bearing), &body, SPAN, &start),
+    ]
+    .map(|verdict| verdict.expect_err("overstated").to_string());
+    for told in told {
+        assert!(
+            told.contains("says what of its torque resists the rotation"),
+            "{told}"
+        );
+    }
 }
 
 /// Gravity and a wire that bears all of it but a small part: what is left is judged against

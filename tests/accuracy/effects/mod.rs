@@ -2,6 +2,7 @@
 
 mod claims;
 mod motions;
+mod pairs;
 mod refusals;
 mod stop;
 

@@ -1,0 +1,144 @@
+//! The drawings of the page on effects.
+
+use super::digits::Case;
+use super::weigh::Question;
+use super::*;
+use rotation_dynamics::accuracy::Limits;
+use rotation_dynamics::motion::Motion;
+
+/// How far the axis is from where it would be without this effect, against the time.
+fn aside(q: &Question<Weight>, effect: impl Effect, name: &str, ink: Ink) -> Result<Curve> {
+    let limits = Limits::default();
+    let scene = q.scene.with(effect);
+    let with = scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
+    let without = q.scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
+    // Equal distances on a logarithmic axis.
+    let times = (0..=160).map(|n| q.end * pow(10.0, -2.0 + f64::from(n) / 80.0));
+    let (mut largest, mut points) = (1e-9_f64, Vec::new());
+    for t in times {
+        let t = t.min(q.end);
+        let (a, b) = (with.try_state(t)?, without.try_state(t)?);
+        largest = largest.max(q.apart(&a.attitude, &b.attitude));
+        points.push((t, largest));
+    }
+    Ok(Curve::new(points, ink).label_end(name))
+}
+
+/// Error against price for one of the motions, with what its model leaves out.
+fn digits(key: &str) -> Result<Panel> {
+    let cases = cases()?;
+    let Some(case) = cases.iter().find(|case| case.key == key) else {
+        return Ok(Panel::over_axes("", ""));
+    };
+    let first = case.runs.first().map_or(10.0, |run| run.0);
+    let last = case.runs.last().map_or(1e4, |run| run.0);
+    let mut panel = Panel::over_axes(
+        Axis::log("evaluations").range(0.8 * first, 1.3 * last),
+        Axis::log("error / rad").range(1e-15, 10.0),
+    )
+    .curve(Curve::new(case.runs.iter().copied(), Ink::Body).with_dots());
+    for one in named(case) {
+        panel = panel.level(one.error, Ink::Force, one.name);
+    }
+    Ok(panel)
+}
+
+/// Those left out whose labels do not lie on each other.
+fn named(case: &Case) -> Vec<&super::weigh::LeftOut> {
+    let mut all: Vec<&super::weigh::LeftOut> = Vec::new();
+    for one in &case.left_out {
+        if all.last().is_none_or(|last| one.error < 0.06 * last.error) {
+            all.push(one);
+        }
+    }
+    all.truncate(3);
+    all
+}
+
+figures! { p: &Parameters;
+    /// How far the axis of the gyroscope is from where it would be without each effect, on
+    /// logarithmic axes against the time: the air leads, far above bearing, pivot, buoyancy
+    /// and the turning Earth.
+    desk: {
+        let (rotor, q) = (gyroscope(p), question(p)?);
+        Panel::over_axes(Axis::log("$t$ / s"), Axis::log("axis off by / rad").range(1e-7, 10.0))
+            .size(340, 300)
+            .level(p.tolerance, Ink::Frame, "asked for")
+            .curve(aside(&q, rotor.air()?, "air", Ink::Body)?)
+            .curve(aside(&q, rotor.dry()?, "bearing", Ink::Momentum)?)
+            .curve(aside(&q, rotor.pivot(), "pivot", Ink::Force)?)
+            .curve(aside(&q, rotor.buoyancy(), "buoyancy", Ink::Velocity)?)
+            .curve(aside(&q, on_the_earth(), "Earth", Ink::Ink)?)
+    };
+
+    /// Error against evaluations of the gyroscope's axis after ten seconds: the runs fall to
+    /// the floor of rounding, far below the level lines of what the model leaves out.
+    digits_gyroscope: digits("gyroscope")?;
+
+    /// The same for a toy top.
+    digits_top: digits("top")?;
+
+    /// The same for a thrown book: its largest effect, the air, is small.
+    digits_book: digits("book")?;
+
+    /// The same for the axis of the Earth over a year, with the torques of Moon and Sun.
+    digits_year: digits("year")?;
+
+    /// The same for a satellite over a day.
+    digits_satellite: digits("satellite")?;
+}
+
+/// The axis with its weight alone and in air, for `--csv`.
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let (rotor, q, limits) = (gyroscope(p), question(p)?, Limits::default());
+    let scene = q.scene.with(rotor.air()?);
+    let with = scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
+    let without = q.scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
+    let columns = ["t [s]", "X", "Y", "Z", "X in air", "Y in air", "Z in air"];
+    Trajectory::sampled(columns, times(0.0, q.end, 1000), |t| {
+        let [a, b, c] = without.try_state(t)?.attitude.axis().to_array();
+        let [d, e, f] = with.try_state(t)?.attitude.axis().to_array();
+        Ok([t, a, b, c, d, e, f])
+    })
+}
+
+/// The axle seen from above, with the weight alone and in air.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (rotor, q) = (gyroscope(p), question(p)?);
+    let (end, limits) = (q.end, Limits::default());
+    let scene = q.scene.with(rotor.air()?);
+    // Sampled once; a frame is a straight line between two samples.
+    let fine = 2000;
+    let moment = |n: u32| end * f64::from(n) / f64::from(fine);
+    let mut axes = Vec::new();
+    {
+        let with = scene.solve_along(&q.start, end, 1e-6, &limits)?;
+        let without = q.scene.solve_along(&q.start, end, 1e-6, &limits)?;
+        for n in 0..=fine {
+            let [a, b] = [without.try_state(moment(n))?, with.try_state(moment(n))?];
+            axes.push([a.attitude.axis(), b.attitude.axis()]);
+        }
+    }
+    let at = move |t: f64| {
+        let x = (t / end * f64::from(fine)).clamp(0.0, f64::from(fine));
+        let n = (x as usize).min(axes.len() - 2);
+        let part = x - n as f64;
+        [0, 1].map(|i| axes[n][i] * (1.0 - part) + axes[n + 1][i] * part)
+    };
+    let angle = |[a, b]: [SpaceVector; 2]| atan2(a.cross(&b).norm(), a.dot(&b));
+    let curve = Curve::of(times(0.0, end, 1000), |t| angle(at(t)), Ink::Body);
+    let graph = Panel::over_axes("$t$ / s", "apart / rad").curve(curve);
+    MovingPicture::above(graph, 0.0..=end, [0.3 * end, 0.6 * end, end], move |t| {
+        let [a, b] = at(t);
+        let ring = times(0.0, core::f64::consts::TAU, 90).map(|x| (0.87 * cos(x), 0.87 * sin(x)));
+        let sketch = Sketch::within((-1.25, 1.25), (-1.1, 1.1))
+            .guide(ring)
+            .arrow((0.0, 0.0), (a.x(), a.y()), Ink::Body, "vacuum", Side::Right)
+            .arrow((0.0, 0.0), (b.x(), b.y()), Ink::Ink, "air", Side::Left);
+        let alt = format!(
+            "The axle from above after {t:.1} s: in air it is {:.2} rad from where it would be in a vacuum; below, that angle against time.",
+            angle([a, b])
+        );
+        Ok((alt, sketch))
+    })
+}

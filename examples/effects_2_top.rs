@@ -1,0 +1,416 @@
+//! A toy top on a rounded tip, from the throw to the fall: it slides and rises, sleeps, and dies.
+
+#[path = "effects_2_top/figures.rs"]
+mod figures;
+#[path = "effects_2_top/ledger.rs"]
+mod ledger;
+
+use core::f64::consts::TAU;
+use rotation_dynamics::effects::DiscDrag;
+use rotation_dynamics::integrators::Work;
+use rotation_dynamics::report::prelude::*;
+use rotation_dynamics::tops::{
+    Course, Dry, NoSlip, Patch, Shape, Smooth, Stance, Throw, TipFriction, Top,
+};
+
+parameters! {
+    /// The toy top of 16.2, its tip a ball.
+    pub struct Parameters {
+        /// radius of the tip
+        tip: number(0.005, "m", from_to(0.004, 0.007));
+        /// tilt of the axis at the throw
+        tilt: number(0.3, "rad", from_to(0.2, 0.35));
+        /// spin at the throw
+        spin: number(150.0, "rad/s", from_to(130.0, 170.0));
+        /// coefficient of dry friction of tip and floor
+        friction: number(0.05, "-", from_to(0.03, 0.08));
+        /// effective modulus of both: 1/E* is the sum of (1 - nu^2)/E
+        modulus: number(4e9, "Pa", from_to(2e9, 8e9));
+        /// slope of the floor
+        slope: number(1e-3, "rad", from_to(3e-4, 2e-3));
+        /// error of a step of the simulations: from 1e-12 to 1e-8
+        tolerance: number(1e-10, "-", from_to(1e-12, 1e-8));
+    }
+}
+
+// ANCHOR: toy
+/// Mass, moments across and along the axis about the centre of mass, from there to the centre
+/// of the tip, radius of the rim: SI units.
+const MASS: f64 = 0.1;
+const ACROSS: f64 = 4e-5;
+const AXIAL: f64 = 4e-5;
+const LEVER: f64 = 0.04;
+const RIM: f64 = 0.03;
+const GRAVITY: f64 = 9.80665;
+const WEIGHT: f64 = MASS * GRAVITY;
+
+/// A top of the page, with air and on a floor that slopes.
+type Toy<F> = Top<F, (), ((), DiscDrag)>;
+/// Its motion.
+pub type Life = Course<Patch, (), ((), DiscDrag)>;
+
+impl Parameters {
+    fn shape(&self) -> Result<Shape> {
+        Shape::new(MASS, ACROSS, AXIAL, LEVER, self.tip)?.with_rim(RIM, 0.0)
+    }
+
+    fn air(&self) -> Result<DiscDrag> {
+        DiscDrag::new(
+            RIM,
+            DiscDrag::AIR_DENSITY,
+            DiscDrag::AIR_VISCOSITY,
+            self.spin,
+        )
+    }
+
+    /// The radius of the patch that the weight presses into tip and floor.
+    pub fn patch(&self) -> Result<f64> {
+        Patch::hertz_radius(WEIGHT, self.tip, self.modulus)
+    }
+
+    /// Everything: air, a floor that is not quite level, and this friction.
+    fn toy<F: TipFriction>(&self, friction: F) -> Result<Toy<F>> {
+        let top = Top::new(self.shape()?, GRAVITY)?.on(friction);
+        top.in_effect(self.air()?)?.sloping(self.slope)
+    }
+
+    fn rubbing(&self) -> Result<Patch> {
+        Patch::new(self.friction, self.patch()?)
+    }
+
+    /// Thrown with the precession that goes with its weight, its centre of mass at rest.
+    pub fn throw(&self) -> Throw {
+        let (momentum, weight) = (AXIAL * self.spin, WEIGHT * LEVER);
+        let four = 4.0 * ACROSS * cos(self.tilt) * weight;
+        let precession = 2.0 * weight / (momentum + (momentum * momentum - four).sqrt());
+        Throw::spinning(self.tilt, self.spin).precessing(precession)
+    }
+
+    /// From the throw to the fall.
+    fn life(&self, tolerance: f64) -> Result<Life> {
+        self.life_on(self.rubbing()?, tolerance)
+    }
+
+    /// The same on this patch, with marks on the way.
+    pub fn life_on(&self, patch: Patch, tolerance: f64) -> Result<Life> {
+        let top = self
+            .toy(patch)?
+            .passing("creeps", self.patch()?, |at, patch| {
+                at.slip.norm() - patch * at.angular_velocity.z().abs()
+            })
+            .passing("sleeps", ASLEEP, |at, tilt| at.tilt() - tilt)
+            .passing("unstable", self.least_spin(), |at, least| at.spin() - least)
+            .passing("wakes", AWAKE, |at, tilt| tilt - at.tilt());
+        top.simulate(&self.throw(), 2000.0, tolerance)
+    }
+}
+// ANCHOR_END: toy
+
+/// Tilts (rad) at which it is said to fall asleep, and to wake.
+const ASLEEP: f64 = 0.01;
+const AWAKE: f64 = 0.05;
+
+// ANCHOR: laws
+impl Parameters {
+    /// How fast the tip's surface slides over the floor at the throw.
+    pub fn first_slip(&self) -> f64 {
+        let ((s, c), rate) = (sincos(self.tilt), self.throw().precession);
+        s * (self.tip * (self.spin - rate * c) - LEVER * rate)
+    }
+
+    /// How fast friction turns the axis up while the tip slides.
+    pub fn rise_rate(&self) -> f64 {
+        let c = cos(self.tilt);
+        let momentum = AXIAL * self.spin - 2.0 * ACROSS * self.throw().precession * c;
+        self.friction * WEIGHT * (LEVER + self.tip * c) / momentum
+    }
+
+    /// How fast nods of this tilt grow while the tip slides, and how fast friction damps them.
+    pub fn nods(&self) -> [f64; 2] {
+        let (s, c) = sincos(self.tilt);
+        let high = LEVER * c + self.tip;
+        let heavier = ACROSS + MASS * LEVER * LEVER * s * s;
+        let part = 0.5 * self.friction * MASS / heavier;
+        let grow = part * LEVER * (LEVER + self.tip * c) * s * AXIAL * self.spin / ACROSS;
+        [grow, part * GRAVITY * high * high / self.first_slip()]
+    }
+
+    /// The tilt at which the friction can carry the centre of mass round with the tip.
+    pub fn grip_tilt(&self) -> f64 {
+        let rate = self.throw().precession;
+        self.friction * GRAVITY / (rate * (self.tip * self.spin - LEVER * rate))
+    }
+
+    /// The spin below which a creeping tip lets it fall.
+    pub fn least_spin(&self) -> f64 {
+        let high = LEVER + self.tip;
+        high * (WEIGHT * LEVER / (self.tip * (AXIAL * high - ACROSS * self.tip))).sqrt()
+    }
+
+    /// The spin below which a rolling tip would let it fall.
+    pub fn rolling_spin(&self) -> f64 {
+        let high = LEVER + self.tip;
+        let geared = AXIAL + MASS * self.tip * high;
+        2.0 * ((ACROSS + MASS * high * high) * WEIGHT * LEVER).sqrt() / geared
+    }
+
+    /// Precession of a small tilt whose tip rolls, at this spin: the slow root.
+    pub fn precession(&self, spin: f64) -> f64 {
+        let high = LEVER + self.tip;
+        let geared = (AXIAL + MASS * self.tip * high) * spin;
+        let four = 4.0 * (ACROSS + MASS * high * high) * WEIGHT * LEVER;
+        2.0 * WEIGHT * LEVER / (geared + (geared * geared - four).sqrt())
+    }
+
+    /// The rate at which a small tilt dies by creep, at this spin.
+    pub fn settling(&self, spin: f64) -> Result<f64> {
+        let (high, rate) = (LEVER + self.tip, self.precession(spin));
+        let viscous = 3.0 * TAU / 16.0 * self.friction * WEIGHT / (self.patch()? * spin);
+        let (geared, moment) = (AXIAL + MASS * self.tip * high, ACROSS + MASS * high * high);
+        let driven = high * MASS * MASS * rate * rate * (self.tip * spin - high * rate);
+        Ok(driven / (viscous * (geared * spin - 2.0 * moment * rate)))
+    }
+
+    /// What slows an upright spin, rad/s^2: air and pivoting.
+    fn braking(&self, spin: f64) -> Result<f64> {
+        let pivoting = 3.0 * TAU / 32.0 * self.friction * WEIGHT * self.patch()?;
+        Ok((pivoting - self.air()?.axial_torque(spin)) / AXIAL)
+    }
+}
+// ANCHOR_END: laws
+
+/// The load (N) of the pressure 2 a E*/(pi r) sqrt(1 - (rho/a)^2) on the patch.
+fn load(p: &Parameters) -> Result<f64> {
+    let a = p.patch()?;
+    let middle = 4.0 * a * p.modulus / (TAU * p.tip);
+    // Over the angle whose sine is rho/a.
+    let ring = |(s, c): (f64, f64)| Ok(TAU * a * a * middle * s * c * c);
+    simpson(0.0, 0.25 * TAU, 2000, |angle| ring(sincos(angle)))
+}
+
+/// How fast a small tilt grows (1/s) on a level floor without air, at this spin.
+pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
+    // A tenth of the friction and of the patch: as viscous, with a hundredth of the pivoting.
+    let firm = Patch::new(0.1 * p.friction, 0.1 * p.patch()?)?;
+    let top = Top::new(p.shape()?, GRAVITY)?.on(firm);
+    let start =
+        Throw::spinning(1e-5, spin).precessing(p.precession(spin.max(1.02 * p.rolling_spin())));
+    let run = top.simulate(&start.rolling(), 18.0, 1e-12)?;
+    // Over whole turns of the precession what is left of a nod averages out.
+    let turn = TAU / p.precession(spin.max(1.02 * p.rolling_spin()));
+    let mean = |from: f64| -> Result<f64> {
+        let sizes = sampled(times(from, from + turn, 200), |t| {
+            Ok(log(run.stance(t)?.tilt()))
+        })?;
+        Ok(sizes.iter().sum::<f64>() / 201.0)
+    };
+    let (from, to) = (8.0, 8.0 + 10.0 * turn.min(0.7));
+    Ok((mean(to)? - mean(from)?) / (to - from))
+}
+
+/// The spin at which a small tilt neither grows nor dies, by bisection.
+fn least_by_growth(p: &Parameters) -> Result<f64> {
+    let (mut low, mut high) = (0.985 * p.least_spin(), 1.015 * p.least_spin());
+    for _ in 0..8 {
+        let middle = 0.5 * (low + high);
+        match growth(p, middle)? > 0.0 {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    Ok(0.5 * (low + high))
+}
+
+/// The rule of Simpson.
+fn simpson(from: f64, to: f64, n: u32, f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
+    let h = (to - from) / f64::from(n);
+    let mut sum = 0.0;
+    for i in 0..=n {
+        let weight = if i == 0 || i == n {
+            1.0
+        } else {
+            2.0 + 2.0 * f64::from(i % 2)
+        };
+        sum += weight * f(from + h * f64::from(i))?;
+    }
+    Ok(sum * h / 3.0)
+}
+
+fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    above(1.25).check(
+        "spin over the least spin of a sleeping top",
+        p.spin / p.least_spin(),
+    )?;
+    let (life, again) = (p.life(p.tolerance)?, p.life(0.1 * p.tolerance)?);
+    let at = |name| -> Result<[Stance; 2]> {
+        Ok([
+            life.stance_at(life.event(name)?),
+            again.stance_at(again.event(name)?),
+        ])
+    };
+    let when = |name| -> Result<[f64; 2]> { Ok([life.event(name)?.t, again.event(name)?.t]) };
+    let first = life.stance(0.0)?;
+    // With so little friction it goes on at one rate, and without a nod.
+    let gentle = Top::new(p.shape()?, GRAVITY)?.on(Dry::new(1e-3 * p.friction)?);
+    let gentle = gentle.simulate(&p.throw(), 3.0, 1e-12)?.stance(3.0)?;
+    let risen = 1e3 * (p.tilt - gentle.tilt()) / 3.0;
+    let [creeps, creeps_again] = when("creeps")?;
+    let [asleep, asleep_again] = when("sleeps")?;
+    let [wakes, wakes_again] = when("wakes")?;
+    let [falls, falls_again] = when("falls")?;
+    let [fallen, fallen_again] = at("falls")?;
+    let least = p.least_spin();
+    // Between two spins of the sleep.
+    let (early, late) = (
+        life.event("unstable")?.t * 0.5,
+        life.event("unstable")?.t * 0.9,
+    );
+    let (fast, slow) = (life.stance(early)?.spin(), life.stance(late)?.spin());
+    let slept = simpson(slow, fast, 200, |w| Ok(1.0 / p.braking(w)?))?;
+    let crossed = least_by_growth(p)?;
+    let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
+    let bound = 1e3 * p.tolerance;
+    // What wakes it is what the steps leave: it comes a little later when they leave less.
+    let close = 5e-3 * pow(p.tolerance / 1e-10, 0.2).max(1.0);
+    let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
+    let grip = |step: f64| -> Result<[f64; 2]> {
+        let point = p
+            .toy(Dry::new(p.friction)?)?
+            .simulate(&p.throw(), 5.0, step)?;
+        let event = point.event("grips")?;
+        Ok([event.t, point.stance_at(event).tilt()])
+    };
+    let ([grips, gripped], [grips_again, gripped_again]) =
+        (grip(p.tolerance)?, grip(0.01 * p.tolerance)?);
+    claims! { report,
+        /// precession of the throw
+        precession: p.throw().precession, "rad/s", "the simulated axis" => first.precession(), within 1e-10;
+        /// radius of the patch of contact
+        patch: 1e3 * p.patch()?, "mm", "load of its pressure, summed" =>
+            1e3 * p.patch()? * cbrt(WEIGHT / load(p)?), within 1e-9, in "The contact";
+        /// speed of the slip at the throw
+        slip: p.first_slip(), "m/s", "the simulated contact" => first.slip.norm(), within 1e-12, in "Sliding":
+            p.tip * p.spin * sin(p.tilt) => "the ball's centre moves as well, because the axis precesses";
+        /// rate at which the axis rises at first
+        rise: p.rise_rate(), "rad/s", "a thousandth of the friction, for 3 s" => risen, within 0.01 * p.rise_rate(), in "Sliding":
+            p.rise_rate() * LEVER / (LEVER + p.tip) => "the arm reaches to the floor";
+        /// with dry friction at a point it would grip after this time
+        grips: grips, "s", "finer steps" => grips_again, within 1e4 * p.tolerance;
+        /// at this tilt
+        gripped: gripped, "rad", "finer steps" => gripped_again, within 1e4 * p.tolerance;
+        /// it creeps from this time on
+        creeps: creeps, "s", "finer steps" => creeps_again, within bound * creeps;
+        /// rate at which a small tilt dies, at the spin of the throw
+        settling: settles, "1/s", "a small tilt simulated" => -growth(p, p.spin)?, within 0.02 * settles, in "Creeping";
+        /// it is asleep from this time on
+        asleep: asleep, "s", "finer steps" => asleep_again, within bound * asleep;
+        /// tilt in its sleep, by the slope of the floor
+        leans: leans, "rad", "simulated" => life.stance(late)?.tilt(), within 1e-3 * leans, in "Sleeping":
+            p.slope => "the centre of mass stands above the contact, not above the centre of the tip";
+        /// time in which it sleeps from a half to nine tenths of the way to instability
+        slept: slept, "s", "simulated" => late - early, within 5e-4 * slept;
+        /// least spin at which it can sleep
+        least: least, "rad/s", "zero of the simulated growth" => crossed, within 5e-4 * least, in "Sleeping":
+            p.rolling_spin() => "that is for a tip that rolls",
+            2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL => "that is for a sharp tip that does not slip";
+        /// it wakes
+        wakes: wakes, "s", "finer steps" => wakes_again, within close * wakes;
+        /// its rim touches the floor
+        falls: falls, "s", "finer steps" => falls_again, within close * falls;
+        /// tilt at the fall
+        fallen: touches, "rad", "simulated" => fallen.tilt(), within 1e-10, in "The fall";
+        /// spin at the fall
+        last_spin: fallen.spin(), "rad/s", "finer steps" => fallen_again.spin(), within close * least;
+    }
+}
+
+/// Where the motion is known.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let top = || Top::new(p.shape()?, GRAVITY);
+    let kept = |part: [f64; 2]| (part[1] / part[0] - 1.0).abs();
+    let point = top()?
+        .on(Dry::new(p.friction)?)
+        .simulate(&p.throw(), 2.0, p.tolerance)?;
+    let ends = |f: &dyn Fn(&Stance) -> f64| -> Result<[f64; 2]> {
+        Ok([f(&point.stance(0.0)?), f(&point.stance(2.0)?)])
+    };
+    let jellett = ends(&|at| point.top().jellett(at))?;
+    let smooth = top()?.simulate(&p.throw(), 2.0, p.tolerance)?;
+    let first = smooth.stance(0.0)?;
+    let energies = [
+        smooth.top().energy(&first),
+        smooth.top().energy(&smooth.stance(2.0)?),
+    ];
+    let rolls = top()?
+        .on(NoSlip)
+        .simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
+    let held = [0.0, 2.0].map(|t| {
+        rolls
+            .stance(t)
+            .map_or(f64::NAN, |at| rolls.top().energy(&at))
+    });
+    // The spins at which a top can sleep, for a tip that shrinks to a point.
+    let sharp = Parameters {
+        tip: 1e-9,
+        ..p.clone()
+    };
+    let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
+    let within = 1e3 * p.tolerance;
+    limits! { report,
+        /// friction of the tip has no moment about the line from the centre of mass to the contact
+        "sliding, then rolling: change of Jellett's integral": kept(jellett) => 0.0, within within;
+        /// nothing rubs
+        "smooth floor: change of the energy": kept(energies) => 0.0, within within;
+        /// the point that is held does not move
+        "no slip: change of the energy": kept(held) => 0.0, within within;
+        /// then the tip is the fixed point of 16.2
+        "sharp tip that rolls: its critical spin over that of 16.2": sharp.rolling_spin() / notes => 1.0, within 1e-5;
+    }
+}
+
+/// The card: what acts, and what it costs to leave it out of the whole life.
+fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (patch, least) = (p.patch()?, p.least_spin());
+    let [rubs, pivots, air] = [
+        p.rise_rate() / (p.throw().precession * p.tilt),
+        3.0 * TAU / 32.0 * p.friction * WEIGHT * patch / AXIAL / p.braking(p.spin)?,
+        -p.air()?.axial_torque(p.spin) / AXIAL / p.braking(p.spin)?,
+    ];
+    let nod = AXIAL * p.spin / ACROSS;
+    let geared = AXIAL + MASS * p.tip * (LEVER + p.tip);
+    let rolls = 0.01 * p.tip * WEIGHT / (geared * p.spin);
+    let hop = p.friction * p.tilt * nod * nod * LEVER * p.throw().precession / (nod * GRAVITY);
+    let earth = 7.292e-5 / p.precession(least * 1.05);
+    effect_card! { report,
+        "sliding friction": "rise rate/(precession theta)" = rubs, costs p.tilt, "rad: it never rises", included;
+        "a patch of contact": "a omega/slip" = patch * p.spin / p.first_slip(), costs p.grip_tilt(), "rad: it stops rising", included;
+        "drag of the air": "share of the braking" = air, costs 1.0 / (1.0 - air) - 1.0, "of the life", included;
+        "friction of pivoting": "share of the braking" = pivots, costs 1.0 / (1.0 - pivots) - 1.0, "of the life", included;
+        "slope of the floor": "slope" = p.slope, costs p.slope * (LEVER + p.tip) / LEVER, "rad of the tilt asleep", included;
+        "force that varies in a nod, and patch with it": "(N/mg - 1)/3 at the throw" = hop / 3.0, costs hop / 3.0, "of the patch";
+        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs rolls, "rad/s of rise";
+        "drag of the air on the axis's motion": "theta" = ASLEEP, costs ASLEEP * ASLEEP, "of the drag";
+        "rotation of the Earth": "Omega_E/precession" = earth, costs earth, "rad of the tilt asleep";
+    }
+}
+
+/// The accuracy strip: dry friction at a point, from the throw until the tip grips.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let top = p.toy(Dry::new(p.friction)?)?;
+    let throw = p.throw();
+    let exact = top.simulate(&throw, 5.0, 1e-14)?.event("grips")?.t;
+    let grips = move |step: f64| -> Result<(f64, Work)> {
+        let run = top.simulate(&throw, 5.0, step)?;
+        Ok((run.event("grips")?.t, run.work()))
+    };
+    let error = move |(t, _): &(f64, Work)| Ok((t / exact - 1.0).abs());
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
+    report.dial("DOP853, error of a step", asked, grips, |run| run.1, error)
+}
+
+example! {
+    effects_2_top: "The rising, sleeping and dying top, from throw to fall";
+    "A top from throw to fall", "The toy top of 16.2 on a rounded tip that slides and creeps, in air.",
+    [claims, ledger::phases, ledger::without, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
+}

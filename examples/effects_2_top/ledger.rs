@@ -1,0 +1,175 @@
+//! Which effect rules which part of the life, and what becomes of it without one of them.
+
+use super::*;
+
+/// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
+pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
+    let life = p.life(p.tolerance)?;
+    let mut table = Table::new(
+        "phases",
+        "phase, from / s, to / s, spin / rad/s, tilt / rad, sliding / mJ, pivoting / mJ, air / mJ"
+            .split(", "),
+    )?;
+    let names = ["slides", "creeps", "sleeps", "stands", "dies"];
+    let ends = ["creeps", "sleeps", "unstable", "wakes", "falls"];
+    let (mut from, mut lost) = (0.0, 0.0);
+    for (name, end) in names.into_iter().zip(ends) {
+        let to = life.event(end)?.t;
+        let work = works(&life, from, to)?;
+        lost += work.iter().sum::<f64>();
+        let at = life.stance(to)?;
+        let cells = [
+            format!("{from:.2}"),
+            format!("{to:.2}"),
+            format!("{:.1}", at.spin()),
+            format!("{:.4}", at.tilt()),
+        ];
+        let cells = cells
+            .into_iter()
+            .chain(work.map(|w| format!("{:.3}", -1e3 * w)));
+        table.push([name.to_string()].into_iter().chain(cells))?;
+        from = to;
+    }
+    report.add(table)?;
+    estimates(p, &life, report)?;
+    let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.stance(t)?)) };
+    let change = energy(from)? - energy(0.0)?;
+    let claim = claim(
+        "lost",
+        "energy lost from the throw to the fall",
+        -1e3 * change,
+        "mJ",
+    );
+    report.add(
+        claim
+            .within(-1e-2 * change)
+            .against("work of friction and air, summed", -1e3 * lost),
+    )
+}
+
+/// Work (J) of sliding, pivoting and air between two times.
+fn works<F: TipFriction>(
+    life: &Course<F, (), ((), DiscDrag)>,
+    from: f64,
+    to: f64,
+) -> Result<[f64; 3]> {
+    let n = 2 * (500.0 + 60.0 * (to - from)) as u32;
+    let mut sums = [0.0; 3];
+    let h = (to - from) / f64::from(n);
+    for i in 0..=n {
+        let weight = if i == 0 || i == n {
+            1.0
+        } else {
+            2.0 + 2.0 * f64::from(i % 2)
+        };
+        let (at, forces) = life.forces(from + h * f64::from(i))?;
+        let powers = life.top().powers(&at, &forces);
+        for (sum, power) in sums
+            .iter_mut()
+            .zip([powers.sliding, powers.couple, powers.effects])
+        {
+            *sum += weight * power * h / 3.0;
+        }
+    }
+    Ok(sums)
+}
+
+/// The same throw with one thing left out.
+pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = "left out, tilt after 1 s / rad, after 5 s, after 20 s, what becomes of it";
+    let mut table = Table::new("without", columns.split(", "))?;
+    let (point, patch) = (Dry::new(p.friction)?, p.rubbing()?);
+    let bare = Top::new(p.shape()?, GRAVITY)?.on(patch).sloping(p.slope)?;
+    let rows = [
+        ("nothing", tilts(&p.toy(patch)?, p)?),
+        (
+            "the patch: dry friction at a point",
+            tilts(&p.toy(point)?, p)?,
+        ),
+        (
+            "the slip: a tip that never slides",
+            tilts(&p.toy(NoSlip)?, p)?,
+        ),
+        ("all friction: a smooth floor", tilts(&p.toy(Smooth)?, p)?),
+        ("the air", tilts(&bare, p)?),
+    ];
+    for (name, (tilts, fate)) in rows {
+        let cells = tilts.map(|tilt| format!("{tilt:.4}"));
+        table.push([name.to_string()].into_iter().chain(cells).chain([fate]))?;
+    }
+    report.add(table)
+}
+
+fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
+    top: &Top<F, (), E>,
+    p: &Parameters,
+) -> Result<([f64; 3], String)> {
+    let run = top.simulate(&p.throw(), 20.0, 10.0 * p.tolerance)?;
+    // Over a turn of the precession, so that nods do not count.
+    let tilt = |t: f64| -> Result<f64> {
+        let tilts = sampled(times(t - 0.5, t, 100), |t| Ok(run.stance(t)?.tilt()))?;
+        Ok(tilts.iter().sum::<f64>() / 101.0)
+    };
+    let tilts = [tilt(1.0)?, tilt(5.0)?, tilt(20.0)?];
+    let grips = run
+        .event("grips")
+        .map(|event| (event.t, run.stance_at(event).tilt()));
+    let fate = match (grips, tilts[2] < ASLEEP) {
+        (Ok((t, tilt)), _) => format!("grips after {t:.2} s at {tilt:.3} rad and rises no more"),
+        (_, true) => "falls asleep".into(),
+        _ => "never rises".into(),
+    };
+    Ok((tilts, fate))
+}
+
+/// Rules of thumb, and what the simulation says.
+fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
+    let point = p
+        .toy(Dry::new(p.friction)?)?
+        .simulate(&p.throw(), 5.0, p.tolerance)?;
+    let grips = point.stance_at(point.event("grips")?).tilt();
+    let upright = AXIAL * p.spin * p.tilt / (p.friction * WEIGHT * LEVER);
+    let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
+    let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
+    let when = |name| -> Result<f64> { Ok(life.event(name)?.t) };
+    let mut table = Table::new(
+        "estimates",
+        "what, unit, rule of thumb, simulated".split(", "),
+    )?;
+    let rows = [
+        (
+            "to stand upright, by sliding all the way",
+            "s",
+            upright,
+            when("sleeps")?,
+        ),
+        ("tilt at which a point grips", "rad", p.grip_tilt(), grips),
+        (
+            "spin down by the air of the throw alone",
+            "s",
+            p.spin / brake,
+            when("wakes")?,
+        ),
+        (
+            "spin at which it wakes, sharp tip held",
+            "rad/s",
+            notes,
+            life.stance(when("wakes")?)?.spin(),
+        ),
+        (
+            "the same, tip that creeps",
+            "rad/s",
+            p.least_spin(),
+            life.stance(when("wakes")?)?.spin(),
+        ),
+    ];
+    for (what, unit, told, simulated) in rows {
+        table.push([
+            what.into(),
+            unit.into(),
+            format!("{told:.3}"),
+            format!("{simulated:.3}"),
+        ])?;
+    }
+    report.add(table)
+}

@@ -1,0 +1,193 @@
+//! The satellite: a symmetric body whose axis leaves L, or comes to it, in closed form.
+
+use super::Parameters;
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::InternalDissipation;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::scene::{components, state};
+use rotation_dynamics::integrators::{Dop853, Integrator};
+use rotation_dynamics::interval::from_to;
+use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin, tan};
+use rotation_dynamics::scene::Scene;
+
+/// L upright, the axis at a nutation angle whose tangent is that of the start times e^(t/tau).
+#[derive(Debug, Clone, Copy)]
+pub struct Opening {
+    pub axial: f64,
+    pub transverse: f64,
+    /// |L|.
+    pub momentum: f64,
+    /// Nutation angle at the start.
+    pub nutation: f64,
+    /// 1/tau: positive for a thin body, negative for a flat one.
+    pub rate: f64,
+}
+
+/// What loses: the scene of the satellite.
+pub type Losing = Scene<((), InternalDissipation)>;
+
+impl Opening {
+    /// The uniform cylinder of these parameters.
+    pub fn new(p: &Parameters) -> Result<Self> {
+        let (r, l) = (0.5 * p.diameter, p.length);
+        let (axial, transverse) = (0.5 * p.mass * r * r, p.mass * (r * r / 4.0 + l * l / 12.0));
+        let ratio = transverse / axial;
+        let allowed = if ratio < 1.0 {
+            from_to(0.5, 0.98)
+        } else {
+            from_to(1.02, 1e3)
+        };
+        allowed.check("moment across the axis over that about it", ratio)?;
+        let sign = if ratio > 1.0 { 1.0 } else { -1.0 };
+        Ok(Self {
+            axial,
+            transverse,
+            momentum: axial * p.spin / cos(p.nutation),
+            nutation: p.nutation,
+            rate: sign / p.growth,
+        })
+    }
+
+    /// Longer than wide.
+    pub fn thin(&self) -> bool {
+        self.transverse > self.axial
+    }
+
+    pub fn tau(&self) -> f64 {
+        1.0 / self.rate.abs()
+    }
+
+    /// a |L|, of the rate.
+    pub fn loss(&self) -> f64 {
+        self.rate / (self.momentum * self.gap())
+    }
+
+    /// 1/I about the axis less 1/I across it.
+    fn gap(&self) -> f64 {
+        1.0 / self.axial - 1.0 / self.transverse
+    }
+
+    /// The same with so much loss that the tangent grows by e within thirty radians, at most,
+    /// of the body's turning about its axis.
+    pub fn quickened(self) -> Self {
+        let slow = 0.03 * self.momentum * self.gap();
+        Self { rate: slow, ..self }
+    }
+
+    // ANCHOR: opening
+    /// The nutation angle at the time t.
+    pub fn angle(&self, t: f64) -> f64 {
+        atan2(sin(self.nutation) * exp(self.rate * t), cos(self.nutation))
+    }
+
+    /// The angles at the time t: steady precession L/It, and the integral of the spin.
+    pub fn angles(&self, t: f64) -> EulerAngles {
+        let theta = self.angle(t);
+        // The integral of cos(theta) is that of du/(u sqrt(1 + u^2)) in u = tan(theta).
+        let reached = |theta: f64| log(tan(0.5 * theta));
+        let turned = (reached(theta) - reached(self.nutation)) / self.rate;
+        EulerAngles {
+            phi: self.momentum / self.transverse * t,
+            theta,
+            zeta: self.momentum * self.gap() * turned,
+        }
+    }
+    // ANCHOR_END: opening
+
+    /// Attitude and momentum at the time t.
+    pub fn state(&self, t: f64) -> Result<State> {
+        let up = SpaceVector::new(0.0, 0.0, self.momentum);
+        State::new(Attitude::from_euler(self.angles(t))?, up)
+    }
+
+    /// The kinetic energy at this nutation angle.
+    pub fn energy(&self, theta: f64) -> f64 {
+        let (s, c) = (sin(theta), cos(theta));
+        0.5 * self.momentum * self.momentum * (c * c / self.axial + s * s / self.transverse)
+    }
+
+    /// The body with its loss, and how it starts.
+    pub fn scene(&self) -> Result<(Losing, State)> {
+        let body = RigidBody::new(PrincipalMoments::symmetric(self.transverse, self.axial)?);
+        let loss = InternalDissipation::new(self.loss() / self.momentum)?;
+        Ok((Scene::new(body).with(loss), self.state(0.0)?))
+    }
+
+    /// 1/tau, positive, as the library's effect says it.
+    pub fn library_rate(&self) -> Result<f64> {
+        let (scene, start) = self.scene()?;
+        let ((), loss) = scene.effects();
+        Ok(loss.rate(scene.body(), &start).abs())
+    }
+
+    /// By which time the rest is less than a millionth.
+    pub fn settled(&self) -> f64 {
+        let to_go = if self.thin() {
+            log(1.0 / tan(self.nutation))
+        } else {
+            log(tan(self.nutation))
+        };
+        (to_go.max(0.0) + 7.0 + log(self.transverse / self.axial).abs()) * self.tau()
+    }
+
+    /// The state at that time, by DOP853 with this error of a step.
+    pub fn run(&self, end: f64, step: f64) -> Result<State> {
+        let (scene, start) = self.scene()?;
+        Ok(Dop853::new(step)?.advance(&scene, 0.0, &start, end)?.0)
+    }
+
+    /// The rate of the body in a state.
+    pub fn rate(&self, state: &State) -> f64 {
+        self.scene().map_or(f64::NAN, |(scene, _)| {
+            scene.body().angular_velocity(state).norm()
+        })
+    }
+
+    /// Its energy.
+    pub fn energy_of(&self, state: &State) -> Result<f64> {
+        Ok(self.scene()?.0.energy(state))
+    }
+
+    /// When tan(theta) is twice (or half) that of the start.
+    pub fn doubled(&self) -> Result<f64> {
+        let factor = if self.thin() { 2.0 } else { 0.5 };
+        self.reaches(tan(self.nutation) * factor)
+    }
+
+    /// When it is 1.
+    pub fn to_45(&self) -> Result<f64> {
+        self.reaches(1.0)
+    }
+
+    fn reaches(&self, tangent: f64) -> Result<f64> {
+        let (scene, start) = self.scene()?;
+        let body = *scene.body();
+        let off = move |y: &[f64; 7]| {
+            state(y).map_or(f64::NAN, |state| {
+                let [x, y, z] = body.angular_momentum(&state).to_array();
+                log(hypot(x, y) / (z * tangent))
+            })
+        };
+        let until = 40.0 * self.tau();
+        Ok(Dop853::new(1e-13)?
+            .zero(&scene, components(&start), 1, until, off)?
+            .0
+            .t)
+    }
+
+    /// The angle between e3 and L in a state.
+    pub fn angle_of(&self, state: &State) -> Result<f64> {
+        let (scene, _) = self.scene()?;
+        let [x, y, z] = scene.body().angular_momentum(state).to_array();
+        Ok(atan2(hypot(x, y), z))
+    }
+
+    /// Where its nose points at the time t.
+    pub fn nose(&self, t: f64) -> Result<SpaceVector> {
+        let attitude = Attitude::from_euler(self.angles(t))?;
+        Ok(attitude.to_space(BodyVector::new(0.0, 0.0, 1.0)))
+    }
+}

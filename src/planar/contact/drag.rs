@@ -1,0 +1,182 @@
+//! Forces that a mechanism may have in addition: the drag of what it moves through.
+//!
+//! A force is part of the type ([`With`]): a mechanism without drag has no place for it and
+//! does not ask.
+
+use super::declare::dot;
+use super::{Contact, Mechanism, State};
+use crate::error::{Result, positive};
+use crate::math::hypot;
+
+/// A generalized force that depends on the state: drag, a wind, a spring.
+pub trait Load<const N: usize> {
+    /// Its components (N, and N m along an angle).
+    fn force(&self, state: &State<N>) -> [f64; N];
+
+    /// Its power (W): below 0 what it takes away.
+    fn power(&self, state: &State<N>) -> f64 {
+        dot(&self.force(state), &state.v)
+    }
+}
+
+/// A mechanism with one more [`Load`]; made by [`Mechanism::with`].
+///
+/// ```
+/// use rotation_dynamics::planar::contact::{Contact, Mechanism, QuadraticDrag, State, motion_within};
+/// use rotation_dynamics::math::{exp, log};
+///
+/// /// A stone of 1 kg that falls.
+/// struct Stone;
+/// impl Mechanism<3, 6, 0> for Stone {
+///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.1]]
+///     }
+///     fn force(&self, _: &State<3>) -> [f64; 3] {
+///         [0.0, -10.0, 0.0]
+///     }
+///     fn contacts(&self, _: &State<3>) -> [Contact<3>; 0] {
+///         []
+///     }
+/// }
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// // c = 0.1 kg/m: it ends at 10 m/s, as tanh(t/1 s).
+/// let falls = Stone.with(QuadraticDrag::new(0.1)?);
+/// let speed = motion_within(&falls, 1e-12, State::rest([0.0; 3]), 1.0)?.at(1.0)?.v[1];
+/// let tanh = (exp(2.0) - 1.0) / (exp(2.0) + 1.0);
+/// assert!((speed + 10.0 * tanh).abs() < 1e-11);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct With<M, F> {
+    mechanism: M,
+    load: F,
+}
+
+impl<M, F> With<M, F> {
+    pub(super) const fn new(mechanism: M, load: F) -> Self {
+        Self { mechanism, load }
+    }
+
+    /// The mechanism without it.
+    pub const fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+
+    /// The load.
+    pub const fn load(&self) -> &F {
+        &self.load
+    }
+}
+
+impl<M, F, const N: usize, const S: usize, const C: usize> Mechanism<N, S, C> for With<M, F>
+where
+    M: Mechanism<N, S, C>,
+    F: Load<N>,
+{
+    fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {
+        self.mechanism.mass(q)
+    }
+    fn force(&self, state: &State<N>) -> [f64; N] {
+        let (own, more) = (self.mechanism.force(state), self.load.force(state));
+        core::array::from_fn(|j| own[j] + more[j])
+    }
+    fn contacts(&self, state: &State<N>) -> [Contact<N>; C] {
+        self.mechanism.contacts(state)
+    }
+    fn end(&self, state: &State<N>) -> Option<(&'static str, f64)> {
+        self.mechanism.end(state)
+    }
+    fn scale(&self, state: &State<N>) -> State<N> {
+        self.mechanism.scale(state)
+    }
+}
+
+/// Drags of a body with the coordinates `[x, y, angle]`.
+macro_rules! drags {
+    ($( $(#[$doc:meta])+ $drag:ident, $unit:literal, |$coefficient:ident, $v:ident| $force:expr; )+) => { $(
+        $(#[$doc])+
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $drag {
+            coefficient: f64,
+        }
+
+        impl $drag {
+            #[doc = concat!("The drag with this coefficient (", $unit, ", positive).")]
+            ///
+            /// # Errors
+            /// A coefficient that is not positive and finite.
+            pub fn new(coefficient: f64) -> Result<Self> {
+                positive("coefficient of drag", coefficient)?;
+                Ok(Self { coefficient })
+            }
+
+            #[doc = concat!("The coefficient (", $unit, ").")]
+            pub const fn coefficient(&self) -> f64 {
+                self.coefficient
+            }
+        }
+
+        impl Load<3> for $drag {
+            #[inline]
+            fn force(&self, state: &State<3>) -> [f64; 3] {
+                let ($coefficient, $v) = (self.coefficient, state.v);
+                $force
+            }
+        }
+    )+ };
+}
+
+drags! {
+    /// Drag on the centre in proportion to the speed, F = -c v: of what creeps through a liquid.
+    ///
+    /// Range of validity: Reynolds numbers below 1; a ball of radius r has c = 6 pi eta r.
+    /// The number that it is judged by: c v over the driving force.
+    ///
+    /// Source: G. G. Stokes, *Trans. Camb. Phil. Soc.* 9 (1851).
+    LinearDrag, "kg/s", |c, v| [-c * v[0], -c * v[1], 0.0];
+
+    /// Drag on the centre with the square of the speed, F = -c |v| v, c = rho C_d A/2: of what
+    /// moves through air ([`in_air`](QuadraticDrag::in_air)).
+    ///
+    /// Range of validity: Reynolds numbers from 1e3 to 1e5, where C_d of a ball is 0.4 to 0.5
+    /// and that of a cylinder across 1.0 to 1.2. The number that it is judged by: Pi_D =
+    /// rho C_d A v^2/2 over the driving force ([`number`](QuadraticDrag::number)).
+    ///
+    /// Source: H. Schlichting, K. Gersten, *Boundary-Layer Theory*, 1.
+    QuadraticDrag, "kg/m", |c, v| {
+        let speed = hypot(v[0], v[1]);
+        [-c * speed * v[0], -c * speed * v[1], 0.0]
+    };
+
+    /// Drag on the rotation in proportion to its rate, M = -c omega: oil in a bearing, and a
+    /// disc so slow that the air about it is all boundary layer.
+    ///
+    /// The number that it is judged by: c omega over the driving torque.
+    LinearSpinDrag, "N m s", |c, v| [0.0, 0.0, -c * v[2]];
+
+    /// Drag on the rotation with the square of its rate, M = -c |omega| omega: a paddle, or a
+    /// disc in turbulent air but for its exponent of 1.8.
+    ///
+    /// The number that it is judged by: c omega^2 over the driving torque.
+    QuadraticSpinDrag, "N m s^2", |c, v| [0.0, 0.0, -c * v[2].abs() * v[2]];
+}
+
+impl QuadraticDrag {
+    /// The drag of a body with this coefficient C_d and frontal area (m^2) in a medium of this
+    /// density (kg/m^3).
+    ///
+    /// # Errors
+    /// Any of the three that is not positive and finite.
+    pub fn in_air(density: f64, coefficient: f64, area: f64) -> Result<Self> {
+        positive("density", density)?;
+        positive("C_d", coefficient)?;
+        positive("frontal area", area)?;
+        Self::new(0.5 * density * coefficient * area)
+    }
+
+    /// Pi_D: the drag at this speed (m/s) over the driving force (N).
+    pub fn number(&self, speed: f64, driving_force: f64) -> f64 {
+        self.coefficient * speed * speed / driving_force
+    }
+}

@@ -1,0 +1,320 @@
+//! Tops on a rounded tip that slides, creeps, rolls, and falls.
+//!
+//! A symmetric body ends in a ball of the radius r, whose centre lies on the axis, a distance l
+//! below the centre of mass. It stands on a level floor (or on one that slopes a little). Six
+//! coordinates and their momenta are carried; the floor pushes with a normal force N, rubs by
+//! a [law](TipFriction) of your choice, and lets go where N would have to pull. What is not
+//! asked for is not there: friction, [resistances](Resistance) of the contact and
+//! [effects](crate::effects) on the body are types, and absent ones compile to nothing.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Shape`] | mass, moments, lever, tip and rim of the body |
+//! | [`Top`] | the shape, the floor's friction, resistances, effects, and marks to be passed |
+//! | [`Smooth`], [`Dry`], [`Patch`], [`NoSlip`] | the laws of friction |
+//! | [`Drilling`], [`RollingResistance`] | resistances |
+//! | [`Throw`] | how it starts |
+//! | [`Course`] | the motion, with its events |
+//! | [`Stance`], [`Forces`] | what can be asked of a moment |
+//!
+//! The friction of the tip acts at the contact, whose arm from the centre of mass is
+//! -(l e3 + r Z). So it leaves Jellett's integral alone, L . (l e3 + r Z), whatever its size
+//! and whether the tip slides, creeps or rolls; drilling, rolling resistance and air do not.
+//!
+//! Not for: tips that jump (a run ends where the floor lets go); bodies without symmetry; the
+//! fixed tip ([`crate::exact::heavy_top`]).
+//!
+//! Sources: J. H. Jellett, *A Treatise on the Theory of Friction* (1872); E. J. Routh,
+//! *Advanced Rigid Dynamics*; the laws of friction at their types.
+
+mod course;
+mod friction;
+mod motion;
+mod stance;
+
+pub use course::{Course, Throw};
+pub use friction::{
+    Drilling, Dry, Grip, NoSlip, Patch, Resistance, RollingResistance, Smooth, TipFriction,
+};
+pub use motion::{Contact, Phase};
+pub use stance::{Forces, Powers, Stance};
+
+use crate::body::RigidBody;
+use crate::effects::Effect;
+use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::frame::SpaceVector;
+use crate::inertia::PrincipalMoments;
+use crate::math::sincos;
+
+/// A symmetric body that ends in a ball: SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shape {
+    mass: f64,
+    across: f64,
+    axial: f64,
+    lever: f64,
+    tip: f64,
+    rim: Option<[f64; 2]>,
+}
+
+impl Shape {
+    /// The body with this mass (kg), these moments of inertia across and along its axis about
+    /// its centre of mass (kg m^2), this `lever` (m) from the centre of the ball up to the
+    /// centre of mass (negative in a tippe top), and this radius of the `tip` (m).
+    ///
+    /// # Errors
+    /// A mass or moment that is not positive, moments that break the triangle inequality, a
+    /// tip radius below zero, an upright centre of mass that is not above the floor; numbers
+    /// that are not finite.
+    pub fn new(mass: f64, across: f64, axial: f64, lever: f64, tip: f64) -> Result<Self> {
+        positive("mass", mass)?;
+        PrincipalMoments::symmetric(across, axial)?;
+        finite("lever", lever)?;
+        not_negative("tip radius", tip)?;
+        positive("lever + tip radius", lever + tip)?;
+        Ok(Self {
+            mass,
+            across,
+            axial,
+            lever,
+            tip,
+            rim: None,
+        })
+    }
+
+    /// With a rim of this radius (m), so far (m) above the centre of mass: where it touches
+    /// the floor, the top has fallen and the run ends.
+    ///
+    /// # Errors
+    /// A radius that is not positive, a height that is not finite, a rim below the tip.
+    pub fn with_rim(self, radius: f64, height: f64) -> Result<Self> {
+        positive("rim radius", radius)?;
+        finite("height of the rim", height)?;
+        positive(
+            "height of the rim above the floor",
+            self.lever + self.tip + height,
+        )?;
+        Ok(Self {
+            rim: Some([radius, height]),
+            ..self
+        })
+    }
+
+    /// Mass (kg).
+    pub const fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Moments of inertia about the centre of mass, across and along the axis (kg m^2).
+    pub const fn moments(&self) -> [f64; 2] {
+        [self.across, self.axial]
+    }
+
+    /// From the centre of the ball to the centre of mass (m).
+    pub const fn lever(&self) -> f64 {
+        self.lever
+    }
+
+    /// Radius of the tip (m).
+    pub const fn tip(&self) -> f64 {
+        self.tip
+    }
+
+    /// The height (m) of the rim's lowest point; of a body without a rim infinite.
+    pub fn clearance(&self, axis: SpaceVector) -> f64 {
+        let Some([radius, height]) = self.rim else {
+            return f64::INFINITY;
+        };
+        let level = crate::math::hypot(axis.x(), axis.y());
+        self.tip + (self.lever + height) * axis.z() - radius * level
+    }
+}
+
+/// A top on a floor: its shape, the friction `F` of the floor, resistances `R` of the contact
+/// and effects `E` on the body.
+///
+/// ```
+/// use rotation_dynamics::effects::DiscDrag;
+/// use rotation_dynamics::tops::{Contact, Dry, Shape, Throw, Top};
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// // 100 g, its centre of mass 4 cm above the centre of a ball of 5 mm.
+/// let shape = Shape::new(0.1, 4e-5, 4e-5, 0.04, 0.005)?.with_rim(0.03, 0.0)?;
+/// let air = DiscDrag::new(0.03, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, 150.0)?;
+/// let top = Top::new(shape, 9.80665)?.on(Dry::new(0.05)?).in_effect(air)?;
+/// let throw = Throw::spinning(0.3, 150.0).precessing(6.8);
+/// let thrown = top.simulate(&throw, 3.0, 1e-10)?;
+/// // It slides, rises, and grips.
+/// let grips = thrown.event("grips")?;
+/// assert!(grips.t > 0.7 && grips.t < 0.8);
+/// assert_eq!(thrown.phase(2.9)?.contact, Contact::Rolling);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone)]
+pub struct Top<F = Smooth, R = (), E = ()> {
+    shape: Shape,
+    body: RigidBody,
+    gravity: SpaceVector,
+    friction: F,
+    resistance: R,
+    effects: E,
+    marks: Vec<Mark>,
+}
+
+/// What is waited for on the way.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    name: &'static str,
+    margin: fn(&Stance, f64) -> f64,
+    value: f64,
+}
+
+impl Top {
+    /// A top on a smooth level floor, under gravity of this size (m/s^2).
+    ///
+    /// # Errors
+    /// A gravity that is not positive and finite.
+    pub fn new(shape: Shape, gravity: f64) -> Result<Self> {
+        positive("gravity", gravity)?;
+        let body = RigidBody::new(PrincipalMoments::symmetric(shape.across, shape.axial)?);
+        Ok(Self {
+            shape,
+            body,
+            gravity: SpaceVector::new(0.0, 0.0, -gravity),
+            friction: Smooth,
+            resistance: (),
+            effects: (),
+            marks: Vec::new(),
+        })
+    }
+}
+
+impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
+    /// The same on a floor that rubs so.
+    pub fn on<G: TipFriction>(self, friction: G) -> Top<G, R, E> {
+        let Self {
+            shape,
+            body,
+            gravity,
+            resistance,
+            effects,
+            marks,
+            ..
+        } = self;
+        Top {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            effects,
+            marks,
+        }
+    }
+
+    /// The same with one more resistance of the contact.
+    pub fn resisted_by<S: Resistance>(self, resistance: S) -> Top<F, (R, S), E> {
+        let Self {
+            shape,
+            body,
+            gravity,
+            friction,
+            effects,
+            marks,
+            ..
+        } = self;
+        let resistance = (self.resistance, resistance);
+        Top {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            effects,
+            marks,
+        }
+    }
+
+    /// The same with one more effect on the body: a torque about its centre of mass.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for an effect that depends on the time, has break points or a
+    /// potential of its own: none of them is looked at here.
+    pub fn in_effect<G: Effect>(self, effect: G) -> Result<Top<F, R, (E, G)>> {
+        let refused = G::NATURE.on_time || G::NATURE.slips || G::NATURE.keeps.energy;
+        let breaks = effect.break_points().len();
+        if (refused && !G::NATURE.torque_free) || breaks > 0 {
+            return Err(Error::OutOfRange {
+                name: "effect's break points",
+                value: breaks as f64,
+                allowed: "an effect on a top is a torque that takes energy, without break \
+                          points, and does not depend on the time",
+            });
+        }
+        let Self {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            marks,
+            ..
+        } = self;
+        let effects = (self.effects, effect);
+        Ok(Top {
+            shape,
+            body,
+            gravity,
+            friction,
+            resistance,
+            effects,
+            marks,
+        })
+    }
+
+    /// The same on a floor that falls off by this angle (rad) towards X. Z stays the normal of
+    /// the floor.
+    ///
+    /// # Errors
+    /// An angle that is not finite or not below 1 in size.
+    pub fn sloping(self, angle: f64) -> Result<Self> {
+        finite("slope", angle)?;
+        if angle.abs() >= 1.0 {
+            return Err(Error::OutOfRange {
+                name: "slope",
+                value: angle,
+                allowed: "its size must be less than 1 rad",
+            });
+        }
+        let (size, (s, c)) = (self.gravity.norm(), sincos(angle));
+        let gravity = SpaceVector::new(size * s, 0.0, -size * c);
+        Ok(Self { gravity, ..self })
+    }
+
+    /// The same, waiting for one more event: that `margin(stance, value)` falls through zero.
+    /// Marks are waited for one after the other, in the order in which they are given.
+    #[must_use]
+    pub fn passing(
+        mut self,
+        name: &'static str,
+        value: f64,
+        margin: fn(&Stance, f64) -> f64,
+    ) -> Self {
+        self.marks.push(Mark {
+            name,
+            margin,
+            value,
+        });
+        self
+    }
+
+    /// Its shape.
+    pub const fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// Gravity on the axes of the floor (m/s^2).
+    pub const fn gravity(&self) -> SpaceVector {
+        self.gravity
+    }
+}

@@ -1,0 +1,51 @@
+//! The page on effects: predictions hold for all parameters, and what is refused.
+
+use crate::told::{confirmed, refused};
+use pages::effects::*;
+use support::Errors;
+
+#[test]
+fn predictions_hold_for_every_gyroscope() {
+    let runs = [
+        "--spin 250 --seconds 20",
+        "--spin 1000 --seconds 1",
+        "--pivot 0",
+        "--pivot 3e-4 --spin 250",
+        "--tolerance 1e-9",
+    ];
+    confirmed(&EXAMPLE, runs, 5);
+}
+
+#[test]
+fn what_is_no_gyroscope_is_refused() {
+    let runs = [
+        ("--spin 0", "spin = 0 is not allowed"),
+        ("--seconds 100", "seconds = 100 is not allowed"),
+        ("--pivot -1", "pivot = -1 is not allowed"),
+        ("--tolerance 1", "tolerance = 1 is not allowed"),
+    ];
+    refused(&EXAMPLE, runs);
+}
+
+/// Linear: half the effect, half the error; simulated with a hundred
+/// times the friction it is not so.
+#[test]
+fn half_of_a_small_effect_costs_half() {
+    let (mut errors, mut damaged) = (Errors::of("ratio less two"), Errors::of("far from linear"));
+    for spin in [250.0, 500.0] {
+        let p = Parameters { spin, ..Parameters::default() };
+        let half = Parameters { pivot: 0.5 * p.pivot, ..p.clone() };
+        let predicted = |p: &Parameters| {
+            let effect = desk::gyroscope(p).pivot();
+            question(p).unwrap().predicted(&effect).unwrap().predicted
+        };
+        errors.push(predicted(&p) / predicted(&half) - 2.0);
+        let simulated = |pivot: f64| {
+            let strong = desk::Spinner { pivot, ..desk::gyroscope(&p) };
+            question(&p).unwrap().simulated(strong.pivot(), 1e-6).unwrap()
+        };
+        damaged.push(simulated(1e-2) / simulated(5e-3) - 2.0);
+    }
+    errors.attain(0.0..=0.0, 2);
+    damaged.exceed(0.01, 2);
+}
