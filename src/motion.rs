@@ -98,21 +98,28 @@ const LINEAR: f64 = 1e-3;
 pub(crate) fn felt(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
     let mut by = 1e-6;
     let mut known = 0.0_f64;
+    let mut refused = None;
     while by > 1e-300 {
         // At the end of a range there may be one side only.
         let most = match (moved(by), moved(-by)) {
             (Ok(Some(a)), Ok(Some(b))) => a.max(b),
             (Ok(Some(a)), _) | (_, Ok(Some(a))) => a,
-            (Err(error), Err(_)) => return Err(error),
+            // A needle has no neighbours but near ones.
+            (Err(error), Err(_)) => {
+                refused = Some(error);
+                by *= 1e-3;
+                continue;
+            }
             _ => break,
         };
+        refused = None;
         known = known.max(most / by);
         if most <= LINEAR {
             return Ok(most / by);
         }
         by *= 1e-3;
     }
-    Ok(known)
+    refused.map_or(Ok(known), Err)
 }
 
 /// `x` with a part `by` of it added, if doubles have it to a tenth of the change.

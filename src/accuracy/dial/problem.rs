@@ -421,10 +421,30 @@ impl<'e> Problem<'e> {
         feeler: &Feeler,
         mut motions: impl FnMut(f64) -> Result<(Vec<State>, Vec<Vec<State>>)>,
     ) -> Result<Apart> {
-        let mut coarser: Option<Apart> = None;
+        // The change before this one, its slopes, and how far it went.
+        let mut coarser: Option<(f64, Apart, f64)> = None;
+        // Slopes that wait for a finer change to bear them out.
+        let mut waiting: Option<Apart> = None;
         for &by in feeler.changes {
             let (slopes, farthest) = self.slopes(by, motions(by)?);
+            let smallest = by <= feeler.smallest();
             if farthest <= feeler.linear {
+                let unsure = waiting.is_none();
+                let slopes = waiting.map_or(slopes, |waiting| {
+                    [0, 1, 2].map(|i| larger(slopes[i], waiting[i]))
+                });
+                if let Some((before, _, went)) = coarser
+                    && unsure
+                    && went > FAR
+                {
+                    if !smallest {
+                        waiting = Some(slopes);
+                        continue;
+                    }
+                    if slopes[0] * before < GATHERED * feeler.linear {
+                        return Ok([f64::INFINITY; 3]);
+                    }
+                }
                 let Some(again) = feeler.again.filter(|again| *again < by) else {
                     return Ok(slopes);
                 };
@@ -436,13 +456,14 @@ impl<'e> Problem<'e> {
                     slopes
                 });
             }
-            if by <= feeler.smallest() {
+            if smallest {
                 // A slope, if it is the same as that of a larger change.
-                let same = coarser.is_some_and(|coarser| slopes[0] <= STRAIGHT * coarser[0]);
+                let same = coarser.is_some_and(|(_, slope, _)| slopes[0] <= STRAIGHT * slope[0]);
                 let known = same && farthest <= LOST;
                 return Ok(if known { slopes } else { [f64::INFINITY; 3] });
             }
-            coarser = Some(slopes);
+            waiting = None;
+            coarser = Some((by, slopes, farthest));
         }
         Ok([f64::INFINITY; 3])
     }
@@ -478,6 +499,16 @@ const BLURRED: f64 = 2.0;
 
 /// Slopes of two changes are one slope if they differ by no more than this.
 const STRAIGHT: f64 = 10.0;
+
+/// An end that moves by more than this (rad) has gone far. If it hardly moves by a smaller
+/// change, that may be a slope; or the end is where all motions wait for a while, as a top
+/// does that has all but stopped on the vertical: they gather there, and part again. A
+/// finer change tells.
+const FAR: f64 = 0.5;
+
+/// Where none is left: a slope by which the next larger change would have moved the end by
+/// less than this part of what is linear, where in truth it went far, is none.
+const GATHERED: f64 = 1e-2;
 
 /// An attitude that moves by more than this (rad) when the inputs change as little as
 /// doubles can: nothing is known of it.

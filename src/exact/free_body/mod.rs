@@ -93,9 +93,9 @@ impl FreeBody {
     ///
     /// # Errors
     /// `NotFinite` for a NaN or infinite rate, or an energy beyond `f64`;
-    /// `RatesTooFarApart` for a fastest rate outside 1e-230 to 1e230 rad/s (but 0: rest), while
-    /// the others may be as small as doubles are; `OutOfRange` for a needle of three
-    /// different moments with I_min/I_max below 1e-120.
+    /// `OutOfRange` for a fastest rate outside 1e-230 to 1e230 rad/s (but 0: rest), while
+    /// the others may be as small as doubles are, and for a needle of three different moments
+    /// with I_min/I_max below 1e-120.
     pub fn new(
         moments: PrincipalMoments,
         attitude: Attitude,
@@ -111,7 +111,11 @@ impl FreeBody {
         }
         let fastest = omega.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
         if fastest > 0.0 && !(1e-230..=1e230).contains(&fastest) {
-            return Err(Error::RatesTooFarApart { fastest });
+            return Err(Error::OutOfRange {
+                name: "fastest rate",
+                value: fastest,
+                allowed: "0, or from 1e-230 to 1e230 rad/s",
+            });
         }
         for (moment, rate) in moments.iter().zip(omega) {
             finite("I omega^2", moment * rate * rate)?;

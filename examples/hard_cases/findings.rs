@@ -1,0 +1,258 @@
+//! What an attack on the library found, each as it was found: scenes that were once promised
+//! too much, ran for ever, or gave no number.
+
+use super::forms::Form;
+use super::motions::{By, Motion};
+use super::naive::{on_euler_angles, on_quaternion};
+use super::table::{Cell, Family, Naive, Row};
+use rotation_dynamics::Result;
+use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, Torque};
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::Method;
+use rotation_dynamics::math::{expm1, log, sin, sincos};
+use rotation_dynamics::scene::Scene;
+
+pub const FAMILY: Family = Family {
+    key: "findings",
+    title: "Found by attack",
+    cure: "the dial feels the condition on changes down to the smallest that doubles have, counts its torques, and says no",
+    methods: &["the dial"],
+    forms: &Form::NAMES,
+    rows,
+};
+
+fn turned(phi: f64, theta: f64, zeta: f64) -> Result<Attitude> {
+    Attitude::from_euler(EulerAngles { phi, theta, zeta })
+}
+
+/// What everyone does first, and where it gets to.
+type Simple = fn(&Motion) -> (&'static str, Option<Attitude>);
+
+/// A run of DOP853 at its tightest, and nobody asks whether it can be right.
+fn believed(motion: &Motion) -> (&'static str, Option<Attitude>) {
+    let end = motion.reached(By::Steps(Method::Dop853), Form::Quaternion, 0.0);
+    ("one run of DOP853 at 1e-15, believed", end.ok())
+}
+
+fn on_angles(motion: &Motion) -> (&'static str, Option<Attitude>) {
+    (
+        "RK4 on Euler angles, 2000 steps",
+        on_euler_angles(motion, 2000),
+    )
+}
+
+fn coarse(motion: &Motion) -> (&'static str, Option<Attitude>) {
+    (
+        "RK4 on quaternion and rates, 100 steps",
+        on_quaternion(motion, 100),
+    )
+}
+
+/// A motion with a closed form, of which this error is asked.
+fn asked(
+    [case, wrong]: [&'static str; 2],
+    by: By,
+    (motion, naive): (&Motion, Simple),
+    tolerance: f64,
+) -> Result<Row> {
+    let plain = motion.truth_as_given(Form::Quaternion)?;
+    let (method, reached) = naive(motion);
+    let mut cells = Vec::new();
+    for form in Form::ALL {
+        let truth = motion.truth_as_given(form)?;
+        let answer = motion.reached(by, form, tolerance);
+        let answer = answer.map(|end| truth.angle_to(&end));
+        cells.push(Cell::of(
+            (case, "the dial", form.name()),
+            answer,
+            tolerance,
+        )?);
+    }
+    let naive = Naive {
+        method,
+        error: reached.map_or(f64::NAN, |end| plain.angle_to(&end)),
+    };
+    let condition = motion.conditions()?[1];
+    Ok(Row {
+        case,
+        wrong,
+        condition,
+        naive,
+        cells,
+    })
+}
+
+/// Any other scene: a budget of a million torques.
+fn scene<E: Effect>(
+    [case, wrong]: [&'static str; 2],
+    scene: &Scene<E>,
+    (attitude, rates): (Attitude, BodyVector),
+    (end, tolerance): (f64, f64),
+    truth: Option<Attitude>,
+) -> Result<Row> {
+    let limits = Limits {
+        budget: 1_000_000,
+        ..Limits::default()
+    };
+    let off = |end: &State| truth.map_or(f64::NAN, |truth| truth.angle_to(&end.attitude));
+    let mut condition = f64::NAN;
+    let mut cells = Vec::new();
+    for form in Form::ALL {
+        let start = scene.body().state(form.through(attitude)?, rates)?;
+        let solved = scene.solve_with(&start, end, tolerance, &limits);
+        if let Ok(solved) = &solved {
+            condition = solved.condition;
+        }
+        let delivered = solved.and_then(|solved| form.through(solved.state.attitude));
+        let answer = delivered.map(|end| truth.map_or(f64::NAN, |truth| truth.angle_to(&end)));
+        cells.push(Cell::of(
+            (case, "the dial", form.name()),
+            answer,
+            tolerance,
+        )?);
+    }
+    let steps = Carrier::new(Method::Rk4, Fineness::Steps(1000))?;
+    let start = scene.body().state(attitude, rates)?;
+    let plain = steps.advance_as_usual(scene, [0.0, end], &start);
+    let naive = Naive {
+        method: "RK4, 1000 steps",
+        error: plain.map_or(f64::NAN, |(end, _)| off(&end)),
+    };
+    Ok(Row {
+        case,
+        wrong,
+        condition,
+        naive,
+        cells,
+    })
+}
+
+fn rows() -> Result<Vec<Row>> {
+    let mut rows = Vec::new();
+    separatrices(&mut rows)?;
+    inverted(&mut rows)?;
+    endless(&mut rows)?;
+    Ok(rows)
+}
+
+/// Granted once 4e-5, 1e-10, 3e-3 and 1e-3 rad, and off by 0.046, 1.4e-6, 3.14 and 1.83.
+fn separatrices(rows: &mut Vec<Row>) -> Result<()> {
+    let tilted = turned(0.3, 0.8, 0.2)?;
+    let middle = Motion::free(
+        [1.0, 2.0, 2.5],
+        turned(1.0, 0.5, 2.0)?,
+        [0.0, 1.0, 0.0],
+        100.0,
+    );
+    let off = Motion::free([1.0, 2.0, 2.5], tilted, [5e-15, 1.0, 0.0], 100.0);
+    let longer = Motion::free([1.0, 1.5, 2.0], tilted, [0.0, 1.0, 0.0], 200.0);
+    let (rate, (s, c)) = (2.0 * sin(1.25), sincos(1.0));
+    let up = Motion::top(
+        [1.0, 0.5],
+        1.0,
+        turned(0.3, 2.5, 1.0)?,
+        [rate * c, -rate * s, 0.0],
+        80.0,
+    );
+    let felt = "a condition felt on changes of 1e-12 is that of a tame motion";
+    for (case, by, motion, tolerance) in [
+        ("middle axis, 100 s", By::Request, &middle, 4e-5),
+        ("middle axis, 100 s, stepped", By::Dial, &middle, 4e-5),
+        ("5e-15 off the middle axis, 100 s", By::Request, &off, 1e-10),
+        ("middle axis of another, 200 s", By::Request, &longer, 3e-3),
+        ("a top that just gets up, 80 s", By::Request, &up, 1e-3),
+        ("the same, stepped", By::Dial, &up, 1e-3),
+    ] {
+        rows.push(asked([case, felt], by, (motion, believed), tolerance)?);
+    }
+    // A set-up that did not return.
+    let tiny = Motion::free([1.0, 2.0, 2.5], tilted, [4e-81, 4e-81, 1.0], 30.0);
+    let words = [
+        "rates of 4e-81 beside one of 1 rad/s",
+        "an argument beside 1e-81 was halved for ever",
+    ];
+    rows.push(asked(words, By::Request, (&tiny, coarse), 1e-9)?);
+    Ok(())
+}
+
+/// Released upside down at rest: taken for the motion that never leaves, and then no number.
+fn inverted(rows: &mut Vec<Row>) -> Result<()> {
+    let down = turned(0.597, core::f64::consts::PI, -7.354)?;
+    let moment = -46.246_407_947_939_46 * 0.043_441_341_552_221_39;
+    let wrong = "pi as a double is 6e-17 off, which is a fall";
+    let weak = Motion::top([0.3, 0.5], -0.00981, down, [0.0; 3], 200.0);
+    let strong = Motion::top([1.0, 1.0], moment, down, [0.0; 3], 1000.0);
+    for (case, motion, tolerance) in [
+        ("inverted at rest, a weak weight, 200 s", &weak, 1e-6),
+        ("inverted at rest, 1000 s", &strong, 1e-6),
+    ] {
+        rows.push(asked(
+            [case, wrong],
+            By::Request,
+            (motion, on_angles),
+            tolerance,
+        )?);
+    }
+    Ok(())
+}
+
+/// Scenes that ran without end, and one in which the truth cost the answer.
+fn endless(rows: &mut Vec<Row>) -> Result<()> {
+    let moments = PrincipalMoments::new(1.0, 1.3, 1.7)?;
+    let free = Scene::new(RigidBody::new(moments));
+    let rates = BodyVector::new(0.3, 0.2, 1.0);
+    let start = (turned(0.3, 0.8, 0.2)?, rates);
+
+    let rate = log(300.0) / 10.0;
+    let driven = Torque::on_space("drive", move |_, _: &RigidBody, state: &State| {
+        state.angular_momentum * rate
+    });
+    // L grows as exp(p t): a free motion in the time (exp(p t) - 1)/p.
+    let inner = expm1(rate * 10.0) / rate;
+    let truth = FreeBody::new(moments, start.0, rates)?.attitude(inner);
+    let words = [
+        "momentum that grows 300 times",
+        "a probe that fails must not end the answer",
+    ];
+    rows.push(scene(
+        words,
+        &free.with(driven.smooth()),
+        start,
+        (10.0, 1e-8),
+        Some(truth),
+    )?);
+
+    let friction = Torque::on_space("dry friction", |_, _: &RigidBody, state: &State| {
+        let l = state.angular_momentum;
+        l * (-0.1 / l.norm().max(1e-300))
+    });
+    let words = [
+        "dry friction on L, to a stop",
+        "the torque turns about within a rounding of L",
+    ];
+    rows.push(scene(
+        words,
+        &free.with(friction),
+        start,
+        (40.0, 1e-6),
+        None,
+    )?);
+
+    let brake = Torque::on_space("brake", |_, _: &RigidBody, state: &State| {
+        state.angular_momentum * -1e7
+    });
+    let words = ["a brake of 1e7/s for 100 s", "a billion stable steps"];
+    rows.push(scene(words, &free.with(brake), start, (100.0, 1e-6), None)?);
+
+    let wrong = Torque::on_space("no number", |t, _: &RigidBody, _: &State| {
+        SpaceVector::new(0.0, 0.0, if t > 0.5 { f64::NAN } else { 1.0 })
+    });
+    let words = ["a torque that is no number", "NaN compares as nothing"];
+    rows.push(scene(words, &free.with(wrong), start, (1.0, 1e-6), None)?);
+    Ok(())
+}

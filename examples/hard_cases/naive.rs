@@ -1,0 +1,227 @@
+//! The methods that everyone writes first. Not for use: they are here to break.
+
+use super::motions::Motion;
+use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
+use rotation_dynamics::math::{acos, asin, atan2, cos, sin, sincos};
+
+/// A step of the classical Runge-Kutta method.
+fn rk4<const N: usize>(f: &impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], h: f64) -> [f64; N] {
+    let add = |k: &[f64; N], part: f64| core::array::from_fn(|i| y[i] + part * h * k[i]);
+    let a = f(y);
+    let b = f(&add(&a, 0.5));
+    let c = f(&add(&b, 0.5));
+    let d = f(&add(&c, 1.0));
+    core::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
+}
+
+fn steps<const N: usize>(
+    f: impl Fn(&[f64; N]) -> [f64; N],
+    mut y: [f64; N],
+    end: f64,
+    count: u32,
+) -> [f64; N] {
+    for _ in 0..count {
+        y = rk4(&f, &y, end / f64::from(count));
+    }
+    y
+}
+
+/// Euler's equations, with the torque of a weight on the third axis.
+fn rates_of(motion: &Motion, [p, q, r]: [f64; 3], [g1, g2]: [f64; 2]) -> [f64; 3] {
+    let [i1, i2, i3] = motion.moments;
+    let pull = motion.gravity.map_or(0.0, |[weight, lever]| weight * lever);
+    [
+        ((i2 - i3) * q * r + pull * g2) / i1,
+        ((i3 - i1) * r * p - pull * g1) / i2,
+        (i1 - i2) * p * q / i3,
+    ]
+}
+
+/// RK4 on the Euler angles of the notes and the body's rates, with 1/sin(theta) in them.
+pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
+    let EulerAngles { phi, theta, zeta } = motion.attitude.euler_angles();
+    let [p, q, r] = motion.rates;
+    let slope = |&[_, theta, zeta, p, q, r]: &[f64; 6]| {
+        let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
+        let turn = (p * sz + q * cz) / s;
+        let [a, b, d] = rates_of(motion, [p, q, r], [s * sz, s * cz]);
+        [turn, p * cz - q * sz, r - turn * c, a, b, d]
+    };
+    let [phi, theta, zeta, ..] = steps(slope, [phi, theta, zeta, p, q, r], motion.end, count);
+    Attitude::from_euler(EulerAngles { phi, theta, zeta }).ok()
+}
+
+/// RK4 on yaw, pitch and roll, with 1/cos(pitch) in their rates.
+pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
+    let YawPitchRoll { yaw, pitch, roll } = motion.attitude.yaw_pitch_roll();
+    let [p, q, r] = motion.rates;
+    let slope = |&[_, pitch, roll, p, q, r]: &[f64; 6]| {
+        let ((s, c), (sr, cr)) = (sincos(pitch), sincos(roll));
+        let turn = (q * sr + r * cr) / c;
+        let [a, b, d] = rates_of(motion, [p, q, r], [-s, c * sr]);
+        [turn, q * cr - r * sr, p + turn * s, a, b, d]
+    };
+    let [yaw, pitch, roll, ..] = steps(slope, [yaw, pitch, roll, p, q, r], motion.end, count);
+    Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()
+}
+
+/// The tilt by the arc cosine of the axis's height, the others by arc tangents of elements of
+/// the matrix: the formulas of every textbook.
+pub fn by_arc_cosine(attitude: Attitude) -> Option<Attitude> {
+    let m = attitude.matrix();
+    let angles = EulerAngles {
+        phi: atan2(m[0][2], -m[1][2]),
+        theta: acos(m[2][2].clamp(-1.0, 1.0)),
+        zeta: atan2(m[2][0], m[2][1]),
+    };
+    Attitude::from_euler(angles).ok()
+}
+
+/// A quaternion from the trace of the matrix, divided by its scalar part.
+pub fn by_trace(attitude: Attitude) -> Option<Attitude> {
+    let m = attitude.matrix();
+    let w = 0.5 * (1.0 + m[0][0] + m[1][1] + m[2][2]).max(0.0).sqrt();
+    let part = |a: f64, b: f64| (a - b) / (4.0 * w);
+    let q = [
+        w,
+        part(m[2][1], m[1][2]),
+        part(m[0][2], m[2][0]),
+        part(m[1][0], m[0][1]),
+    ];
+    Attitude::from_quaternion(q).ok()
+}
+
+/// The same motion with the first moment larger by a billionth, "so that nothing is 0/0".
+pub fn jittered(motion: &Motion) -> Option<Attitude> {
+    let mut other = *motion;
+    other.moments[0] *= 1.0 + 1e-9;
+    other.truth().ok()
+}
+
+/// sn, cn and dn of the parameter m, with 1 - m formed by subtraction.
+pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
+    let mut a = [1.0; 32];
+    let mut c = [0.0; 32];
+    let (mut b, mut n) = ((1.0 - m).max(0.0).sqrt(), 0);
+    c[0] = m.sqrt();
+    while n < 30 && c[n].abs() > 1e-16 {
+        a[n + 1] = 0.5 * (a[n] + b);
+        c[n + 1] = 0.5 * (a[n] - b);
+        b = (a[n] * b).sqrt();
+        n += 1;
+    }
+    let mut phi = a[n] * u * f64::from(1_u32 << n);
+    for k in (1..=n).rev() {
+        phi = 0.5 * (phi + asin((c[k] / a[k] * sin(phi)).clamp(-1.0, 1.0)));
+    }
+    let (sn, cn) = sincos(phi);
+    [sn, cn, (1.0 - m * sn * sn).max(0.0).sqrt()]
+}
+
+/// Landau's formulas for the rates of a body that starts on the middle axis, all differences
+/// of moments and energies as they stand there. In rising order of the moments.
+pub fn rates_by_landau(motion: &Motion) -> [f64; 3] {
+    let [i1, i2, i3] = motion.moments;
+    let [p, q, r] = motion.rates;
+    let twice = i1 * p * p + i2 * q * q + i3 * r * r;
+    let square = i1 * i1 * p * p + i2 * i2 * q * q + i3 * i3 * r * r;
+    let k2 = (i2 - i1) * (twice * i3 - square) / ((i3 - i2) * (square - twice * i1));
+    let rate = ((i3 - i2) * (square - twice * i1) / (i1 * i2 * i3)).sqrt();
+    let largest = [
+        ((twice * i3 - square) / (i1 * (i3 - i1))).max(0.0).sqrt(),
+        ((twice * i3 - square) / (i2 * (i3 - i2))).max(0.0).sqrt(),
+        ((square - twice * i1) / (i3 * (i3 - i1))).max(0.0).sqrt(),
+    ];
+    // At the turning point of the middle rate a quarter of a period has passed.
+    let quarter = core::f64::consts::FRAC_PI_2 / mean(1.0, (1.0 - k2).max(0.0).sqrt());
+    let [sn, cn, dn] = jacobi(rate * motion.end + quarter, k2);
+    [largest[0] * cn, largest[1] * sn, largest[2] * dn]
+}
+
+/// The arithmetic-geometric mean.
+fn mean(mut a: f64, mut b: f64) -> f64 {
+    for _ in 0..60 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    a
+}
+
+/// RK4 on the quaternion and the body's rates, with nothing kept.
+pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
+    let [w, x, y, z] = motion.attitude.quaternion();
+    let [p, q, r] = motion.rates;
+    let slope = |&[w, x, y, z, p, q, r]: &[f64; 7]| {
+        let vertical = [2.0 * (x * z - w * y), 2.0 * (y * z + w * x)];
+        let [a, b, c] = rates_of(motion, [p, q, r], vertical);
+        [
+            0.5 * (-x * p - y * q - z * r),
+            0.5 * (w * p + y * r - z * q),
+            0.5 * (w * q + z * p - x * r),
+            0.5 * (w * r + x * q - y * p),
+            a,
+            b,
+            c,
+        ]
+    };
+    let [w, x, y, z, ..] = steps(slope, [w, x, y, z, p, q, r], motion.end, count);
+    Attitude::from_quaternion([w, x, y, z]).ok()
+}
+
+/// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a
+/// turning point the root is zero, and the motion stays there.
+pub fn tilt_by_energy(motion: &Motion, count: u32) -> f64 {
+    let [i1, _, i3] = motion.moments;
+    let [p, q, r] = motion.rates;
+    let pull = motion.gravity.map_or(0.0, |[weight, lever]| weight * lever);
+    let EulerAngles { theta, zeta, .. } = motion.attitude.euler_angles();
+    let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
+    let (along, across) = (p * cz - q * sz, p * sz + q * cz);
+    let own = i3 * r;
+    let vertical = i1 * across * s + own * c;
+    let energy = 0.5 * i1 * (along * along + across * across) + pull * c;
+    let sign = if along < 0.0 { -1.0 } else { 1.0 };
+    let slope = |&[theta]: &[f64; 1]| {
+        let (s, c) = sincos(theta);
+        let turn = (vertical - own * c) / (i1 * s);
+        let left = 2.0 * (energy - pull * c) / i1 - turn * turn;
+        [sign * left.max(0.0).sqrt()]
+    };
+    steps(slope, [theta], motion.end, count)[0]
+}
+
+/// The smaller turning point of a top (the notes' a, b, c and E~) by the trigonometric formula
+/// for the roots of a cubic, from its coefficients.
+pub fn turning_point([a, b, c]: [f64; 3], energy: f64) -> f64 {
+    let [p, q, r] = [
+        -(2.0 * energy + 2.0 * c + a) / (2.0 * c),
+        (2.0 * a * b - 2.0 * c) / (2.0 * c),
+        (2.0 * energy + 2.0 * c - a * b * b) / (2.0 * c),
+    ];
+    let [linear, constant] = [q - p * p / 3.0, 2.0 * p * p * p / 27.0 - p * q / 3.0 + r];
+    let size = (-linear / 3.0).sqrt();
+    let angle = acos((-constant / (2.0 * size * size * size)).clamp(-1.0, 1.0)) / 3.0;
+    let third = core::f64::consts::TAU / 3.0;
+    let mut roots = [0.0, 1.0, 2.0].map(|k| 2.0 * size * cos(angle - k * third) - p / 3.0);
+    roots.sort_by(f64::total_cmp);
+    acos(roots[1])
+}
+
+/// A body that is left as it is if nothing turns faster than this (rad/s): it "sleeps".
+pub fn asleep(motion: &Motion, below: f64) -> Option<Attitude> {
+    let fastest = motion.rates.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
+    if fastest < below {
+        return Some(motion.attitude);
+    }
+    motion.truth().ok()
+}
+
+/// 1e-30 kg m^2 added to each moment before it divides the momentum, "so that nothing is
+/// divided by zero".
+pub fn guarded(motion: &Motion) -> Option<Attitude> {
+    let mut other = *motion;
+    for i in 0..3 {
+        other.moments[i] += 1e-30;
+        other.rates[i] *= motion.moments[i] / other.moments[i];
+    }
+    other.truth().ok()
+}

@@ -1,0 +1,240 @@
+//! The truth where doubles are not enough: Taylor series of order 36 in pairs of doubles.
+//!
+//! Euler's equations on the body's axes, with or without a weight on the third, and the
+//! quaternion that they turn. Every product is quadratic, so a coefficient of the series is a
+//! sum of products of those before it; no angle, no elliptic function and no method of the
+//! library has a part in it. Of 32 digits a run of a hundred radians leaves about 28.
+
+use rotation_dynamics::Result;
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::State;
+use rotation_dynamics::frame::BodyVector;
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::math::{DoubleDouble as Dd, pow};
+
+const ORDER: usize = 36;
+
+/// What the last coefficients of a series may leave of the sum.
+const LEFT: f64 = 1e-32;
+
+/// The coefficients of a series in the time.
+type Series = [Dd; ORDER + 1];
+
+/// A body, with a weight on its third axis or none, in units of time in which it turns by
+/// about a radian.
+pub struct Truth {
+    moments: [f64; 3],
+    /// Weight times lever, in these units.
+    pull: Dd,
+    /// How many of these units a second has: a power of two.
+    per_second: f64,
+}
+
+/// Quaternion, rates and vertical on the body's axes.
+#[derive(Clone)]
+pub struct Place {
+    pub quaternion: [Dd; 4],
+    rates: [Dd; 3],
+    vertical: [Dd; 3],
+}
+
+impl Truth {
+    /// For a motion of these moments (kg m^2), weight (N) and lever (m) that begins with these
+    /// rates (rad/s).
+    pub fn new(moments: PrincipalMoments, weight: f64, lever: f64, rates: BodyVector) -> Self {
+        let moments = moments.to_array();
+        let least = moments.iter().copied().fold(f64::INFINITY, f64::min);
+        let pulled = (weight * lever.abs() / least).sqrt();
+        let fastest = rates.to_array().iter().fold(pulled, |m, w| m.max(w.abs()));
+        let per_second = power_of_two(fastest);
+        Self {
+            moments,
+            pull: Dd::product(weight, lever)
+                .scaled(1.0 / per_second)
+                .scaled(1.0 / per_second),
+            per_second,
+        }
+    }
+
+    /// A start.
+    pub fn place(&self, attitude: Attitude, rates: BodyVector) -> Place {
+        let q = attitude.quaternion().map(Dd::from);
+        let length = q.iter().fold(Dd::ZERO, |sum, c| sum + c.square()).sqrt();
+        let [w, x, y, z] = q.map(|c| c / length);
+        Place {
+            quaternion: [w, x, y, z],
+            rates: rates.to_array().map(|r| Dd::from(r / self.per_second)),
+            vertical: [
+                (x * z - w * y) * 2.0,
+                (y * z + w * x) * 2.0,
+                w.square() + z.square() - x.square() - y.square(),
+            ],
+        }
+    }
+
+    /// A start given by its angular momentum in space: I^-1 R^T L to all digits.
+    pub fn place_of(&self, state: &State) -> Place {
+        let mut place = self.place(state.attitude, BodyVector::zero());
+        let momentum = state.angular_momentum.to_array().map(Dd::from);
+        let [_, x, y, z] = product(
+            product(
+                conjugate(place.quaternion),
+                [Dd::ZERO, momentum[0], momentum[1], momentum[2]],
+            ),
+            place.quaternion,
+        );
+        let [i1, i2, i3] = self.moments;
+        place.rates = [x / i1, y / i2, z / i3].map(|rate| rate.scaled(1.0 / self.per_second));
+        place
+    }
+
+    /// Where it is after `t` (s).
+    pub fn after(&self, place: &Place, t: Dd) -> Place {
+        let mut left = t.scaled(self.per_second);
+        let mut now = place.clone();
+        while left != 0.0 {
+            let series = self.series(&now);
+            let step = reach(&series);
+            let step = if left.abs() <= step {
+                left
+            } else {
+                Dd::from(step.copysign(left.to_f64()))
+            };
+            now = sum(&series, step);
+            left -= step;
+        }
+        now
+    }
+
+    /// The attitude at a late time of a free body whose rates have about this period (s): the
+    /// rotation of one period, taken to a power.
+    pub fn late(&self, start: &Place, period: f64, t: f64) -> Result<Attitude> {
+        let once = self.after(start, Dd::from(period));
+        // The period to all digits, by a step of Newton's method along the path.
+        let slope = self.slope(start);
+        let (mut along, mut square) = (Dd::ZERO, Dd::ZERO);
+        for (i, slope) in slope.iter().enumerate() {
+            along += (once.rates[i] - start.rates[i]) * *slope;
+            square += slope.square();
+        }
+        let period = Dd::from(period) - (along / square).scaled(1.0 / self.per_second);
+        let once = self.after(start, period);
+        let turn = product(once.quaternion, conjugate(start.quaternion));
+        let count = (Dd::from(t) / period).round();
+        let rest = self.after(start, Dd::from(t) - period * count);
+        let quaternion = product(to_the_power(turn, count), rest.quaternion);
+        Place { quaternion, ..rest }.attitude()
+    }
+
+    /// The rates' own rates.
+    fn slope(&self, place: &Place) -> [Dd; 3] {
+        let series = self.series(place);
+        [4, 5, 6].map(|i| series[i][1])
+    }
+
+    fn series(&self, place: &Place) -> [Series; 10] {
+        let [i1, i2, i3] = self.moments;
+        let ratios = [
+            Dd::sum(i2, -i3) / i1,
+            Dd::sum(i3, -i1) / i2,
+            Dd::sum(i1, -i2) / i3,
+        ];
+        let pulls = [self.pull / i1, self.pull / -i2];
+        let mut y = [[Dd::ZERO; ORDER + 1]; 10];
+        let parts = place
+            .quaternion
+            .iter()
+            .chain(&place.rates)
+            .chain(&place.vertical);
+        for (series, part) in y.iter_mut().zip(parts) {
+            series[0] = *part;
+        }
+        for n in 0..ORDER {
+            let [w, x, yy, z, p, q, r, g1, g2, g3] = &y;
+            let of =
+                |a: &Series, b: &Series| (0..=n).fold(Dd::ZERO, |sum, k| sum + a[k] * b[n - k]);
+            let slopes = [
+                (of(x, p) + of(yy, q) + of(z, r)).scaled(-0.5),
+                (of(w, p) + of(yy, r) - of(z, q)).scaled(0.5),
+                (of(w, q) + of(z, p) - of(x, r)).scaled(0.5),
+                (of(w, r) + of(x, q) - of(yy, p)).scaled(0.5),
+                of(q, r) * ratios[0] + g2[n] * pulls[0],
+                of(r, p) * ratios[1] + g1[n] * pulls[1],
+                of(p, q) * ratios[2],
+                of(g2, r) - of(g3, q),
+                of(g3, p) - of(g1, r),
+                of(g1, q) - of(g2, p),
+            ];
+            for (series, slope) in y.iter_mut().zip(slopes) {
+                series[n + 1] = slope / (n + 1) as f64;
+            }
+        }
+        y
+    }
+}
+
+impl Place {
+    /// The attitude, rounded once.
+    pub fn attitude(&self) -> Result<Attitude> {
+        Attitude::from_quaternion(self.quaternion.map(Dd::to_f64))
+    }
+
+    /// The rates on the body's axes, in the units of the truth.
+    pub fn rates(&self) -> [f64; 3] {
+        self.rates.map(Dd::to_f64)
+    }
+}
+
+/// The power of two just below a number, the least normal one at least; 1 for 0.
+fn power_of_two(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    if x == 0.0 {
+        return 1.0;
+    }
+    f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
+}
+
+/// The longest step that the last coefficients allow.
+fn reach(series: &[Series; 10]) -> f64 {
+    let last = |n: usize| {
+        let largest = series.iter().fold(0.0, |m: f64, s| m.max(s[n].hi().abs()));
+        pow(LEFT / largest.max(1e-300), 1.0 / n as f64)
+    };
+    last(ORDER).min(last(ORDER - 1))
+}
+
+fn sum(series: &[Series; 10], h: Dd) -> Place {
+    let at = |i: usize| series[i].iter().rev().fold(Dd::ZERO, |sum, c| sum * h + *c);
+    Place {
+        quaternion: [0, 1, 2, 3].map(at),
+        rates: [4, 5, 6].map(at),
+        vertical: [7, 8, 9].map(at),
+    }
+}
+
+fn conjugate([w, x, y, z]: [Dd; 4]) -> [Dd; 4] {
+    [w, -x, -y, -z]
+}
+
+fn product([w, x, y, z]: [Dd; 4], [a, b, c, d]: [Dd; 4]) -> [Dd; 4] {
+    [
+        w * a - x * b - y * c - z * d,
+        w * b + x * a + y * d - z * c,
+        w * c + y * a + z * b - x * d,
+        w * d + z * a + x * c - y * b,
+    ]
+}
+
+/// A rotation repeated: its angle multiplied, in turns of which the whole ones are dropped.
+fn to_the_power(turn: [Dd; 4], count: f64) -> [Dd; 4] {
+    let [w, x, y, z] = turn;
+    let size = (x.square() + y.square() + z.square()).sqrt();
+    if size == 0.0 {
+        return turn;
+    }
+    let half_turns = size.atan2(w) / Dd::TWO_PI * count;
+    let half_turns = half_turns - half_turns.round();
+    let (sin, cos) = (half_turns * Dd::TWO_PI).sin_cos();
+    let factor = sin / size;
+    [cos, x * factor, y * factor, z * factor]
+}

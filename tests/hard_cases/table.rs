@@ -1,0 +1,165 @@
+//! What the table must be: whole, within meaningful bounds, and above every naive method.
+
+use pages::hard_cases::table::{Cell, Computed, Count, Verdict, name_of};
+use pages::hard_cases::{Parameters, computed};
+use rotation_dynamics::Error;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use support::Errors;
+
+fn all() -> Arc<Vec<Computed>> {
+    computed(&Parameters::default()).expect("every cell holds or is refused by name")
+}
+
+/// Family by family: rows, cells, those that hold, those that are refused.
+const COUNTS: [(&str, [usize; 4]); 11] = [
+    ("poles", [8, 240, 235, 5]),
+    ("threshold", [7, 210, 210, 0]),
+    ("separatrix", [7, 175, 175, 0]),
+    ("flips", [3, 30, 30, 0]),
+    ("shapes", [9, 225, 205, 20]),
+    ("tops", [5, 150, 150, 0]),
+    ("turns", [10, 250, 220, 30]),
+    ("scales", [4, 100, 100, 0]),
+    ("long", [3, 30, 15, 15]),
+    ("torques", [6, 60, 60, 0]),
+    ("findings", [13, 65, 13, 52]),
+];
+
+#[test]
+fn the_table_is_whole() {
+    let all = all();
+    let counted = all.iter().map(|one| {
+        let Count {
+            rows,
+            cells,
+            holds,
+            refusals,
+            ..
+        } = one.count();
+        (one.family.key, [rows, cells, holds, refusals])
+    });
+    assert_eq!(counted.collect::<Vec<_>>(), COUNTS);
+    for one in all.iter() {
+        for row in &one.rows {
+            // Each method in each representation once, in the order of the columns.
+            let due = one
+                .family
+                .methods
+                .iter()
+                .flat_map(|method| one.family.forms.iter().map(move |form| (*method, *form)));
+            let there = row.cells.iter().map(|cell| (cell.method, cell.form));
+            assert!(due.eq(there), "{}", row.case);
+        }
+    }
+}
+
+/// The naive method of each case is at least this far beyond the bound that others keep.
+const BROKEN: f64 = 10.0;
+
+#[test]
+fn every_naive_method_is_broken() {
+    let all = all();
+    let mut broken = Errors::of("naive error over the row's smallest bound");
+    let mut rows = 0;
+    for row in all.iter().flat_map(|one| &one.rows) {
+        broken.push_at(row.broken(), row.case);
+        rows += 1;
+    }
+    broken.exceed(BROKEN, rows);
+    assert_eq!(
+        rows,
+        COUNTS.iter().map(|(_, [rows, ..])| rows).sum::<usize>()
+    );
+}
+
+/// A bound says something: no angle is called held that might be anything.
+#[test]
+fn every_bound_means_something() {
+    let mut cells = 0;
+    for row in all().iter().flat_map(|one| &one.rows) {
+        for cell in &row.cells {
+            if let Verdict::Holds { bound, .. } = cell.verdict {
+                assert!(bound <= 1e-2, "{}, {}: {bound:e}", row.case, cell.method);
+                cells += 1;
+            }
+        }
+    }
+    assert!(cells > 0);
+}
+
+/// What is refused, and how often.
+#[test]
+fn refusals_are_those_that_are_named() {
+    let mut named = BTreeMap::<String, usize>::new();
+    for cell in all()
+        .iter()
+        .flat_map(|one| &one.rows)
+        .flat_map(|row| &row.cells)
+    {
+        if let Verdict::Refuses(error) = &cell.verdict {
+            *named.entry(name_of(error)).or_default() += 1;
+        }
+    }
+    let due = [
+        ("BeyondCondition", 57),
+        ("DerivativeNotFinite", 10),
+        ("NotFinite", 10),
+        ("OutOfRange", 10),
+        ("OverBudget", 15),
+        ("TooManySteps", 15),
+        ("TorqueNotFinite", 5),
+    ];
+    assert!(
+        named.iter().map(|(name, n)| (name.as_str(), *n)).eq(due),
+        "{named:?}"
+    );
+}
+
+/// The largest error over its bound, by method: what the K of each has to spare.
+#[test]
+fn the_bounds_are_attained_to_some_part() {
+    let mut parts = BTreeMap::<&str, Errors>::new();
+    for cell in all()
+        .iter()
+        .flat_map(|one| &one.rows)
+        .flat_map(|row| &row.cells)
+    {
+        if let Some(part) = cell.part() {
+            let of_method = parts
+                .entry(cell.method)
+                .or_insert_with(|| Errors::of(cell.method));
+            of_method.push_at(part, cell.form);
+        }
+    }
+    let due = [
+        ("DOP853", 0.29..=0.30),
+        ("Gauss-Legendre 16", 0.34..=0.35),
+        ("Gauss-Legendre 16, piece by piece", 0.45..=0.46),
+        ("RK4", 0.73..=0.74),
+        ("SRKN 14a", 0.21..=0.22),
+        ("closed form", 0.31..=0.32),
+        ("the dial", 0.0065..=0.0075),
+        ("the dial, stepping", 0.0095..=0.011),
+    ];
+    assert_eq!(parts.len(), due.len());
+    for ((method, errors), (named, range)) in parts.iter().zip(due) {
+        assert_eq!(*method, named);
+        let largest = errors.largest();
+        assert!(range.contains(&largest), "{method}: {largest:.4}");
+    }
+}
+
+/// The damaged twins: an error beyond its bound, or none at all, makes no cell.
+#[test]
+fn nothing_but_what_holds_is_a_cell() {
+    let made = |measured: f64| Cell::of(("case", "method", "form"), Ok(measured), 1e-12);
+    assert_eq!(made(1e-13).expect("it holds").part(), Some(0.1));
+    for measured in [1.1e-12, f64::INFINITY, f64::NAN] {
+        let refused = made(measured);
+        assert!(
+            matches!(refused, Err(Error::Contradicted { .. })),
+            "{refused:?}"
+        );
+    }
+}

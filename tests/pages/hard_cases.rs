@@ -1,0 +1,4 @@
+//! The table of hard cases; its parts are in `tests/hard_cases`.
+
+#[path = "../hard_cases/table.rs"]
+mod table;
