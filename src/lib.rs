@@ -19,6 +19,7 @@
 //! | [`integrators`] | one method per file, coefficients as data |
 //! | [`accuracy`] | errors against the exact motion, and what they cost |
 //! | [`planar`] | one-axis scenes with contacts and located events |
+//! | [`gimbals`] | a rotor in a ring and a fork that have inertia, and friction in their bearings |
 //! | [`report`] | claims, tables, figures and the command line of the examples (features `report` and `cli`) |
 //!
 //! # Notation
@@ -121,6 +122,7 @@ pub mod effects;
 pub mod error;
 pub mod exact;
 pub mod frame;
+pub mod gimbals;
 pub mod inertia;
 pub mod integrators;
 pub mod interval;

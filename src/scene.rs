@@ -118,22 +118,27 @@ impl<E: Effect> Scene<E> {
 
     /// The rate at which the effects change that energy (W).
     ///
-    /// Of a body that slips through a potential that part is differenced, to 1e-10 of it.
+    /// Of a body that slips through a potential, or whose torque changes a potential that
+    /// depends on L, that part is differenced, to 1e-10 of it.
     pub fn power(&self, t: f64, state: &State) -> f64 {
         let power = self.effects.power(t, &self.body, state);
         if !E::NATURE.slips {
             return power;
         }
         let slip = self.effects.slip(t, &self.body, state);
-        let rate = slip.norm();
-        if rate == 0.0 {
+        let torque = self.effects.torque(t, &self.body, state);
+        let rate = (slip.norm()).max(torque.norm() / state.angular_momentum.norm());
+        if rate == 0.0 || !rate.is_finite() {
             return power;
         }
         let dt = SLIPPED / rate;
         let potential = |by: f64| {
             let turned = state.attitude.turned_in_space(slip * by);
             turned.map_or(f64::NAN, |attitude| {
-                let state = State { attitude, ..*state };
+                let state = State {
+                    attitude,
+                    angular_momentum: state.angular_momentum + torque * by,
+                };
                 self.effects.potential_energy(t, &self.body, &state)
             })
         };

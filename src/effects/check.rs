@@ -488,7 +488,7 @@ impl<'e> Checked<'e> {
             let claim = "that its slip does not depend on the time";
             self.held(claim, t, off(effect.slip(later, body, state)), slack)?;
         }
-        if nature.keeps.axial_momentum {
+        if nature.keeps.axial_momentum && body.moments().is_symmetric() {
             let claim = "that its slip leaves L_z alone";
             let rate = state.angular_momentum.cross(&slip);
             let slack = slack * state.angular_momentum.norm();

@@ -10,6 +10,7 @@
 //! |---|---|
 //! | [`GravityAtLever`] | the weight of a body held at a point of its axis |
 //! | [`InternalDissipation`] | none: the axes drift at constant L, and energy is lost |
+//! | [`ElasticYielding`] | none: the tensor of inertia follows the angular velocity |
 //! | [`GravityGradient`] | an attracting body's on a satellite, near side against far side |
 //! | [`Gravity`] | the weight of a body held at any point |
 //! | [`ViscousFriction`] | friction in proportion to the rates |
@@ -24,6 +25,7 @@ mod check;
 mod closure;
 mod coulomb;
 mod disc_drag;
+mod elastic_yielding;
 mod erased;
 mod gravity;
 mod gravity_anywhere;
@@ -40,6 +42,7 @@ pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use coulomb::CoulombBearing;
 pub use disc_drag::{DiscDrag, Regime};
+pub use elastic_yielding::ElasticYielding;
 pub(crate) use erased::AnyEffect;
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;

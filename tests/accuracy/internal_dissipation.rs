@@ -144,6 +144,7 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     check(&((), loss(0.02)), &body, span, &start).expect("sound");
     let gravity = GravityAtLever::new(2.0, 0.3).expect("gravity");
     check(&(((), gravity), loss(0.02)), &body, span, &start).expect("sound");
+    let symmetric = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.3).expect("a body"));
     let sphere = RigidBody::new(PrincipalMoments::symmetric(1.0, 1.0).expect("a body"));
     check(&loss(0.02), &sphere, span, &start).expect("sound, and it does nothing");
 
@@ -181,8 +182,9 @@ fn its_claims_hold_and_damaged_ones_do_not() {
             check(&Twin::<1>(loss(0.1)), &body, span, &start),
             "keeps the energy",
         ),
+        // Only of a symmetric body is L_z there to be kept.
         (
-            check(&Twin::<2>(loss(0.1)), &body, span, &start),
+            check(&Twin::<2>(loss(0.1)), &symmetric, span, &start),
             "leaves L_z alone",
         ),
         (
@@ -228,7 +230,7 @@ fn a_heavy_body_loses_what_its_power_says() {
     // Without the way through the potential.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-3, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 1.51e-11);
+    assert_error!(scene.power(t, &state), slope, 1.10e-11);
 }
 
 /// Methods that carry attitude and L agree; those that see less refuse.

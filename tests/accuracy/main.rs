@@ -6,6 +6,7 @@ mod called_for_axis;
 mod dial;
 mod drift;
 mod effects;
+mod elastic_yielding;
 mod gravity_gradient;
 mod internal_dissipation;
 mod measures;

@@ -9,6 +9,7 @@ mod elliptic;
 mod far_from_one;
 mod free_body;
 mod free_flow;
+mod gimbals;
 mod heavy_top;
 mod motion;
 mod pendulum;

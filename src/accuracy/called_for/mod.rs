@@ -107,7 +107,7 @@ impl<E: Effect> Scene<E> {
     /// # }
     /// ```
     ///
-    /// Accuracy: predicted and simulated errors differ by 0.4 % at most, for 18 effects of
+    /// Accuracy: predicted and simulated errors differ by 0.4 % at most, for 21 effects of
     /// up to 0.03 rad (`tests/accuracy/called_for.rs`). An effect that is 0 all along the
     /// motion without it has no linear response, and none is predicted, though that motion
     /// may be unstable with it.

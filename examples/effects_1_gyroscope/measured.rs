@@ -1,0 +1,194 @@
+//! What is simulated, as the second route of the formulas.
+
+use super::*;
+use rotation_dynamics::attitude::EulerAngles;
+use rotation_dynamics::exact::heavy_top::HeavyTop;
+use rotation_dynamics::integrators::{after, small_frequency};
+
+/// A nod that is back: when, where phi is then, and the lowest point on the way.
+pub struct Back {
+    pub t: f64,
+    pub phi: f64,
+    pub lowest: f64,
+}
+
+/// The first nod without friction, by located events.
+pub fn nod(y: &Gyroscope, step: f64) -> Result<Back> {
+    let start = y.start.to_array();
+    let until = 3.0 * Nod::of(&y.gimbals, &y.start)?.period;
+    let turned = |count| {
+        let method = Dop853::new(step)?;
+        Ok::<_, Error>(method.zero(&y.gimbals, start, count, until, |y| y[1])?.0)
+    };
+    let ([low, back], Pose { .. }) = ([turned(1)?, turned(2)?], y.start);
+    Ok(Back {
+        t: back.t,
+        phi: back.state[2],
+        lowest: low.state[0],
+    })
+}
+
+/// The period without gimbals, by elliptic functions.
+pub fn bare(y: &Gyroscope) -> Result<f64> {
+    let (rotor, theta) = (*y.gimbals.rotor(), y.start.theta);
+    let angles = EulerAngles {
+        phi: 0.0,
+        theta,
+        zeta: 0.0,
+    };
+    let omega = BodyVector::new(0.0, 0.0, y.start.axial_momentum / rotor.i3());
+    Ok(HeavyTop::from_body(rotor, angles, omega)?.nutation_period())
+}
+
+/// The nod of the rotor alone, by quadrature.
+pub fn nod_without_gimbals(y: &Gyroscope) -> Result<Nod> {
+    Nod::of(&Gimbals::new(*y.gimbals.rotor(), [0.0; 3], 0.0)?, &y.start)
+}
+
+/// The pose of steady precession at the bottom of the valley.
+pub fn steady(y: &Gyroscope) -> Result<Pose> {
+    let (theta, axial) = (y.bottom()?, y.start.axial_momentum);
+    let phi_rate = y.gimbals.steady_rate(theta, axial, 0.0)?;
+    Ok(Pose {
+        theta,
+        phi_rate,
+        ..y.start
+    })
+}
+
+/// The rate of the azimuth there, from a turn.
+pub fn walk(y: &Gyroscope, step: f64) -> Result<f64> {
+    let (at, turn) = (steady(y)?, TAU / y.fading()?.precession);
+    let end = after(turn, &y.gimbals, &at.to_array(), step)?;
+    Ok(end[2] / turn)
+}
+
+/// Angular frequency of the smallest nods about it.
+pub fn smallest(y: &Gyroscope) -> Result<f64> {
+    let (at, g) = (steady(y)?, &y.gimbals);
+    let rate = g.nodding(at.theta, at.axial_momentum, at.phi_rate);
+    let kicked = |size| {
+        Pose {
+            theta_rate: 0.01 * size * rate,
+            ..at
+        }
+        .to_array()
+    };
+    small_frequency(g, kicked, 20.0 / rate, |y| y[0] - at.theta)
+}
+
+/// Tilt and heat after nods that a viscous tilt bearing of its own has taken, and nothing else.
+pub fn damped(y: &Gyroscope, step: f64) -> Result<(f64, f64)> {
+    let at = steady(y)?;
+    let rate = y.gimbals.nodding(at.theta, at.axial_momentum, at.phi_rate);
+    let tilt = Bearing::new(0.1 * y.gimbals.tilting() * rate, 0.0)?;
+    let smooth = y.with(Bearings {
+        tilt,
+        ..Bearings::SMOOTH
+    });
+    let course = smooth.run(None, 500.0 / rate, step)?;
+    let end = course.end_time();
+    Ok((course.at(end)?.theta, course.heat(end)?[0]))
+}
+
+/// The rate at which viscous friction of both bearings takes small nods: the widths of the
+/// first and of the eleventh swing. The middle of two neighbours takes out how the axis sinks.
+pub fn decay(y: &Gyroscope, step: f64) -> Result<f64> {
+    let viscous = |b: &Bearing| Bearing::new(b.viscous(), 0.0);
+    let (tilt, azimuth) = (viscous(&y.bearings.tilt)?, viscous(&y.bearings.azimuth)?);
+    let at = steady(y)?;
+    let rate = y.gimbals.nodding(at.theta, at.axial_momentum, at.phi_rate);
+    let slow = y.with(Bearings {
+        tilt,
+        azimuth,
+        ..Bearings::SMOOTH
+    });
+    let start = Pose {
+        theta_rate: 1e-3 * rate,
+        ..at
+    };
+    let course = Gyroscope { start, ..slow }.run(None, 25.0 * PI / rate, step)?;
+    let turns = course.turning_points();
+    let theta = |k: usize| turns.get(k).map_or(f64::NAN, |(_, at)| at.theta);
+    let width = |k: usize| theta(k + 1) - 0.5 * (theta(k) + theta(k + 2));
+    let time = |k: usize| turns.get(k + 1).map_or(f64::NAN, |(t, _)| *t);
+    Ok(log(width(0) / width(20)) / (time(20) - time(0)))
+}
+
+/// Half nods until the dry tilt bearing, alone, holds; none if there is too little friction.
+pub fn half_nods(y: &Gyroscope, step: f64) -> Result<Option<f64>> {
+    let (halves, f) = (f64::from(ledger::half_nods(y)), y.fading()?);
+    if !(1.0..1000.0).contains(&halves) {
+        return Ok(None);
+    }
+    let tilt = Bearing::new(0.0, y.bearings.tilt.dry())?;
+    let dry = y.with(Bearings {
+        tilt,
+        ..Bearings::SMOOTH
+    });
+    let course = dry.run(None, (halves + 6.0 + 0.2 * halves) * PI / f.frequency, step)?;
+    let stops = course.changes().iter().filter(|c| c.name == "tilt stops");
+    Ok(Some(stops.count() as f64))
+}
+
+/// The rate at which the axis sinks in the first turn, without friction of the tilt.
+pub fn sag(y: &Gyroscope, step: f64) -> Result<f64> {
+    sinking(
+        y,
+        Bearings {
+            tilt: Bearing::SMOOTH,
+            ..y.bearings
+        },
+        step,
+    )
+}
+
+/// The same with these bearings: over whole nods, a quarter of a turn.
+pub fn sinking(y: &Gyroscope, bearings: Bearings, step: f64) -> Result<f64> {
+    let (at, f) = (steady(y)?, y.fading()?);
+    let time = TAU / f.frequency * (0.25 * f.frequency / f.precession).ceil();
+    let course = Gyroscope {
+        start: at,
+        ..y.with(bearings)
+    }
+    .run(None, time, step)?;
+    Ok((course.at(time)?.theta - at.theta) / time)
+}
+
+/// The end: time and spin, simulated with everything and by the slow motion alone.
+pub struct End {
+    pub t: f64,
+    pub spin: f64,
+    pub slow: f64,
+    pub spin_slow: f64,
+}
+
+/// The whole way to the stop; none if it is not reached in the longest simulation, or if the
+/// rotor is too slow by then for a slow precession.
+pub fn to_the_stop(y: &Gyroscope, p: &Parameters) -> Result<Option<End>> {
+    let course = y.run(Some(p.stop), LONGEST, p.tolerance)?;
+    if !course.stopped() {
+        return Ok(None);
+    }
+    let (t, i3) = (course.end_time(), y.gimbals.rotor().i3());
+    let spin = course.at(t)?.axial_momentum / i3;
+    let slow = Fading::slow(y.gimbals, y.bearings);
+    // While it sinks, dry friction of the tilt bears a part of the weight.
+    let from = y.bottom_at(&y.start, y.bearings.tilt.dry())?;
+    let start = [from, 0.0, y.start.axial_momentum];
+    let down = |y: &[f64; 3]| y[0] - p.stop;
+    let slow = Dop853::new(p.tolerance)?.zero(&slow, start, 1, LONGEST, down);
+    let last = Gyroscope {
+        start: course.at(t)?,
+        ..*y
+    };
+    Ok(match slow {
+        Ok((end, _)) if last.slowness() < 2.0 => Some(End {
+            t,
+            spin,
+            slow: end.t,
+            spin_slow: end.state[2] / i3,
+        }),
+        _ => None,
+    })
+}
