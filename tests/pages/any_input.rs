@@ -53,9 +53,11 @@ fn command_lines() {
             .collect();
         let told = page.answer(&words.join(" "));
         let line = format!("{} {}", page.stem(), words.join(" "));
+        // The page "The library alone" quotes a refusal with a NaN in it.
+        let nan = told.stdout.contains("NaN") && page.stem() != "library";
         match told.code {
-            0 => prop_assert!(!told.stdout.is_empty() && !told.stdout.contains("NaN"), "{line}"),
-            1 | 2 => prop_assert!(told.stderr.len() > 10, "{line}: nothing is said"),
+            0 | 1 => prop_assert!(!told.stdout.is_empty() && !nan, "{line}"),
+            2 => prop_assert!(told.stdout.is_empty() && told.stderr.len() > 10, "{line}"),
             code => prop_assert!(false, "{line}: {code}"),
         }
         ran.set(ran.get() + 1);
