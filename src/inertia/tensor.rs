@@ -53,6 +53,9 @@ impl InertiaTensor {
         }
         let tensor = Self { matrix: symmetric };
         let moments = tensor.principal_axes().moments();
+        for moment in moments {
+            finite("principal moment of the inertia tensor", moment)?;
+        }
         let slack = PHYSICAL_WITHIN * moments[2].abs();
         if moments[0] < -slack {
             return Err(Error::OutOfRange {

@@ -37,7 +37,7 @@ const METHODS: [Method; 7] = [
     Method {
         kind: "free_body",
         name: "exact::free_body",
-        measured: 4.4..=4.5,
+        measured: 1.9..=2.0,
         cases: 47,
         promised: 64.0,
         run: free_body::closed_form,

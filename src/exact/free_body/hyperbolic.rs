@@ -37,10 +37,15 @@ impl Late {
                 let n = (since.hi() * per_half).round();
                 // A time whose last bit is many periods falls anywhere: on this side.
                 let reach = 0.5 * half.hi();
-                let rest = (since - half * n).hi().max(-reach).min(reach);
+                let mut rest = since - half * n;
+                if rest.hi().abs() > reach {
+                    rest = Dd::from(rest.hi().max(-reach).min(reach));
+                }
+                // Both parts of `rest`: beside a body that is nearly symmetric half a period is
+                // many turns long, and its last bit would be felt in the phase.
+                let phase = fraction(self.local_rate * rest) + fraction(self.advance * n);
                 // theta_1 changes sign over 2K: -1 for odd n.
-                let phase = rest * self.local_rate.hi() + fraction(self.advance * n);
-                (rest, phase, 1.0 - 2.0 * (n % 2.0).abs())
+                (rest.hi(), phase, 1.0 - 2.0 * (n % 2.0).abs())
             }
             None => (since.hi(), fraction(self.local_rate * since), 1.0),
         };

@@ -230,6 +230,11 @@ impl HeavyTop {
             let out = if upright { 1.0 } else { -1.0 };
             let node = Dd::from(-out * y).atan2(Dd::from(out * x));
             let speed = (Dd::product(x, x) + Dd::product(y, y)).sqrt();
+            if speed.hi() == 0.0 {
+                // It moves, by less than the squares of doubles hold.
+                let fastest = x.abs().max(y.abs());
+                return Err(Error::RatesTooFarApart { fastest });
+            }
             start = Beginning::Angle {
                 theta,
                 half_sin,
@@ -323,7 +328,8 @@ impl HeavyTop {
                 total = transverse + state.from_minus_one * strength;
                 origin = Origin::State(state);
                 let vertical = half_sin == 0.0 || half_cos == 0.0;
-                theta0 = Some((theta, transverse, vertical));
+                let at_rest = nodal == [Dd::ZERO; 2];
+                theta0 = Some((theta, at_rest, vertical));
             }
         }
         let conserved = if flipped {
@@ -349,18 +355,27 @@ impl HeavyTop {
         let at_lower_pole = core::f64::consts::PI - at_upper_pole;
         let fixed = match theta0 {
             // Exactly upright or hanging without a transverse rate: it stays so for ever.
-            Some((theta, transverse, vertical))
-                if transverse == 0.0 && (vertical || (gravity == 0.0 && spin == 0.0)) =>
+            Some((theta, at_rest, vertical))
+                if at_rest && (vertical || (gravity == 0.0 && spin == 0.0)) =>
             {
                 Some(theta)
             }
             _ => None,
+        };
+        // Sixth powers of the rates are formed, in pairs of doubles.
+        let far_apart = || Error::RatesTooFarApart {
+            fastest: (strength + spin.square() + excess.abs()).to_f64().sqrt(),
         };
         let course = if let Some(theta) = fixed {
             Course::Fixed { theta }
         } else {
             let roots = Roots::new(&conserved, &origin);
             let homoclinic = roots.x2 == 0.0 && roots.outer == 0.0;
+            let at_pole = roots.x1 <= 0.0 || roots.y2 <= 0.0;
+            if at_pole && matches!(origin, Origin::State(_)) {
+                // It moves, by less than the squares of doubles hold.
+                return Err(far_apart());
+            }
             if roots.x1 <= 0.0 || (homoclinic && matches!(origin, Origin::Upper)) {
                 Course::Fixed {
                     theta: at_upper_pole,
@@ -389,15 +404,27 @@ impl HeavyTop {
             given: problem.given,
             course,
         };
-        if motion.is_representable() {
+        if motion.is_representable() && motion.starts_as_given(strength.to_f64().sqrt()) {
             Ok(motion)
         } else {
-            // Sixth powers of the rates are formed, in pairs of doubles.
-            let square = strength + spin.square() + excess.abs();
-            Err(Error::RatesTooFarApart {
-                fastest: square.to_f64().sqrt(),
-            })
+            Err(far_apart())
         }
+    }
+
+    /// True if the motion has at t = 0 the rates that it was made from: it has lost them where
+    /// their powers leave the range of doubles. `swing` is the rate of gravity.
+    fn starts_as_given(&self, swing: f64) -> bool {
+        const LOST: f64 = 1e-8;
+        let Given::Body { omega_body, .. } = &self.given else {
+            return true;
+        };
+        let fastest = omega_body
+            .to_array()
+            .map(f64::abs)
+            .into_iter()
+            .fold(swing, f64::max);
+        let off = (self.angular_velocity(0.0) - *omega_body).to_array();
+        off.into_iter().all(|off| off.abs() <= LOST * fastest)
     }
 
     /// True if the set-up stayed within the range of double-double arithmetic.
