@@ -384,13 +384,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The runs that the page asks the reader to predict.
 fn tries(_: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = [
-        "run",
-        "period, days",
-        "nutation, days",
-        "fading, years",
-        "beat, years",
-    ];
+    let columns = ["run", "period", "nutation", "fading", "beat"];
     let mut table = Table::new("tries", columns)?;
     let [ours, mut small, mut flat, mut lasting, mut soft] =
         [(); 5].map(|()| Parameters::default());
