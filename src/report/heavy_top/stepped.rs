@@ -56,6 +56,11 @@ impl Effect for Nodes {
         along(nodes, -self.friction * omega.dot(&nodes))
     }
 
+    /// No nod is faster than |L|/I1; at a turning point the torque itself is 0.
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        self.friction * state.angular_momentum.norm() / body.moments().i1()
+    }
+
     fn narrowest(&self) -> Option<Feature> {
         Some(Feature::WIDE)
     }
