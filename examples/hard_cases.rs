@@ -1,5 +1,7 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 
+#[path = "hard_cases/events.rs"]
+mod events;
 #[path = "hard_cases/findings.rs"]
 mod findings;
 #[path = "hard_cases/flips.rs"]
@@ -44,7 +46,7 @@ rotation_dynamics::parameters! {
     /// Which family is computed.
     pub struct Parameters {
         /// family of cases
-        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings");
+        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events");
         /// error asked for in the accuracy strip; three of them if none is given
         tolerance: optional("rad", from_to(1e-14, 1.0));
     }
@@ -63,6 +65,7 @@ pub const FAMILIES: &[Family] = &[
     long::FAMILY,
     torques::FAMILY,
     findings::FAMILY,
+    events::FAMILY,
 ];
 
 /// The families asked for, each computed once.
