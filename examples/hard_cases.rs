@@ -8,6 +8,10 @@ mod findings;
 mod flips;
 #[path = "hard_cases/forms.rs"]
 pub mod forms;
+#[path = "hard_cases/impacts.rs"]
+mod impacts;
+#[path = "hard_cases/limits.rs"]
+mod limits;
 #[path = "hard_cases/long.rs"]
 mod long;
 #[path = "hard_cases/motions.rs"]
@@ -46,7 +50,7 @@ rotation_dynamics::parameters! {
     /// Which family is computed.
     pub struct Parameters {
         /// family of cases
-        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events");
+        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "limits");
         /// error asked for in the accuracy strip; three of them if none is given
         tolerance: optional("rad", from_to(1e-14, 1.0));
     }
@@ -66,6 +70,8 @@ pub const FAMILIES: &[Family] = &[
     torques::FAMILY,
     findings::FAMILY,
     events::FAMILY,
+    impacts::FAMILY,
+    limits::FAMILY,
 ];
 
 /// The families asked for, each computed once.
