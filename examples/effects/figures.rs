@@ -78,7 +78,7 @@ figures! { p: &Parameters;
     /// The same for a toy top.
     digits_top: digits("top")?;
 
-    /// The same for a thrown book: its largest effect, the air, is small.
+    /// The same for a thrown book: the runs begin below the level of the air.
     digits_book: digits("book")?;
 
     /// The same for the axis of the Earth over a year, with the torques of Moon and Sun.

@@ -107,7 +107,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
             value: TAU * p.pivot_dry / y.pull(),
             predicted: pivot,
             measured: pivot_seen,
-            of: "rad a turn",
+            of: "rad a turn, in θ",
         },
         Line {
             what: "axle bearings: it rises",
@@ -115,7 +115,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
             value: TAU * p.axle_dry / y.pull() * cos(p.theta),
             predicted: axle,
             measured: axle_seen,
-            of: "rad a turn",
+            of: "rad a turn, in θ",
         },
         Line {
             what: "air: it sinks",
@@ -123,7 +123,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
             value: drag * turn / axial,
             predicted: air,
             measured: air_seen,
-            of: "rad a turn",
+            of: "rad a turn, in θ",
         },
     ])
 }
@@ -169,15 +169,16 @@ fn card(p: &Parameters, y: &Gyroscope, report: &mut Report) -> Result<()> {
     let stretch = 7850.0 * spin * spin * RADIUS * RADIUS / 2e11;
     let bends = pow(f.frequency / (TAU * 300.0), 2.0);
     let play = 1e-5;
+    let about = p.pivot_dry + p.pivot_viscous * f.precession;
     effect_card! { report,
         "inertia of ring and fork": "N/(I1 sin(theta)^2) - 1" = b, costs b, "of the dip", included;
         "dry friction of the tilt": "pi tau/(m g l sin(theta))" = halves, costs 1.0, "of the nods", included;
         "viscous friction of the tilt": "decay x nod" = f.decay * TAU / f.frequency,
             costs 1.0 - exp(-f.decay * turn), "of the nods, in a turn", included;
         "friction of the vertical pivot": "2 pi tau/(m g l sin(theta))" = TAU * p.pivot_dry / pull,
-            costs p.pivot_dry * turn / (axial * sin(p.theta)), "rad a turn", included;
+            costs about * turn / (axial * sin(p.theta)), "rad a turn, in θ", included;
         "friction of the axle": "torque x turn / L_z" = p.axle_dry * turn / axial,
-            costs p.axle_dry * turn / (axial * tan(p.theta)), "rad a turn", included;
+            costs p.axle_dry * turn / (axial * tan(p.theta)), "rad a turn, in θ", included;
         "air on the rotor": "torque x turn / L_z" = drag * turn / axial,
             costs 0.5 * drag * turn * TAU / axial, "rad a turn, in φ", included;
         "play of the tilt bearing": "play/dip" = play / (y.bottom()? - p.theta), costs play, "rad";

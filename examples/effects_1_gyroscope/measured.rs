@@ -91,8 +91,9 @@ pub fn damped(y: &Gyroscope, step: f64) -> Result<(f64, f64)> {
     Ok((course.at(end)?.theta, course.heat(end)?[0]))
 }
 
-/// The rate at which viscous friction of both bearings takes small nods: the widths of the
-/// first and of the eleventh swing. The middle of two neighbours takes out how the axis sinks.
+/// The rate at which viscous friction of both bearings takes small nods: the widths of two
+/// swings, up to ten nods apart, the later still wider than what the axis sinks meanwhile. The
+/// middle of two neighbours takes out how it sinks.
 pub fn decay(y: &Gyroscope, step: f64) -> Result<f64> {
     let viscous = |b: &Bearing| Bearing::new(b.viscous(), 0.0);
     let (tilt, azimuth) = (viscous(&y.bearings.tilt)?, viscous(&y.bearings.azimuth)?);
@@ -112,7 +113,9 @@ pub fn decay(y: &Gyroscope, step: f64) -> Result<f64> {
     let theta = |k: usize| turns.get(k).map_or(f64::NAN, |(_, at)| at.theta);
     let width = |k: usize| theta(k + 1) - 0.5 * (theta(k) + theta(k + 2));
     let time = |k: usize| turns.get(k + 1).map_or(f64::NAN, |(t, _)| *t);
-    Ok(log(width(0) / width(20)) / (time(20) - time(0)))
+    let f = y.fading()?;
+    let last = 2 * ((0.15 * f.frequency / (PI * f.decay)) as usize).clamp(1, 10);
+    Ok(log(width(0) / width(last)) / (time(last) - time(0)))
 }
 
 /// Half nods until the dry tilt bearing, alone, holds; none if there is too little friction.
@@ -163,14 +166,17 @@ pub struct End {
     pub spin_slow: f64,
 }
 
-/// The whole way to the stop; none if it is not reached in the longest simulation, or if the
-/// rotor is too slow by then for a slow precession.
+/// The whole way to the stop; none if it is not reached in the longest simulation, if a nod
+/// meets it, or if the rotor is too slow by then for a slow precession.
 pub fn to_the_stop(y: &Gyroscope, p: &Parameters) -> Result<Option<End>> {
     let course = y.run(Some(p.stop), LONGEST, p.tolerance)?;
     if !course.stopped() {
         return Ok(None);
     }
     let (t, i3) = (course.end_time(), y.gimbals.rotor().i3());
+    if t < 2.0 * y.lasting(y.bottom()? - y.start.theta)? {
+        return Ok(None);
+    }
     let spin = course.at(t)?.axial_momentum / i3;
     let slow = Fading::slow(y.gimbals, y.bearings);
     // While it sinks, dry friction of the tilt bears a part of the weight.
