@@ -1,5 +1,7 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 
+#[path = "hard_cases/figures.rs"]
+mod figures;
 #[path = "hard_cases/findings.rs"]
 mod findings;
 #[path = "hard_cases/flips.rs"]
@@ -89,5 +91,5 @@ fn report(p: &Parameters) -> Result<Report> {
 
 rotation_dynamics::example! {
     hard_cases: "Hard cases: a family at a time, the naive method that breaks beside those that hold";
-    report, sections::figures, sections::trajectory
+    report, figures::figures, sections::trajectory, figures::moving_picture
 }

@@ -53,6 +53,11 @@ pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
 
 /// RK4 on yaw, pitch and roll, with 1/cos(pitch) in their rates.
 pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
+    path_of_yaw_pitch_roll(motion, count).pop()?
+}
+
+/// The same at the start and after each step.
+pub fn path_of_yaw_pitch_roll(motion: &Motion, count: u32) -> Vec<Option<Attitude>> {
     let YawPitchRoll { yaw, pitch, roll } = motion.attitude.yaw_pitch_roll();
     let [p, q, r] = motion.rates;
     let slope = |&[_, pitch, roll, p, q, r]: &[f64; 6]| {
@@ -61,8 +66,14 @@ pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
         let [a, b, d] = rates_of(motion, [p, q, r], [-s, c * sr]);
         [turn, q * cr - r * sr, p + turn * s, a, b, d]
     };
-    let [yaw, pitch, roll, ..] = steps(slope, [yaw, pitch, roll, p, q, r], motion.end, count);
-    Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()
+    let (mut y, h) = ([yaw, pitch, roll, p, q, r], motion.end / f64::from(count));
+    let mut path = Vec::new();
+    for _ in 0..=count {
+        let [yaw, pitch, roll, ..] = y;
+        path.push(Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok());
+        y = rk4(&slope, &y, h);
+    }
+    path
 }
 
 /// The tilt by the arc cosine of the axis's height, the others by arc tangents of elements of
