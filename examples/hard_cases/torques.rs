@@ -138,7 +138,7 @@ fn pushed(profile: Profile) -> Result<PrescribedTorque> {
 }
 
 /// On at 1/3, off at 7/3 of ten seconds: N (d (end - off) + d^2/2).
-fn pushed_once(step: f64) -> Result<Turned<PrescribedTorque>> {
+fn pushed_once(step: f64) -> Result<Turned<((), PrescribedTorque)>> {
     let (on, off, end, torque) = (1.0 / 3.0, 7.0 / 3.0, 10.0, 0.5);
     let lasts = off - on;
     let gained = torque / MOMENTS[1] * lasts * (end - off + 0.5 * lasts);
