@@ -4,12 +4,12 @@ use super::forms::Form;
 use super::long::Late;
 use super::motions::{By, Motion};
 use super::naive::{
-    by_arc_cosine, on_euler_angles, on_quaternion, path_of_yaw_pitch_roll, rates_by_landau,
+    by_arc_cosine, on_euler_angles, on_quaternion, path_on_quaternion, rates_by_landau,
     tilt_by_energy,
 };
 use super::{Parameters, flips, poles, separatrix, table::Cell, tops, torques};
-use core::f64::consts::{FRAC_PI_3, PI};
-use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
+use core::f64::consts::FRAC_PI_3;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::math::DoubleDouble;
 use rotation_dynamics::report::draw::{Camera, Marker};
@@ -103,18 +103,40 @@ fn flip(panel: Panel) -> Result<Panel> {
         ))
 }
 
+/// A torque switched on and off.
+fn jumps(panel: Panel) -> Result<Panel> {
+    let mut curves = [const { Vec::new() }; 3];
+    for n in decades(1, 4, 8).map(f64::round) {
+        for (curve, error) in curves.iter_mut().zip(torques::across_jumps(n as u64)?) {
+            curve.push((n, error.max(FLOOR)));
+        }
+    }
+    let [on, rk4, gauss] = curves;
+    Ok(panel
+        .curve(
+            Curve::new(on, Ink::Wrong)
+                .dashed()
+                .label("wrong: RK4 straight on"),
+        )
+        .curve(Curve::new(rk4, Ink::RungeKutta).label("RK4 anew"))
+        .curve(Curve::new(gauss, Ink::Gauss).label("Gauss–Legendre anew")))
+}
+
 /// The tilt of a top let go at rest: by the square root of the energy, and exact.
 fn cusps(panel: Panel) -> Result<Panel> {
     let at = |end: f64| tops::released([1.5, 0.25], FRAC_PI_3, end);
     let truth = |t: f64| Ok(closed(&at(t)?)?.euler_angles().theta);
     let naive = |t: f64| Ok(tilt_by_energy(&at(t)?, 200));
     Ok(panel
+        .note(
+            20.0,
+            FRAC_PI_3,
+            Ink::Wrong,
+            "wrong: by the energy",
+            Side::Below,
+        )
         .curve(Curve::sampled(times(0.0, 40.0, 240), truth, Ink::Ink)?.label("exact"))
-        .curve(
-            Curve::sampled(times(0.0, 40.0, 40), naive, Ink::Wrong)?
-                .dashed()
-                .label("wrong: by the energy"),
-        ))
+        .curve(Curve::sampled(times(0.0, 40.0, 40), naive, Ink::Wrong)?.dashed()))
 }
 
 fn errors_over(x: &str) -> Panel {
@@ -131,7 +153,7 @@ figures! { p: &Parameters;
     /// The error after 20 s against the distance from the pole at the start, both logarithmic.
     /// The one of RK4 on Euler angles jumps about and rises towards the pole; that of the closed
     /// form is a rounding everywhere.
-    poles: pair(errors_over(r"$\theta_0$ / rad"), decades(-10, -1, 1), beside_the_pole,
+    poles: pair(errors_over(r"$\theta_0$ / rad"), decades(-10, -1, 4), beside_the_pole,
         ["wrong: Euler angles", "closed form"])?;
 
     /// The relative error of a tilt against the tilt, both logarithmic. By an arc cosine it grows
@@ -150,18 +172,17 @@ figures! { p: &Parameters;
 
     /// The tilt of a top let go at rest against time. It nods; the one that is stepped by the
     /// square root of the energy stays where it is.
-    cusps: cusps(Panel::over_axes("$t$ / s", Axis::linear(r"$\theta$ / rad")))?;
+    cusps: cusps(Panel::over_axes("$t$ / s", Axis::linear(r"$\theta$ / rad").range(0.95, 1.4)))?;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.
     late: pair(errors_over("periods"), decades(0, 12, 1), after_periods,
         ["wrong: $t$ mod $T$", "closed form"])?;
 
-    /// The error of RK4 against the number of steps through a torque that is switched on and off,
-    /// both logarithmic: ragged and about as one over the number where steps cross the jumps, as
-    /// its fourth power to round-off where it is started anew at each.
-    jumps: pair(errors_over("steps"), decades(1, 4, 6).map(f64::round), |n| torques::across_jumps(n as u64),
-        ["wrong: straight on", "anew at each jump"])?;
+    /// The error against the number of steps through a torque that is switched on and off, both
+    /// logarithmic. RK4 is ragged and falls about as one over the number, also where it is started
+    /// anew at each jump; Gauss-Legendre, started anew, is at round-off.
+    jumps: jumps(errors_over("steps"))?;
 
     /// For each family the errors over their bounds, logarithmic: all methods in all
     /// representations left of one, the naive method of each case right of it.
@@ -192,91 +213,67 @@ fn overview(p: &Parameters) -> Result<Panel> {
     .curve(Curve::new(naive, Ink::Wrong).marker(Marker::Square).dots()))
 }
 
-/// A plate that turns once in 2 pi seconds about its axis 2, for two turns.
-const LOOPS: f64 = 4.0 * PI;
-const LOOP_STEPS: u32 = 240;
-
-/// It starts level with a roll of 0.02 rad, so that its nose passes the zenith by as much.
-fn looping() -> Result<Motion> {
-    let level = Attitude::from_yaw_pitch_roll(YawPitchRoll {
-        yaw: 0.3,
-        pitch: 0.0,
-        roll: 0.02,
-    })?;
-    Ok(Motion::free([1.0, 2.0, 1.5], level, [0.0, 1.0, 0.0], LOOPS))
+/// A book thrown nearly about its middle axis, for about eight flips, and so many steps.
+fn thrown() -> Result<Motion> {
+    let start = Attitude::from_quaternion([1.0, 0.0, 0.0, 0.0])?;
+    Ok(Motion::free(
+        [1.0, 2.0, 2.5],
+        start,
+        [0.0, 1.0, 1e-3],
+        240.0,
+    ))
 }
+const STEPS: u32 = 600;
 
-/// Where it is.
-fn looped(motion: &Motion, t: f64) -> Result<Attitude> {
-    Ok(motion.attitude * Attitude::about_body_axis(BodyVector::new(0.0, 1.0, 0.0), t)?)
-}
-
-/// The plate by yaw, pitch and roll (dashed) beside the true one.
+/// The book by RK4 (dashed outline) beside the true one.
 pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let motion = looping()?;
-    let path = path_of_yaw_pitch_roll(&motion, LOOP_STEPS);
-    let h = LOOPS / f64::from(LOOP_STEPS);
-    let mut off = Vec::new();
-    for (n, naive) in path.iter().enumerate() {
-        let t = h * n as f64;
-        let naive = naive.unwrap_or(Attitude::IDENTITY);
-        off.push((t, looped(&motion, t)?.angle_to(&naive)));
-    }
-    let ticks = [(0.0, "0"), (0.5 * PI, "π/2"), (PI, "π")];
+    let motion = thrown()?;
+    let exact = FreeBody::new(
+        motion.body()?,
+        motion.attitude,
+        BodyVector::from_array(motion.rates),
+    )?;
+    let path = path_on_quaternion(&motion, STEPS)?;
+    let h = motion.end / f64::from(STEPS);
+    let middle = |t: f64| exact.angular_velocity(t).y();
+    let naive = path
+        .iter()
+        .enumerate()
+        .map(|(n, (_, middle))| (h * n as f64, *middle));
     let graph = Panel::over_axes(
         "$t$ / s",
-        Axis::linear("off by / rad").range(0.0, PI).ticks(ticks),
+        Axis::linear(r"$\Omega_2$ / (rad/s)")
+            .range(-1.1, 1.6)
+            .step(1.0),
     )
-    .curve(
-        Curve::new(off.clone(), Ink::Wrong)
-            .dashed()
-            .label("wrong: yaw, pitch, roll"),
-    );
-    MovingPicture::above(graph, 0.0..=LOOPS, [1.2, 2.0, LOOPS], move |t| {
-        let n = ((t / h).round() as usize).min(path.len() - 1);
-        let truth = looped(&motion, t)?;
-        let naive = path[n].unwrap_or(Attitude::IDENTITY);
+    .curve(Curve::of(times(0.0, motion.end, 600), middle, Ink::Ink).label("exact"))
+    .curve(Curve::new(naive, Ink::Wrong).dashed().label("wrong: RK4"));
+    MovingPicture::above(graph, 0.0..=motion.end, [30.0, 130.0, 235.0], move |t| {
+        let (naive, _) = path[((t / h).round() as usize).min(path.len() - 1)];
+        let truth = exact.attitude(t);
         let alt = format!(
-            "A plate that loops, after {t:.1} s, and beside it dashed the one that yaw, pitch and \
-             roll give, {:.2} rad off; below, by how much it is off against time.",
-            off[n].1
+            "A book after {t:.0} s of tumbling, and dashed the one that RK4 gives, {:.1} rad off; \
+             below, the rates about the middle axis against time.",
+            truth.angle_to(&naive)
         );
-        let corner = |a: Attitude, x: f64, y: f64| a.to_space(BodyVector::new(x, y, 0.0));
-        let outline = [(0.8, 0.0), (-0.6, 0.45), (-0.6, -0.45), (0.8, 0.0)];
-        let edges = [
-            BodyVector::new(1.4, 0.0, 0.0),
-            BodyVector::new(0.0, 0.7, 0.0),
-            BodyVector::new(0.0, 0.0, 0.06),
+        let sides = [
+            (-0.45, -0.6),
+            (0.45, -0.6),
+            (0.45, 0.6),
+            (-0.45, 0.6),
+            (-0.45, -0.6),
         ];
+        let outline = sides.map(|(x, y)| naive.to_space(BodyVector::new(x, y, 0.09)));
+        let edges = [(0.9, 0.0, 0.0), (0.0, 1.2, 0.0), (0.0, 0.0, 0.16)]
+            .map(|(x, y, z)| truth.to_space(BodyVector::new(x, y, z)));
         let zero = SpaceVector::zero();
-        let scene = View::of(zero, 1.05)
+        let nail = |a: Attitude| a.to_space(BodyVector::new(0.0, 0.95, 0.0));
+        let scene = View::of(zero, 1.1)
             .camera(Camera::new(0.5, 0.35))
-            .dashed(
-                [
-                    SpaceVector::new(0.0, 0.0, -1.0),
-                    SpaceVector::new(0.0, 0.0, 1.0),
-                ],
-                Ink::Frame,
-            )
-            .solid(
-                Solid::cuboid(zero, edges.map(|edge| truth.to_space(edge))),
-                Ink::Body,
-            )
-            .arrow(
-                zero,
-                corner(truth, 1.0, 0.0),
-                Ink::Body,
-                "nose",
-                Side::Right,
-            )
-            .dashed(outline.map(|(x, y)| corner(naive, x, y)), Ink::Wrong)
-            .arrow(
-                zero,
-                corner(naive, 1.0, 0.0),
-                Ink::Wrong,
-                "wrong",
-                Side::Left,
-            );
+            .solid(Solid::cuboid(zero, edges), Ink::Body)
+            .arrow(zero, nail(truth), Ink::Body, "exact", Side::Right)
+            .dashed(outline, Ink::Wrong)
+            .arrow(zero, nail(naive), Ink::Wrong, "wrong", Side::Left);
         Ok((alt, scene))
     })
 }

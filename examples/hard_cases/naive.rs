@@ -1,6 +1,7 @@
 //! The methods that everyone writes first. Not for use: they are here to break.
 
 use super::motions::Motion;
+use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
 use rotation_dynamics::math::{acos, asin, atan2, cos, sin, sincos};
 
@@ -53,11 +54,6 @@ pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
 
 /// RK4 on yaw, pitch and roll, with 1/cos(pitch) in their rates.
 pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
-    path_of_yaw_pitch_roll(motion, count).pop()?
-}
-
-/// The same at the start and after each step.
-pub fn path_of_yaw_pitch_roll(motion: &Motion, count: u32) -> Vec<Option<Attitude>> {
     let YawPitchRoll { yaw, pitch, roll } = motion.attitude.yaw_pitch_roll();
     let [p, q, r] = motion.rates;
     let slope = |&[_, pitch, roll, p, q, r]: &[f64; 6]| {
@@ -66,14 +62,8 @@ pub fn path_of_yaw_pitch_roll(motion: &Motion, count: u32) -> Vec<Option<Attitud
         let [a, b, d] = rates_of(motion, [p, q, r], [-s, c * sr]);
         [turn, q * cr - r * sr, p + turn * s, a, b, d]
     };
-    let (mut y, h) = ([yaw, pitch, roll, p, q, r], motion.end / f64::from(count));
-    let mut path = Vec::new();
-    for _ in 0..=count {
-        let [yaw, pitch, roll, ..] = y;
-        path.push(Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok());
-        y = rk4(&slope, &y, h);
-    }
-    path
+    let [yaw, pitch, roll, ..] = steps(slope, [yaw, pitch, roll, p, q, r], motion.end, count);
+    Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()
 }
 
 /// The tilt by the arc cosine of the axis's height, the others by arc tangents of elements of
@@ -159,6 +149,25 @@ fn mean(mut a: f64, mut b: f64) -> f64 {
 
 /// RK4 on the quaternion and the body's rates, with nothing kept.
 pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
+    let (slope, start) = unkept(motion);
+    let [w, x, y, z, ..] = steps(slope, start, motion.end, count);
+    Attitude::from_quaternion([w, x, y, z]).ok()
+}
+
+/// The same at the start and after each step, with the rate about the middle axis.
+pub fn path_on_quaternion(motion: &Motion, count: u32) -> Result<Vec<(Attitude, f64)>> {
+    let (slope, mut now) = unkept(motion);
+    let mut path = Vec::new();
+    for _ in 0..=count {
+        let [w, x, y, z, _, middle, _] = now;
+        path.push((Attitude::from_quaternion([w, x, y, z])?, middle));
+        now = rk4(&slope, &now, motion.end / f64::from(count));
+    }
+    Ok(path)
+}
+
+/// The rates of quaternion and body's rates, and where they start.
+fn unkept(motion: &Motion) -> (impl Fn(&[f64; 7]) -> [f64; 7] + '_, [f64; 7]) {
     let [w, x, y, z] = motion.attitude.quaternion();
     let [p, q, r] = motion.rates;
     let slope = |&[w, x, y, z, p, q, r]: &[f64; 7]| {
@@ -174,8 +183,7 @@ pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
             c,
         ]
     };
-    let [w, x, y, z, ..] = steps(slope, [w, x, y, z, p, q, r], motion.end, count);
-    Attitude::from_quaternion([w, x, y, z]).ok()
+    (slope, [w, x, y, z, p, q, r])
 }
 
 /// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a

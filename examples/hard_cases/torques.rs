@@ -152,15 +152,16 @@ fn pushed_once(step: f64) -> Result<Turned<((), PrescribedTorque)>> {
     })
 }
 
-/// A torque switched on and off, by RK4 in so many equal steps: straight on, and started anew
-/// at each jump (rad).
-pub fn across_jumps(steps: u64) -> Result<[f64; 2]> {
+/// A torque switched on and off, in so many equal steps: RK4 straight on, RK4 started anew at
+/// each jump, Gauss-Legendre started anew (rad).
+pub fn across_jumps(steps: u64) -> Result<[f64; 3]> {
     let pushed = pushed_once(10.0 / steps as f64)?;
-    let by_pieces = pushed.by_pieces(Method::Rk4, start()?)?;
     let truth = pushed.truth(start()?)?;
+    let anew = |method| Ok(truth.angle_to(&pushed.by_pieces(method, start()?)?));
     Ok([
         pushed.straight("straight on", steps)?.error,
-        truth.angle_to(&by_pieces),
+        anew(Method::Rk4)?,
+        anew(Method::GaussLegendre16)?,
     ])
 }
 
