@@ -4,7 +4,7 @@ use super::forms::Form;
 use super::long::Late;
 use super::motions::{By, Motion};
 use super::naive::{
-    by_arc_cosine, on_euler_angles, on_quaternion, path_on_quaternion, rates_by_landau,
+    by_arc_cosine, on_euler_angles, on_quaternion, path_by_momentum, rates_by_landau,
     tilt_by_energy,
 };
 use super::{Parameters, flips, poles, separatrix, table::Cell, tops, torques};
@@ -213,17 +213,22 @@ fn overview(p: &Parameters) -> Result<Panel> {
     .curve(Curve::new(naive, Ink::Wrong).marker(Marker::Square).dots()))
 }
 
-/// A book thrown nearly about its middle axis, for about eight flips, and so many steps.
+/// A book that turns exactly about its middle axis: it must do so for ever.
 fn thrown() -> Result<Motion> {
-    let start = Attitude::from_quaternion([1.0, 0.0, 0.0, 0.0])?;
-    Ok(Motion::free(
-        [1.0, 2.0, 2.5],
-        start,
-        [0.0, 1.0, 1e-3],
-        240.0,
-    ))
+    let (phi, theta, zeta) = (1.0, 0.5, 2.0);
+    let start = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
+    Ok(Motion::free([1.0, 2.0, 2.5], start, [0.0, 1.0, 0.0], 240.0))
 }
-const STEPS: u32 = 600;
+const STEPS: u32 = 2400;
+
+/// When the book that RK4 turns lies across its axis for the first time (s).
+pub fn first_flip() -> Result<f64> {
+    let motion = thrown()?;
+    let path = path_by_momentum(&motion, STEPS)?;
+    let turned = path.iter().position(|(_, middle)| *middle < 0.0);
+    let steps = turned.map_or(f64::NAN, |n| n as f64);
+    Ok(motion.end / f64::from(STEPS) * steps)
+}
 
 /// The book by RK4 (dashed outline) beside the true one.
 pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
@@ -233,7 +238,7 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
         motion.attitude,
         BodyVector::from_array(motion.rates),
     )?;
-    let path = path_on_quaternion(&motion, STEPS)?;
+    let path = path_by_momentum(&motion, STEPS)?;
     let h = motion.end / f64::from(STEPS);
     let middle = |t: f64| exact.angular_velocity(t).y();
     let naive = path
@@ -248,11 +253,11 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
     )
     .curve(Curve::of(times(0.0, motion.end, 600), middle, Ink::Ink).label("exact"))
     .curve(Curve::new(naive, Ink::Wrong).dashed().label("wrong: RK4"));
-    MovingPicture::above(graph, 0.0..=motion.end, [30.0, 130.0, 235.0], move |t| {
+    MovingPicture::above(graph, 0.0..=motion.end, [40.0, 85.0, 120.0], move |t| {
         let (naive, _) = path[((t / h).round() as usize).min(path.len() - 1)];
         let truth = exact.attitude(t);
         let alt = format!(
-            "A book after {t:.0} s of tumbling, and dashed the one that RK4 gives, {:.1} rad off; \
+            "A book after {t:.0} s of turning about its middle axis, and dashed the one that RK4 gives, {:.1} rad off; \
              below, the rates about the middle axis against time.",
             truth.angle_to(&naive)
         );

@@ -3,6 +3,7 @@
 use super::motions::Motion;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
+use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::{acos, asin, atan2, cos, sin, sincos};
 
 /// A step of the classical Runge-Kutta method.
@@ -149,25 +150,6 @@ fn mean(mut a: f64, mut b: f64) -> f64 {
 
 /// RK4 on the quaternion and the body's rates, with nothing kept.
 pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
-    let (slope, start) = unkept(motion);
-    let [w, x, y, z, ..] = steps(slope, start, motion.end, count);
-    Attitude::from_quaternion([w, x, y, z]).ok()
-}
-
-/// The same at the start and after each step, with the rate about the middle axis.
-pub fn path_on_quaternion(motion: &Motion, count: u32) -> Result<Vec<(Attitude, f64)>> {
-    let (slope, mut now) = unkept(motion);
-    let mut path = Vec::new();
-    for _ in 0..=count {
-        let [w, x, y, z, _, middle, _] = now;
-        path.push((Attitude::from_quaternion([w, x, y, z])?, middle));
-        now = rk4(&slope, &now, motion.end / f64::from(count));
-    }
-    Ok(path)
-}
-
-/// The rates of quaternion and body's rates, and where they start.
-fn unkept(motion: &Motion) -> (impl Fn(&[f64; 7]) -> [f64; 7] + '_, [f64; 7]) {
     let [w, x, y, z] = motion.attitude.quaternion();
     let [p, q, r] = motion.rates;
     let slope = |&[w, x, y, z, p, q, r]: &[f64; 7]| {
@@ -183,7 +165,39 @@ fn unkept(motion: &Motion) -> (impl Fn(&[f64; 7]) -> [f64; 7] + '_, [f64; 7]) {
             c,
         ]
     };
-    (slope, [w, x, y, z, p, q, r])
+    let [w, x, y, z, ..] = steps(slope, [w, x, y, z, p, q, r], motion.end, count);
+    Attitude::from_quaternion([w, x, y, z]).ok()
+}
+
+/// RK4 on the quaternion alone, the rates from L, which stays in space: the attitude at the
+/// start and after each step, with the rate about the middle axis.
+pub fn path_by_momentum(motion: &Motion, count: u32) -> Result<Vec<(Attitude, f64)>> {
+    let [i1, i2, i3] = motion.moments;
+    let [p, q, r] = motion.rates;
+    let momentum = motion
+        .attitude
+        .to_space(BodyVector::new(i1 * p, i2 * q, i3 * r));
+    let rates = |attitude: Attitude| {
+        let [a, b, c] = attitude.to_body(momentum).to_array();
+        [a / i1, b / i2, c / i3]
+    };
+    let slope = |&[w, x, y, z]: &[f64; 4]| {
+        let attitude = Attitude::from_quaternion([w, x, y, z]).unwrap_or(motion.attitude);
+        let [p, q, r] = rates(attitude);
+        [
+            0.5 * (-x * p - y * q - z * r),
+            0.5 * (w * p + y * r - z * q),
+            0.5 * (w * q + z * p - x * r),
+            0.5 * (w * r + x * q - y * p),
+        ]
+    };
+    let (mut now, mut path) = (motion.attitude.quaternion(), Vec::new());
+    for _ in 0..=count {
+        let attitude = Attitude::from_quaternion(now)?;
+        path.push((attitude, rates(attitude)[1]));
+        now = rk4(&slope, &now, motion.end / f64::from(count));
+    }
+    Ok(path)
 }
 
 /// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a

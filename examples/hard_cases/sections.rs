@@ -5,7 +5,7 @@ use super::forms::Form;
 use super::long::{self, Late};
 use super::motions::{By, Motion};
 use super::table::{Computed, Verdict};
-use super::{flips, naive, poles, scales};
+use super::{figures, flips, naive, poles, scales};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -49,6 +49,12 @@ fn digits(report: &mut Report) -> Result<()> {
 /// How far naive methods are off, against the series in pairs of doubles and, once more,
 /// against the closed form.
 fn broken(report: &mut Report) -> Result<()> {
+    // About the middle axis of moments 1, 2, 2.5 a kick grows as exp(t sqrt(1/5)).
+    let rate = 0.2_f64.sqrt();
+    claims! { report,
+        /// a rounding about the middle axis has grown to one
+        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => figures::first_flip()?, within 5.0;
+    }?;
     let locked = poles::locked()?;
     let flips = flips::flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
     let late = Late::after(long::PERIODS, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
@@ -92,6 +98,22 @@ fn broken(report: &mut Report) -> Result<()> {
 
 /// Nothing is left out: every case has every method in every representation.
 fn counts(report: &mut Report, computed: &[Computed]) -> Result<()> {
+    let total = |of: fn(&Computed) -> usize| computed.iter().map(of).sum::<usize>() as f64;
+    let cells = total(|one| one.count().cells);
+    claims! { report,
+        /// cases
+        cases: total(|one| one.count().rows), "-",
+            "naive methods, one for each" => total(|one| one.rows.len()), within 0.0;
+        /// cells
+        cells: cells, "-", "cases times methods times representations" =>
+            total(|one| one.rows.len() * one.family.methods.len() * one.family.forms.len()), within 0.0;
+        /// cells that hold
+        holds: total(|one| one.count().holds), "-", "cells less refusals" =>
+            cells - total(|one| one.count().refusals), within 0.0;
+        /// cells that are refused
+        refused: total(|one| one.count().refusals), "-", "cells less those that hold" =>
+            cells - total(|one| one.count().holds), within 0.0;
+    }?;
     for one in computed {
         let (family, count) = (one.family, one.count());
         let due = count.rows * family.methods.len() * family.forms.len();
