@@ -192,8 +192,8 @@ fn summary(report: &mut Report, computed: &[Computed]) -> Result<()> {
         "cells",
         "hold",
         "refused",
-        "largest error over its bound",
-        "naive methods: least error over the bound",
+        "error/bound",
+        "naive",
     ];
     let mut table = Table::new("families", columns)?;
     for one in computed {
