@@ -207,7 +207,7 @@ fn overview(p: &Parameters) -> Result<Panel> {
         Axis::log("error over its bound").range(1e-8, 1e16),
         Axis::linear("").range(0.3, lines + 0.7).ticks(names),
     )
-    .size(480, 60 + 26 * computed.len() as u32)
+    .size(340, 60 + 26 * computed.len() as u32)
     .upright(1.0, Ink::Ink, "bound")
     .curve(Curve::new(held, Ink::Ink).faint(0.5).dots())
     .curve(Curve::new(naive, Ink::Wrong).marker(Marker::Square).dots()))
