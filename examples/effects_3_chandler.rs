@@ -372,7 +372,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "oceans that lie unevenly":
             "half difference of k_ocean/(k_s - k)" = uneven / left, costs 0.5 * (uneven / left) * (uneven / left) * whole, "d of the period";
         "solid inner core":
-            "A_s/A" = 7.3e-4, costs 7.3e-4 * whole, "d of the period, at most";
+            "A_s/A" = 7.3e-4, costs 7.3e-4 / (1.0 - p.core) * whole, "d of the period, at most";
         "two different moments in the equator":
             "(B - A)/(C - A)" = 0.007, costs 0.5 * 0.0035 * 0.0035 * whole, "d of the period";
         "torque of Sun and Moon":
@@ -384,13 +384,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The runs that the page asks the reader to predict.
 fn tries(_: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = [
-        "run",
-        "period / d",
-        "nutation / d",
-        "fading / yr",
-        "beat / yr",
-    ];
+    let columns = ["run", "period", "nutation", "fading", "beat"];
     let mut table = Table::new("tries", columns)?;
     let [ours, mut small, mut flat, mut lasting, mut soft] =
         [(); 5].map(|()| Parameters::default());

@@ -444,12 +444,16 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let orbit = TAU / 6900.0;
     let gravity = 1.5 * orbit * orbit * (sat.transverse - sat.axial).abs() / l;
     let air = 0.5 * 1e-11 * 8200.0 * 8200.0 * p.length * p.diameter * 2.2 * 0.05 / l;
-    let (bent, whips) = (sat.loss(), 4.0 * 0.05 * 0.4 * 0.4 / sat.transverse);
+    // Across the axis the whips have half of what they have about it.
+    let (bent, whips) = (sat.loss(), 4.0 * 0.05 * 0.4 * 0.4);
+    let (about, across) = (whips / sat.axial, 0.5 * whips / sat.transverse);
+    let ends = if sat.thin() { across } else { about };
+    let faster = ((1.0 + about) / (1.0 + ends) - 1.0).abs();
     effect_card! { report,
         "it is not rigid inside": "a times L" = bent, costs FRAC_PI_2 - p.nutation, "rad of nutation", included;
         "gravity is weaker above": "3 n^2 (I_t - I_a) t/(2 L)" = gravity * time, costs gravity * time, "rad of L, at most";
         "air at the perigee": "rho v^2 C S d t/(2 L)" = air * time, costs air * time, "rad of L, at most";
-        "four whip antennas": "m d^2/I_t" = whips, costs whips, "of the rate in the end";
+        "four whip antennas": "4 m d^2/I_a" = about, costs faster, "of the rate in the end";
     }
 }
 

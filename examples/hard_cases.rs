@@ -1,5 +1,7 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 
+#[path = "hard_cases/events.rs"]
+mod events;
 #[path = "hard_cases/figures.rs"]
 mod figures;
 #[path = "hard_cases/findings.rs"]
@@ -8,6 +10,10 @@ mod findings;
 mod flips;
 #[path = "hard_cases/forms.rs"]
 pub mod forms;
+#[path = "hard_cases/impacts.rs"]
+mod impacts;
+#[path = "hard_cases/limits.rs"]
+mod limits;
 #[path = "hard_cases/long.rs"]
 mod long;
 #[path = "hard_cases/motions.rs"]
@@ -46,7 +52,7 @@ rotation_dynamics::parameters! {
     /// Which family is computed.
     pub struct Parameters {
         /// family of cases
-        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings");
+        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "limits");
         /// error asked for in the accuracy strip; three of them if none is given
         tolerance: optional("rad", from_to(1e-14, 1.0));
     }
@@ -65,6 +71,9 @@ pub const FAMILIES: &[Family] = &[
     long::FAMILY,
     torques::FAMILY,
     findings::FAMILY,
+    events::FAMILY,
+    impacts::FAMILY,
+    limits::FAMILY,
 ];
 
 /// The families asked for, each computed once.

@@ -25,7 +25,11 @@ pub fn rotor(p: &Parameters) -> Result<Stepped> {
     let gravity = |g| GravityAtLever::new(rotor.mass * g, rotor.length);
     // A disc of the rotor's mass and moment.
     let radius = (2.0 * rotor.i3 / rotor.mass).sqrt();
-    let air = |density| DiscDrag::new(radius, density, DiscDrag::AIR_VISCOSITY, rotor.spin);
+    // What is thinner is as viscous, so that nu goes with 1/density.
+    let air = |density| {
+        let viscosity = DiscDrag::AIR_VISCOSITY * (DiscDrag::AIR_DENSITY / density);
+        DiscDrag::new(radius, density, viscosity, rotor.spin)
+    };
     let added = Added {
         nodes: p.friction,
         air: p.air.map(air).transpose()?,

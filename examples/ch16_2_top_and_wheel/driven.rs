@@ -23,7 +23,11 @@ pub fn body(p: &Parameters) -> Result<Stepped> {
     let rigid = RigidBody::new(PrincipalMoments::symmetric(body.moment(), body.i3)?);
     let start = rigid.state(Attitude::from_euler(body.tilted())?, body.rates())?;
     let gravity = |g| GravityAtLever::new(body.mass * g, body.length);
-    let air = |density| DiscDrag::new(radius, density, DiscDrag::AIR_VISCOSITY, body.spin);
+    // What is thinner is as viscous, so that nu goes with 1/density.
+    let air = |density| {
+        let viscosity = DiscDrag::AIR_VISCOSITY * (DiscDrag::AIR_DENSITY / density);
+        DiscDrag::new(radius, density, viscosity, body.spin)
+    };
     let added = Added {
         nodes: p.friction,
         air: p.air.map(air).transpose()?,

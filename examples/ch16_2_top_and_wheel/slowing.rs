@@ -1,6 +1,6 @@
 //! A spin that is braked: the sleeping top that wakes, and what friction costs.
 
-use super::{Body, Parameters, TOP, driven};
+use super::{Body, Parameters, TOP, WHEEL, driven};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -140,7 +140,12 @@ const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     p.motions()?;
     if driven::is_asked_for(p) {
-        return driven::body(p)?.moving(0.44, leaning);
+        let body = driven::body(p)?;
+        return if p.body == "wheel" {
+            body.moving(LEVER, hanging)
+        } else {
+            body.moving(0.44, leaning)
+        };
     }
     let mut bodies = p.bodies().into_iter();
     let asked = bodies.find(|(name, body)| *name == "top" && body.weight_moment() > 0.0);
@@ -206,6 +211,26 @@ fn leaning(pose: &Pose) -> View {
         .ground(origin, 0.55)
         .solid(Solid::top(origin, axis, HEIGHT, BELLY), Ink::Body)
         .line(mark, Ink::Paper)
+}
+
+/// From the rope to the hub of the wheel; its radius is to scale.
+const LEVER: f64 = 0.33;
+
+/// The wheel hung by one end of its axle.
+fn hanging(pose: &Pose) -> View {
+    let (axis, origin) = (pose.axis(), SpaceVector::zero());
+    let (hub, radius) = (axis * LEVER, LEVER * 0.33 / WHEEL.length);
+    let spokes = (0..8).map(|i| {
+        let out = pose.spoke(TAU * f64::from(i) / 8.0);
+        Solid::rod(hub, hub + out * radius, 0.01)
+    });
+    let rim = Solid::ring(hub, axis, radius, 0.03);
+    let wheel = spokes.fold(rim.with(Solid::rod(origin, axis, 0.02)), Solid::with);
+    View::new("scene", "scene")
+        .around(UP * 0.2, 1.25)
+        .size(340, 320)
+        .line([origin, UP], Ink::Ink)
+        .solid(wheel, Ink::Body)
 }
 
 /// The top with the vectors that move it.

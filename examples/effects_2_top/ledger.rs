@@ -1,6 +1,9 @@
 //! Which effect rules which part of the life, and what becomes of it without one of them.
 
 use super::*;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::math::exp;
+use rotation_dynamics::tops::Grip;
 
 /// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
 pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -74,11 +77,43 @@ fn works<F: TipFriction>(
     Ok(sums)
 }
 
+/// Dry friction as many programs have it: mu N tanh(u/epsilon) against the slip.
+#[derive(Debug, Clone, Copy)]
+struct Smoothed {
+    coefficient: f64,
+    epsilon: f64,
+}
+
+impl TipFriction for Smoothed {
+    const SLIDES: bool = true;
+    const STICKS: bool = false;
+
+    fn sliding(&self, slip: SpaceVector, _: f64) -> Grip {
+        let speed = slip.norm().max(1e-9 * self.epsilon);
+        let tanh = 1.0 - 2.0 / (exp(2.0 * speed / self.epsilon) + 1.0);
+        Grip {
+            force: slip * (-self.coefficient * tanh / speed),
+            torque: 0.0,
+        }
+    }
+
+    fn holds(&self) -> f64 {
+        0.0
+    }
+}
+
 /// The same throw with one thing left out.
 pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     let columns = "left out, tilt after 1 s / rad, after 5 s, after 20 s, what becomes of it";
     let mut table = Table::new("without", columns.split(", "))?;
     let (point, patch) = (Dry::new(p.friction)?, p.rubbing()?);
+    let smoothed = |epsilon| {
+        let coefficient = p.friction;
+        p.toy(Smoothed {
+            coefficient,
+            epsilon,
+        })
+    };
     let bare = Top::new(p.shape()?, GRAVITY)?.on(patch).sloping(p.slope)?;
     let rows = [
         ("nothing", tilts(&p.toy(patch)?, p)?),
@@ -92,6 +127,8 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
         ),
         ("all friction: a smooth floor", tilts(&p.toy(Smooth)?, p)?),
         ("the air", tilts(&bare, p)?),
+        ("the patch: a tanh of 0.1 m/s", tilts(&smoothed(0.1)?, p)?),
+        ("the patch: a tanh of 3 mm/s", tilts(&smoothed(3e-3)?, p)?),
     ];
     for (name, (tilts, fate)) in rows {
         let cells = tilts.map(|tilt| format!("{tilt:.4}"));
@@ -117,6 +154,7 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
     let fate = match (grips, tilts[2] < ASLEEP) {
         (Ok((t, tilt)), _) => format!("grips after {t:.2} s at {tilt:.3} rad and rises no more"),
         (_, true) => "falls asleep".into(),
+        _ if tilts[2] < 0.8 * p.tilt => "creeps up, and is not asleep yet".into(),
         _ => "never rises".into(),
     };
     Ok((tilts, fate))

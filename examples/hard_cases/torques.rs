@@ -11,12 +11,12 @@ use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, Effect, PrescribedTorque, Profile, ViscousFriction,
+    CoulombBearing, Effect, PrescribedTorque, Profile, Torque, ViscousFriction,
 };
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::Method;
-use rotation_dynamics::math::{exp, expm1};
+use rotation_dynamics::math::{exp, expm1, sin};
 use rotation_dynamics::scene::Scene;
 
 pub const FAMILY: Family = Family {
@@ -254,6 +254,31 @@ fn rows() -> Result<Vec<Row>> {
         "its torque jumps where the motion ends",
     ];
     rows.push(stopped.row(words, stopped.straight("RK4 straight on, 997 steps", 997)?)?);
+
+    // |sin t|: between its corners at k pi it is smooth; in each half wave its area is 2.
+    let (pi, end) = (core::f64::consts::PI, 10.0);
+    let corners = [pi, 2.0 * pi, 3.0 * pi];
+    // Of a half wave from a to a + pi: 2 (end - a - pi/2); of the rest r: r - sin r.
+    let rest = end - corners[2];
+    let gained = (6.0 * end - 9.0 * pi + rest - sin(rest)) / i3;
+    let drive = Torque::on_body("rectified", |t, _: &RigidBody, _: &State| {
+        BodyVector::new(0.0, 0.0, sin(t).abs())
+    });
+    let rectified = Turned {
+        scene: scene.with(drive.with_break_points(&corners)?),
+        pieces: vec![corners[0], corners[1], corners[2], end],
+        step: 0.2,
+        angle: SPIN * end + gained,
+        size: SPIN * end + 2.0 * gained,
+    };
+    let words = [
+        "a torque |sin t|",
+        "three corners, no order above two across them",
+    ];
+    rows.push(rectified.row(
+        words,
+        rectified.straight("RK4 straight on, 997 steps", 997)?,
+    )?);
 
     // Viscous: (1 - exp(-c t/I3)) I3/c of the spin.
     let (rate, end) = (200.0, 1.0);

@@ -6,6 +6,7 @@ mod convergence;
 mod foils;
 mod gauss_legendre;
 mod invariants;
+mod long;
 mod munthe_kaas;
 mod resisted;
 mod slope;

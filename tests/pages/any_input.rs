@@ -53,7 +53,7 @@ fn command_lines() {
             .collect();
         let told = page.answer(&words.join(" "));
         let line = format!("{} {}", page.stem(), words.join(" "));
-        // Two pages quote a refusal with a NaN in it.
+        // These pages quote a refusal with a NaN in it.
         let quotes = ["library", "hard_cases"].contains(&page.stem());
         let nan = told.stdout.contains("NaN") && !quotes;
         match told.code {

@@ -95,7 +95,7 @@ impl FreeBody {
     /// `NotFinite` for a NaN or infinite rate, or an energy beyond `f64`;
     /// `OutOfRange` for a fastest rate outside 1e-230 to 1e230 rad/s (but 0: rest), while
     /// the others may be as small as doubles are, and for a needle of three different moments
-    /// with I_min/I_max below 1e-120.
+    /// with I_min/I_max below 1e-120, or a thinner symmetric one that doubles do not hold.
     pub fn new(
         moments: PrincipalMoments,
         attitude: Attitude,
@@ -121,14 +121,14 @@ impl FreeBody {
             finite("I omega^2", moment * rate * rate)?;
             finite("I omega", moment * rate)?;
         }
+        let [least, most] =
+            [f64::min, f64::max].map(|of| of(of(moments[0], moments[1]), moments[2]));
         let equal = [0, 1, 2].map(|i| moments[(i + 1) % 3] == moments[(i + 2) % 3]);
         let motion = if omega.iter().filter(|w| **w != 0.0).count() <= 1 || (equal[0] && equal[1]) {
             Motion::Steady(Symmetric::steady(omega, attitude))
         } else if let Some(axis) = equal.iter().position(|e| *e) {
             Motion::Symmetric(Symmetric::new(moments, omega, axis, attitude))
         } else {
-            let [least, most] =
-                [f64::min, f64::max].map(|of| of(of(moments[0], moments[1]), moments[2]));
             if least < THINNEST * most {
                 return Err(Error::OutOfRange {
                     name: "I_min/I_max",
@@ -138,12 +138,20 @@ impl FreeBody {
             }
             Motion::Asymmetric(Box::new(Asymmetric::new(moments, omega, attitude)))
         };
-        Ok(Self {
+        let made = Self {
             moments,
             angular_velocity,
             attitude,
             motion,
-        })
+        };
+        if !made.kinematics(0.0).is_finite() {
+            return Err(Error::OutOfRange {
+                name: "I_min/I_max",
+                value: least / most,
+                allowed: "a ratio whose products with the rates doubles hold",
+            });
+        }
+        Ok(made)
     }
 
     /// Which of the solutions applies.

@@ -1,7 +1,7 @@
 //! Events: places where a function of time and state goes through zero.
 //!
-//! A crossing is found by the sign of the function at the ends of a step and
-//! at seven times between, on the interpolant. Its time is then polished with
+//! A crossing is found by the sign of the function at the ends of a step, at
+//! seven times between and where it comes nearest to zero, on the interpolant. Its time is then polished with
 //! real steps from the start of the step, so that it has the accuracy of the
 //! run and not that of the interpolant.
 
@@ -27,8 +27,9 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 /// A function of time and state whose zeros are to be located.
 ///
 /// What counts is a change of sign between two of nine equidistant times in a
-/// step. A function that only touches zero (grazes) is therefore met or missed
-/// as round-off has it, and two zeros within an eighth of a step hide each
+/// step, or between one of them and the point where the function comes nearest to zero:
+/// a graze that is deeper than round-off is met. One that only touches zero is met or
+/// missed as round-off has it, and of three zeros within an eighth of a step two hide each
 /// other: [`Dop853::with_longest_step`](super::Dop853::with_longest_step). A
 /// function that is zero at the very start of a run has no event there.
 ///
@@ -124,6 +125,10 @@ pub struct LocatedEvent<const N: usize> {
 
 /// Parts of a step between which the sign of an event function is compared.
 const PARTS: u32 = 8;
+/// Narrowings of the place where a function comes nearest to zero: 0.618^40 of a step.
+const NARROWINGS: u32 = 40;
+/// A graze of less than this part of the function's size nearby is round-off.
+const GRAZE: f64 = 16.0 * EPS;
 /// Corrections of an event's time by real steps, at most.
 const CORRECTIONS: u32 = 6;
 
@@ -156,16 +161,17 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
     ) -> Result<Met<N>> {
         let mut found: Vec<(LocatedEvent<N>, Trial<N>)> = Vec::new();
         for (index, event) in self.events.iter().enumerate() {
-            let (mut t_a, mut a) = (step.t, self.values[index]);
-            for part in 1..=PARTS {
-                let (t_b, y_b) = if part == PARTS {
-                    (step.t_end, step.end.value)
-                } else {
-                    let s = f64::from(part) / f64::from(PARTS);
-                    let t_b = step.t + s * (step.t_end - step.t);
-                    (t_b, segment.at(t_b))
-                };
-                let b = event.value(t_b, &y_b)?;
+            let mut seen = vec![(step.t, self.values[index])];
+            for part in 1..PARTS {
+                let s = f64::from(part) / f64::from(PARTS);
+                let t = step.t + s * (step.t_end - step.t);
+                seen.push((t, event.value(t, &segment.at(t))?));
+            }
+            let last = event.value(step.t_end, &step.end.value)?;
+            seen.push((step.t_end, last));
+            let seen = with_grazes(event, segment, &seen)?;
+            for pair in seen.windows(2) {
+                let ((t_a, a), (t_b, b)) = (pair[0], pair[1]);
                 if let Some(rising) = event.counts(a, b) {
                     let guess = root(event, segment, (t_a, a), (t_b, b))?;
                     let there = polish(ode, event, step, segment, guess, work)?;
@@ -178,9 +184,8 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
                     };
                     found.push((located, there));
                 }
-                (t_a, a) = (t_b, b);
             }
-            self.values[index] = a;
+            self.values[index] = last;
         }
         let since_start = |e: &LocatedEvent<N>| (e.t - step.t).abs();
         found.sort_by(|(e, _), (f, _)| since_start(e).total_cmp(&since_start(f)));
@@ -194,6 +199,68 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
         });
         Ok((found.into_iter().map(|(e, _)| e).collect(), stopped))
     }
+}
+
+/// The times and values seen in a step, and between them those where the function comes
+/// nearest to zero, if it is beyond zero there.
+fn with_grazes<const N: usize>(
+    event: &Event<'_, N>,
+    segment: &Segment<N>,
+    seen: &[(f64, f64)],
+) -> Result<Vec<(f64, f64)>> {
+    let mut all = seen[..1].to_vec();
+    for (i, pair) in seen.windows(2).enumerate() {
+        let ((t_a, a), (t_b, b)) = (pair[0], pair[1]);
+        // Nearest to zero from the side on which both ends are.
+        let side = if a > 0.0 { 1.0 } else { -1.0 };
+        // A convex function stays above the secants on either side, drawn on.
+        let above = |here: f64, beside: Option<&(f64, f64)>| {
+            beside.is_some_and(|(_, beside)| side * (2.0 * here - beside) > 0.0)
+        };
+        let before = i.checked_sub(1).and_then(|j| seen.get(j));
+        let both = side * a > 0.0 && side * b > 0.0;
+        if both && !above(a, before) && !above(b, seen.get(i + 2)) {
+            let (t, value) = nearest(event, segment, side, [t_a, t_b])?;
+            let size = a.abs().max(b.abs());
+            if side * value < -GRAZE * size {
+                all.push((t, value));
+            }
+        }
+        all.push((t_b, b));
+    }
+    Ok(all)
+}
+
+/// Where `side` times the function is least between two times, by the golden section.
+fn nearest<const N: usize>(
+    event: &Event<'_, N>,
+    segment: &Segment<N>,
+    side: f64,
+    [mut from, mut to]: [f64; 2],
+) -> Result<(f64, f64)> {
+    const PART: f64 = 0.381_966_011_250_105_1;
+    let value = |t: f64| event.value(t, &segment.at(t));
+    let at = |part: f64, from: f64, to: f64| from + part * (to - from);
+    let (mut t_a, mut t_b) = (at(PART, from, to), at(1.0 - PART, from, to));
+    let (mut a, mut b) = (value(t_a)?, value(t_b)?);
+    for _ in 0..NARROWINGS {
+        if side * a < side * b {
+            to = t_b;
+            (t_b, b) = (t_a, a);
+            t_a = at(PART, from, to);
+            a = value(t_a)?;
+        } else {
+            from = t_a;
+            (t_a, a) = (t_b, b);
+            t_b = at(1.0 - PART, from, to);
+            b = value(t_b)?;
+        }
+    }
+    Ok(if side * a < side * b {
+        (t_a, a)
+    } else {
+        (t_b, b)
+    })
 }
 
 /// A zero of the event function on the interpolant, between times where its

@@ -56,6 +56,11 @@ impl Effect for Nodes {
         along(nodes, -self.friction * omega.dot(&nodes))
     }
 
+    /// No nod is faster than |L|/I1; at a turning point the torque itself is 0.
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        self.friction * state.angular_momentum.norm() / body.moments().i1()
+    }
+
     fn narrowest(&self) -> Option<Feature> {
         Some(Feature::WIDE)
     }
@@ -315,15 +320,10 @@ impl Stepped {
                 .iter()
                 .map(|row| (row[0], row[n + 1]))
                 .collect();
-            let values = || line.iter().map(|(_, value)| *value);
-            let (low, high) = (
-                values().fold(f64::INFINITY, f64::min),
-                values().fold(f64::NEG_INFINITY, f64::max),
-            );
-            let margin = (0.08 * (high - low)).max(1e-3 * high.abs()).max(1e-6);
+            let (low, high) = room(&line);
             let panel = Panel::new("row", "row")
                 .x(Axis::linear("$t$ / s"))
-                .y(Axis::linear(label).range(low - margin, high + margin))
+                .y(Axis::linear(label).range(low, high))
                 .curve(Curve::new(line, Ink::Ink))
                 .curve(Curve::new(dots, Ink::Body).dots());
             stack = stack.panel(panel);
@@ -340,12 +340,19 @@ impl Stepped {
             ),
         )
         .camera(camera)
-        .sphere()
-        .turn(path[900..920].to_vec(), Ink::Body)
-        .trace(path, Ink::Body)
-        .arrow(SpaceVector::zero(), start, Ink::Body, "", Side::Left)
-        .dot(start, Ink::Body, "start", Side::Left)
-        .triad();
+        .sphere();
+        // An axis that stands still goes in no direction.
+        let goes = (path[919] - path[900]).norm() > 1e-4;
+        let trace = if goes {
+            trace.turn(path[900..920].to_vec(), Ink::Body)
+        } else {
+            trace
+        };
+        let trace = trace
+            .trace(path, Ink::Body)
+            .arrow(SpaceVector::zero(), start, Ink::Body, "", Side::Left)
+            .dot(start, Ink::Body, "start", Side::Left)
+            .triad();
         Ok(vec![stack.figure()?, trace.figure()?])
     }
 
@@ -385,14 +392,26 @@ impl Stepped {
                 })
             }),
         };
-        let panel = |tilt| {
+        let panel = |tilt: Vec<(f64, f64)>| {
+            let (low, high) = room(&tilt);
             Panel::new("tilt", "tilt")
                 .x(Axis::linear("$t$ / s"))
-                .y(Axis::linear("tilt $\\theta$ / rad"))
+                .y(Axis::linear("tilt $\\theta$ / rad").range(low, high))
                 .curve(Curve::new(tilt, Ink::Ink))
         };
         drawn.moving(panel, hub, body)
     }
+}
+
+/// From where to where a line is drawn: what stands still is no zigzag of rounding.
+fn room(line: &[(f64, f64)]) -> (f64, f64) {
+    let values = || line.iter().map(|(_, value)| *value);
+    let (low, high) = (
+        values().fold(f64::INFINITY, f64::min),
+        values().fold(f64::NEG_INFINITY, f64::max),
+    );
+    let margin = (0.08 * (high - low)).max(1e-3 * high.abs()).max(1e-6);
+    (low - margin, high + margin)
 }
 
 /// The direction of the axis at a time of a run.

@@ -4,7 +4,7 @@ use super::kepler::{Kepler, distance, exact};
 use core::f64::consts::PI;
 use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode};
 use rotation_dynamics::math::{cos, sin};
-use support::{Errors, assert_error, attained};
+use support::{EPS, Errors, assert_error, attained};
 
 #[test]
 fn crossings_of_the_axis() {
@@ -172,4 +172,46 @@ fn an_event_must_be_a_number() {
         message.starts_with("the function of the event \"root\" is NaN at t = "),
         "{message}"
     );
+}
+
+/// A parabola that dips this deep below zero: both its zeros lie within an eighth of
+/// a step, of which a constant rate needs few.
+#[test]
+fn a_graze_within_a_step_is_met() {
+    struct Clock;
+    impl Ode<1> for Clock {
+        fn derivative(&self, _: f64, _: &[f64; 1]) -> [f64; 1] {
+            [1.0]
+        }
+    }
+    let mut late = Errors::of("time of a graze, in what a rounding does");
+    let mut met = 0;
+    for depth in [1e-2, 1e-6, 1e-10, 1e-13] {
+        for centre in [0.03, 0.31, 0.5, 0.999, 1.7] {
+            let dips = |_: f64, y: &[f64; 1]| (y[0] - centre) * (y[0] - centre) - depth;
+            let event = Event::falling("dips", dips);
+            let method = Dop853::new(1e-12).expect("valid");
+            let start = [-1.0];
+            let run = method
+                .solve(&Clock, 0.0, &start, 3.0, &[event])
+                .expect("smooth");
+            assert_eq!(run.events().len(), 1, "{depth:e} at {centre}");
+            // A rounding of the state moves the zero by eps/sqrt(depth).
+            let off = run.events()[0].t - (1.0 + centre - depth.sqrt());
+            late.push_at(off / (EPS * (1.0 + 1.0 / depth.sqrt())), depth);
+            met += 1;
+        }
+    }
+    assert_eq!(met, 20);
+    assert!(late.largest() <= 8.0, "{:e}", late.largest());
+    // The touch alone, and a miss: nothing.
+    for above in [1e-12, 1e-3] {
+        let misses = |_: f64, y: &[f64; 1]| (y[0] - 0.31) * (y[0] - 0.31) + above;
+        let event = Event::falling("misses", misses);
+        let method = Dop853::new(1e-12).expect("valid");
+        let run = method
+            .solve(&Clock, 0.0, &[-1.0], 3.0, &[event])
+            .expect("smooth");
+        assert_eq!(run.events().len(), 0);
+    }
 }
