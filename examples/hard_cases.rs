@@ -2,6 +2,8 @@
 
 #[path = "hard_cases/events.rs"]
 mod events;
+#[path = "hard_cases/figures.rs"]
+mod figures;
 #[path = "hard_cases/findings.rs"]
 mod findings;
 #[path = "hard_cases/flips.rs"]
@@ -98,5 +100,5 @@ fn report(p: &Parameters) -> Result<Report> {
 
 rotation_dynamics::example! {
     hard_cases: "Hard cases: a family at a time, the naive method that breaks beside those that hold";
-    report, sections::figures, sections::trajectory
+    report, figures::figures, sections::trajectory, figures::moving_picture
 }

@@ -19,9 +19,9 @@ pub const FAMILY: Family = Family {
 };
 
 /// Two flips a period, and a quarter of a period more.
-const PERIODS: f64 = 5000.25;
+pub const PERIODS: f64 = 5000.25;
 
-fn flips(moments: [f64; 3], rates: [f64; 3]) -> Result<Motion> {
+pub fn flips(moments: [f64; 3], rates: [f64; 3]) -> Result<Motion> {
     let attitude = Attitude::from_euler(EulerAngles {
         phi: 0.3,
         theta: 0.8,

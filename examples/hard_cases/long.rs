@@ -18,14 +18,42 @@ pub const FAMILY: Family = Family {
     rows,
 };
 
-const PERIODS: f64 = 1e12;
+pub const PERIODS: f64 = 1e12;
+
+/// A free body after many periods, and where it is if whole periods are dropped in doubles.
+pub struct Late {
+    pub motion: Motion,
+    pub exact: FreeBody,
+    pub modulo: Attitude,
+}
+
+impl Late {
+    /// After so many periods and three tenths of one.
+    pub fn after(periods: f64, moments: [f64; 3], rates: [f64; 3]) -> Result<Self> {
+        let attitude = Attitude::from_euler(EulerAngles {
+            phi: 0.3,
+            theta: 0.8,
+            zeta: 0.2,
+        })?;
+        let of = |end: f64| Motion::free(moments, attitude, rates, end);
+        let exact = FreeBody::new(of(0.0).body()?, attitude, BodyVector::from_array(rates))?;
+        let period = exact.rate_period();
+        let motion = of(periods * period + 0.3 * period);
+        let (count, rest) = ((motion.end / period).floor(), motion.end % period);
+        let turn = Attitude::about_space_axis(
+            exact.angular_momentum(),
+            (count * exact.precession_per_period()) % core::f64::consts::TAU,
+        )?;
+        let modulo = turn * exact.attitude(rest);
+        Ok(Self {
+            motion,
+            exact,
+            modulo,
+        })
+    }
+}
 
 fn rows() -> Result<Vec<Row>> {
-    let attitude = Attitude::from_euler(EulerAngles {
-        phi: 0.3,
-        theta: 0.8,
-        zeta: 0.2,
-    })?;
     let mut rows = Vec::new();
     for (words, moments, rates) in [
         (
@@ -50,21 +78,17 @@ fn rows() -> Result<Vec<Row>> {
             [0.8, 0.4, 0.3],
         ),
     ] {
-        let of = |end: f64| Motion::free(moments, attitude, rates, end);
-        let exact = FreeBody::new(of(0.0).body()?, attitude, BodyVector::from_array(rates))?;
-        let period = exact.rate_period();
-        let motion = of(PERIODS * period + 0.3 * period);
-        let (count, rest) = ((motion.end / period).floor(), motion.end % period);
-        let turn = Attitude::about_space_axis(
-            exact.angular_momentum(),
-            (count * exact.precession_per_period()) % core::f64::consts::TAU,
-        )?;
+        let Late {
+            motion,
+            exact,
+            modulo,
+        } = Late::after(PERIODS, moments, rates)?;
         let naive = Naive {
             method: "t modulo the period, in doubles",
-            error: motion.off(Some(turn * exact.attitude(rest))),
+            error: motion.off(Some(modulo)),
         };
         // The inputs are what they are: what a period may do is all that is granted.
-        let condition = exact.condition(period)?;
+        let condition = exact.condition(exact.rate_period())?;
         rows.push(motion.row_of_condition(words, &By::CLOSED, naive, [condition; 2])?);
     }
     Ok(rows)

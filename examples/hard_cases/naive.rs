@@ -1,7 +1,9 @@
 //! The methods that everyone writes first. Not for use: they are here to break.
 
 use super::motions::Motion;
+use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
+use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::{acos, asin, atan2, cos, sin, sincos};
 
 /// A step of the classical Runge-Kutta method.
@@ -165,6 +167,37 @@ pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
     };
     let [w, x, y, z, ..] = steps(slope, [w, x, y, z, p, q, r], motion.end, count);
     Attitude::from_quaternion([w, x, y, z]).ok()
+}
+
+/// RK4 on the quaternion alone, the rates from L, which stays in space: the attitude at the
+/// start and after each step, with the rate about the middle axis.
+pub fn path_by_momentum(motion: &Motion, count: u32) -> Result<Vec<(Attitude, f64)>> {
+    let [i1, i2, i3] = motion.moments;
+    let [p, q, r] = motion.rates;
+    let momentum = motion
+        .attitude
+        .to_space(BodyVector::new(i1 * p, i2 * q, i3 * r));
+    let rates = |attitude: Attitude| {
+        let [a, b, c] = attitude.to_body(momentum).to_array();
+        [a / i1, b / i2, c / i3]
+    };
+    let slope = |&[w, x, y, z]: &[f64; 4]| {
+        let attitude = Attitude::from_quaternion([w, x, y, z]).unwrap_or(motion.attitude);
+        let [p, q, r] = rates(attitude);
+        [
+            0.5 * (-x * p - y * q - z * r),
+            0.5 * (w * p + y * r - z * q),
+            0.5 * (w * q + z * p - x * r),
+            0.5 * (w * r + x * q - y * p),
+        ]
+    };
+    let (mut now, mut path) = (motion.attitude.quaternion(), Vec::new());
+    for _ in 0..=count {
+        let attitude = Attitude::from_quaternion(now)?;
+        path.push((attitude, rates(attitude)[1]));
+        now = rk4(&slope, &now, motion.end / f64::from(count));
+    }
+    Ok(path)
 }
 
 /// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a

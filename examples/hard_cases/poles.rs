@@ -23,13 +23,13 @@ const TOP: [f64; 2] = [1.0, 0.5];
 const PULL: f64 = 1.0;
 const SPIN: f64 = 2.0;
 const END: f64 = 20.0;
-const STEPS: u32 = 20_000;
+pub const STEPS: u32 = 20_000;
 
-fn top(attitude: Attitude, rates: [f64; 3]) -> Motion {
+pub fn top(attitude: Attitude, rates: [f64; 3]) -> Motion {
     Motion::top(TOP, PULL, attitude, rates, END)
 }
 
-fn tilted(theta: f64) -> Result<Attitude> {
+pub fn tilted(theta: f64) -> Result<Attitude> {
     Attitude::from_euler(EulerAngles {
         phi: 0.3,
         theta,
@@ -50,6 +50,16 @@ fn on_angles(motion: &Motion) -> Naive {
         method: "RK4 on Euler angles, 20 000 steps",
         error: motion.off(on_euler_angles(motion, STEPS)),
     }
+}
+
+/// Nose up: the pitch is pi/2, and yaw and roll are about one line.
+pub fn locked() -> Result<Motion> {
+    let locked = Attitude::from_yaw_pitch_roll(YawPitchRoll {
+        yaw: 0.3,
+        pitch: core::f64::consts::FRAC_PI_2,
+        roll: 0.1,
+    })?;
+    Ok(top(locked, [0.4, 0.3, SPIN]))
 }
 
 fn rows() -> Result<Vec<Row>> {
@@ -98,13 +108,7 @@ fn rows() -> Result<Vec<Row>> {
         rows.push(motion.row(words, &By::TOP, on_angles(&motion))?);
     }
 
-    let pitch = core::f64::consts::FRAC_PI_2;
-    let locked = Attitude::from_yaw_pitch_roll(YawPitchRoll {
-        yaw: 0.3,
-        pitch,
-        roll: 0.1,
-    })?;
-    let motion = top(locked, [0.4, 0.3, SPIN]);
+    let motion = locked()?;
     let naive = Naive {
         method: "RK4 on yaw, pitch, roll, 20 000 steps",
         error: motion.off(on_yaw_pitch_roll(&motion, STEPS)),

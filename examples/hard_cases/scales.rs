@@ -17,7 +17,7 @@ pub const FAMILY: Family = Family {
 };
 
 /// Moments 1, 1.3, 1.7 and rates 0.3, 0.2, 1 in these units, for 30 units of time.
-fn scaled(moment: f64, rate: f64) -> Result<Motion> {
+pub fn scaled(moment: f64, rate: f64) -> Result<Motion> {
     let attitude = Attitude::from_euler(EulerAngles {
         phi: 0.3,
         theta: 0.8,

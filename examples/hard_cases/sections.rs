@@ -1,21 +1,25 @@
 //! The sections that every page has: what is claimed of the table, limits, and a picture of it.
 
 use super::Parameters;
-use super::motions::Motion;
+use super::forms::Form;
+use super::long::{self, Late};
+use super::motions::{By, Motion};
 use super::table::{Computed, Verdict};
+use super::{figures, flips, naive, poles, scales};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::report::draw::Marker;
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::report::short;
 use rotation_dynamics::scene::Scene;
 
 /// All of them, before the families' tables.
 pub fn add(report: &mut Report, p: &Parameters, computed: &[Computed]) -> Result<()> {
+    digits(report)?;
+    broken(report)?;
     counts(report, computed)?;
     limits(report)?;
     effects(report)?;
@@ -24,8 +28,92 @@ pub fn add(report: &mut Report, p: &Parameters, computed: &[Computed]) -> Result
     summary(report, computed)
 }
 
+/// The example of the opening: the same function, and two ways to write it.
+fn digits(report: &mut Report) -> Result<()> {
+    let x: f64 = 1e-6;
+    let half = sin(0.5 * x);
+    claims! { report,
+        /// condition of 1 - cos x at 1e-6 rad
+        function_condition: x * sin(x) / (2.0 * half * half), "-",
+            "x cot(x/2)" => x / tan(0.5 * x), within 1e-12;
+        /// condition of its last step, the subtraction
+        subtraction_condition: cos(x) / (2.0 * half * half), "-",
+            "its series, 2/x^2 - 5/6" => 2.0 / (x * x) - 5.0 / 6.0, within 0.01;
+        /// 1 - cos x as it stands, at 1e-8 rad
+        cancelled: 1.0 - cos(1e-8), "-", "the double nearest to 1 - 5e-17 is 1" => 0.0, within 0.0;
+        /// the smallest tilt but 0 that an arc cosine can give
+        least_tilt: acos(1.0 - EPS), "rad", "theta^2/2 = 2^-53" => (2.0 * EPS).sqrt(), within 1e-23;
+    }
+}
+
+/// How far naive methods are off, against the series in pairs of doubles and, once more,
+/// against the closed form.
+fn broken(report: &mut Report) -> Result<()> {
+    // About the middle axis of moments 1, 2, 2.5 a kick grows as exp(t sqrt(1/5)).
+    let rate = 0.2_f64.sqrt();
+    claims! { report,
+        /// a rounding about the middle axis has grown to one
+        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => figures::first_flip()?, within 5.0;
+    }?;
+    let locked = poles::locked()?;
+    let flips = flips::flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
+    let late = Late::after(long::PERIODS, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
+    let molecule = scales::scaled(1e-46, 1e12)?;
+    for (key, meaning, motion, reached) in [
+        (
+            "locked",
+            "yaw, pitch and roll from a pitch of pi/2, off after 20 s",
+            &locked,
+            naive::on_yaw_pitch_roll(&locked, poles::STEPS),
+        ),
+        (
+            "flipped",
+            "RK4 on quaternion and rates, off after ten thousand flips",
+            &flips,
+            naive::on_quaternion(&flips, 1_000_050),
+        ),
+        (
+            "late",
+            "time modulo the period in doubles, off after 1e12 periods",
+            &late.motion,
+            Some(late.modulo),
+        ),
+        (
+            "guarded",
+            "1e-30 kg m^2 added to the moments of a molecule, off after 30 rad",
+            &molecule,
+            naive::guarded(&molecule),
+        ),
+    ] {
+        let exact = motion.reached(By::ClosedForm, Form::Quaternion, 0.0)?;
+        let again = reached.map_or(f64::NAN, |reached| exact.angle_to(&reached));
+        report.add(claim(key, meaning, motion.off(reached), "rad").agrees_with(
+            "against the closed form",
+            again,
+            1e-10,
+        ))?;
+    }
+    Ok(())
+}
+
 /// Nothing is left out: every case has every method in every representation.
 fn counts(report: &mut Report, computed: &[Computed]) -> Result<()> {
+    let total = |of: fn(&Computed) -> usize| computed.iter().map(of).sum::<usize>() as f64;
+    let cells = total(|one| one.count().cells);
+    claims! { report,
+        /// cases
+        cases: total(|one| one.count().rows), "-",
+            "naive methods, one for each" => total(|one| one.rows.len()), within 0.0;
+        /// cells
+        cells: cells, "-", "cases times methods times representations" =>
+            total(|one| one.rows.len() * one.family.methods.len() * one.family.forms.len()), within 0.0;
+        /// cells that hold
+        holds: total(|one| one.count().holds), "-", "cells less refusals" =>
+            cells - total(|one| one.count().refusals), within 0.0;
+        /// cells that are refused
+        refused: total(|one| one.count().refusals), "-", "cells less those that hold" =>
+            cells - total(|one| one.count().holds), within 0.0;
+    }?;
     for one in computed {
         let (family, count) = (one.family, one.count());
         let due = count.rows * family.methods.len() * family.forms.len();
@@ -104,8 +192,8 @@ fn summary(report: &mut Report, computed: &[Computed]) -> Result<()> {
         "cells",
         "hold",
         "refused",
-        "largest error over its bound",
-        "naive methods: least error over the bound",
+        "error/bound",
+        "naive",
     ];
     let mut table = Table::new("families", columns)?;
     for one in computed {
@@ -122,30 +210,6 @@ fn summary(report: &mut Report, computed: &[Computed]) -> Result<()> {
         ])?;
     }
     report.add(table)
-}
-
-/// The naive methods above the line, all others below it, a column for each case.
-pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
-    let computed = super::computed(p)?;
-    let rows: Vec<_> = computed.iter().flat_map(|one| &one.rows).collect();
-    let x = |i: usize| (i + 1) as f64;
-    let (mut held, mut naive) = (Vec::new(), Vec::new());
-    for (i, row) in rows.iter().enumerate() {
-        let parts = row.cells.iter().filter_map(super::table::Cell::part);
-        held.extend(parts.map(|part| (x(i), part.max(1e-8))));
-        naive.push((x(i), row.broken().clamp(1e-8, 1e16)));
-    }
-    let alt = "Error over its bound, logarithmic, for each case of the table: the cells of all methods \
-               and representations lie below one, the naive method of the case above it";
-    let figure = Panel::new("table", alt)
-        .size(720, 300)
-        .x(Axis::linear("case").range(0.0, x(rows.len())))
-        .y(Axis::log("error over its bound").range(1e-8, 1e16))
-        .level(1.0, Ink::Ink, "bound")
-        .curve(Curve::new(held, Ink::Ink).faint(0.5).dots())
-        .curve(Curve::new(naive, Ink::Wrong).marker(Marker::Square).dots())
-        .figure()?;
-    Ok(vec![figure])
 }
 
 /// All cells as numbers: family, case, method, representation, error, bound; those that hold.

@@ -29,7 +29,7 @@ fn start() -> Result<Attitude> {
     })
 }
 
-fn free(rates: [f64; 3], end: f64) -> Result<Motion> {
+pub fn free(rates: [f64; 3], end: f64) -> Result<Motion> {
     Ok(Motion::free(MOMENTS, start()?, rates, end))
 }
 
@@ -51,9 +51,16 @@ fn by_landau(motion: &Motion) -> Result<Naive> {
     })
 }
 
+/// From the middle axis, the third rate off: 1 - k^2 = 4.5 of its square.
+pub fn one_flip(complement: f64) -> Result<Motion> {
+    let off: f64 = (complement / 4.5_f64).sqrt();
+    // The flip comes when the small rate, growing as exp(t/3), is of order one.
+    let flip = 3.0 * log(2.0 / off);
+    free([0.0, 1.0, off], flip + 6.0)
+}
+
 fn rows() -> Result<Vec<Row>> {
     let mut rows = Vec::new();
-    // From the middle axis, the third rate off: 1 - k^2 = 4.5 of its square.
     for (words, complement) in [
         (
             [
@@ -71,10 +78,7 @@ fn rows() -> Result<Vec<Row>> {
         ),
         (["1 - k^2 = 1e-16, one flip", "and here none"], 1e-16),
     ] {
-        let off: f64 = (complement / 4.5_f64).sqrt();
-        // The flip comes when the small rate, growing as exp(t/3), is of order one.
-        let flip = 3.0 * log(2.0 / off);
-        let motion = free([0.0, 1.0, off], flip + 6.0)?;
+        let motion = one_flip(complement)?;
         rows.push(motion.row(words, &By::FREE, by_landau(&motion)?)?);
     }
     let motion = free([0.0, 1.0, 0.0], 20.0)?;

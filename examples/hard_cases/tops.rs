@@ -37,7 +37,7 @@ fn top([a, b, c]: [f64; 3], theta: f64, along: f64, end: f64) -> Result<Motion> 
 }
 
 /// Released at rest at the tilt `theta`.
-fn released([a, c]: [f64; 2], theta: f64, end: f64) -> Result<Motion> {
+pub fn released([a, c]: [f64; 2], theta: f64, end: f64) -> Result<Motion> {
     let attitude = Attitude::from_euler(EulerAngles {
         phi: 0.3,
         theta,

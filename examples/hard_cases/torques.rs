@@ -137,22 +137,40 @@ fn pushed(profile: Profile) -> Result<PrescribedTorque> {
     PrescribedTorque::on_body(BodyVector::new(0.0, 0.0, 1.0), profile)
 }
 
+/// On at 1/3, off at 7/3 of ten seconds: N (d (end - off) + d^2/2).
+fn pushed_once(step: f64) -> Result<Turned<((), PrescribedTorque)>> {
+    let (on, off, end, torque) = (1.0 / 3.0, 7.0 / 3.0, 10.0, 0.5);
+    let lasts = off - on;
+    let gained = torque / MOMENTS[1] * lasts * (end - off + 0.5 * lasts);
+    let profile = Profile::steps(&[(on, torque), (off, 0.0)])?;
+    Ok(Turned {
+        scene: Scene::new(body()?).with(pushed(profile)?),
+        pieces: vec![on, off, end],
+        step,
+        angle: SPIN * end + gained,
+        size: SPIN * end + 2.0 * gained,
+    })
+}
+
+/// A torque switched on and off, in so many equal steps: RK4 straight on, RK4 started anew at
+/// each jump, Gauss-Legendre started anew (rad).
+pub fn across_jumps(steps: u64) -> Result<[f64; 3]> {
+    let pushed = pushed_once(10.0 / steps as f64)?;
+    let truth = pushed.truth(start()?)?;
+    let anew = |method| Ok(truth.angle_to(&pushed.by_pieces(method, start()?)?));
+    Ok([
+        pushed.straight("straight on", steps)?.error,
+        anew(Method::Rk4)?,
+        anew(Method::GaussLegendre16)?,
+    ])
+}
+
 fn rows() -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     let [_, i3] = MOMENTS;
     let scene = Scene::new(body()?);
 
-    // On at 1/3, off at 7/3 of ten seconds: N (d (end - off) + d^2/2).
-    let (on, off, end, torque) = (1.0 / 3.0, 7.0 / 3.0, 10.0, 0.5);
-    let lasts = off - on;
-    let gained = torque / i3 * lasts * (end - off + 0.5 * lasts);
-    let pushed_once = Turned {
-        scene: scene.with(pushed(Profile::steps(&[(on, torque), (off, 0.0)])?)?),
-        pieces: vec![on, off, end],
-        step: 0.2,
-        angle: SPIN * end + gained,
-        size: SPIN * end + 2.0 * gained,
-    };
+    let pushed_once = pushed_once(0.2)?;
     let words = [
         "a torque switched on and off",
         "a step across a jump is of order one",

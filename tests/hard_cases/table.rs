@@ -57,6 +57,24 @@ fn the_table_is_whole() {
     }
 }
 
+/// A family that no section of the page shows would be computed in silence.
+#[test]
+fn the_page_shows_every_family() {
+    let page = include_str!("../../book/src/hard_cases.md");
+    let mut sections = 0;
+    for one in all().iter() {
+        let key = one.family.key;
+        let refused = one.count().refusals > 0;
+        for (table, due) in [("_naive", true), ("", true), ("_refusals", refused)] {
+            let there = page.contains(&format!("{{{{table hard_cases:{key}{table}}}}}"));
+            assert_eq!(there, due, "{key}{table}");
+        }
+        assert!(page.contains(&format!("## {}\n", one.family.title)), "{key}");
+        sections += 1;
+    }
+    assert_eq!(sections, COUNTS.len());
+}
+
 /// The naive method of each case is at least this far beyond the bound that others keep.
 const BROKEN: f64 = 10.0;
 
