@@ -23,7 +23,7 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
 use rotation_dynamics::interval::between;
 use rotation_dynamics::math::{acos, asinh, atan2, cos, cosh, hypot, sin, sincos, sinh};
 use rotation_dynamics::report::Report;
@@ -32,7 +32,7 @@ use rotation_dynamics::{Error, Result};
 
 pub use fit::{Fit, MIDDLE, Unknowns, jackknife, least_squares, unknowns};
 pub use observed::{Observed, attitude, observed, rates, seconds};
-pub use path::{AU, Changed, EARTH, Path, number, under_the_sun};
+pub use path::{AU, Changed, EARTH, HALF, Path, by_kicks, number, under_the_sun};
 pub use tables::{Moved, phases};
 
 /// s.
@@ -498,13 +498,13 @@ pub fn pulled([a, b, c]: [f64; 3], path: Path, begin: f64) -> impl Ode<8> {
 }
 
 /// Attitude and angular momentum at a time after a tide that begins to act at `begin`, by
-/// Euler's equations: another method, in other variables.
+/// Euler's equations, and the work: another method, in other variables.
 pub fn simulated_under(
     start: &Start,
     path: Path,
     [begin, end]: [f64; 2],
     step: f64,
-) -> Result<(Attitude, SpaceVector)> {
+) -> Result<(Attitude, SpaceVector, Work)> {
     let at = start.motion()?.kinematics(begin);
     let ([a, b, c], [p, q, r]) = (start.moments, (at.angular_velocity * DAY).to_array());
     let [w, x, y, z] = at.attitude.quaternion();
@@ -512,10 +512,10 @@ pub fn simulated_under(
         pulled(start.moments, path, begin),
         [p, q, r, w, x, y, z, 0.0],
     );
-    let (end, _) = Dop853::new(step)?.advance(&law, 0.0, &from, (end - begin) / DAY)?;
+    let (end, work) = Dop853::new(step)?.advance(&law, 0.0, &from, (end - begin) / DAY)?;
     let attitude = Attitude::from_quaternion([end[3], end[4], end[5], end[6]])?;
     let momentum = BodyVector::new(a * end[0], b * end[1], c * end[2]) / DAY;
-    Ok((attitude, attitude.to_space(momentum)))
+    Ok((attitude, attitude.to_space(momentum), work))
 }
 
 /// The flyby of 2004 put in; and the Sun.
@@ -525,7 +525,7 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
         Changed::by(&start, path, p.tolerance)?,
         [path.when - path::HALF, path.when + path::HALF],
     );
-    let (attitude, momentum) = simulated_under(&start, path, span, 1e-14)?;
+    let (attitude, momentum, _) = simulated_under(&start, path, span, 1e-14)?;
     let free = changed.free.angular_momentum;
     let (size, other) = (changed.momentum(), (momentum - free).norm() / free.norm());
     let off = |attitude: &Attitude| attitude.angle_to(&changed.free.attitude).to_degrees();
@@ -609,10 +609,25 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     let w = start.angular_velocity.norm();
     let damping = 5e12 / (2500.0 * 0.03 * 1.2e3 * 1.2e3 * w * w * w);
     let friction = end / damping;
+    // Each tide by kicks along the free motion; the Earth in the worst of its phases.
+    let earth = |path: Path| -> Result<f64> {
+        let each = phases(path)
+            .map(|path| by_kicks(&start, path, [path.when - HALF, path.when + HALF], end));
+        Ok(largest(each.collect::<Result<Vec<_>>>()?).to_degrees())
+    };
+    let (own, first) = (earth(flyby(p))?, earth(first_flyby(p))?);
+    let sun = by_kicks(&start, Path::orbit()?, [0.0, end], end)?.to_degrees();
+    // What goes round too far comes back from the other side.
+    let told = |predicted: f64, [moved, ..]: [f64; 3]| (predicted < 60.0).then_some(moved);
+    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
+    let [by_sun, by_first, by_own] = moved.work;
     rotation_dynamics::effect_card! { report,
-        "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs moved.own[0], "deg in 2008, at most", included;
-        "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs moved.first[0], "deg in 2008, at most";
-        "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit()?)?, costs moved.sun[0], "deg in 2008";
+        "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs own, "deg in 2008, at most, to first order",
+            measured told(own, moved.own), within 1e-5, at_cost cost(by_own), included;
+        "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs first, "deg in 2008, at most, to first order",
+            measured told(first, moved.first), within 1e-5, at_cost cost(by_first);
+        "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit()?)?, costs sun, "deg in 2008, to first order",
+            measured told(sun, moved.sun), within 1e-5, at_cost cost(by_sun);
         "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about";
         "friction inside": "t over the time of damping" = friction, costs (friction * w * end).to_degrees(), "deg in 2008, about";
     }

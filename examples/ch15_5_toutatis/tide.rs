@@ -132,17 +132,18 @@ pub struct Changed {
     /// The state after it, and without it.
     pub after: State,
     pub free: State,
+    /// What it cost to find out.
+    pub work: Work,
 }
 
 impl Changed {
     pub fn by(start: &Start, path: Path, tolerance: f64) -> Result<Self> {
         let (begin, motion) = (path.when - HALF, start.motion()?);
         let scene = Scene::new(start.body()?).with(tide(path, begin));
-        let after = scene
-            .solve(&motion.state(begin), 2.0 * HALF, tolerance)?
-            .state;
+        let solved = scene.solve(&motion.state(begin), 2.0 * HALF, tolerance)?;
         Ok(Self {
-            after,
+            after: solved.state,
+            work: solved.work,
             free: motion.state(path.when + HALF),
         })
     }
@@ -150,9 +151,10 @@ impl Changed {
     /// The same by Euler's equations: less sure, and five times faster.
     pub fn simulated(start: &Start, path: Path) -> Result<Self> {
         let span = [path.when - HALF, path.when + HALF];
-        let (attitude, momentum) = simulated_under(start, path, span, 1e-11)?;
+        let (attitude, momentum, work) = simulated_under(start, path, span, 1e-11)?;
         Ok(Self {
             after: State::new(attitude, momentum)?,
+            work,
             free: start.motion()?.state(span[1]),
         })
     }
@@ -192,4 +194,29 @@ pub fn under_the_sun(start: &Start, end: f64) -> Result<Attitude> {
         .run(Method::GaussLegendre16, Variables::Space, steps)?
         .0
         .attitude)
+}
+
+/// By how much (rad) the tide along a path between two times turns the attitude at `end`, to
+/// first order in it: each quarter of a day of it is a kick of L on the free motion, which is
+/// free again from there on, and what the kicks do at the end adds up.
+pub fn by_kicks(start: &Start, path: Path, [from, to]: [f64; 2], end: f64) -> Result<f64> {
+    let (motion, body) = (start.motion()?, start.body()?);
+    let (free, tide) = (motion.attitude(end), tide(path, 0.0));
+    // So small that the turn by it is in proportion, also after a thousand revolutions.
+    let small = 1e-8 * motion.angular_momentum().norm();
+    let pieces = ((to - from) / (0.25 * DAY)).ceil();
+    let mut turn = SpaceVector::zero();
+    for k in 0..pieces as u32 {
+        let t = from + (to - from) * (f64::from(k) + 0.5) / pieces;
+        let (state, torque) = (motion.state(t), tide.torque(t, &body, &motion.state(t)));
+        if torque.norm() > 0.0 {
+            let kick = torque * (small / torque.norm());
+            let kicked = State::new(state.attitude, state.angular_momentum + kick)?;
+            let rates = body.angular_velocity(&kicked);
+            let onward = FreeBody::new(body.moments(), kicked.attitude, rates)?;
+            let there = turn_between(&free, &onward.attitude(end - t));
+            turn += there * (torque.norm() / small * (to - from) / pieces);
+        }
+    }
+    Ok(turn.norm())
 }
