@@ -132,12 +132,21 @@ pub fn tumbling([a, b, c]: [f64; 3]) -> impl Ode<8> {
 
 /// A free motion simulated by them over this time, s.
 pub fn simulated(start: &Start, time: f64) -> Result<[f64; 8]> {
+    Ok(driven(start, 0.0, time)?.0)
+}
+
+/// The same with a torque about the long axis that goes with the body, in 1/s^2: over its moment
+/// of inertia; and the work.
+pub fn driven(start: &Start, torque: f64, time: f64) -> Result<([f64; 8], Work)> {
     let [p, q, r] = (start.angular_velocity * DAY).to_array();
     let [w, x, y, z] = start.attitude.quaternion();
-    let from = [p, q, r, w, x, y, z, 0.0];
-    Ok(Dop853::new(1e-14)?
-        .advance(&tumbling(start.moments), 0.0, &from, time / DAY)?
-        .0)
+    let (free, from) = (tumbling(start.moments), [p, q, r, w, x, y, z, 0.0]);
+    let law = ode(|t, state: &[f64; 8]| {
+        let mut slope = free.derivative(t, state);
+        slope[2] += torque * (DAY * DAY);
+        slope
+    });
+    Dop853::new(1e-14)?.advance(&law, 0.0, &from, time / DAY)
 }
 
 /// The attitudes at some times by the closed form.
@@ -609,6 +618,9 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     let w = start.angular_velocity.norm();
     let damping = 5e12 / (2500.0 * 0.03 * 1.2e3 * 1.2e3 * w * w * w);
     let friction = end / damping;
+    // As if all of it turned the body about its long axis.
+    let ([_, _, _, a, x, y, z, _], by_light) = driven(&start, push, end)?;
+    let lit = Attitude::from_quaternion([a, x, y, z])?;
     // Each tide by kicks along the free motion; the Earth in the worst of its phases.
     let earth = |path: Path| -> Result<f64> {
         let each = phases(path)
@@ -628,7 +640,8 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
             measured told(first, moved.first), within 1e-5, at_cost cost(by_first);
         "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit()?)?, costs sun, "deg in 2008, to first order",
             measured told(sun, moved.sun), within 1e-5, at_cost cost(by_sun);
-        "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about";
+        "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about",
+            measured lit.angle_to(&start.motion()?.attitude(end)).to_degrees(), at_cost cost(by_light);
         "friction inside": "t over the time of damping" = friction, costs (friction * w * end).to_degrees(), "deg in 2008, about";
     }
 }

@@ -24,9 +24,10 @@ pub fn pushed<const N: usize>() -> Result<(f64, Work)> {
     let chain = ode(|_, y: &[f64; N]| {
         let mut slope = [0.0; N];
         for i in 0..masses {
-            // Seen from the pushed end, which rests; beyond the last mass there is no spring.
+            // Seen from the pushed end, which rests. The last mass stands for half a piece, and
+            // beyond it there is no spring: as if its neighbour were on both sides.
             let before = if i > 0 { y[i - 1] } else { 0.0 };
-            let after = if i + 1 < masses { y[i + 1] } else { y[i] };
+            let after = if i + 1 < masses { y[i + 1] } else { before };
             slope[i] = y[masses + i];
             slope[masses + i] = stiffness * (before - 2.0 * y[i] + after);
         }

@@ -51,7 +51,8 @@ pub fn whirled(shaft: &Shaft, p: &Parameters, off: f64) -> f64 {
 pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (shaft, (s, c)) = (Shaft::of(p)?, sincos(p.tilt));
     let air = 1.2 * 1.2 * p.radius * s * s * s * pow(p.height, 4.0) / 32.0;
-    let slowing = air / (shaft.i1 * s * s + shaft.i3 * c * c);
+    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate * p.rate);
     let breeze = if slowing < 0.1 {
         Some(blown(&shaft, p, 1.2 * 1.2)?)
     } else {
@@ -85,11 +86,11 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     rotation_dynamics::effect_card! { report,
         "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I)" = slowing,
-            costs air * p.rate * p.rate * p.rate, "W of the motor, to first order",
-            measured breeze.map(|(power, _)| power), at_cost counted(breeze.map(|(_, work)| work));
+            costs slowing * unit, "W of the motor, to first order",
+            measured breeze.map(|(power, _)| power), within 1e-12 * unit, at_cost counted(breeze.map(|(_, work)| work));
         "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
             costs p.mass * off * p.rate * p.rate, "N, going round",
-            measured whirled(&shaft, p, off), within 1e-9 * p.mass * p.height * p.rate * p.rate, at_cost "none, 64 attitudes";
+            measured whirled(&shaft, p, off), within 1e-12 * p.mass * (p.height + p.radius) * p.rate * p.rate, at_cost "none, 64 attitudes";
         "rolling wheel: resistance": "C_rr g/(1.5 R Omega)" = resisted,
             costs resisted, "of L a second",
             measured rolled.map(|(lost, _)| lost / speed), at_cost counted(rolled.map(|(_, work)| work));

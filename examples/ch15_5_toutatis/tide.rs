@@ -204,18 +204,21 @@ pub fn by_kicks(start: &Start, path: Path, [from, to]: [f64; 2], end: f64) -> Re
     let (free, tide) = (motion.attitude(end), tide(path, 0.0));
     // So small that the turn by it is in proportion, also after a thousand revolutions.
     let small = 1e-8 * motion.angular_momentum().norm();
-    let pieces = ((to - from) / (0.25 * DAY)).ceil();
+    // Gauss's two points to each half of a day.
+    let pieces = ((to - from) / (0.5 * DAY)).ceil();
+    let (piece, aside) = ((to - from) / pieces, 0.5 / 3.0_f64.sqrt());
+    let middles = (0..pieces as u32).map(|k| f64::from(k) + 0.5);
     let mut turn = SpaceVector::zero();
-    for k in 0..pieces as u32 {
-        let t = from + (to - from) * (f64::from(k) + 0.5) / pieces;
-        let (state, torque) = (motion.state(t), tide.torque(t, &body, &motion.state(t)));
+    for at in middles.flat_map(|middle| [middle - aside, middle + aside]) {
+        let (t, state) = (from + at * piece, motion.state(from + at * piece));
+        let torque = tide.torque(t, &body, &state);
         if torque.norm() > 0.0 {
             let kick = torque * (small / torque.norm());
             let kicked = State::new(state.attitude, state.angular_momentum + kick)?;
             let rates = body.angular_velocity(&kicked);
             let onward = FreeBody::new(body.moments(), kicked.attitude, rates)?;
             let there = turn_between(&free, &onward.attitude(end - t));
-            turn += there * (torque.norm() / small * (to - from) / pieces);
+            turn += there * (torque.norm() / small * 0.5 * piece);
         }
     }
     Ok(turn.norm())

@@ -236,7 +236,7 @@ fn rods_stretch_as_much_as_they_must() {
         errors.push(spun - exact);
         damaged.push((spun - 1.0 / 3.0) / strain);
     }
-    errors.attain(1e-16..=1e-12, 8);
+    errors.attain(2.2e-14..=2.3e-14, 8);
     damaged.exceed(0.1, 4);
 }
 
@@ -250,6 +250,7 @@ fn a_push_goes_through_at_the_speed_of_sound() {
         errors.push(pair[1]);
         slopes.push(log(pair[0] / pair[1]) / log(2.0));
     }
-    errors.attain(0.01..=0.1, 2);
-    slopes.attain(0.5..=0.8, 2);
+    errors.attain(0.022..=0.023, 2);
+    slopes.attain(0.69..=0.70, 2);
+    slopes.exceed(0.65, 2);
 }
