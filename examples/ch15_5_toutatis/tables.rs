@@ -7,12 +7,10 @@ use rotation_dynamics::report::{Table, supported_digits};
 pub fn phases(path: Path) -> impl Iterator<Item = Path> {
     // Half a turn further it is the same: a tide has two sides.
     (0..24).map(move |i| {
-        let (s, c) = sincos(PI * f64::from(i % 6) / 6.0);
-        let (towards, along) = (SpaceVector::new(c, s, 0.0), SpaceVector::new(-s, c, 0.0));
+        let angles = [0.0, 0.0, PI * f64::from(i % 6) / 6.0];
         let when = path.when + f64::from(i / 6) * 2.0 * DAY;
         Path {
-            towards,
-            along,
+            angles,
             when,
             ..path
         }
@@ -53,7 +51,7 @@ impl Moved {
             }
             Ok((most, work))
         };
-        let (sunlit, _, by_sun) = simulated_under(&start, Path::orbit()?, [0.0, end], 1e-13)?;
+        let (sunlit, _, by_sun) = simulated_under(&start, Path::orbit(), [0.0, end], 1e-13)?;
         let ((first, by_first), (own, by_own)) = (earth(first_flyby(p))?, earth(flyby(p))?);
         Ok(Self {
             sun: shift(&sunlit)?,
@@ -256,10 +254,7 @@ fn flybys(p: &Parameters, study: &Study) -> Result<Table> {
             changed.free.angular_momentum,
         );
         table.push([
-            format!(
-                "{:.0} deg",
-                atan2(path.towards.y(), path.towards.x()).to_degrees()
-            ),
+            format!("{:.0} deg", path.angles[2].to_degrees()),
             format!("{:.2e}", changed.momentum()),
             format!("{turn:.3} deg"),
             rate(0),
