@@ -396,7 +396,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let cost = yields.map_or(0, |(_, work)| work.derivatives);
     rotation_dynamics::effect_card! { report,
-        "air that turns with the plate, at most": "3 pi rho a b^2/(32 M)" = air, costs air, "of I_xx";
+        "air that turns with the plate, at most": "3 pi rho b^2 a/(32 M)" = air, costs air, "of I_xx";
         "warmer by ten kelvin": "2 alpha (T - T_0)" = 2.0 * grown, costs 2.0 * grown, "of I_xx, to first order",
             measured warm, within 4.0 * EPS, at_cost "closed form, closed form";
         "thickness of aluminium": "h^2/b^2" = flat * flat, costs flat * flat, "of I_xx",
