@@ -10,6 +10,7 @@ mod naive;
 #[path = "ch15_5_asymmetric/tumbling.rs"]
 mod tumbling;
 
+pub use left_out::{sooner, taken};
 pub use naive::NAIVE_TILT;
 
 use core::f64::consts::{FRAC_PI_2, LN_10, PI, TAU};

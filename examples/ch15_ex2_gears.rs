@@ -4,7 +4,8 @@
 mod figures;
 
 use core::f64::consts::FRAC_PI_2;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::integrators::Work;
+use rotation_dynamics::planar::contact::{Contact, Load, Mechanism, Motion, State, motion_within};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -253,19 +254,82 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// Torques besides those of the rims: of a motor that gives way, and of the bearing of B.
+struct Besides {
+    rate: f64,
+    motor: f64,
+    bearing: f64,
+}
+
+impl Load<2> for Besides {
+    fn force(&self, State { v, .. }: &State<2>) -> [f64; 2] {
+        [self.motor * (self.rate - v[0]), self.bearing]
+    }
+}
+
+/// When B is up to speed with such torques, the rates then, and what the simulation costs.
+fn with(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool) -> Result<(f64, [f64; 2], Work)> {
+    let (p, rate, end) = (
+        p.clone(),
+        p.rate,
+        1.5 * time(p) / (1.0 - bearing / (p.friction * p.radius_b)),
+    );
+    let load = Besides {
+        rate,
+        motor,
+        bearing,
+    };
+    let start = State {
+        q: [0.0; 2],
+        v: [rate, 0.0],
+    };
+    let run = motion_within(Wheels { p, driven }.with(load), 1e-10, start, end)?;
+    let sticks = run.event("rims sticks")?;
+    Ok((sticks.t, sticks.after.v, run.work()))
+}
+
 /// The card of effects, for friction wheels with bearings of 5 mm and a motor under load.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (r, whole) = (ratio(p), momentum(p, 0.0));
+    let (which, whole) = (
+        p.inertia_b / p.inertia_a * ratio(p) * ratio(p),
+        momentum(p, 0.0),
+    );
     let of_b = (p.inertia_b * rate_b(p, 0.0)).abs();
-    let bearing = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005 / (p.friction * p.radius_b);
+    let all = p.inertia_a * p.rate + of_b;
+    let rubs = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005;
+    let bearing = rubs / (p.friction * p.radius_b);
     let (creep, droop, off) = (0.01, 0.03, 1e-4 / p.radius_b);
+    // A motor that friction slows by this part in the end, in a time of its own.
+    let gives = droop * (1.0 - exp(-which / droop));
+    let motor = p.friction * p.radius_a / (droop * p.rate);
+    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
+    let told = |run: Option<(f64, [f64; 2], Work)>| run.map_or("-".into(), |run| cost(run.2));
+    let sluggish = (which < 1e3 * droop)
+        .then(|| with(p, [motor, 0.0], false))
+        .transpose()?;
+    let rough = (bearing < 0.3)
+        .then(|| with(p, [0.0, rubs], true))
+        .transpose()?;
+    let (radius_b, free) = (p.radius_b + 1e-4, with(p, [0.0, 0.0], false)?);
+    let larger = with(
+        &Parameters {
+            radius_b,
+            ..p.clone()
+        },
+        [0.0, 0.0],
+        true,
+    )?;
+    let both = |[a, b]: [f64; 2]| p.inertia_a * a + p.inertia_b * b;
     effect_card! { report,
-        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs droop * whole.abs(), "kg m^2/s";
+        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole.abs(), "kg m^2/s",
+            measured sluggish.map(|run| whole.abs() - both(run.1).abs()), within 1e-8 * all, at_cost told(sluggish);
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
-        "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s";
-        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s of the time";
-        "which of them is driven": "I2 R1^2/(I1 R2^2)" = p.inertia_b / p.inertia_a * r * r,
-            costs p.rate - undriven(p), "rad/s of Omega1", included;
+        "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s",
+            measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_cost cost(larger.2);
+        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s of the time",
+            measured rough.map(|run| run.0 - time(p)), within 1e-8 * time(p), at_cost told(rough);
+        "which of them is driven": "I2 R1^2/(I1 R2^2)" = which, costs p.rate - undriven(p), "rad/s of Omega1",
+            measured p.rate - free.1[0], within 1e-8 * p.rate, at_cost cost(free.2), included;
     }
 }
 
