@@ -5,7 +5,8 @@ mod figures;
 
 use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::planar::contact::{Contact, Load, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::planar::contact::{Contact, Load, Mechanism, Motion, State};
+use rotation_dynamics::planar::contact::{With, motion_within};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -27,6 +28,8 @@ parameters! {
         mass_b: number(1.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
         /// rate of the arm that carries it in that reading
         arm_rate: number(5.0, "rad/s", from_to(-1e3, 1e3).usually(-20.0, 20.0));
+        /// friction of the bearing of B, for the claims about it
+        bearing: effect(0.1, "N m", above_to(0.0, 1e6));
         /// relative error of the simulations
         tolerance: number(1e-12, "-", from_to(1e-13, 1e-3));
     }
@@ -255,7 +258,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Torques besides those of the rims: of a motor that gives way, and of the bearing of B.
-struct Besides {
+pub struct Besides {
     rate: f64,
     motor: f64,
     bearing: f64,
@@ -267,13 +270,14 @@ impl Load<2> for Besides {
     }
 }
 
-/// When B is up to speed with such torques, the rates then, and what the simulation costs.
-fn with(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool) -> Result<(f64, [f64; 2], Work)> {
-    let (p, rate, end) = (
-        p.clone(),
-        p.rate,
-        1.5 * time(p) / (1.0 - bearing / (p.friction * p.radius_b)),
-    );
+/// The wheels with such torques, a motor that gives way and a bearing.
+fn besides(
+    p: &Parameters,
+    [motor, bearing]: [f64; 2],
+    driven: bool,
+    end: f64,
+) -> Result<Motion<With<Wheels, Besides>, 2, 4, 2>> {
+    let (p, rate) = (p.clone(), p.rate);
     let load = Besides {
         rate,
         motor,
@@ -283,9 +287,34 @@ fn with(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool) -> Result<(f64
         q: [0.0; 2],
         v: [rate, 0.0],
     };
-    let run = motion_within(Wheels { p, driven }.with(load), 1e-10, start, end)?;
+    motion_within(Wheels { p, driven }.with(load), 1e-10, start, end)
+}
+
+/// When B is up to speed with them, the rates then, and what the simulation costs.
+fn with(p: &Parameters, torques: [f64; 2], driven: bool) -> Result<(f64, [f64; 2], Work)> {
+    let end = 1.5 * time(p) / (1.0 - torques[1] / (p.friction * p.radius_b));
+    let run = besides(p, torques, driven, end)?;
     let sticks = run.event("rims sticks")?;
     Ok((sticks.t, sticks.after.v, run.work()))
+}
+
+/// What `--with bearing` adds: B takes longer, and then the motor has to go on.
+fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(bearing) = p.bearing else {
+        return Ok(());
+    };
+    let (grip, b) = (p.friction * p.radius_b, rate_b(p, 0.0).abs());
+    between(0.0, 0.99).check("bearing over the torque of the rims", bearing / grip)?;
+    let end = 1.5 * p.inertia_b * b / (grip - bearing);
+    let (longer, run) = (end / 1.5, besides(p, [0.0, bearing], true, end)?);
+    let sticks = run.event("rims sticks")?.t;
+    let holds = run.forces(end)?[1].normal;
+    claims! { report,
+        /// with friction in the bearing: time until B is up to speed
+        rough_time: longer, "s", "located event" => sticks, within 1e-8 * longer;
+        /// power of the motor from then on
+        rough_power: bearing * b, "W", "torque of the motor, simulated" => holds * p.rate, within 1e-8 * grip * b;
+    }
 }
 
 /// The card of effects, for friction wheels with bearings of 5 mm and a motor under load.
@@ -350,6 +379,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch15_ex2_gears: "Exercise 15.2: a driven gear turns another";
     "Gears", "A gear that is kept turning drives another, on an axis at rest or carried by an arm.",
-    [claims, limits, effects, accuracy];
+    [claims, rough, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -26,8 +26,10 @@ fn other_gears_are_confirmed() {
         "--inertia-a=1000 --inertia-b=0.000001",
         "--inertia-b=10 --mass-b=1000 --friction=0.001",
         "--radius-b=0.001 --radius-a=0.5",
+        "--with bearing",
+        "--with bearing=0.98",
     ];
-    confirmed(&EXAMPLE, runs, 10);
+    confirmed(&EXAMPLE, runs, 12);
 }
 
 #[test]
@@ -38,6 +40,7 @@ fn what_cannot_mesh_is_refused() {
         ("--inertia-a=-1", "inertia_a = -1 is not allowed"),
         ("--friction=0", "friction = 0 is not allowed"),
         ("--rate=inf", "not a finite number"),
+        ("--with bearing=2", "bearing over the torque of the rims = 2 is not allowed"),
     ];
     refused(&EXAMPLE, runs);
 }
