@@ -355,7 +355,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
         "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s",
             measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_cost cost(larger.2);
-        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s of the time",
+        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s later",
             measured rough.map(|run| run.0 - time(p)), within 1e-8 * time(p), at_cost told(rough);
         "which of them is driven": "I2 R1^2/(I1 R2^2)" = which, costs p.rate - undriven(p), "rad/s of Omega1",
             measured p.rate - free.1[0], within 1e-8 * p.rate, at_cost cost(free.2), included;

@@ -214,7 +214,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (distance, slip, edge) = (p.inner * (1.0 + r), 0.01, 1e-5 / p.outer);
     above(0.0).check("distance of the middles", distance)?;
     let energy = p.mass * p.inner * p.inner * p.rate * p.rate * kinetic_energy(r);
-    let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance;
+    // A disc of weight 1 that turns about a point of its rim rubs 32/(9 pi) as much as one that slides.
+    let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance * (32.0 / (4.5 * TAU));
     let around = rolled(r, TAU, 1e-12)?;
     // The way of its pieces, by the angle through which it turns about the contact.
     let way = p.outer * mean_distance(40) * around.end_time();
@@ -241,7 +242,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     effect_card! { report,
         "rubbing on the table; the rate is held":
-            "mu M g 2 pi (R1 + R2)/T" = rubbed / energy, costs 32.0 / (4.5 * TAU) * rubbed, "J to be given, a circuit",
+            "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
             measured 0.2 * p.mass * 9.80665 * way, within 1e-4 * rubbed, at_cost cost(Some(around.work()));
         "slip of a hundredth at the contact":
             "s" = slip, costs slip / r.abs(), "turns a circuit",

@@ -290,6 +290,10 @@ pub fn in_pieces(p: &Parameters, e: f64) -> Result<f64> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([arm, hit], l, contact) = (arms(p), p.length, p.contact);
     let soft = Blow::new(Strike::soft(p), SOFT)?;
+    let cost = format!(
+        "closed form, {} derivatives",
+        soft.motion.work().derivatives
+    );
     let area = p.mass / (650.0 * l);
     let stiffness = 12e9 / 650.0 * area / (4.0 * PI);
     let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
@@ -329,12 +333,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let weight = p.mass * 9.80665 * contact / impulse(p, true);
     effect_card! { report,
         "bending of the bat": "2 f_1 t_c" = x, costs bends * response.abs(), "J/m, velocity of a free handle",
-            measured swings.map(|left| bends * left), within 1e-6;
+            measured swings.map(|left| bends * left), within 1e-6, at_cost cost.clone();
         "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
             measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;
         "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
             measured soft.reaction() - reaction(p), within slack,
-            at_cost format!("closed form, {} derivatives", soft.motion.work().derivatives);
+            at_cost cost;
         "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }

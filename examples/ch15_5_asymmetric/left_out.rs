@@ -90,7 +90,7 @@ fn twisted(tumble: &Tumble) -> Result<([f64; 2], Work)> {
     let mut sum = SpaceVector::zero();
     for k in 0..parts {
         let t = time * (f64::from(k) + 0.5) / f64::from(parts);
-        sum = sum + gradient.torque(t, &body, &motion.state(t)) * (time / f64::from(parts));
+        sum += gradient.torque(t, &body, &motion.state(t)) * (time / f64::from(parts));
     }
     let (start, scene) = (motion.state(0.0), Scene::new(body).with(gradient));
     let (end, work) = Dop853::new(1e-14)?.advance(&scene, 0.0, &start, time)?;

@@ -336,7 +336,7 @@ fn what_the_card_measures() {
             let place = BodyVector::new(x, y, 0.0);
             let speed = rates.cross(&place).z();
             let force = 0.5 * 1.204 * 1.2 * (0.21 * 0.14 / 144.0) * speed * speed.abs();
-            torque = torque + place.cross(&BodyVector::new(0.0, 0.0, -force));
+            torque += place.cross(&BodyVector::new(0.0, 0.0, -force));
         }
         torque
     });
