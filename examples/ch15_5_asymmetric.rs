@@ -45,6 +45,8 @@ rotation_dynamics::parameters! {
         aside: number(0.1, "rad", between(1e-6, 1.55).usually(0.001, 1.5));
         /// to which axis it is off
         toward: choice("least", "largest");
+        /// air of a room, for the table of the flips in it: drag coefficient of the cover
+        air: effect(1.2, "-", above_to(0.0, 10.0));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }
@@ -305,6 +307,7 @@ fn report(p: &Parameters) -> Result<Report> {
     naive::claims(&mut report)?;
     limits(&mut report)?;
     left_out::add(p, tumble, &mut report)?;
+    left_out::add_air(p, &tumble, &mut report)?;
     report.add(bodies()?)?;
     // Three flips and a third: not a whole number, where errors might cancel.
     let end = 10.0 / 3.0 * tumble.between_flips()?;

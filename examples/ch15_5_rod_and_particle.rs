@@ -9,8 +9,9 @@ use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
+use rotation_dynamics::interval::from_to;
 use rotation_dynamics::report::{ClosedForm, Report};
-use strike::{Blow, Strike};
+use strike::{Blow, Strike, cost};
 
 rotation_dynamics::parameters! {
     /// Rod and particle; the notes give both the same mass.
@@ -23,6 +24,8 @@ rotation_dynamics::parameters! {
         length: number(1.2, "m", from_to(1e-3, 1e3).usually(0.5, 2.0));
         /// speed of the particle
         speed: number(5.0, "m/s", from_to(1e-3, 1e3).usually(1.0, 10.0));
+        /// coefficient of friction of the table, for the claims about what comes later
+        table: effect(0.1, "-", above_to(0.0, 10.0));
         /// error of the simulation: from 2e-12 to 1e-3
         tolerance: number(1e-11, "-", from_to(2e-12, 1e-3));
     }
@@ -71,6 +74,8 @@ pub fn scene(p: &Parameters, hinged: bool) -> Strike {
         length,
         speed,
         hinged,
+        arm: 0.5 * length,
+        rub: 0.0,
     }
 }
 
@@ -82,6 +87,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let about = "A particle hits the end of a rod that is hinged at its middle, and sticks.";
     let mut report = Report::new("A hinged rod hit by a particle", about)?;
     claims(p, &mut report)?;
+    on_table(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
     let (scene, turned) = (
@@ -162,6 +168,29 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// What `--with table` adds: where friction stops the rod, if each piece is braked with what it weighs.
+fn on_table(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(rub) = p.table else { return Ok(()) };
+    let (a, l, w) = (Answer::new(p), p.length, Answer::new(p).angular_velocity);
+    let braking = rub * 9.80665 * l * (0.25 * p.mass + 0.5 * p.particle) / a.inertia;
+    let (time, angle) = (w / braking, 0.5 * w * w / braking);
+    from_to(1e-3, 1e3).check("angle until the table stops it", angle)?;
+    let (strike, half) = (
+        Strike {
+            rub,
+            ..scene(p, true)
+        },
+        0.5 * time,
+    );
+    let end = Blow::new(strike, 1e-6, 0.5, half / strike.unit())?.end()?;
+    rotation_dynamics::claims! { report,
+        /// with friction of the table: time from the impact until the rod stops
+        stop_time: time, "s", "rate after half of it, simulated" => w / (w - end.v[2]) * half, within 1e-5 * time;
+        /// angle by which it turns until then
+        stop_angle: angle, "rad", "angle after half of it, simulated" => end.q[2] / 0.75, within 1e-5 * angle;
+    }
+}
+
 /// The answer for the ratio particle over rod, in units of the rod, its length and the speed.
 fn ratio(particle: f64) -> Answer {
     Answer::new(&Parameters {
@@ -169,6 +198,7 @@ fn ratio(particle: f64) -> Answer {
         particle,
         length: 1.0,
         speed: 1.0,
+        table: None,
         tolerance: 1e-9,
     })
 }
@@ -193,21 +223,47 @@ fn limits(report: &mut Report) -> Result<()> {
 
 /// Hinge of 5 mm radius with a friction of 0.3, a ball of steel, a rod 2 cm thick; table 0.1.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (a, l, m) = (Answer::new(p), p.length, p.particle);
-    let hinge = 0.3 * 0.005 * a.hinge.abs() / a.momentum;
+    let (a, scene, l, m) = (Answer::new(p), scene(p, true), p.length, p.particle);
+    let (w, pin) = (a.angular_velocity, 0.3 * 0.005);
+    let hinge = pin * a.hinge.abs() / a.momentum;
     let thick = p.mass * 0.02 * 0.02 / 12.0 / a.inertia;
     let radius = rotation_dynamics::math::cbrt(3.0 * m / (4.0 * core::f64::consts::PI * 7850.0));
-    let ball = 0.4 * m * radius * radius / a.inertia;
-    let off = m * radius * radius / a.inertia;
-    let contact = 1e-3 * a.angular_velocity;
-    let rub = 0.1 * 9.80665 * l * (0.25 * p.mass + 0.5 * m)
-        / (a.inertia * a.angular_velocity * a.angular_velocity);
+    let ball = (0.4 + 1.0) * m * radius * radius / a.inertia;
+    let contact = 1e-3 * w;
+    let rub = 0.1 * 9.80665 * l * (0.25 * p.mass + 0.5 * m) / (a.inertia * w * w);
+    // How much slower solids turn than rod and point, with the same angular momentum.
+    let end = DesignVector::new(0.0, 0.0, -0.5 * l);
+    let slower = |rod: MassProperties, particle: MassProperties| -> Result<f64> {
+        let both = MassProperties::of_parts(&[rod, particle])?.about(DesignVector::zero())?;
+        Ok(w - a.momentum / both.moment_about(DesignVector::new(1.0, 0.0, 0.0))?)
+    };
+    let (point, broad) = (
+        MassProperties::of_points(&[(m, end)])?,
+        solids::cuboid(p.mass, 0.02, 0.02, l)?,
+    );
+    let on_face = DesignVector::new(0.0, radius, -0.5 * l);
+    let sphere = solids::sphere(m, radius)?.displaced(on_face)?;
+    let (yielding, slack) = (scene.pressed(0.0)?, 1e-13 * w);
+    // A pin as thick as the lever is long lets nothing turn, and a rough table stops all.
+    let rough = (pin < 0.25 * l).then(|| scene.pressed(pin)).transpose()?;
+    let braked = match rub < 0.5 {
+        true => {
+            let (on_table, until) = (Strike { rub: 0.1, ..scene }, 1.0 / (w * scene.unit()));
+            Some(Blow::new(on_table, 1e-8, 0.5, until)?)
+        }
+        false => None,
+    };
+    let after = braked.as_ref().map(Blow::end).transpose()?;
     rotation_dynamics::effect_card! { report,
-        "friction in the hinge, impact": "mu r_h J_h/L" = hinge, costs hinge * a.angular_velocity, "rad/s";
-        "thickness of the rod": "M b^2/(12 I0)" = thick, costs thick * a.angular_velocity, "rad/s";
-        "size of the particle, a ball": "(2/5 + 1) m r^2/I0" = ball + off, costs (ball + off) * a.angular_velocity, "rad/s";
-        "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
-        "friction of the table": "mu g l (M/4 + m/2)/(I0 Omega^2)" = rub, costs rub * a.angular_velocity, "rad/s in a radian";
+        "friction in the hinge, impact": "mu r_h J_h/L" = hinge, costs hinge * w, "rad/s",
+            measured rough.map(|([part, _], _)| (1.0 - part) * w), within slack, at_cost cost(rough.map(|(_, work)| work));
+        "thickness of the rod": "M b^2/(12 I0)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
+        "size of the particle, a ball": "(2/5 + 1) m r^2/I0" = ball, costs ball * w, "rad/s",
+            measured slower(solids::rod(p.mass, l)?, sphere)?, within slack;
+        "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle",
+            measured yielding.0[1] * contact, at_cost cost(Some(yielding.1));
+        "friction of the table": "mu g l (M/4 + m/2)/(I0 Omega^2)" = rub, costs rub.min(1.0) * w, "rad/s in the time 1/Omega",
+            measured after.map(|state| w - state.v[2]), within 1e-8 * (1.0 + w), at_cost cost(braked.map(|blow| blow.work()));
     }
 }
 

@@ -7,7 +7,7 @@ mod cones;
 mod figures;
 #[path = "ch15_5_torque_free/left_out.rs"]
 mod left_out;
-pub use left_out::{GRADIENT, gradient_rate};
+pub use left_out::{gradient_rate, twisted};
 
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::accuracy::Problem;

@@ -4,7 +4,9 @@
 mod figures;
 
 use core::f64::consts::FRAC_PI_2;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::integrators::Work;
+use rotation_dynamics::planar::contact::{Contact, Load, Mechanism, Motion, State};
+use rotation_dynamics::planar::contact::{With, motion_within};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -26,6 +28,8 @@ parameters! {
         mass_b: number(1.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
         /// rate of the arm that carries it in that reading
         arm_rate: number(5.0, "rad/s", from_to(-1e3, 1e3).usually(-20.0, 20.0));
+        /// friction of the bearing of B, for the claims about it
+        bearing: effect(0.1, "N m", above_to(0.0, 1e6));
         /// relative error of the simulations
         tolerance: number(1e-12, "-", from_to(1e-13, 1e-3));
     }
@@ -253,19 +257,108 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// Torques besides those of the rims: of a motor that gives way, and of the bearing of B.
+pub struct Besides {
+    rate: f64,
+    motor: f64,
+    bearing: f64,
+}
+
+impl Load<2> for Besides {
+    fn force(&self, State { v, .. }: &State<2>) -> [f64; 2] {
+        [self.motor * (self.rate - v[0]), self.bearing]
+    }
+}
+
+/// The wheels with such torques, a motor that gives way and a bearing.
+fn besides(
+    p: &Parameters,
+    [motor, bearing]: [f64; 2],
+    driven: bool,
+    end: f64,
+) -> Result<Motion<With<Wheels, Besides>, 2, 4, 2>> {
+    let (p, rate) = (p.clone(), p.rate);
+    let load = Besides {
+        rate,
+        motor,
+        bearing,
+    };
+    let start = State {
+        q: [0.0; 2],
+        v: [rate, 0.0],
+    };
+    motion_within(Wheels { p, driven }.with(load), 1e-10, start, end)
+}
+
+/// When B is up to speed with them, the rates then, and what the simulation costs.
+fn with(p: &Parameters, torques: [f64; 2], driven: bool) -> Result<(f64, [f64; 2], Work)> {
+    let end = 1.5 * time(p) / (1.0 - torques[1] / (p.friction * p.radius_b));
+    let run = besides(p, torques, driven, end)?;
+    let sticks = run.event("rims sticks")?;
+    Ok((sticks.t, sticks.after.v, run.work()))
+}
+
+/// What `--with bearing` adds: B takes longer, and then the motor has to go on.
+fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(bearing) = p.bearing else {
+        return Ok(());
+    };
+    let (grip, b) = (p.friction * p.radius_b, rate_b(p, 0.0).abs());
+    between(0.0, 0.99).check("bearing over the torque of the rims", bearing / grip)?;
+    let end = 1.5 * p.inertia_b * b / (grip - bearing);
+    let (longer, run) = (end / 1.5, besides(p, [0.0, bearing], true, end)?);
+    let sticks = run.event("rims sticks")?.t;
+    let holds = run.forces(end)?[1].normal;
+    claims! { report,
+        /// with friction in the bearing: time until B is up to speed
+        rough_time: longer, "s", "located event" => sticks, within 1e-8 * longer;
+        /// power of the motor from then on
+        rough_power: bearing * b, "W", "torque of the motor, simulated" => holds * p.rate, within 1e-8 * grip * b;
+    }
+}
+
 /// The card of effects, for friction wheels with bearings of 5 mm and a motor under load.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (r, whole) = (ratio(p), momentum(p, 0.0));
+    let (which, whole) = (
+        p.inertia_b / p.inertia_a * ratio(p) * ratio(p),
+        momentum(p, 0.0),
+    );
     let of_b = (p.inertia_b * rate_b(p, 0.0)).abs();
-    let bearing = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005 / (p.friction * p.radius_b);
+    let all = p.inertia_a * p.rate + of_b;
+    let rubs = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005;
+    let bearing = rubs / (p.friction * p.radius_b);
     let (creep, droop, off) = (0.01, 0.03, 1e-4 / p.radius_b);
+    // A motor that friction slows by this part in the end, in a time of its own.
+    let gives = droop * (1.0 - exp(-which / droop));
+    let motor = p.friction * p.radius_a / (droop * p.rate);
+    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
+    let told = |run: Option<(f64, [f64; 2], Work)>| run.map_or("-".into(), |run| cost(run.2));
+    let sluggish = (which < 1e3 * droop)
+        .then(|| with(p, [motor, 0.0], false))
+        .transpose()?;
+    let rough = (bearing < 0.3)
+        .then(|| with(p, [0.0, rubs], true))
+        .transpose()?;
+    let (radius_b, free) = (p.radius_b + 1e-4, with(p, [0.0, 0.0], false)?);
+    let larger = with(
+        &Parameters {
+            radius_b,
+            ..p.clone()
+        },
+        [0.0, 0.0],
+        true,
+    )?;
+    let both = |[a, b]: [f64; 2]| p.inertia_a * a + p.inertia_b * b;
     effect_card! { report,
-        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs droop * whole.abs(), "kg m^2/s";
+        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole.abs(), "kg m^2/s",
+            measured sluggish.map(|run| whole.abs() - both(run.1).abs()), within 1e-8 * all, at_cost told(sluggish);
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
-        "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s";
-        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s of the time";
-        "which of them is driven": "I2 R1^2/(I1 R2^2)" = p.inertia_b / p.inertia_a * r * r,
-            costs p.rate - undriven(p), "rad/s of Omega1", included;
+        "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s",
+            measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_cost cost(larger.2);
+        "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s later",
+            measured rough.map(|run| run.0 - time(p)), within 1e-8 * time(p), at_cost told(rough);
+        "which of them is driven": "I2 R1^2/(I1 R2^2)" = which, costs p.rate - undriven(p), "rad/s of Omega1",
+            measured p.rate - free.1[0], within 1e-8 * p.rate, at_cost cost(free.2), included;
     }
 }
 
@@ -286,6 +379,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch15_ex2_gears: "Exercise 15.2: a driven gear turns another";
     "Gears", "A gear that is kept turning drives another, on an axis at rest or carried by an arm.",
-    [claims, limits, effects, accuracy];
+    [claims, rough, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

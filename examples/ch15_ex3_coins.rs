@@ -5,7 +5,7 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use rotation_dynamics::Error;
-use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, Work, ode};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -159,7 +159,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The motion":
             net - 1.0 => "the line of centres turns as well";
         /// angular momentum about the middle of the fixed coin
-        momentum: unit * l, "kg m^2/s", "four particles" => unit * momentum, within 1e-11 * unit * (1.0 + r) * (1.0 + r),
+        momentum: unit * l, "kg m^2/s", "four particles" => unit * momentum, within 1e-11 * unit * (1.0 + r) * (1.0 + r).max(1.0),
         in "The motion":
             unit * (1.0 + r) * (1.0 + r) => "the coin also turns about its own middle",
             unit * 0.5 * r * r * net => "that is about the middle of the coin",
@@ -194,20 +194,64 @@ fn limits(report: &mut Report) -> Result<()> {
     }
 }
 
+/// The mean distance of the places of a disc from a point of its rim, over its radius, from
+/// pieces of equal width; it is 32/(9 pi).
+pub fn mean_distance(pieces: u32) -> f64 {
+    let (n, parts) = (f64::from(pieces), (0..pieces).map(|i| f64::from(i) + 0.5));
+    let ring = |at: f64| {
+        let from_rim = |k: u32| {
+            let (s, c) = sincos(TAU * (f64::from(k) + 0.5) / n);
+            hypot(1.0 - at / n * c, at / n * s)
+        };
+        2.0 * at / (n * n) * (0..pieces).map(from_rim).sum::<f64>() / n
+    };
+    parts.map(ring).sum()
+}
+
 /// The card of effects, for coins that lie on a table.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let r = ratio(p)?;
     let (distance, slip, edge) = (p.inner * (1.0 + r), 0.01, 1e-5 / p.outer);
     above(0.0).check("distance of the middles", distance)?;
     let energy = p.mass * p.inner * p.inner * p.rate * p.rate * kinetic_energy(r);
-    let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance;
+    // A disc of weight 1 that turns about a point of its rim rubs 32/(9 pi) as much as one that slides.
+    let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance * (32.0 / (4.5 * TAU));
+    let around = rolled(r, TAU, 1e-12)?;
+    // The way of its pieces, by the angle through which it turns about the contact.
+    let way = p.outer * mean_distance(40) * around.end_time();
+    // If the rim at the contact moves, the middle moves so much more.
+    let faster = 1.0 / (1.0 - slip / (1.0 + r));
+    let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate));
+    let start = [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let slipped = match faster > 0.0 && faster < 2.0 {
+        true => Some(Dop853::new(1e-12)?.zero(&slipping, start, 1, 1e3 / r.abs(), |y| y[4] - TAU)?),
+        false => None,
+    };
+    let worn = ratio(&Parameters {
+        outer: p.outer + 1e-5,
+        ..p.clone()
+    })
+    .ok()
+    .map(|r| rolled(r, TAU, 1e-12))
+    .transpose()?;
+    let fewer = |end: f64| (around.end_time() - end) / TAU;
+    let cost = |work: Option<Work>| {
+        work.map_or("-".into(), |work| {
+            format!("closed form, {} derivatives", work.derivatives)
+        })
+    };
     effect_card! { report,
         "rubbing on the table; the rate is held":
-            "mu M g 2 pi (R1 + R2)/T" = rubbed / energy, costs 0.0, "of L";
+            "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
+            measured 0.2 * p.mass * 9.80665 * way, within 1e-4 * rubbed, at_cost cost(Some(around.work()));
         "slip of a hundredth at the contact":
-            "s" = slip, costs slip / r.abs(), "turns a circuit";
+            "s" = slip, costs slip / r.abs(), "turns a circuit",
+            measured slipped.as_ref().map(|(there, _)| fewer(there.t)), within 1e-9 * (1.0 + 1.0 / r.abs()),
+            at_cost cost(slipped.as_ref().map(|(_, work)| *work));
         "a radius off by 0.01 mm":
-            "dR/R2" = edge, costs edge / r.abs(), "turns a circuit";
+            "dR/R2" = edge, costs edge / r.abs(), "turns a circuit",
+            measured worn.as_ref().map(|run| fewer(run.end_time())), within 1e-9 * (1.0 + 1.0 / r.abs()),
+            at_cost cost(worn.as_ref().map(Solution::work));
     }
 }
 

@@ -8,9 +8,11 @@ pub mod strike;
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::inertia::{MassProperties, solids};
 use rotation_dynamics::math::{cbrt, sincos};
 use rotation_dynamics::report::{ClosedForm, Report};
-use strike::{Blow, Strike};
+use strike::{Blow, Strike, cost};
 
 rotation_dynamics::parameters! {
     /// Rod and particle; the notes give both the same mass.
@@ -91,6 +93,8 @@ pub fn scene(p: &Parameters) -> Strike {
         length,
         speed,
         hinged: false,
+        arm: 0.5 * length,
+        rub: 0.0,
     }
 }
 
@@ -211,20 +215,63 @@ fn limits(report: &mut Report) -> Result<()> {
 
 /// A rod 2 cm thick, a ball of steel on its face, a table that rubs with 0.1, and a miss by 1 mm.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (a, m, l) = (Answer::new(p), p.particle, p.length);
-    let inertia = a.momentum / a.angular_velocity;
+    let (a, scene, m, l) = (Answer::new(p), scene(p), p.particle, p.length);
+    let (w, inertia, whole) = (
+        a.angular_velocity,
+        a.momentum / a.angular_velocity,
+        p.mass + m,
+    );
     let thick = p.mass * 0.02 * 0.02 / 12.0 / inertia;
     let radius = cbrt(3.0 * m / (4.0 * PI * 7850.0));
-    let ball = (0.4 * m + m * p.mass / (m + p.mass)) * radius * radius / inertia;
+    let ball = (0.4 * m + m * p.mass / whole) * radius * radius / inertia;
     let miss = 1e-3 / (0.5 * l);
-    let contact = 1e-3 * a.angular_velocity;
-    let rub = 0.1 * 9.80665 / (a.velocity * a.angular_velocity);
+    // A shorter lever gives less angular momentum, and less moment of inertia.
+    let missed = miss * w * (p.mass * l * l / 6.0 / inertia - 1.0);
+    let contact = 1e-3 * w;
+    let rub = 0.1 * 9.80665 / (a.velocity * w);
+    // At the start two thirds of the rod run forward and a third back, whatever the masses.
+    let braked = rub.min(1.0) * a.velocity * (m + p.mass / 3.0) / whole;
+    // How much slower solids turn than rod and point, with the same angular momentum.
+    let slower = |rod: MassProperties, particle: MassProperties| -> Result<f64> {
+        let both = MassProperties::of_parts(&[rod, particle])?;
+        let about = both
+            .about_centre_of_mass()
+            .moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
+        Ok(w - a.momentum / about)
+    };
+    let point = MassProperties::of_points(&[(m, DesignVector::new(0.0, 0.0, -0.5 * l))])?;
+    let broad = solids::cuboid(p.mass, 0.02, 0.02, l)?;
+    let on_face = DesignVector::new(0.0, radius, -0.5 * l);
+    let sphere = solids::sphere(m, radius)?.displaced(on_face)?;
+    let (yielding, slack) = (scene.pressed(0.0)?, 1e-13 * w);
+    // The rod is hit on this side of its middle, and the table does not stop it.
+    let run = |sound: bool, strike: Strike, end: f64| {
+        sound.then(|| Blow::new(strike, 1e-8, 0.5, end)).transpose()
+    };
+    let arm = scene.arm - 1e-3;
+    let off = run(miss < 0.5, Strike { arm, ..scene }, 0.1)?;
+    let table = run(
+        rub < 0.5,
+        Strike { rub: 0.1, ..scene },
+        1.0 / (w * scene.unit()),
+    )?;
+    let push = table
+        .as_ref()
+        .map(Blow::end)
+        .transpose()?
+        .map(|end| scene.momentum(&end)[0]);
     rotation_dynamics::effect_card! { report,
-        "thickness of the rod": "M b^2/(12 I)" = thick, costs thick * a.angular_velocity, "rad/s";
-        "size of the particle, a ball": "(2/5 m + mu) r^2/I" = ball, costs ball * a.angular_velocity, "rad/s";
-        "it hits 1 mm off the end": "2 x/l" = miss, costs miss * a.angular_velocity, "rad/s, at most";
-        "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
-        "friction of the table": "mu_k g/(V Omega)" = rub, costs rub * a.velocity, "m/s in a radian, at most";
+        "thickness of the rod": "M b^2/(12 I)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
+        "size of the particle, a ball": "(2/5 m + mu) r^2/I" = ball, costs ball * w, "rad/s",
+            measured slower(solids::rod(p.mass, l)?, sphere)?, within slack;
+        "it hits 1 mm off the end": "2 x/l" = miss, costs missed, "rad/s, to first order",
+            measured off.as_ref().map(|blow| w - blow.after.v[2]), within miss * miss * w,
+            at_cost cost(off.map(|blow| blow.work()));
+        "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle",
+            measured yielding.0[1] * contact, at_cost cost(Some(yielding.1));
+        "friction of the table": "mu_k g/(V Omega)" = rub, costs braked, "m/s of V in the time 1/Omega, from the start",
+            measured push.map(|push| a.velocity - push / whole), within 1e-8 + 1e-5 * a.velocity,
+            at_cost cost(table.map(|blow| blow.work()));
     }
 }
 

@@ -7,7 +7,9 @@ mod figures;
 
 use bat::{Blow, Strike};
 use core::f64::consts::PI;
-use rotation_dynamics::integrators::{Dop853, Event, ode};
+use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::inertia::MassProperties;
+use rotation_dynamics::integrators::{Dop853, Event, after, ode};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -240,10 +242,58 @@ fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
     report.add(table)
 }
 
+/// What the turning of the bat changes in a blow of Hertz's law, to second order: means over the
+/// force, in units of the time of contact, of the square of the angle, of the place of a ball
+/// that this angle deflects, and of angle times depth. The angle is over the last rate.
+pub fn turning() -> Result<[f64; 3]> {
+    let deepest = 1.0 / 2.943_275_f64;
+    let stiffness = 1.25 / pow(deepest, 2.5);
+    // Depth, angle and place with their rates, then the three means; the impulse is 1.
+    let law = ode(move |_, &[d, dd, a, da, x, dx, ..]: &[f64; 9]| {
+        let force = 0.5 * stiffness * d.max(0.0) * d.max(0.0).sqrt();
+        let means = [a * a, x, a * d].map(|mean| force * mean);
+        [
+            dd,
+            -2.0 * force,
+            da,
+            force,
+            dx,
+            force * a,
+            means[0],
+            means[1],
+            means[2],
+        ]
+    });
+    let mut start = [0.0; 9];
+    start[1] = 1.0;
+    let [.., square, place, depth] = after(1.0, &law, &start, 1e-11)?;
+    Ok([square, place, depth])
+}
+
+/// Where a blow on a bat whose density grows as 1 + e (2 x/l - 1) is not felt, from the hands:
+/// moment over mass and distance, of a thousand pieces.
+pub fn in_pieces(p: &Parameters, e: f64) -> Result<f64> {
+    let piece = |k: u32| {
+        let part = (f64::from(k) + 0.5) / 1e3;
+        let place = DesignVector::new(part * p.length - p.hands, 0.0, 0.0);
+        (1.0 + e * (2.0 * part - 1.0), place)
+    };
+    let pieces: Vec<_> = (0..1000).map(piece).collect();
+    let bat = MassProperties::of_points(&pieces)?;
+    let moment = bat
+        .about(DesignVector::zero())?
+        .moment_about(DesignVector::new(0.0, 0.0, 1.0))?;
+    Ok(moment / (bat.mass() * bat.centre_of_mass().x()))
+}
+
 /// The card of effects, for a wooden rod (12 GPa, 650 kg/m^3) of this length and mass.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (l, contact) = (p.length, p.contact);
+    let ([arm, hit], l, contact) = (arms(p), p.length, p.contact);
     let soft = Blow::new(Strike::soft(p), SOFT)?;
+    let cost = format!(
+        "closed form, {} derivatives",
+        soft.motion.work().derivatives
+    );
     let area = p.mass / (650.0 * l);
     let stiffness = 12e9 / 650.0 * area / (4.0 * PI);
     let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
@@ -253,17 +303,42 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         true => PI / 4.0,
         false => cos(0.5 * PI * x) / (1.0 - x * x),
     };
-    let bending = shape(p.hands / l) * shape(p.hit / l) * response;
+    let bends = (shape(p.hands / l) * shape(p.hit / l)).abs();
+    // Samples of the force do not tell what goes to and fro many times meanwhile.
+    let swings = (x < 20.0)
+        .then(|| soft.left_swinging(2.0 * PI * frequency))
+        .transpose()?;
     // Mean of the place along the bat and of its square, from the hands, over l and l^2.
     let (heavier, part) = (0.5, p.hands / l);
     let mean = 0.5 + heavier / 6.0 - part;
     let square = 1.0 / 3.0 + heavier / 6.0 - part * (2.0 * mean + part);
     let shifted = square / mean * l - centre(p);
+    // The elastic ball: angle and way of the ball along the bat in the time of contact, squared.
+    let (elastic, moment) = (
+        Parameters {
+            restitution: 1.0,
+            ..p.clone()
+        },
+        p.mass * inertia(p, arm),
+    );
+    let push = impulse(&elastic, true) * contact;
+    let [angle, way] = [
+        push * hit / moment * (push * hit / moment),
+        push * push / (moment * p.ball),
+    ];
+    // It is read when the bat has turned by all of this angle, and so its half square is lost.
+    let [turned, along, deep] = turning()?;
+    let turns = angle * (turned + 0.5 * deep - 0.5) + way * (along + 0.5 * deep);
+    let slack = 10.0 * SOFT * (1.0 + p.mass / p.ball) + (angle + way) * (angle + way);
     let weight = p.mass * 9.80665 * contact / impulse(p, true);
     effect_card! { report,
-        "bending of the bat": "2 f_1 t_c" = x, costs bending.abs(), "J/m, velocity of a free handle";
-        "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place";
-        "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (soft.reaction() - reaction(p)).abs(), "of J_h/J";
+        "bending of the bat": "2 f_1 t_c" = x, costs bends * response.abs(), "J/m, velocity of a free handle",
+            measured swings.map(|left| bends * left), within 1e-6, at_cost cost.clone();
+        "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
+            measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;
+        "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
+            measured soft.reaction() - reaction(p), within slack,
+            at_cost cost;
         "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }

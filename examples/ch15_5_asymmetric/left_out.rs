@@ -1,33 +1,168 @@
 //! What this scene leaves out, for the book thrown in a room.
 
-use super::{Parameters, Tumble};
-use rotation_dynamics::Result;
-use rotation_dynamics::report::Report;
+use super::{Parameters, Tumble, euler, length};
+use rotation_dynamics::effects::{Effect, GravityGradient};
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
+use rotation_dynamics::math::atan2;
+use rotation_dynamics::report::{Report, Table, short};
+use rotation_dynamics::scene::Scene;
+use rotation_dynamics::{Error, Result};
+
+/// The drag coefficient C of the cover.
+fn drag(p: &Parameters) -> f64 {
+    p.air.unwrap_or(1.2)
+}
+
+/// Pieces of the cover along each edge.
+const PIECES: u32 = 12;
+
+/// The torque of the air about the longest edge and the middle one. Each piece of the cover is
+/// pressed by 1/2 rho C w^2 against the velocity w across it.
+fn pressed(p: &Parameters, [one, two, _]: [f64; 3]) -> [f64; 2] {
+    let at = |k: u32, edge: f64| edge * ((f64::from(k) + 0.5) / f64::from(PIECES) - 0.5);
+    let area = p.length * p.width / f64::from(PIECES * PIECES);
+    let mut torque = [0.0; 2];
+    for (x, y) in (0..PIECES * PIECES).map(|k| (at(k / PIECES, p.length), at(k % PIECES, p.width)))
+    {
+        let across = one * y - two * x;
+        let force = -0.5 * 1.204 * drag(p) * area * across * across.abs();
+        torque[0] += y * force;
+        torque[1] -= x * force;
+    }
+    torque
+}
+
+/// Euler's equations with the torque of the air.
+fn in_air(p: &Parameters, moments: [f64; 3]) -> impl Ode<3> {
+    let law = ode(move |t, rates: &[f64; 3]| {
+        let ([u, v, w], [a, b]) = (euler(moments).derivative(t, rates), pressed(p, *rates));
+        [u + a / moments[0], v + b / moments[1], w]
+    });
+    law.scaled(|rates: &[f64; 3]| [length(*rates).max(f64::MIN_POSITIVE); 3])
+}
+
+/// The part of L that the air takes from one flip to the next: along the motion without it, and
+/// from the motion with it.
+fn taken(p: &Parameters, tumble: &Tumble) -> Result<([f64; 2], Work)> {
+    let (time, size, parts) = (tumble.between_flips()?, tumble.momentum(), 200);
+    let mut first = 0.0;
+    for k in 0..parts {
+        let rates = tumble.rates(time * (f64::from(k) + 0.5) / f64::from(parts))?;
+        let ([a, b], [l1, l2, _]) = (pressed(p, rates), tumble.carried(rates));
+        first -= (a * l1 + b * l2) / (size * size) * time / f64::from(parts);
+    }
+    let law = in_air(p, tumble.moments);
+    let (end, work) = Dop853::new(1e-10)?.advance(&law, 0.0, &tumble.start, time)?;
+    Ok(([first, 1.0 - length(tumble.carried(end)) / size], work))
+}
+
+/// By how much sooner the next flip comes if the throw is off by so much more: to first order,
+/// and simulated.
+fn sooner(p: &Parameters, tumble: &Tumble, aim: f64) -> Result<([f64; 2], Work)> {
+    let off = |more: f64| Tumble::new(tumble.moments, p.rate, p.aside + more, tumble.about);
+    let step = 1e-5 * p.aside;
+    let slope = (off(-step).between_flips()? - off(step).between_flips()?) / (2.0 * step);
+    let (thrown, method) = (off(aim), Dop853::new(1e-15)?);
+    let flip = |count| {
+        method.zero(
+            &euler(thrown.moments),
+            thrown.start,
+            count,
+            1e4 / thrown.pace(),
+            |y| y[1],
+        )
+    };
+    let ((first, _), (second, cost)) = (flip(1)?, flip(2)?);
+    Ok((
+        [slope * aim, tumble.between_flips()? - (second.t - first.t)],
+        cost,
+    ))
+}
+
+/// The angle by which the gradient of gravity turns L from one flip to the next, with L at 45
+/// degrees to the vertical: the sum of its torque along the motion without it, and simulated.
+fn twisted(tumble: &Tumble) -> Result<([f64; 2], Work)> {
+    let (body, motion) = (tumble.body()?, tumble.free_body()?);
+    let (time, parts) = (tumble.between_flips()?, 400);
+    let towards = SpaceVector::new(0.0, 1.0, 1.0);
+    let gradient = GravityGradient::fixed((9.80665_f64 / 6.371e6).sqrt(), towards)?;
+    let mut sum = SpaceVector::zero();
+    for k in 0..parts {
+        let t = time * (f64::from(k) + 0.5) / f64::from(parts);
+        sum += gradient.torque(t, &body, &motion.state(t)) * (time / f64::from(parts));
+    }
+    let (start, scene) = (motion.state(0.0), Scene::new(body).with(gradient));
+    let (end, work) = Dop853::new(1e-14)?.advance(&scene, 0.0, &start, time)?;
+    let (before, after) = (start.angular_momentum, end.angular_momentum);
+    let across = |v: &SpaceVector| before.cross(v).norm() / before.norm();
+    let turned = atan2(across(&after), before.dot(&after) / before.norm());
+    Ok(([across(&sum) / before.norm(), turned], work))
+}
+
+/// What `--with air` adds to the report: when the book flips, without air and in it, and what
+/// is left of L.
+pub fn add_air(p: &Parameters, tumble: &Tumble, report: &mut Report) -> Result<()> {
+    if p.air.is_none() {
+        return Ok(());
+    }
+    let columns = ["flip", "without air / s", "in air / s", "part of L left"];
+    let mut table = Table::new("air", columns)?;
+    let (law, free) = (in_air(p, tumble.moments), tumble.between_flips()?);
+    for flip in 1..=4 {
+        let due = (f64::from(flip) - 0.5) * free;
+        let met = Dop853::new(1e-12)?.zero(&law, tumble.start, flip, 10.0 * due, |rates| rates[1]);
+        let [t, left] = match met {
+            Ok((met, _)) => {
+                [met.t, length(tumble.carried(met.state)) / tumble.momentum()].map(|x| short(x, 4))
+            }
+            Err(Error::NotReached { .. }) => ["-", "-"].map(String::from),
+            Err(error) => return Err(error),
+        };
+        table.push([flip.to_string(), short(due, 4), t, left])?;
+    }
+    report.add_table(table)
+}
 
 /// Adds the card of effects.
 pub fn add(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
     let (momentum, pace) = (tumble.momentum(), tumble.pace());
-    // A plate that turns about its middle edge: drag of its two halves, coefficient 1.2.
+    // A plate that turns about its middle edge: drag of its two halves.
     let half = 0.5 * p.length;
-    let drag = 0.5 * 1.204 * 1.2 * p.width * p.rate * p.rate * half * half * half * half / 2.0;
-    let slowed = drag / momentum;
+    let braking =
+        0.5 * 1.204 * drag(p) * p.width * p.rate * p.rate * half * half * half * half / 2.0;
+    let slowed = braking / momentum;
     // The start by hand: a degree.
     let aim = 0.0175;
-    let shift = 2.0 * aim / (p.aside * pace);
+    let ([shift, shifted], thrown) = sooner(p, &tumble, aim)?;
+    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
+    // Where air would take most of it, there is no second flip to speak of.
+    let wait = tumble.between_flips()?;
+    let blown = (slowed * wait < 0.5)
+        .then(|| taken(p, &tumble))
+        .transpose()?;
     // Paper creaks: quality factor 20, bending at 50 Hz.
     let bending = p.rate / 314.0;
     let heated = bending * bending * p.rate / 20.0;
     let gradient = 1.5 * 9.80665 / 6.371e6 * (tumble.moments[2] - tumble.moments[0]) / momentum;
     let earth = 7.292_115e-5;
+    // What a wait makes larger by 16/aside^2 must stay small to be a sum along the free motion.
+    let small = gradient / pace < 1e-3 * p.aside * p.aside;
+    let twisted = small.then(|| twisted(&tumble)).transpose()?;
     rotation_dynamics::effect_card! { report,
         "a degree in the throw":
-            "delta/aside" = aim / p.aside, costs shift, "s between flips";
+            "delta/aside" = aim / p.aside, costs shift, "s between flips, to first order",
+            measured shifted, within 1e-9 * wait, at_cost cost(thrown);
         "air":
-            "rho C b l^4 Omega^2/(64 L lambda)" = slowed / pace, costs slowed, "of L, a second";
+            "rho C b l^4 Omega^2/(64 L lambda)" = slowed / pace,
+            costs blown.map_or(1.0, |([first, _], _)| first), "of L, from flip to flip",
+            measured blown.map(|([_, lost], _)| lost), within 1e-8, at_cost blown.map_or("-".into(), |(_, work)| cost(work));
         "it bends, and creaks":
             "(Omega/omega_b)^2 Omega/(Q lambda)" = heated / pace, costs heated, "of the free energy, a second";
         "gravity is weaker above":
-            "3 (I3 - I1) g/(2 R_E L lambda)" = gradient / pace, costs gradient, "rad a second, at most";
+            "3 (I3 - I1) g/(2 R_E L lambda)" = gradient / pace,
+            costs twisted.map_or(gradient * wait, |([first, _], _)| first), "rad from flip to flip, in the direction of L",
+            measured twisted.map(|([_, turned], _)| turned), within 1e-12, at_cost twisted.map_or("-".into(), |(_, work)| cost(work));
         "the Earth turns": "Omega_E/lambda" = earth / pace, costs earth, "rad a second, at most";
     }
 }

@@ -2,11 +2,11 @@
 //! contacts: no conservation law is used. The rod is hinged at its middle, or free.
 
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::Work;
-use rotation_dynamics::math::sincos;
+use rotation_dynamics::integrators::{Dop853, Work, ode};
+use rotation_dynamics::math::{hypot, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
 
-/// Rod and particle on a smooth table; the rod lies along y, the particle comes along x.
+/// Rod and particle on a table; the rod lies along y, the particle comes along x.
 #[derive(Debug, Clone, Copy)]
 pub struct Strike {
     /// Mass of the rod, kg.
@@ -19,7 +19,14 @@ pub struct Strike {
     pub speed: f64,
     /// Whether the middle of the rod is held.
     pub hinged: bool,
+    /// How far from its middle the rod is hit, m: usually l/2.
+    pub arm: f64,
+    /// Coefficient of friction of the table after the impact; 0 if it is smooth.
+    pub rub: f64,
 }
+
+/// Pieces of the rod, each of which the table brakes against its own velocity.
+const PIECES: u32 = 64;
 
 /// Coordinates: the middle of the rod, its angle, the particle.
 impl Mechanism<5, 10, 3> for Strike {
@@ -29,8 +36,28 @@ impl Mechanism<5, 10, 3> for Strike {
         core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
     }
 
-    fn force(&self, _: &State<5>) -> [f64; 5] {
-        [0.0; 5]
+    fn force(&self, State { q, v }: &State<5>) -> [f64; 5] {
+        let ((s, c), mut force) = (sincos(q[2]), [0.0; 5]);
+        if self.rub == 0.0 || v[2] == 0.0 {
+            return force;
+        }
+        let brake = |mass: f64, [x, y]: [f64; 2]| {
+            let over_speed = -self.rub * 9.80665 * mass / hypot(x, y).max(1e-300);
+            [x * over_speed, y * over_speed]
+        };
+        [force[3], force[4]] = brake(self.particle, [v[3], v[4]]);
+        for k in 0..PIECES {
+            let place = self.length * ((f64::from(k) + 0.5) / f64::from(PIECES) - 0.5);
+            let velocity = [v[0] - v[2] * place * c, v[1] - v[2] * place * s];
+            let [x, y] = brake(self.rod / f64::from(PIECES), velocity);
+            force[2] -= place * (x * c + y * s);
+            // What acts on a middle that is held goes into the hinge.
+            if !self.hinged {
+                force[0] += x;
+                force[1] += y;
+            }
+        }
+        force
     }
 
     fn contacts(&self, State { q, v }: &State<5>) -> [Contact<5>; 3] {
@@ -60,7 +87,7 @@ impl Mechanism<5, 10, 3> for Strike {
             [
                 Contact::new("particle", 1.0 + q[2], [0.0, 0.0, 1.0, 0.0, 0.0], 0.0),
                 Contact::joint("across", front, across, bias),
-                Contact::joint("along", up + 0.5 * self.length, lengthwise, bias_along),
+                Contact::joint("along", up + self.arm, lengthwise, bias_along),
             ]
         }
     }
@@ -92,6 +119,27 @@ impl Strike {
         0.5 * (self.rod * (square(0) + spin) + self.particle * square(3))
     }
 
+    /// An impact with a contact that gives way, its force in proportion to how far it is
+    /// pressed in, until rod and particle have one speed. A pin of the hinge rubs: its radius
+    /// (m) times its coefficient of friction is taken off the lever of that force. Two parts:
+    /// the angular velocity over that without a pin, and how far the rod is behind one that
+    /// turns from the first touch, over the angle by which that has turned.
+    pub fn pressed(&self, pin: f64) -> Result<([f64; 2], Work)> {
+        let turns = 12.0 * self.arm * self.arm / (self.rod * self.length * self.length);
+        let free = if self.hinged { 0.0 } else { 1.0 / self.rod };
+        let part = turns / (turns + free + 1.0 / self.particle);
+        let lever = 1.0 - pin / self.arm;
+        // Depth, its rate, angular velocity and angle, each in the unit that makes it simple.
+        let law = ode(move |_, &[depth, closing, rate, _]: &[f64; 4]| {
+            let slows = 1.0 - part + part * lever;
+            [closing, -slows * depth, lever * depth, rate]
+        });
+        let start = [0.0, 1.0, 0.0, 0.0];
+        let (met, work) = Dop853::new(1e-14)?.zero(&law, start, 1, 10.0, |y| y[1])?;
+        let [_, _, rate, angle] = met.state;
+        Ok(([rate, 1.0 - angle / (rate * met.t)], work))
+    }
+
     /// The time in which the particle comes as far as the rod is long, s.
     pub fn unit(&self) -> f64 {
         self.length / self.speed
@@ -112,7 +160,7 @@ impl Blow {
     pub fn new(strike: Strike, tolerance: f64, approach: f64, end: f64) -> Result<Self> {
         let (unit, l) = (strike.unit(), strike.length);
         let start = State {
-            q: [0.0, 0.0, 0.0, -approach * l, -0.5 * l],
+            q: [0.0, 0.0, 0.0, -approach * l, -strike.arm],
             v: [0.0, 0.0, 0.0, strike.speed, 0.0],
         };
         let motion = motion_within(strike, tolerance, start, (approach + end) * unit)?;
@@ -142,4 +190,11 @@ impl Blow {
     pub fn work(&self) -> Work {
         self.motion.work()
     }
+}
+
+/// What a simulation costs where the answer without the effect is a formula.
+pub fn cost(work: Option<Work>) -> String {
+    work.map_or("-".into(), |work| {
+        format!("closed form, {} derivatives", work.derivatives)
+    })
 }

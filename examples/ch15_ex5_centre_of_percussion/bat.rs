@@ -3,7 +3,7 @@
 
 use super::{Parameters, arms, impulse};
 use rotation_dynamics::Result;
-use rotation_dynamics::math::{pow, sincos};
+use rotation_dynamics::math::{hypot, pow, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
 use rotation_dynamics::report::{sampled, times};
 
@@ -151,6 +151,22 @@ impl Blow {
     /// By which angle the bat turns while a soft ball touches it, rad.
     pub fn turned(&self) -> Result<f64> {
         Ok(self.motion.at(self.touch + self.strike.p.contact)?.q[2])
+    }
+
+    /// How much of the impulse of a soft ball is left in a vibration of this angular frequency
+    /// that it sets going: the length of the integral of force times e^(i omega t), over that
+    /// of the force.
+    pub fn left_swinging(&self, frequency: f64) -> Result<f64> {
+        let all = times(self.touch, self.motion.end_time(), 600);
+        let pushed = sampled(all, |t| {
+            let (force, (s, c)) = (
+                self.strike.force(&self.motion.at(t)?),
+                sincos(frequency * t),
+            );
+            Ok([force, force * c, force * s])
+        })?;
+        let [sum, c, s] = [0, 1, 2].map(|k| pushed.iter().map(|now| now[k]).sum::<f64>());
+        Ok(hypot(c, s) / sum)
     }
 
     /// Forces of the ball and of the hands on the bat, along y at the start, N.

@@ -271,6 +271,11 @@ impl Report {
         self.claims.iter().find(|claim| claim.key() == key)
     }
 
+    /// The card of effects, line by line.
+    pub fn effects(&self) -> &[EffectEntry] {
+        &self.effects
+    }
+
     /// The accuracy strip, line by line.
     pub fn prices(&self) -> &[Price] {
         &self.accuracy

@@ -1,10 +1,11 @@
 //! The hinged rod that is hit by a particle. The simulation knows contacts and impulses and
 //! no conservation law; a claim that it does not confirm is an error.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, measured, refused, value};
 use pages::ch15_5_rod_and_particle::strike::Blow;
 use pages::ch15_5_rod_and_particle::{Answer, EXAMPLE, Parameters, scene};
-use rotation_dynamics::math::{cos, sin};
+use rotation_dynamics::math::{cbrt, cos, sin};
+use std::f64::consts::PI;
 use rotation_dynamics::planar::contact::{State, misdeclared};
 use support::{EPS, Errors, assert_error};
 
@@ -12,7 +13,7 @@ use support::{EPS, Errors, assert_error};
 const EQUAL: [[f64; 3]; 5] = [[0.8, 1.2, 5.0], [1.0, 1.0, 1.0], [3.0, 0.3, 20.0], [0.1, 2.0, 0.7], [40.0, 7.0, 3.0]];
 
 fn equal([mass, length, speed]: [f64; 3]) -> Parameters {
-    Parameters { mass, particle: mass, length, speed, tolerance: 1e-11 }
+    Parameters { mass, particle: mass, length, speed, table: None, tolerance: 1e-11 }
 }
 
 fn blow(p: &Parameters) -> Blow {
@@ -27,8 +28,15 @@ fn other_rods_and_particles_are_confirmed() {
         "--length=0.01 --speed=300",
         "--mass=30 --speed=0.1 --tolerance=1e-9",
         "--tolerance=1e-3",
+        "--length=0.004",
+        "--particle=1000 --mass=0.001",
+        "--particle=0.001 --mass=1000 --length=0.001 --speed=1000",
+        "--length=1000 --speed=0.001 --tolerance=1e-9",
+        "--with table",
+        "--with table=0.01 --particle=3 --length=0.3",
+        "--with table=2",
     ];
-    confirmed(&EXAMPLE, runs, 5);
+    confirmed(&EXAMPLE, runs, 12);
 }
 
 #[test]
@@ -39,6 +47,8 @@ fn what_cannot_hit_is_refused() {
         ("--mass=1e300", "it must be from 0.001 to 1000"),
         ("--length=nan", "not a finite number"),
         ("--tolerance=1e-16", "tolerance = 1e-16"),
+        ("--with table=0", "table = 0 is not allowed"),
+        ("--with table=0.0001 --speed=50", "angle until the table stops it"),
     ];
     refused(&EXAMPLE, runs);
 }
@@ -131,5 +141,35 @@ fn the_contacts_are_declared_as_they_are() {
         damaged.push(misdeclared(&scene(&p, true), &state(moving)));
     }
     errors.attain(1.1e-12..=1.2e-12, 6);
+    damaged.exceed(0.1, 3);
+}
+
+/// What the card measures, by other routes: the law of impulses with a pin that takes a part of
+/// the lever, a force that grows as a sine, and a torque that is constant.
+#[test]
+fn what_the_card_measures() {
+    let [hinge, thick, ball, contact, table] = measured(&EXAMPLE);
+    let p = Parameters::default();
+    let (a, arm) = (Answer::new(&p), 0.5 * p.length);
+    let (w, rod, lever) = (a.angular_velocity, p.mass * p.length * p.length / 12.0, arm - 0.3 * 0.005);
+    let part = (w - hinge[1]) / (lever * p.particle * p.speed / (rod + lever * p.particle * arm));
+    assert_error!(part, 1.0, 0.0 eps);
+    // The moments of a box, and of a ball beside the end.
+    let radius = cbrt(3.0 * p.particle / (4.0 * PI * 7850.0));
+    let slower = |more: f64| w - a.momentum / (a.inertia + more);
+    let mut errors = Errors::of("slower, over the rate");
+    errors.push((thick[1] - slower(p.mass * 0.02 * 0.02 / 12.0)) / w);
+    errors.push((ball[1] - slower(1.4 * p.particle * radius * radius)) / w);
+    // Its speed closes as a cosine: of the time of contact, 2/pi of a full turning is lost.
+    errors.push(contact[1] / (1e-3 * w) - 2.0 / PI);
+    // The table brakes both with what they weigh, at half of the arm and at the arm.
+    let brake = 0.1 * 9.80665 * arm * (0.5 * p.mass + p.particle) / a.inertia;
+    errors.push((table[1] - brake / w) / w);
+    errors.attain(6.38e-13..=6.39e-13, 4);
+    // A pin that rubs with its whole radius, a contact whose force is even in time, a rod alone.
+    let mut damaged = Errors::of("other laws");
+    damaged.push(hinge[1] / (0.005 * a.hinge.abs() / a.inertia) - 1.0);
+    damaged.push(contact[1] / (1e-3 * w) - 0.5);
+    damaged.push(table[1] * w * a.inertia / (0.1 * 9.80665 * arm * 0.5 * p.mass) - 1.0);
     damaged.exceed(0.1, 3);
 }

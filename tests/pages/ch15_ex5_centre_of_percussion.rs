@@ -1,9 +1,13 @@
 //! Exercise 15.5. The simulation knows contacts and a hinge and no formula for the place; that it
 //! confirms them is part of the report.
 
-use crate::told::{cell, confirmed, refused, value};
+use crate::told::{cell, confirmed, measured, refused, value};
 use pages::ch15_ex5_centre_of_percussion::bat::{Blow, Strike};
 use pages::ch15_ex5_centre_of_percussion::*;
+use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::math::{hypot, pow};
+use rotation_dynamics::report::Page;
+use std::f64::consts::PI;
 use support::{EPS, Errors, assert_error};
 
 #[test]
@@ -21,8 +25,13 @@ fn other_bats_are_confirmed() {
         "--length=3 --hands=1.2 --hit=2.9 --contact=0.01",
         "--mass=0.02 --ball=0.003 --hit=0.85",
         "--hit=0.04",
+        "--hit=0",
+        "--ball=0.0013 --hit=0.8",
+        "--ball=900 --hit=0.8",
+        "--contact=0.00001 --hit=0.3",
+        "--contact=0.05",
     ];
-    confirmed(&EXAMPLE, runs, 6);
+    confirmed(&EXAMPLE, runs, 11);
 }
 
 #[test]
@@ -92,4 +101,33 @@ fn the_bending_leaves_both_ends_free() {
     damaged.push(bent(0.5, 1e-3));
     errors.attain(3.8e-15..=3.9e-15, 2);
     damaged.exceed(1.0, 1);
+}
+
+/// What the card measures, by other routes: a vibration pushed by a ball on a wall, the formula
+/// for a heavier tip, and the turning to second order.
+#[test]
+fn what_the_card_measures() {
+    let [bending, tip, contact] = measured(&EXAMPLE);
+    let p = Parameters::default();
+    let page: &dyn Page = &EXAMPLE;
+    let numbers = page.report().unwrap().effects().iter().map(|line| line.value).collect::<Vec<_>>();
+    let (x, angle) = (numbers[0], numbers[2]);
+    let deepest = 1.0 / 2.943_275_f64;
+    // Depth of the ball and its rate, place of the vibration and its rate.
+    let law = ode(move |_, &[d, v, a, w]: &[f64; 4]| {
+        let force = 1.25 / pow(deepest, 2.5) * pow(d.max(0.0), 1.5);
+        [v, -force, w, 0.5 * force - PI * PI * x * x * a]
+    });
+    let [_, _, a, w] = after(1.5, &law, &[0.0, 1.0, 0.0, 0.0], 1e-10).unwrap();
+    let mut errors = Errors::of("measured over another route, less one");
+    errors.push(bending[1] / (shape(0.0) * shape(p.hit / p.length) * hypot(w, PI * x * a)).abs() - 1.0);
+    errors.push(tip[1] / tip[0] - 1.0);
+    errors.push(contact[1] / contact[0] - 1.0);
+    errors.attain(5.38e-5..=5.39e-5, 3);
+    // A push in no time, a uniform bat that is longer, half the square of the angle and no more.
+    let mut damaged = Errors::of("other laws");
+    damaged.push(bending[1] / (shape(0.0) * shape(p.hit / p.length)) - 1.0);
+    damaged.push(tip[1] / (0.05 * p.length) - 1.0);
+    damaged.push(contact[1] / (-0.5 * angle * angle * (1.0 + reaction(&p))) - 1.0);
+    damaged.exceed(0.03, 3);
 }

@@ -51,6 +51,16 @@ pub fn cell(page: &dyn Page, flags: &str, [section, row, column]: [&str; 3]) -> 
     number.parse().expect("it begins with a number")
 }
 
+/// The lines of the card of effects that a simulation measures, with the defaults: the
+/// predicted error of leaving out the effect, and the measured one. There are `N` of them.
+#[track_caller]
+pub fn measured<const N: usize>(page: &dyn Page) -> [[f64; 2]; N] {
+    let report = page.report().expect("the default output is sound");
+    let lines = report.effects().iter().filter_map(|line| Some([line.error, line.measured?]));
+    let lines: Vec<[f64; 2]> = lines.collect();
+    lines.try_into().unwrap_or_else(|lines: Vec<_>| panic!("{} lines are measured, not {N}", lines.len()))
+}
+
 /// The number that this run prints under `key`.
 #[track_caller]
 pub fn number(page: &dyn Page, flags: &str, key: &str) -> f64 {
