@@ -5,7 +5,7 @@ pub mod cone;
 #[path = "ch15_ex6_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, level, placed, spin_at_rest};
+use cone::{Cone, Sums, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode};
@@ -250,17 +250,24 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let w = h * rate * rate / p.gravity;
     // The pressure of a rolling body lies ahead of the contact by this lever, m.
     let lever = 2e-5;
-    let rolling = p.mass * p.gravity * lever * -angular_velocity(a) * TAU;
+    let bears = p.mass * p.gravity * lever * -angular_velocity(a);
     let energy = p.mass * h * h * rate * rate * kinetic_energy(a);
+    // As if all of its side met the air as fast as its centre of mass.
     let (side, speed) = (h * h * tan(a), 0.75 * h * rate * cos(a));
-    let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a);
+    let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a) / energy;
+    let rolling = bears * TAU / energy;
+    let (turning, strips) = ([2.0 * energy / (rate * rate), rate], body(p).air(a, 1.204));
+    let (rolled, its_cost) = left_to_itself(rolling, turning, |_| bears)?;
+    let (blown, cost) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
         "friction, as far as it is needed":
             "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
         "rolling resistance":
-            "b/h" = lever / h, costs rolling / energy, "of the energy in a circuit";
+            "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit",
+            measured rolled, within 1e-10, at_cost its_cost;
         "drag of the air":
-            "rho h S/M" = 1.204 * h * side / p.mass, costs air / energy, "of the energy in a circuit";
+            "rho h S/M" = 1.204 * h * side / p.mass, costs air.min(1.0), "of the energy in a circuit, to first order",
+            measured blown, within 1e-10, at_cost cost;
     }
 }
 

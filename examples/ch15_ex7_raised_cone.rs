@@ -5,7 +5,7 @@ pub mod cone;
 #[path = "ch15_ex7_raised_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, UP, level, placed, spin_at_rest};
+use cone::{Cone, Sums, UP, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
@@ -230,16 +230,28 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (w, lever, friction) = (h * rate * rate / p.gravity, 2e-5, 0.05);
     let energy = p.mass * h * h * rate * rate * kinetic_energy(a);
     // The pressure of a rolling body lies ahead of the contact by this lever, m.
-    let rolling = p.mass * p.gravity * pressure(a, w) * lever * TAU / tan(a);
+    let bears = |w: f64| p.mass * p.gravity * pressure(a, w) * lever / tan(a);
+    let rolling = bears(w) * TAU / energy;
+    // As if all of its side met the air as fast as its centre of mass.
     let (side, speed) = (h * h * tan(a), 0.75 * h * rate);
-    let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h;
+    let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h / energy;
+    let (turning, strips) = (
+        [2.0 * energy / (rate * rate), rate],
+        body(p).air(0.0, 1.204),
+    );
+    // Slower, it also presses less.
+    let pressed = |rate: f64| bears(h * rate * rate / p.gravity);
+    let (rolled, its_cost) = left_to_itself(rolling, turning, pressed)?;
+    let (blown, cost) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
         "radial friction at the rim":
             "mu tan(alpha)" = friction * tan(a), costs friction * tan(a), "of N, at most";
         "rolling resistance":
-            "b/h" = lever / h, costs rolling / energy, "of the energy in a circuit";
+            "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit, to first order",
+            measured rolled, within 1e-10, at_cost its_cost;
         "drag of the air":
-            "rho h S/M" = 1.204 * h * side / p.mass, costs air / energy, "of the energy in a circuit";
+            "rho h S/M" = 1.204 * h * side / p.mass, costs air.min(1.0), "of the energy in a circuit, to first order",
+            measured blown, within 1e-10, at_cost cost;
     }
 }
 

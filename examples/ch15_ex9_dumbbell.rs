@@ -73,9 +73,8 @@ pub fn scene(p: &Parameters) -> Result<Hit> {
     let reach = from_to(2e-3, 10.0).check("(ball + knob)/length", (p.ball + p.knob) / p.length)?;
     let (restitution, slant) = (p.restitution, p.slant);
     Ok(Hit {
-        restitution,
         slant,
-        reach,
+        ..Hit::across(restitution, reach)
     })
 }
 
@@ -211,19 +210,58 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// A hit 1 mm off the middle, smooth masses of some size, a table that rubs with 0.1.
+/// A hit 1 mm off the middle, smooth masses of some size, a table that rubs with 0.1: what can be
+/// put into the scene is, by another mass, moment or start of the same simulation.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, l, v0) = (Answer::new(p.restitution, p.slant), p.length, p.speed);
     let (size, square) = (1.6 * p.knob * p.knob / (l * l), cos(p.slant) * cos(p.slant));
     let aside = 1e-3 / (p.ball + p.knob);
     let contact = 1e-4 * v0 / l * a.angular_velocity;
-    let rub = 0.1 * 9.80665 * l / (v0 * v0 * a.centre * a.centre);
+    let weak = 0.1 * 9.80665 * l / (v0 * v0);
+    let rub = weak / (a.centre * a.centre);
+    let (plain, struck) = (scene(p)?, |hit: Hit| Blow::new(hit, 1e-13, 0.02));
+    let free = struck(plain)?;
+    let after = &free.after;
+    let heavy = struck(Hit {
+        moment: 0.25 * (1.0 + size),
+        ..plain
+    })?;
+    let staff = struck(Hit {
+        mass: 1.01,
+        moment: 0.25 + 0.01 / 12.0,
+        ..plain
+    })?;
+    let cost = |other: &Blow| {
+        let [without, with] = [&free, other].map(|blow| blow.work().derivatives);
+        format!("{without} derivatives, {with} derivatives")
+    };
+    // Along the stick nothing turns; a ball that is far aside misses; what rubs much stops it.
+    let turned = (square > 1e-6).then(|| 1.0 - heavy.after.v[2] / after.v[2]);
+    let (mut astray, mut its_cost) = (None, "-".into());
+    if aside < 0.5 {
+        let askew = struck(Hit {
+            aside: 1e-3 / l,
+            ..plain
+        })?;
+        let [x, y, ..] = askew.after.v;
+        (astray, its_cost) = (Some((atan2(y, x) - p.slant).abs()), cost(&askew));
+    }
+    let (held, mut slower, mut ran) = (rub * hit::held_back(after), None, "-".into());
+    if held < 0.4 {
+        let (part, work) = hit::rubbed(after, weak)?;
+        slower = Some(part);
+        ran = format!("closed form, {} derivatives", work.derivatives);
+    }
     effect_card! { report,
-        "size of the masses": "8 a^2/(5 l^2)" = size, costs size * 2.0 / (2.0 + square), "of Omega";
-        "it hits 1 mm off the middle": "d/(a + b)" = aside, costs aside, "rad of the direction";
+        "size of the masses": "8 a^2/(5 l^2)" = size, costs size * 2.0 / (2.0 + square), "of Omega, to first order",
+            measured turned, within 1e-9, at_cost cost(&heavy);
+        "it hits 1 mm off the middle": "d/(a + b)" = aside, costs aside, "rad of the direction, to first order",
+            measured astray, within 1e-9, at_cost its_cost;
         "the contact lasts 0.1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
-        "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01 * (1.0 + 2.0 / 3.0 * square) / (2.0 + square), "of V";
-        "friction of the table": "mu_k g l/V^2" = rub, costs rub, "of V in the way l, at most";
+        "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01 * (1.0 + 2.0 / 3.0 * square) / (2.0 + square), "of V, to first order",
+            measured 1.0 - hypot(staff.after.v[0], staff.after.v[1]) / a.centre, within 1e-9, at_cost cost(&staff);
+        "friction of the table": "mu_k g l/V^2" = rub, costs held.min(1.0), "of V in the way l, to first order",
+            measured slower, within 1e-8, at_cost ran;
     }
 }
 

@@ -13,7 +13,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, ode};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, ode, second_order};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -233,16 +233,26 @@ pub fn grains(p: &Parameters) -> impl Iterator<Item = BodyVector> {
 
 /// L_Z, and the torque along x of the forces that keep the grains on their circles.
 pub fn by_grains(p: &Parameters) -> Result<[f64; 2]> {
+    held(p, grains(p), 0.0)
+}
+
+/// The same of these grains, with what they weigh held as well.
+fn held(
+    p: &Parameters,
+    grains: impl Iterator<Item = BodyVector>,
+    gravity: f64,
+) -> Result<[f64; 2]> {
     let held = Attitude::from_euler(EulerAngles {
         phi: 0.0,
         theta: p.tilt,
         zeta: 0.0,
     })?;
     let (omega, share) = (SpaceVector::new(0.0, 0.0, p.rate), p.mass / 48.0);
-    Ok(grains(p).fold([0.0; 2], |[momentum, torque], grain| {
+    let up = SpaceVector::new(0.0, 0.0, gravity);
+    Ok(grains.fold([0.0; 2], |[momentum, torque], grain| {
         let r = held.to_space(grain);
         let v = omega.cross(&r);
-        let force = omega.cross(&v) * share;
+        let force = (omega.cross(&v) + up) * share;
         // At phi = 0 the direction x of the triad is X.
         [
             momentum + r.cross(&(v * share)).z(),
@@ -361,19 +371,61 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// The torque of a clamp that yields, over that of one that does not: from the middle of the
+/// first swing of a cylinder that is handed to a spring, with which `yields` is the angle (rad,
+/// towards where the cylinder wants to go) of the rigid clamp's torque. And the work.
+pub fn yielding(tilt: f64, yields: f64) -> Result<(f64, Work)> {
+    // Angle in that unit, time in that of the spring.
+    let pull = move |x: f64| sin(2.0 * (tilt + yields * x)) / sin(2.0 * tilt);
+    let law = second_order(move |_, x, _| pull(x) - x);
+    let (far, work) = Dop853::new(1e-14)?.zero(&law, [0.0, 0.0], 1, 1e3, |y| y[1])?;
+    Ok((0.5 * far.state[0], work))
+}
+
+/// The card of effects: the grains with the effect in, and a clamp that is a spring.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, (s, c)) = (Cylinder::new(p)?, sincos(p.tilt));
     let torque = body.torque().abs();
+    let (gravity, aside, turning) = (9.80665, 1e-4, 7.292115e-5);
     let (off, earth, yields) = (
-        p.mass * 9.80665 * 1e-4 * s / torque,
-        1.4584e-4 / p.rate,
+        p.mass * gravity * aside * s / torque,
+        2.0 * turning / p.rate,
         torque / 1e3,
     );
-    let slope = ((c - s) * (c + s) / (s * c)).abs();
+    // Towards level if it is long; the torque changes by this part on the way.
+    let way = if body.long() { yields } else { -yields };
+    let part = way * (c - s) * (c + s) / (s * c);
+    let (gives, cost) = if yields < 0.1 && part < 0.5 {
+        let (over, work) = yielding(p.tilt, way)?;
+        (
+            Some((over - 1.0).abs()),
+            format!("closed form, {} derivatives", work.derivatives),
+        )
+    } else {
+        (None, "-".into())
+    };
+    let first = if gives.is_some() {
+        part / (1.0 - part)
+    } else {
+        part
+    };
+    let [_, alone] = by_grains(p)?;
+    let moved = grains(p).map(|grain| grain + BodyVector::new(0.0, 0.0, aside));
+    let [_, hung] = held(p, moved, gravity)?;
+    let [_, faster] = by_grains(&Parameters {
+        rate: p.rate + turning,
+        ..p.clone()
+    })?;
+    // What stands off the hinge weighs, and is flung out.
+    let stands = off + p.mass * aside * aside / (body.i1 - body.i3).abs();
+    let rounding = 1e-13 * p.rate * p.rate * body.i1.max(body.i3) / torque;
     effect_card! { report,
-        "centre of mass 0.1 mm off the hinge": "M g e sin theta/lambda" = off, costs off, "of lambda";
-        "a clamp that yields 1 mrad to a newton metre": "lambda/c" = yields, costs slope * yields, "of lambda";
-        "turning of the Earth, at a pole": "2 Omega_E/phi'" = earth, costs earth, "of lambda";
+        "centre of mass 0.1 mm off the hinge": "M g e sin theta/lambda" = off, costs stands, "of lambda",
+            measured (hung / alone - 1.0).abs(), within rounding;
+        "a clamp that yields 1 mrad to a newton metre": "lambda/c" = yields, costs first.abs(), "of lambda, to first order",
+            measured gives, within 4.0 * yields * yields, at_cost cost;
+        "turning of the Earth, at a pole": "2 Omega_E/phi'" = earth, costs earth, "of lambda, to first order",
+            measured faster / alone - 1.0, within rounding;
     }
 }
 

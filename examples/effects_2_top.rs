@@ -368,32 +368,6 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// The card: what acts, and what it costs to leave it out of the whole life.
-fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (patch, least) = (p.patch()?, p.least_spin());
-    let [rubs, pivots, air] = [
-        p.rise_rate() / (p.throw().precession * p.tilt),
-        3.0 * TAU / 32.0 * p.friction * WEIGHT * patch / AXIAL / p.braking(p.spin)?,
-        -p.air()?.axial_torque(p.spin) / AXIAL / p.braking(p.spin)?,
-    ];
-    let nod = AXIAL * p.spin / ACROSS;
-    let geared = AXIAL + MASS * p.tip * (LEVER + p.tip);
-    let rolls = 0.01 * p.tip * WEIGHT / (geared * p.spin);
-    let hop = p.friction * p.tilt * nod * nod * LEVER * p.throw().precession / (nod * GRAVITY);
-    let earth = 7.292e-5 / p.precession(least * 1.05);
-    effect_card! { report,
-        "sliding friction": "rise rate/(precession theta)" = rubs, costs p.tilt, "rad: it never rises", included;
-        "a patch of contact": "a omega/slip" = patch * p.spin / p.first_slip(), costs p.grip_tilt(), "rad: it stops rising", included;
-        "drag of the air": "share of the braking" = air, costs 1.0 / (1.0 - air) - 1.0, "of the life", included;
-        "friction of pivoting": "share of the braking" = pivots, costs 1.0 / (1.0 - pivots) - 1.0, "of the life", included;
-        "slope of the floor": "slope" = p.slope, costs p.slope * (LEVER + p.tip) / LEVER, "rad of the tilt asleep", included;
-        "force that varies in a nod, and patch with it": "(N/mg - 1)/3 at the throw" = hop / 3.0, costs hop / 3.0, "of the patch";
-        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs rolls, "rad/s of rise";
-        "drag of the air on the axis's motion": "theta" = ASLEEP, costs ASLEEP * ASLEEP, "of the drag";
-        "rotation of the Earth": "Omega_E/precession" = earth, costs earth, "rad of the tilt asleep";
-    }
-}
-
 /// The accuracy strip: dry friction at a point, from the throw until the tip grips.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = p.toy(Dry::new(p.friction)?)?;
@@ -411,6 +385,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     effects_2_top: "The rising, sleeping and dying top, from throw to fall";
     "A top from throw to fall", "The toy top of 16.2 on a rounded tip that slides and creeps, in air.",
-    [claims, ledger::phases, ledger::without, limits, effects, accuracy];
+    [claims, ledger::phases, ledger::without, limits, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -98,7 +98,8 @@ impl Settling {
         let [k, n, c] = match loss {
             Loss::Rolling(part) => [4.0 / 3.0 * part, 0.5, 161.0 / 108.0],
             Loss::Air(viscosity) => [TAU / 3.0 * viscosity, 2.0, 73.0 / 54.0],
-            Loss::None => [0.0; 3],
+            // Of both together the fall is a sum of two powers.
+            Loss::None | Loss::Both(..) => [0.0; 3],
         };
         Self { k, n, c }
     }
@@ -439,7 +440,8 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
         .into_iter()
         .map(|entry| entry.judged_within(0.02).answer(group))
         .collect::<Vec<_>>(),
-    )
+    )?;
+    effects(p, [&air, &rolls], run, report)
 }
 
 /// The end once more: where the law's fall, taken by differences, is g, or the film.
@@ -505,29 +507,68 @@ pub fn thickened(tilt: f64, thickness: f64) -> f64 {
     0.25 * thickness * tan(tilt) - thickness * thickness / 6.0
 }
 
+/// The rate of the contact of a disc as thick as this, in R, about a centre at rest: the moment
+/// of the table's force against the change of L, as vectors.
+pub fn of_thick(tilt: f64, thickness: f64) -> f64 {
+    let (s, c) = sincos(tilt);
+    let (axis, slope) = (SpaceVector::new(s, 0.0, c), SpaceVector::new(-c, 0.0, s));
+    let to_centre = slope + axis * (0.5 * thickness);
+    // About the line from the contact to the centre, with the part s along the slope.
+    let (omega, diameter) = (to_centre * s, 0.25 + thickness * thickness / 12.0);
+    let momentum = omega * diameter + axis * ((0.5 - diameter) * omega.dot(&axis));
+    // Both are turned by the vertical.
+    (to_centre.x() / momentum.x()).sqrt()
+}
+
+/// The time from the start to the end with both losses at once: by their laws, whose speeds add;
+/// and simulated, down to a tenth of the inclination, with the work.
+fn both([air, rolls]: [&Case; 2]) -> Result<(f64, f64, Work)> {
+    let fall = |tilt: f64| {
+        let of = |law: Settling| law.k * pow(tilt, -law.n) * (1.0 - law.c * tilt * tilt);
+        of(air.law) + of(rolls.law)
+    };
+    let left = |from: f64| {
+        let h = from / 4000.0;
+        (0..4000)
+            .map(|i| h / fall(h * (f64::from(i) + 0.5)))
+            .sum::<f64>()
+    };
+    let (Loss::Air(viscosity), Loss::Rolling(part)) = (air.loss, rolls.loss) else {
+        return Ok((f64::NAN, f64::NAN, Work::default()));
+    };
+    let (steady, start) = (Settling::passing(air.start), air.start);
+    let rates = [steady.rate(), -fall(start), steady.spin()];
+    let from = placed(start, rates, steady.circle)?;
+    let loss = Loss::Both(part, viscosity);
+    let run = settling(loss, from, &[], 0.1 * start, 2.0 * left(start), air.step)?;
+    Ok((left(start), run.end_time() + left(0.1 * start), run.work()))
+}
+
 /// The card of effects: the other loss, a disc 1 cm thick, air as it is, and what is small.
-fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (air, rolls) = (Case::new(p, "air")?, Case::new(p, "rolling")?);
-    let thick = 0.01 / p.radius;
+fn effects(p: &Parameters, cases: [&Case; 2], alone: &Settled, report: &mut Report) -> Result<()> {
+    let ([air, rolls], thick) = (cases, 0.01 / p.radius);
     // The layer that a surface drags in a turn, over the gap under the centre, at the start.
     let layer = (2.0 * 1.5e-5 * air.time * p.start.sqrt() / 2.0).sqrt() / (p.radius * p.start);
-    let law = if p.loss == "air" { air.law } else { rolls.law };
+    let (law, other) = match p.loss == "air" {
+        true => (air.law, rolls.law),
+        false => (rolls.law, air.law),
+    };
     let small = law.c * p.start * p.start * (law.n + 1.0) / (law.n + 3.0);
     let slow = law.k * pow(p.start, -law.n - 1.0);
-    let other = |a: &Case, b: &Case| {
-        let power = |case: &Case| case.law.k * pow(p.start, -case.law.n);
-        power(a) / power(b)
-    };
-    let beside = if p.loss == "air" {
-        other(&rolls, &air)
-    } else {
-        other(&air, &rolls)
-    };
+    let beside = other.k * pow(p.start, -other.n) / (law.k * pow(p.start, -law.n));
+    let (sooner, settled, work) = both(cases)?;
+    let runs = [alone.run.work(), work].map(|work| work.derivatives);
+    let first = pow(p.start, law.n + 1.0) / ((law.n + 1.0) * law.k);
+    // Of a disc that is as thick as it leans steeply, the contact is nowhere near.
+    let faster = of_thick(p.inclination, thick) / of_thick(p.inclination, 0.0) - 1.0;
     effect_card! { report,
-        "the other of the two losses": "ratio of the powers, at the start" = beside, costs beside / (1.0 + beside), "of t_end";
-        "a thickness of 1 cm": "h/R" = thick, costs thickened(p.inclination, thick).abs(), "of Omega";
+        "the other of the two losses": "ratio of the powers, at the start" = beside, costs 1.0 - sooner / law.left(p.start), "of t_end",
+            measured 1.0 - settled / alone.end, within 1e-4, at_cost format!("{} derivatives, {} derivatives", runs[0], runs[1]);
+        "a thickness of 1 cm": "h/R" = thick, costs thickened(p.inclination, thick).abs(), "of Omega, to second order",
+            measured Some(faster.abs()).filter(|part| part.is_finite()), within 1e-12;
         "air that does not move as a film": "layer/gap, at the start" = layer, costs 1.0 / layer - 1.0, "of the power";
-        "inclination that is not small": "alpha^2" = p.start * p.start, costs small, "of t_end", included;
+        "inclination that is not small": "alpha^2" = p.start * p.start, costs small, "of t_end, to first order",
+            measured alone.end / first - 1.0, within 3.0 * pow(p.start, 4.0) + 3.0 * pow(law.haste(0.1 * p.start), 2.0), included;
         "loss in a turn": "alpha'/(alpha Omega)" = 0.5 * slow * p.start.sqrt(), costs slow * slow, "of Omega";
     }
 }
@@ -589,6 +630,6 @@ fn table_of_ends(both: [(&str, &Case, &Settled); 2], report: &mut Report) -> Res
 example! {
     further_3_euler_disc: "Euler's disc: a disc spun on a table settles faster and faster";
     "Euler's disc", "A thin disc rolls round on its edge on a table, and settles.",
-    [claims, last_seconds, limits, effects, accuracy];
+    [claims, last_seconds, limits, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

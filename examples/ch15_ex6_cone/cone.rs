@@ -4,10 +4,11 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::math::{sincos, tan};
+use rotation_dynamics::integrators::{Dop853, second_order};
+use rotation_dynamics::math::{cos, sincos, tan};
 use rotation_dynamics::report::draw::{Ink, Solid, View};
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// The vertical.
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
@@ -85,6 +86,38 @@ impl Cone {
         }
         Ok(sums)
     }
+
+    /// The moment about the vertical with which air of this density (kg/m^3) brakes the cone,
+    /// over the square of the rate, kg m^2: that of a hundred strips across the axis, which
+    /// points `rise` above the level, each with the drag coefficient 1 and its own speed.
+    pub fn air(&self, rise: f64, density: f64) -> f64 {
+        let thick = 0.01 * self.height;
+        let strip = |k: i32| {
+            let along = thick * (f64::from(k) + 0.5);
+            let out = along * cos(rise);
+            // Half of the density, and a width of twice the radius there.
+            density * thick * along * tan(self.half_angle) * out * out * out
+        };
+        (0..100).map(strip).sum()
+    }
+}
+
+/// The part of its energy, inertia/2 times the square of the rate, that a cone loses in a circuit
+/// if nothing drives it and `brake`, a moment of the rate, holds it back; and what the run costs.
+/// Nothing if the part `predicted` is so large that it may stop before.
+pub fn left_to_itself(
+    predicted: f64,
+    [inertia, rate]: [f64; 2],
+    brake: impl Fn(f64) -> f64,
+) -> Result<(Option<f64>, String)> {
+    if predicted > 0.9 {
+        return Ok((None, "-".into()));
+    }
+    // In the time in which it would turn by a radian.
+    let law = second_order(|_, _, v| -brake(rate * v) / (inertia * rate * rate));
+    let (back, work) = Dop853::new(1e-13)?.zero(&law, [0.0, 1.0], 1, 1e3, |y| y[0] - TAU)?;
+    let cost = format!("closed form, {} derivatives", work.derivatives);
+    Ok((Some(1.0 - back.state[1] * back.state[1]), cost))
 }
 
 /// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned

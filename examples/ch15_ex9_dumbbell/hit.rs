@@ -1,7 +1,7 @@
 //! A ball hits a dumbbell, simulated with contacts that push: no conservation law is used, and
 //! whoever meets again is hit again. Mass of the ball, length of the stick and speed are 1.
 
-use rotation_dynamics::integrators::{Dop853, Work};
+use rotation_dynamics::integrators::{Dop853, Work, ode};
 use rotation_dynamics::math::{hypot, sincos};
 use rotation_dynamics::planar::contact::{Contact, Event, Mechanism, Motion, State, motion};
 use rotation_dynamics::{Error, Result};
@@ -15,6 +15,11 @@ pub struct Hit {
     pub slant: f64,
     /// Radius of the ball and that of a mass together.
     pub reach: f64,
+    /// By how much the ball comes off the line to the middle of the mass.
+    pub aside: f64,
+    /// Mass of the dumbbell, and its moment of inertia.
+    pub mass: f64,
+    pub moment: f64,
 }
 
 /// Place or velocity in the plane.
@@ -43,6 +48,9 @@ impl Hit {
             restitution,
             slant: 0.0,
             reach,
+            aside: 0.0,
+            mass: 1.0,
+            moment: 0.25,
         }
     }
 }
@@ -51,7 +59,7 @@ impl Hit {
 /// Coordinates: the middle of the stick, its angle, the ball.
 impl Mechanism<5, 10, 2> for Hit {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
-        let diagonal = [1.0, 1.0, 0.25, 1.0, 1.0];
+        let diagonal = [self.mass, self.mass, self.moment, 1.0, 1.0];
         core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
     }
 
@@ -93,7 +101,8 @@ impl Blow {
     /// Until the time `end` after the hit.
     pub fn new(hit: Hit, step: f64, end: f64) -> Result<Self> {
         let ((s, c), far) = (sincos(hit.slant), hit.reach + APPROACH);
-        let (q, v) = ([0.0, 0.5, 0.0, -far * c, -far * s], [0.0, 0.0, 0.0, c, s]);
+        let (x, y) = (-far * c - hit.aside * s, -far * s + hit.aside * c);
+        let (q, v) = ([0.0, 0.5, 0.0, x, y], [0.0, 0.0, 0.0, c, s]);
         // Nothing pulls, so steps would be long, and a ball could pass a mass within one.
         let method = Dop853::new(step)?.with_longest_step(0.2 * hit.reach.min(0.25))?;
         let motion = motion(hit, &method, State { q, v }, APPROACH + end)?;
@@ -139,6 +148,46 @@ impl Blow {
     pub fn work(&self) -> Work {
         self.motion.work()
     }
+}
+
+/// How two masses on a table that rubs are held back: the force on the middle of the stick and
+/// the moment about it, for friction on each of its half of the weight, the friction being 1.
+fn rubbing(state: &State<5>) -> [f64; 3] {
+    let ways = velocities(state).map(|[x, y]| {
+        let speed = hypot(x, y).max(1e-12);
+        [-0.5 * x / speed, -0.5 * y / speed]
+    });
+    let [a, b] = arms(state.q[2]);
+    let about = |arm: Plane, way: Plane| arm[0] * way[1] - arm[1] * way[0];
+    let moment = about(a, ways[0]) + about(b, ways[1]);
+    [ways[0][0] + ways[1][0], ways[0][1] + ways[1][1], moment]
+}
+
+/// The part of its speed V that the middle of the stick loses in the way l, per mu g l/V^2, to
+/// first order: both masses rub against their own velocities, as they are without friction.
+pub fn held_back(after: &State<5>) -> f64 {
+    let speed = hypot(after.v[0], after.v[1]);
+    let part = |k: i32| {
+        let mut there = *after;
+        there.q[2] = after.v[2] / speed * (f64::from(k) + 0.5) / 200.0;
+        let [x, y, _] = rubbing(&there);
+        -(x * after.v[0] + y * after.v[1]) / (200.0 * speed)
+    };
+    (0..200).map(part).sum()
+}
+
+/// The same part simulated, for a friction mu g l/v0^2; and the work.
+pub fn rubbed(after: &State<5>, friction: f64) -> Result<(f64, Work)> {
+    let law = ode(|_, &[x, y, angle, u, v, turn]: &[f64; 6]| {
+        let (q, v) = ([x, y, angle, 0.0, 0.0], [u, v, turn, 0.0, 0.0]);
+        let [fx, fy, moment] = rubbing(&State { q, v }).map(|force| friction * force);
+        [v[0], v[1], turn, fx, fy, 4.0 * moment]
+    });
+    let ([u, v, turn, ..], speed) = (after.v, hypot(after.v[0], after.v[1]));
+    let start = [0.0, 0.0, 0.0, u, v, turn];
+    let far = |y: &[f64; 6]| hypot(y[0], y[1]) - 1.0;
+    let (there, work) = Dop853::new(1e-11)?.zero(&law, start, 1, 20.0 / speed, far)?;
+    Ok((1.0 - hypot(there.state[3], there.state[4]) / speed, work))
 }
 
 /// Kinetic energy of all.

@@ -5,7 +5,7 @@ use super::rotor::{ROTOR, asked_for};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
-use rotation_dynamics::effects::{DiscDrag, GravityAtLever};
+use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::report::Report;
 use rotation_dynamics::report::heavy_top::{Added, Stepped};
@@ -25,35 +25,21 @@ pub fn rotor(p: &Parameters) -> Result<Stepped> {
     let gravity = |g| GravityAtLever::new(rotor.mass * g, rotor.length);
     // A disc of the rotor's mass and moment.
     let radius = (2.0 * rotor.i3 / rotor.mass).sqrt();
-    // What is thinner is as viscous, so that nu goes with 1/density.
-    let air = |density| {
-        let viscosity = DiscDrag::AIR_VISCOSITY * (DiscDrag::AIR_DENSITY / density);
-        DiscDrag::new(radius, density, viscosity, rotor.spin)
-    };
     let added = Added {
         nodes: p.friction,
-        air: p.air.map(air).transpose()?,
         dry: p.bearing,
-    };
+        ..Added::default()
+    }
+    .in_air(p.air, radius, rotor.spin)?;
     Stepped::new(body, p.gravity.map(gravity).transpose()?, added, start, 1.0)
 }
 
 /// Where it ends, and what each effect has done.
 pub fn report(p: &Parameters) -> Result<Report> {
-    let mut report = Report::new(
-        "The gyroscope",
-        "a rotor with what --with puts in, for a second: stepped; nods, turning points and the strip, \
-         which need the closed form, are left out",
-    )?;
-    let (rotor, names) = (
-        rotor(p)?,
-        [
-            "bearing of the line of nodes",
-            "air on the rotor",
-            "bearings of the axle",
-        ],
-    );
-    report.add(rotor.claims(p.tolerance)?)?;
-    report.add(rotor.ledger(p.tolerance, names)?)?;
-    Ok(report)
+    let names = [
+        "bearing of the line of nodes",
+        "air on the rotor",
+        "bearings of the axle",
+    ];
+    rotor(p)?.report(["The gyroscope", "a rotor"], p.tolerance, names)
 }

@@ -3,7 +3,7 @@
 use super::*;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::exp;
-use rotation_dynamics::tops::Grip;
+use rotation_dynamics::tops::{Grip, RollingResistance};
 
 /// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
 pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -102,7 +102,7 @@ impl TipFriction for Smoothed {
     }
 }
 
-/// The same throw with one thing left out.
+/// The same throw with one thing left out; and the card of effects.
 pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     let columns = "left out, tilt after 1 s / rad, after 5 s, after 20 s, what becomes of it";
     let mut table = Table::new("without", columns.split(", "))?;
@@ -130,17 +130,34 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
         ("the patch: a tanh of 0.1 m/s", tilts(&smoothed(0.1)?, p)?),
         ("the patch: a tanh of 3 mm/s", tilts(&smoothed(3e-3)?, p)?),
     ];
-    for (name, (tilts, fate)) in rows {
-        let cells = tilts.map(|tilt| format!("{tilt:.4}"));
-        table.push([name.to_string()].into_iter().chain(cells).chain([fate]))?;
+    let ends = rows
+        .each_ref()
+        .map(|(_, run)| (run.tilts[2], run.work.derivatives));
+    for (name, run) in rows {
+        let cells = run.tilts.map(|tilt| format!("{tilt:.4}"));
+        table.push(
+            [name.to_string()]
+                .into_iter()
+                .chain(cells)
+                .chain([run.fate]),
+        )?;
     }
-    report.add(table)
+    report.add(table)?;
+    let [all, point, _, smooth, ..] = ends;
+    card(p, [all, point, smooth], report)
+}
+
+/// A run of 20 s: tilts after 1 s, 5 s and 20 s, what becomes of it, and its work.
+struct Run {
+    tilts: [f64; 3],
+    fate: String,
+    work: Work,
 }
 
 fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
     top: &Top<F, (), E>,
     p: &Parameters,
-) -> Result<([f64; 3], String)> {
+) -> Result<Run> {
     let run = top.simulate(&p.throw(), 20.0, 10.0 * p.tolerance)?;
     // Over a turn of the precession, so that nods do not count.
     let tilt = |t: f64| -> Result<f64> {
@@ -157,7 +174,66 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
         _ if tilts[2] < 0.8 * p.tilt => "creeps up, and is not asleep yet".into(),
         _ => "never rises".into(),
     };
-    Ok((tilts, fate))
+    let work = run.work();
+    Ok(Run { tilts, fate, work })
+}
+
+/// The card: what acts, and what it costs to leave it out of the whole life. After 20 s the tilt
+/// and the work are these with everything, at a point that grips, and on a smooth floor.
+fn card(p: &Parameters, [all, point, smooth]: [(f64, u64); 3], report: &mut Report) -> Result<()> {
+    let (patch, least) = (p.patch()?, p.least_spin());
+    let [rubs, pivots, air] = [
+        p.rise_rate() / (p.throw().precession * p.tilt),
+        3.0 * TAU / 32.0 * p.friction * WEIGHT * patch / AXIAL / p.braking(p.spin)?,
+        -p.air()?.axial_torque(p.spin) / AXIAL / p.braking(p.spin)?,
+    ];
+    let nod = AXIAL * p.spin / ACROSS;
+    let geared = AXIAL + MASS * p.tip * (LEVER + p.tip);
+    let rolls = 0.01 * p.tip * WEIGHT / (geared * p.spin);
+    let hop = p.friction * p.tilt * nod * nod * LEVER * p.throw().precession / (nod * GRAVITY);
+    let earth = 7.292e-5 / p.precession(least * 1.05);
+    let cost = |(_, other): (f64, u64)| format!("{other} derivatives, {} derivatives", all.1);
+    let told = |key| {
+        report
+            .claim(key)
+            .map_or(f64::NAN, |claim| claim.oracle().value)
+    };
+    let (leans, wakes) = (told("leans"), told("wakes"));
+    // A tenth of friction and patch creeps alike and pivots with a hundredth.
+    let firm = p.life_on(
+        Patch::new(0.1 * p.friction, 0.1 * patch)?,
+        10.0 * p.tolerance,
+    )?;
+    let longer = firm.event("wakes")?.t / wakes - 1.0;
+    let rising = risen(p, 0.01 * p.tip)?;
+    effect_card! { report,
+        "sliding friction": "rise rate/(precession theta)" = rubs, costs p.tilt, "rad: it never rises",
+            measured smooth.0 - all.0, within 1e-3, at_cost cost(smooth), included;
+        "a patch of contact": "a omega/slip" = patch * p.spin / p.first_slip(), costs p.grip_tilt(), "rad: it stops rising",
+            measured point.0 - all.0, within 1e-3, at_cost cost(point), included;
+        "drag of the air": "share of the braking" = air, costs 1.0 / (1.0 - air) - 1.0, "of the life, at the first rate", included;
+        "friction of pivoting": "share of the braking" = pivots, costs 1.0 / (1.0 - pivots) - 1.0, "of the life, at the first rate",
+            measured longer, within 1e-2, included;
+        "slope of the floor": "slope" = p.slope, costs p.slope * (LEVER + p.tip) / LEVER, "rad of the tilt asleep",
+            measured leans, within 1e-5, included;
+        "force that varies in a nod, and patch with it": "(N/mg - 1)/3 at the throw" = hop / 3.0, costs hop / 3.0, "of the patch";
+        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs rolls, "rad/s of rise", measured rising, within 1e-4;
+        "drag of the air on the axis's motion": "theta" = ASLEEP, costs ASLEEP * ASLEEP, "of the drag";
+        "rotation of the Earth": "Omega_E/precession" = earth, costs earth, "rad of the tilt asleep";
+    }
+}
+
+/// How fast a tip that rolls makes the axis rise, rad/s, if its force stands ahead by this arm (m):
+/// from the mean tilts of two seconds, two seconds apart.
+fn risen(p: &Parameters, arm: f64) -> Result<f64> {
+    let top = Top::new(p.shape()?, GRAVITY)?.on(NoSlip);
+    let top = top.resisted_by(RollingResistance::new(arm, 1e-2)?);
+    let run = top.simulate(&p.throw().rolling(), 3.0, 1e-10)?;
+    let mean = |from: f64| -> Result<f64> {
+        let tilts = sampled(times(from, from + 0.99, 99), |t| Ok(run.stance(t)?.tilt()))?;
+        Ok(tilts.iter().sum::<f64>() / 100.0)
+    };
+    Ok(0.5 * (mean(0.0)? - mean(2.0)?))
 }
 
 /// Rules of thumb, and what the simulation says.

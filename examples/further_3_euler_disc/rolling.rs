@@ -14,6 +14,8 @@ pub enum Loss {
     Rolling(f64),
     /// The air under it, by Moffatt's estimate; its viscosity in m g/(R^2 sqrt(g/R)).
     Air(f64),
+    /// Both at once.
+    Both(f64, f64),
 }
 
 impl Loss {
@@ -24,6 +26,9 @@ impl Loss {
             Self::None => 0.0,
             Self::Rolling(part) => part * f64::signum(speed),
             Self::Air(viscosity) => 0.25 * PI * viscosity * speed / tilt,
+            Self::Both(part, viscosity) => {
+                Self::Rolling(part).drag(tilt, speed) + Self::Air(viscosity).drag(tilt, speed)
+            }
         }
     }
 }

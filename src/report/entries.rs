@@ -2,7 +2,7 @@
 
 use super::claim::{Claim, Oracle, Slip};
 use super::number::rounded_up;
-use super::sections::{EffectEntry, Limit, Price, Report};
+use super::sections::{EffectEntry, Limit, Price, Report, SMALL};
 use super::table::Table;
 use crate::accuracy::CalledFor;
 use crate::effects::Effect;
@@ -272,7 +272,7 @@ impl<E: Effect + Clone> CalledFor<'_, E> {
             torques => format!("{torques} torques"),
         };
         let [without, with] = measured.work.map(torques);
-        let order = if weighed.linear {
+        let order = if weighed.linear && weighed.number.abs() <= SMALL {
             ""
         } else {
             ", to first order"

@@ -87,7 +87,7 @@ pub struct EffectEntry {
 
 /// An effect whose number is larger is not small: a prediction to first order in it need not
 /// hold.
-const SMALL: f64 = 0.1;
+pub(super) const SMALL: f64 = 0.1;
 
 /// Prediction and simulation of a small effect agree within this factor.
 const WITHIN: f64 = 2.0;

@@ -1,11 +1,12 @@
 //! Exercise 15.6, the cone that rolls about its vertex. That particles and formulas agree is
 //! part of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
 use pages::ch15_ex6_cone::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::solids;
-use rotation_dynamics::math::{sin, tan};
+use core::f64::consts::TAU;
+use rotation_dynamics::math::{cos, exp, sin, tan};
 use support::{EPS, Errors};
 
 #[test]
@@ -106,4 +107,36 @@ fn the_force_moves_outward_because_l_turns() {
     }
     errors.attain(1.49e-12..=1.51e-12, 4);
     damaged.exceed(0.1, 4);
+}
+
+/// The card of effects, by hand: over the angle, what does not depend on the rate takes the
+/// energy evenly, and air takes it exponentially. The damaged twins have each other's law.
+#[test]
+fn left_to_itself_it_loses_what_the_card_measures() {
+    let (mut errors, mut damaged) = (Errors::of("part lost"), Errors::of("the other law"));
+    let mut strips = Errors::of("a hundred strips");
+    for (half_angle, rate, part) in [(0.1, 0.5, 0.03), (0.4, 1.5, 0.1), (1.2, 6.0, 0.6)] {
+        let body = cone::Cone { mass: 2.0, height: 0.3, half_angle };
+        let air = body.air(half_angle, 1.204);
+        let whole = 1.204 * tan(half_angle) * cos(half_angle).powi(3) * 0.3_f64.powi(5) / 5.0;
+        strips.push(air / whole - 1.0);
+        // So heavy that this part is lost to first order.
+        let inertia = 2.0 * TAU * air / part;
+        let ran = |brake: &dyn Fn(f64) -> f64| cone::left_to_itself(part, [inertia, rate], brake).unwrap().0.unwrap();
+        let (even, blown) = (ran(&|_| air * rate * rate), ran(&|rate| air * rate * rate));
+        errors.push(even - part);
+        errors.push(blown - (1.0 - exp(-part)));
+        damaged.push(even - (1.0 - exp(-part)));
+        damaged.push(blown - part);
+    }
+    errors.attain(1.11e-16..=1.12e-16, 6);
+    damaged.exceed(4e-4, 6);
+    strips.attain(8.3e-5..=8.4e-5, 3);
+    let card = ledger(&EXAMPLE, "");
+    assert_eq!(card.len(), 2);
+    // Twice as slow, what the table takes counts four times; in air it is the same part.
+    let slow = ledger(&EXAMPLE, "--rate=0.75");
+    assert!((slow[0][1] / card[0][1] - 4.0).abs() < 0.06 && slow[1] == card[1], "{card:?} {slow:?}");
+    // At a hundredth of the rate it stops on the way.
+    assert_eq!(ledger(&EXAMPLE, "--rate=0.015").len(), 1);
 }

@@ -1,9 +1,10 @@
 //! Exercise 15.7, the cone with its vertex raised. That particles and formulas agree is part of
 //! the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
 use pages::ch15_ex7_raised_cone::*;
-use rotation_dynamics::math::{cos, sin, tan};
+use core::f64::consts::TAU;
+use rotation_dynamics::math::{cos, exp, sin, tan};
 use support::{EPS, Errors};
 
 #[test]
@@ -79,4 +80,28 @@ fn the_raised_cone_turns_as_the_lying_one_but_faster() {
     }
     errors.attain(5.54e-14..=5.56e-14, 8);
     damaged.exceed(0.01, 4);
+}
+
+/// The card of effects, by hand: a pressure that grows with the square of the rate takes its part
+/// of the energy exponentially, the rest of it evenly. The damaged twin forgets that the pressure
+/// falls with the rate.
+#[test]
+fn slower_it_presses_less() {
+    let (mut errors, mut damaged) = (Errors::of("part lost"), Errors::of("pressure of the start"));
+    for (weight, swing) in [(0.05, 0.3), (0.2, 0.1), (0.01, 0.7)] {
+        let [inertia, rate] = [0.4, 2.0];
+        let half = 0.5 * inertia * rate * rate / TAU;
+        let brake = |now: f64| half * (weight + swing * (now / rate) * (now / rate));
+        let (lost, _) = cone::left_to_itself(weight + swing, [inertia, rate], brake).unwrap();
+        // Of the energy over the first: e' = -(weight + swing e) over a circuit.
+        let left = (1.0 + weight / swing) * exp(-swing) - weight / swing;
+        errors.push(lost.unwrap() - (1.0 - left));
+        damaged.push(lost.unwrap() - (weight + swing));
+    }
+    errors.attain(1.11e-16..=1.12e-16, 3);
+    damaged.exceed(0.01, 3);
+    let card = ledger(&EXAMPLE, "");
+    assert_eq!(card.len(), 2);
+    // Of what rolls: most of the pressure is weight, so that little of it falls.
+    assert!(card.iter().all(|[said, found]| found <= said && *found >= 0.85 * said), "{card:?}");
 }

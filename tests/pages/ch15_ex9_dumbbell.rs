@@ -1,11 +1,11 @@
 //! Exercise 15.9, a dumbbell hit. The simulation knows contacts and impulses and no conservation
 //! law; that it confirms the formulas is part of the report.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
 use core::f64::consts::{PI, TAU};
 use pages::ch15_ex9_dumbbell::hit::{Blow, Hit, distances, places, velocities};
 use pages::ch15_ex9_dumbbell::*;
-use rotation_dynamics::math::hypot;
+use rotation_dynamics::math::{acos, cos, hypot, sin};
 use support::{EPS, Errors};
 
 /// The reference case `st-dumbbell`; the last bits are those of a rounded 2/3.
@@ -126,4 +126,51 @@ fn around_one_half_it_depends_on_the_size() {
     };
     assert_eq!([0.3, 0.4, 0.6, 0.8, 1.0].map(|e| hits(e, 0.1)), [0, 1, 1, 0, 0]);
     assert_eq!([0.3, 0.45, 0.5, 0.55, 0.8].map(|e| hits(e, 0.01)), [0, 0, 1, 0, 0]);
+}
+
+/// The card of effects: a hit with another mass and moment, by the impulse alone, and one beside
+/// the middle, by the line of the centres. The damaged twins are the plain dumbbell.
+#[test]
+fn heavier_dumbbells_and_hits_aside_are_simulated() {
+    let (mut errors, mut damaged) = (Errors::of("velocities"), Errors::of("plain dumbbell"));
+    for (mass, moment, slant) in [(1.01, 0.2508, 0.0), (1.0, 0.26, 0.7), (1.2, 0.25, 0.3)] {
+        let hit = Hit { mass, moment, slant, ..Hit::across(0.6, 0.1) };
+        let after = Blow::new(hit, 1e-13, 0.02).unwrap().after.v;
+        let impulse = 1.6 / (1.0 + 1.0 / mass + 0.25 * cos(slant) * cos(slant) / moment);
+        let plain = Answer::new(0.6, slant);
+        errors.push(hypot(after[0], after[1]) - impulse / mass);
+        errors.push(after[2] - 0.5 * impulse * cos(slant) / moment);
+        damaged.push((hypot(after[0], after[1]) - plain.centre).abs() + (after[2] - plain.angular_velocity).abs());
+    }
+    for (aside, reach) in [(0.001, 0.1), (0.05, 0.2), (0.01, 0.5)] {
+        let after = Blow::new(Hit { aside, ..Hit::across(1.0, reach) }, 1e-13, 0.02).unwrap().after.v;
+        let across = after[0] / hypot(after[0], after[1]);
+        errors.push(acos(across) - (aside / reach).asin());
+        damaged.push(acos(across));
+    }
+    errors.attain(4.99e-15..=5e-15, 9);
+    damaged.exceed(0.003, 6);
+    assert_eq!(ledger(&EXAMPLE, "").len(), 4);
+    assert_eq!(ledger(&EXAMPLE, "--speed=0.1 --slant=1.5707963267948966").len(), 2);
+}
+
+/// The card of effects: the table takes a part that falls to the first order as its friction does;
+/// while it turns by 2 rad in the way l, the masses go along V with |cos| and |sin| of half the
+/// angle. The damaged twin lets both go straight.
+#[test]
+fn a_table_that_rubs_takes_its_part() {
+    let (mut errors, mut damaged) = (Errors::of("second order"), Errors::of("straight on"));
+    let mut first = Errors::of("first order");
+    let after = Blow::new(Hit::across(1.0, 0.1), 1e-13, 0.02).unwrap().after;
+    let speed = Answer::new(1.0, 0.0).centre;
+    first.push(hit::held_back(&after) - 0.5 * (sin(1.0) + 1.0 - cos(1.0)));
+    for friction in [1e-2, 1e-3, 1e-4] {
+        let rub = friction / (speed * speed);
+        let part = hit::rubbed(&after, friction).unwrap().0;
+        errors.push((part / (rub * hit::held_back(&after)) - 1.0) / rub);
+        damaged.push(part / rub - 1.0);
+    }
+    first.attain(6.77e-7..=6.78e-7, 1);
+    errors.attain(0.315..=0.316, 3);
+    damaged.exceed(0.3, 3);
 }

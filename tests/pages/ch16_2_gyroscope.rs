@@ -290,3 +290,19 @@ fn what_is_put_in_is_confirmed_by_a_second_route() {
     }
     assert_eq!(PUT_IN.len(), 16);
 }
+
+/// A response is linear only while the number of the effect is small as well: of a bearing that
+/// takes most of the nods the card says that it predicts to first order, and what is measured is
+/// half of that; a weak one does what is predicted, and needs no such words.
+#[test]
+fn a_bearing_that_takes_the_nods_is_weighed_to_first_order() {
+    let mut ran = 0;
+    for (flags, strong) in [("--with friction", true), ("--with friction=0.001", false)] {
+        let [[said, found]] = crate::told::ledger(&gyroscope::EXAMPLE, flags)[..] else { panic!("{flags}") };
+        assert_eq!(told(flags).stdout.contains(", of the axis, to first order"), strong, "{flags}");
+        assert_eq!(found < 0.6 * said, strong, "{flags}: {said} {found}");
+        assert_eq!(found > 0.9 * said, !strong, "{flags}: {said} {found}");
+        ran += 1;
+    }
+    assert_eq!(ran, 2);
+}

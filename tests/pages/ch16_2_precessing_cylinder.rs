@@ -1,6 +1,6 @@
 //! Section 16.2 (1): a cylinder made to precess.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
 use pages::ch16_2_precessing_cylinder::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -174,4 +174,32 @@ fn what_needs_no_torque_is_refused() {
         ("--rate inf", "not a finite number"),
     ];
     refused(&EXAMPLE, runs);
+}
+
+/// The card of effects: where the torque of a spring, by bisection, is that of the tilt to which it
+/// yields; the damaged twin does not yield. At other rates each line changes as its number does.
+#[test]
+fn a_clamp_that_yields_holds_what_it_must_there() {
+    let (mut errors, mut damaged) = (Errors::of("torque over the rigid one, beyond"), Errors::of("rigid"));
+    for (tilt, yields) in [(0.5, 1e-3), (1.2, 0.01), (0.785, 0.02), (0.3, -0.05)] {
+        let pull = |x: f64| sin(2.0 * (tilt + yields * x)) / sin(2.0 * tilt);
+        let (mut low, mut high) = (0.0, 4.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            *(if pull(middle) > middle { &mut low } else { &mut high }) = middle;
+        }
+        // A swing is not quite even about it: by the square of the angle.
+        errors.push((yielding(tilt, yields).unwrap().0 - low) / (yields * yields));
+        damaged.push(low - 1.0);
+    }
+    errors.attain(0.670..=0.671, 4);
+    damaged.exceed(7e-4, 4);
+    let card = ledger(&EXAMPLE, "");
+    assert_eq!(card.len(), 3);
+    // What weighs counts as 1/rate^2, what turns as 1/rate; what yields as rate^2.
+    let slow = ledger(&EXAMPLE, "--rate=5");
+    let grow = [0, 1, 2].map(|i| slow[i][1] / card[i][1]);
+    assert!(grow.iter().zip([4.0, 0.25, 2.0]).all(|(a, b): (&f64, f64)| (a / b - 1.0).abs() < 0.05), "{grow:?}");
+    // A clamp as weak as the cylinder's pull on it cannot be weighed so.
+    assert_eq!(ledger(&EXAMPLE, "--rate=200").len(), 2);
 }

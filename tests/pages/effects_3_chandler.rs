@@ -1,7 +1,7 @@
 //! The Chandler wobble, effect by effect. That simulations confirm the formulas is part of the
 //! report; here they are asked far from the Earth's numbers, and damaged twins miss.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
 use pages::effects_3_chandler::excited::{Dice, Excited};
 use pages::effects_3_chandler::parts::{CORE, CoreAndMantle};
@@ -193,4 +193,23 @@ fn the_dice_are_fair() {
     assert_error!(mean(&|k| pairs[k][0] * pairs[k][1]) - 0.0, 1.1e-3);
     assert_error!(mean(&|k| pairs[k][0] * pairs[k - 1][0]) - 0.0, 8.7e-5);
     assert_error!(mean(&|k| f64::from(u8::from(pairs[k][1].abs() > 2.0))) - 0.0455, 1.3e-4);
+}
+
+/// The card of effects: six lines from circuits, with the effect and without it. The loss and the
+/// two moments in closed form; a mantle that does not yield is worth nothing, and all the rest less.
+#[test]
+fn the_card_is_measured_in_circuits() {
+    let (card, stiff) = (ledger(&EXAMPLE, ""), ledger(&EXAMPLE, "--love=0"));
+    assert!(card.len() == 6 && stiff[0] == [0.0, 0.0]);
+    let (mut errors, mut damaged) = (Errors::of("measured"), Errors::of("with a stiff mantle"));
+    for (i, [told, measured]) in card.iter().enumerate().take(4) {
+        errors.push(measured / told - 1.0);
+        damaged.push(stiff[i][1] / told - 1.0);
+    }
+    let quality = value(&EXAMPLE, "quality");
+    errors.push(card[4][1] / (1.0 - exp(-core::f64::consts::PI / quality)) - 1.0);
+    let aside = 1.0 / (1.0_f64 - 0.0035 * 0.0035).sqrt() - 1.0;
+    errors.push(card[5][1] / (aside * value(&EXAMPLE, "whole")) - 1.0);
+    errors.attain(0.0161..=0.0162, 6);
+    damaged.exceed(0.1, 4);
 }

@@ -1,7 +1,7 @@
 //! Flips that end. That simulations confirm the formulas is part of the report; here for other
 //! bodies, with what the page says of averages, bands and methods.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
 use pages::effects_5_explorer::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -277,4 +277,21 @@ fn the_satellite_ends_end_over_end() {
     let (ia, it) = (value(&EXAMPLE, "axial"), value(&EXAMPLE, "transverse"));
     assert_error!(value(&EXAMPLE, "left") / (ia / it) - 1.0, 4.0e-4);
     assert!((value(&EXAMPLE, "final_rate") / 78.5 / 9.549_296_585 * it / ia - 1.0).abs() < 3e-4);
+}
+
+/// The card of effects: a thin satellite ends across its axis, a flat one about it; what the
+/// antennas add to the rate in the end, by the momenta.
+#[test]
+fn the_card_is_measured_at_the_end() {
+    let mut errors = Errors::of("measured");
+    for (length, diameter, mass) in [(2.03, 0.159, 13.97), (0.1, 0.4, 13.97), (1.0, 0.3, 30.0)] {
+        let flags = format!("--length={length} --diameter={diameter} --mass={mass}");
+        let card = ledger(&EXAMPLE, &flags);
+        assert_eq!(card.len(), 2, "{flags}");
+        let (flat, square) = (length < diameter, 0.25 * diameter * diameter);
+        errors.push(card[0][1] - if flat { 0.02 } else { core::f64::consts::FRAC_PI_2 - 0.02 });
+        let [about, across] = [0.032 / (0.5 * mass * square), 0.016 / (mass * (square / 4.0 + length * length / 12.0))];
+        errors.push(card[1][1] - if flat { 0.0 } else { (1.0 + about) / (1.0 + across) - 1.0 });
+    }
+    errors.attain(0.0492..=0.0493, 6);
 }

@@ -11,7 +11,8 @@ use crate::integrators::{Dop853, Ode, Solution};
 use crate::math::{atan2, hypot};
 use crate::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
 use crate::report::number::exactly;
-use crate::report::{ClaimEntry, EffectLine, Figure, MovingPicture, Trajectory, claim, times};
+use crate::report::{ClaimEntry, EffectLine, Figure, MovingPicture, Report, Trajectory};
+use crate::report::{claim, times};
 use crate::scene::Scene;
 use core::f64::consts::TAU;
 
@@ -26,6 +27,22 @@ pub struct Added {
     pub air: Option<DiscDrag>,
     /// Dry friction against the spin: its torque (N m).
     pub dry: Option<f64>,
+}
+
+impl Added {
+    /// With the air about a disc of this radius (m) that spins at this rate (rad/s), if a density
+    /// (kg/m^3) is given: what is thinner is as viscous, so that nu goes with 1/density.
+    ///
+    /// # Errors
+    /// Those of [`DiscDrag::new`].
+    pub fn in_air(self, density: Option<f64>, radius: f64, spin: f64) -> Result<Self> {
+        let about = |density| {
+            let viscosity = DiscDrag::AIR_VISCOSITY * (DiscDrag::AIR_DENSITY / density);
+            DiscDrag::new(radius, density, viscosity, spin)
+        };
+        let air = density.map(about).transpose()?;
+        Ok(Self { air, ..self })
+    }
 }
 
 /// The bearing of the line of nodes: -friction dtheta/dt.
@@ -251,6 +268,27 @@ impl Stepped {
             claims.insert(1, phi_end.against(ROUTE, phi + beyond));
         }
         Ok(claims)
+    }
+
+    /// A report under this title about `what` is followed: where it ends, and what each effect has
+    /// done, the bearing, the air and the dry friction called so.
+    ///
+    /// # Errors
+    /// Those of [`Stepped::claims`] and [`Stepped::ledger`].
+    pub fn report(
+        &self,
+        [title, what]: [&str; 2],
+        tolerance: f64,
+        names: [&str; 3],
+    ) -> Result<Report> {
+        let description = format!(
+            "{what} with what --with puts in, for a second: stepped; nods, turning points and the \
+             strip, which need the closed form, are left out"
+        );
+        let mut report = Report::new(title, description)?;
+        report.add(self.claims(tolerance)?)?;
+        report.add(self.ledger(tolerance, names)?)?;
+        Ok(report)
     }
 
     /// The motion at every time, as a drawing needs it.

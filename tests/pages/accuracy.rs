@@ -1,0 +1,10 @@
+//! What accuracy costs: the card of effects. What the methods do is held by the locked report
+//! and by the tests of the library.
+
+use crate::steel_block::judged;
+use pages::accuracy::EXAMPLE;
+
+#[test]
+fn the_model_is_worse_than_the_method() {
+    judged(&EXAMPLE, 10.0, 2.62e-2..=2.63e-2);
+}
