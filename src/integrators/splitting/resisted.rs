@@ -64,14 +64,16 @@ pub struct Resisted<'s, E> {
 }
 
 impl<'s, E: Effect> Resisted<'s, E> {
-    /// The scene from the time `t` (s) on.
+    /// The scene from the time `t` (s) to its next break point.
     ///
     /// # Errors
     /// Effects without a closed form at a fixed attitude; resistance across the axis of a
     /// symmetric body that is not the same in all directions.
     pub fn new(scene: &'s Scene<E>, t: f64) -> Result<Self> {
         finite("time", t)?;
-        let known = scene.effects().resistance(t, scene.body());
+        let body = scene.body();
+        let known = (scene.effects().resistance(t, body))
+            .filter(|r| r.is_round() || !body.moments().is_symmetric());
         let resistance = known.ok_or_else(|| Error::SeesMore {
             effects: scene.effects().names().join(", "),
         })?;
