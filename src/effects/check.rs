@@ -503,7 +503,11 @@ impl<'e> Checked<'e> {
     /// What resists on the piece, with what sees the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (self.effect, &self.body);
-        let begun = if self.nature.on_time { self.piece(t) } else { Some(t) };
+        let begun = if self.nature.on_time {
+            self.piece(t)
+        } else {
+            Some(t)
+        };
         let resistance = begun.and_then(|begun| effect.resistance(begun, body));
         let Some(resists) = resistance.and_then(|r| r.torque(body.angular_momentum(state))) else {
             return Ok(());

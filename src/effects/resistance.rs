@@ -14,7 +14,8 @@ use crate::math::{expm1, log1p, pow};
 ///
 /// where the law is none, dry friction (constant, until l_3 = 0) or a power of l_3. So a
 /// splitting can turn the body freely and let it lose momentum in turn, each exactly
-/// ([`Resisted`](crate::integrators::Resisted)).
+/// ([`Resisted`](crate::integrators::Resisted)); [`Scene::solve`](crate::scene::Scene::solve)
+/// tries it where it applies.
 ///
 /// ```
 /// use rotation_dynamics::body::RigidBody;

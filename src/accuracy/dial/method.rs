@@ -60,7 +60,11 @@ impl Method {
             Acting::Smooth(_) | Acting::Anything(_) => {
                 let resisted = problem.is_resisted().then(|| splittings(Resisted));
                 let smooth = matches!(problem.acting, Acting::Smooth(_));
-                let others: &[Self] = if smooth { &[Gauss, Adaptive] } else { &[Adaptive] };
+                let others: &[Self] = if smooth {
+                    &[Gauss, Adaptive]
+                } else {
+                    &[Adaptive]
+                };
                 (resisted.unwrap_or_default(), others)
             }
         };

@@ -115,13 +115,7 @@ pub fn resisted(
 }
 
 /// Quaternion, momentum and vertical on the body's axes, one step later.
-fn step(
-    now: &[Dd],
-    inertia: [f64; 3],
-    moment: f64,
-    resisting: &Resisting,
-    h: f64,
-) -> Vec<Dd> {
+fn step(now: &[Dd], inertia: [f64; 3], moment: f64, resisting: &Resisting, h: f64) -> Vec<Dd> {
     let sign = now[6].hi().signum();
     let mut y = [NONE; 10];
     for (series, value) in y.iter_mut().zip(now) {
