@@ -328,8 +328,11 @@ fn what_is_said_of_the_resistance_must_hold_on_a_piece() {
     assert_eq!(ran, 6);
 }
 
+/// The weight, and the air.
+type HeavyInAir = (((), GravityAtLever), DiscDrag);
+
 /// The gyroscope in air, within limits.
-fn in_air() -> (Scene<(((), GravityAtLever), DiscDrag)>, State) {
+fn in_air() -> (Scene<HeavyInAir>, State) {
     let body = symmetric(5.45e-3, 9e-4);
     let weight = GravityAtLever::new(4.9, 0.1).expect("gravity");
     let drag = DiscDrag::new(0.06, 1.204, 1.51e-5, 314.16).expect("drag");
