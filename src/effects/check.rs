@@ -260,7 +260,7 @@ impl<'e> Checked<'e> {
     fn smooth(&self) -> Result<()> {
         let (effect, start) = (self.effect, &self.start);
         if !self.nature.smooth {
-            return Ok(());
+            return self.smooth_beside();
         }
         let [from, to] = self.span;
         if self.nature.on_time {
@@ -290,6 +290,21 @@ impl<'e> Checked<'e> {
                     ..*start
                 };
                 self.acting(from, &state)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Nor has what acts beside a resistance that is known.
+    fn smooth_beside(&self) -> Result<()> {
+        let (effect, body, start) = (self.effect, &self.body, &self.start);
+        if effect.resistance(self.span[0], body).is_none() {
+            return Ok(());
+        }
+        for axis in 0..2 {
+            self.no_jump([0.0, core::f64::consts::TAU], |angle| {
+                let turned = start.attitude * Attitude::about_coordinate(axis, angle);
+                SpaceVector::from_array(effect.torque_on_axis(body, turned.axis().to_array()))
             })?;
         }
         Ok(())
@@ -468,10 +483,32 @@ impl<'e> Checked<'e> {
         self.power(t, state, torque)
     }
 
-    /// What resists, with what sees the axis only, is all of the torque.
+    /// The beginning of the piece between two break points that `t` belongs to, as a run from
+    /// the one end of the span to the other meets it; none at a break point.
+    fn piece(&self, t: f64) -> Option<f64> {
+        let forward = self.span[0] <= self.span[1];
+        let after = |t: f64| if forward { t.next_up() } else { t.next_down() };
+        let mut begun = after(self.span[0]);
+        for point in self.effect.break_points() {
+            if point == t {
+                return None;
+            }
+            if (forward && begun < point && point < t) || (!forward && t < point && point < begun) {
+                begun = after(point);
+            }
+        }
+        Some(begun)
+    }
+
+    /// What resists on the piece, with what sees the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (self.effect, &self.body);
-        let resistance = effect.resistance(t, body);
+        let begun = if self.nature.on_time {
+            self.piece(t)
+        } else {
+            Some(t)
+        };
+        let resistance = begun.and_then(|begun| effect.resistance(begun, body));
         let Some(resists) = resistance.and_then(|r| r.torque(body.angular_momentum(state))) else {
             return Ok(());
         };

@@ -1,7 +1,7 @@
 //! Gravity on a body held at any of its points.
 
 use super::gravity::GRAVITY;
-use super::{Effect, Feature, GravityAtLever, Keeps, Known, Nature, part_per_radian};
+use super::{Effect, Feature, GravityAtLever, Keeps, Known, Nature, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -121,6 +121,11 @@ impl Effect for Gravity {
 
     fn narrowest(&self) -> Option<Feature> {
         Some(Feature::WIDE)
+    }
+
+    /// On the axis it sees nothing else.
+    fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
+        (self.known() != Known::No).then_some(Resistance::NONE)
     }
 
     /// On the axis it is the gravity of a top.

@@ -133,12 +133,14 @@ pub trait Effect {
         one_by_one(self, body, axis)
     }
 
-    /// What of the torque, from the time `t` (s) on, depends on the momentum, if at a fixed
-    /// attitude that has a closed form. All that is left of the torque is then what
+    /// What of the torque depends on the momentum, if at a fixed attitude that has a closed
+    /// form, from the time `t` (s) to the next of the [`break_points`](Self::break_points):
+    /// the same at all times between two of them. All that is left of the torque is then what
     /// [`torques_on_axis`](Self::torques_on_axis) gives: nothing, or an effect that sees the
-    /// axis only. `None` makes no claim.
+    /// axis only and is smooth. `None` makes no claim.
     fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
-        Self::NATURE.axis_only.then_some(Resistance::NONE)
+        let nature = Self::NATURE;
+        (nature.axis_only && nature.smooth).then_some(Resistance::NONE)
     }
 
     /// The angular velocity, on the fixed axes (rad/s), that the body's axes have beyond
@@ -243,17 +245,29 @@ fn part_per_radian(torque: f64, body: &RigidBody, state: &State) -> f64 {
 
 /// [`Effect::torque`] for several axes, one after the other.
 #[inline(always)]
-fn one_by_one<E: Effect + ?Sized, L: Lane>(effect: &E, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+pub(crate) fn one_by_one<E: Effect + ?Sized, L: Lane>(
+    effect: &E,
+    body: &RigidBody,
+    axis: [L; 3],
+) -> [L; 3] {
+    each(axis, |axis| {
+        let state = State {
+            attitude: with_axis(axis),
+            angular_momentum: SpaceVector::zero(),
+        };
+        effect.torque(0.0, body, &state).to_array()
+    })
+}
+
+/// A torque for several axes, one after the other.
+#[inline(always)]
+pub(crate) fn each<L: Lane>(axis: [L; 3], torque: impl Fn([f64; 3]) -> [f64; 3]) -> [L; 3] {
     let (mut from, mut to) = ([[0.0; WIDEST]; 3], [[0.0; WIDEST]; 3]);
     for i in 0..3 {
         axis[i].store(&mut from[i]);
     }
     for lane in 0..L::WIDTH {
-        let state = State {
-            attitude: with_axis([from[0][lane], from[1][lane], from[2][lane]]),
-            angular_momentum: SpaceVector::zero(),
-        };
-        let torque = effect.torque(0.0, body, &state).to_array();
+        let torque = torque([from[0][lane], from[1][lane], from[2][lane]]);
         for i in 0..3 {
             to[i][lane] = torque[i];
         }

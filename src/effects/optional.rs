@@ -1,6 +1,6 @@
 //! An effect that a program decides on while it runs.
 
-use super::{Effect, Feature, Known, Nature};
+use super::{Effect, Feature, Known, Nature, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -52,6 +52,13 @@ impl<E: Effect> Effect for Option<E> {
         match self {
             Some(effect) => effect.torques_on_axis(body, axis),
             None => [L::of(0.0); 3],
+        }
+    }
+
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        match self {
+            Some(effect) => effect.resistance(t, body),
+            None => Some(Resistance::NONE),
         }
     }
 

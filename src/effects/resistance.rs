@@ -14,7 +14,8 @@ use crate::math::{expm1, log1p, pow};
 ///
 /// where the law is none, dry friction (constant, until l_3 = 0) or a power of l_3. So a
 /// splitting can turn the body freely and let it lose momentum in turn, each exactly
-/// ([`Resisted`](crate::integrators::Resisted)).
+/// ([`Resisted`](crate::integrators::Resisted)); [`Scene::solve`](crate::scene::Scene::solve)
+/// tries it where it applies.
 ///
 /// ```
 /// use rotation_dynamics::body::RigidBody;
@@ -89,6 +90,16 @@ impl Resistance {
         (law == Law::None || rates[2] == 0.0).then_some(Self { rates, law })
     }
 
+    /// True if it is the same in all directions across the axis.
+    pub fn is_round(&self) -> bool {
+        self.rates[0] == self.rates[1]
+    }
+
+    /// True if it has no law along e3 beside the linear one.
+    pub fn is_linear(&self) -> bool {
+        self.law == Law::None
+    }
+
     /// The same with its torque multiplied by `strength`.
     #[must_use]
     pub fn times(self, strength: f64) -> Self {
@@ -123,17 +134,21 @@ impl Resistance {
     /// while `torque` (N m, on those axes, none along e3) acts as well.
     #[inline]
     pub(crate) fn gained(&self, l: [f64; 3], torque: [f64; 3], dt: f64) -> [f64; 3] {
-        core::array::from_fn(|i| {
-            let k = self.rates[i];
-            if i == 2 && self.law != Law::None {
-                return self.lost(l[2], dt);
-            }
-            if k == 0.0 {
-                return torque[i] * dt;
-            }
-            let part = expm1(-k * dt);
-            l[i] * part - torque[i] / k * part
-        })
+        let part = |k: f64| expm1(-k * dt);
+        let gained = |i: usize, part: f64| match self.rates[i] {
+            0.0 => torque[i] * dt,
+            k => l[i] * part - torque[i] / k * part,
+        };
+        let [ka, kb, kc] = self.rates;
+        let a = part(ka);
+        // The same across the axis of a symmetric body.
+        let b = if kb == ka { a } else { part(kb) };
+        let along = if self.law == Law::None {
+            gained(2, part(kc))
+        } else {
+            self.lost(l[2], dt)
+        };
+        [gained(0, a), gained(1, b), along]
     }
 
     /// What l_3 gains by the law.

@@ -190,49 +190,28 @@ impl Top {
 }
 
 impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
-    /// The same on a floor that rubs so.
-    pub fn on<G: TipFriction>(self, friction: G) -> Top<G, R, E> {
-        let Self {
-            shape,
-            body,
-            gravity,
-            resistance,
-            effects,
-            marks,
-            ..
-        } = self;
+    /// The same shape under the same gravity, with what rubs, resists and acts changed.
+    fn changed<G, S, H>(self, change: impl FnOnce(F, R, E) -> (G, S, H)) -> Top<G, S, H> {
+        let (friction, resistance, effects) = change(self.friction, self.resistance, self.effects);
         Top {
-            shape,
-            body,
-            gravity,
+            shape: self.shape,
+            body: self.body,
+            gravity: self.gravity,
             friction,
             resistance,
             effects,
-            marks,
+            marks: self.marks,
         }
+    }
+
+    /// The same on a floor that rubs so.
+    pub fn on<G: TipFriction>(self, friction: G) -> Top<G, R, E> {
+        self.changed(|_, resistance, effects| (friction, resistance, effects))
     }
 
     /// The same with one more resistance of the contact.
     pub fn resisted_by<S: Resistance>(self, resistance: S) -> Top<F, (R, S), E> {
-        let Self {
-            shape,
-            body,
-            gravity,
-            friction,
-            effects,
-            marks,
-            ..
-        } = self;
-        let resistance = (self.resistance, resistance);
-        Top {
-            shape,
-            body,
-            gravity,
-            friction,
-            resistance,
-            effects,
-            marks,
-        }
+        self.changed(|friction, before, effects| (friction, (before, resistance), effects))
     }
 
     /// The same with one more effect on the body: a torque about its centre of mass.
@@ -251,25 +230,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
                           points, and does not depend on the time",
             });
         }
-        let Self {
-            shape,
-            body,
-            gravity,
-            friction,
-            resistance,
-            marks,
-            ..
-        } = self;
-        let effects = (self.effects, effect);
-        Ok(Top {
-            shape,
-            body,
-            gravity,
-            friction,
-            resistance,
-            effects,
-            marks,
-        })
+        Ok(self.changed(|friction, resistance, before| (friction, resistance, (before, effect))))
     }
 
     /// The same on a floor that falls off by this angle (rad) towards X. Z stays the normal of

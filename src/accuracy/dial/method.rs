@@ -28,32 +28,47 @@ pub(super) enum Method {
     BodyGauss,
     /// A splitting: without the spin, if the body is symmetric.
     Split(Named),
+    /// The same with what resists the rotation in its kick.
+    Resisted(Named),
     /// DOP853 on attitude and momentum.
     Adaptive,
     /// DOP853 without the spin.
     SpinFreeAdaptive,
 }
 
-use Method::{Adaptive, BodyGauss, FreeGauss, Gauss, SpinFreeAdaptive, SpinFreeGauss, Split};
+use Method::{
+    Adaptive, BodyGauss, FreeGauss, Gauss, Resisted, SpinFreeAdaptive, SpinFreeGauss, Split,
+};
 
 impl Method {
     /// Those that can step this problem.
     pub fn candidates(problem: &Problem) -> Vec<Self> {
-        match problem.acting {
-            Acting::Nothing => return vec![FreeGauss, Adaptive],
-            Acting::Smooth(_) => return vec![Gauss, Adaptive],
-            Acting::Anything(_) => return vec![Adaptive],
-            Acting::Weight(_) | Acting::OnAxis(_) => {}
-        }
-        let mut all = vec![Split(Named::Srkn6), Split(Named::Srkn14)];
-        if problem.is_fast() {
-            all.extend([Split(Named::Aba104), Split(Named::Aba1064)]);
-        }
-        all.extend(if problem.body.moments().is_symmetric() {
-            [SpinFreeGauss, SpinFreeAdaptive]
-        } else {
-            [BodyGauss, Adaptive]
-        });
+        let splittings = |of: fn(Named) -> Self| {
+            let mut all = vec![of(Named::Srkn6), of(Named::Srkn14)];
+            if problem.is_fast() {
+                all.extend([of(Named::Aba104), of(Named::Aba1064)]);
+            }
+            all
+        };
+        let symmetric = problem.body.moments().is_symmetric();
+        let (mut all, others): (_, &[Self]) = match problem.acting {
+            Acting::Nothing => (Vec::new(), &[FreeGauss, Adaptive]),
+            Acting::Weight(_) | Acting::OnAxis(_) if symmetric => {
+                (splittings(Split), &[SpinFreeGauss, SpinFreeAdaptive])
+            }
+            Acting::Weight(_) | Acting::OnAxis(_) => (splittings(Split), &[BodyGauss, Adaptive]),
+            Acting::Smooth(_) | Acting::Anything(_) => {
+                let resisted = problem.is_resisted().then(|| splittings(Resisted));
+                let smooth = matches!(problem.acting, Acting::Smooth(_));
+                let others: &[Self] = if smooth {
+                    &[Gauss, Adaptive]
+                } else {
+                    &[Adaptive]
+                };
+                (resisted.unwrap_or_default(), others)
+            }
+        };
+        all.extend(others);
         all
     }
 
@@ -62,6 +77,10 @@ impl Method {
         match self {
             SpinFreeGauss => "Gauss-Legendre 16, spin-free",
             SpinFreeAdaptive => "DOP853, spin-free",
+            Resisted(Named::Srkn6) => "SRKN 6b, resisted",
+            Resisted(Named::Srkn14) => "SRKN 14a, resisted",
+            Resisted(Named::Aba104) => "ABA(10,4), resisted",
+            Resisted(_) => "ABA(10,6,4), resisted",
             _ => self.method().name(),
         }
     }
@@ -70,7 +89,7 @@ impl Method {
     const fn method(self) -> Named {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => Named::GaussLegendre16,
-            Split(method) => method,
+            Split(method) | Resisted(method) => method,
             Adaptive | SpinFreeAdaptive => Named::Dop853,
         }
     }
@@ -80,7 +99,7 @@ impl Method {
         match self {
             FreeGauss | BodyGauss => Variables::Body,
             SpinFreeGauss | SpinFreeAdaptive => Variables::SpinFree,
-            Gauss | Split(_) | Adaptive => Variables::Space,
+            Gauss | Split(_) | Resisted(_) | Adaptive => Variables::Space,
         }
     }
 
@@ -95,7 +114,7 @@ impl Method {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 0.12,
             Adaptive | SpinFreeAdaptive => 0.33,
-            Split(_) => 0.5,
+            Split(_) | Resisted(_) => 0.5,
         }
     }
 
@@ -103,7 +122,7 @@ impl Method {
     pub const fn floor(self) -> f64 {
         match self {
             Gauss | Adaptive | SpinFreeAdaptive => 24.0,
-            FreeGauss | SpinFreeGauss | BodyGauss | Split(_) => 8.0,
+            FreeGauss | SpinFreeGauss | BodyGauss | Split(_) | Resisted(_) => 8.0,
         }
     }
 
@@ -146,8 +165,10 @@ impl Method {
 
     /// What a run costs, in units of one derivative of DOP853: measured, as times of one
     /// run of 50 turns after the other, optimised and with AVX-512 (that of the body's own
-    /// axes is an estimate). What it is on another machine
-    /// decides which method is chosen where two are near, and no more.
+    /// axes is an estimate, and what resists makes a kick dearer by as much as it takes more
+    /// instructions: 600 instead of 283 of a symmetric body, 1145 instead of 780 of another).
+    /// What it is on another machine decides which method is chosen where two are near, and
+    /// no more.
     pub fn cost(self, problem: &Problem, work: &Work) -> f64 {
         let weight = match self {
             FreeGauss => 0.09,
@@ -157,6 +178,8 @@ impl Method {
             // A kick with its flow.
             Split(_) if problem.body.moments().is_symmetric() => 0.57,
             Split(_) => 1.50,
+            Resisted(_) if problem.body.moments().is_symmetric() => 1.2,
+            Resisted(_) => 2.2,
             Adaptive => 1.0,
             SpinFreeAdaptive => 0.62,
         };
@@ -172,7 +195,7 @@ impl Method {
     pub fn rate(self, problem: &Problem) -> f64 {
         let moments = problem.body.moments();
         match self {
-            SpinFreeGauss | SpinFreeAdaptive | Split(_) => {
+            SpinFreeGauss | SpinFreeAdaptive | Split(_) | Resisted(_) => {
                 // The axis turns with L/I1; falling sets free up to 2 m g l.
                 let i1 = moments.i1();
                 problem.start.angular_momentum.norm() / i1 + 2.0 * (problem.torque / i1).sqrt()
@@ -202,7 +225,7 @@ impl Method {
     const fn torques(self) -> f64 {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 8.0 * 12.0,
-            Split(_) => 14.0,
+            Split(_) | Resisted(_) => 14.0,
             Adaptive | SpinFreeAdaptive => 12.0,
         }
     }

@@ -72,6 +72,21 @@ impl<E: Effect> Scene<E> {
     /// says they must and what that leaves is within the tolerance. Nothing is returned
     /// unverified.
     ///
+    /// | what acts | methods that are tried |
+    /// |---|---|
+    /// | nothing (when stepped) | Gauss-Legendre 16, DOP853 |
+    /// | what sees the axis only | splittings, Gauss-Legendre 16 and DOP853; of a symmetric body without its spin |
+    /// | the same beside what resists in a known way ([`Effect::resistance`]) | splittings with the resistance in their kick ([`Resisted`](crate::integrators::Resisted)), Gauss-Legendre 16, DOP853 |
+    /// | whatever is smooth between its break points | Gauss-Legendre 16, DOP853 |
+    /// | whatever else | DOP853 |
+    ///
+    /// Of a resistance that is not smooth, as the drag on a disc, Gauss-Legendre is not tried;
+    /// and on a body with three different moments, whose spin about e3 passes through 0, only
+    /// a linear resistance is known. Evaluations of the run that is returned, and of all runs,
+    /// for 1e-6 rad after ten seconds of a gyroscope: in oil 5124 and 19 314 instead of 116 160
+    /// and 829 132, if nothing were said of the resistance; in air 5124 and 17 610 instead of
+    /// 84 674 and 735 326.
+    ///
     /// The *condition* is the change of the attitude at the end (rad) per relative
     /// change of the inputs: the root of the sum of squares over three turns of the
     /// start (per rad), three pushes (per |L|), the strength of the torque, three

@@ -3,13 +3,15 @@
 use super::exact_motion::ExactMotion;
 use crate::accuracy::{Carrier, Variables, larger};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Checked, Effect, GravityAtLever, Keeps, Known, Nature};
+use crate::effects::{
+    AnyEffect, Checked, Effect, GravityAtLever, Keeps, Known, Nature, Resistance, each, one_by_one,
+};
 use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::integrators::gauss_legendre::SideBySide;
-use crate::integrators::{Integrator, Work};
-use crate::math::{EPS, hypot};
+use crate::integrators::{Integrator, Resisted, Work};
+use crate::math::{EPS, Lane, hypot};
 use crate::scene::Scene;
 
 /// What acts, as far as it matters to how it is stepped. Each kind is compiled once.
@@ -111,6 +113,24 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         self.effects.torque(self.time(t), body, state) * self.strength
+    }
+
+    /// Of effects that resist as well: what is left.
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        if AXIS_ONLY {
+            return one_by_one(self, body, axis);
+        }
+        each(axis, |axis| {
+            let torque = self.effects.torque_on_axis(body, axis);
+            torque.map(|m| m * self.strength)
+        })
+    }
+
+    /// On this piece.
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        let known = self.effects.resistance(self.time(t), body)?;
+        Some(known.times(self.strength))
     }
 
     #[inline]
@@ -233,6 +253,15 @@ impl<'e> Problem<'e> {
                     m.advance_counting(&scene, 0.0, start, to - from, work)
                 }
             }
+            (
+                Acting::Smooth(effects) | Acting::Anything(effects),
+                Carrier::Splitting(m),
+                Variables::Space,
+            ) => {
+                let scene = self.scene::<false, false>(effects, [from, to]);
+                let resisted = Resisted::new(&scene, 0.0)?;
+                m.advance_counting(&resisted, 0.0, start, to - from, work)
+            }
             (Acting::Smooth(effects), Carrier::GaussLegendre(m), Variables::Space) => {
                 let scene = self.scene::<false, true>(effects, [from, to]);
                 let scene = SideBySide::new(&scene, effects.nature().slips);
@@ -273,6 +302,22 @@ impl<'e> Problem<'e> {
         times.extend(self.breaks.iter().filter(|b| first < **b && **b < last));
         times.push(t_end);
         times
+    }
+
+    /// True if something resists the rotation whose effect at a fixed attitude is known on
+    /// every piece, and nothing acts beside it but what sees the axis only.
+    pub fn is_resisted(&self) -> bool {
+        let (Acting::Smooth(effects) | Acting::Anything(effects)) = self.acting else {
+            return false;
+        };
+        let symmetric = self.body.moments().is_symmetric();
+        let known = |piece: &[f64]| {
+            let scene = self.scene::<false, false>(effects, [piece[0], piece[1]]);
+            // Without symmetry l_3 passes through 0, where the other laws have a kink.
+            Resisted::new(&scene, 0.0).is_ok_and(|r| symmetric || r.resistance().is_linear())
+        };
+        let pieces = self.pieces([self.t_start, self.t_end]);
+        !effects.nature().slips && pieces.windows(2).all(known)
     }
 
     /// The time from start to end (s).

@@ -26,7 +26,8 @@ use crate::scene::Scene;
 /// the attitude only; it falls to 4 where the resistance is strong (measured 4.0 with a rate
 /// of 3/s on a body that turns by 2 rad/s), and is the cheapest all the same where it is weak.
 /// Where dry friction stops the spin on the way, take one without negative parts, Strang or
-/// ABA(8,2), or cut the run at the stop.
+/// ABA(8,2), or cut the run at the stop. [`Scene::solve`]
+/// cuts there by itself.
 ///
 /// Cost: for the gyroscope of the example below, off by 9.4e-7 rad after ten seconds, SRKN 14a
 /// takes 2800 kicks, DOP853 nearly 14 times as many derivatives.
@@ -64,14 +65,16 @@ pub struct Resisted<'s, E> {
 }
 
 impl<'s, E: Effect> Resisted<'s, E> {
-    /// The scene from the time `t` (s) on.
+    /// The scene from the time `t` (s) to its next break point.
     ///
     /// # Errors
     /// Effects without a closed form at a fixed attitude; resistance across the axis of a
     /// symmetric body that is not the same in all directions.
     pub fn new(scene: &'s Scene<E>, t: f64) -> Result<Self> {
         finite("time", t)?;
-        let known = scene.effects().resistance(t, scene.body());
+        let body = scene.body();
+        let known = (scene.effects().resistance(t, body))
+            .filter(|r| r.is_round() || !body.moments().is_symmetric());
         let resistance = known.ok_or_else(|| Error::SeesMore {
             effects: scene.effects().names().join(", "),
         })?;

@@ -10,6 +10,7 @@ mod honesty;
 mod limits;
 mod reference;
 mod refusals;
+mod resisted;
 
 use case::EPS;
 use honesty::{KINDS, Outcome, Spread, TOLERANCES, cases, judge, spreads};

@@ -1,6 +1,7 @@
 //! The effects of the library: what they claim, the motions they make, what they refuse.
 
 mod claims;
+mod kept;
 mod motions;
 mod pairs;
 mod refusals;

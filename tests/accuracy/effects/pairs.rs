@@ -14,9 +14,9 @@ use rotation_dynamics::scene::{Invariant, Scene};
 use support::{EPS, Errors};
 
 /// A scene beside the work that is done on it: W' = power, all of it or a part.
-struct WithWork<'s, E> {
-    scene: &'s Scene<E>,
-    part: f64,
+pub(super) struct WithWork<'s, E> {
+    pub scene: &'s Scene<E>,
+    pub part: f64,
 }
 
 impl<E: Effect> Ode<8> for WithWork<'_, E> {
@@ -38,7 +38,7 @@ impl<E: Effect> Ode<8> for WithWork<'_, E> {
     }
 }
 
-const ALL: [Invariant; 5] = [
+pub(super) const ALL: [Invariant; 5] = [
     Invariant::Energy,
     Invariant::MomentumX,
     Invariant::MomentumY,
@@ -155,19 +155,19 @@ impl Book {
     }
 }
 
-fn lever() -> GravityAtLever {
+pub(super) fn lever() -> GravityAtLever {
     GravityAtLever::new(0.5, 0.8).expect("gravity")
 }
 
-fn anywhere() -> Gravity {
+pub(super) fn anywhere() -> Gravity {
     Gravity::new(0.5, BodyVector::new(0.3, -0.2, 0.7)).expect("gravity")
 }
 
-fn held() -> GravityGradient<true> {
+pub(super) fn held() -> GravityGradient<true> {
     GravityGradient::fixed(0.4, SpaceVector::new(1.0, 2.0, -0.5)).expect("gradient")
 }
 
-fn on_orbit() -> GravityGradient {
+pub(super) fn on_orbit() -> GravityGradient {
     let (normal, towards) = (
         SpaceVector::new(0.0, 0.6, 0.8),
         SpaceVector::new(1.0, 0.0, 0.0),
@@ -175,31 +175,31 @@ fn on_orbit() -> GravityGradient {
     GravityGradient::on_orbit(0.4, normal, towards).expect("gradient")
 }
 
-fn oil() -> ViscousFriction {
+pub(super) fn oil() -> ViscousFriction {
     ViscousFriction::new(0.03, 0.02).expect("friction")
 }
 
-fn air() -> DiscDrag {
+pub(super) fn air() -> DiscDrag {
     DiscDrag::new(0.5, 1.204, 1.51e-5, 2.0).expect("drag")
 }
 
-fn push() -> PrescribedTorque {
+pub(super) fn push() -> PrescribedTorque {
     let pulse = Profile::pulse(2.0, 0.7).expect("a pulse");
     PrescribedTorque::on_space(SpaceVector::new(0.3, -0.2, 0.4), pulse).expect("a torque")
 }
 
-fn creaks() -> InternalDissipation {
+pub(super) fn creaks() -> InternalDissipation {
     InternalDissipation::new(0.02).expect("a loss")
 }
 
-fn motor() -> impl Effect + Clone {
+pub(super) fn motor() -> impl Effect + Clone {
     Torque::on_body("motor", |_t, _body, _state| {
         BodyVector::new(0.0, 0.02, 0.05)
     })
     .smooth()
 }
 
-fn bearing(body: &RigidBody, start: &State) -> CoulombBearing {
+pub(super) fn bearing(body: &RigidBody, start: &State) -> CoulombBearing {
     CoulombBearing::new(0.05, body, start, 0.0).expect("friction")
 }
 

@@ -1,9 +1,10 @@
-//! The truth where doubles are not enough: Euler's equations with gravity by Taylor series
-//! of order 36 in double-double arithmetic, which share nothing with the library's methods.
+//! The truth where doubles are not enough: Euler's equations with gravity and what resists, by
+//! Taylor series of order 36 in double-double arithmetic, which share nothing with the
+//! library's methods.
 
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::math::DoubleDouble as Dd;
+use rotation_dynamics::math::{DoubleDouble as Dd, exp, pow};
 
 const ORDER: usize = 36;
 
@@ -28,9 +29,44 @@ fn sum(series: &Series, h: f64) -> Dd {
         .fold(Dd::from(0.0), |sum, c| sum * h + *c)
 }
 
+/// What resists: l_i' = -k_i l_i on the body's axes, and a law of l_3 besides.
+#[derive(Debug, Clone, Copy)]
+pub struct Resisting {
+    pub rates: [f64; 3],
+    pub law: Law,
+}
+
+/// A torque along e3.
+#[derive(Debug, Clone, Copy)]
+pub enum Law {
+    None,
+    /// Dry friction of this size, until l_3 is 0.
+    Dry(f64),
+    /// This torque at 1 rad/s, and this power of the spin beside the spin itself.
+    Power(f64, f64),
+}
+
+impl Resisting {
+    pub const NOTHING: Self = Self {
+        rates: [0.0; 3],
+        law: Law::None,
+    };
+}
+
 /// The attitude at the time `t` of a body with gravity of the largest torque `moment`
 /// along its axis.
 pub fn attitude(body: &RigidBody, moment: f64, start: &State, t: f64) -> Attitude {
+    resisted(body, moment, &Resisting::NOTHING, start, t)
+}
+
+/// The same of a body that something resists; dry friction not backwards through its stop.
+pub fn resisted(
+    body: &RigidBody,
+    moment: f64,
+    resisting: &Resisting,
+    start: &State,
+    t: f64,
+) -> Attitude {
     let inertia = body.moments().to_array();
     let [w, x, y, z] = start.attitude.quaternion().map(Dd::from);
     let square = w * w + x * x + y * y + z * z;
@@ -51,27 +87,58 @@ pub fn attitude(body: &RigidBody, moment: f64, start: &State, t: f64) -> Attitud
         .map(|(l, i)| l.hi() * l.hi() / i)
         .sum();
     let least = inertia.iter().copied().fold(f64::INFINITY, f64::min);
-    let rate = ((energy + 4.0 * moment.abs()) / least).sqrt();
-    let steps = (rate * t.abs() / ANGLE).ceil().max(1.0);
-    let h = t / steps;
     let mut now = [[w, x, y, z].to_vec(), momentum.to_vec(), vertical.to_vec()].concat();
-    for _ in 0..steps as u64 {
-        now = step(&now, inertia, moment, h);
+    let spin = now[6].hi();
+    let damping = match resisting.law {
+        Law::Power(factor, power) => factor * pow((spin / inertia[2]).abs(), power) / inertia[2],
+        _ => 0.0,
+    };
+    // Backwards it has been faster.
+    let damping = resisting.rates.into_iter().fold(damping, f64::max);
+    let grown = exp((-damping * t).max(0.0));
+    let rate = grown * ((energy + 4.0 * moment.abs()) / least).sqrt() + grown * damping;
+    let stop = match resisting.law {
+        Law::Dry(torque) if t * torque > 0.0 => t.min(spin.abs() / torque),
+        _ => t,
+    };
+    let rolling = Resisting {
+        law: Law::None,
+        ..*resisting
+    };
+    for (span, resisting) in [(stop, resisting), (t - stop, &rolling)] {
+        let steps = (rate * span.abs() / ANGLE).ceil();
+        for _ in 0..steps as u64 {
+            now = step(&now, inertia, moment, resisting, span / steps);
+        }
     }
     Attitude::from_quaternion([0, 1, 2, 3].map(|i| now[i].to_f64())).expect("a rotation")
 }
 
 /// Quaternion, momentum and vertical on the body's axes, one step later.
-fn step(now: &[Dd], inertia: [f64; 3], moment: f64, h: f64) -> Vec<Dd> {
+fn step(now: &[Dd], inertia: [f64; 3], moment: f64, resisting: &Resisting, h: f64) -> Vec<Dd> {
+    let sign = now[6].hi().signum();
     let mut y = [NONE; 10];
     for (series, value) in y.iter_mut().zip(now) {
         series[0] = *value;
     }
     let mut omega = [NONE; 3];
+    // |l_3|^(1 + p) with the sign of l_3.
+    let mut powered = NONE;
     for n in 0..ORDER {
         for i in 0..3 {
             omega[i][n] = y[4 + i][n] / inertia[i];
         }
+        let along = match resisting.law {
+            Law::None => Dd::from(0.0),
+            Law::Dry(torque) if n == 0 => Dd::from(-torque * sign),
+            Law::Dry(_) => Dd::from(0.0),
+            Law::Power(factor, power) => {
+                let exponent = Dd::from(power) + 1.0;
+                powered[n] = power_of(&y[6], &powered, exponent, n);
+                powered[n] * (Dd::from(inertia[2]).ln() * exponent).exp().recip() * -factor
+            }
+        };
+        let [ka, kb, kc] = resisting.rates;
         let [p, q, r] = &omega;
         let [w, x, yy, z, l1, l2, l3, g1, g2, g3] = &y;
         let of = |a: &Series, b: &Series| product(a, b, n);
@@ -80,9 +147,9 @@ fn step(now: &[Dd], inertia: [f64; 3], moment: f64, h: f64) -> Vec<Dd> {
             (of(w, p) + of(yy, r) - of(z, q)) * 0.5,
             (of(w, q) + of(z, p) - of(x, r)) * 0.5,
             (of(w, r) + of(x, q) - of(yy, p)) * 0.5,
-            of(l2, r) - of(l3, q) + g2[n] * moment,
-            of(l3, p) - of(l1, r) - g1[n] * moment,
-            of(l1, q) - of(l2, p),
+            of(l2, r) - of(l3, q) + g2[n] * moment - l1[n] * ka,
+            of(l3, p) - of(l1, r) - g1[n] * moment - l2[n] * kb,
+            of(l1, q) - of(l2, p) - l3[n] * kc + along,
             of(g2, r) - of(g3, q),
             of(g3, p) - of(g1, r),
             of(g1, q) - of(g2, p),
@@ -92,4 +159,15 @@ fn step(now: &[Dd], inertia: [f64; 3], moment: f64, h: f64) -> Vec<Dd> {
         }
     }
     y.iter().map(|series| sum(series, h)).collect()
+}
+
+/// The n-th coefficient of |l|^e with the sign of l, from those before it: l y' = e l' y.
+fn power_of(l: &Series, y: &Series, e: Dd, n: usize) -> Dd {
+    if n == 0 {
+        return (l[0].abs().ln() * e).exp() * l[0].hi().signum();
+    }
+    let sum = (1..=n).fold(Dd::from(0.0), |sum, k| {
+        sum + (e * k as f64 - (n - k) as f64) * l[k] * y[n - k]
+    });
+    sum / (l[0] * n as f64)
 }

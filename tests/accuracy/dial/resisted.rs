@@ -1,0 +1,433 @@
+//! Scenes that resist the rotation: what the dial makes of them, what it made of them before it
+//! knew how, and within which limits.
+
+use rotation_dynamics::accuracy::{Limits, Solved};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{
+    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, Known, Nature, Resistance,
+    ViscousFriction, check,
+};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Integrator, Resisted, Scheme, Splitting};
+use rotation_dynamics::math::exp;
+use rotation_dynamics::motion::Motion;
+use rotation_dynamics::scene::Scene;
+use rotation_dynamics::{Error, Result};
+use std::sync::atomic::AtomicBool;
+use support::Errors;
+
+/// The same effects, which say nothing of what resists.
+#[derive(Clone, Copy)]
+struct Silent<E>(E);
+
+impl<E: Effect> Effect for Silent<E> {
+    const NATURE: Nature = E::NATURE;
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
+        None
+    }
+
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.potential_energy(t, body, state)
+    }
+
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.power(t, body, state)
+    }
+
+    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(body, state)
+    }
+
+    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_size(t, body, state)
+    }
+
+    fn break_points(&self) -> Vec<f64> {
+        self.0.break_points()
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.0.narrowest()
+    }
+
+    fn known(&self) -> Known {
+        self.0.known()
+    }
+
+    fn holds_from(
+        &self,
+        t: f64,
+        body: &RigidBody,
+        start: &State,
+        about_axis: &[&'static str],
+    ) -> Result<()> {
+        self.0.holds_from(t, body, start, about_axis)
+    }
+
+    fn about_axis(&self) -> Vec<&'static str> {
+        self.0.about_axis()
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.0.names()
+    }
+}
+
+fn tilted(body: &RigidBody, rates: [f64; 3]) -> State {
+    let (phi, theta, zeta) = (0.4, 1.0, -0.3);
+    let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta }).expect("angles");
+    (body.state(attitude, BodyVector::from_array(rates))).expect("a state")
+}
+
+fn symmetric(i1: f64, i3: f64) -> RigidBody {
+    RigidBody::new(PrincipalMoments::symmetric(i1, i3).expect("a body"))
+}
+
+/// What the dial pays for a scene, and what it would pay if nothing were said of what resists.
+struct Prices {
+    lines: Vec<String>,
+    /// Evaluations of the run that is returned, of both.
+    run: [u64; 2],
+    apart: Errors,
+}
+
+impl Prices {
+    fn of<E: Effect + Copy>(&mut self, name: &str, scene: &Scene<E>, start: &State, end: f64) {
+        let silent = Scene::new(*scene.body()).with(Silent(*scene.effects()));
+        for tolerance in [1e-3, 1e-6, 1e-9] {
+            let now = scene.solve(start, end, tolerance).expect("solved");
+            let was = silent.solve(start, end, tolerance).expect("solved");
+            let told =
+                |s: &Solved| format!("{} {}/{}", s.method, s.run.torques(), s.work.torques());
+            let line = format!("{name} {tolerance:e}: {}; {}", told(&now), told(&was));
+            self.lines.push(line);
+            self.run[0] += now.run.torques();
+            self.run[1] += was.run.torques();
+            let apart = now.state.attitude.angle_to(&was.state.attitude);
+            self.apart.push_at(apart / tolerance, (name, tolerance));
+        }
+    }
+}
+
+/// The evaluations of the run that is returned, and of all runs: with what is said of the
+/// resistance, and without. The two answers are within the tolerance of each other.
+#[test]
+fn what_resists_weakly_is_cheap() {
+    let mut prices = Prices {
+        lines: Vec::new(),
+        run: [0, 0],
+        apart: Errors::of("distance of the two answers over the tolerance"),
+    };
+    let gyroscope = symmetric(5.45e-3, 9e-4);
+    let (start, slowly) = (
+        tilted(&gyroscope, [0.0, 0.0, 314.16]),
+        tilted(&gyroscope, [0.0, 0.0, 60.0]),
+    );
+    let heavy = Scene::new(gyroscope).with(GravityAtLever::new(4.9, 0.1).expect("gravity"));
+    let oil = ViscousFriction::new(2e-5, 2e-6).expect("friction");
+    let drag = DiscDrag::new(0.06, 1.204, 1.51e-5, 314.16).expect("drag");
+    let dry = CoulombBearing::new(1e-4, &gyroscope, &start, 0.0).expect("friction");
+    let stopped = CoulombBearing::new(2e-2, &gyroscope, &slowly, 0.0).expect("friction");
+    prices.of("gyroscope in oil", &heavy.with(oil), &start, 10.0);
+    prices.of("gyroscope in air", &heavy.with(drag), &start, 10.0);
+    prices.of("gyroscope, dry", &heavy.with(dry), &start, 10.0);
+    prices.of("gyroscope, to the stop", &heavy.with(stopped), &slowly, 5.0);
+    let toy = symmetric(1.0, 0.6);
+    let heavy = Scene::new(toy).with(GravityAtLever::new(1.0, 0.8).expect("gravity"));
+    let start = tilted(&toy, [0.3, -0.2, 5.0]);
+    let oil = ViscousFriction::new(0.03, 0.015).expect("friction");
+    prices.of("toy top in oil", &heavy.with(oil), &start, 20.0);
+    let brick = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"));
+    let start = tilted(&brick, [0.3, 0.1, 2.0]);
+    let oil = ViscousFriction::isotropic(1e-2).expect("friction");
+    prices.of("brick in oil", &Scene::new(brick).with(oil), &start, 20.0);
+    let honey = ViscousFriction::isotropic(20.0).expect("friction");
+    prices.of(
+        "brick in honey",
+        &Scene::new(brick).with(honey),
+        &start,
+        20.0,
+    );
+    println!("{}\n{:?}", prices.lines.join("\n"), prices.run);
+    let expected = [
+        "gyroscope in oil 1e-3: SRKN 14a, resisted 2506/11942; DOP853 35786/763758",
+        "gyroscope in oil 1e-6: SRKN 14a, resisted 5124/19314; Gauss-Legendre 16 116160/829132",
+        "gyroscope in oil 1e-9: SRKN 14a, resisted 16156/103152; Gauss-Legendre 16 153360/2446700",
+        "gyroscope in air 1e-3: SRKN 14a, resisted 2506/11030; DOP853 35774/597878",
+        "gyroscope in air 1e-6: SRKN 14a, resisted 5124/17610; DOP853 84674/735326",
+        "gyroscope in air 1e-9: SRKN 14a, resisted 16156/100616; DOP853 200678/2255834",
+        "gyroscope, dry 1e-3: SRKN 14a, resisted 2506/11942; DOP853 36122/774742",
+        "gyroscope, dry 1e-6: SRKN 14a, resisted 5124/19314; Gauss-Legendre 16 123928/836900",
+        "gyroscope, dry 1e-9: SRKN 14a, resisted 16156/103152; Gauss-Legendre 16 153552/2447092",
+        "gyroscope, to the stop 1e-3: SRKN 14a, resisted 756/3929; DOP853 2152/34708",
+        "gyroscope, to the stop 1e-6: SRKN 14a, resisted 2702/6911; DOP853 5836/39999",
+        "gyroscope, to the stop 1e-9: SRKN 14a, resisted 4634/25151; Gauss-Legendre 16 11664/150240",
+        "toy top in oil 1e-3: SRKN 14a, resisted 350/3212; DOP853 878/18378",
+        "toy top in oil 1e-6: SRKN 14a, resisted 560/3956; DOP853 1430/20034",
+        "toy top in oil 1e-9: SRKN 14a, resisted 1708/6580; Gauss-Legendre 16 3912/23592",
+        "brick in oil 1e-3: ABA(10,6,4), resisted 96/1314; DOP853 278/7410",
+        "brick in oil 1e-6: ABA(10,6,4), resisted 96/1386; DOP853 650/8414",
+        "brick in oil 1e-9: ABA(10,6,4), resisted 304/1930; Gauss-Legendre 16 1496/9628",
+        "brick in honey 1e-3: DOP853 1178/96194; DOP853 1178/125188",
+        "brick in honey 1e-6: DOP853 1142/96504; DOP853 1142/125498",
+        "brick in honey 1e-9: DOP853 1334/97218; DOP853 1334/126212",
+    ];
+    assert_eq!(prices.lines, expected);
+    prices.apart.attain(5.6e-2..=5.7e-2, 21);
+}
+
+/// What is solved by a splitting that takes what resists, and by which method otherwise.
+#[test]
+fn a_splitting_takes_what_it_can() {
+    let (round, brick) = (
+        symmetric(1.0, 0.6),
+        RigidBody::new(PrincipalMoments::new(1.0, 1.4, 0.6).expect("a body")),
+    );
+    let lever = GravityAtLever::new(0.5, 0.8).expect("gravity");
+    let on_axis = Gravity::new(0.5, BodyVector::new(0.0, 0.0, 0.8)).expect("gravity");
+    let beside = Gravity::new(0.5, BodyVector::new(0.1, 0.0, 0.8)).expect("gravity");
+    let oil = ViscousFriction::new(1e-3, 2e-3).expect("friction");
+    let across = ViscousFriction::new(1e-3, 0.0).expect("friction");
+    let air = DiscDrag::new(0.3, 1.2, 1.5e-5, 20.0).expect("drag");
+    fn by<E: Effect>(body: &RigidBody, effects: E) -> bool {
+        let start = tilted(body, [0.3, -0.2, 20.0]);
+        let solved = Scene::new(*body).with(effects).solve(&start, 10.0, 1e-6);
+        solved.expect("solved").method.ends_with(", resisted")
+    }
+    let taken = [
+        by(&round, (lever, oil)),
+        by(&round, (on_axis, oil)),
+        by(&round, (lever, air)),
+        by(&round, (air, across)),
+        by(&round, (lever, Some(oil))),
+        by(&round, (Some(air), None::<ViscousFriction>)),
+        by(&brick, (lever, oil)),
+        by(&brick, oil),
+    ];
+    assert_eq!(taken, [true; 8]);
+    let left = [
+        // Each is known, both together are not.
+        by(&round, (air, oil)),
+        // It sees more than the axis.
+        by(&round, (beside, oil)),
+        // l_3 passes through 0.
+        by(&brick, air),
+        by(&round, Silent((lever, oil))),
+        // The closed form.
+        by(&round, (lever, None::<ViscousFriction>)),
+    ];
+    assert_eq!(left, [false; 5]);
+}
+
+/// Rates across the axis of a symmetric body that are not the same: the body's own axes count.
+#[derive(Clone, Copy)]
+struct Uneven;
+
+impl Effect for Uneven {
+    const NATURE: Nature = ViscousFriction::NATURE;
+
+    fn name(&self) -> &'static str {
+        "uneven"
+    }
+
+    fn torque(&self, _t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        let [l1, l2, l3] = body.angular_momentum(state).to_array();
+        (state.attitude).to_space(BodyVector::new(-0.3 * l1, -0.1 * l2, -0.2 * l3))
+    }
+
+    fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
+        Some(Resistance::linear([0.3, 0.1, 0.2]))
+    }
+}
+
+/// It is stepped otherwise, and right: as when nothing is said of it.
+#[test]
+fn what_is_not_the_same_in_all_directions_is_stepped_otherwise() -> Result<()> {
+    let scene = Scene::new(symmetric(1.0, 0.6)).with(Uneven);
+    let start = tilted(scene.body(), [0.3, -0.2, 5.0]);
+    assert!(matches!(
+        Resisted::new(&scene, 0.0),
+        Err(Error::SeesMore { .. })
+    ));
+    let silent = Scene::new(*scene.body()).with(Silent(Uneven));
+    let [told, untold] = [
+        scene.solve(&start, 10.0, 1e-8)?,
+        silent.solve(&start, 10.0, 1e-8)?,
+    ];
+    assert_eq!(told, untold);
+    // Of another body nothing is wrong with it.
+    let brick = Scene::new(RigidBody::new(PrincipalMoments::new(1.0, 1.4, 0.6)?)).with(Uneven);
+    let exact = brick.solve(&start, 10.0, 1e-11)?.state.attitude;
+    let method = Splitting::new(Scheme::KAHAN_LI17, 400)?;
+    let (end, _) = method.advance(&Resisted::new(&brick, 0.0)?, 0.0, &start, 10.0)?;
+    let apart = exact.angle_to(&end.attitude);
+    assert!(apart <= 1e-10, "{apart:e}");
+    Ok(())
+}
+
+/// A brake that says it is steady, and wears off, or holds only on one side.
+#[derive(Clone, Copy)]
+struct Brake {
+    fading: f64,
+    one_sided: f64,
+}
+
+impl Effect for Brake {
+    const NATURE: Nature = Nature::ANYTHING;
+
+    fn name(&self) -> &'static str {
+        "brake"
+    }
+
+    fn torque(&self, t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
+        let axis = state.attitude.axis();
+        let aside = if axis.x() > 0.1 { self.one_sided } else { 0.0 };
+        state.angular_momentum * (-0.1 * exp(-self.fading * t))
+            + SpaceVector::new(axis.y(), -axis.x(), 0.0) * aside
+    }
+
+    fn resistance(&self, t: f64, _body: &RigidBody) -> Option<Resistance> {
+        Some(Resistance::linear([0.1 * exp(-self.fading * t); 3]))
+    }
+}
+
+/// A resistance holds from one break point to the next, and what acts beside it has no jump:
+/// whoever says otherwise is refused.
+#[test]
+fn what_is_said_of_the_resistance_must_hold_on_a_piece() {
+    let body = symmetric(1.0, 0.6);
+    let start = tilted(&body, [0.3, -0.2, 5.0]);
+    let told = |fading, one_sided, span| {
+        let brake = Brake { fading, one_sided };
+        check(&brake, &body, span, &start).map_err(|error| error.to_string())
+    };
+    let mut ran = 0;
+    for span in [[0.0, 10.0], [10.0, 0.0]] {
+        assert_eq!(told(0.0, 0.0, span), Ok(()));
+        for (fading, aside, words) in [
+            (1e-3, 0.0, "says what of its torque resists the rotation"),
+            (1e-12, 0.0, "says what of its torque resists the rotation"),
+            (0.0, 0.1, "says that it is smooth between its break points"),
+        ] {
+            let refused = told(fading, aside, span).expect_err("refused");
+            assert!(refused.contains(words), "{refused}");
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 6);
+}
+
+/// The weight, and the air.
+type HeavyInAir = (((), GravityAtLever), DiscDrag);
+
+/// The gyroscope in air, within limits.
+fn in_air() -> (Scene<HeavyInAir>, State) {
+    let body = symmetric(5.45e-3, 9e-4);
+    let weight = GravityAtLever::new(4.9, 0.1).expect("gravity");
+    let drag = DiscDrag::new(0.06, 1.204, 1.51e-5, 314.16).expect("drag");
+    let start = tilted(&body, [0.0, 0.0, 314.16]);
+    (Scene::new(body).with(weight).with(drag), start)
+}
+
+#[test]
+fn limits_are_kept() -> Result<()> {
+    let (scene, start) = in_air();
+    let limits = Limits::default();
+    let free = scene.solve(&start, 2.0, 1e-6)?;
+    assert_eq!(free.method, "SRKN 14a, resisted");
+    // No step is longer than the longest.
+    let short = Limits {
+        longest_step: 1e-3,
+        ..limits
+    };
+    let solved = scene.solve_with(&start, 2.0, 1e-6, &short)?;
+    assert!(free.longest_step > 1e-3, "{free:?}");
+    assert!(solved.longest_step <= 1e-3 && solved.run.steps >= 2000);
+    // Twice what was spent is enough, half of it is not.
+    let spent = Limits {
+        budget: 2 * free.work.torques(),
+        ..limits
+    };
+    assert_eq!(scene.solve_with(&start, 2.0, 1e-6, &spent)?, free);
+    let less = Limits {
+        budget: free.work.torques() / 2,
+        ..limits
+    };
+    let refused = scene.solve_with(&start, 2.0, 1e-6, &less);
+    assert!(
+        matches!(refused, Err(Error::OverBudget { .. })),
+        "{refused:?}"
+    );
+    let cancel = AtomicBool::new(true);
+    let cancelled = Limits {
+        cancel: Some(&cancel),
+        ..limits
+    };
+    let refused = scene.solve_with(&start, 2.0, 1e-6, &cancelled);
+    assert!(matches!(refused, Err(Error::Cancelled { torques: 0 })));
+    // Break points cut the run; the answer is the same.
+    let cut = Limits {
+        break_points: &[0.3, 1.1],
+        ..limits
+    };
+    let solved = scene.solve_with(&start, 2.0, 1e-6, &cut)?;
+    let apart = solved.state.attitude.angle_to(&free.state.attitude);
+    assert!(apart > 0.0 && apart <= 1e-6, "{apart:e}");
+    // From the middle on, and back.
+    let from = |t_start| Limits { t_start, ..limits };
+    let middle = scene.solve(&start, 1.2, 1e-9)?.state;
+    let end = scene.solve_with(&middle, 2.0, 1e-6, &from(1.2))?.state;
+    assert!(end.attitude.angle_to(&free.state.attitude) <= 2e-6);
+    let back = scene.solve_with(&end, 1.2, 1e-6, &from(2.0))?;
+    assert_eq!(back.method, "SRKN 14a, resisted");
+    assert!(back.state.attitude.angle_to(&middle.attitude) <= 2e-6);
+    // Doubles end, in words.
+    let refused = scene.solve(&start, 2.0, 1e-14);
+    assert!(matches!(refused, Err(Error::BeyondCondition { .. })));
+    Ok(())
+}
+
+/// At 101 times on the way to the stop of a dry bearing, and beyond, the attitude is within
+/// the tolerance.
+#[test]
+fn all_along_the_way_to_the_stop() -> Result<()> {
+    let body = symmetric(5.45e-3, 9e-4);
+    let start = tilted(&body, [0.0, 0.0, 60.0]);
+    let bearing = CoulombBearing::new(2e-2, &body, &start, 0.0)?;
+    let scene = Scene::new(body)
+        .with(GravityAtLever::new(4.9, 0.1)?)
+        .with(bearing);
+    let silent = Scene::new(body).with(Silent(*scene.effects()));
+    let end = 4.0;
+    let best = silent.solve_along(&start, end, 1e-11, &Limits::default())?;
+    let mut over = Errors::of("error over tolerance");
+    let mut twin = Errors::of("twin: the spin goes on");
+    let free = Scene::new(body).with(GravityAtLever::new(4.9, 0.1)?);
+    for tolerance in [1e-3, 1e-6, 1e-9] {
+        let motion = scene.solve_along(&start, end, tolerance, &Limits::default())?;
+        assert!(motion.solved().method.ends_with(", resisted"));
+        for n in 0..=100 {
+            let t = end * f64::from(n) / 100.0;
+            let (here, exact) = (motion.try_state(t)?, best.try_state(t)?.attitude);
+            over.push_at(here.attitude.angle_to(&exact) / tolerance, (tolerance, t));
+            if n > 0 {
+                let spun = free.solve(&start, t, 1e-9)?.state.attitude;
+                twin.push_at(spun.angle_to(&exact) / tolerance, (tolerance, t));
+            }
+        }
+    }
+    over.attain(3.1e-3..=3.2e-3, 303);
+    twin.exceed(1.0, 300);
+    Ok(())
+}
