@@ -1,5 +1,7 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 
+#[path = "hard_cases/contacts.rs"]
+mod contacts;
 #[path = "hard_cases/events.rs"]
 mod events;
 #[path = "hard_cases/figures.rs"]

@@ -14,6 +14,8 @@ mod impacts;
 mod ladder;
 #[path = "planar/lift.rs"]
 mod lift;
+#[path = "planar/overhang.rs"]
+mod overhang;
 #[path = "planar/resistance.rs"]
 mod resistance;
 #[path = "planar/rod.rs"]
