@@ -7,7 +7,7 @@ mod events;
 #[path = "hard_cases/figures.rs"]
 mod figures;
 #[path = "hard_cases/findings.rs"]
-mod findings;
+pub mod findings;
 #[path = "hard_cases/flips.rs"]
 mod flips;
 #[path = "hard_cases/forms.rs"]
@@ -43,7 +43,7 @@ mod torques;
 #[path = "hard_cases/truth.rs"]
 pub mod truth;
 #[path = "hard_cases/turns.rs"]
-mod turns;
+pub mod turns;
 
 use rotation_dynamics::Result;
 use rotation_dynamics::report::{Prepared, Report};
