@@ -26,6 +26,8 @@ mod rollers;
 mod rolling;
 #[path = "planar/statics.rs"]
 mod statics;
+#[path = "planar/ties.rs"]
+mod ties;
 
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;

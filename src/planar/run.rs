@@ -67,7 +67,8 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
 ///
 /// # Errors
 /// [`Error::ConditionBroken`] if a phase begins although one of its conditions does
-/// not hold, or fails at once, [`Error::TooManyPhases`] after a thousand changes of phase, and those of
+/// not hold, or fails at once (of a [`contact`](super::contact) whose force or slip is a
+/// round-off there, that is an event), [`Error::TooManyPhases`] after a thousand changes of phase, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
     scene: &S,

@@ -171,7 +171,7 @@ fn ten_million_steps() {
     all_kept(10_000_000);
 }
 
-/// The same with `a_billion`: the free body, and the cheapest splitting.
+/// The same with `a_billion`: the free body, and below the cheapest splitting.
 #[test]
 #[ignore = "a billion steps: the better part of an hour"]
 fn a_billion_steps() {
@@ -179,9 +179,9 @@ fn a_billion_steps() {
     free().kept(Method::GaussLegendre16, steps, roundings(steps));
 }
 
-/// The same with `billion_heavy`.
+/// By the splitting of order 2.
 #[test]
-#[ignore = "a billion steps of the cheapest splitting"]
+#[ignore = "a billion steps: a quarter of an hour"]
 fn a_billion_heavy_steps() {
     let steps = 1_000_000_000;
     heavy(SPLIT).kept(Method::Strang, steps, swings(Method::Strang, steps));
