@@ -2,7 +2,7 @@
 //! its picture moves, and what the page says of limits and errors holds elsewhere too.
 
 use pages::ch16_2_gyroscope as gyroscope;
-use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::report::MovingPicture;
 use rotation_dynamics::report::cli::Outcome;
@@ -36,6 +36,36 @@ fn every_motion_asked_for_is_confirmed() {
     assert_eq!(ran, 2 * 5 * 4 * 3);
 }
 
+/// Beside a pole, and through it, the least tilt and the time of a nod are told as elsewhere:
+/// once they were left out without a word.
+#[test]
+fn near_a_pole_nothing_is_left_out() {
+    let mut ran = 0;
+    for (a, b, c, energy) in [
+        (2.0, 0.999, 0.45, 0.05),
+        (2.0, 1.0, 0.45, 0.05),
+        (0.7, 1.0001, 0.3, 0.4),
+        (1.3, -0.999, 0.2, 0.6),
+        (1.0, 0.9999999, -0.3, 1.0),
+    ] {
+        let flags = format!("--a={a} --b={b} --c={c} --energy={energy}");
+        let exact = ReducedTop::new(a, b, c)
+            .and_then(|top| HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0))
+            .expect("a motion");
+        assert!(exact.theta_min() < 0.02 || exact.theta_max() > PI - 0.02, "{flags}");
+        for (key, value) in [
+            ("theta_min", exact.theta_min()),
+            ("theta_max", exact.theta_max()),
+            ("period", exact.nutation_period()),
+        ] {
+            let told = crate::told::computed(&gyroscope::EXAMPLE, &flags, key);
+            assert!((told - value).abs() <= 1e-6 * value.max(1e-3), "{flags}, {key}: {told}");
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 5 * 3);
+}
+
 #[test]
 fn bodies_in_si_units_are_confirmed() {
     let all = [
@@ -67,6 +97,8 @@ const SOUND: &[&str] = &[
     "--a=1e-20",
     // No weight: thousands of equal terms to sum.
     "--a=1.9302412042847925 --b=0.8963056118753858 --c=0 --energy=0.35021288327062244",
+    // Its least tilt and its period once were left out without a word.
+    "--a=2 --b=0.999 --c=0.45 --energy=0.05",
     // A start next to the pole, given by an energy.
     "--a=1e-6 --b=-0.2156873134986519 --c=0.2 --energy=60.52874008892845 --start=theta_max",
     "--a=2 --b=0.9999733224702964 --c=0.2 --energy=16.99168787696426",
@@ -94,7 +126,7 @@ fn sound_far_from_the_notes() {
             assert!(!["NaN", "inf", "-inf"].contains(&word), "{line}: {word}");
         }
     }
-    assert_eq!(SOUND.len(), 15);
+    assert_eq!(SOUND.len(), 16);
 }
 
 const REFUSED: &[(&str, &str)] = &[
