@@ -76,13 +76,16 @@ pub const FAMILIES: &[Family] = &[
     limits::FAMILY,
 ];
 
-/// The families asked for, each computed once.
-pub fn computed(p: &Parameters) -> Result<Arc<Vec<Computed>>> {
-    static TABLE: Prepared<&'static str, Vec<Computed>> = Prepared::new();
-    TABLE.get(&p.family, |wanted| {
-        let wanted = |family: &&Family| *wanted == "all" || family.key == *wanted;
-        FAMILIES.iter().filter(wanted).map(Computed::new).collect()
-    })
+/// The families asked for, each computed once and kept.
+pub fn computed(p: &Parameters) -> Result<Vec<Arc<Computed>>> {
+    static KEPT: [Prepared<(), Computed>; FAMILIES.len()] =
+        [const { Prepared::new() }; FAMILIES.len()];
+    FAMILIES
+        .iter()
+        .zip(&KEPT)
+        .filter(|(family, _)| p.family == "all" || p.family == family.key)
+        .map(|(family, kept)| kept.get(&(), |()| Computed::new(family)))
+        .collect()
 }
 
 fn report(p: &Parameters) -> Result<Report> {

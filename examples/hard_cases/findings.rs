@@ -87,7 +87,7 @@ fn asked(
     })
 }
 
-/// Any other scene: a budget of a million torques.
+/// Any other scene: a budget of two hundred thousand torques.
 fn scene<E: Effect>(
     [case, wrong]: [&'static str; 2],
     scene: &Scene<E>,
@@ -96,7 +96,7 @@ fn scene<E: Effect>(
     truth: Option<Attitude>,
 ) -> Result<Row> {
     let limits = Limits {
-        budget: 1_000_000,
+        budget: 200_000,
         ..Limits::default()
     };
     let off = |end: &State| truth.map_or(f64::NAN, |truth| truth.angle_to(&end.attitude));

@@ -15,9 +15,10 @@ use rotation_dynamics::math::EPS;
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::report::short;
 use rotation_dynamics::scene::Scene;
+use std::sync::Arc;
 
 /// All of them, before the families' tables.
-pub fn add(report: &mut Report, p: &Parameters, computed: &[Computed]) -> Result<()> {
+pub fn add(report: &mut Report, p: &Parameters, computed: &[Arc<Computed>]) -> Result<()> {
     digits(report)?;
     broken(report)?;
     counts(report, computed)?;
@@ -97,8 +98,9 @@ fn broken(report: &mut Report) -> Result<()> {
 }
 
 /// Nothing is left out: every case has every method in every representation.
-fn counts(report: &mut Report, computed: &[Computed]) -> Result<()> {
-    let total = |of: fn(&Computed) -> usize| computed.iter().map(of).sum::<usize>() as f64;
+fn counts(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
+    let total =
+        |of: fn(&Computed) -> usize| computed.iter().map(|one| of(one)).sum::<usize>() as f64;
     let cells = total(|one| one.count().cells);
     claims! { report,
         /// cases
@@ -184,7 +186,7 @@ fn flip() -> Result<Problem<()>> {
 }
 
 /// A line for each family.
-fn summary(report: &mut Report, computed: &[Computed]) -> Result<()> {
+fn summary(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
     let columns = [
         "family",
         "what it is",

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use support::Errors;
 
-fn all() -> Arc<Vec<Computed>> {
+fn all() -> Vec<Arc<Computed>> {
     computed(&Parameters::default()).expect("every cell holds or is refused by name")
 }
 
