@@ -20,6 +20,8 @@ mod long;
 pub mod motions;
 #[path = "hard_cases/naive.rs"]
 mod naive;
+#[path = "hard_cases/pictures.rs"]
+mod pictures;
 #[path = "hard_cases/poles.rs"]
 mod poles;
 #[path = "hard_cases/scales.rs"]
@@ -44,7 +46,7 @@ pub mod truth;
 mod turns;
 
 use rotation_dynamics::Result;
-use rotation_dynamics::report::{Prepared, Report};
+use rotation_dynamics::report::{Figure, Prepared, Report};
 use std::sync::Arc;
 use table::{Computed, Family};
 
@@ -101,7 +103,11 @@ fn report(p: &Parameters) -> Result<Report> {
     Ok(report)
 }
 
+fn figures(p: &Parameters) -> Result<Vec<Figure>> {
+    Ok([figures::figures(p)?, pictures::stills(p)?].concat())
+}
+
 rotation_dynamics::example! {
     hard_cases: "Hard cases: a family at a time, the naive method that breaks beside those that hold";
-    report, figures::figures, sections::trajectory, figures::moving_picture
+    report, figures, sections::trajectory, pictures::moving_picture
 }

@@ -5,7 +5,7 @@ use super::forms::Form;
 use super::long::{self, Late};
 use super::motions::{By, Motion};
 use super::table::{Computed, Verdict};
-use super::{figures, flips, naive, poles, scales};
+use super::{flips, naive, pictures, poles, scales};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -54,7 +54,7 @@ fn broken(report: &mut Report) -> Result<()> {
     let rate = 0.2_f64.sqrt();
     claims! { report,
         /// a rounding about the middle axis has grown to one
-        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => figures::first_flip()?, within 5.0;
+        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => pictures::first_flip()?, within 5.0;
     }?;
     let locked = poles::locked()?;
     let flips = flips::flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;

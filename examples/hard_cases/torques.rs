@@ -217,7 +217,7 @@ fn rows() -> Result<Vec<Row>> {
     };
     let words = [
         "a smooth bell of 0.01 s in a minute",
-        "it is analytic, and no step of a tenth of a second sees it",
+        "it is analytic, and a step of 0.06 s sees its top or nothing",
     ];
     rows.push(rung.row(words, rung.straight("RK4 straight on, 1000 steps", 1000)?)?);
 
