@@ -1,11 +1,13 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 
+#[path = "hard_cases/contacts.rs"]
+mod contacts;
 #[path = "hard_cases/events.rs"]
 mod events;
 #[path = "hard_cases/figures.rs"]
 mod figures;
 #[path = "hard_cases/findings.rs"]
-mod findings;
+pub mod findings;
 #[path = "hard_cases/flips.rs"]
 mod flips;
 #[path = "hard_cases/forms.rs"]
@@ -43,7 +45,7 @@ mod torques;
 #[path = "hard_cases/truth.rs"]
 pub mod truth;
 #[path = "hard_cases/turns.rs"]
-mod turns;
+pub mod turns;
 
 use rotation_dynamics::Result;
 use rotation_dynamics::report::{Figure, Prepared, Report};

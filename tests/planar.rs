@@ -14,6 +14,8 @@ mod impacts;
 mod ladder;
 #[path = "planar/lift.rs"]
 mod lift;
+#[path = "planar/overhang.rs"]
+mod overhang;
 #[path = "planar/resistance.rs"]
 mod resistance;
 #[path = "planar/rod.rs"]
@@ -24,6 +26,8 @@ mod rollers;
 mod rolling;
 #[path = "planar/statics.rs"]
 mod statics;
+#[path = "planar/ties.rs"]
+mod ties;
 
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;

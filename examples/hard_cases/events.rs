@@ -1,6 +1,7 @@
 //! Contacts that graze, come two at a time or at a step's end, stick, stop, and never stop
 //! bouncing.
 
+use super::contacts;
 use super::table::{Cell, Family, Naive, Row, bound};
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
@@ -22,12 +23,12 @@ pub const FAMILY: Family = Family {
 
 /// As of DOP853 elsewhere.
 const K: f64 = 32.0;
-const G: f64 = 10.0;
+pub const G: f64 = 10.0;
 
 /// What a method found: when, and how far the end is off, both over their sizes.
 type Found = [Result<f64>; 2];
 
-fn row(
+pub fn row(
     [case, wrong]: [&'static str; 2],
     conditions: [f64; 2],
     found: Found,
@@ -48,7 +49,7 @@ fn row(
     })
 }
 
-fn tightest() -> Result<Dop853> {
+pub fn tightest() -> Result<Dop853> {
     Dop853::new(1e-15)
 }
 
@@ -446,7 +447,7 @@ fn zeno() -> Result<Row> {
 
 fn rows() -> Result<Vec<Row>> {
     let seen = "both ends of a step are on the same side";
-    Ok(vec![
+    let mut rows = vec![
         graze(["a graze 1e-2 deep", seen], 1e-2)?,
         graze(["a graze 1e-6 deep", seen], 1e-6)?,
         graze(["a graze 1e-8 deep", seen], 1e-8)?,
@@ -482,5 +483,7 @@ fn rows() -> Result<Vec<Row>> {
         stick_slip()?,
         stop()?,
         zeno()?,
-    ])
+    ];
+    rows.extend(contacts::rows()?);
+    Ok(rows)
 }

@@ -9,12 +9,13 @@ use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Torque};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Nature, Torque, check};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::Method;
-use rotation_dynamics::math::{expm1, log, sin, sincos};
+use rotation_dynamics::math::{exp, expm1, log, sin, sincos};
+use rotation_dynamics::report::{Report, Table};
 use rotation_dynamics::scene::Scene;
 
 pub const FAMILY: Family = Family {
@@ -87,13 +88,14 @@ fn asked(
     })
 }
 
-/// Any other scene, with so many torques at most.
+/// Any other scene, with so many torques at most. The naive method is RK4 if none is given.
 fn scene<E: Effect>(
     [case, wrong]: [&'static str; 2],
     scene: &Scene<E>,
     (attitude, rates): (Attitude, BodyVector),
     (end, tolerance, budget): (f64, f64, u64),
     truth: Option<Attitude>,
+    naive: Option<Naive>,
 ) -> Result<Row> {
     let limits = Limits {
         budget,
@@ -118,16 +120,18 @@ fn scene<E: Effect>(
     }
     let steps = Carrier::new(Method::Rk4, Fineness::Steps(1000))?;
     let start = scene.body().state(attitude, rates)?;
-    let plain = steps.advance_as_usual(scene, [0.0, end], &start);
-    let naive = Naive {
-        method: "RK4, 1000 steps",
-        error: plain.map_or(f64::NAN, |(end, _)| off(&end)),
+    let plain = || {
+        let plain = steps.advance_as_usual(scene, [0.0, end], &start);
+        Naive {
+            method: "RK4, 1000 steps",
+            error: plain.map_or(f64::NAN, |(end, _)| off(&end)),
+        }
     };
     Ok(Row {
         case,
         wrong,
         condition,
-        naive,
+        naive: naive.unwrap_or_else(plain),
         cells,
     })
 }
@@ -137,6 +141,7 @@ fn rows() -> Result<Vec<Row>> {
     separatrices(&mut rows)?;
     inverted(&mut rows)?;
     endless(&mut rows)?;
+    told(&mut rows)?;
     Ok(rows)
 }
 
@@ -213,8 +218,9 @@ fn inverted(rows: &mut Vec<Row>) -> Result<()> {
     Ok(())
 }
 
-/// Torques after which a scene without end is given up.
+/// Torques after which a scene without end is given up, and what the others may take.
 const ENDLESS: u64 = 200_000;
+const ENOUGH: u64 = 1_000_000;
 
 /// Scenes that ran without end, and one in which the truth cost the answer.
 fn endless(rows: &mut Vec<Row>) -> Result<()> {
@@ -238,8 +244,9 @@ fn endless(rows: &mut Vec<Row>) -> Result<()> {
         words,
         &free.with(driven.smooth()),
         start,
-        (10.0, 1e-8, 1_000_000),
+        (10.0, 1e-8, ENOUGH),
         Some(truth),
+        None,
     )?);
 
     let friction = Torque::on_space("dry friction", |_, _: &RigidBody, state: &State| {
@@ -256,6 +263,7 @@ fn endless(rows: &mut Vec<Row>) -> Result<()> {
         start,
         (40.0, 1e-6, ENDLESS),
         None,
+        None,
     )?);
 
     let brake = Torque::on_space("brake", |_, _: &RigidBody, state: &State| {
@@ -267,6 +275,7 @@ fn endless(rows: &mut Vec<Row>) -> Result<()> {
         &free.with(brake),
         start,
         (100.0, 1e-6, ENDLESS),
+        None,
         None,
     )?);
 
@@ -280,6 +289,238 @@ fn endless(rows: &mut Vec<Row>) -> Result<()> {
         start,
         (1.0, 1e-6, ENDLESS),
         None,
+        None,
     )?);
     Ok(())
+}
+
+/// Gravity that gives its torque and no more: it sees the axis alone, and says so.
+struct Plain(GravityAtLever);
+
+impl Effect for Plain {
+    const NATURE: Nature = GravityAtLever::NATURE;
+    fn name(&self) -> &'static str {
+        "plain gravity"
+    }
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.potential_energy(t, body, state)
+    }
+}
+
+/// How often something was asked.
+type Counter = core::cell::Cell<u64>;
+
+/// A push along L, and the size that it says it has. It counts how often it is asked.
+struct Pushes<'a> {
+    scale: f64,
+    asked: &'a Counter,
+}
+
+/// A part of L a second.
+const PUSH: f64 = 0.5;
+
+impl Effect for Pushes<'_> {
+    const NATURE: Nature = Nature {
+        on_time: false,
+        smooth: true,
+        ..Nature::ANYTHING
+    };
+    fn name(&self) -> &'static str {
+        "push"
+    }
+    fn torque(&self, _t: f64, _: &RigidBody, state: &State) -> SpaceVector {
+        self.asked.set(self.asked.get() + 1);
+        state.angular_momentum * PUSH
+    }
+    fn torque_scale(&self, _: &RigidBody, state: &State) -> f64 {
+        self.scale * state.angular_momentum.norm()
+    }
+}
+
+/// What effects say of themselves, and what the dial says of its work.
+fn told(rows: &mut Vec<Row>) -> Result<()> {
+    // Once compiled, and integrated without its torque.
+    let (tilted, rates) = (turned(0.1, 0.8, 0.2)?, [0.3, 0.1, 2.0]);
+    let top = Motion::top([1.0, 0.5], 0.4, tilted, rates, 20.0);
+    let heavy = Scene::new(RigidBody::new(top.body()?)).with(Plain(GravityAtLever::new(0.4, 1.0)?));
+    let bare = Motion {
+        gravity: None,
+        ..top
+    };
+    let naive = Naive {
+        method: "what has no form on the axis has no torque",
+        error: top.off(Some(bare.truth()?)),
+    };
+    rows.push(scene(
+        [
+            "it sees the axis, and has no form for that",
+            "a default that stands for none",
+        ],
+        &heavy,
+        (tilted, BodyVector::from_array(rates)),
+        (top.end, 1e-9, ENOUGH),
+        Some(top.truth()?),
+        Some(naive),
+    )?);
+
+    let moments = PrincipalMoments::new(1.0, 1.3, 1.7)?;
+    let free = Scene::new(RigidBody::new(moments));
+    let (end, rates) = (10.0, BodyVector::new(0.3, 0.2, 1.0));
+    let truth = FreeBody::new(moments, tilted, rates)?.attitude(expm1(PUSH * end) / PUSH);
+    let asked = Counter::new(0);
+    for (case, scale) in [
+        ("a torque whose scale is no number", f64::NAN),
+        ("a torque whose scale is negative", -1.0),
+    ] {
+        let pushes = Pushes {
+            scale,
+            asked: &asked,
+        };
+        let naive = Naive {
+            method: "steps halved until the error is within that scale",
+            error: held_to(scale).map_or(f64::NAN, |grown| (grown - exp(PUSH * end)).abs()),
+        };
+        let words = [case, "an error is never less than a part of it"];
+        rows.push(scene(
+            words,
+            &free.with(pushes),
+            (tilted, rates),
+            (end, 1e-6, ENOUGH),
+            Some(truth),
+            Some(naive),
+        )?);
+    }
+    rows.push(counted(&free, (tilted, rates), end, &asked)?);
+    Ok(())
+}
+
+/// y' = y/2 by Euler's steps, halved until two halves differ from the whole by a millionth of
+/// the scale; nothing if that has not come to the end after a million tries.
+fn held_to(scale: f64) -> Option<f64> {
+    let (mut t, mut y, mut h) = (0.0, 1.0, 0.1);
+    for _ in 0..1_000_000 {
+        let whole = y * (1.0 + PUSH * h);
+        let halves = y * (1.0 + 0.5 * PUSH * h) * (1.0 + 0.5 * PUSH * h);
+        if (whole - halves).abs() <= 1e-6 * scale {
+            (t, y) = (t + h, halves);
+        } else {
+            h *= 0.5;
+        }
+        if t >= 10.0 {
+            return Some(y);
+        }
+    }
+    None
+}
+
+/// The torques that the dial says its runs took, against those that were asked for: once a
+/// tenth was left out, those of runs that failed. Before any run an effect is looked at, to see
+/// whether it is what it says; those looks are no work of a run, nor are a few along the way.
+fn counted(
+    free: &Scene<()>,
+    (attitude, rates): (Attitude, BodyVector),
+    end: f64,
+    asked: &Counter,
+) -> Result<Row> {
+    let case = "the torques that it took, counted";
+    let pushed = free.with(Pushes { scale: PUSH, asked });
+    let mut cells = Vec::new();
+    let mut run = 0.0;
+    for form in Form::ALL {
+        let start = pushed.body().state(form.through(attitude)?, rates)?;
+        asked.set(0);
+        check(pushed.effects(), pushed.body(), [0.0, end], &start)?;
+        let looks = asked.replace(0);
+        let solved = pushed.solve(&start, end, 1e-9)?;
+        let counted = (asked.get() - looks) as f64;
+        let off = (counted - solved.work.torques() as f64).abs() / counted;
+        run = 1.0 - solved.run.torques() as f64 / counted;
+        cells.push(Cell::of((case, "the dial", form.name()), Ok(off), LOOKS)?);
+    }
+    Ok(Row {
+        case,
+        wrong: "a run that fails has cost something too",
+        condition: f64::NAN,
+        naive: Naive {
+            method: "the work of the run that is given",
+            error: run,
+        },
+        cells,
+    })
+}
+
+/// The looks along the way, as a part of all torques: a hundredth at most.
+const LOOKS: f64 = 1e-2;
+
+/// Findings that are no error of a motion: what was found, and the test that sees it now.
+pub const ELSEWHERE: [[&str; 4]; 9] = [
+    [
+        "2",
+        "pulses narrower than a step, unnamed",
+        "tests/accuracy/dial/attack/named.rs",
+        "narrow_pulses_are_seen",
+    ],
+    [
+        "5",
+        "a start at rest, a million turns, without end",
+        "tests/accuracy/dial/attack/named.rs",
+        "no_run_without_end",
+    ],
+    [
+        "8",
+        "--csv put a file in the place of a device, a pipe, a link",
+        "tests/cli.rs",
+        "links_and_pipes_are_written_through_and_devices_refused",
+    ],
+    [
+        "8",
+        "a full disk, and an exit status of 0",
+        "src/report/cli.rs",
+        "a_full_disk_is_an_error_and_a_reader_gone_is_none",
+    ],
+    [
+        "9",
+        "jumps without a name, refused with a wrong reason",
+        "tests/accuracy/dial/causes.rs",
+        "jumps_without_a_name_are_found",
+    ],
+    [
+        "10",
+        "the torques of a run that failed",
+        "tests/accuracy/dial/causes.rs",
+        "work_that_came_to_nothing_is_counted",
+    ],
+    [
+        "11",
+        "a dial of scenes in phases that takes 16 times the error",
+        "tests/planar/dial.rs",
+        "two_runs_agree_within_half_the_tolerance",
+    ],
+    [
+        "11",
+        "one that does not look at the states at events",
+        "tests/planar/dial.rs",
+        "states_at_events_are_compared",
+    ],
+    [
+        "11",
+        "a pendulum that is harmonic up to k^2 = 1e-9",
+        "tests/exact/pendulum.rs",
+        "small_swings_are_not_harmonic",
+    ],
+];
+
+/// The table of those.
+pub fn elsewhere(report: &mut Report) -> Result<()> {
+    let mut table = Table::new(
+        "findings_elsewhere",
+        ["finding", "what was found", "the test that sees it"],
+    )?;
+    for [number, found, _, test] in ELSEWHERE {
+        table.push([number, found, test].map(str::to_owned))?;
+    }
+    report.add(table)
 }

@@ -345,12 +345,23 @@ impl Motion {
     /// The same with conditions that are known otherwise.
     pub fn row_of_condition(
         &self,
+        words: [&'static str; 2],
+        methods: &[By],
+        naive: Naive,
+        conditions: [f64; 2],
+    ) -> Result<Row> {
+        self.row_of_truth(words, methods, naive, conditions, self.truth()?)
+    }
+
+    /// The same with an end that is known otherwise.
+    pub fn row_of_truth(
+        &self,
         [case, wrong]: [&'static str; 2],
         methods: &[By],
         naive: Naive,
         [condition, path]: [f64; 2],
+        truth: Attitude,
     ) -> Result<Row> {
-        let truth = self.truth()?;
         let mut cells = Vec::new();
         for by in methods {
             let of = if by.is_closed() { condition } else { path };

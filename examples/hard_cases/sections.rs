@@ -5,7 +5,7 @@ use super::forms::Form;
 use super::long::{self, Late};
 use super::motions::{By, Motion};
 use super::table::{Computed, Verdict};
-use super::{flips, naive, pictures, poles, scales};
+use super::{findings, flips, naive, pictures, poles, scales};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -26,6 +26,7 @@ pub fn add(report: &mut Report, p: &Parameters, computed: &[Arc<Computed>]) -> R
     effects(report)?;
     let asked = p.tolerance.map_or(vec![1e-9, 1e-6, 1e-12], |one| vec![one]);
     report.strip(&flip()?, &asked)?;
+    findings::elsewhere(report)?;
     summary(report, computed)
 }
 

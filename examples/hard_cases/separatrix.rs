@@ -93,6 +93,12 @@ fn rows() -> Result<Vec<Row>> {
         "K is infinite, and sn, cn, dn are no longer periodic",
     ];
     rows.push(motion.row(words, &By::FREE, by_mean(&motion)?)?);
+    let motion = free([-0.5, 1.0, 0.25], 15.0)?;
+    let words = [
+        "1 - k^2 = 0, its other half",
+        "a rate that goes as cn, and changes sign, goes as sech here",
+    ];
+    rows.push(motion.row(words, &By::FREE, turned_back(&motion)?)?);
 
     // A top at the energy and the momentum of the upright one, on its way up and not yet there.
     let (moments, theta) = ([1.0, 0.25], 2.0);
@@ -144,5 +150,21 @@ fn by_mean(motion: &Motion) -> Result<Naive> {
     Ok(Naive {
         method: "Jacobi's functions by the arithmetic-geometric mean",
         error: (sn - tanh(phase)).abs(),
+    })
+}
+
+/// Where cn is negative the phase is counted back from half a period, 2K - u: of K = ln(4/k')
+/// with k' = 0 nothing is left to count.
+fn turned_back(motion: &Motion) -> Result<Naive> {
+    let [p, q, r] = motion.rates;
+    let [i1, i2, i3] = MOMENTS;
+    let largest = ((i1 * p * p + i2 * q * q + i3 * r * r) / i2).sqrt();
+    let complement = 1.0 - (i3 * (i3 - i2) * r * r) / (i1 * (i2 - i1) * p * p);
+    let half = 2.0 * log(4.0 / complement.sqrt());
+    let phase = half - atanh(-q / largest) + largest * motion.end / 3.0;
+    let [_, middle, _] = motion.true_rates()?;
+    Ok(Naive {
+        method: "the phase counted back from half a period",
+        error: (largest * tanh(half - phase) - middle).abs(),
     })
 }

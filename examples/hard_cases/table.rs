@@ -22,6 +22,8 @@ pub struct Cell {
     pub method: &'static str,
     pub form: &'static str,
     pub verdict: Verdict,
+    /// What it is held to, or would be.
+    pub bound: f64,
 }
 
 /// The method that everyone writes first, and how far off it is on this case.
@@ -101,6 +103,7 @@ impl Cell {
             method,
             form,
             verdict,
+            bound,
         })
     }
 
@@ -137,14 +140,19 @@ pub fn bound(k: f64, condition: f64) -> f64 {
 
 impl Row {
     /// The smallest bound of the row: what a careful method is held to, or what was asked for
-    /// and refused.
+    /// and refused; of a row of which nothing holds, what it would be held to.
     pub fn least_bound(&self) -> f64 {
         let bounds = self.cells.iter().filter_map(|cell| match cell.verdict {
             Verdict::Holds { bound, .. } => Some(bound),
             Verdict::Refuses(Error::BeyondCondition { requested, .. }) => Some(requested),
             Verdict::Refuses(_) => None,
         });
-        bounds.fold(f64::INFINITY, f64::min)
+        let held = bounds.fold(f64::INFINITY, f64::min);
+        if held.is_finite() {
+            return held;
+        }
+        let due = self.cells.iter().map(|cell| cell.bound);
+        due.fold(f64::INFINITY, f64::min)
     }
 
     /// The naive error in units of that bound; infinite if there is no number at all.

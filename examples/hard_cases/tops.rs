@@ -91,19 +91,33 @@ fn rows() -> Result<Vec<Row>> {
         };
         rows.push(motion.row(words, &By::TOP, naive)?);
     }
-    let energy = lowest + 2.0 * f64::EPSILON * lowest.abs();
-    let exact =
-        HeavyTop::from_energy(ReducedTop::new(a, b, c)?, energy, Start::ThetaMin, 0.0, 0.0)?;
-    let theta = exact.theta_min();
-    let motion = top([a, b, c], theta, 0.0, 40.0)?;
-    let naive = Naive {
-        method: "turning point by the trigonometric formula of the cubic",
-        error: (turning_point([a, b, c], energy) - theta).abs(),
-    };
-    let words = [
-        "E~ two roundings above U_min",
-        "all but a double root: half of the digits are lost",
-    ];
-    rows.push(motion.row(words, &By::TOP, naive)?);
+    for (words, [a, b, c], energy) in [
+        (
+            [
+                "E~ two roundings above U_min",
+                "all but a double root: half of the digits are lost",
+            ],
+            [a, b, c],
+            lowest + 2.0 * f64::EPSILON * lowest.abs(),
+        ),
+        (
+            [
+                "near the pole: b = 0.999, E~ = 0.05",
+                "the root is all but 1, and what it lacks of 1 is asked for",
+            ],
+            [1.9, 0.999, 0.45],
+            0.05,
+        ),
+    ] {
+        let reduced = ReducedTop::new(a, b, c)?;
+        let exact = HeavyTop::from_energy(reduced, energy, Start::ThetaMin, 0.0, 0.0)?;
+        let theta = exact.theta_min();
+        let motion = top([a, b, c], theta, 0.0, 40.0)?;
+        let naive = Naive {
+            method: "turning point by the trigonometric formula of the cubic",
+            error: (turning_point([a, b, c], energy) - theta).abs(),
+        };
+        rows.push(motion.row(words, &By::TOP, naive)?);
+    }
     Ok(rows)
 }

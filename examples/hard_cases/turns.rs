@@ -5,7 +5,7 @@ use super::motions::{By, Motion};
 use super::naive::{by_trace, on_quaternion, rates_by_landau};
 use super::table::{Family, Naive, Row};
 use rotation_dynamics::Result;
-use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{hypot, sincos};
 
@@ -22,6 +22,18 @@ const MOMENTS: [f64; 3] = [1.0, 1.3, 1.7];
 
 fn half_turn() -> Result<Attitude> {
     Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), core::f64::consts::PI)
+}
+
+/// An azimuth of 1e32 rad, and what it is beyond whole turns: 1e32 is a whole number, and this
+/// its remainder by 2 pi to 80 digits, rounded.
+pub const AZIMUTH: [f64; 2] = [1e32, 0.625_167_975_329_289_9];
+
+fn turned(phi: f64) -> Result<Attitude> {
+    Attitude::from_euler(EulerAngles {
+        phi,
+        theta: 0.8,
+        zeta: 0.2,
+    })
 }
 
 /// Axis by division by |omega|, as it is squared and summed; then the angle |omega| t.
@@ -82,6 +94,24 @@ fn rows() -> Result<Vec<Row>> {
         "q and -q are one attitude",
     ];
     rows.push(motion.row(words, &By::FREE, naive)?);
+
+    let [azimuth, rest] = AZIMUTH;
+    let motion = Motion::free(MOMENTS, turned(azimuth)?, rates, 10.0);
+    let same = Motion {
+        attitude: turned(rest)?,
+        ..motion
+    };
+    let by_turns =
+        turned(azimuth - core::f64::consts::TAU * (azimuth / core::f64::consts::TAU).floor())?;
+    let naive = Naive {
+        method: "whole turns of 2 pi subtracted in doubles",
+        error: by_turns.angle_to(&same.attitude),
+    };
+    let words = [
+        "an azimuth of 1e32 rad",
+        "of its turns doubles know sixteen digits, and thirty-one count",
+    ];
+    rows.push(motion.row_of_truth(words, &By::FREE, naive, motion.conditions()?, same.truth()?)?);
 
     let small = [3e-200, 2e-200, 1e-199];
     for (words, rates, end) in [

@@ -67,7 +67,8 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
 ///
 /// # Errors
 /// [`Error::ConditionBroken`] if a phase begins although one of its conditions does
-/// not hold, or fails at once, [`Error::TooManyPhases`] after a thousand changes of phase, and those of
+/// not hold, or fails at once (of a [`contact`](super::contact) whose force or slip is a
+/// round-off there, that is an event), [`Error::TooManyPhases`] after a thousand changes of phase, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
     scene: &S,
@@ -82,7 +83,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
         work: Work::default(),
     };
     let (mut t, mut phase, mut state) = (0.0, phase, start);
-    while run.legs.len() < PHASE_LIMIT {
+    while run.transitions.len() < PHASE_LIMIT {
         let conditions = scene.conditions(phase);
         // What ends the scene may come together with what begins a phase.
         let over = |c: &&Condition<'_, S::Phase, N>| {
@@ -108,16 +109,30 @@ pub fn simulate<const N: usize, S: Phased<N>>(
             .iter()
             .map(|c| Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal())
             .collect();
-        let solution = within_conditions(&conditions, method, t_end, |method, t_end| {
+        let lasts = within_conditions(&conditions, method, t_end, |method, t_end| {
             method.solve(&InPhase(scene, phase), t, &state, t_end, &events)
         })?;
-        run.work += solution.work();
-        let failed = solution
-            .stopped_by()
-            .map(|event| (event.index, event.t, event.state));
-        run.legs.push(Leg { phase, solution });
-        let Some((index, when, before)) = failed else {
-            return Ok(run);
+        let (index, when, before) = match lasts {
+            Lasts::Until(solution) => {
+                run.work += solution.work();
+                let failed = solution
+                    .stopped_by()
+                    .map(|event| (event.index, event.t, event.state));
+                run.legs.push(Leg { phase, solution });
+                let Some(failed) = failed else {
+                    return Ok(run);
+                };
+                failed
+            }
+            Lasts::NoTime(index, broken) => {
+                // Decided by a round-off, it fails after all; but not twice in an instant.
+                let here = run.transitions.iter().rev().take_while(|x| x.t == t);
+                let again = here.filter(|x| x.from == phase).count() > 0;
+                if again || !conditions[index].is_decided(&state) {
+                    return Err(broken);
+                }
+                (index, t, state)
+            }
         };
         let (to, after) = match &conditions[index].next {
             Next::Enter(to) => (Some(*to), before),
@@ -147,6 +162,14 @@ pub fn simulate<const N: usize, S: Phased<N>>(
     })
 }
 
+/// How long a phase lasts.
+enum Lasts<const N: usize> {
+    /// As long as its solution.
+    Until(Solution<N>),
+    /// The condition at this place fails at once.
+    NoTime(usize, Error),
+}
+
 /// The solution of a phase in which no condition fails unseen.
 ///
 /// A gap that is shut at the start and closes again within the first step was never
@@ -157,23 +180,26 @@ fn within_conditions<P, const N: usize>(
     method: &Dop853,
     t_end: f64,
     solve: impl Fn(&Dop853, f64) -> Result<Solution<N>>,
-) -> Result<Solution<N>> {
+) -> Result<Lasts<N>> {
     let (mut method, mut end) = (*method, t_end);
     let mut broken = None;
     for _ in 0..SHORTENINGS {
         let solution = solve(&method, end)?;
-        let Some((name, value, when)) = failed_unseen(conditions, &solution)? else {
+        let Some((index, value, when)) = failed_unseen(conditions, &solution)? else {
             if end == t_end || solution.stopped_by().is_some() {
-                return Ok(solution);
+                return Ok(Lasts::Until(solution));
             }
             break;
         };
-        let t = solution.start_time();
-        broken = Some(Error::ConditionBroken { name, value, t });
+        let (name, t) = (conditions[index].name, solution.start_time());
+        broken = Some((index, Error::ConditionBroken { name, value, t }));
         method = method.with_longest_step((when - t) / 16.0)?;
         end = when;
     }
-    broken.map_or_else(|| solve(&method, t_end), Err)
+    Ok(match broken {
+        Some((index, broken)) => Lasts::NoTime(index, broken),
+        None => Lasts::Until(solve(&method, t_end)?),
+    })
 }
 
 /// The condition that fails at the end of a step without an event, its lowest margin and
@@ -182,9 +208,9 @@ fn within_conditions<P, const N: usize>(
 fn failed_unseen<P, const N: usize>(
     conditions: &[Condition<'_, P, N>],
     solution: &Solution<N>,
-) -> Result<Option<(&'static str, f64, f64)>> {
+) -> Result<Option<(usize, f64, f64)>> {
     let stopped = solution.stopped_by().map(|event| event.index);
-    for (_, condition) in (0..).zip(conditions).filter(|(i, _)| Some(*i) != stopped) {
+    for (i, condition) in (0..).zip(conditions).filter(|(i, _)| Some(*i) != stopped) {
         let (mut lowest, mut highest, mut first) = (0.0_f64, 0.0_f64, None);
         let mut largest_noise = 0.0_f64;
         for t in solution.step_times() {
@@ -202,7 +228,7 @@ fn failed_unseen<P, const N: usize>(
         if let Some(t) = first
             && lowest < -(ROUND_OFF * highest).max(largest_noise)
         {
-            return Ok(Some((condition.name, lowest, t)));
+            return Ok(Some((i, lowest, t)));
         }
     }
     Ok(None)

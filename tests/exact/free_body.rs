@@ -21,17 +21,19 @@ fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeBody {
     .expect("finite rates")
 }
 
+const ORDERS: [[usize; 3]; 6] = [
+    [0, 1, 2],
+    [0, 2, 1],
+    [1, 0, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+    [2, 1, 0],
+];
+
 /// Every regime, in every order of the axes where that matters.
 fn cases() -> Vec<FreeBody> {
     let mut cases = Vec::new();
-    for order in [
-        [0, 1, 2],
-        [0, 2, 1],
-        [1, 0, 2],
-        [1, 2, 0],
-        [2, 0, 1],
-        [2, 1, 0],
-    ] {
+    for order in ORDERS {
         for (moments, omega) in [
             ([1.0, 2.0, 8.0 / 3.0], [0.8, 0.4, 0.3375]),
             ([1.0, 2.0, 8.0 / 3.0], [-0.2, 0.4, -0.9]),
@@ -155,6 +157,54 @@ fn the_separatrix_is_a_single_flip() {
         "{}",
         beside.rate_period()
     );
+}
+
+/// All of the separatrix: every sign and order, up to the last digits either side, and from
+/// no rate about the middle axis to 1e-200 beside it. On the half of it where the rate that
+/// goes as sech is negative, the start once was no number: half of an infinite period was
+/// turned back.
+#[test]
+fn every_part_of_the_separatrix_is_a_motion() {
+    let mut start = Errors::in_units_of(EPS, "rates at the start, in parts of the largest");
+    let mut turned = Errors::of("rotation of the attitude");
+    let mut damaged = Errors::of("rotation at a rate that is off by 1e-10");
+    let (mut exactly, mut all) = (0, 0);
+    for order in ORDERS {
+        for signs in 0..8 {
+            for (middle, small) in [
+                (1.0, 0.25),
+                (0.0, 1.0),
+                (0.3, 0.7),
+                (1.0, 1e-8),
+                (1.0, 1e-100),
+                (1.0, 1e-200),
+            ] {
+                for part in [1.0 - 2.0 * EPS, 1.0, 1.0 + 2.0 * EPS] {
+                    let rates = [2.0 * small, middle, small * part];
+                    let rates: [f64; 3] = core::array::from_fn(|i| {
+                        if signs >> i & 1 == 0 {
+                            rates[i]
+                        } else {
+                            -rates[i]
+                        }
+                    });
+                    let moved = |v: [f64; 3]| order.map(|i: usize| v[i]);
+                    let case = motion(moved([3.0, 4.0, 6.0]), moved(rates));
+                    let begun = case.angular_velocity(0.0) - BodyVector::from_array(moved(rates));
+                    start.push(begun.norm() / BodyVector::from_array(rates).norm());
+                    turned.push(kinematic_error(&case, 0.0));
+                    damaged.push(kinematic_error(&case, 1e-10));
+                    exactly += usize::from(case.kind() == Kind::Separatrix);
+                    all += 1;
+                }
+            }
+        }
+    }
+    // The middle third; an eps either side is another motion, 1e-200 or not.
+    assert_eq!((exactly, all), (6 * 8 * 6, 6 * 8 * 6 * 3));
+    start.attain(4.7..=4.71, all);
+    turned.attain(9.7e-13..=9.8e-13, all);
+    damaged.exceed(8e-12, all);
 }
 
 /// Next to the middle axis the period grows as the logarithm of the distance.

@@ -52,7 +52,11 @@ impl Asymmetric {
         // A proper rotation with the third ordered rate positive.
         let parity = if side < 0.0 { -1.0 } else { 1.0 } * permutation_sign([lo, mid, hi]);
         let third = if omega[three] < 0.0 { -1.0 } else { 1.0 };
-        let sign = [1.0, parity * third, third];
+        // On the separatrix the first keeps its sign too: it goes as sech there.
+        let about_one = saddle.rates[usize::from(one == hi)];
+        let turned = side == 0.0 && about_one < 0.0;
+        let first = if turned { -1.0 } else { 1.0 };
+        let sign = [first, first * parity * third, third];
 
         let j = order.map(|i| moments[i]);
         let (j1, j2, j3) = (Dd::from(j[0]), Dd::from(j[1]), Dd::from(j[2]));
@@ -79,11 +83,11 @@ impl Asymmetric {
         let shrunk = |x: Dd| x.scaled(per_unit);
         let (periods, tau) = if saddle.is_tiny(unit) {
             // The rate about `one` is in the unit of `m1`.
-            let cn = amplitude2 * saddle.rates[usize::from(one == hi)];
+            let cn = amplitude2 * (first * about_one);
             Periods::beside_the_saddle(m1, saddle.ln_per(unit), sn, cn)
         } else {
             let m1 = saddle.squared(m1, unit);
-            let cn = amplitude2 * across.rates[0];
+            let cn = amplitude2 * (first * across.rates[0]);
             let periods = Periods::new(shrunk(shrunk(m)), m1);
             let tau = periods.first_kind(sn, cn);
             (periods, tau)

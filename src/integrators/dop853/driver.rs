@@ -46,6 +46,8 @@ impl Dop853 {
         let mut h = self.first_step(ode, t, start, &first, t_end, work)?;
         let mut last_error: f64 = 1e-4;
         let mut after_rejection = false;
+        // A step that the clock does not show, or with no digits of its own.
+        let vanishes = |t: f64, h: f64| t + direction * h == t || h < 4.0 * EPS * t.abs();
         loop {
             if work.steps + work.rejected >= self.step_limit {
                 return Err(Error::TooManySteps {
@@ -82,6 +84,9 @@ impl Dop853 {
                 h = made * change;
                 last_error = error.max(1e-4);
                 after_rejection = false;
+                if vanishes(t, h) {
+                    return Err(underflow(t, h, &y));
+                }
             } else {
                 work.rejected += 1;
                 let change = if error.is_finite() {
@@ -91,13 +96,10 @@ impl Dop853 {
                 };
                 h = made * change;
                 after_rejection = true;
-                if t + direction * h == t || h < 4.0 * EPS * t.abs() {
+                // Rounded by the clock, a shorter step may be the same again.
+                if vanishes(t, h) || t + direction * h == to {
                     trial?;
-                    return Err(Error::StepUnderflow {
-                        t,
-                        step: h,
-                        state: y.value.to_vec(),
-                    });
+                    return Err(underflow(t, h, &y));
                 }
             }
         }
@@ -144,4 +146,9 @@ impl Dop853 {
         let step = if step > 0.0 { step } else { guess };
         Ok(step.min(100.0 * guess).min(span))
     }
+}
+
+fn underflow<const N: usize>(t: f64, step: f64, y: &Compensated<N>) -> Error {
+    let state = y.value.to_vec();
+    Error::StepUnderflow { t, step, state }
 }

@@ -4,13 +4,14 @@ use super::Motion;
 use super::routes::{Newton, Nod, greatest_tilt};
 use crate::error::{Error, Result};
 use crate::exact::heavy_top::Regime;
-use crate::integrators::{Dop853, Integrator, Ode};
-use crate::math::{EPS, cos, sin};
+use crate::integrators::{Dop853, Event, Integrator, Ode};
+use crate::math::{EPS, atan2, cos, hypot, sin};
 use crate::report::{ClaimEntry, claim};
 
 const ROOT: &str = "bisection of E~ - U_eff";
 const SUM: &str = "quadrature over one nod";
 const RUN: &str = "DOP853 on (4), (5), (6)";
+const HIGHEST: &str = "DOP853 on dL/dt = torque, where it is highest";
 
 impl Motion {
     /// What its regime allows to say. `equations` are the notes' (4) to (6), the second
@@ -197,6 +198,7 @@ impl Motion {
                     .against(ROOT, greatest_tilt(top, self.energy)),
             );
         }
+        claims.extend(self.nod_in_vectors()?);
         let (newton, start) = (self.newton(), self.start_in_vectors());
         let end = self.end_reduced();
         let run = |tolerance| Dop853::new(tolerance)?.advance(&newton, 0.0, &start, end);
@@ -224,6 +226,52 @@ impl Motion {
             );
         }
         Ok(claims)
+    }
+
+    /// Near a pole: least tilt and time of one nod, against the places where a run in vectors
+    /// is highest. Nothing where no run comes round twice: a top that sleeps, or one that takes
+    /// for ever to the vertical.
+    fn nod_in_vectors(&self) -> Result<Vec<ClaimEntry>> {
+        let (least, period) = (self.exact.theta_min(), self.exact.nutation_period());
+        let (newton, start) = (self.newton(), self.start_in_vectors());
+        let end = 2.5 * period / self.unit.abs();
+        let far = 50.0 * self.end_reduced().abs();
+        if !(0.0..=far).contains(&end) || self.exact.complementary_parameter() < 1e-6 {
+            return Ok(Vec::new());
+        }
+        let highest = |tolerance| -> Result<Option<[f64; 2]>> {
+            // The rate of the height, times I1.
+            let rate = |_: f64, &[lx, ly, _, ex, ey, _]: &[f64; 6]| lx * ey - ly * ex;
+            let turns = Event::falling("highest", rate);
+            let run = Dop853::new(tolerance)?.solve(&newton, 0.0, &start, end, &[turns])?;
+            Ok(match run.events() {
+                [first, second, ..] => {
+                    let [.., ex, ey, ez] = first.state;
+                    Some([atan2(hypot(ex, ey), ez), second.t - first.t])
+                }
+                _ => None,
+            })
+        };
+        let (fine, coarse) = match (highest(1e-14), highest(1e-12)) {
+            (Err(Error::TooManySteps { .. }), _) => return Ok(Vec::new()),
+            (fine, coarse) => (fine?, coarse?),
+        };
+        let (Some(fine), Some(coarse)) = (fine, coarse) else {
+            return Ok(Vec::new());
+        };
+        let bound = |i: usize| 100.0 * (fine[i] - coarse[i]).abs() + 1e-11 * fine[i].max(1.0);
+        let time = if self.in_seconds() { "s" } else { "-" };
+        let claims = vec![
+            (self.answer("theta_min", "least tilt", least, "rad"))
+                .within(bound(0))
+                .against(HIGHEST, fine[0]),
+            (self.answer("period", "time of one nod", period, time))
+                .within(bound(1) * self.unit.abs())
+                .against(HIGHEST, fine[1] * self.unit.abs()),
+        ];
+        // What the run itself hardly knows confirms nothing.
+        let known = bound(0) < 1e-6 && bound(1) < 1e-6 * fine[1];
+        Ok(if known { claims } else { Vec::new() })
     }
 
     /// The same top for a run in vectors, in t' and with I1 = 1 and L_z = sqrt(a).

@@ -1,0 +1,151 @@
+//! A ladder under a wall that overhangs: it falls, or it is wedged, and where dry friction
+//! allows both the solver says so.
+
+use super::G;
+use rotation_dynamics::integrators::Dop853;
+use rotation_dynamics::math::{sincos, tan};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, Mode, State, Surface, motion};
+use rotation_dynamics::{Error, Result};
+use support::Errors;
+
+/// A uniform ladder of length 3 m, per unit mass, under a wall that overhangs.
+#[derive(Clone, Copy)]
+struct Ladder {
+    /// By this angle from the vertical.
+    overhang: f64,
+    mu: f64,
+}
+
+const LENGTH: f64 = 3.0;
+
+impl Ladder {
+    /// At rest at this angle from the vertical, its top on the wall.
+    fn at_rest(&self, angle: f64) -> State<3> {
+        let (s, c) = sincos(angle);
+        let half = 0.5 * LENGTH;
+        let top = tan(self.overhang) * LENGTH * c;
+        State::rest([top + half * s, half * c, angle])
+    }
+
+    fn begins(&self, angle: f64) -> Result<[Mode; 2]> {
+        let method = Dop853::new(1e-9)?;
+        motion(self, &method, self.at_rest(angle), 1e-3)?.modes(0.0)
+    }
+}
+
+impl Mechanism<3, 6, 2> for Ladder {
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        let inertia = LENGTH * LENGTH / 12.0;
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
+    }
+    fn force(&self, _: &State<3>) -> [f64; 3] {
+        [0.0, -G, 0.0]
+    }
+    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
+        let (s, c) = sincos(ladder.q[2]);
+        let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
+        let (sin, cos) = sincos(self.overhang);
+        let wall = Surface {
+            normal: [cos, -sin],
+            offset: 0.0,
+        };
+        [
+            Contact::corner("wall", ladder, [-s, c], wall).friction(self.mu),
+            Contact::corner("foot", ladder, [s, -c], Surface::FLOOR).friction(self.mu),
+        ]
+    }
+}
+
+/// The least friction with which the ladder can be wedged. The wall's force points as far up
+/// as its cone allows, tan a = (mu - tan b)/(1 + mu tan b); its torque about the foot carries
+/// half of the weight, and the foot's force is then mu times as far from its normal as it may be:
+///
+/// ```text
+/// mu (2 cot theta + tan a) = 1.
+/// ```
+fn least(overhang: f64, angle: f64, damage: f64) -> f64 {
+    let slope = tan(overhang) * (1.0 + damage);
+    let excess = |mu: f64| mu * (2.0 / tan(angle) + (mu - slope) / (1.0 + mu * slope)) - 1.0;
+    bisected(|mu| excess(mu) > 0.0)
+}
+
+/// Where it becomes true, between 0.3 and 30.
+fn bisected(holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut low, mut high) = (0.3, 30.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if holds(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+const ANGLES: [(f64, f64); 5] = [(0.35, 1.4), (0.35, 1.3), (0.7, 1.0), (0.7, 1.4), (1.0, 0.7)];
+
+/// From the friction on with which statics allow it to be wedged there are two motions; with
+/// less the top lets go at once, however little is missing.
+#[test]
+fn two_motions_begin_where_statics_say() {
+    let mut errors = Errors::of("least friction that wedges");
+    let mut damaged = Errors::of("the same under a wall that overhangs a little more");
+    for (overhang, angle) in ANGLES {
+        let begins = |mu| Ladder { overhang, mu }.begins(angle);
+        let refused = bisected(|mu| matches!(begins(mu), Err(Error::SeveralMotions { .. })));
+        let by_hand = least(overhang, angle, 0.0);
+        errors.add(refused, by_hand, by_hand);
+        errors.push((begins(by_hand * (1.0 - 1e-9)) != Ok([Mode::Open, Mode::Stick])).into());
+        let other = least(overhang, angle, 1e-9);
+        damaged.add(refused, other, other);
+    }
+    errors.attain(4.5e-12..=4.6e-12, 2 * ANGLES.len());
+    damaged.exceed(1e-11, ANGLES.len());
+}
+
+/// Both motions are solutions. Wedged: forces that balance, within both cones, written down by
+/// hand. Falling: the foot holds with less than it may, and the top moves away from the wall.
+#[test]
+fn both_motions_obey_all_laws() {
+    for (overhang, angle) in ANGLES {
+        let mu = 1.1 * least(overhang, angle, 0.0);
+        let error = Ladder { overhang, mu }.begins(angle).unwrap_err();
+        let Error::SeveralMotions { first, second, .. } = &error else {
+            panic!("{error}")
+        };
+        assert_eq!(first, "wall sticks, foot sticks");
+        assert_eq!(second, "wall opens, foot sticks");
+        let (s, c) = sincos(angle);
+        // Wedged, in weights: the wall's force along the edge of its cone that points up.
+        let slope = tan(overhang);
+        let up = (mu - slope) / (1.0 + mu * slope);
+        let across = 0.5 * s / (c + s * up);
+        let (wall, foot) = ([across, across * up], [-across, 1.0 - across * up]);
+        let torque = -s * wall[1] - c * wall[0] + 0.5 * s;
+        assert!(torque.abs() < 1e-15, "{torque:e}");
+        let (sin, cos) = sincos(overhang);
+        let (normal, along) = (wall[0] * cos - wall[1] * sin, wall[0] * sin + wall[1] * cos);
+        assert!(normal > 0.0 && along <= mu * normal * (1.0 + 1e-14));
+        assert!(foot[1] > 0.0 && foot[0].abs() < mu * foot[1]);
+        // Falling about the foot from rest: theta'' = 3 g sin(theta)/2L.
+        let pull = 0.75 * s;
+        let (right, below) = (-pull * c, 1.0 - pull * s);
+        assert!(right.abs() < mu * below);
+        // The top goes at right angles to the ladder, down and away from the wall.
+        let away = -(c * cos - s * sin);
+        assert!(away > 0.0 && overhang + angle > core::f64::consts::FRAC_PI_2);
+    }
+}
+
+/// Steeper than at right angles to the wall the top is pressed to it: one motion, any friction.
+#[test]
+fn a_steep_ladder_has_one_motion() {
+    for mu in [0.1, 1.0, 3.0, 8.0] {
+        for angle in [0.3, 0.8, 1.2] {
+            let ladder = Ladder { overhang: 0.35, mu };
+            let begins = ladder.begins(angle);
+            assert!(begins.is_ok(), "{mu} {angle}: {begins:?}");
+        }
+    }
+}
