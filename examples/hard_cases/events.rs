@@ -96,7 +96,7 @@ fn graze(words: [&'static str; 2], excess: f64) -> Result<Row> {
     // is near has touched where it was only near.
     let (method, looks, near) = match excess > 0.0 {
         true => ("looked at every 0.03 s", 63, 0.0),
-        false => ("looked at every 0.1 s, touching within 1e-6 m", 19, 1e-6),
+        false => ("looked at every 0.1 s, a micrometre is touching", 19, 1e-6),
     };
     let dt = end / f64::from(looks);
     let mut y = [0.0, start];

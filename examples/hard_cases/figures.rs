@@ -300,7 +300,7 @@ figures! { p: &Parameters;
     /// from the angular momentum it rises steeply to one and ends where there is no number; that of
     /// the closed form is a rounding.
     needle: pair(errors_over("$I_3/I_1$"), decades(-9, 0, 4), needle,
-        ["wrong: rates from $L$", "closed form"])?;
+        ["wrong: from $L$", "closed form"])?;
 
     /// The error of a quaternion against how far a rotation is from half a turn, both logarithmic.
     /// From the trace it grows as one over it, to 1e-8, and ends at 1e-8; from the largest component it is a rounding.

@@ -360,15 +360,15 @@ fn let_go() -> Result<MovingPicture> {
     )?;
     MovingPicture::above(graph, 0.0..=span, [8.5, 22.0], move |t| {
         let alt = format!(
-            "A top {t:.0} s after it was let go, with the looped path of its axis, and dashed the one that never left; \
+            "The axis of a top {t:.0} s after it was let go, with its path, which has cusps, and one that never left; \
              below, the tilt against time."
         );
-        let path = sampled(times(0.0, t.max(0.1), 160), |t| Ok(axis(truth(t)?)))?;
+        let path = sampled(times(0.0, t.max(0.1), 100), |t| Ok(axis(truth(t)?)))?;
         let scene = View::of(SpaceVector::new(0.0, 0.0, 0.2), 1.15)
             .camera(Camera::new(0.9, 0.45))
             .sphere()
             .trace(path, Ink::Body)
-            .solid(Solid::top(ZERO, axis(truth(t)?), 1.0, 0.3), Ink::Body)
+            .arrow(ZERO, axis(truth(t)?), Ink::Body, "exact", Side::Right)
             .arrow(ZERO, axis(truth(0.0)?), Ink::Wrong, "wrong", Side::Left);
         Ok((alt, scene))
     })
