@@ -456,7 +456,7 @@ fn counted(
 const LOOKS: f64 = 1e-2;
 
 /// Findings that are no error of a motion: what was found, and the test that sees it now.
-pub const ELSEWHERE: [[&str; 4]; 9] = [
+pub const ELSEWHERE: [[&str; 4]; 11] = [
     [
         "2",
         "pulses narrower than a step, unnamed",
@@ -468,6 +468,12 @@ pub const ELSEWHERE: [[&str; 4]; 9] = [
         "a start at rest, a million turns, without end",
         "tests/accuracy/dial/attack/named.rs",
         "no_run_without_end",
+    ],
+    [
+        "7",
+        "angles of so many turns that they are no number",
+        "tests/exact/far_from_one/heavy_top.rs",
+        "angles_of_too_many_turns_are_refused",
     ],
     [
         "8",
@@ -486,6 +492,12 @@ pub const ELSEWHERE: [[&str; 4]; 9] = [
         "jumps without a name, refused with a wrong reason",
         "tests/accuracy/dial/causes.rs",
         "jumps_without_a_name_are_found",
+    ],
+    [
+        "9",
+        "least tilt and period left out beside a pole",
+        "tests/pages/ch16_2_gyroscope.rs",
+        "near_a_pole_nothing_is_left_out",
     ],
     [
         "10",

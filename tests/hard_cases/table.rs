@@ -136,8 +136,8 @@ fn refusals_are_those_that_are_named() {
         ("OutOfRange", 15),
         ("OverBudget", 15),
         ("SeveralMotions", 2),
-        ("StepUnderflow", 2),
-        ("TooManySteps", 15),
+        ("StepUnderflow", 7),
+        ("TooManySteps", 10),
         ("TorqueNotFinite", 5),
     ];
     assert!(
@@ -175,7 +175,8 @@ fn the_bounds_are_attained_to_some_part() {
             "foretold by the method's own polynomial or solution",
             0.03..=0.04,
         ),
-        ("the dial", 0.0065..=0.0075),
+        // The looks along the way, where its work is counted; of errors 0.007.
+        ("the dial", 0.19..=0.20),
         ("the dial, stepping", 0.0095..=0.011),
     ];
     assert_eq!(parts.len(), due.len());
@@ -230,7 +231,7 @@ fn the_azimuth_of_many_turns_is_what_it_says() {
         let (s, c) = sincos(rest);
         hypot(s - sin.to_f64(), c - cos.to_f64())
     };
-    support::assert_error!(off(rest), 1e-15);
+    assert_eq!(off(rest), 0.0);
     // The damaged twin.
     assert!(off(rest + 1e-12) > 9e-13);
 }

@@ -2,7 +2,7 @@
 //! its picture moves, and what the page says of limits and errors holds elsewhere too.
 
 use pages::ch16_2_gyroscope as gyroscope;
-use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::report::MovingPicture;
 use rotation_dynamics::report::cli::Outcome;
@@ -34,6 +34,36 @@ fn every_motion_asked_for_is_confirmed() {
         }
     }
     assert_eq!(ran, 2 * 5 * 4 * 3);
+}
+
+/// Beside a pole, and through it, the least tilt and the time of a nod are told as elsewhere:
+/// once they were left out without a word.
+#[test]
+fn near_a_pole_nothing_is_left_out() {
+    let mut ran = 0;
+    for (a, b, c, energy) in [
+        (2.0, 0.999, 0.45, 0.05),
+        (2.0, 1.0, 0.45, 0.05),
+        (0.7, 1.0001, 0.3, 0.4),
+        (1.3, -0.999, 0.2, 0.6),
+        (1.0, 0.9999999, -0.3, 1.0),
+    ] {
+        let flags = format!("--a={a} --b={b} --c={c} --energy={energy}");
+        let exact = ReducedTop::new(a, b, c)
+            .and_then(|top| HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0))
+            .expect("a motion");
+        assert!(exact.theta_min() < 0.02 || exact.theta_max() > PI - 0.02, "{flags}");
+        for (key, value) in [
+            ("theta_min", exact.theta_min()),
+            ("theta_max", exact.theta_max()),
+            ("period", exact.nutation_period()),
+        ] {
+            let told = crate::told::computed(&gyroscope::EXAMPLE, &flags, key);
+            assert!((told - value).abs() <= 1e-6 * value.max(1e-3), "{flags}, {key}: {told}");
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 5 * 3);
 }
 
 #[test]
