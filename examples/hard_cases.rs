@@ -34,6 +34,8 @@ mod sections;
 mod separatrix;
 #[path = "hard_cases/shapes.rs"]
 mod shapes;
+#[path = "hard_cases/stepped.rs"]
+mod stepped;
 #[path = "hard_cases/table.rs"]
 pub mod table;
 #[path = "hard_cases/threshold.rs"]
