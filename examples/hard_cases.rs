@@ -22,6 +22,8 @@ mod long;
 pub mod motions;
 #[path = "hard_cases/naive.rs"]
 mod naive;
+#[path = "hard_cases/pictures.rs"]
+mod pictures;
 #[path = "hard_cases/poles.rs"]
 mod poles;
 #[path = "hard_cases/scales.rs"]
@@ -32,6 +34,8 @@ mod sections;
 mod separatrix;
 #[path = "hard_cases/shapes.rs"]
 mod shapes;
+#[path = "hard_cases/stepped.rs"]
+mod stepped;
 #[path = "hard_cases/table.rs"]
 pub mod table;
 #[path = "hard_cases/threshold.rs"]
@@ -46,7 +50,7 @@ pub mod truth;
 pub mod turns;
 
 use rotation_dynamics::Result;
-use rotation_dynamics::report::{Prepared, Report};
+use rotation_dynamics::report::{Figure, Prepared, Report};
 use std::sync::Arc;
 use table::{Computed, Family};
 
@@ -78,13 +82,16 @@ pub const FAMILIES: &[Family] = &[
     limits::FAMILY,
 ];
 
-/// The families asked for, each computed once.
-pub fn computed(p: &Parameters) -> Result<Arc<Vec<Computed>>> {
-    static TABLE: Prepared<&'static str, Vec<Computed>> = Prepared::new();
-    TABLE.get(&p.family, |wanted| {
-        let wanted = |family: &&Family| *wanted == "all" || family.key == *wanted;
-        FAMILIES.iter().filter(wanted).map(Computed::new).collect()
-    })
+/// The families asked for, each computed once and kept.
+pub fn computed(p: &Parameters) -> Result<Vec<Arc<Computed>>> {
+    static KEPT: [Prepared<(), Computed>; FAMILIES.len()] =
+        [const { Prepared::new() }; FAMILIES.len()];
+    FAMILIES
+        .iter()
+        .zip(&KEPT)
+        .filter(|(family, _)| p.family == "all" || p.family == family.key)
+        .map(|(family, kept)| kept.get(&(), |()| Computed::new(family)))
+        .collect()
 }
 
 fn report(p: &Parameters) -> Result<Report> {
@@ -100,7 +107,11 @@ fn report(p: &Parameters) -> Result<Report> {
     Ok(report)
 }
 
+fn figures(p: &Parameters) -> Result<Vec<Figure>> {
+    Ok([figures::figures(p)?, pictures::stills(p)?].concat())
+}
+
 rotation_dynamics::example! {
     hard_cases: "Hard cases: a family at a time, the naive method that breaks beside those that hold";
-    report, figures::figures, sections::trajectory, figures::moving_picture
+    report, figures, sections::trajectory, pictures::moving_picture
 }

@@ -4,15 +4,18 @@ use super::forms::Form;
 use super::long::Late;
 use super::motions::{By, Motion};
 use super::naive::{
-    by_arc_cosine, on_euler_angles, on_quaternion, path_by_momentum, rates_by_landau,
-    tilt_by_energy,
+    by_arc_cosine, by_momentum, by_trace, guarded, jittered, on_euler_angles, on_quaternion,
+    rates_by_landau, turning_point,
 };
-use super::{Parameters, flips, poles, separatrix, table::Cell, tops, torques};
-use core::f64::consts::FRAC_PI_3;
+use super::table::Cell;
+use super::{
+    Parameters, events, findings, flips, impacts, poles, scales, separatrix, shapes, torques,
+};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
-use rotation_dynamics::math::DoubleDouble;
-use rotation_dynamics::report::draw::{Camera, Marker};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
+use rotation_dynamics::math::{DoubleDouble, EPS};
+use rotation_dynamics::report::draw::Marker;
 use rotation_dynamics::report::prelude::*;
 
 /// Below it a logarithmic axis draws an error as this: no double has a smaller one of 1.
@@ -86,21 +89,44 @@ fn after_periods(periods: f64) -> Result<[f64; 2]> {
     Ok(reached.map(|end| late.motion.off(Some(end))))
 }
 
-/// The middle rate through one flip, 1 - k^2 = 1e-16: by Landau's formulas, and exact.
-fn flip(panel: Panel) -> Result<Panel> {
-    let motion = separatrix::one_flip(1e-16)?;
+/// After one flip with this 1 - k^2: the direction of L on the body's axes by Landau's formulas,
+/// and by the closed form.
+fn after_a_flip(complement: f64) -> Result<[f64; 2]> {
+    let motion = separatrix::one_flip(complement)?;
     let rates = BodyVector::from_array(motion.rates);
     let exact = FreeBody::new(motion.body()?, motion.attitude, rates)?;
-    let end = motion.end;
-    let naive = |t: f64| rates_by_landau(&Motion { end: t, ..motion })[1];
-    let truth = |t: f64| exact.angular_velocity(t).y();
-    Ok(panel
-        .curve(Curve::of(times(0.0, end, 300), truth, Ink::Ink).label("exact"))
-        .curve(
-            Curve::of(times(0.0, end, 300), naive, Ink::Wrong)
-                .dashed()
-                .label("wrong: $1-k^2$ subtracted"),
-        ))
+    let closed = exact.angular_velocity(motion.end).to_array();
+    let naive = rates_by_landau(&motion);
+    Ok([
+        separatrix::off(&motion, naive)?,
+        separatrix::off(&motion, closed)?,
+    ])
+}
+
+/// A top whose energy is so little above the least: the smaller turning point by the formula for
+/// the roots of a cubic, and by the library. The truth by Newton's method in pairs of doubles.
+fn turning_points(excess: f64) -> Result<[f64; 2]> {
+    let [a, b, c] = [1.5, 1.2, 0.2];
+    let top = ReducedTop::new(a, b, c)?;
+    let (_, lowest) = top.minimum();
+    let energy = lowest + excess * lowest.abs();
+    let theta = HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0)?.theta_min();
+    let naive = turning_point([a, b, c], energy);
+    let (root_a, one) = (DoubleDouble::from(a).sqrt(), DoubleDouble::from(1.0));
+    let mut u = DoubleDouble::from(theta).sin_cos().1;
+    for _ in 0..60 {
+        // (1 - u^2) (2 E + 2 c - 2 c u) - a (b - u)^2 and its slope.
+        let (rest, lift) = (one - u.square(), DoubleDouble::from(energy) + c - u * c);
+        let across = root_a * (DoubleDouble::from(b) - u);
+        let value = rest * lift * 2.0 - across.square();
+        let slope = u * lift * -4.0 - rest * (2.0 * c) + across * root_a * 2.0;
+        u = u - value / slope;
+    }
+    let off = |theta: f64| {
+        let (sin, cos) = DoubleDouble::from(theta).sin_cos();
+        ((cos - u) / sin).to_f64().abs()
+    };
+    Ok([off(naive), off(theta)])
 }
 
 /// A torque switched on and off.
@@ -122,21 +148,100 @@ fn jumps(panel: Panel) -> Result<Panel> {
         .curve(Curve::new(gauss, Ink::Gauss).label("Gauss–Legendre anew")))
 }
 
-/// The tilt of a top let go at rest: by the square root of the energy, and exact.
-fn cusps(panel: Panel) -> Result<Panel> {
-    let at = |end: f64| tops::released([1.5, 0.25], FRAC_PI_3, end);
-    let truth = |t: f64| Ok(closed(&at(t)?)?.euler_angles().theta);
-    let naive = |t: f64| Ok(tilt_by_energy(&at(t)?, 200));
+/// Two moments this far from equal: the body called symmetric below 1e-6, the first moment
+/// changed by 1e-9, and the closed form.
+fn nearly_symmetric(panel: Panel) -> Result<Panel> {
+    let errors = |apart: f64| {
+        let motion = shapes::free([1.0, 1.0 + apart, 1.7])?;
+        let called = match apart < 1e-6 {
+            true => shapes::free([1.0, 1.0, 1.7])?,
+            false => motion,
+        };
+        Ok([
+            closed(&called).ok(),
+            jittered(&motion),
+            closed(&motion).ok(),
+        ]
+        .map(|a| motion.off(a)))
+    };
+    let mut curves = [const { Vec::new() }; 3];
+    for x in decades(-15, -3, 6) {
+        for (curve, error) in curves.iter_mut().zip(errors(x)?) {
+            curve.push((x, error.max(FLOOR)));
+        }
+    }
+    let [called, jittered, closed] = curves;
     Ok(panel
-        .note(
-            20.0,
-            FRAC_PI_3,
-            Ink::Wrong,
-            "wrong: by the energy",
-            Side::Below,
+        .curve(Curve::new(called, Ink::Wrong).dashed().label_at(
+            "wrong: called equal",
+            2e-13,
+            1e-13,
+            Side::Right,
+        ))
+        .curve(
+            Curve::new(jittered, Ink::Wrong)
+                .dotted()
+                .label("wrong: made unequal"),
         )
-        .curve(Curve::sampled(times(0.0, 40.0, 240), truth, Ink::Ink)?.label("exact"))
-        .curve(Curve::sampled(times(0.0, 40.0, 40), naive, Ink::Wrong)?.dashed()))
+        .curve(Curve::new(closed, Ink::Ink).label("closed form")))
+}
+
+/// A needle as thin as this: its rates from L in steps of a millisecond, and the closed form.
+fn needle(thin: f64) -> Result<[f64; 2]> {
+    let motion = Motion {
+        end: 5.0,
+        ..shapes::free([1.0, 1.0, thin])?
+    };
+    let stepped = by_momentum(&motion, 5000);
+    Ok([motion.off(stepped), motion.off(Some(closed(&motion)?))])
+}
+
+/// This far from half a turn: the quaternion from the trace of the matrix, and from the largest
+/// component.
+fn beside_half_a_turn(off: f64) -> Result<[f64; 2]> {
+    let axis = SpaceVector::new(1.0, -2.0, 3.0);
+    let turned = Attitude::about_space_axis(axis, core::f64::consts::PI - off)?;
+    let naive = by_trace(turned).map_or(f64::NAN, |a| a.angle_to(&turned));
+    Ok([naive, Form::Matrix.through(turned)?.angle_to(&turned)])
+}
+
+/// The same motion of a body so large, with 1e-30 added to its moments and without.
+fn guarded_at(moment: f64) -> Result<[f64; 2]> {
+    let motion = scales::scaled(moment, 1.0)?;
+    // Where the guard is less than a rounding, nothing is wrong and nothing drawn.
+    let naive = Some(motion.off(guarded(&motion))).filter(|off| *off > EPS);
+    Ok([
+        naive.unwrap_or(f64::NAN),
+        motion.off(Some(closed(&motion)?)),
+    ])
+}
+
+/// How much a change of the start by so much moves the end, over that change: a body that
+/// turns about its middle axis for 100 s.
+fn felt(panel: Panel) -> Result<Panel> {
+    let end = |off: f64| {
+        let motion = findings::off_the_middle(off)?;
+        closed(&motion)
+    };
+    let still = end(0.0)?;
+    let moved = |off: f64| Ok(end(off)?.angle_to(&still) / off);
+    Ok(panel
+        .upright(1e-12, Ink::Wrong, "once felt here")
+        .curve(Curve::sampled(decades(-26, -2, 3), moved, Ink::Ink)?))
+}
+
+/// What a step of length z over the rate multiplies a spin by, that is braked: RK4 and exact.
+fn factor(panel: Panel) -> Panel {
+    let exact = |z: f64| exp(-z);
+    let rk4 = |z: f64| 1.0 - z * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0)));
+    panel
+        .level(1.0, Ink::Frame, "")
+        .curve(Curve::of(times(0.0, 3.2, 80), exact, Ink::Ink).label("exact"))
+        .curve(
+            Curve::of(times(0.0, 3.2, 80), rk4, Ink::Wrong)
+                .dashed()
+                .label("RK4"),
+        )
 }
 
 fn errors_over(x: &str) -> Panel {
@@ -161,18 +266,20 @@ figures! { p: &Parameters;
     tilt: pair(Panel::over_axes(Axis::log(r"$\theta$ / rad"), Axis::log("relative error").range(FLOOR, 10.0)),
         decades(-9, 0, 12), small_tilt, ["wrong: arc cosine", "arc tangent"])?;
 
-    /// The middle rate through a flip with 1 - k^2 = 1e-16 against time. The exact one stays at 1,
-    /// falls to -1 near the end, and stays there. The one of the naive formula does not.
-    flip: flip(Panel::over_axes("$t$ / s", Axis::linear(r"$\Omega_2$ / (rad/s)").range(-1.2, 1.2)))?;
+    /// The error after one flip against 1 - k^2, both logarithmic. By subtraction it grows as one over
+    /// 1 - k^2, to one at 1e-16; that of the closed form stays small.
+    separatrix: pair(errors_over("$1-k^2$"), decades(-16, -2, 4), after_a_flip,
+        ["wrong: subtracted", "closed form"])?;
 
     /// The error against the number of periods of two flips, both logarithmic. That of RK4 grows
     /// until it is of order one; that of the closed form stays a rounding.
     flips: pair(errors_over("periods"), decades(0, 3, 2).map(|n| n + 0.25), after_flips,
         ["wrong: RK4", "closed form"])?;
 
-    /// The tilt of a top let go at rest against time. It nods; the one that is stepped by the
-    /// square root of the energy stays where it is.
-    cusps: cusps(Panel::over_axes("$t$ / s", Axis::linear(r"$\theta$ / rad").range(0.95, 1.4)))?;
+    /// The error of a turning point against how far the energy is above the least, both logarithmic.
+    /// By the formula for the roots of a cubic it grows to 1e-8; by the library it stays small.
+    tops: pair(errors_over("energy over its least, less one"), decades(-15, -1, 4), turning_points,
+        ["wrong: from coefficients", "as a distance"])?;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.
@@ -184,9 +291,58 @@ figures! { p: &Parameters;
     /// anew at each jump; Gauss-Legendre, started anew, is at round-off.
     jumps: jumps(errors_over("steps"))?;
 
+    /// The error after 30 s against how far two moments are from equal, both logarithmic. Called
+    /// equal below 1e-6 it grows in proportion up to 1e-5; with a moment changed by 1e-9 it is
+    /// level at 1e-8; that of the closed form is a rounding everywhere.
+    shapes: nearly_symmetric(errors_over("$I_2/I_1-1$"))?;
+
+    /// The error after 5 s against the needle's moment along it, both logarithmic. With the rates
+    /// from the angular momentum it rises steeply to one and ends where there is no number; that of
+    /// the closed form is a rounding.
+    needle: pair(errors_over("$I_3/I_1$"), decades(-9, 0, 4), needle,
+        ["wrong: from $L$", "closed form"])?;
+
+    /// The error of a quaternion against how far a rotation is from half a turn, both logarithmic.
+    /// From the trace it grows as one over it, to 1e-8, and ends at 1e-8; from the largest component it is a rounding.
+    turns: pair(errors_over("half a turn less this / rad"), decades(-9, 0, 8), beside_half_a_turn,
+        ["wrong: by the trace", "largest component"])?;
+
+    /// The error after 30 rad against the size of the moments, both logarithmic. With 1e-30 added it
+    /// falls in proportion above 1e-29, and is of order one below; without, it is a rounding.
+    scales: pair(errors_over("moment / (kg m²)"), decades(-46, 0, 2), guarded_at,
+        ["wrong: guarded", "closed form"])?;
+
+    /// How much the end moves over how much the start was moved, against the latter, both
+    /// logarithmic. For changes below 1e-20 it is level at 1e19; for larger ones it falls in
+    /// proportion. A mark stands at 1e-12, where it is 1e12.
+    findings: felt(Panel::over_axes(Axis::log("change of the start"), Axis::log("magnified")))?;
+
+    /// The error of the end against the depth of a graze, both logarithmic. Looked at every 0.03 s
+    /// it is from a third of a millimetre to centimetres; with the event located it is a rounding, growing as the graze
+    /// gets shallow.
+    events: pair(Panel::over_axes(Axis::log("excess speed / (m/s)"), Axis::log("error / m")),
+        decades(-9, -1, 3), events::across_graze, ["wrong: every 0.03 s", "located"])?;
+
+    /// The relative error of the speed after an impact against the ratio of the masses, both
+    /// logarithmic. From the energy it is smallest for equal masses and reaches one on either side;
+    /// by the impulse it is a rounding.
+    impacts: pair(Panel::over_axes(Axis::log("mass that hits / mass that is hit"), Axis::log("relative error")),
+        decades(-16, 15, 2).map(|m| 2.0 * m), impacts::errors, ["wrong: from the energy", "impulse"])?;
+
+    /// What a step multiplies a braked spin by, against rate times step. The exact factor falls to
+    /// zero; that of RK4 follows it to about one, turns, and crosses one at 2.785.
+    limits: factor(Panel::over_axes(r"$\lambda h$", "factor of a step"));
+
     /// For each family the errors over their bounds, logarithmic: all methods in all
     /// representations left of one, the naive method of each case right of it.
     table: overview(p)?;
+}
+
+/// The nearest of eight places in a decade: what falls on one another is drawn once.
+fn apart(x: f64) -> f64 {
+    const EACH: f64 = 8.0;
+    let decade = log(10.0);
+    exp((EACH * log(x) / decade).round() * decade / EACH)
 }
 
 /// A line for each family: what holds left of one, what breaks right of it.
@@ -198,9 +354,13 @@ fn overview(p: &Parameters) -> Result<Panel> {
         names.push((y, one.family.key));
         for row in &one.rows {
             let parts = row.cells.iter().filter_map(Cell::part);
-            held.extend(parts.map(|part| (part.max(1e-8), y)));
-            naive.push((row.broken().clamp(1e-8, 1e16), y));
+            held.extend(parts.map(|part| (apart(part.max(1e-8)), y)));
+            naive.push((apart(row.broken().clamp(1e-8, 1e16)), y));
         }
+    }
+    for points in [&mut held, &mut naive] {
+        points.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.total_cmp(&b.0)));
+        points.dedup();
     }
     let lines = computed.len() as f64;
     Ok(Panel::over_axes(
@@ -211,74 +371,4 @@ fn overview(p: &Parameters) -> Result<Panel> {
     .upright(1.0, Ink::Ink, "bound")
     .curve(Curve::new(held, Ink::Ink).faint(0.5).dots())
     .curve(Curve::new(naive, Ink::Wrong).marker(Marker::Square).dots()))
-}
-
-/// A book that turns exactly about its middle axis: it must do so for ever.
-fn thrown() -> Result<Motion> {
-    let (phi, theta, zeta) = (1.0, 0.5, 2.0);
-    let start = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
-    Ok(Motion::free([1.0, 2.0, 2.5], start, [0.0, 1.0, 0.0], 240.0))
-}
-const STEPS: u32 = 2400;
-
-/// When the book that RK4 turns lies across its axis for the first time (s).
-pub fn first_flip() -> Result<f64> {
-    let motion = thrown()?;
-    let path = path_by_momentum(&motion, STEPS)?;
-    let turned = path.iter().position(|(_, middle)| *middle < 0.0);
-    let steps = turned.map_or(f64::NAN, |n| n as f64);
-    Ok(motion.end / f64::from(STEPS) * steps)
-}
-
-/// The book by RK4 (dashed outline) beside the true one.
-pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let motion = thrown()?;
-    let exact = FreeBody::new(
-        motion.body()?,
-        motion.attitude,
-        BodyVector::from_array(motion.rates),
-    )?;
-    let path = path_by_momentum(&motion, STEPS)?;
-    let h = motion.end / f64::from(STEPS);
-    let middle = |t: f64| exact.angular_velocity(t).y();
-    let naive = path
-        .iter()
-        .enumerate()
-        .map(|(n, (_, middle))| (h * n as f64, *middle));
-    let graph = Panel::over_axes(
-        "$t$ / s",
-        Axis::linear(r"$\Omega_2$ / (rad/s)")
-            .range(-1.1, 1.6)
-            .step(1.0),
-    )
-    .curve(Curve::of(times(0.0, motion.end, 600), middle, Ink::Ink).label("exact"))
-    .curve(Curve::new(naive, Ink::Wrong).dashed().label("wrong: RK4"));
-    MovingPicture::above(graph, 0.0..=motion.end, [40.0, 85.0, 120.0], move |t| {
-        let (naive, _) = path[((t / h).round() as usize).min(path.len() - 1)];
-        let truth = exact.attitude(t);
-        let alt = format!(
-            "A book after {t:.0} s of turning about its middle axis, and dashed the one that RK4 gives, {:.1} rad off; \
-             below, the rates about the middle axis against time.",
-            truth.angle_to(&naive)
-        );
-        let sides = [
-            (-0.45, -0.6),
-            (0.45, -0.6),
-            (0.45, 0.6),
-            (-0.45, 0.6),
-            (-0.45, -0.6),
-        ];
-        let outline = sides.map(|(x, y)| naive.to_space(BodyVector::new(x, y, 0.09)));
-        let edges = [(0.9, 0.0, 0.0), (0.0, 1.2, 0.0), (0.0, 0.0, 0.16)]
-            .map(|(x, y, z)| truth.to_space(BodyVector::new(x, y, z)));
-        let zero = SpaceVector::zero();
-        let nail = |a: Attitude| a.to_space(BodyVector::new(0.0, 0.95, 0.0));
-        let scene = View::of(zero, 1.1)
-            .camera(Camera::new(0.5, 0.35))
-            .solid(Solid::cuboid(zero, edges), Ink::Body)
-            .arrow(zero, nail(truth), Ink::Body, "exact", Side::Right)
-            .dashed(outline, Ink::Wrong)
-            .arrow(zero, nail(naive), Ink::Wrong, "wrong", Side::Left);
-        Ok((alt, scene))
-    })
 }

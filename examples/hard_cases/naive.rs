@@ -16,16 +16,25 @@ fn rk4<const N: usize>(f: &impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], h: f64)
     core::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
 }
 
+/// The start, and what follows after each step.
+fn path<const N: usize>(
+    f: impl Fn(&[f64; N]) -> [f64; N],
+    start: [f64; N],
+    end: f64,
+    count: u32,
+) -> impl Iterator<Item = [f64; N]> {
+    let h = end / f64::from(count);
+    let next = move |y: &[f64; N]| Some(rk4(&f, y, h));
+    core::iter::successors(Some(start), next).take(count as usize + 1)
+}
+
 fn steps<const N: usize>(
     f: impl Fn(&[f64; N]) -> [f64; N],
-    mut y: [f64; N],
+    start: [f64; N],
     end: f64,
     count: u32,
 ) -> [f64; N] {
-    for _ in 0..count {
-        y = rk4(&f, &y, end / f64::from(count));
-    }
-    y
+    path(f, start, end, count).last().unwrap_or(start)
 }
 
 /// Euler's equations, with the torque of a weight on the third axis.
@@ -150,11 +159,18 @@ fn mean(mut a: f64, mut b: f64) -> f64 {
 
 /// RK4 on the quaternion and the body's rates, with nothing kept.
 pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
+    let [w, x, y, z, ..] = path_on_quaternion(motion, count).last()?;
+    Attitude::from_quaternion([w, x, y, z]).ok()
+}
+
+/// The same at the start and after each step: quaternion and rates.
+pub fn path_on_quaternion(motion: &Motion, count: u32) -> impl Iterator<Item = [f64; 7]> {
+    let motion = *motion;
     let [w, x, y, z] = motion.attitude.quaternion();
     let [p, q, r] = motion.rates;
-    let slope = |&[w, x, y, z, p, q, r]: &[f64; 7]| {
+    let slope = move |&[w, x, y, z, p, q, r]: &[f64; 7]| {
         let vertical = [2.0 * (x * z - w * y), 2.0 * (y * z + w * x)];
-        let [a, b, c] = rates_of(motion, [p, q, r], vertical);
+        let [a, b, c] = rates_of(&motion, [p, q, r], vertical);
         [
             0.5 * (-x * p - y * q - z * r),
             0.5 * (w * p + y * r - z * q),
@@ -165,8 +181,13 @@ pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
             c,
         ]
     };
-    let [w, x, y, z, ..] = steps(slope, [w, x, y, z, p, q, r], motion.end, count);
-    Attitude::from_quaternion([w, x, y, z]).ok()
+    path(slope, [w, x, y, z, p, q, r], motion.end, count)
+}
+
+/// RK4 on the quaternion alone, the rates from L, which stays in space.
+pub fn by_momentum(motion: &Motion, count: u32) -> Option<Attitude> {
+    let path = path_by_momentum(motion, count).ok()?;
+    path.last().map(|(attitude, _)| *attitude)
 }
 
 /// RK4 on the quaternion alone, the rates from L, which stays in space: the attitude at the
@@ -191,13 +212,12 @@ pub fn path_by_momentum(motion: &Motion, count: u32) -> Result<Vec<(Attitude, f6
             0.5 * (w * r + x * q - y * p),
         ]
     };
-    let (mut now, mut path) = (motion.attitude.quaternion(), Vec::new());
-    for _ in 0..=count {
-        let attitude = Attitude::from_quaternion(now)?;
-        path.push((attitude, rates(attitude)[1]));
-        now = rk4(&slope, &now, motion.end / f64::from(count));
-    }
-    Ok(path)
+    path(slope, motion.attitude.quaternion(), motion.end, count)
+        .map(|now| {
+            let attitude = Attitude::from_quaternion(now)?;
+            Ok((attitude, rates(attitude)[1]))
+        })
+        .collect()
 }
 
 /// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a

@@ -52,7 +52,7 @@ fn on_angles(motion: &Motion) -> Naive {
     }
 }
 
-/// Nose up: the pitch is pi/2, and yaw and roll are about one line.
+/// Nose on the vertical: the pitch is pi/2, and yaw and roll are about one line.
 pub fn locked() -> Result<Motion> {
     let locked = Attitude::from_yaw_pitch_roll(YawPitchRoll {
         yaw: 0.3,

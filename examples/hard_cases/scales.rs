@@ -94,7 +94,7 @@ fn rows() -> Result<Vec<Row>> {
         (
             [
                 "Earth: 1e38 kg m^2, 7.3e-5 rad/s",
-                "the same, and its energy is 1e29 J",
+                "the same, and its energy is 5e29 J",
             ],
             1e38,
             7.3e-5,

@@ -5,7 +5,7 @@ use super::forms::Form;
 use super::long::{self, Late};
 use super::motions::{By, Motion};
 use super::table::{Computed, Verdict};
-use super::{figures, findings, flips, naive, poles, scales};
+use super::{findings, flips, naive, pictures, poles, scales};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -15,9 +15,10 @@ use rotation_dynamics::math::EPS;
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::report::short;
 use rotation_dynamics::scene::Scene;
+use std::sync::Arc;
 
 /// All of them, before the families' tables.
-pub fn add(report: &mut Report, p: &Parameters, computed: &[Computed]) -> Result<()> {
+pub fn add(report: &mut Report, p: &Parameters, computed: &[Arc<Computed>]) -> Result<()> {
     digits(report)?;
     broken(report)?;
     counts(report, computed)?;
@@ -54,7 +55,7 @@ fn broken(report: &mut Report) -> Result<()> {
     let rate = 0.2_f64.sqrt();
     claims! { report,
         /// a rounding about the middle axis has grown to one
-        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => figures::first_flip()?, within 5.0;
+        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => pictures::first_flip()?, within 5.0;
     }?;
     let locked = poles::locked()?;
     let flips = flips::flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
@@ -98,8 +99,9 @@ fn broken(report: &mut Report) -> Result<()> {
 }
 
 /// Nothing is left out: every case has every method in every representation.
-fn counts(report: &mut Report, computed: &[Computed]) -> Result<()> {
-    let total = |of: fn(&Computed) -> usize| computed.iter().map(of).sum::<usize>() as f64;
+fn counts(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
+    let total =
+        |of: fn(&Computed) -> usize| computed.iter().map(|one| of(one)).sum::<usize>() as f64;
     let cells = total(|one| one.count().cells);
     claims! { report,
         /// cases
@@ -185,7 +187,7 @@ fn flip() -> Result<Problem<()>> {
 }
 
 /// A line for each family.
-fn summary(report: &mut Report, computed: &[Computed]) -> Result<()> {
+fn summary(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
     let columns = [
         "family",
         "what it is",

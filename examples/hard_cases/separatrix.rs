@@ -7,7 +7,7 @@ use super::table::{Family, Naive, Row};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::math::{atanh, cos, log, tan, tanh};
+use rotation_dynamics::math::{atan2, atanh, cos, log, tan, tanh};
 
 pub const FAMILY: Family = Family {
     key: "separatrix",
@@ -33,21 +33,20 @@ pub fn free(rates: [f64; 3], end: f64) -> Result<Motion> {
     Ok(Motion::free(MOMENTS, start()?, rates, end))
 }
 
-/// The angle between the angular momentum on the body's axes by Landau's formulas and the true
-/// one.
-fn by_landau(motion: &Motion) -> Result<Naive> {
+/// The angle between the angular momentum on the body's axes with these rates and the true one.
+pub fn off(motion: &Motion, rates: [f64; 3]) -> Result<f64> {
     let momentum = |rates: [f64; 3]| {
         let [a, b, c]: [f64; 3] = core::array::from_fn(|i| MOMENTS[i] * rates[i]);
         BodyVector::new(a, b, c)
     };
-    let (naive, truth) = (
-        momentum(rates_by_landau(motion)),
-        momentum(motion.true_rates()?),
-    );
-    let error = rotation_dynamics::math::atan2(naive.cross(&truth).norm(), naive.dot(&truth));
+    let (one, truth) = (momentum(rates), momentum(motion.true_rates()?));
+    Ok(atan2(one.cross(&truth).norm(), one.dot(&truth)))
+}
+
+fn by_landau(motion: &Motion) -> Result<Naive> {
     Ok(Naive {
         method: "Jacobi's functions with 1 - k^2 by subtraction",
-        error,
+        error: off(motion, rates_by_landau(motion))?,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::forms::Form;
 use super::motions::{By, Motion};
-use super::naive::{jittered, on_quaternion};
+use super::naive::{by_momentum, jittered};
 use super::table::{Family, Naive, Row};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -19,7 +19,7 @@ pub const FAMILY: Family = Family {
 const END: f64 = 30.0;
 const RATES: [f64; 3] = [0.8, 0.4, 0.9];
 
-fn free(moments: [f64; 3]) -> Result<Motion> {
+pub fn free(moments: [f64; 3]) -> Result<Motion> {
     let attitude = Attitude::from_euler(EulerAngles {
         phi: 0.3,
         theta: 0.8,
@@ -98,8 +98,8 @@ fn rows() -> Result<Vec<Row>> {
             ..free(moments)?
         };
         let naive = Naive {
-            method: "RK4 on quaternion and rates, 20 steps",
-            error: motion.off(on_quaternion(&motion, 20)),
+            method: "RK4 on the quaternion, rates from L, 5000 steps",
+            error: motion.off(by_momentum(&motion, 5000)),
         };
         rows.push(motion.row(words, &By::FREE, naive)?);
     }

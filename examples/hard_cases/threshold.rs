@@ -20,7 +20,7 @@ pub const FAMILY: Family = Family {
 const CRITICAL: f64 = 4.0;
 const END: f64 = 15.0;
 
-fn top(theta: f64, rates: [f64; 3]) -> Result<Motion> {
+pub fn top(theta: f64, rates: [f64; 3]) -> Result<Motion> {
     let attitude = Attitude::from_euler(EulerAngles {
         phi: 0.3,
         theta,

@@ -181,7 +181,8 @@ fn rows() -> Result<Vec<Row>> {
     )?);
 
     // A pulse of a fiftieth of a second in a minute.
-    let (on, off, end, torque) = (30.0, 30.02, 60.0, 50.0);
+    // Steps of 0.06 s have a stage at 30 s and one at 30.03 s.
+    let (on, off, end, torque) = (30.005, 30.025, 60.0, 50.0);
     let lasts = off - on;
     let gained = torque / i3 * lasts * (end - off + 0.5 * lasts);
     let knocked = Turned {
@@ -217,7 +218,7 @@ fn rows() -> Result<Vec<Row>> {
     };
     let words = [
         "a smooth bell of 0.01 s in a minute",
-        "it is analytic, and no step of a tenth of a second sees it",
+        "it is analytic, and a step of 0.06 s sees its top or nothing",
     ];
     rows.push(rung.row(words, rung.straight("RK4 straight on, 1000 steps", 1000)?)?);
 
@@ -272,7 +273,7 @@ fn rows() -> Result<Vec<Row>> {
         size: SPIN * end + 2.0 * gained,
     };
     let words = [
-        "a torque |sin t|",
+        "a torque that is a rectified sine",
         "three corners, no order above two across them",
     ];
     rows.push(rectified.row(
