@@ -1,7 +1,7 @@
 //! Which model before which digit: six motions, what each leaves out, and what a digit costs.
 
 use super::Parameters;
-use super::desk::{gradient, gyroscope, on_the_earth, toy_top};
+use super::desk::{Spinner, gradient, gyroscope, on_the_earth, toy_top};
 use super::weigh::{LeftOut, Question};
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::Result;
@@ -64,8 +64,16 @@ impl Case {
 /// All of them.
 pub fn all(p: &Parameters) -> Result<Vec<Case>> {
     Ok(vec![
-        spinner_case(p)?,
-        top_case()?,
+        on_the_desk(
+            ["gyroscope", "gyroscope, 10 s", "weight"],
+            &gyroscope(p),
+            "bearing",
+        )?,
+        on_the_desk(
+            ["top", "toy top, 10 s", "weight, fixed tip"],
+            &toy_top(),
+            "drilling tip",
+        )?,
         book()?,
         year()?,
         great_year()?,
@@ -73,9 +81,9 @@ pub fn all(p: &Parameters) -> Result<Vec<Case>> {
     ])
 }
 
-fn spinner_case(p: &Parameters) -> Result<Case> {
-    let rotor = gyroscope(p);
-    let (scene, start) = rotor.scene()?;
+/// A spinner on the desk for ten seconds; its dry friction goes by this name.
+fn on_the_desk(names: [&'static str; 3], spinner: &Spinner, dry: &'static str) -> Result<Case> {
+    let (scene, start) = spinner.scene()?;
     let (end, of_axis) = (10.0, true);
     let exact = scene.exact(&start)?.try_attitude(end)?;
     let q = Question {
@@ -84,46 +92,17 @@ fn spinner_case(p: &Parameters) -> Result<Case> {
         end,
         of_axis,
     };
-    let left_out = vec![
-        q.left_out("air", rotor.air()?)?,
-        q.left_out("bearing", rotor.dry()?)?,
-        q.left_out("pivot", rotor.pivot())?,
-        q.left_out("buoyancy", rotor.buoyancy())?,
+    let mut left_out = vec![
+        q.left_out("air", spinner.air()?)?,
+        q.left_out(dry, spinner.dry()?)?,
+        q.left_out("buoyancy", spinner.buoyancy())?,
         q.left_out("turning Earth", on_the_earth())?,
         q.left_out("weaker above", gradient()?)?,
     ];
-    Case::of(
-        ["gyroscope", "gyroscope, 10 s", "weight"],
-        &q,
-        Some(exact),
-        left_out,
-    )
-}
-
-fn top_case() -> Result<Case> {
-    let top = toy_top();
-    let (scene, start) = top.scene()?;
-    let (end, of_axis) = (10.0, true);
-    let exact = scene.exact(&start)?.try_attitude(end)?;
-    let q = Question {
-        scene,
-        start,
-        end,
-        of_axis,
-    };
-    let left_out = vec![
-        q.left_out("air", top.air()?)?,
-        q.left_out("drilling tip", top.dry()?)?,
-        q.left_out("buoyancy", top.buoyancy())?,
-        q.left_out("turning Earth", on_the_earth())?,
-        q.left_out("weaker above", gradient()?)?,
-    ];
-    Case::of(
-        ["top", "toy top, 10 s", "weight, fixed tip"],
-        &q,
-        Some(exact),
-        left_out,
-    )
+    if spinner.pivot > 0.0 {
+        left_out.push(q.left_out("pivot", spinner.pivot())?);
+    }
+    Case::of(names, &q, Some(exact), left_out)
 }
 
 /// The book of the page on three different moments: half a kilogram, 21 by 14 by 2.5 cm,
@@ -378,11 +357,9 @@ pub fn table(cases: &[Case]) -> Result<Table> {
             .map(|run| run.1)
             .fold(f64::INFINITY, f64::min);
         let finest = case.closed.map_or(finest, |closed| closed.min(finest));
-        let price = match (case.closed, case.price(least)) {
-            (_, Some(price)) => short(price, 2),
-            (Some(_), None) => "-".to_owned(),
-            (None, None) => "-".to_owned(),
-        };
+        let price = case
+            .price(least)
+            .map_or("-".to_owned(), |price| short(price, 2));
         table.push([
             format!("{}, with {}", case.name, case.model),
             told(0),

@@ -1,6 +1,8 @@
 //! A body whose tensor of inertia follows its angular velocity.
 
-use rotation_dynamics::accuracy::{Carrier, Fineness, Limits, Variables};
+use super::internal_dissipation::by_four_methods;
+use super::twin::{AXIS_ONLY, NO_SLIP, NOT_ON_RATES, TORQUE_FREE, Twin, refused};
+use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
@@ -9,11 +11,11 @@ use rotation_dynamics::effects::{
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Method, ode};
+use rotation_dynamics::integrators::{Dop853, ode};
 use rotation_dynamics::math::log;
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::{Invariant, Scene};
-use support::{Errors, assert_error};
+use support::{Errors, assert_error, derivative};
 
 const RATE: f64 = 2.0;
 
@@ -31,7 +33,7 @@ fn soft() -> (RigidBody, ElasticYielding, State) {
     (body, yielding, start)
 }
 
-fn tilted() -> Attitude {
+pub fn tilted() -> Attitude {
     let angles = EulerAngles {
         phi: 0.3,
         theta: 0.8,
@@ -243,9 +245,7 @@ fn a_heavy_body_keeps_its_energy_or_loses_what_its_power_says() {
     let (t, h) = (3.0, 2e-3);
     let motion = (scene.solve_along(&start, 4.0, 1e-11, &Limits::default())).expect("solved");
     let energy = |t: f64| scene.energy(&motion.try_state(t).expect("a state"));
-    let slope = (8.0 * (energy(t + h) - energy(t - h))
-        - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
-        / (12.0 * h);
+    let slope = derivative(energy, t, h);
     let state = motion.try_state(t).expect("a state");
     // Without what the torques make of the strain.
     let alone = scene.effects().power(t, &body, &state);
@@ -263,71 +263,37 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     check(&((((), gravity), yielding), loss), &body, span, &start).expect("sound");
     let round = self::body([1.0, 1.0, 1.2]);
     check(&yielding, &round, span, &start).expect("sound");
-    check(&Unstrained(yielding), &body, span, &start).expect_err("no strain");
 
-    /// It claims what this nature says.
-    struct Twin<const DAMAGE: u8>(ElasticYielding);
-    impl<const DAMAGE: u8> Effect for Twin<DAMAGE> {
-        const NATURE: Nature = {
-            let mut nature = ElasticYielding::NATURE;
-            match DAMAGE {
-                0 => nature.slips = false,
-                1 => nature.on_rates = false,
-                2 => nature.torque_free = true,
-                _ => nature.axis_only = true,
-            }
-            nature
-        };
-        fn name(&self) -> &'static str {
-            "twin"
-        }
-        fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-            self.0.torque(t, body, state)
-        }
-        fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-            self.0.slip(t, body, state)
-        }
-        fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-            self.0.potential_energy(t, body, state)
-        }
-    }
-    let damaged = [
+    let told = "only a torque on the axis";
+    refused([
         (
-            check(&Twin::<0>(yielding), &body, span, &start),
+            check(&Twin::<_, NO_SLIP>(&yielding), &body, span, &start),
             "slips: false",
         ),
         (
-            check(&Twin::<1>(yielding), &body, span, &start),
+            check(&Twin::<_, NOT_ON_RATES>(&yielding), &body, span, &start),
             "slip does not depend on how",
         ),
         (
-            check(&Twin::<2>(yielding), &body, span, &start),
-            "only a torque on the axis",
+            check(&Twin::<_, TORQUE_FREE>(&yielding), &body, span, &start),
+            told,
         ),
         (
-            check(&Twin::<3>(yielding), &body, span, &start),
-            "only a torque on the axis",
+            check(&Twin::<_, AXIS_ONLY>(&yielding), &body, span, &start),
+            told,
         ),
         (
             check(&Unstrained(yielding), &body, span, &start),
             "keeps the energy",
         ),
-    ];
-    let mut ran = 0;
-    for (checked, words) in damaged {
-        let told = checked.expect_err(words).to_string();
-        assert!(told.contains(words), "{told}");
-        ran += 1;
-    }
-    assert_eq!(ran, 5);
+    ]);
 }
 
 #[test]
 fn what_yields_by_no_such_part_is_refused() {
     let (body, _, start) = soft();
     let thin = self::body([1.0, 1.0, 0.8]);
-    let mut ran = 0;
-    for (made, words) in [
+    refused([
         (ElasticYielding::new(-1.0, 1.0), "compliance = -1"),
         (ElasticYielding::new(f64::NAN, 1.0), "compliance"),
         (ElasticYielding::new(1.0, 0.0), "mean rate = 0"),
@@ -351,18 +317,10 @@ fn what_yields_by_no_such_part_is_refused() {
             ElasticYielding::from_love_number(0.3, 0.0, 1.0),
             "radius = 0",
         ),
-    ] {
-        let told = made.expect_err(words).to_string();
-        assert!(told.contains(words), "{told}");
-        ran += 1;
-    }
-    assert_eq!(ran, 8);
+    ]);
     // A body that would have no moment left without its rotation.
     let all = ElasticYielding::new(0.6, RATE).expect("a compliance");
-    let told = check(&all, &body, [0.0, 1.0], &start)
-        .expect_err("too soft")
-        .to_string();
-    assert!(told.contains("I3 = "), "{told}");
+    refused([(check(&all, &body, [0.0, 1.0], &start), "I3 = ")]);
     let earth = ElasticYielding::from_love_number(0.3, 6.371e6, 7.292_115e-5).expect("the Earth");
     let size = 5.972e24 * 6.378e6 * 6.378e6;
     let body = self::body([0.329_591 * size, 0.329_591 * size, 0.330_675 * size]);
@@ -375,19 +333,6 @@ fn what_yields_by_no_such_part_is_refused() {
 fn every_method_carries_it() {
     let (body, yielding, start) = soft();
     let scene = Scene::new(body).with(yielding);
-    let reference = scene.solve(&start, 10.0, 1e-11).expect("solved").state;
-    let mut errors = Errors::of("attitude by four methods");
-    for (method, fineness) in [
-        (Method::Rk4, Fineness::Steps(20_000)),
-        (Method::MuntheKaas4, Fineness::Steps(20_000)),
-        (Method::Dop853, Fineness::Tolerance(1e-13)),
-        (Method::GaussLegendre16, Fineness::Steps(400)),
-    ] {
-        let carrier = Carrier::new(method, fineness).expect("a method");
-        let (end, _) = carrier
-            .advance(&scene, Variables::Space, [0.0, 10.0], &start)
-            .expect("carried");
-        errors.push_at(end.attitude.angle_to(&reference.attitude), method);
-    }
+    let errors = by_four_methods(&scene, &start);
     errors.attain(1.78e-13..=1.79e-13, 4);
 }

@@ -1,16 +1,16 @@
 //! The gravity gradient: point masses, claims, libration, Jacobi's integral.
 
-use rotation_dynamics::Result;
+use super::twin::{KEEPS_ENERGY, NOT_ON_TIME, OTHER_POTENTIAL, OTHER_POWER, Twin, refused};
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityGradient, Keeps, Nature, check};
+use rotation_dynamics::effects::{Effect, GravityGradient, check};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::sin;
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
-use support::{Errors, assert_error};
+use support::{Errors, assert_error, derivative};
 
 const N0: f64 = 1.1e-3;
 
@@ -85,40 +85,6 @@ fn it_is_what_point_masses_feel() {
     against_point_masses(1e-3, -1.0).exceed(1e-2, 40);
 }
 
-/// It claims what the gradient claims, but for what is damaged.
-struct Twin<const DAMAGE: u8>(GravityGradient);
-const WRONG_SIGN: u8 = 0;
-const POWER_FORGOTTEN: u8 = 1;
-const KEEPS_ENERGY: u8 = 2;
-const NO_TIME: u8 = 3;
-
-impl<const DAMAGE: u8> Effect for Twin<DAMAGE> {
-    const NATURE: Nature = Nature {
-        on_time: DAMAGE != NO_TIME,
-        keeps: Keeps {
-            energy: DAMAGE == KEEPS_ENERGY,
-            ..Keeps::NONE
-        },
-        ..GravityGradient::<false>::NATURE
-    };
-    fn name(&self) -> &'static str {
-        "twin"
-    }
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state)
-    }
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        let sign = if DAMAGE == WRONG_SIGN { -1.0 } else { 1.0 };
-        sign * self.0.potential_energy(t, body, state)
-    }
-    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        if DAMAGE == POWER_FORGOTTEN {
-            return 0.0;
-        }
-        self.0.power(t, body, state)
-    }
-}
-
 #[test]
 fn its_claims_hold_and_damaged_ones_do_not() {
     let span = [0.0, 20_000.0];
@@ -141,14 +107,25 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     assert_eq!(ran, 8);
     let (body, orbit) = (satellite(), tilted_orbit());
     let state = tumbling(&body);
-    let told = |checked: Result<()>| checked.expect_err("damaged").to_string();
     let power = "says at what power it changes the energy";
-    assert!(told(check(&Twin::<WRONG_SIGN>(orbit), &body, span, &state)).contains(power));
-    assert!(told(check(&Twin::<POWER_FORGOTTEN>(orbit), &body, span, &state)).contains(power));
-    let keeps = told(check(&Twin::<KEEPS_ENERGY>(orbit), &body, span, &state));
-    assert!(keeps.contains("says that it keeps the energy"), "{keeps}");
-    let time = told(check(&Twin::<NO_TIME>(orbit), &body, span, &state));
-    assert!(time.contains("does not depend on the time"), "{time}");
+    refused([
+        (
+            check(&Twin::<_, OTHER_POTENTIAL>(&orbit), &body, span, &state),
+            power,
+        ),
+        (
+            check(&Twin::<_, OTHER_POWER>(&orbit), &body, span, &state),
+            power,
+        ),
+        (
+            check(&Twin::<_, KEEPS_ENERGY>(&orbit), &body, span, &state),
+            "says that it keeps the energy",
+        ),
+        (
+            check(&Twin::<_, NOT_ON_TIME>(&orbit), &body, span, &state),
+            "does not depend on the time",
+        ),
+    ]);
 }
 
 /// The pitch (rad) after a quarter of the period of small librations, over that at the start.
@@ -224,9 +201,7 @@ fn jacobis_integral_is_kept() {
     assert!(lost > 0.1, "{lost:e}");
     // The power is what the energy changes by.
     let (t, h) = (12_345.0, 2.0);
-    let slope = (8.0 * (energy(t + h) - energy(t - h))
-        - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
-        / (12.0 * h);
+    let slope = derivative(energy, t, h);
     let power = scene.power(t, &motion.try_state(t).expect("a state"));
     assert_error!(slope, power, 1e-9);
 }

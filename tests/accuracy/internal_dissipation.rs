@@ -1,8 +1,12 @@
 //! Energy lost inside a body at constant L.
 
+use super::elastic_yielding::tilted;
+use super::twin::{
+    AXIS_ONLY, KEEPS_AXIAL, KEEPS_ENERGY, NO_SLIP, NOT_ON_RATES, TORQUE_FREE, Twin, refused,
+};
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::{Carrier, Fineness, Limits, Variables};
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever, InternalDissipation, Nature, check};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -11,7 +15,7 @@ use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{atan2, cos, exp, hypot, tan};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
-use support::{Errors, assert_error};
+use support::{Errors, assert_error, derivative};
 
 fn loss(coefficient: f64) -> InternalDissipation {
     InternalDissipation::new(coefficient).expect("a coefficient")
@@ -20,13 +24,7 @@ fn loss(coefficient: f64) -> InternalDissipation {
 /// A rod that turns about its length, but for a tenth.
 fn rod() -> (RigidBody, State) {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.2, 0.3).expect("a body"));
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 0.8,
-        zeta: 0.2,
-    };
-    let attitude = Attitude::from_euler(angles).expect("angles");
-    let start = body.state(attitude, BodyVector::new(0.05, 0.1, 4.0));
+    let start = body.state(tilted(), BodyVector::new(0.05, 0.1, 4.0));
     (body, start.expect("a state"))
 }
 
@@ -148,65 +146,39 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     let sphere = RigidBody::new(PrincipalMoments::symmetric(1.0, 1.0).expect("a body"));
     check(&loss(0.02), &sphere, span, &start).expect("sound, and it does nothing");
 
-    /// It claims what this nature says.
-    struct Twin<const DAMAGE: u8>(InternalDissipation);
-    impl<const DAMAGE: u8> Effect for Twin<DAMAGE> {
-        const NATURE: Nature = {
-            let mut nature = InternalDissipation::NATURE;
-            match DAMAGE {
-                0 => nature.slips = false,
-                1 => nature.keeps.energy = true,
-                2 => nature.keeps.axial_momentum = true,
-                3 => nature.on_rates = false,
-                4 => nature.torque_free = true,
-                _ => nature.axis_only = true,
-            }
-            nature
-        };
-        fn name(&self) -> &'static str {
-            "twin"
-        }
-        fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-            self.0.torque(t, body, state)
-        }
-        fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-            self.0.slip(t, body, state)
-        }
-    }
-    let damaged = [
+    let (dissipation, told) = (loss(0.1), "only a torque on the axis");
+    refused([
         (
-            check(&Twin::<0>(loss(0.1)), &body, span, &start),
+            check(&Twin::<_, NO_SLIP>(&dissipation), &body, span, &start),
             "slips: false",
         ),
         (
-            check(&Twin::<1>(loss(0.1)), &body, span, &start),
+            check(&Twin::<_, KEEPS_ENERGY>(&dissipation), &body, span, &start),
             "keeps the energy",
         ),
         // Only of a symmetric body is L_z there to be kept.
         (
-            check(&Twin::<2>(loss(0.1)), &symmetric, span, &start),
+            check(
+                &Twin::<_, KEEPS_AXIAL>(&dissipation),
+                &symmetric,
+                span,
+                &start,
+            ),
             "leaves L_z alone",
         ),
         (
-            check(&Twin::<3>(loss(0.1)), &body, span, &start),
+            check(&Twin::<_, NOT_ON_RATES>(&dissipation), &body, span, &start),
             "slip does not depend on how",
         ),
         (
-            check(&Twin::<4>(loss(0.1)), &body, span, &start),
-            "only a torque on the axis",
+            check(&Twin::<_, TORQUE_FREE>(&dissipation), &body, span, &start),
+            told,
         ),
         (
-            check(&Twin::<5>(loss(0.1)), &body, span, &start),
-            "only a torque on the axis",
+            check(&Twin::<_, AXIS_ONLY>(&dissipation), &body, span, &start),
+            told,
         ),
-    ];
-    let mut ran = 0;
-    for (checked, words) in damaged {
-        let told = checked.expect_err(words).to_string();
-        assert!(told.contains(words), "{told}");
-        ran += 1;
-    }
-    assert_eq!(ran, 6);
+    ]);
     let told = InternalDissipation::new(-1.0).expect_err("negative");
     assert_eq!(
         told.to_string(),
@@ -223,9 +195,7 @@ fn a_heavy_body_loses_what_its_power_says() {
     let (t, h) = (3.0, 2e-3);
     let motion = (scene.solve_along(&start, 4.0, 1e-11, &Limits::default())).expect("solved");
     let energy = |t: f64| scene.energy(&motion.try_state(t).expect("a state"));
-    let slope = (8.0 * (energy(t + h) - energy(t - h))
-        - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
-        / (12.0 * h);
+    let slope = derivative(energy, t, h);
     let state = motion.try_state(t).expect("a state");
     // Without the way through the potential.
     let alone = scene.effects().power(t, &body, &state);
@@ -233,12 +203,9 @@ fn a_heavy_body_loses_what_its_power_says() {
     assert_error!(scene.power(t, &state), slope, 1.10e-11);
 }
 
-/// Methods that carry attitude and L agree; those that see less refuse.
-#[test]
-fn every_method_carries_it_or_refuses() {
-    let (body, start) = rod();
-    let scene = Scene::new(body).with(loss(0.02));
-    let reference = scene.solve(&start, 10.0, 1e-11).expect("solved").state;
+/// Errors of four methods that carry attitude and L (rad), after 10 s against the dial.
+pub fn by_four_methods<E: Effect>(scene: &Scene<E>, start: &State) -> Errors {
+    let reference = scene.solve(start, 10.0, 1e-11).expect("solved").state;
     let mut errors = Errors::of("attitude by four methods");
     for (method, fineness) in [
         (Method::Rk4, Fineness::Steps(20_000)),
@@ -248,10 +215,19 @@ fn every_method_carries_it_or_refuses() {
     ] {
         let carrier = Carrier::new(method, fineness).expect("a method");
         let (end, _) = carrier
-            .advance(&scene, Variables::Space, [0.0, 10.0], &start)
+            .advance(scene, Variables::Space, [0.0, 10.0], start)
             .expect("carried");
         errors.push_at(end.attitude.angle_to(&reference.attitude), method);
     }
+    errors
+}
+
+/// Methods that carry attitude and L agree; those that see less refuse.
+#[test]
+fn every_method_carries_it_or_refuses() {
+    let (body, start) = rod();
+    let scene = Scene::new(body).with(loss(0.02));
+    let errors = by_four_methods(&scene, &start);
     errors.attain(3.3e-13..=3.4e-13, 4);
     for method in [Method::EulerOnAngles, Method::SemiImplicitEuler] {
         let carrier = Carrier::new(method, Fineness::Steps(10)).expect("a method");

@@ -12,3 +12,4 @@ mod internal_dissipation;
 mod measures;
 mod orbiting_body;
 mod sweep;
+mod twin;

@@ -1,21 +1,23 @@
 //! A body on a given Kepler orbit: the orbit against 32 digits, the torque against what is
 //! known, claims, the passage of a pericentre, the mean.
 
+use super::effects::tilted;
+use super::twin::{KEEPS_ENERGY, NOT_ON_TIME, Twin, refused};
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Limits;
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    Effect, Feature, GravityGradient, Keeps, KeplerOrbit, Nature, OrbitingBody, check,
+    Effect, Feature, GravityGradient, KeplerOrbit, Nature, OrbitingBody, check,
 };
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, ode};
 use rotation_dynamics::math::{EPS, cos, sin, sincos};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
-use support::{Errors, assert_error};
+use support::{Errors, assert_error, derivative};
 
 /// Eccentricity, time, x and y, in units of the pericentre and its rate (tests/data/kepler.py).
 fn reference() -> Vec<[f64; 4]> {
@@ -139,18 +141,7 @@ fn the_velocity_is_the_derivative_of_the_place() {
 }
 
 fn body() -> RigidBody {
-    RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"))
-}
-
-fn tilted(body: &RigidBody, rates: [f64; 3]) -> State {
-    let angles = EulerAngles {
-        phi: 0.4,
-        theta: 0.9,
-        zeta: -0.3,
-    };
-    let attitude = Attitude::from_euler(angles).expect("an attitude");
-    body.state(attitude, BodyVector::from_array(rates))
-        .expect("a state")
+    super::effects::body(1.0, 1.5, 0.8)
 }
 
 /// On a circle: the gravity gradient, torque, potential, power and scale.
@@ -190,31 +181,20 @@ fn a_circle_is_the_gravity_gradient() {
     errors.attain(3.0..=4.0, 600);
 }
 
-/// It claims the same but for what is damaged.
-struct Twin<const DAMAGE: u8>(OrbitingBody);
-const POWER_OF_A_CIRCLE: u8 = 0;
-const POTENTIAL_SQUARED: u8 = 1;
-const KEEPS_ENERGY: u8 = 2;
-const NO_TIME: u8 = 3;
+/// An orbiting body that errs about what its distance does: the power is that of a circle, or
+/// the potential falls with the square of the distance.
+struct Erring<const SQUARED: bool>(OrbitingBody);
 
-impl<const DAMAGE: u8> Effect for Twin<DAMAGE> {
-    const NATURE: Nature = Nature {
-        on_time: DAMAGE != NO_TIME,
-        keeps: Keeps {
-            energy: DAMAGE == KEEPS_ENERGY,
-            ..Keeps::NONE
-        },
-        ..OrbitingBody::<false>::NATURE
-    };
+impl<const SQUARED: bool> Effect for Erring<SQUARED> {
+    const NATURE: Nature = OrbitingBody::<false>::NATURE;
     fn name(&self) -> &'static str {
-        "twin"
+        "erring"
     }
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         self.0.torque(t, body, state)
     }
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        // As if it fell with the square of the distance.
-        let part = if DAMAGE == POTENTIAL_SQUARED {
+        let part = if SQUARED {
             self.0.orbit().place(t).norm() / self.0.orbit().pericentre()
         } else {
             1.0
@@ -222,7 +202,7 @@ impl<const DAMAGE: u8> Effect for Twin<DAMAGE> {
         part * self.0.potential_energy(t, body, state)
     }
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        if DAMAGE != POWER_OF_A_CIRCLE {
+        if SQUARED {
             return self.0.power(t, body, state);
         }
         // Without what the distance changes.
@@ -276,27 +256,19 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     let (body, span) = (body(), [0.0, 10.0]);
     let state = tilted(&body, [0.3, 0.1, 2.0]);
     let planet = OrbitingBody::new(0.7, flyby()).expect("a body");
-    check(&Twin::<9>(planet), &body, span, &state).expect("the twin without damage");
-    let told = |checked: Result<()>| checked.expect_err("damaged").to_string();
     let power = "says at what power it changes the energy";
-    let circle = told(check(
-        &Twin::<POWER_OF_A_CIRCLE>(planet),
-        &body,
-        span,
-        &state,
-    ));
-    assert!(circle.contains(power), "{circle}");
-    let squared = told(check(
-        &Twin::<POTENTIAL_SQUARED>(planet),
-        &body,
-        span,
-        &state,
-    ));
-    assert!(squared.contains(power), "{squared}");
-    let keeps = told(check(&Twin::<KEEPS_ENERGY>(planet), &body, span, &state));
-    assert!(keeps.contains("says that it keeps the energy"), "{keeps}");
-    let time = told(check(&Twin::<NO_TIME>(planet), &body, span, &state));
-    assert!(time.contains("does not depend on the time"), "{time}");
+    refused([
+        (check(&Erring::<false>(planet), &body, span, &state), power),
+        (check(&Erring::<true>(planet), &body, span, &state), power),
+        (
+            check(&Twin::<_, KEEPS_ENERGY>(&planet), &body, span, &state),
+            "says that it keeps the energy",
+        ),
+        (
+            check(&Twin::<_, NOT_ON_TIME>(&planet), &body, span, &state),
+            "does not depend on the time",
+        ),
+    ]);
 }
 
 /// The mean of torque and potential over an orbit, evenly in time, is that of the ring.
@@ -420,9 +392,7 @@ fn the_power_is_the_change_of_the_energy() {
     let mut judge = |energy: &dyn Fn(f64) -> f64, power: &dyn Fn(f64) -> f64| {
         for i in 1..20 {
             let t = f64::from(i);
-            let slope = (8.0 * (energy(t + h) - energy(t - h))
-                - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
-                / (12.0 * h);
+            let slope = derivative(energy, t, h);
             errors.push(slope - power(t));
             damaged.push(slope);
         }

@@ -12,7 +12,7 @@ use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::{atan2, exp, log};
 use rotation_dynamics::scene::Scene;
 use std::f64::consts::TAU;
-use support::Errors;
+use support::{Errors, derivative};
 
 /// Bodies and starts of both kinds, near and far from the middle axis.
 fn tumbles() -> Vec<Tumble> {
@@ -26,11 +26,6 @@ fn sum(terms: impl Fn(usize) -> f64) -> f64 {
     terms(0) + terms(1) + terms(2)
 }
 
-/// The derivative at the middle of values at five times, h apart.
-fn slope(h: f64, v: impl Fn(f64) -> f64) -> f64 {
-    (8.0 * (v(h) - v(-h)) - (v(2.0 * h) - v(-2.0 * h))) / (12.0 * h)
-}
-
 /// Equation (1) says that L stands still in space: so do the slopes of the rates of the
 /// library's motion, whose L keeps its bits.
 #[test]
@@ -41,7 +36,7 @@ fn eulers_equations_are_a_momentum_at_rest() {
         for t in [0.2, 1.1, 3.7] {
             let rates = |by: f64| motion.angular_velocity(t + by).to_array();
             let law = euler(tumble.moments).derivative(t, &rates(0.0));
-            let found = [0, 1, 2].map(|i| slope(2e-3, |by| rates(by)[i]));
+            let found = [0, 1, 2].map(|i| derivative(|by| rates(by)[i], 0.0, 2e-3));
             let apart = |sign: f64| sum(|i| (found[i] - sign * law[i]).abs());
             right.push(apart(1.0));
             wrong.push(apart(-1.0));
@@ -121,7 +116,7 @@ fn the_ellipsoid_rolls_on_its_plane() {
             let contact = |by: f64| at(by).attitude.to_space(at(by).angular_velocity);
             let up = motion.angular_momentum() / tumble.momentum();
             height.push(contact(0.0).dot(&up) / tumble.height() - 1.0);
-            let speed = |v: &dyn Fn(f64) -> [f64; 3]| [0, 1, 2].map(|i| slope(2e-3, |by| v(by)[i]));
+            let speed = |v: &dyn Fn(f64) -> [f64; 3]| [0, 1, 2].map(|i| derivative(|by| v(by)[i], 0.0, 2e-3));
             let on_plane = SpaceVector::from_array(speed(&|by| contact(by).to_array()));
             let on_body = BodyVector::from_array(speed(&|by| at(by).angular_velocity.to_array()));
             arcs.push((at(0.0).attitude.to_space(on_body) - on_plane).norm());

@@ -6,7 +6,7 @@ use core::ops::RangeInclusive;
 use pages::ch15_5_torque_free::*;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{atan2, cos, exp, sin};
-use support::Errors;
+use support::{Errors, derivative};
 
 /// What is measured at one moment of a stepped motion.
 struct Seen {
@@ -38,11 +38,6 @@ fn angle(a: SpaceVector, b: SpaceVector) -> f64 {
     atan2(a.cross(&b).norm(), a.dot(&b))
 }
 
-/// The derivative at the middle of values at five times, h apart.
-fn slope(h: f64, v: impl Fn(f64) -> f64) -> f64 {
-    (8.0 * (v(h) - v(-h)) - (v(2.0 * h) - v(-2.0 * h))) / (12.0 * h)
-}
-
 fn measured(top: Top, t: f64) -> Seen {
     let stepped = Stepped::new(top).unwrap();
     let h = 2e-3 / (top.omega_y + top.omega_z);
@@ -50,7 +45,7 @@ fn measured(top: Top, t: f64) -> Seen {
     let at = |by: f64| stepped.at(&run, t + by).unwrap();
     let place = |body: BodyVector, by: f64| at(by).0.to_space(body);
     let velocity = |body: BodyVector| {
-        SpaceVector::from_array([0, 1, 2].map(|i| slope(h, |by| place(body, by).to_array()[i])))
+        SpaceVector::from_array([0, 1, 2].map(|i| derivative(|by| place(body, by).to_array()[i], 0.0, h)))
     };
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(BodyVector::from_array);
     // Six particles of mass 1 with these moments.
@@ -65,14 +60,15 @@ fn measured(top: Top, t: f64) -> Seen {
     // From the line of nodes at t: to itself, and to a mark on the body.
     let node = |by: f64| up.cross(&place(axes[2], by));
     let about = |axis: SpaceVector, from: SpaceVector, to: SpaceVector| atan2(axis.dot(&from.cross(&to)), from.dot(&to));
-    let precession = slope(h, |by| about(up, node(0.0), node(by)));
+    let precession = derivative(|by| about(up, node(0.0), node(by)), 0.0, h);
     let mark = |by: f64| about(place(axes[2], by), node(by), place(axes[0], by));
     let turned = |by: f64| atan2(sin(mark(by) - mark(0.0)), cos(mark(by) - mark(0.0)));
     let in_body = |by: f64| at(by).1.to_array();
     let [p, q, _] = in_body(0.0);
-    let pole = slope(h, |by| atan2(p * in_body(by)[1] - q * in_body(by)[0], p * in_body(by)[0] + q * in_body(by)[1]));
+    let from_pole = |[x, y, _]: [f64; 3]| atan2(p * y - q * x, p * x + q * y);
+    let pole = derivative(|by| from_pole(in_body(by)), 0.0, h);
     let z = place(axes[2], 0.0);
-    Seen { i1: top.i1, i3: top.i3, z, omega, momentum, rates: [precession, slope(h, turned), pole] }
+    Seen { i1: top.i1, i3: top.i3, z, omega, momentum, rates: [precession, derivative(turned, 0.0, h), pole] }
 }
 
 fn bodies() -> [Top; 5] {

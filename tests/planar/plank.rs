@@ -41,11 +41,17 @@ impl Mechanism<3, 6, 2> for Plank {
     }
 }
 
-/// The motion from here, with an error of 1e-14 a step.
-pub fn laid(plank: &Plank, x: f64, v: f64, t_end: f64) -> Result<Motion<&Plank, 3, 6, 2>> {
+/// The motion from here, with this error a step.
+pub fn laid(
+    plank: &Plank,
+    x: f64,
+    v: f64,
+    t_end: f64,
+    tolerance: f64,
+) -> Result<Motion<&Plank, 3, 6, 2>> {
     let start = State {
         q: [x, 0.0, 0.0],
         v: [v, 0.0, 0.0],
     };
-    motion(plank, &Dop853::new(1e-14)?, start, t_end)
+    motion(plank, &Dop853::new(tolerance)?, start, t_end)
 }

@@ -8,7 +8,7 @@ use rotation_dynamics::planar::contact::{
     Contact, LinearDrag, LinearSpinDrag, Load, Mechanism, Mode, QuadraticDrag, QuadraticSpinDrag,
     State, Surface, entry, motion_within,
 };
-use support::{EPS, Errors};
+use support::{EPS, Errors, derivative};
 
 /// A round body on a slope, with rolling resistance; coordinates along and across it.
 struct Resisted {
@@ -310,10 +310,7 @@ fn the_energy_goes_where_the_power_says() {
         Errors::of("without a drag"),
     );
     for t in [0.3, 0.9, 1.7] {
-        let h = 1e-2;
-        let slope = (8.0 * (energy(t + h) - energy(t - h))
-            - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
-            / (12.0 * h);
+        let slope = derivative(&energy, t, 1e-2);
         errors.add(slope, power(t), power(t).abs());
         let rate = motion.at(t).unwrap().v[2];
         damaged.add(slope, power(t) + c[2] * rate * rate, power(t).abs());

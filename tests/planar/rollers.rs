@@ -20,7 +20,7 @@ fn limit_cycle(damage: f64) -> Errors {
         holding: mu_s * (1.0 + damage),
         speed: v,
     };
-    let motion = laid(&plank, 0.3, 0.0, 30.0).unwrap();
+    let motion = laid(&plank, 0.3, 0.0, 30.0, 1e-14).unwrap();
     let named = |name| motion.events().iter().filter(move |e| e.name == name);
     let catches: Vec<_> = named("right sticks").map(|e| e.t).collect();
     let lambda = (2.0 * mu * G / a).sqrt();
@@ -56,7 +56,7 @@ fn a_plank_lifts_off() {
             holding: 0.3,
             speed: -5.0,
         };
-        let motion = laid(&plank, 0.49, 0.0, 0.5).unwrap();
+        let motion = laid(&plank, 0.49, 0.0, 0.5, 1e-14).unwrap();
         let lifts = motion.event("left lets go").unwrap().before.q[0];
         let [_, right] = motion.forces(0.5).unwrap();
         (

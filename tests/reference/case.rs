@@ -36,10 +36,7 @@ pub type Result<T> = core::result::Result<T, Trouble>;
 /// Why a case was not run: what it lacks.
 pub fn print_not_run(case: &Case, method: &str, answer: &Result<Outcome>) {
     let why = match answer {
-        Ok(outcome) => format!(
-            "nothing to compare, {} values without a condition",
-            outcome.unjudged
-        ),
+        Ok(outcome) => format!("nothing to compare{}", outcome.left_out()),
         Err(Trouble::Lacks(what)) => what.clone(),
         Err(Trouble::Refused(error)) => error.to_string(),
     };
@@ -57,6 +54,8 @@ pub struct Outcome {
     pub compared: usize,
     /// How many values have no condition and were not compared.
     pub unjudged: usize,
+    /// How many samples lie further than the method promises for.
+    pub too_far: usize,
 }
 
 /// The files to run, and whether they are the repository's own.
@@ -80,6 +79,7 @@ pub fn own_files() -> Vec<PathBuf> {
         "ladder_hard.json",
         "pendulum_hard.json",
         "plank_hard.json",
+        "drawn.json",
     ]
     .map(|file| data.join(file))
     .to_vec()
@@ -175,6 +175,29 @@ impl Case {
     pub fn has_path_conditions(&self) -> bool {
         self.samples()
             .all(|sample| sample.0["sens_path"].is_object())
+    }
+
+    /// Whether an eps of what is given moves some field by a tenth of itself, or an angle by a
+    /// tenth of a radian: nothing is lost if such a case is refused.
+    pub fn is_meaningless(&self) -> bool {
+        let leaves_nothing = |sample: &Sample, field: &str| {
+            let largest = sample
+                .all(field)
+                .iter()
+                .fold(0.0_f64, |m, v| m.max(v.to_f64().abs()));
+            let size = match field {
+                "theta" | "phi" | "zeta" => largest.min(1.0),
+                _ => largest,
+            };
+            let sharp = sample.sharp_condition(field);
+            let condition = sharp.or(sample.condition(field)).unwrap_or(0.0);
+            EPS * condition >= 0.1 * size
+        };
+        self.samples().any(|sample| {
+            let fields = sample.0["sens_norm"].as_object().into_iter().flatten();
+            let mut names = fields.map(|(name, _)| name);
+            names.any(|name| leaves_nothing(&sample, name))
+        })
     }
 
     /// A derived value, if it is a number.
@@ -275,6 +298,7 @@ impl Outcome {
             worst: "nothing compared".to_owned(),
             compared: 0,
             unjudged: 0,
+            too_far: 0,
         }
     }
 
@@ -284,16 +308,27 @@ impl Outcome {
             factor,
             worst,
             compared,
-            unjudged,
+            ..
         } = self;
-        let without = match unjudged {
-            0 => String::new(),
-            n => format!(", {n} without a condition"),
-        };
         println!(
-            "{:<28} {method:<16} K = {factor:>6.2} of {allowed} ({worst}, {compared} values{without})",
-            case.id
+            "{:<28} {method:<16} K = {factor:>6.2} of {allowed} ({worst}, {compared} values{})",
+            case.id,
+            self.left_out()
         );
+    }
+
+    /// What was not compared, and why.
+    fn left_out(&self) -> String {
+        let mut text = String::new();
+        for (count, what) in [
+            (self.unjudged, "values without a condition"),
+            (self.too_far, "samples too far"),
+        ] {
+            if count > 0 {
+                text += &format!(", {count} {what}");
+            }
+        }
+        text
     }
 
     /// Whether something was compared and the factor is a number within the bound.

@@ -2,7 +2,8 @@
 //!
 //! `REFERENCE_CASES=FILE cargo test --test reference -- --nocapture` runs the cases
 //! of another file of the same schema instead. One line is printed per case, with
-//! the factor K reached.
+//! the factor K reached; a case that a method cannot judge is named with what it lacks. A
+//! refusal fails unless the case's own condition leaves nothing to be known.
 
 mod case;
 mod free_body;
@@ -37,8 +38,8 @@ const METHODS: [Method; 7] = [
     Method {
         kind: "free_body",
         name: "exact::free_body",
-        measured: 1.9..=2.0,
-        cases: 47,
+        measured: 2.8..=2.9,
+        cases: 49,
         promised: 64.0,
         run: free_body::closed_form,
     },
@@ -46,7 +47,7 @@ const METHODS: [Method; 7] = [
         kind: "ladder",
         name: "exact::ladder",
         measured: 4.8..=4.9,
-        cases: 22,
+        cases: 25,
         promised: 64.0,
         run: ladder::closed_form,
     },
@@ -54,39 +55,39 @@ const METHODS: [Method; 7] = [
         kind: "top_nd",
         name: "exact::heavy_top",
         measured: 2.4..=2.5,
-        cases: 44,
+        cases: 48,
         promised: 64.0,
         run: top::dimensionless,
     },
     Method {
         kind: "top_si",
         name: "exact::heavy_top",
-        measured: 1.2..=1.3,
-        cases: 13,
+        measured: 1.8..=1.9,
+        cases: 16,
         promised: 64.0,
         run: top::dimensional,
     },
     Method {
         kind: "pendulum",
         name: "exact::pendulum",
-        measured: 1.5..=1.6,
-        cases: 46,
+        measured: 1.8..=1.9,
+        cases: 49,
         promised: 64.0,
         run: pendulum::closed_form,
     },
     Method {
         kind: "plank_fall",
         name: "exact::plank",
-        measured: 4.2..=4.3,
-        cases: 27,
+        measured: 4.7..=4.8,
+        cases: 29,
         promised: 64.0,
         run: plank_fall::closed_form,
     },
     Method {
         kind: "roller_plank",
         name: "planar::contact",
-        measured: 36.0..=37.0,
-        cases: 3,
+        measured: 19.1..=19.2,
+        cases: 5,
         promised: 1000.0,
         run: roller_plank::contacts,
     },
@@ -96,12 +97,16 @@ const METHODS: [Method; 7] = [
 /// are exercises with a page each, which `tests/pages/reference_statics.rs` asks.
 const NOT_COVERED: [(&str, usize); 1] = [("static", 12)];
 
+/// How many of the repository's cases the library refuses, where nothing is lost: a pendulum
+/// after 1e16 radians.
+const REFUSED: usize = 1;
+
 #[test]
 fn every_case_within_its_condition() {
     let (files, own) = case::files();
     let mut factors = METHODS.each_ref().map(|method| Errors::of(method.kind));
     let mut not_run = BTreeMap::<String, usize>::new();
-    let mut failures = Vec::new();
+    let (mut failures, mut refused) = (Vec::new(), 0);
     let cases = files.iter().flat_map(|file| case::read(file));
     // Those without a closed form have a test of their own.
     let cases: Vec<Case> = cases
@@ -126,6 +131,13 @@ fn every_case_within_its_condition() {
                     failures.push(format!("{} by {}: {outcome:?}", case.id, method.name));
                 }
             }
+            Err(Trouble::Refused(error)) if case.is_meaningless() => {
+                println!(
+                    "{:<28} {:<16} refused, as it may: {error}",
+                    case.id, method.name
+                );
+                refused += 1;
+            }
             Err(Trouble::Refused(error)) => {
                 failures.push(format!("{} by {}: {error}", case.id, method.name));
             }
@@ -139,8 +151,8 @@ fn every_case_within_its_condition() {
     for (kind, count) in &not_run {
         println!("not run: {count} of kind {kind}");
     }
-    let ran = cases.len() - not_run.values().sum::<usize>();
-    println!("{ran} of {} cases ran", cases.len());
+    let ran = cases.len() - refused - not_run.values().sum::<usize>();
+    println!("{ran} of {} cases ran, {refused} refused", cases.len());
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     for (factors, method) in factors.iter().zip(&METHODS) {
         if own {
@@ -150,6 +162,7 @@ fn every_case_within_its_condition() {
         }
     }
     if own {
+        assert_eq!(refused, REFUSED);
         assert!(
             not_run
                 .iter()
@@ -203,7 +216,7 @@ fn a_damaged_gravity_is_seen() {
         };
         (case.input("c").expect("c").abs() > 1e-5).then(off)
     });
-    factors.exceed(top::BOUND, 40);
+    factors.exceed(top::BOUND, 44);
 }
 
 /// A second route: a top without spin that swings in a plane is a pendulum.
@@ -234,7 +247,7 @@ fn a_damaged_plank_is_seen() {
         let off = plank_fall::closed_form_with_length(case, 1.0 + 1e-13);
         Some(off.expect("runs").factor)
     });
-    factors.exceed(plank_fall::BOUND, 27);
+    factors.exceed(plank_fall::BOUND, 29);
 }
 
 /// Friction off by 1e-9 is refused in every plank on rollers.

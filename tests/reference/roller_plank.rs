@@ -33,7 +33,7 @@ pub fn contacts_with_friction(case: &Case, damage: f64) -> Result<Outcome> {
     let last = times.chain(case.samples().map(|sample| sample.t()));
     // A little beyond, so that the last event is met.
     let end = last.fold(0.0, f64::max) + 1e-3;
-    let motion = laid(&plank, x, v, end)?;
+    let motion = laid(&plank, x, v, end, 1e-15)?;
     let mut condition = 0.0_f64;
     for sample in case.samples() {
         let (state, modes) = (motion.at(sample.t())?, motion.modes(sample.t())?);
@@ -62,8 +62,9 @@ pub fn contacts_with_friction(case: &Case, damage: f64) -> Result<Outcome> {
 /// Whether an event of the reference is what the library calls so.
 fn means(reference: &str, event: &str) -> bool {
     match reference {
-        "catchL" => event == "left sticks",
-        "catchR" => event == "right sticks",
+        // What the roller cannot hold goes on to slip the other way.
+        "catchL" => matches!(event, "left sticks" | "left reverses"),
+        "catchR" => matches!(event, "right sticks" | "right reverses"),
         "break" => event.ends_with(" slips"),
         "tip" => event.ends_with(" lets go"),
         _ => false,

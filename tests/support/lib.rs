@@ -41,6 +41,12 @@ pub fn relative(got: f64, want: f64, scale: f64) -> f64 {
     }
 }
 
+/// The derivative of `f` at `t` by four values, `h` and 2 `h` to either side; off by h^4/30 of
+/// the fifth.
+pub fn derivative(f: impl Fn(f64) -> f64, t: f64, h: f64) -> f64 {
+    (8.0 * (f(t + h) - f(t - h)) - (f(t + 2.0 * h) - f(t - 2.0 * h))) / (12.0 * h)
+}
+
 /// The second derivative of `f` at `t`, component by component, by five values `h` apart;
 /// off by about h^4/90 of the sixth.
 pub fn second_derivative<const N: usize>(f: impl Fn(f64) -> [f64; N], t: f64, h: f64) -> [f64; N] {

@@ -1,105 +1,15 @@
 //! Every claim of every effect is true, and its damaged twin is refused.
 
 use super::{body, tilted};
+use crate::twin::{LIES, Twin, damaged};
 use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, KeplerOrbit, Known, Nature,
+    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, KeplerOrbit, Nature,
     OrbitingBody, PrescribedTorque, Profile, Resistance, Torque, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::Lane;
-
-/// What a twin says that may be false. One claim is left out: that a torque is an analytic
-/// function where it has no jump cannot be seen by looking at it.
-const LIES: [&str; 15] = [
-    "that there is no torque",
-    "sees the axis only",
-    "does not depend on the rates",
-    "does not depend on the time",
-    "keeps the energy",
-    "no torque about X",
-    "no torque about Y",
-    "no torque about Z",
-    "no torque about the body's axis",
-    "the potential with the other sign",
-    "the power with the other sign",
-    "a scale a hundred thousand times too small",
-    "a scale a hundred million times too large",
-    "no break points",
-    "a closed form: the free body's",
-];
-
-const fn damaged(mut nature: Nature, lie: usize) -> Nature {
-    match lie {
-        0 => nature.torque_free = true,
-        1 => nature.axis_only = true,
-        2 => nature.on_rates = false,
-        3 => nature.on_time = false,
-        4 => nature.keeps.energy = true,
-        5..=7 => nature.keeps.momentum[lie - 5] = true,
-        8 => nature.keeps.axial_momentum = true,
-        _ => {}
-    }
-    nature
-}
-
-/// An effect that says the same of itself but for one thing.
-struct Twin<'e, E, const LIE: usize>(&'e E);
-
-impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
-    const NATURE: Nature = damaged(E::NATURE, LIE);
-
-    fn name(&self) -> &'static str {
-        self.0.name()
-    }
-
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state)
-    }
-
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        let sign = if LIE == 9 { -1.0 } else { 1.0 };
-        sign * self.0.potential_energy(t, body, state)
-    }
-
-    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        match LIE {
-            4 => 0.0,
-            10 => -self.0.power(t, body, state),
-            _ => self.0.power(t, body, state),
-        }
-    }
-
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        let factor = match LIE {
-            11 => 1e-5,
-            12 => 1e8,
-            _ => 1.0,
-        };
-        factor * self.0.torque_scale(body, state)
-    }
-
-    fn break_points(&self) -> Vec<f64> {
-        if LIE == 13 {
-            Vec::new()
-        } else {
-            self.0.break_points()
-        }
-    }
-
-    fn narrowest(&self) -> Option<Feature> {
-        self.0.narrowest()
-    }
-
-    fn known(&self) -> Known {
-        if LIE == 14 {
-            Known::Free
-        } else {
-            self.0.known()
-        }
-    }
-}
 
 /// Effects, refusals of false claims and true claims so far.
 #[derive(Default)]
@@ -132,6 +42,7 @@ impl Tally {
             check(&Twin::<E, 12>(effect), body, SPAN, state),
             check(&Twin::<E, 13>(effect), body, SPAN, state),
             check(&Twin::<E, 14>(effect), body, SPAN, state),
+            check(&Twin::<E, 15>(effect), body, SPAN, state),
         ];
         for (lie, verdict) in twins.into_iter().enumerate() {
             let breaks = !effect.break_points().is_empty();

@@ -12,12 +12,12 @@ use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 
-fn body(i1: f64, i2: f64, i3: f64) -> RigidBody {
+pub fn body(i1: f64, i2: f64, i3: f64) -> RigidBody {
     RigidBody::new(PrincipalMoments::new(i1, i2, i3).expect("a body"))
 }
 
 /// This body with these rates (rad/s), tilted.
-fn tilted(body: &RigidBody, rates: [f64; 3]) -> State {
+pub fn tilted(body: &RigidBody, rates: [f64; 3]) -> State {
     let angles = EulerAngles {
         phi: 0.4,
         theta: 0.9,

@@ -6,7 +6,7 @@ use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::scene::Scene;
-use support::Errors;
+use support::{Errors, derivative};
 
 fn body() -> RigidBody {
     RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5).expect("a body"))
@@ -37,10 +37,7 @@ fn slope_errors(effect: &impl Effect) -> Errors {
             axis[k] = 1.0;
             let energy =
                 |angle| effect.potential_energy(0.0, &body(), &turned(&attitude, axis, angle));
-            let h = 1e-3;
-            let slope = (8.0 * (energy(h) - energy(-h)) - (energy(2.0 * h) - energy(-2.0 * h)))
-                / (12.0 * h);
-            errors.push(torque + slope);
+            errors.push(torque + derivative(energy, 0.0, 1e-3));
         }
     }
     errors
