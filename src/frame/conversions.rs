@@ -1,10 +1,9 @@
-//! Vectors to and from what others use: arrays, nalgebra's columns, text, sums.
+//! Vectors to and from what others use: arrays, text, sums.
 
 use super::{Frame, Vector};
 use core::fmt;
 use core::iter::Sum;
 use core::ops::Index;
-use nalgebra::Vector3;
 
 impl<F: Frame> From<[f64; 3]> for Vector<F> {
     #[inline]
@@ -20,26 +19,12 @@ impl<F: Frame> From<Vector<F>> for [f64; 3] {
     }
 }
 
-impl<F: Frame> From<Vector3<f64>> for Vector<F> {
-    #[inline]
-    fn from(components: Vector3<f64>) -> Self {
-        Self::from_column(components)
-    }
-}
-
-impl<F: Frame> From<Vector<F>> for Vector3<f64> {
-    #[inline]
-    fn from(vector: Vector<F>) -> Self {
-        *vector.column()
-    }
-}
-
 /// The component with this index, 0, 1 or 2; any other panics, as for an array.
 impl<F: Frame> Index<usize> for Vector<F> {
     type Output = f64;
     #[inline]
     fn index(&self, index: usize) -> &f64 {
-        &self.column().data.0[0][index]
+        &self.components[index]
     }
 }
 

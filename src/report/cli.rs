@@ -7,54 +7,134 @@
 pub use super::files::write_whole;
 use super::files::{Directories, failure};
 use super::number::exactly;
-use super::{Answer, Claim, Example, Flag, ParameterSet, Report, Verdict};
+use super::{Answer, Claim, Example, Figure, Flag, ParameterSet, Report, Trajectory, Verdict};
 use crate::error::{Error, Result};
+use crate::interval::Interval;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-fn arg<P: ParameterSet>(flag: &Flag<P>, defaults: &P) -> Arg {
-    let default = flag.printed(defaults);
-    let unit = match (flag.unit(), default) {
+/// What the command line asks of an example, whatever its parameters are: written for it,
+/// all of this is compiled once for all examples.
+trait Run {
+    fn stem(&self) -> &'static str;
+    fn about(&self) -> &'static str;
+    fn flags(&self) -> Vec<Told>;
+    /// Sets the flag with this place in the list.
+    fn set(&mut self, flag: usize, to: Setting<'_>);
+    fn report(&self) -> Result<Report>;
+    fn figures(&self) -> Result<Vec<Figure>>;
+    fn trajectory(&self) -> Result<Trajectory>;
+}
+
+/// A flag as `--help` tells of it.
+struct Told {
+    name: String,
+    unit: &'static str,
+    meaning: &'static str,
+    words: &'static [&'static str],
+    allowed: Option<Interval>,
+    usual: Option<f64>,
+    /// What it is unless it is set; `None` for nothing.
+    default: Option<String>,
+}
+
+enum Setting<'a> {
+    Number(f64),
+    Word(&'a str),
+    Out,
+}
+
+/// An example with its parameters.
+struct Running<'e, P: 'static> {
+    example: &'e Example<P>,
+    parameters: P,
+}
+
+impl<P: ParameterSet> Run for Running<'_, P> {
+    fn stem(&self) -> &'static str {
+        self.example.stem
+    }
+    fn about(&self) -> &'static str {
+        self.example.about
+    }
+    fn flags(&self) -> Vec<Told> {
+        let told = |flag: &Flag<P>| Told {
+            name: flag.name(),
+            unit: flag.unit(),
+            meaning: flag.meaning(),
+            words: flag.words(),
+            allowed: flag.allowed(),
+            usual: flag.usual(),
+            default: flag.printed(&self.parameters),
+        };
+        P::FLAGS.iter().map(told).collect()
+    }
+    fn set(&mut self, flag: usize, to: Setting<'_>) {
+        let (flag, parameters) = (&P::FLAGS[flag], &mut self.parameters);
+        match to {
+            Setting::Number(value) => flag.set_number(parameters, value),
+            Setting::Word(word) => flag.set_word(parameters, word),
+            Setting::Out => flag.leave_out(parameters),
+        }
+    }
+    fn report(&self) -> Result<Report> {
+        self.example.report(&self.parameters)
+    }
+    fn figures(&self) -> Result<Vec<Figure>> {
+        self.example.figures(&self.parameters)
+    }
+    fn trajectory(&self) -> Result<Trajectory> {
+        (self.example.trajectory)(&self.parameters)
+    }
+}
+
+fn arg(flag: &Told) -> Arg {
+    let unit = match (flag.unit, &flag.default) {
         ("-", None) => String::new(),
         ("-", Some(default)) => format!(" [{default}]"),
         (unit, None) => format!(", in {unit}"),
         (unit, Some(default)) => format!(" [{default} {unit}]"),
     };
-    let name = flag.name();
-    let arg = Arg::new(name.clone())
-        .long(name)
-        .help(format!("{}{unit}", flag.meaning()));
-    if flag.words().is_empty() {
+    let arg = Arg::new(flag.name.clone())
+        .long(flag.name.clone())
+        .help(format!("{}{unit}", flag.meaning));
+    if flag.words.is_empty() {
         arg.value_name("NUMBER").value_parser(number)
     } else {
         arg.value_name("WORD")
-            .value_parser(clap::builder::PossibleValuesParser::new(flag.words()))
+            .value_parser(clap::builder::PossibleValuesParser::new(flag.words))
     }
 }
 
-/// The effects of an example, of which `--with` puts in and `--without` leaves out.
-fn effects<P: ParameterSet>() -> impl Iterator<Item = &'static Flag<P>> {
-    P::FLAGS.iter().filter(|flag| flag.usual().is_some())
+/// The effects of an example, of which `--with` puts in and `--without` leaves out; with their
+/// places among the flags.
+fn effects(flags: &[Told]) -> impl Iterator<Item = (usize, &Told)> {
+    (flags.iter().enumerate()).filter(|(_, flag)| flag.usual.is_some())
+}
+
+/// The other flags.
+fn parameters(flags: &[Told]) -> impl Iterator<Item = (usize, &Told)> {
+    (flags.iter().enumerate()).filter(|(_, flag)| flag.usual.is_none())
 }
 
 /// `--with` and `--without`, with a line for each effect; out of sight if there is none.
-fn effect_args<P: ParameterSet>(defaults: &P) -> [Arg; 2] {
+fn effect_args(flags: &[Told]) -> [Arg; 2] {
     let (mut list, mut present) = (String::new(), Vec::new());
-    for flag in effects::<P>() {
-        let usual = exactly(flag.usual().unwrap_or_default());
-        let unit = match flag.unit() {
+    for (_, flag) in effects(flags) {
+        let usual = exactly(flag.usual.unwrap_or_default());
+        let unit = match flag.unit {
             "-" => String::new(),
             unit => format!(" {unit}"),
         };
-        let allowed = flag.allowed().map_or(String::new(), |a| format!("; {a}"));
-        let (name, meaning) = (flag.name(), flag.meaning());
+        let allowed = flag.allowed.map_or(String::new(), |a| format!("; {a}"));
+        let (name, meaning) = (&flag.name, flag.meaning);
         list += &format!("\n  {name}: {meaning} [{usual}{unit}{allowed}]");
-        if flag.printed(defaults).is_some() {
-            present.push(name);
+        if flag.default.is_some() {
+            present.push(name.clone());
         }
     }
     let out = match present.is_empty() {
@@ -87,7 +167,11 @@ fn effect_and_strength(text: &str) -> core::result::Result<(String, Option<f64>)
 }
 
 /// Puts in and leaves out the effects that are named, each once.
-fn put_in<P: ParameterSet>(matches: &ArgMatches, p: &mut P) -> core::result::Result<(), String> {
+fn put_in(
+    matches: &ArgMatches,
+    flags: &[Told],
+    run: &mut dyn Run,
+) -> core::result::Result<(), String> {
     let mut named: Vec<(&str, &str)> = Vec::new();
     let (put, left) = (
         matches.get_many::<(String, Option<f64>)>(WITH),
@@ -96,8 +180,8 @@ fn put_in<P: ParameterSet>(matches: &ArgMatches, p: &mut P) -> core::result::Res
     let put = (put.into_iter().flatten()).map(|(name, strength)| (name, WITH, *strength));
     let left = (left.into_iter().flatten()).map(|name| (name, WITHOUT, None));
     for (name, how, strength) in put.chain(left) {
-        let flag = effects::<P>().find(|flag| flag.name() == *name);
-        let flag = flag.ok_or_else(|| no_effect::<P>(name))?;
+        let effect = effects(flags).find(|(_, flag)| flag.name == *name);
+        let (place, flag) = effect.ok_or_else(|| no_effect(flags, name))?;
         match named.iter().find(|(known, _)| known == name) {
             Some((_, other)) if *other == how => {
                 return Err(format!("the effect {name} stands twice after --{how}"));
@@ -109,17 +193,21 @@ fn put_in<P: ParameterSet>(matches: &ArgMatches, p: &mut P) -> core::result::Res
             }
             None => named.push((name, how)),
         }
-        match how {
-            WITH => flag.set_number(p, strength.or(flag.usual()).unwrap_or_default()),
-            _ => flag.leave_out(p),
-        }
+        let strength = strength.or(flag.usual).unwrap_or_default();
+        run.set(
+            place,
+            match how {
+                WITH => Setting::Number(strength),
+                _ => Setting::Out,
+            },
+        );
     }
     Ok(())
 }
 
 /// What is said to an effect that the example does not have.
-fn no_effect<P: ParameterSet>(name: &str) -> String {
-    let known: Vec<String> = effects::<P>().map(Flag::name).collect();
+fn no_effect(flags: &[Told], name: &str) -> String {
+    let known: Vec<&str> = effects(flags).map(|(_, flag)| &*flag.name).collect();
     if known.is_empty() {
         return format!(
             "there is no effect '{name}': this example has none to put in or leave out"
@@ -154,13 +242,14 @@ fn changes(word: &str, other: &str) -> usize {
     row[other.len()]
 }
 
-fn apply<P: ParameterSet>(flag: &Flag<P>, matches: &ArgMatches, parameters: &mut P) {
-    if flag.words().is_empty() {
-        if let Some(&value) = matches.get_one::<f64>(&flag.name()) {
-            flag.set_number(parameters, value);
-        }
-    } else if let Some(word) = matches.get_one::<String>(&flag.name()) {
-        flag.set_word(parameters, word);
+/// What is typed for this flag, if anything is.
+fn typed<'m>(flag: &Told, matches: &'m ArgMatches) -> Option<Setting<'m>> {
+    if flag.words.is_empty() {
+        let value = matches.get_one::<f64>(&flag.name);
+        value.map(|value| Setting::Number(*value))
+    } else {
+        let word = matches.get_one::<String>(&flag.name);
+        word.map(|word| Setting::Word(word))
     }
 }
 
@@ -197,13 +286,13 @@ fn joined(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
 }
 
 /// How to name an effect, to those who typed it as a flag of its own.
-fn hint<P: ParameterSet>(error: &clap::Error) -> String {
+fn hint(error: &clap::Error, flags: &[Told]) -> String {
     let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidArg) else {
         return String::new();
     };
-    let named = effects::<P>().find(|flag| typed.trim_start_matches("--") == flag.name());
-    named.map_or(String::new(), |flag| {
-        let name = flag.name();
+    let named = effects(flags).find(|(_, flag)| typed.trim_start_matches("--") == flag.name);
+    named.map_or(String::new(), |(_, flag)| {
+        let name = &flag.name;
         format!("\n{name} is an effect: --{WITH} {name}=VALUE or --{WITHOUT} {name}\n")
     })
 }
@@ -251,143 +340,145 @@ impl<P: ParameterSet> Example<P> {
         &self,
         arguments: impl IntoIterator<Item = A>,
     ) -> Outcome {
-        let arguments = joined(arguments.into_iter().map(Into::into));
-        let name = core::iter::once(OsString::from(self.stem));
-        let matches = match self.command().try_get_matches_from(name.chain(arguments)) {
-            Ok(matches) => matches,
-            Err(told) if told.kind() == ErrorKind::DisplayHelp => {
-                return Outcome {
-                    stdout: told.render().to_string(),
-                    stderr: String::new(),
-                    code: 0,
-                };
-            }
-            Err(error) => {
-                return Outcome {
-                    stdout: String::new(),
-                    stderr: error.render().to_string() + &hint::<P>(&error),
-                    code: 2,
-                };
-            }
+        let mut run = Running {
+            example: self,
+            parameters: P::default(),
         };
-        let mut parameters = P::default();
-        for flag in P::FLAGS.iter().filter(|flag| flag.usual().is_none()) {
-            apply(flag, &matches, &mut parameters);
-        }
-        if let Err(reason) = put_in(&matches, &mut parameters) {
-            return Outcome::refused(reason);
-        }
-        self.run(&parameters, &matches)
-            .unwrap_or_else(Outcome::refused)
+        answer(&mut run, arguments.into_iter().map(Into::into).collect())
     }
+}
 
-    fn command(&self) -> Command {
-        let defaults = P::default();
-        let mut command = Command::new(self.stem)
-            .bin_name(format!("cargo run --example {} --", self.stem))
-            .about(self.about)
-            .disable_version_flag(true)
-            .next_help_heading("Parameters");
-        for flag in P::FLAGS.iter().filter(|flag| flag.usual().is_none()) {
-            command = command.arg(arg(flag, &defaults));
+fn answer(run: &mut dyn Run, arguments: Vec<OsString>) -> Outcome {
+    let flags = run.flags();
+    let arguments = joined(arguments.into_iter());
+    let name = core::iter::once(OsString::from(run.stem()));
+    let matches = match command(run, &flags).try_get_matches_from(name.chain(arguments)) {
+        Ok(matches) => matches,
+        Err(told) if told.kind() == ErrorKind::DisplayHelp => {
+            return Outcome {
+                stdout: told.render().to_string(),
+                stderr: String::new(),
+                code: 0,
+            };
         }
-        command
-            .next_help_heading("Effects")
-            .args(effect_args(&defaults))
-            .next_help_heading("Output")
-            .arg(
-                Arg::new("check")
-                    .long("check")
-                    .value_name("KEY=VALUE")
-                    .help("Judge your answer (may be given several times)")
-                    .action(ArgAction::Append)
-                    .value_parser(key_and_answer),
-            )
-            .arg(
-                Arg::new("json")
-                    .long("json")
-                    .help("Print the claims as JSON")
-                    .action(ArgAction::SetTrue)
-                    .conflicts_with("check"),
-            )
-            .arg(
-                Arg::new("csv")
-                    .long("csv")
-                    .value_name("FILE")
-                    .help("Write the motion as CSV")
-                    .value_parser(value_parser!(PathBuf)),
-            )
-            .arg(
-                Arg::new("svg")
-                    .long("svg")
-                    .value_name("DIR")
-                    .help("Write the figures as SVG")
-                    .value_parser(value_parser!(PathBuf)),
-            )
+        Err(error) => {
+            return Outcome {
+                stdout: String::new(),
+                stderr: error.render().to_string() + &hint(&error, &flags),
+                code: 2,
+            };
+        }
+    };
+    for (place, flag) in parameters(&flags) {
+        if let Some(setting) = typed(flag, &matches) {
+            run.set(place, setting);
+        }
     }
+    if let Err(reason) = put_in(&matches, &flags, run) {
+        return Outcome::refused(reason);
+    }
+    outcome(run, &matches).unwrap_or_else(Outcome::refused)
+}
 
-    fn run(&self, parameters: &P, matches: &ArgMatches) -> Result<Outcome> {
-        let report = self.report(parameters)?;
-        let mut outcome = Outcome {
-            stdout: String::new(),
-            stderr: String::new(),
-            code: 0,
-        };
-        if let Some(answers) = matches.get_many::<(String, Answer)>("check") {
-            for (key, value) in answers {
-                let (line, right) = judged(&report, key, value)?;
-                outcome.stdout += &line;
-                outcome.code |= u8::from(!right);
-            }
-        } else if matches.get_flag("json") {
-            outcome.stdout = report.json(self.stem);
-        } else {
-            outcome.stdout = report.output()?;
-        }
-        outcome.stderr = self.write_files(parameters, matches)?;
-        Ok(outcome)
-    }
+fn command(run: &dyn Run, flags: &[Told]) -> Command {
+    Command::new(run.stem())
+        .bin_name(format!("cargo run --example {} --", run.stem()))
+        .about(run.about())
+        .disable_version_flag(true)
+        .next_help_heading("Parameters")
+        .args(parameters(flags).map(|(_, flag)| arg(flag)))
+        .next_help_heading("Effects")
+        .args(effect_args(flags))
+        .next_help_heading("Output")
+        .arg(
+            Arg::new("check")
+                .long("check")
+                .value_name("KEY=VALUE")
+                .help("Judge your answer (may be given several times)")
+                .action(ArgAction::Append)
+                .value_parser(key_and_answer),
+        )
+        .arg(
+            Arg::new("json")
+                .long("json")
+                .help("Print the claims as JSON")
+                .action(ArgAction::SetTrue)
+                .conflicts_with("check"),
+        )
+        .arg(
+            Arg::new("csv")
+                .long("csv")
+                .value_name("FILE")
+                .help("Write the motion as CSV")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .arg(
+            Arg::new("svg")
+                .long("svg")
+                .value_name("DIR")
+                .help("Write the figures as SVG")
+                .value_parser(value_parser!(PathBuf)),
+        )
+}
 
-    /// Writes what `--csv` and `--svg` ask for; returns a line for each.
-    fn write_files(&self, parameters: &P, matches: &ArgMatches) -> Result<String> {
-        let mut files = Vec::new();
-        let mut told = String::new();
-        let mut made = Directories::default();
-        if let Some(path) = matches.get_one::<PathBuf>("csv") {
-            let trajectory = (self.trajectory)(parameters)?;
-            told += &format!(
-                "wrote {} samples to {}\n",
-                trajectory.rows().len(),
-                path.display()
-            );
-            files.push((path.clone(), trajectory.csv()));
+fn outcome(run: &dyn Run, matches: &ArgMatches) -> Result<Outcome> {
+    let report = run.report()?;
+    let mut outcome = Outcome {
+        stdout: String::new(),
+        stderr: String::new(),
+        code: 0,
+    };
+    if let Some(answers) = matches.get_many::<(String, Answer)>("check") {
+        for (key, value) in answers {
+            let (line, right) = judged(&report, key, value)?;
+            outcome.stdout += &line;
+            outcome.code |= u8::from(!right);
         }
-        if let Some(directory) = matches.get_one::<PathBuf>("svg") {
-            let figures = self.figures(parameters)?;
-            made = Directories::missing(directory);
-            std::fs::create_dir_all(directory).map_err(|e| failure(directory, &e))?;
-            told += &format!(
-                "wrote {} figures to {}\n",
-                figures.len(),
-                directory.display()
-            );
-            for figure in figures {
-                files.push((self.figure_path(directory, &figure.name), figure.svg));
-            }
-        }
-        let files: Vec<(PathBuf, &str)> = files.iter().map(|(p, c)| (p.clone(), &**c)).collect();
-        let replaced = write_whole(&files)?;
-        made.keep();
-        if replaced > 0 {
-            told += &format!("{replaced} of these files were there before and are replaced\n");
-        }
-        Ok(told)
+    } else if matches.get_flag("json") {
+        outcome.stdout = report.json(run.stem());
+    } else {
+        outcome.stdout = report.output()?;
     }
+    outcome.stderr = write_files(run, matches)?;
+    Ok(outcome)
+}
 
-    /// `DIR/STEM__NAME.svg`, as in the locked figures.
-    fn figure_path(&self, directory: &Path, name: &str) -> PathBuf {
-        directory.join(format!("{}__{name}.svg", self.stem))
+/// Writes what `--csv` and `--svg` ask for; returns a line for each.
+fn write_files(run: &dyn Run, matches: &ArgMatches) -> Result<String> {
+    let mut files = Vec::new();
+    let mut told = String::new();
+    let mut made = Directories::default();
+    if let Some(path) = matches.get_one::<PathBuf>("csv") {
+        let trajectory = run.trajectory()?;
+        told += &format!(
+            "wrote {} samples to {}\n",
+            trajectory.rows().len(),
+            path.display()
+        );
+        files.push((path.clone(), trajectory.csv()));
     }
+    if let Some(directory) = matches.get_one::<PathBuf>("svg") {
+        let figures = run.figures()?;
+        made = Directories::missing(directory);
+        std::fs::create_dir_all(directory).map_err(|e| failure(directory, &e))?;
+        told += &format!(
+            "wrote {} figures to {}\n",
+            figures.len(),
+            directory.display()
+        );
+        for figure in figures {
+            // As in the locked figures.
+            let name = format!("{}__{}.svg", run.stem(), figure.name);
+            files.push((directory.join(name), figure.svg));
+        }
+    }
+    let files: Vec<(PathBuf, &str)> = files.iter().map(|(p, c)| (p.clone(), &**c)).collect();
+    let replaced = write_whole(&files)?;
+    made.keep();
+    if replaced > 0 {
+        told += &format!("{replaced} of these files were there before and are replaced\n");
+    }
+    Ok(told)
 }
 
 /// Writes what there is to say; the exit code. A reader that has gone away (`| head`) is

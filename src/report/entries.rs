@@ -4,7 +4,7 @@ use super::claim::{Claim, Oracle, Slip};
 use super::number::rounded_up;
 use super::sections::{EffectEntry, Limit, Price, Report, SMALL};
 use super::table::Table;
-use crate::accuracy::CalledFor;
+use crate::accuracy::{CalledFor, Measured, Weighed};
 use crate::effects::Effect;
 use crate::error::Result;
 use crate::integrators::Work;
@@ -267,6 +267,14 @@ impl<E: Effect + Clone> CalledFor<'_, E> {
     ) -> Result<EffectLine> {
         let weighed = self.weigh(candidate, number)?;
         let measured = self.measure(candidate)?;
+        let line = effect(name).number(formula, number);
+        Ok(line.weighed(&weighed, &measured, of, self.tolerance()))
+    }
+}
+
+impl EffectLine {
+    /// With what [`CalledFor`] has found.
+    fn weighed(self, weighed: &Weighed, measured: &Measured, of: &str, tolerance: f64) -> Self {
         let torques = |work: Work| match work.torques() {
             0 => "closed form".into(),
             torques => format!("{torques} torques"),
@@ -277,12 +285,11 @@ impl<E: Effect + Clone> CalledFor<'_, E> {
         } else {
             ", to first order"
         };
-        let line = effect(name).number(formula, number);
-        let mut line = line
+        let mut line = self
             .costs(weighed.predicted, format!("{of}{order}"))
             .at_cost(format!("{without}, {with}"));
         if weighed.called_for {
-            line.0.needed_for = Some(format!("{} rad", rounded_up(self.tolerance())));
+            line.0.needed_for = Some(format!("{} rad", rounded_up(tolerance)));
         }
         // Of an effect that is not small the first order need not hold.
         let within = if weighed.linear {
@@ -290,7 +297,7 @@ impl<E: Effect + Clone> CalledFor<'_, E> {
         } else {
             f64::INFINITY
         };
-        Ok(line.measured(measured.error).within(within))
+        line.measured(measured.error).within(within)
     }
 }
 

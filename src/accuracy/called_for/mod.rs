@@ -26,7 +26,7 @@ use crate::integrators::{Dop853, Work};
 use crate::math::atan2;
 use crate::scene::Scene;
 use core::sync::atomic::Ordering;
-use variation::{Variation, leaned, turned};
+use variation::{AnyScene, Variation, leaned, turned};
 
 /// The error of a step, as a part of the motion and of the response.
 const PRECISION: f64 = 1e-6;
@@ -86,6 +86,12 @@ pub struct Measured {
 #[derive(Debug, Clone)]
 pub struct CalledFor<'s, E> {
     scene: &'s Scene<E>,
+    asked: Asked<'s>,
+}
+
+/// What is asked of the scene, and what has been answered.
+#[derive(Debug, Clone)]
+struct Asked<'s> {
     start: State,
     t_end: f64,
     tolerance: f64,
@@ -167,8 +173,7 @@ impl<E: Effect> Scene<E> {
         limits.checked(t_end)?;
         let start = State::new(start.attitude, start.angular_momentum)?;
         check(self.effects(), self.body(), [limits.t_start, t_end], &start)?;
-        Ok(CalledFor {
-            scene: self,
+        let asked = Asked {
             start,
             t_end,
             tolerance,
@@ -176,7 +181,8 @@ impl<E: Effect> Scene<E> {
             apart: Attitude::angle_to,
             limits: *limits,
             rows: Vec::new(),
-        })
+        };
+        Ok(CalledFor { scene: self, asked })
     }
 }
 
@@ -203,8 +209,8 @@ impl<E: Effect> CalledFor<'_, E> {
     /// ```
     #[must_use]
     pub fn of_axis(mut self) -> Self {
-        self.angle = leaned;
-        self.apart = |a, b| {
+        self.asked.angle = leaned;
+        self.asked.apart = |a, b| {
             let (a, b) = (a.axis(), b.axis());
             atan2(a.cross(&b).norm(), a.dot(&b))
         };
@@ -213,7 +219,7 @@ impl<E: Effect> CalledFor<'_, E> {
 
     /// The tolerance (rad).
     pub const fn tolerance(&self) -> f64 {
-        self.tolerance
+        self.asked.tolerance
     }
 
     /// The same with this effect weighed, whose dimensionless number is `number`.
@@ -221,7 +227,7 @@ impl<E: Effect> CalledFor<'_, E> {
     /// # Errors
     /// As [`CalledFor::weigh`].
     pub fn candidate<C: Effect>(mut self, effect: &C, number: f64) -> Result<Self> {
-        self.rows.push(self.weigh(effect, number)?);
+        self.asked.rows.push(self.weigh(effect, number)?);
         Ok(self)
     }
 
@@ -237,16 +243,17 @@ impl<E: Effect> CalledFor<'_, E> {
                 value: number,
             });
         }
-        let span = [self.limits.t_start, self.t_end];
-        check(effect, self.scene.body(), span, &self.start)?;
-        let (predicted, work) = self.response(effect)?;
+        let asked = &self.asked;
+        let span = [asked.limits.t_start, asked.t_end];
+        check(effect, self.scene.body(), span, &asked.start)?;
+        let (predicted, work) = asked.response(self.scene.into(), effect)?;
         let linear = predicted <= LINEAR;
         Ok(Weighed {
             name: effect.name(),
             number,
             predicted,
             linear,
-            called_for: !linear || MARGIN * predicted > self.tolerance,
+            called_for: !linear || MARGIN * predicted > asked.tolerance,
             work,
         })
     }
@@ -283,14 +290,22 @@ impl<E: Effect> CalledFor<'_, E> {
         E: Clone,
     {
         let predicted = self.weigh(effect, 0.0)?.predicted;
-        let (from, span) = (self.limits.t_start, self.t_end - self.limits.t_start);
+        let Asked {
+            start,
+            t_end,
+            tolerance,
+            limits,
+            apart,
+            ..
+        } = &self.asked;
+        let (from, span) = (limits.t_start, t_end - limits.t_start);
         let times = (1..=COMPARED).map(|n| from + span * (f64::from(n) / f64::from(COMPARED)));
         let times: Vec<f64> = times.collect();
         let with = self.scene.clone().with(effect.clone());
         let motions = |fine: f64| -> Result<[Vec<State>; 2]> {
             Ok([
-                (self.scene).solve_at(&self.start, &times, fine, &self.limits)?,
-                with.solve_at(&self.start, &times, fine, &self.limits)?,
+                (self.scene).solve_at(start, &times, fine, limits)?,
+                with.solve_at(start, &times, fine, limits)?,
             ])
         };
         let mut fine = (1e-3 * predicted).clamp(1e-11, 1e-6);
@@ -306,11 +321,11 @@ impl<E: Effect> CalledFor<'_, E> {
             apart.fold(0.0, larger)
         };
         let cost = [
-            (self.scene).solve_with(&self.start, self.t_end, self.tolerance, &self.limits)?,
-            with.solve_with(&self.start, self.t_end, self.tolerance, &self.limits)?,
+            (self.scene).solve_with(start, *t_end, *tolerance, limits)?,
+            with.solve_with(start, *t_end, *tolerance, limits)?,
         ];
         Ok(Measured {
-            error: largest(self.apart),
+            error: largest(*apart),
             // The prediction is a part of the response of the whole attitude.
             within: 2.0 * fine + PRECISION * largest(Attitude::angle_to),
             work: cost.map(|solved| solved.work),
@@ -319,19 +334,21 @@ impl<E: Effect> CalledFor<'_, E> {
 
     /// What has been weighed, in order.
     pub fn rows(&self) -> &[Weighed] {
-        &self.rows
+        &self.asked.rows
     }
+}
 
+impl Asked<'_> {
     /// The largest angle (rad) of the linear response, and what it cost.
-    fn response<C: Effect>(&self, effect: &C) -> Result<(f64, Work)> {
+    fn response(&self, scene: AnyScene<'_>, effect: &dyn AnyEffect) -> Result<(f64, Work)> {
         let mut y = [0.0; 14];
         y[..7].copy_from_slice(&components(&self.start));
         let (mut angle, mut work) = (0.0, Work::default());
         let span = self.t_end - self.limits.t_start;
-        for [from, to] in self.pieces(effect) {
+        for [from, to] in self.pieces(scene.effects, effect) {
             let steps = self.left(&work)? / (TORQUES * STAGES);
             let variation = Variation {
-                scene: self.scene,
+                scene,
                 effect,
                 least: 1e-4 * self.tolerance,
                 slowest: 1.0 / span.abs(),
@@ -386,9 +403,9 @@ impl<E: Effect> CalledFor<'_, E> {
     }
 
     /// The span, cut where a torque jumps.
-    fn pieces(&self, effect: &dyn AnyEffect) -> Vec<[f64; 2]> {
+    fn pieces(&self, own: &dyn AnyEffect, effect: &dyn AnyEffect) -> Vec<[f64; 2]> {
         let limits = &self.limits;
-        let mut times = limits.breaks(self.scene.effects(), self.t_end);
+        let mut times = limits.breaks(own, self.t_end);
         times.extend(limits.breaks(effect, self.t_end));
         times.extend([limits.t_start, self.t_end]);
         times.sort_by(f64::total_cmp);

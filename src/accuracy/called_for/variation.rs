@@ -1,6 +1,7 @@
 //! A motion and its linear response to an effect, as one system of 14 components.
 
-use crate::effects::Effect;
+use crate::body::RigidBody;
+use crate::effects::{AnyEffect, Effect};
 use crate::error::Result;
 use crate::integrators::Ode;
 use crate::integrators::scene::state;
@@ -28,10 +29,28 @@ pub(super) fn leaned(y: &[f64; 14]) -> f64 {
     2.0 * hypot(about_1, about_2) / (w * w + x * x + v * v + z * z)
 }
 
+/// A scene behind pointers: what is written for it is compiled once for all scenes.
+#[derive(Clone, Copy)]
+pub(super) struct AnyScene<'s> {
+    pub body: &'s RigidBody,
+    pub effects: &'s dyn AnyEffect,
+    motion: &'s dyn Ode<7>,
+}
+
+impl<'s, E: Effect> From<&'s Scene<E>> for AnyScene<'s> {
+    fn from(scene: &'s Scene<E>) -> Self {
+        Self {
+            body: scene.body(),
+            effects: scene.effects(),
+            motion: scene,
+        }
+    }
+}
+
 /// The motion of a scene and its linear response to an effect, side by side.
-pub(super) struct Variation<'s, E, C> {
-    pub scene: &'s Scene<E>,
-    pub effect: &'s C,
+pub(super) struct Variation<'s> {
+    pub scene: AnyScene<'s>,
+    pub effect: &'s dyn AnyEffect,
     /// A response (rad) of no interest, where the effect does not say how large it is.
     pub least: f64,
     /// A rate (rad/s) that is slow: a radian in the whole span.
@@ -40,16 +59,15 @@ pub(super) struct Variation<'s, E, C> {
     pub piece: [f64; 2],
 }
 
-impl<E: Effect, C: Effect> Variation<'_, E, C> {
+impl Variation<'_> {
     /// What the effect alone adds to the rates of q and L.
     fn added(&self, t: f64, y: &[f64; 7]) -> Result<[f64; 7]> {
-        let body = self.scene.body();
         let at = state(y)?;
-        let [a, b, c] = self.effect.torque(t, body, &at).to_array();
+        let [a, b, c] = self.effect.torque(t, self.scene.body, &at).to_array();
         let mut added = [0.0, 0.0, 0.0, 0.0, a, b, c];
-        if C::NATURE.slips {
+        if self.effect.nature().slips {
             let [w, x, v, z, ..] = *y;
-            let [p, q, r] = (self.effect.slip(t, body, &at) * 0.5).to_array();
+            let [p, q, r] = (self.effect.slip(t, self.scene.body, &at) * 0.5).to_array();
             // (0, slip) q / 2: the slip is on the fixed axes.
             added[0] = -(p * x + q * v + r * z);
             added[1] = p * w + q * z - r * v;
@@ -61,8 +79,8 @@ impl<E: Effect, C: Effect> Variation<'_, E, C> {
 
     /// The scale of y; for L no less than what turns the body slowly.
     fn sizes(&self, y: &[f64; 7]) -> [f64; 7] {
-        let [i1, i2, i3] = self.scene.body().moments().to_array();
-        let [q, .., l] = Ode::scale(self.scene, y);
+        let [i1, i2, i3] = self.scene.body.moments().to_array();
+        let [q, .., l] = self.scene.motion.scale(y);
         let l = l.max(self.slowest * i1.max(i2).max(i3));
         [q, q, q, q, l, l, l]
     }
@@ -75,11 +93,11 @@ fn halves(y: &[f64; 14]) -> ([f64; 7], [f64; 7]) {
     )
 }
 
-impl<E: Effect, C: Effect> Ode<14> for Variation<'_, E, C> {
+impl Ode<14> for Variation<'_> {
     fn derivative(&self, t: f64, y: &[f64; 14]) -> [f64; 14] {
         let t = t.max(self.piece[0]).min(self.piece[1]);
         let (y, d) = halves(y);
-        let rates = self.scene.derivative(t, &y);
+        let rates = self.scene.motion.derivative(t, &y);
         // A state that is no state: the step is refused, and shortened.
         let mut response = self.added(t, &y).unwrap_or([f64::NAN; 7]);
         let scale = self.sizes(&y);
@@ -89,6 +107,7 @@ impl<E: Effect, C: Effect> Ode<14> for Variation<'_, E, C> {
             let by = CHANGE / size;
             let moved = |by: f64| {
                 self.scene
+                    .motion
                     .derivative(t, &core::array::from_fn(|i| y[i] + by * d[i]))
             };
             let (ahead, behind) = (moved(by), moved(-by));
@@ -107,12 +126,10 @@ impl<E: Effect, C: Effect> Ode<14> for Variation<'_, E, C> {
         let Ok(at) = state(&y) else {
             return [f64::NAN; 14];
         };
-        let rate = self.scene.body().angular_velocity(&at).norm();
-        let torque = self.effect.torque_scale(self.scene.body(), &at);
-        let slip = if C::NATURE.slips {
-            self.effect
-                .slip(self.piece[0], self.scene.body(), &at)
-                .norm()
+        let rate = self.scene.body.angular_velocity(&at).norm();
+        let torque = self.effect.torque_scale(self.scene.body, &at);
+        let slip = if self.effect.nature().slips {
+            self.effect.slip(self.piece[0], self.scene.body, &at).norm()
         } else {
             0.0
         };

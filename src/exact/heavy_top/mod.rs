@@ -34,6 +34,7 @@
 mod asked;
 mod batch;
 mod body;
+mod complex;
 mod construct;
 mod motion;
 mod queries;

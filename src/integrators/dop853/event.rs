@@ -9,7 +9,7 @@ use super::segment::Segment;
 use super::trial::Trial;
 use crate::error::{Error, Result};
 use crate::integrators::{Ode, Work};
-use crate::math::EPS;
+use crate::math::{EPS, sort_by_number};
 
 /// Which crossings count, as the run meets them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -188,7 +188,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
             self.values[index] = last;
         }
         let since_start = |e: &LocatedEvent<N>| (e.t - step.t).abs();
-        found.sort_by(|(e, _), (f, _)| since_start(e).total_cmp(&since_start(f)));
+        sort_by_number(&mut found, |(e, _)| since_start(e));
         let terminal = found
             .iter()
             .position(|(e, _)| self.events[e.index].terminal);

@@ -4,6 +4,8 @@
 //!
 //! eps = 2^-53.
 
+#[cfg(feature = "nalgebra")]
+mod nalgebra;
 mod properties;
 mod quaternions;
 mod rates;
