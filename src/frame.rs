@@ -9,9 +9,9 @@
 
 mod conversions;
 
-use crate::math::hypot;
 use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use nalgebra::Vector3;
 
 mod sealed {
     pub trait Sealed {}
@@ -40,9 +40,9 @@ impl Frame for Design {}
 
 /// A vector with components on the axes of frame `F`.
 ///
-/// It converts from and to arrays (and with the feature `nalgebra` to its columns), is
-/// indexed, summed and printed; the unit is for the reader of the print to know, and so
-/// for its writer to say.
+/// It converts from and to arrays and nalgebra's columns, is indexed, summed and
+/// printed; the unit is for the reader of the print to know, and so for its writer
+/// to say.
 ///
 /// ```
 /// use rotation_dynamics::frame::SpaceVector;
@@ -51,6 +51,7 @@ impl Frame for Design {}
 /// assert_eq!(walk[0], 1.25);
 /// assert_eq!(format!("{walk:.2} m"), "(1.25, 2.00, 0.50) m");
 /// assert_eq!(<[f64; 3]>::from(walk), [1.25, 2.0, 0.5]);
+/// assert_eq!(nalgebra::Vector3::from(walk).y, walk.y());
 /// ```
 ///
 /// One frame for another does not compile:
@@ -65,7 +66,7 @@ impl Frame for Design {}
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vector<F: Frame> {
-    components: [f64; 3],
+    components: Vector3<f64>,
     frame: PhantomData<F>,
 }
 
@@ -80,74 +81,88 @@ impl<F: Frame> Vector<F> {
     /// The vector with these components.
     #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
-        Self::from_array([x, y, z])
+        Self {
+            components: Vector3::new(x, y, z),
+            frame: PhantomData,
+        }
     }
 
     /// The zero vector.
     #[inline]
     pub const fn zero() -> Self {
-        Self::from_array([0.0; 3])
+        Self::new(0.0, 0.0, 0.0)
     }
 
     /// The vector with these components, as an array.
     #[inline]
-    pub const fn from_array(components: [f64; 3]) -> Self {
+    pub const fn from_array([x, y, z]: [f64; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+
+    /// The components, as an array.
+    #[inline]
+    pub fn to_array(self) -> [f64; 3] {
+        self.components.into()
+    }
+
+    /// The vector with these components, as a nalgebra column.
+    #[inline]
+    pub const fn from_column(components: Vector3<f64>) -> Self {
         Self {
             components,
             frame: PhantomData,
         }
     }
 
-    /// The components, as an array.
+    /// The components, as a nalgebra column without its frame.
     #[inline]
-    pub const fn to_array(self) -> [f64; 3] {
-        self.components
+    pub const fn column(&self) -> &Vector3<f64> {
+        &self.components
     }
 
     /// First component.
     #[inline]
-    pub const fn x(&self) -> f64 {
-        self.components[0]
+    pub fn x(&self) -> f64 {
+        self.components.x
     }
 
     /// Second component.
     #[inline]
-    pub const fn y(&self) -> f64 {
-        self.components[1]
+    pub fn y(&self) -> f64 {
+        self.components.y
     }
 
     /// Third component.
     #[inline]
-    pub const fn z(&self) -> f64 {
-        self.components[2]
+    pub fn z(&self) -> f64 {
+        self.components.z
     }
 
     /// Scalar product.
     #[inline]
-    pub const fn dot(&self, other: &Self) -> f64 {
-        let ([a, b, c], [x, y, z]) = (self.components, other.components);
-        a * x + b * y + c * z
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.components.dot(&other.components)
     }
 
     /// Vector product, in this order.
     #[inline]
-    pub const fn cross(&self, other: &Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.components, other.components);
-        Self::new(b * z - c * y, c * x - a * z, a * y - b * x)
+    pub fn cross(&self, other: &Self) -> Self {
+        Self::from_column(self.components.cross(&other.components))
     }
 
     /// Length, without overflow or underflow on the way.
     #[inline]
     pub fn norm(&self) -> f64 {
-        let [x, y, z] = self.components;
-        hypot(hypot(x, y), z)
+        crate::math::hypot(
+            crate::math::hypot(self.components.x, self.components.y),
+            self.components.z,
+        )
     }
 
     /// True if every component is finite.
     #[inline]
-    pub const fn is_finite(&self) -> bool {
-        let [x, y, z] = self.components;
-        x.is_finite() && y.is_finite() && z.is_finite()
+    pub fn is_finite(&self) -> bool {
+        self.components.iter().all(|c| c.is_finite())
     }
 }
 
@@ -155,15 +170,14 @@ impl<F: Frame> Add for Vector<F> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.components, other.components);
-        Self::new(a + x, b + y, c + z)
+        Self::from_column(self.components + other.components)
     }
 }
 
 impl<F: Frame> AddAssign for Vector<F> {
     #[inline]
     fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
+        self.components += other.components;
     }
 }
 
@@ -171,15 +185,14 @@ impl<F: Frame> Sub for Vector<F> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.components, other.components);
-        Self::new(a - x, b - y, c - z)
+        Self::from_column(self.components - other.components)
     }
 }
 
 impl<F: Frame> SubAssign for Vector<F> {
     #[inline]
     fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
+        self.components -= other.components;
     }
 }
 
@@ -187,8 +200,7 @@ impl<F: Frame> Neg for Vector<F> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        let [x, y, z] = self.components;
-        Self::new(-x, -y, -z)
+        Self::from_column(-self.components)
     }
 }
 
@@ -196,8 +208,7 @@ impl<F: Frame> Mul<f64> for Vector<F> {
     type Output = Self;
     #[inline]
     fn mul(self, factor: f64) -> Self {
-        let [x, y, z] = self.components;
-        Self::new(x * factor, y * factor, z * factor)
+        Self::from_column(self.components * factor)
     }
 }
 
@@ -213,7 +224,6 @@ impl<F: Frame> Div<f64> for Vector<F> {
     type Output = Self;
     #[inline]
     fn div(self, divisor: f64) -> Self {
-        let [x, y, z] = self.components;
-        Self::new(x / divisor, y / divisor, z / divisor)
+        Self::from_column(self.components / divisor)
     }
 }

@@ -12,7 +12,6 @@
 //! | [`inertia`] | tensor, principal moments and axes, parallel axes, solids |
 //! | [`body`] | a rigid body and its state, on principal axes or on those of its drawing |
 //! | `documents` | values to and from documents (feature `serde`) |
-//! | `nalgebra` | vectors and attitudes to and from nalgebra's (feature `nalgebra`) |
 //! | [`motion`] | what every motion can be asked, closed form or solved |
 //! | [`effects`] | what acts on a body, one file per effect |
 //! | [`scene`] | body, effects and initial state together |
@@ -130,8 +129,6 @@ pub mod integrators;
 pub mod interval;
 pub mod math;
 pub mod motion;
-#[cfg(feature = "nalgebra")]
-pub mod nalgebra;
 pub mod planar;
 #[cfg(feature = "report")]
 pub mod report;

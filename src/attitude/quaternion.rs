@@ -9,7 +9,8 @@
 //! here is b times a there.
 
 use super::Attitude;
-use crate::error::Result;
+use crate::error::{Error, Result};
+use nalgebra::{Quaternion, UnitQuaternion};
 
 impl Attitude {
     /// The attitude of a quaternion with the scalar last, (x, y, z, w), normalised.
@@ -25,5 +26,25 @@ impl Attitude {
     pub const fn xyzw(&self) -> [f64; 4] {
         let [w, x, y, z] = self.quaternion();
         [x, y, z, w]
+    }
+}
+
+impl From<Attitude> for UnitQuaternion<f64> {
+    /// The same numbers, the same product.
+    fn from(attitude: Attitude) -> Self {
+        let [w, x, y, z] = attitude.quaternion();
+        Self::new_unchecked(Quaternion::new(w, x, y, z))
+    }
+}
+
+impl TryFrom<UnitQuaternion<f64>> for Attitude {
+    type Error = Error;
+
+    /// The same numbers, normalised as [`Attitude::from_quaternion`] does.
+    ///
+    /// Errors: components that are not finite, or all zero (unchecked ones can be).
+    fn try_from(quaternion: UnitQuaternion<f64>) -> Result<Self> {
+        let q = quaternion.quaternion();
+        Self::from_quaternion([q.w, q.i, q.j, q.k])
     }
 }

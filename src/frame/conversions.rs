@@ -1,9 +1,10 @@
-//! Vectors to and from what others use: arrays, text, sums.
+//! Vectors to and from what others use: arrays, nalgebra's columns, text, sums.
 
 use super::{Frame, Vector};
 use core::fmt;
 use core::iter::Sum;
 use core::ops::Index;
+use nalgebra::Vector3;
 
 impl<F: Frame> From<[f64; 3]> for Vector<F> {
     #[inline]
@@ -19,12 +20,26 @@ impl<F: Frame> From<Vector<F>> for [f64; 3] {
     }
 }
 
+impl<F: Frame> From<Vector3<f64>> for Vector<F> {
+    #[inline]
+    fn from(components: Vector3<f64>) -> Self {
+        Self::from_column(components)
+    }
+}
+
+impl<F: Frame> From<Vector<F>> for Vector3<f64> {
+    #[inline]
+    fn from(vector: Vector<F>) -> Self {
+        *vector.column()
+    }
+}
+
 /// The component with this index, 0, 1 or 2; any other panics, as for an array.
 impl<F: Frame> Index<usize> for Vector<F> {
     type Output = f64;
     #[inline]
     fn index(&self, index: usize) -> &f64 {
-        &self.components[index]
+        &self.column().data.0[0][index]
     }
 }
 

@@ -1,5 +1,6 @@
-//! Vectors as others use them: arrays, indices, sums, print.
+//! Vectors as others use them: arrays, columns, indices, sums, print.
 
+use nalgebra::Vector3;
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 
 #[test]
@@ -7,6 +8,8 @@ fn vectors_convert_both_ways() {
     let given = [1.5, -2.0, 1e-300];
     let vector = BodyVector::from(given);
     assert_eq!(<[f64; 3]>::from(vector), given);
+    assert_eq!(Vector3::from(vector), Vector3::from(given));
+    assert_eq!(BodyVector::from(Vector3::from(given)), vector);
     assert_eq!([vector[0], vector[1], vector[2]], given);
     assert_eq!(vector.to_array(), given);
 }

@@ -34,7 +34,6 @@
 mod asked;
 mod batch;
 mod body;
-mod complex;
 mod construct;
 mod motion;
 mod queries;

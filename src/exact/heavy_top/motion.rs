@@ -6,12 +6,12 @@
 //! turns in the same way: near t = 0 they are near their initial values however fast
 //! the body spins.
 
-use super::complex::Complex;
 use super::rates::RateWave;
 use super::roots::{Conserved, Origin, Roots};
 use super::series::{Factor, Pair, Series};
 use super::waves::{Periods, Place as ZeroPlace, Zero};
 use crate::math::{self, DoubleDouble as Dd};
+use nalgebra::Complex;
 
 /// A motion between two turning points.
 #[derive(Debug, Clone)]
@@ -202,7 +202,7 @@ impl Motion {
     /// The arguments of both series without their whole turns: continuous in time
     /// once [`Self::turns`] is added.
     pub fn arguments(&self, place: &Place, pair: &Pair) -> [f64; 2] {
-        let argument = |value: Complex, channel: &Channel| {
+        let argument = |value: Complex<f64>, channel: &Channel| {
             if channel.reached {
                 // A signed real factor: a half turn at each passage.
                 if value.re < 0.0 {

@@ -1,6 +1,5 @@
 //! What can be asked of a motion at a time: angles, attitude, rates.
 
-use super::complex::Complex;
 use super::motion::{Motion, Place};
 use super::series::Pair;
 use super::{Course, HeavyTop, Turns};
@@ -9,11 +8,12 @@ use crate::body::{Kinematics, State};
 use crate::error::{Result, finite};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble as Dd};
+use nalgebra::Complex;
 
 /// Both Cayley-Klein parameters at a time, up to a common positive factor.
 struct Sample {
-    alpha: Complex,
-    beta: Complex,
+    alpha: Complex<f64>,
+    beta: Complex<f64>,
     /// |alpha|^2 + |beta|^2.
     norm: f64,
 }
@@ -263,13 +263,13 @@ impl HeavyTop {
     }
 
     /// sin and cos of theta/2 up to a common factor.
-    fn half_angle(&self, a: Complex, b: Complex) -> (f64, f64) {
+    fn half_angle(&self, a: Complex<f64>, b: Complex<f64>) -> (f64, f64) {
         let (a, b) = (math::hypot(a.re, a.im), math::hypot(b.re, b.im));
         if self.flip > 0.0 { (b, a) } else { (a, b) }
     }
 
     /// (A - B u)/sin^2 from whichever pole is nearer.
-    fn phi_rate_of(&self, a: Complex, b: Complex) -> f64 {
+    fn phi_rate_of(&self, a: Complex<f64>, b: Complex<f64>) -> f64 {
         let (a, b) = (a.norm_sqr(), b.norm_sqr());
         let (alpha, beta) = if self.flip > 0.0 { (a, b) } else { (b, a) };
         let norm = alpha + beta;
@@ -304,7 +304,7 @@ impl HeavyTop {
 
     /// alpha and beta from the parameters in v.
     #[inline]
-    fn ordered(&self, pair: Pair) -> (Complex, Complex) {
+    fn ordered(&self, pair: Pair) -> (Complex<f64>, Complex<f64>) {
         if self.flip > 0.0 {
             (pair.a, pair.b)
         } else {
@@ -314,7 +314,7 @@ impl HeavyTop {
 
     /// Before the phases: alpha, beta, and omega_1 + i omega_2 times |alpha|^2 + |beta|^2.
     #[inline]
-    fn transverse(&self, motion: &Motion, place: &Place) -> [Complex; 3] {
+    fn transverse(&self, motion: &Motion, place: &Place) -> [Complex<f64>; 3] {
         let (pair, slopes) = motion.pair_with_slopes(place);
         let [a, b] = &motion.channels;
         let (alpha, beta) = self.ordered(pair);
@@ -353,7 +353,7 @@ fn late(rate: Dd, t: f64) -> f64 {
 
 /// The phase factors of alpha and beta, with the sign that makes the quaternion continuous.
 #[inline]
-fn factors(turns: &[Turns; 2], place: &Place, t: f64) -> [Complex; 2] {
+fn factors(turns: &[Turns; 2], place: &Place, t: f64) -> [Complex<f64>; 2] {
     let sign = if place.period & 1 == 0 { 1.0 } else { -1.0 };
     [&turns[0], &turns[1]].map(|turns| {
         let (sin, cos) = math::sincos(turns.phase(t, place.count));

@@ -18,14 +18,14 @@
 //! Sources: DLMF 20.2, 20.7(viii); F. Klein, A. Sommerfeld, *Theorie des Kreisels*,
 //! VI.
 
-use super::complex::Complex;
 use crate::math;
+use nalgebra::Complex;
 
 /// Both parameters at a point, up to a common real factor, with derivatives by z or w.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
-    pub a: Complex,
-    pub b: Complex,
+    pub a: Complex<f64>,
+    pub b: Complex<f64>,
 }
 
 /// One factor as the series of its real and imaginary part, polynomials in k = 2 cos 2z

@@ -4,8 +4,6 @@
 //!
 //! eps = 2^-53.
 
-#[cfg(feature = "nalgebra")]
-mod nalgebra;
 mod properties;
 mod quaternions;
 mod rates;

@@ -1,7 +1,10 @@
 //! Quaternions as others write them.
 
 use super::Random;
+use nalgebra::{UnitQuaternion, Vector3};
 use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::error::Error;
+use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::EPS;
 use support::Errors;
 
@@ -58,4 +61,28 @@ fn the_other_product_has_the_same_numbers() {
     }
     errors.attain(3.3..=3.4, 10 * 1000);
     damaged.exceed(0.0, 1000);
+}
+
+#[test]
+fn nalgebra_turns_vectors_alike() {
+    let mut random = Random(42);
+    let mut errors = Errors::in_units_of(EPS, "nalgebra's turn");
+    for _ in 0..1000 {
+        let (attitude, v) = (random.attitude(), random.vector());
+        let theirs = UnitQuaternion::from(attitude);
+        assert_eq!(Attitude::try_from(theirs), Ok(attitude));
+        let turned = (theirs * Vector3::from(v)).into();
+        let ours = attitude.to_space(BodyVector::from(v));
+        errors.add((ours - turned).norm(), 0.0, ours.norm());
+        let inverse = Attitude::try_from(theirs.inverse()).expect("finite");
+        errors.push(inverse.angle_to(&attitude.inverse()));
+    }
+    // Theirs is the same formula.
+    errors.attain(0.0..=0.0, 2 * 1000);
+    let nan = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(f64::NAN, 0.0, 0.0, 0.0));
+    let error = Attitude::try_from(nan).unwrap_err();
+    assert!(
+        matches!(error, Error::NotFinite { name: "w", .. }),
+        "{error}"
+    );
 }
