@@ -120,7 +120,7 @@ fn turning_points(excess: f64) -> Result<[f64; 2]> {
         let across = root_a * (DoubleDouble::from(b) - u);
         let value = rest * lift * 2.0 - across.square();
         let slope = u * lift * -4.0 - rest * (2.0 * c) + across * root_a * 2.0;
-        u = u - value / slope;
+        u -= value / slope;
     }
     let off = |theta: f64| {
         let (sin, cos) = DoubleDouble::from(theta).sin_cos();
