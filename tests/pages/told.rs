@@ -78,3 +78,18 @@ pub fn computed(page: &dyn Page, flags: &str, key: &str) -> f64 {
     let value = claim.split("\"value\": ").nth(1).expect("a claim has a value");
     value.split(',').next().and_then(|digits| digits.parse().ok()).expect("a number")
 }
+
+/// The lines of the card of effects that this run measures: predicted and measured, to the
+/// digits that are printed.
+#[track_caller]
+pub fn ledger(page: &dyn Page, flags: &str) -> Vec<[f64; 2]> {
+    let told = page.answer(flags);
+    assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
+    let parsed = parse(&told.stdout).expect("the text follows its grammar");
+    let card = parsed.table("effects").expect("the page has a card");
+    let at = |name| card.columns().iter().position(|column| column == name).expect("it measures");
+    let columns = [at("error if left out"), at("measured")];
+    let lines = card.rows().iter().filter(|row| row[columns[1]] != "-");
+    let number = |cell: &str| cell.split(' ').next().and_then(|first| first.parse().ok());
+    lines.map(|row| columns.map(|i| number(&row[i]).expect("a number"))).collect()
+}
