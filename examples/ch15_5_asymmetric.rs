@@ -361,7 +361,7 @@ fn claims(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
         in "The body":
             i2 => "that is about the edge of middle length";
         /// rate at which an error grows about the middle axis
-        growth: growth, "1/s", "growth of 1e-7, stepped" => measured[1], within 1e-9 * growth,
+        growth: growth, "1/s", "growth of 1e-7, stepped" => measured[1], within 1e-9 * growth.max(0.5 * p.rate),
         in "Small errors":
             least => "that is about the least axis",
             largest => "that is about the largest axis";
