@@ -6,6 +6,8 @@ mod figures;
 mod picture;
 #[path = "ch15_1_euler_angles/pole.rs"]
 mod pole;
+#[path = "ch15_1_euler_angles/rigid.rs"]
+mod rigid;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::Result;
@@ -17,6 +19,7 @@ use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sin, sincos};
 use rotation_dynamics::report::{Report, Table, below, claim};
 
 pub use pole::Passage;
+pub use rigid::{pushed, stretched};
 
 rotation_dynamics::parameters! {
     /// A displacement of a rigid body: the instance of all pages of Section 15.1.
@@ -209,7 +212,7 @@ fn report(p: &Parameters) -> Result<Report> {
     conventions(p, &mut report)?;
     pole::claims(p, &mut report)?;
     limits(&mut report)?;
-    effects(&mut report)?;
+    rigid::effects(&mut report)?;
     pole::accuracy(p, &mut report)?;
     Ok(report)
 }
@@ -393,22 +396,6 @@ fn limits(report: &mut Report) -> Result<()> {
         "library at theta = 0: phi": locked.phi => 0.7, within 1e-15;
         /// and just off it the two are there again
         "library at theta = 1e-300: phi": near.phi => 0.3, within 1e-15;
-    }
-}
-
-/// The card of effects: how rigid is a steel plate of half a metre?
-fn effects(report: &mut Report) -> Result<()> {
-    let (density, modulus, expansion, length) = (7850.0, 2.0e11_f64, 1.2e-5, 0.656);
-    let weight = density * 9.81 * length / modulus;
-    let spin = density * (100.0 * length) * (100.0 * length) / modulus;
-    let warm = expansion * 10.0;
-    // A push arrives with the speed of sound; meanwhile the near end moves at 1 m/s.
-    let late = 1.0 / (modulus / density).sqrt();
-    rotation_dynamics::effect_card! { report,
-        "stretch by its own weight, hung up": "rho g l/E" = weight, costs 0.5 * weight * length, "m of the distance";
-        "stretch by spinning at 100 rad/s": "rho omega^2 l^2/E" = spin, costs spin * length / 12.0, "m of the distance";
-        "warmer by ten kelvin": "alpha T" = warm, costs warm * length, "m of the distance";
-        "a push at a metre a second arrives late": "v/c" = late, costs late * length, "m of the distance, for a moment";
     }
 }
 

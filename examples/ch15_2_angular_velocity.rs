@@ -3,6 +3,8 @@
 
 #[path = "ch15_2_angular_velocity/figures.rs"]
 mod figures;
+#[path = "ch15_2_angular_velocity/left_out.rs"]
+mod left_out;
 #[path = "ch15_2_angular_velocity/limits.rs"]
 mod limits;
 #[path = "ch15_2_angular_velocity/matrices.rs"]
@@ -11,6 +13,7 @@ pub mod matrices;
 mod steps;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+pub use left_out::{filmed, missed, swollen};
 use matrices::{about_x, about_z, columns, in_space, length, on_own_axes, product};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
@@ -255,6 +258,7 @@ fn report(p: &Parameters) -> Result<Report> {
     of_gyroscope(p, &mut report)?;
     of_frames(p, &mut report)?;
     limits::add(p, &mut report)?;
+    left_out::add(p, &mut report)?;
     steps::add(p, &mut report)?;
     Ok(report)
 }

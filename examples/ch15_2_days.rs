@@ -3,6 +3,8 @@
 
 #[path = "ch15_2_days/figures.rs"]
 mod figures;
+#[path = "ch15_2_days/left_out.rs"]
+pub mod left_out;
 #[path = "ch15_2_days/orbit.rs"]
 pub mod orbit;
 #[path = "ch15_2_days/year.rs"]
@@ -111,7 +113,7 @@ fn path(year: f64) -> impl Ode<4> {
 }
 
 /// How far the Sun stands past the meridian of P: positive after noon, negative before.
-fn past_meridian(p: &Parameters, t: f64, [x, y, ..]: &[f64; 4]) -> f64 {
+fn past_meridian(p: &Parameters, t: f64, [x, y]: [f64; 2]) -> f64 {
     // The meridian turns evenly, (15.5.11) in a day, and shows the mean Sun at t = 0.
     let turned = p.mean_longitude + turn(p.year) * t;
     let ((s, c), across) = (sincos(turned), y * sincos(p.obliquity).1);
@@ -155,7 +157,7 @@ fn report(p: &Parameters) -> Result<Report> {
     two_kinds_of_star_days(&mut report)?;
     year::add(p, &mut report)?;
     limits(p, &mut report)?;
-    effects(p, &mut report)?;
+    left_out::effects(p, &mut report)?;
     report.add(elsewhere()?)?;
     report.add(variations(p)?)?;
     let asked = [1e-6, 1e-8, 1e-10, 1e-12, p.tolerance, 1e-15];
@@ -301,27 +303,6 @@ const POINTS: u32 = 1461;
 fn times_of(p: &Parameters) -> impl Iterator<Item = f64> + Clone + use<> {
     let step = p.year / f64::from(POINTS);
     (0..POINTS).map(move |k| step * f64::from(k))
-}
-
-/// What the orbit of two bodies and a steady turn leave out, for the Earth.
-fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    // A change of the longitude moves the date at which a value is reached, and the value itself.
-    let second = p.day / TAU;
-    let slope = extremes(p).longest / p.day;
-    let (moon, jupiter) = (4671.0 / 149_597_871.0, 7.2 / TURN * TAU);
-    let aberration = 20.495 / TURN * TAU;
-    // The perihelion moves against the equinox by 61.9 arcsec a year (Simon et al. 1994).
-    let perihelion = 61.9 / TURN * TAU;
-    let tides = 2.4e-3 / 86_400.0;
-    rotation_dynamics::effect_card! { report,
-        "Moon: the Earth circles the common centre": "r/au" = moon, costs moon * second, "s of E";
-        "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E";
-        "aberration of light": "v/c" = aberration,
-        costs aberration * p.year / TAU * slope * p.day, "s of E";
-        "motion of the perihelion": "angle a year" = perihelion,
-        costs 2.0 * p.eccentricity * perihelion * second, "s of E a year";
-        "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day";
-    }
 }
 
 /// Solar days of other bodies, from their turns and years in days (NASA's planetary fact

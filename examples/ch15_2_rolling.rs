@@ -9,7 +9,7 @@ pub mod hoop;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, Work, ode};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -74,13 +74,18 @@ pub fn on_a_coin(fixed: f64) -> impl Ode<6> {
 }
 // ANCHOR_END: rolling
 
-/// How far the coin has turned when the line of centres has turned by `orbit`, rad, and the
-/// path of the point of its rim that touched the fixed coin at the start, in radii.
-pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<[f64; 2]> {
+/// The coin until the line of centres has turned by `orbit`, rad.
+fn coin_run(fixed: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
     let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
     let start = [fixed + 1.0, 0.0, fixed, 0.0, 0.0, 0.0];
     let long = 2.0 * (fixed + 1.0) * orbit;
-    let run = Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])?;
+    Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])
+}
+
+/// How far the coin has turned then, and the path of the point of its rim that touched the fixed
+/// coin at the start, in radii.
+pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<[f64; 2]> {
+    let run = coin_run(fixed, orbit, step)?;
     Ok([run.end_time(), run.end_state()[5]])
 }
 
@@ -188,7 +193,12 @@ pub fn measured(at: impl Fn(f64) -> Result<Attitude>, t: f64) -> Result<SpaceVec
 /// The velocity of the lowest point of the cycle wheel along the ground, from where that point
 /// is shortly before and after.
 pub fn slip(p: &Parameters, spin: f64) -> Result<f64> {
-    let lowest = upright()?.to_body(UP * -p.radius);
+    slip_beside(p, spin, 0.0)
+}
+
+/// The same of the point that touches so far outside of the middle of the tyre.
+pub fn slip_beside(p: &Parameters, spin: f64, outside: f64) -> Result<f64> {
+    let lowest = upright()?.to_body(RHO * outside - UP * p.radius);
     let h = 1e-3 / hypot(p.rate, spin);
     let at = |t: f64| -> Result<f64> {
         let place = along_shaft(p, t) * p.shaft + cycle_turned(p, spin, t)?.to_space(lowest);
@@ -417,23 +427,34 @@ fn limits(report: &mut Report) -> Result<()> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let speed = p.wheel_rate * p.wheel_radius;
     // A tyre of solid rubber, flattened by a hundredth of its radius: on the flat its tread is
-    // pressed from the arc 2 b R into the chord 2 R sin(b).
-    let (flat, resistance) = (0.01_f64, 0.005);
-    let turn = TAU / p.wheel_rate;
-    let slower = hoop::lost(p.wheel_radius, speed, resistance, 9.80665, turn)?;
+    // pressed from the arc 2 b R into the chord 2 R sin(b). So is that of 22 flats in a row.
+    let (flat, tipped) = (1.0 - cos(TAU / 44.0), tipping(22).0[22].x() / TAU);
+    let (resistance, turn) = (0.005, TAU / p.wheel_rate);
+    let stops = (0.5 * resistance * 9.80665 * turn).min(speed);
+    let (slower, slowing) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
     // Milled edges, half a hundredth of a millimetre more or less on the radius.
     let edge = 5e-6 / p.coin_radius;
+    let [like, other] = [
+        coin_run(1.0, TAU, 1e-13)?,
+        coin_run(1.0 + edge, TAU, 1e-13)?,
+    ];
     // A tyre that touches over 2 cm.
-    let width = 0.02 / (2.0 * p.shaft);
+    let (width, spin) = (0.02 / (2.0 * p.shaft), -p.rate * p.shaft / p.radius);
+    let counted = |work: Work| format!("{} derivatives", work.derivatives);
     effect_card! { report,
         "flattening of a solid tyre":
-            "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed";
+            "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed, to first order",
+            measured speed * (1.0 - tipped), at_cost "none, 22 tips";
         "rolling resistance of a hoop":
-            "C" = resistance, costs slower, "m/s a turn";
+            "C" = resistance, costs stops, "m/s a turn",
+            measured slower, at_cost format!("none, {}", counted(slowing));
         "coins that differ a little":
-            "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit";
+            "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit",
+            measured other.end_time() - like.end_time(), within 1e-11,
+            at_cost format!("{}, {}", counted(like.work()), counted(other.work()));
         "width of the tyre on the circle":
-            "b/(2 a)" = width, costs p.rate * 0.01, "m/s of slip at its edges";
+            "b/(2 a)" = width, costs p.rate * 0.01, "m/s of slip at its edges",
+            measured slip_beside(p, spin, 0.01)?, within 1e-11 * (p.rate * p.shaft).max(speed), at_cost "none, 4 places";
     }
 }
 

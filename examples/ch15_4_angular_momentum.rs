@@ -5,6 +5,10 @@
 
 #[path = "ch15_4_angular_momentum/figures.rs"]
 mod figures;
+#[path = "ch15_2_rolling/hoop.rs"]
+mod hoop;
+#[path = "ch15_4_angular_momentum/left_out.rs"]
+pub mod left_out;
 #[path = "ch15_4_angular_momentum/picture.rs"]
 mod picture;
 #[path = "ch15_4_angular_momentum/setups.rs"]
@@ -22,7 +26,7 @@ use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
-use rotation_dynamics::math::{atan2, pow, sin, sincos};
+use rotation_dynamics::math::{atan2, pow, sincos};
 use rotation_dynamics::report::{Report, Table, short};
 use rotation_dynamics::scene::Scene;
 use swarm::{Grain, Swarm, angle, step};
@@ -193,7 +197,7 @@ fn report(p: &Parameters) -> Result<Report> {
     worked::claims(p, &mut report)?;
     tries(p, &mut report)?;
     limits(&mut report)?;
-    effects(p, &mut report)?;
+    left_out::effects(p, &mut report)?;
     let problem = Shaft::of(p)?.driven()?;
     report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-12])?;
     Ok(report)
@@ -328,34 +332,6 @@ fn limits(report: &mut Report) -> Result<()> {
 fn disc_ratio() -> f64 {
     let momentum = shape(0.0, 0.25 * PI).momentum();
     momentum.z() / momentum.y()
-}
-
-/// The card of effects. Air: 1.2 kg/m^3 and a drag coefficient of 1.2; Earth and Moon: their
-/// measured masses, distance and moment.
-fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let shaft = Shaft::of(p)?;
-    let s = sin(p.tilt);
-    let air = 1.2 * 1.2 * p.radius * s * s * s * pow(p.height, 4.0) / 32.0;
-    let (spin, whole) = (
-        worked::EARTH.spin() + worked::EARTH.third(),
-        worked::EARTH.orbital(),
-    );
-    let moon = 7.2534e22 * 3.844e8 * 3.844e8 * 2.6617e-6;
-    let off = 1e-4;
-    rotation_dynamics::effect_card! { report,
-        "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I1)" = air / shaft.i1,
-            costs air * p.rate * p.rate * p.rate, "W of the motor";
-        "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
-            costs p.mass * off * p.rate * p.rate, "N, going round";
-        "rolling wheel: resistance": "C_rr g/(1.5 R Omega)" = 0.005 * p.gravity / (1.5 * p.wheel_radius * p.wheel_rate),
-            costs 0.005 * p.gravity / (1.5 * p.wheel_radius * p.wheel_rate), "of L a second";
-        "Earth: denser inside": "0.4/0.330675 - 1" = 0.4 / 0.330675 - 1.0,
-            costs 0.4 / 0.330675 - 1.0, "of the spin";
-        "Earth: the orbit is an ellipse": "e^2/2" = 0.5 * 0.0167 * 0.0167,
-            costs 0.5 * 0.0167 * 0.0167, "of the orbital L";
-        "Earth: the Moon": "L_Moon/L_spin" = moon / (spin * 0.330675 / 0.4),
-            costs moon / whole, "of the orbital L";
-    }
 }
 
 rotation_dynamics::example! {

@@ -18,21 +18,21 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use rotation_dynamics::accuracy::{Problem, largest};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
-use rotation_dynamics::effects::{Effect, Torque};
+use rotation_dynamics::effects::{Effect, KeplerOrbit, OrbitingBody};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
 use rotation_dynamics::interval::between;
-use rotation_dynamics::math::{acos, asinh, atan2, cos, cosh, hypot, sin, sincos, sinh};
+use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
 use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 
 pub use fit::{Fit, MIDDLE, Unknowns, jackknife, least_squares, unknowns};
 pub use observed::{Observed, attitude, observed, rates, seconds};
-pub use path::{AU, Changed, EARTH, Path, number, under_the_sun};
+pub use path::{AU, Changed, EARTH, HALF, Path, by_kicks, number, under_the_sun};
 pub use tables::{Moved, phases};
 
 /// s.
@@ -132,12 +132,21 @@ pub fn tumbling([a, b, c]: [f64; 3]) -> impl Ode<8> {
 
 /// A free motion simulated by them over this time, s.
 pub fn simulated(start: &Start, time: f64) -> Result<[f64; 8]> {
+    Ok(driven(start, 0.0, time)?.0)
+}
+
+/// The same with a torque about the long axis that goes with the body, in 1/s^2: over its moment
+/// of inertia; and the work.
+pub fn driven(start: &Start, torque: f64, time: f64) -> Result<([f64; 8], Work)> {
     let [p, q, r] = (start.angular_velocity * DAY).to_array();
     let [w, x, y, z] = start.attitude.quaternion();
-    let from = [p, q, r, w, x, y, z, 0.0];
-    Ok(Dop853::new(1e-14)?
-        .advance(&tumbling(start.moments), 0.0, &from, time / DAY)?
-        .0)
+    let (free, from) = (tumbling(start.moments), [p, q, r, w, x, y, z, 0.0]);
+    let law = ode(|t, state: &[f64; 8]| {
+        let mut slope = free.derivative(t, state);
+        slope[2] += torque * (DAY * DAY);
+        slope
+    });
+    Dop853::new(1e-14)?.advance(&law, 0.0, &from, time / DAY)
 }
 
 /// The attitudes at some times by the closed form.
@@ -462,34 +471,29 @@ fn passage(p: &Parameters, closest: f64, date: &str) -> Path {
 }
 
 // ANCHOR: tide
-/// The tide as a torque: at each time the library's gradient of a mass held where
-/// the path has it. The clock of the scene begins at `begin`.
-pub fn tide(path: Path, begin: f64) -> impl Effect + Clone + Send + Sync {
-    Torque::on_space("tide", move |t, body, state| {
-        match path.gradient(begin + t) {
-            Ok(gradient) => gradient.torque(t, body, state),
-            Err(_) => SpaceVector::zero(),
-        }
-    })
-    .smooth()
-    .with_narrowest(path.width())
-    .expect("a width is positive")
+/// The tide along a path: the library's torque of a body on an orbit by Kepler. The clock of the
+/// scene begins at `begin`.
+pub fn tide(path: Path, begin: f64) -> Result<OrbitingBody> {
+    let [node, inclination, argument] = path.angles;
+    let orbit = KeplerOrbit::about(path.attracts, path.closest, path.eccentricity)?
+        .oriented(node, inclination, argument)?
+        .passing_at(path.when - begin)?;
+    OrbitingBody::new(path.attracts, orbit)
 }
 // ANCHOR_END: tide
 
-/// [`tumbling`] with the tide along a path, whose clock begins at `begin`.
-pub fn pulled([a, b, c]: [f64; 3], path: Path, begin: f64) -> impl Ode<8> {
+/// [`tumbling`] with a tide.
+pub fn pulled([a, b, c]: [f64; 3], tide: OrbitingBody) -> impl Ode<8> {
     let free = tumbling([a, b, c]);
     ode(move |t, state: &[f64; 8]| {
         let mut slope = free.derivative(t, state);
         let [w, x, y, z] = [state[3], state[4], state[5], state[6]];
-        let place = path.place(begin + t * DAY);
-        let r = place.norm();
+        let (v, strength) = tide.pull(t * DAY);
         // The direction on the body's axes: v + 2 (v x u) w + 2 (v x u) x u.
-        let (u, v) = (SpaceVector::new(x, y, z), place / r);
+        let u = SpaceVector::new(x, y, z);
         let across = v.cross(&u) * 2.0;
         let [l, m, n] = (v + across * w + across.cross(&u)).to_array();
-        let pull = 3.0 * path.attracts / (r * r * r) * (DAY * DAY);
+        let pull = 3.0 * strength * (DAY * DAY);
         slope[0] += pull * (c - b) * m * n / a;
         slope[1] += pull * (a - c) * n * l / b;
         slope[2] += pull * (b - a) * l * m / c;
@@ -498,24 +502,24 @@ pub fn pulled([a, b, c]: [f64; 3], path: Path, begin: f64) -> impl Ode<8> {
 }
 
 /// Attitude and angular momentum at a time after a tide that begins to act at `begin`, by
-/// Euler's equations: another method, in other variables.
+/// Euler's equations, and the work: another method, in other variables.
 pub fn simulated_under(
     start: &Start,
     path: Path,
     [begin, end]: [f64; 2],
     step: f64,
-) -> Result<(Attitude, SpaceVector)> {
+) -> Result<(Attitude, SpaceVector, Work)> {
     let at = start.motion()?.kinematics(begin);
     let ([a, b, c], [p, q, r]) = (start.moments, (at.angular_velocity * DAY).to_array());
     let [w, x, y, z] = at.attitude.quaternion();
     let (law, from) = (
-        pulled(start.moments, path, begin),
+        pulled(start.moments, tide(path, begin)?),
         [p, q, r, w, x, y, z, 0.0],
     );
-    let (end, _) = Dop853::new(step)?.advance(&law, 0.0, &from, (end - begin) / DAY)?;
+    let (end, work) = Dop853::new(step)?.advance(&law, 0.0, &from, (end - begin) / DAY)?;
     let attitude = Attitude::from_quaternion([end[3], end[4], end[5], end[6]])?;
     let momentum = BodyVector::new(a * end[0], b * end[1], c * end[2]) / DAY;
-    Ok((attitude, attitude.to_space(momentum)))
+    Ok((attitude, attitude.to_space(momentum), work))
 }
 
 /// The flyby of 2004 put in; and the Sun.
@@ -525,7 +529,7 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
         Changed::by(&start, path, p.tolerance)?,
         [path.when - path::HALF, path.when + path::HALF],
     );
-    let (attitude, momentum) = simulated_under(&start, path, span, 1e-14)?;
+    let (attitude, momentum, _) = simulated_under(&start, path, span, 1e-14)?;
     let free = changed.free.angular_momentum;
     let (size, other) = (changed.momentum(), (momentum - free).norm() / free.norm());
     let off = |attitude: &Attitude| attitude.angle_to(&changed.free.attitude).to_degrees();
@@ -538,8 +542,8 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
     let by_hand = 3.0 * (n / speed) * (n / speed) * (1.0 - 1.0 / x.max(y));
     let slope = ((path.eccentricity - 1.0) * (path.eccentricity + 1.0)).sqrt();
     let bend = 2.0 * atan2(1.0, slope).to_degrees();
-    let far = 1e6 * path.width().time;
-    let [early, late] = [-far, far].map(|t| path.place(path.when + t));
+    let far = 1e6 * p.closest / p.speed;
+    let (early, late) = (path.place(path.when - far)?, path.place(path.when + far)?);
     let (rate, end) = (speed.to_degrees() * DAY, study.last.t);
     let sunlit = under_the_sun(&start, end)?;
     let by_sun = sunlit.angle_to(&start.motion()?.attitude(end)).to_degrees();
@@ -578,11 +582,11 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let far = |closest: f64| number(&start, &Path { closest, ..path });
     let round = Path {
         eccentricity: 1e-12,
-        ..Path::orbit()?
+        ..Path::orbit()
     };
     let third = TAU * (round.closest * round.closest * round.closest / round.attracts).sqrt() / 3.0;
-    let moved = angle_between(round.place(round.when), round.place(round.when + third));
-    let straight = Path::flyby(1e9, 1e7, 0.0, 0.0).place(1000.0);
+    let moved = angle_between(round.place(round.when)?, round.place(round.when + third)?);
+    let straight = Path::flyby(1e9, 1e7, 0.0, 0.0).place(1000.0)?;
     rotation_dynamics::limits! { report,
         /// a symmetric body: L runs round the axis at (1 - I_z/I_x) Omega_z
         "I_x = I_y: period of the rotation": thin.periods()?[0] / symmetric => 1.0, within 1e-8;
@@ -609,11 +613,30 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     let w = start.angular_velocity.norm();
     let damping = 5e12 / (2500.0 * 0.03 * 1.2e3 * 1.2e3 * w * w * w);
     let friction = end / damping;
+    // As if all of it turned the body about its long axis.
+    let ([_, _, _, a, x, y, z, _], by_light) = driven(&start, push, end)?;
+    let lit = Attitude::from_quaternion([a, x, y, z])?;
+    // Each tide by kicks along the free motion; the Earth in the worst of its phases.
+    let earth = |path: Path| -> Result<f64> {
+        let each = phases(path)
+            .map(|path| by_kicks(&start, path, [path.when - HALF, path.when + HALF], end));
+        Ok(largest(each.collect::<Result<Vec<_>>>()?).to_degrees())
+    };
+    let (own, first) = (earth(flyby(p))?, earth(first_flyby(p))?);
+    let sun = by_kicks(&start, Path::orbit(), [0.0, end], end)?.to_degrees();
+    // What goes round too far comes back from the other side.
+    let told = |predicted: f64, [moved, ..]: [f64; 3]| (predicted < 60.0).then_some(moved);
+    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
+    let [by_sun, by_first, by_own] = moved.work;
     rotation_dynamics::effect_card! { report,
-        "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs moved.own[0], "deg in 2008, at most", included;
-        "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs moved.first[0], "deg in 2008, at most";
-        "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit()?)?, costs moved.sun[0], "deg in 2008";
-        "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about";
+        "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs own, "deg in 2008, at most, to first order",
+            measured told(own, moved.own), within 1e-5, at_cost cost(by_own), included;
+        "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs first, "deg in 2008, at most, to first order",
+            measured told(first, moved.first), within 1e-5, at_cost cost(by_first);
+        "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit())?, costs sun, "deg in 2008, to first order",
+            measured told(sun, moved.sun), within 1e-5, at_cost cost(by_sun);
+        "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about",
+            measured lit.angle_to(&start.motion()?.attitude(end)).to_degrees(), at_cost cost(by_light);
         "friction inside": "t over the time of damping" = friction, costs (friction * w * end).to_degrees(), "deg in 2008, about";
     }
 }

@@ -1,12 +1,12 @@
-//! Limits where the answer is known, and the card of effects.
+//! Limits where the answer is known.
 
 use super::{
-    Attitude, EulerAngles, FRAC_PI_2, Gyroscope, Parameters, Report, Result, SpaceVector, UP, body,
+    EulerAngles, FRAC_PI_2, Gyroscope, Parameters, Report, Result, SpaceVector, UP, body,
     from_two_points, gap, rates, seen_from, velocity,
 };
 use rotation_dynamics::report::{Table, short};
 
-/// Tests the formulas where one knows what must come out, and sizes what is left out.
+/// Tests the formulas where one knows what must come out.
 pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let g = Gyroscope::of(p, 1.0);
     let at = |theta| Gyroscope {
@@ -40,29 +40,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
         "from two points: Omega off by": (found - omega).norm() => 0.0,
         within 1e-14;
     }?;
-    report.add(variations(p)?)?;
-    let size = g.angular_velocity().norm();
-    let earth = 7.292_115e-5;
-    // A camera with a thousand pictures a second: the turn from one to the next over the time.
-    let watched = filmed(&g, 1e-3)?;
-    // A rotor of steel with 6 cm radius: 7850 kg/m^3, 200 GPa.
-    let stretch = 7850.0 * p.spin * p.spin * 0.06 * 0.06 / 2e11;
-    let drift = size * 1e-3;
-    rotation_dynamics::effect_card! { report,
-        "pictures 1 ms apart, not a rate": "Omega dt" = drift, costs watched, "rad/s of Omega";
-        "turning of the laboratory with the Earth":
-            "Omega_E/Omega" = earth / size.max(1e-300), costs earth, "rad/s of Omega";
-        "stretch of the spinning rotor": "rho Omega^2 R^2/E" = stretch, costs stretch, "of v";
-    }
-}
-
-/// By how much the turn between two pictures, over the time between them, misses the angular
-/// velocity in the middle (rad/s).
-fn filmed(g: &Gyroscope, time: f64) -> Result<f64> {
-    let picture = |t: f64| Attitude::from_euler(g.after(t).angles);
-    let (before, after) = (picture(-0.5 * time)?, picture(0.5 * time)?);
-    let turn = before.inverse().then(&after).rotation_vector();
-    Ok((turn / time - g.angular_velocity()).norm())
+    report.add(variations(p)?)
 }
 
 /// What the page asks its reader to try, one flag changed at a time.

@@ -19,12 +19,21 @@ pub fn longitude(p: &Parameters, t: f64, step: f64) -> Result<(f64, Work)> {
 
 /// The noons of a year from the epoch, in mean days, and the work of finding them.
 pub fn noons(p: &Parameters, step: f64) -> Result<(Vec<f64>, Work)> {
+    noons_seen(p, step, |_, [x, y, ..]| [x, y])
+}
+
+/// The same if the Sun is seen elsewhere than the orbit alone has it, at `[x, y, x', y']`.
+pub fn noons_seen(
+    p: &Parameters,
+    step: f64,
+    seen: impl Fn(f64, [f64; 4]) -> [f64; 2],
+) -> Result<(Vec<f64>, Work)> {
     // From the last perigee that lies two days or more before the epoch.
     let mut start = (p.perigee - p.mean_longitude) * p.year / TAU;
     while start > -2.0 {
         start -= p.year;
     }
-    let event = Event::rising("noon", |t, y: &[f64; 4]| past_meridian(p, t, y));
+    let event = Event::rising("noon", |t, y: &[f64; 4]| past_meridian(p, t, seen(t, *y)));
     let method = Dop853::new(step)?.with_longest_step(1.0)?;
     let end = (p.year + 1.0).floor() + 0.5;
     let run = method.solve(&path(p.year), start, &perigee(p), end, &[event])?;

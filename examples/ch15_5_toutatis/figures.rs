@@ -171,17 +171,14 @@ fn passing(p: &Parameters, study: &Study) -> Result<Figure> {
         .y(Axis::linear("change of $L$ over $L$ / $10^{-3}$"));
     for (path, dash) in tables::phases(flyby(p)).take(6).step_by(2).zip(0..) {
         let begin = path.when - 6.0 * DAY;
-        let scene = Scene::new(start.body()?).with(tide(path, begin));
+        let scene = Scene::new(start.body()?).with(tide(path, begin)?);
         let clock: Vec<f64> = ends.iter().map(|t| t * DAY).collect();
         let states = scene.solve_at(&motion.state(begin), &clock, 1e-7, &Default::default())?;
         let change = states
             .iter()
             .map(|state| 1e3 * (state.angular_momentum - free).norm() / free.norm());
         let points: Vec<_> = ends.iter().map(|t| t - 6.0).zip(change).collect();
-        let label = format!(
-            "{:.0}°",
-            atan2(path.towards.y(), path.towards.x()).to_degrees()
-        );
+        let label = format!("{:.0}°", path.angles[2].to_degrees());
         let curve =
             Curve::new([(-6.0, 0.0)].into_iter().chain(points), Ink::Momentum).label_end(&label);
         panel = panel

@@ -7,12 +7,10 @@ use rotation_dynamics::report::{Table, supported_digits};
 pub fn phases(path: Path) -> impl Iterator<Item = Path> {
     // Half a turn further it is the same: a tide has two sides.
     (0..24).map(move |i| {
-        let (s, c) = sincos(PI * f64::from(i % 6) / 6.0);
-        let (towards, along) = (SpaceVector::new(c, s, 0.0), SpaceVector::new(-s, c, 0.0));
+        let angles = [0.0, 0.0, PI * f64::from(i % 6) / 6.0];
         let when = path.when + f64::from(i / 6) * 2.0 * DAY;
         Path {
-            towards,
-            along,
+            angles,
             when,
             ..path
         }
@@ -33,6 +31,8 @@ pub struct Moved {
     pub own: Shift,
     /// The root of the sum of squares over the published numbers, each by half of its last digit.
     pub digits: Shift,
+    /// What the runs with the Sun and, all phases together, with the Earth have cost.
+    pub work: [Work; 3],
 }
 
 impl Moved {
@@ -41,18 +41,24 @@ impl Moved {
         let motion = start.motion()?;
         let (free, momentum) = (motion.attitude(end), motion.angular_momentum());
         let shift = |there: &Attitude| shift(&free, there, momentum);
-        let earth = |path: Path| -> Result<Shift> {
-            let each = phases(path)
-                .map(|path| shift(&Changed::simulated(&start, path)?.in_2008(&start, path, end)?));
-            let all = each.collect::<Result<Vec<_>>>()?;
-            Ok([0, 1, 2].map(|i| largest(all.iter().map(|shift| shift[i]))))
+        let earth = |path: Path| -> Result<(Shift, Work)> {
+            let (mut most, mut work) = ([0.0; 3], Work::default());
+            for path in phases(path) {
+                let changed = Changed::simulated(&start, path)?;
+                let shift = shift(&changed.in_2008(&start, path, end)?)?;
+                most = [0, 1, 2].map(|i| largest([most[i], shift[i]]));
+                work += changed.work;
+            }
+            Ok((most, work))
         };
-        let (sunlit, _) = simulated_under(&start, Path::orbit()?, [0.0, end], 1e-13)?;
+        let (sunlit, _, by_sun) = simulated_under(&start, Path::orbit(), [0.0, end], 1e-13)?;
+        let ((first, by_first), (own, by_own)) = (earth(first_flyby(p))?, earth(flyby(p))?);
         Ok(Self {
             sun: shift(&sunlit)?,
-            first: earth(first_flyby(p))?,
-            own: earth(flyby(p))?,
+            first,
+            own,
             digits: rounding(p, study)?,
+            work: [by_sun, by_first, by_own],
         })
     }
 }
@@ -248,10 +254,7 @@ fn flybys(p: &Parameters, study: &Study) -> Result<Table> {
             changed.free.angular_momentum,
         );
         table.push([
-            format!(
-                "{:.0} deg",
-                atan2(path.towards.y(), path.towards.x()).to_degrees()
-            ),
+            format!("{:.0} deg", path.angles[2].to_degrees()),
             format!("{:.2e}", changed.momentum()),
             format!("{turn:.3} deg"),
             rate(0),

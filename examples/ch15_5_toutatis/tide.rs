@@ -3,7 +3,6 @@
 use super::*;
 use rotation_dynamics::accuracy::{Fineness, Variables};
 use rotation_dynamics::body::State;
-use rotation_dynamics::effects::{Feature, GravityGradient};
 use rotation_dynamics::integrators::Method;
 
 /// G M of the Earth and of the Sun, m^3/s^2; the astronomical unit, m.
@@ -11,7 +10,7 @@ pub const EARTH: f64 = 3.986_004_418e14;
 pub const SUN: f64 = 1.327_124_400_18e20;
 pub const AU: f64 = 1.495_978_707e11;
 
-/// A path about an attracting body in its focus.
+/// The orbit of an attracting body, as it is seen from the asteroid.
 #[derive(Debug, Clone, Copy)]
 pub struct Path {
     pub attracts: f64,
@@ -19,109 +18,43 @@ pub struct Path {
     /// Distance at the closest (m), and when (s after the epoch).
     pub closest: f64,
     pub when: f64,
-    /// Unit vectors from the asteroid at the closest: to the attracting body, and against
-    /// the motion, along which that body then goes.
-    pub towards: SpaceVector,
-    pub along: SpaceVector,
+    /// Node, inclination, and from the node to the closest, rad.
+    pub angles: [f64; 3],
 }
 
 impl Path {
-    /// Past the Earth in the plane of the ecliptic; at the closest the Earth has this
-    /// longitude, rad.
+    /// The Earth goes past in the plane of the ecliptic; at the closest it has this longitude, rad.
     pub fn flyby(closest: f64, speed: f64, longitude: f64, when: f64) -> Self {
-        let (s, c) = sincos(longitude);
         Self {
             attracts: EARTH,
             eccentricity: 1.0 + closest * speed * speed / EARTH,
             closest,
             when,
-            towards: SpaceVector::new(c, s, 0.0),
-            along: SpaceVector::new(-s, c, 0.0),
+            angles: [0.0, 0.0, longitude],
         }
     }
 
-    /// The orbit about the Sun, by its elements of November 2008.
-    pub fn orbit() -> Result<Self> {
+    /// The Sun, by the elements of the asteroid's orbit of November 2008.
+    pub fn orbit() -> Self {
         let (axis, eccentricity) = (2.5321 * AU, 0.6288);
         let mean_motion = (SUN / (axis * axis * axis)).sqrt();
         let since = 5.1220_f64.to_radians() / mean_motion;
-        // Node, inclination, argument of the perihelion.
-        let plane = attitude([124.30, 0.4460, 278.75])?;
-        Ok(Self {
+        // Node, inclination, argument of the perihelion; the Sun is on the other side.
+        let [node, inclination, argument] = [124.30_f64, 0.4460, 278.75].map(f64::to_radians);
+        Self {
             attracts: SUN,
             eccentricity,
             closest: axis * (1.0 - eccentricity),
             when: seconds("2008-11-27T00:00:00") - seconds(EPOCH) - since,
-            towards: -plane.to_space(BodyVector::new(1.0, 0.0, 0.0)),
-            along: -plane.to_space(BodyVector::new(0.0, 1.0, 0.0)),
-        })
+            angles: [node, inclination, argument + PI],
+        }
     }
 
     /// Where the attracting body is seen from the asteroid, m.
-    pub fn place(&self, t: f64) -> SpaceVector {
-        let e = self.eccentricity;
-        let axis = self.closest / (1.0 - e);
-        let size = axis.abs();
-        let mean = (t - self.when) * (self.attracts / (size * size * size)).sqrt();
-        let (x, y) = if e < 1.0 {
-            elliptic(mean, e)
-        } else {
-            hyperbolic(mean, e)
-        };
-        self.towards * (size * x) + self.along * (size * y)
-    }
-
-    /// The gradient of gravity at this time: the library's for a body held there.
-    pub fn gradient(&self, t: f64) -> Result<GravityGradient<true>> {
-        let place = self.place(t);
-        let r = place.norm();
-        GravityGradient::fixed((self.attracts / (r * r * r)).sqrt(), place)
-    }
-
-    /// The time it takes to go by.
-    pub fn width(&self) -> Feature {
-        let speed = ((1.0 + self.eccentricity) * self.attracts / self.closest).sqrt();
-        Feature {
-            time: self.closest / speed,
-            ..Feature::WIDE
-        }
+    pub fn place(&self, t: f64) -> Result<SpaceVector> {
+        Ok(tide(*self, 0.0)?.orbit().place(t))
     }
 }
-
-/// Kepler's equation E - e sin(E) = M: the place over the axis, from the focus.
-fn elliptic(mean: f64, e: f64) -> (f64, f64) {
-    let mean = mean - core::f64::consts::TAU * (mean / core::f64::consts::TAU).round();
-    let mut anomaly = mean + e * sin(mean);
-    for _ in 0..30 {
-        let step = (anomaly - e * sin(anomaly) - mean) / (1.0 - e * cos(anomaly));
-        anomaly -= step;
-        if step.abs() < 1e-15 {
-            break;
-        }
-    }
-    (
-        cos(anomaly) - e,
-        ((1.0 - e) * (1.0 + e)).sqrt() * sin(anomaly),
-    )
-}
-
-// ANCHOR: hyperbola
-/// The same of a hyperbola, e sinh(H) - H = M.
-fn hyperbolic(mean: f64, e: f64) -> (f64, f64) {
-    let mut anomaly = asinh(mean / e);
-    for _ in 0..30 {
-        let step = (e * sinh(anomaly) - anomaly - mean) / (e * cosh(anomaly) - 1.0);
-        anomaly -= step;
-        if step.abs() < 1e-15 * anomaly.abs().max(1e-3) {
-            break;
-        }
-    }
-    (
-        e - cosh(anomaly),
-        ((e - 1.0) * (e + 1.0)).sqrt() * sinh(anomaly),
-    )
-}
-// ANCHOR_END: hyperbola
 
 /// How long before and after the closest the tide of a flyby is put in.
 pub const HALF: f64 = 20.0 * DAY;
@@ -132,17 +65,18 @@ pub struct Changed {
     /// The state after it, and without it.
     pub after: State,
     pub free: State,
+    /// What it cost to find out.
+    pub work: Work,
 }
 
 impl Changed {
     pub fn by(start: &Start, path: Path, tolerance: f64) -> Result<Self> {
         let (begin, motion) = (path.when - HALF, start.motion()?);
-        let scene = Scene::new(start.body()?).with(tide(path, begin));
-        let after = scene
-            .solve(&motion.state(begin), 2.0 * HALF, tolerance)?
-            .state;
+        let scene = Scene::new(start.body()?).with(tide(path, begin)?);
+        let solved = scene.solve(&motion.state(begin), 2.0 * HALF, tolerance)?;
         Ok(Self {
-            after,
+            after: solved.state,
+            work: solved.work,
             free: motion.state(path.when + HALF),
         })
     }
@@ -150,9 +84,10 @@ impl Changed {
     /// The same by Euler's equations: less sure, and five times faster.
     pub fn simulated(start: &Start, path: Path) -> Result<Self> {
         let span = [path.when - HALF, path.when + HALF];
-        let (attitude, momentum) = simulated_under(start, path, span, 1e-11)?;
+        let (attitude, momentum, work) = simulated_under(start, path, span, 1e-11)?;
         Ok(Self {
             after: State::new(attitude, momentum)?,
+            work,
             free: start.motion()?.state(span[1]),
         })
     }
@@ -178,13 +113,13 @@ impl Changed {
 /// The number of a tide: 3 (n/omega)^2 times the larger difference of moments over the larger.
 pub fn number(start: &Start, path: &Path) -> Result<f64> {
     let state = start.motion()?.state(0.0);
-    Ok(path.gradient(path.when)?.number(&start.body()?, &state))
+    Ok(tide(*path, 0.0)?.number(&start.body()?, &state))
 }
 
 /// The attitude of the end with the tide of the Sun since the epoch, by one run in steps of a
 /// day and a half.
 pub fn under_the_sun(start: &Start, end: f64) -> Result<Attitude> {
-    let scene = Scene::new(start.body()?).with(tide(Path::orbit()?, 0.0));
+    let scene = Scene::new(start.body()?).with(tide(Path::orbit(), 0.0)?);
     let from = start.motion()?.state(0.0);
     let steps = Fineness::Steps((end / (1.5 * DAY)) as u64);
     let problem = Problem::new(scene, from, end, from);
@@ -192,4 +127,32 @@ pub fn under_the_sun(start: &Start, end: f64) -> Result<Attitude> {
         .run(Method::GaussLegendre16, Variables::Space, steps)?
         .0
         .attitude)
+}
+
+/// By how much (rad) the tide along a path between two times turns the attitude at `end`, to
+/// first order in it: each quarter of a day of it is a kick of L on the free motion, which is
+/// free again from there on, and what the kicks do at the end adds up.
+pub fn by_kicks(start: &Start, path: Path, [from, to]: [f64; 2], end: f64) -> Result<f64> {
+    let (motion, body) = (start.motion()?, start.body()?);
+    let (free, tide) = (motion.attitude(end), tide(path, 0.0)?);
+    // So small that the turn by it is in proportion, also after a thousand revolutions.
+    let small = 1e-8 * motion.angular_momentum().norm();
+    // Gauss's two points to each half of a day.
+    let pieces = ((to - from) / (0.5 * DAY)).ceil();
+    let (piece, aside) = ((to - from) / pieces, 0.5 / 3.0_f64.sqrt());
+    let middles = (0..pieces as u32).map(|k| f64::from(k) + 0.5);
+    let mut turn = SpaceVector::zero();
+    for at in middles.flat_map(|middle| [middle - aside, middle + aside]) {
+        let (t, state) = (from + at * piece, motion.state(from + at * piece));
+        let torque = tide.torque(t, &body, &state);
+        if torque.norm() > 0.0 {
+            let kick = torque * (small / torque.norm());
+            let kicked = State::new(state.attitude, state.angular_momentum + kick)?;
+            let rates = body.angular_velocity(&kicked);
+            let onward = FreeBody::new(body.moments(), kicked.attitude, rates)?;
+            let there = turn_between(&free, &onward.attitude(end - t));
+            turn += there * (torque.norm() / small * 0.5 * piece);
+        }
+    }
+    Ok(turn.norm())
 }

@@ -1,12 +1,12 @@
 //! Section 15.1, Euler angles. That two routes agree on every number is part of the report.
 
-use crate::told::{confirmed, number, refused, value};
+use crate::told::{confirmed, ledger, number, refused, value};
 use pages::ch15_1_euler_angles::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates, Sequence};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::Ode;
-use rotation_dynamics::math::{EPS, acos, cos, sin};
+use rotation_dynamics::math::{EPS, acos, cos, log, sin};
 use std::f64::consts::{FRAC_PI_2, PI};
 use support::Errors;
 
@@ -219,4 +219,38 @@ fn e01_the_azimuth_of_the_axis() {
     }
     right.attain(4.4e-16..=4.5e-16, 216);
     printed.exceed(1.4, 216);
+}
+
+/// The card: a hung rod by u = s - s^2/2, a spun one by its exact form, tan(k)/k - 1 with k^2 the
+/// strain; the first order of it is the damaged twin.
+#[test]
+fn rods_stretch_as_much_as_they_must() {
+    assert_eq!(ledger(&EXAMPLE, "").len(), 3);
+    let (mut errors, mut damaged) = (Errors::of("stretch"), Errors::of("first order"));
+    for strain in [1e-7, 1e-4, 0.04, 1.0] {
+        let (hung, spun) = (stretched(strain, |_| 1.0).unwrap().0, stretched(strain, |x| x).unwrap().0);
+        let k = strain.sqrt();
+        errors.push(hung - 0.5);
+        // Its series where the difference would cancel.
+        let exact = if k < 0.05 { 1.0 / 3.0 + 2.0 * strain / 15.0 + 17.0 * strain * strain / 315.0 } else { (sin(k) / cos(k) / k - 1.0) / strain };
+        errors.push(spun - exact);
+        damaged.push((spun - 1.0 / 3.0) / strain);
+    }
+    errors.attain(2.2e-14..=2.3e-14, 8);
+    damaged.exceed(0.1, 4);
+}
+
+/// A push goes through in the time 1, in which the pushed end has come by 1. A chain of masses
+/// smears its front out over the third root of their number, so that it comes with the power 2/3.
+#[test]
+fn a_push_goes_through_at_the_speed_of_sound() {
+    let lost = [pushed::<32>(), pushed::<64>(), pushed::<128>()].map(|run| 1.0 - run.unwrap().0);
+    let (mut errors, mut slopes) = (Errors::of("shortening"), Errors::of("slope"));
+    for pair in lost.windows(2) {
+        errors.push(pair[1]);
+        slopes.push(log(pair[0] / pair[1]) / log(2.0));
+    }
+    errors.attain(0.022..=0.023, 2);
+    slopes.attain(0.69..=0.70, 2);
+    slopes.exceed(0.65, 2);
 }

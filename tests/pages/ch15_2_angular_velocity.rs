@@ -1,11 +1,11 @@
 //! Angular velocity: equations (1) to (6) and the theorem, by where points and bodies are a
 //! little earlier and later; what the notes leave open or misstate.
 
-use crate::told::{confirmed, refused, value};
-use pages::ch15_2_angular_velocity::*;
+use crate::told::{confirmed, ledger, refused, value};
+use pages::ch15_2_angular_velocity::{filmed as pictured, *};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::sin;
+use rotation_dynamics::math::{atan2, cos, hypot, sin};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use support::{Errors, assert_error};
@@ -315,4 +315,49 @@ fn what_has_no_rates_is_refused() {
         ("--tolerance=1e-17", "tolerance = 1e-17 is not allowed"),
     ];
     refused(&EXAMPLE, runs);
+}
+
+/// The card: of a steady precession the turn between two pictures is three turns one after the
+/// other, half of the precession, the spin, the other half: by half angles. What the prediction
+/// leaves falls with the square of the time; the twin is that for twice the time.
+#[test]
+fn two_pictures_miss_what_they_must() {
+    assert_eq!(ledger(&EXAMPLE, "").len(), 3);
+    let (mut exact, mut first) = (Errors::of("filmed"), Errors::of("first order, over dt^2"));
+    let mut damaged = Errors::of("twice the time");
+    for (theta, precession, spin) in [(1.0, 2.0, 30.0), (0.1, -7.0, 3.0), (2.5, 1.0, -10.0)] {
+        let g = Gyroscope::new([0.3, theta, -0.4], [precession, 0.0, spin]);
+        for time in [1e-2, 1e-3] {
+            let ((a, b), c) = ((0.5 * precession * time, 0.5 * spin * time), cos(theta));
+            // Twice the vector part over its sine: along z across Z, and along Z.
+            let up = sin(a) * cos(b) + cos(a) * sin(b) * c;
+            let across = sin(b) * sin(theta);
+            let angle = 2.0 * atan2(hypot(up, across), cos(a) * cos(b) - sin(a) * sin(b) * c);
+            let part = angle / hypot(up, across) / time;
+            let off = hypot(part * up - precession - spin * c, part * across - spin * sin(theta));
+            exact.push(pictured(&g, time).unwrap() / off - 1.0);
+            first.push((missed(&g, time) / off - 1.0) / (time * time));
+            damaged.push(missed(&g, 2.0 * time) / off - 1.0);
+        }
+    }
+    exact.attain(6.8e-8..=6.9e-8, 6);
+    first.attain(16.9..=17.0, 6);
+    damaged.exceed(2.0, 6);
+    // With all three rates, the ratio of what the prediction leaves at 10 and 1 ms is 100.
+    let g = Gyroscope::of(&Parameters::default(), 1.0);
+    let left = |time| missed(&g, time) / pictured(&g, time).unwrap() - 1.0;
+    assert_error!(left(1e-2) / left(1e-3) / 100.0 - 1.0, 5.843e-4);
+}
+
+/// A spinning disc swells by (1 - nu)/4 of rho Omega^2 R^2/E at its rim; the twin: a ring, by 1.
+#[test]
+fn a_rotor_swells_as_elasticity_says() {
+    let (mut errors, mut damaged) = (Errors::of("rim"), Errors::of("a ring"));
+    for nu in [0.0, 0.3, 0.45] {
+        let (rim, _) = swollen(nu).unwrap();
+        errors.push(rim - 0.25 * (1.0 - nu));
+        damaged.push(rim - 1.0);
+    }
+    errors.attain(2.45e-9..=2.55e-9, 3);
+    damaged.exceed(0.7, 3);
 }

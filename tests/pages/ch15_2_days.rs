@@ -1,7 +1,8 @@
 //! The day and the stars: the notes' numbers by a turning arrow, the equation of time by an
 //! orbit that is integrated, and what the notes slip in or leave out.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, ledger, refused, value};
+use pages::ch15_2_days::left_out::{by_jupiter, by_light, by_the_moon, later, simulated, spread};
 use pages::ch15_2_days::*;
 use rotation_dynamics::math::{atan2, cos, sin, tan};
 use std::f64::consts::{PI, TAU};
@@ -231,4 +232,41 @@ fn what_is_no_year_is_refused() {
         ("--year=inf", "not a finite number"),
     ];
     refused(&EXAMPLE, runs);
+}
+
+/// The card, for the Earth and for other orbits: noons later by one step from the closed form,
+/// against simulated years. In the damaged twin the Sun is seen on the other side.
+#[test]
+fn what_is_left_out_is_as_large_as_predicted() {
+    assert_eq!(ledger(&EXAMPLE, "").len(), 4);
+    let p = Parameters::default();
+    let (mut errors, mut damaged) = (Errors::of("shifts, over the largest"), Errors::of("the other way"));
+    for p in [p.clone(), with(&p, 0.1, 0.7), with(&p, 0.3, 1.2), Parameters { year: 30.5, ..p }] {
+        for lag in [None, Some(499.0 / 86_400.0)] {
+            let (predicted, measured) = match lag {
+                None => (later(&p, by_the_moon).unwrap(), simulated(&p, by_the_moon).unwrap().0),
+                Some(lag) => (later(&p, by_light(lag)).unwrap(), simulated(&p, by_light(lag)).unwrap().0),
+            };
+            assert_eq!(predicted.len(), measured.len());
+            let opposite: Vec<f64> = measured.iter().map(|x| -x).collect();
+            errors.push(apart(&predicted, &measured) / spread(&measured));
+            damaged.push(apart(&predicted, &opposite) / spread(&measured));
+        }
+    }
+    errors.attain(1.20e-3..=1.21e-3, 8);
+    damaged.exceed(1.0, 8);
+}
+
+/// Newcomb's terms of the Earth's longitude by Jupiter are 7.208 and 2.731 arcsec, of the angle
+/// from Jupiter and of twice that angle, with opposite signs: together 8.5. It goes with its mass.
+#[test]
+fn jupiter_moves_the_earth_as_newcomb_has_it() {
+    let arcsec = 1_296_000.0 / TAU;
+    let newcomb = |x: f64| 7.208 * sin(x) - 2.731 * sin(2.0 * x);
+    let most = (0..1000).map(|k| newcomb(PI * f64::from(k) / 1000.0)).fold(0.0, f64::max);
+    let found = by_jupiter(1.0 / 1047.35).unwrap().0 * arcsec;
+    assert_error!(found / most - 1.0, 1.73e-3);
+    assert_error!(by_jupiter(1e-5).unwrap().0 * arcsec / found / 1047.35e-5 - 1.0, 1.04e-5);
+    // The damaged twin: its first term alone.
+    assert!((found / 7.208 - 1.0).abs() > 0.1);
 }

@@ -1,6 +1,6 @@
 //! Section 15.3: each equation by a route that does not use it, and the slips of the notes.
 
-use crate::told::{cell, confirmed, refused, value};
+use crate::told::{cell, confirmed, ledger, refused, value};
 use pages::ch15_3_moment_of_inertia::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::DesignVector;
@@ -370,7 +370,7 @@ fn solids_are_their_points() {
     error(1e-13).exceed(100.0, 12);
 }
 
-/// The card: what the library's solids make of thickness and warmth.
+/// The card: what is predicted of thickness and warmth, against the library's solids.
 #[test]
 fn the_effects_are_what_the_bodies_say() {
     let (a, thickness) = (0.4, 1.5 / (0.16 * 2700.0));
@@ -381,6 +381,21 @@ fn the_effects_are_what_the_bodies_say() {
     assert_error!(thick - card("thickness of aluminium"), 3.5e-7);
     let warm = moment(solids::plate(1.5, a, a * (1.0 + 23e-5))) / flat - 1.0;
     assert_error!(warm - card("warmer by ten kelvin"), 5.3e-8);
+    assert_eq!(ledger(&EXAMPLE, "").len(), 3);
+}
+
+/// A plate that turns and yields, against its exact form: the piece at s goes to sin(ks)/(k cos(k)).
+#[test]
+fn a_turning_plate_stretches() {
+    let (mut errors, mut first) = (Errors::of("growth"), Errors::of("first order"));
+    for number in [1e-3, 0.01, 0.1, 0.5] {
+        let k = (1.25_f64 * number).sqrt();
+        let part = (1.0 - sin(2.0 * k) / (2.0 * k)) / (k * k * cos(k) * cos(k));
+        errors.push(yielded(number).unwrap().0 * number - (1.5 * part - 1.0));
+        first.push((1.5 * part - 1.0 - number) / (number * number));
+    }
+    errors.attain(7.8e-14..=7.9e-14, 4);
+    first.exceed(0.7, 4);
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Angular momentum. The other route is everywhere the sum over grains whose velocities come
 //! from their places at neighbouring times: it knows no tensor and no v = Omega x r.
 
-use crate::told::{cell, confirmed, number, refused, value};
+use crate::told::{cell, confirmed, ledger, number, refused, value};
+use pages::ch15_4_angular_momentum::left_out::{blown, whirled};
 use pages::ch15_4_angular_momentum::swarm::{Swarm, angle, ball, cuboid, cylinder, rate};
 use pages::ch15_4_angular_momentum::worked::{Earth, Runner, plate, rolling, runner};
 use pages::ch15_4_angular_momentum::{
@@ -9,7 +10,7 @@ use pages::ch15_4_angular_momentum::{
 };
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
-use rotation_dynamics::math::{cos, sin};
+use rotation_dynamics::math::{cos, exp, sin};
 use std::f64::consts::PI;
 use support::{EPS, Errors, assert_error};
 
@@ -328,4 +329,33 @@ fn the_bearings_torque_is_what_the_motion_needs() {
     let mirrored = Shaft { tilt: -0.5, ..Shaft::of(&Parameters::default()).unwrap() };
     let other = mirrored.driven().unwrap();
     assert!(other.scene.solve(&problem.start, problem.end, 1e-6).is_ok_and(|led| problem.error(&led.state) > 0.1));
+}
+
+/// The card: against the square of the speed the rate falls as exp(-c x) with the angle x, in the
+/// time (exp(c x) - 1)/(c Omega); a centre off the shaft is led by M e Omega^2. The twins: the
+/// power at the start, and a centre on the other side of twice the distance.
+#[test]
+fn the_card_says_what_air_and_shaft_do() {
+    assert_eq!(ledger(&EXAMPLE, "").len(), 4);
+    let (mut errors, mut first) = (Errors::of("power"), Errors::of("power at the start"));
+    let (mut led, mut double) = (Errors::of("force"), Errors::of("twice as far"));
+    for (tilt, rate, drag) in [(0.5, 10.0, 1.44), (1.5, 3.0, 30.0), (0.1, 200.0, 144.0)] {
+        let p = Parameters { tilt, rate, ..Parameters::default() };
+        let shaft = Shaft::of(&p).unwrap();
+        let (s, c) = (sin(tilt), cos(tilt));
+        let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+        let part = drag * p.radius * s * s * s * p.height.powi(4) / 32.0 / inertia;
+        let lost = 0.5 * inertia * rate * rate * (1.0 - exp(-2.0 * part));
+        let power = lost * part * rate / (exp(part) - 1.0);
+        let found = blown(&shaft, &p, drag).unwrap().0;
+        errors.push(found / power - 1.0);
+        first.push((found / (part * inertia * rate * rate * rate) - 1.0) / part);
+        let force = p.mass * rate * rate * 1e-4;
+        led.push(whirled(&shaft, &p, 1e-4) / force - 1.0);
+        double.push(whirled(&shaft, &p, -2e-4) / force - 1.0);
+    }
+    errors.attain(4.8e-4..=4.9e-4, 3);
+    first.exceed(1.4, 3);
+    led.attain(8.4e-12..=8.5e-12, 3);
+    double.exceed(0.9, 3);
 }

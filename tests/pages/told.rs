@@ -71,3 +71,18 @@ pub fn claimed(json: &str, key: &str) -> Option<f64> {
     let value = claim.split("\"value\": ").nth(1)?;
     value.split(',').next()?.parse().ok()
 }
+
+/// The lines of the card of effects that this run measures: predicted and measured, to the
+/// digits that are printed.
+#[track_caller]
+pub fn ledger(page: &dyn Page, flags: &str) -> Vec<[f64; 2]> {
+    let told = page.answer(flags);
+    assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
+    let parsed = parse(&told.stdout).expect("the text follows its grammar");
+    let card = parsed.table("effects").expect("the page has a card");
+    let at = |name| card.columns().iter().position(|column| column == name).expect("it measures");
+    let columns = [at("error if left out"), at("measured")];
+    let lines = card.rows().iter().filter(|row| row[columns[1]] != "-");
+    let number = |cell: &str| cell.split(' ').next().and_then(|first| first.parse().ok());
+    lines.map(|row| columns.map(|i| number(&row[i]).expect("a number"))).collect()
+}

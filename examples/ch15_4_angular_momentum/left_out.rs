@@ -1,0 +1,105 @@
+//! What the scenes leave out: air, a centre off the shaft, rolling resistance, an oval orbit.
+
+use super::*;
+use rotation_dynamics::effects::KeplerOrbit;
+use rotation_dynamics::integrators::{Dop853, Work, second_order};
+
+/// The cylinder with its motor shut off, slowed down by the air on strips of it, each across its
+/// own speed: the power lost, on average over the first radian, and the work. `drag` is the density
+/// times the drag coefficient.
+pub fn blown(shaft: &Shaft, p: &Parameters, drag: f64) -> Result<(f64, Work)> {
+    const STRIPS: u32 = 64;
+    let (s, c) = sincos(shaft.tilt);
+    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let slowed = second_order(|_, _, rate| {
+        let strips = (0..STRIPS).map(|k| {
+            let from_centre = (f64::from(k) + 0.5) / f64::from(STRIPS) - 0.5;
+            let arm = (p.height * from_centre * s).abs();
+            let speed = rate * arm;
+            // Half of the density, and the diameter.
+            -drag * p.radius * p.height / f64::from(STRIPS) * speed * speed.abs() * arm
+        });
+        strips.sum::<f64>() / inertia
+    });
+    let (end, work) =
+        Dop853::new(1e-12)?.zero(&slowed, [0.0, shaft.rate], 1, 9.0 / shaft.rate, |y| {
+            y[0] - 1.0
+        })?;
+    let lost = 0.5 * inertia * (shaft.rate - end.state[1]) * (shaft.rate + end.state[1]);
+    Ok((lost / end.t, work))
+}
+
+/// The force that leads the centre of the cylinder round, so far off the shaft, from the places
+/// of its grains.
+pub fn whirled(shaft: &Shaft, p: &Parameters, off: f64) -> f64 {
+    let grains = swarm::cylinder(p.mass, p.radius, p.height);
+    // Level, as the first axis of the cylinder is.
+    let off = BodyVector::new(off, 0.0, 0.0);
+    let moment = |t: f64| {
+        let attitude = shaft.attitude(t);
+        let places = grains
+            .iter()
+            .map(|(mass, place)| attitude.to_space(*place + off) * *mass);
+        places.fold(SpaceVector::zero(), |sum, place| sum + place)
+    };
+    let h = step(shaft.rate);
+    swarm::rate(|t| swarm::rate(moment, t, h), 0.0, h).norm()
+}
+
+/// The card of effects. Air: 1.2 kg/m^3 and a drag coefficient of 1.2; Earth and Moon: their
+/// measured masses, distance and moment.
+pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (shaft, (s, c)) = (Shaft::of(p)?, sincos(p.tilt));
+    let air = 1.2 * 1.2 * p.radius * s * s * s * pow(p.height, 4.0) / 32.0;
+    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate * p.rate);
+    let breeze = if slowing < 0.1 {
+        Some(blown(&shaft, p, 1.2 * 1.2)?)
+    } else {
+        None
+    };
+    let (off, speed) = (1e-4, p.wheel_radius * p.wheel_rate);
+    let resisted = 0.005 * p.gravity / (1.5 * speed);
+    // In a second; a wheel that is hardly slowed down, or stops, tells nothing.
+    let rolled = if (1e-9..0.1).contains(&resisted) {
+        Some(hoop::lost(
+            0.5,
+            [p.wheel_radius, speed],
+            0.005,
+            p.gravity,
+            1.0,
+        )?)
+    } else {
+        None
+    };
+    let oval = 0.0167;
+    let earth = KeplerOrbit::elliptic(1.0, TAU, oval)?;
+    let narrower = 1.0 - earth.place(1.0).cross(&earth.velocity(1.0)).norm();
+    let (spin, whole) = (
+        worked::EARTH.spin() + worked::EARTH.third(),
+        worked::EARTH.orbital(),
+    );
+    let moon = 7.2534e22 * 3.844e8 * 3.844e8 * 2.6617e-6;
+    let counted = |work: Option<Work>| match work {
+        Some(work) => format!("none, {} derivatives", work.derivatives),
+        None => "-".into(),
+    };
+    rotation_dynamics::effect_card! { report,
+        "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I)" = slowing,
+            costs slowing * unit, "W of the motor, to first order",
+            measured breeze.map(|(power, _)| power), within 1e-12 * unit, at_cost counted(breeze.map(|(_, work)| work));
+        "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
+            costs p.mass * off * p.rate * p.rate, "N, going round",
+            measured whirled(&shaft, p, off), within 1e-12 * p.mass * (p.height + p.radius) * p.rate * p.rate, at_cost "none, 64 attitudes";
+        "rolling wheel: resistance": "C_rr g/(1.5 R Omega)" = resisted,
+            costs resisted, "of L a second",
+            measured rolled.map(|(lost, _)| lost / speed), at_cost counted(rolled.map(|(_, work)| work));
+        "Earth: denser inside": "0.4/0.330675 - 1" = 0.4 / 0.330675 - 1.0,
+            costs 0.4 / 0.330675 - 1.0, "of the spin";
+        "Earth: the orbit is an ellipse": "e^2/2" = 0.5 * oval * oval,
+            costs 0.5 * oval * oval, "of the orbital L, to first order",
+            measured narrower, at_cost "closed form, closed form";
+        "Earth: the Moon": "L_Moon/L_spin" = moon / (spin * 0.330675 / 0.4),
+            costs moon / whole, "of the orbital L";
+    }
+}
