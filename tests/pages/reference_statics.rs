@@ -235,7 +235,11 @@ fn expected(field: &Value) -> Vec<f64> {
 
 /// How far these numbers are from the field of a case, in units of eps (|value| + sens).
 fn factor(case: &Value, field: &str, got: &[f64]) -> f64 {
-    let want = expected(&case["expect"][field]);
+    let mut want = expected(&case["expect"][field]);
+    // Of a rotation's two quaternions either is as good.
+    if field == "quat_wxyz" && want.first().is_some_and(|w| *w < 0.0) {
+        want.iter_mut().for_each(|w| *w = -*w);
+    }
     let largest = want.iter().fold(0.0_f64, |m, w| m.max(w.abs()));
     let scale = EPS * (largest + case["sens"][field].as_f64().unwrap_or(0.0));
     if got.len() != want.len() {
