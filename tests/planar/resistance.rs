@@ -310,7 +310,7 @@ fn the_energy_goes_where_the_power_says() {
         Errors::of("without a drag"),
     );
     for t in [0.3, 0.9, 1.7] {
-        let slope = derivative(&energy, t, 1e-2);
+        let slope = derivative(energy, t, 1e-2);
         errors.add(slope, power(t), power(t).abs());
         let rate = motion.at(t).unwrap().v[2];
         damaged.add(slope, power(t) + c[2] * rate * rate, power(t).abs());
