@@ -162,6 +162,10 @@ mod tests {
                 "SRKN 14a, RK4, ABA(10,4), spin-free",
             ),
             ("4 kg/m, 100 s, 1.0 to -2", "4 kg/m, 100 s, 1.0 to −2"),
+            (
+                "1e-46 kg m^2, is 5e29 J, m = 2",
+                "10<sup>−46</sup> kg m<sup>2</sup>, is 5\u{202f}×\u{202f}10<sup>29</sup> J, |m=2|",
+            ),
             ("at the end 2. Then (b", "at the end 2. Then (|b|"),
             ("heavy_top: x < 5", "heavy_top: |x<5|"),
             ("b) + (c", "|b|) + (|c|"),

@@ -119,6 +119,18 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
             _ => continue,
         };
     }
+    // The metre of `kg m^2`, the joule of `5e29 J`.
+    for n in 2..tokens.len() {
+        let (before, spaced) = (&tokens[n - 2], tokens[n - 1].kind == Kind::Space);
+        let unit = match tokens[n].tex.as_str() {
+            "m " => before.tex == "kg",
+            "J " => before.kind == Kind::Number,
+            _ => false,
+        };
+        if spaced && unit {
+            tokens[n].kind = Kind::Prose;
+        }
+    }
     tokens
 }
 
