@@ -137,8 +137,7 @@ impl<E: Effect> Scene<E> {
     /// [`Solved::estimate`] was too small in 2 of these 61 518 answers, and then never by
     /// more than the tolerance left room for. All runs together cost 10 times the one
     /// that is returned at 1e-3, 5.5 times at 1e-9 (medians). Of 20 000 requests on 10 000
-    /// scenes made to break it none that was granted was missed (`benches/record/attack.txt`;
-    /// the dial has become stricter since, near the upright of a top).
+    /// scenes made to break it none that was granted was missed (`benches/record/attack.txt`).
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. The condition is felt on a motion whose own error, times that

@@ -149,7 +149,7 @@ fn what_was_caught_once_holds() {
 /// Ten thousand scenes, for `benches/record/attack.txt`: `cargo test -p checks --test accuracy
 /// -- --ignored ten_thousand --nocapture`.
 #[test]
-#[ignore = "eleven minutes"]
+#[ignore = "seventeen minutes"]
 fn ten_thousand_scenes() {
     let (tallies, failures) = attacked(0..10_000, KINDS, case).expect("sound scenes");
     println!("{}", table(&tallies));

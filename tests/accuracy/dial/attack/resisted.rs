@@ -211,7 +211,7 @@ fn nothing_that_resists_breaks_the_promise() {
 
 /// Six thousand: `cargo test -p checks --test accuracy -- --ignored six_thousand --nocapture`.
 #[test]
-#[ignore = "minutes"]
+#[ignore = "6000 scenes: minutes"]
 fn six_thousand_scenes_that_resist() {
     let chosen = Chosen::default();
     let (tallies, failures) = attacked(0..6000, KINDS, |n| case(n, &chosen)).expect("sound scenes");
