@@ -374,11 +374,19 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         ),
         false => None,
     };
+    let board = |thickness: f64| Parameters {
+        thickness,
+        ..p.clone()
+    };
+    let slower = match thick < 0.1 {
+        true => Some(quarter(&board(0.02))?.0 / quarter(&board(0.0))?.0 - 1.0),
+        false => None,
+    };
     effect_card! { report,
         "friction that falls by 1 % for each 0.1 m/s of slip":
             "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "growth of the amplitude in a swing",
             measured grown.map(|grown| grown / small - 1.0), within 1e-8;
-        "a thickness of 2 cm": "mu h/(2 a)" = thick, costs thick, "of the period";
+        "a thickness of 2 cm": "mu h/(2 a)" = thick, costs -thick, "of the period", measured slower, within 1e-8;
         "coefficients of the rollers that differ by 1 %":
             "dmu/mu" = 0.01, costs 0.25 * 0.01 * a, "m, place of rest";
         "one roller higher by 1 mm": "dh/a" = 1e-3 / a, costs 1e-3 / (2.0 * mu), "m, place of rest";

@@ -17,7 +17,7 @@ use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, ElasticYielding, InternalDissipation};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode, second_order};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode};
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::report::supported_digits;
 use rotation_dynamics::scene::Scene;
@@ -365,14 +365,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (all, lasting) = (told("whole"), told("left_over"));
     let slower = all - told("ocean");
     let ran = |step: Step| Ok(all - step.simulated(p, 1e-10)? * days);
-    // Euler's small wobble, called back more strongly on one side than on the other.
+    // Euler's small wobble of three moments, in closed form; none of what is no body.
     let apart = |part: f64| -> Result<f64> {
-        let law = second_order(move |_, x, _| -(1.0 - part) * (1.0 + part) * x);
-        Ok(Dop853::new(1e-15)?
-            .zero(&law, [1.0, 0.0], 2, 9.0, |y| y[1])?
-            .0
-            .t)
+        let side = part * (p.c - p.a);
+        let moments = PrincipalMoments::new(p.a - side, p.a + side, p.c)?;
+        let rates = BodyVector::new(1e-4, 0.0, 1.0);
+        Ok(FreeBody::new(moments, Attitude::IDENTITY, rates)?.rate_period())
     };
+    let longer = apart(0.0035).ok().zip(apart(0.0).ok());
     effect_card! { report,
         "yielding of the mantle":
             "k_2/k_s" = p.love / p.fluid, costs without(stiff)?, "d of the period", measured ran(stiff)?, within 1e-5, included;
@@ -393,7 +393,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             "A_s/A" = 7.3e-4, costs 7.3e-4 / (1.0 - p.core) * whole, "d of the period, at most";
         "two different moments in the equator":
             "(B - A)/(C - A)" = 0.007, costs 0.5 * 0.0035 * 0.0035 * whole, "d of the period",
-            measured (apart(0.0035)? / apart(0.0)? - 1.0) * whole, within 1e-9 * whole;
+            measured longer.map(|(with, without)| (with / without - 1.0) * whole), within 1e-9 * whole;
         "torque of Sun and Moon":
             "rate of the equinox/rate of the wobble" = whole / (25_770.0 * excited::YEAR), costs 0.055, "arcsec of the axis among the stars in a day";
         "backward part of the yearly wobble":

@@ -606,12 +606,20 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let law = ode(|_, &[spin]: &[f64; 1]| [-2.0 * PI * slowing * spin * spin]);
     let left = after(1.0, &law, &[1.0], 1e-12)?[0];
     let bound = wheel.at_end() * rate / wheel.momentum;
+    // tan(lean) g = rate^2 (lever + rope sin(lean)), by the length of the rope.
+    let ((s, c), far) = (sincos(rope), rate * rate * p.rope / p.gravity);
+    let longer = far * s * c * c / (1.0 - far * c * c * c) / rope;
+    let stretched = Wheel {
+        rope: p.rope * (1.0 + stretch),
+        ..Wheel::new(p)
+    };
     effect_card! { report,
         "lean of the rope": "p^2 b/g" = rate * rate * p.rope / p.gravity,
             costs rope, "rad of the rope", included;
         "precession not slow": "J p/L" = bound, costs bound * tan(p.rise).abs(), "of the rate", included;
         "mass of the rope": "m_r/m" = mass, costs 0.5 * mass * rope, "rad of the rope";
-        "stretch of the rope": "mg/(E A)" = stretch, costs stretch * rope, "rad of the rope";
+        "stretch of the rope": "mg/(E A)" = stretch, costs longer * stretch * rope, "rad of the rope",
+            measured stretched.outward(rate, 0.0) - rope, within 1e-14;
         "air on the wheel": "M/(L p)" = slowing, costs 2.0 * PI * slowing, "of the spin a turn", measured 1.0 - left;
         "turning of the Earth": "Omega_E/p" = 7.292e-5 / rate, costs 7.292e-5 / rate, "of the rate, at most";
     }

@@ -91,7 +91,7 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
             costs p.mass * off * p.rate * p.rate, "N, going round",
             measured whirled(&shaft, p, off), within 1e-12 * p.mass * (p.height + p.radius) * p.rate * p.rate, at_cost "none, 64 attitudes";
-        "rolling wheel: resistance": "C_rr g/(1.5 R Omega)" = resisted,
+        "rolling wheel: resistance": "C_rr g (1 s)/(1.5 R Omega)" = resisted,
             costs resisted, "of L a second",
             measured rolled.map(|(lost, _)| lost / speed), at_cost counted(rolled.map(|(_, work)| work));
         "Earth: denser inside": "0.4/0.330675 - 1" = 0.4 / 0.330675 - 1.0,

@@ -140,7 +140,8 @@ pub fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
         "of what",
     ];
     let mut table = Table::new("ledger", columns)?;
-    for line in lines(p, &y)? {
+    let lines = lines(p, &y)?;
+    for line in &lines {
         if line.measured.is_nan() {
             continue;
         }
@@ -155,35 +156,40 @@ pub fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
         ])?;
     }
     report.add(table)?;
-    card(p, &y, report)
+    card(p, &y, &lines, report)
 }
 
-fn card(p: &Parameters, y: &Gyroscope, report: &mut Report) -> Result<()> {
+fn card(p: &Parameters, y: &Gyroscope, lines: &[Line], report: &mut Report) -> Result<()> {
     let (f, spin) = (y.fading()?, p.rpm * TAU / 60.0);
     let (turn, pull) = (TAU / f.precession, y.pull());
     let (earth, axial): (f64, f64) = (7.292115e-5, y.start.axial_momentum);
     let drag = y.bearings.air.map_or(0.0, |air| -air.axial_torque(spin));
     let halves = PI * y.bearings.tilt.dry() / pull;
     let b = y.gimbals.turning(p.theta) / (I1 * pow(sin(p.theta), 2.0)) - 1.0;
-    // Steel, 7850 kg/m^3 and 200 GPa; a ring of aluminium that bends at 300 Hz.
+    // Steel, 7850 kg/m^3, 200 GPa, Poisson's ratio 0.3: the moment of a disc grows by
+    // (1 - nu)(7 + nu)/12 of the number. A ring of aluminium that bends at 300 Hz.
     let stretch = 7850.0 * spin * spin * RADIUS * RADIUS / 2e11;
+    let swells = 0.7 * 7.3 / 12.0 * stretch;
     let bends = pow(f.frequency / (TAU * 300.0), 2.0);
     let play = 1e-5;
-    let about = p.pivot_dry + p.pivot_viscous * f.precession;
+    let [_, dip, _, pivot, axle, _] = lines else {
+        unreachable!("the ledger has six lines")
+    };
+    let seen = |line: &Line| Some(line.measured).filter(|measured| measured.is_finite());
     effect_card! { report,
-        "inertia of ring and fork": "N/(I1 sin(theta)^2) - 1" = b, costs b, "of the dip", included;
+        "inertia of ring and fork": "N/(I1 sin(theta)^2) - 1" = b, costs b, "of the dip", measured seen(dip), within 1e-12, included;
         "dry friction of the tilt": "pi tau/(m g l sin(theta))" = halves, costs 1.0, "of the nods", included;
         "viscous friction of the tilt": "decay x nod" = f.decay * TAU / f.frequency,
             costs 1.0 - exp(-f.decay * turn), "of the nods, in a turn", included;
         "friction of the vertical pivot": "2 pi tau/(m g l sin(theta))" = TAU * p.pivot_dry / pull,
-            costs about * turn / (axial * sin(p.theta)), "rad a turn, in θ", included;
+            costs pivot.predicted, "rad a turn, in θ", measured seen(pivot), within 1e-9, included;
         "friction of the axle": "torque x turn / L_z" = p.axle_dry * turn / axial,
-            costs p.axle_dry * turn / (axial * tan(p.theta)), "rad a turn, in θ", included;
+            costs axle.predicted, "rad a turn, in θ", measured seen(axle), within 1e-9, included;
         "air on the rotor": "torque x turn / L_z" = drag * turn / axial,
             costs 0.5 * drag * turn * TAU / axial, "rad a turn, in φ", included;
         "play of the tilt bearing": "play/dip" = play / (y.bottom()? - p.theta), costs play, "rad";
         "a ring that bends": "(nods/own frequency)^2" = bends, costs 0.5 * bends, "of a nod";
-        "stretch of the disc": "rho omega^2 R^2/E" = stretch, costs stretch * TAU, "rad a turn, in φ";
+        "stretch of the disc": "rho omega^2 R^2/E" = stretch, costs swells * TAU, "rad a turn, in φ";
         "rotation of the Earth": "Omega_E/(dphi/dt)" = earth / f.precession,
             costs earth * turn, "rad a turn, at most";
     }

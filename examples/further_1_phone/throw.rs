@@ -83,12 +83,30 @@ pub fn euler([i1, i2, i3]: [f64; 3]) -> impl Ode<3> {
 }
 // ANCHOR_END: euler
 
-/// The same in air, which takes `drag` q^2 I2 from the turning about axis 2.
-pub fn in_air(moments: [f64; 3], drag: f64) -> impl Ode<3> {
+/// The same in air: each piece of a face with these edges is pressed by `press` w^2 for its area
+/// against the velocity w with which it moves across itself.
+pub fn in_air(moments: [f64; 3], [length, width]: [f64; 2], press: f64) -> impl Ode<3> {
+    const PIECES: u32 = 20;
+    let at = |k: u32| (f64::from(k) + 0.5) / f64::from(PIECES) - 0.5;
+    let area = length * width / f64::from(PIECES * PIECES);
     ode(move |t, rates: &[f64; 3]| {
-        let [p, q, r] = euler(moments).derivative(t, rates);
-        [p, q - drag * rates[1] * rates[1].abs(), r]
+        let [mut p, mut q, r] = euler(moments).derivative(t, rates);
+        for k in 0..PIECES * PIECES {
+            let (x, y) = (length * at(k / PIECES), width * at(k % PIECES));
+            let across = rates[0] * y - rates[1] * x;
+            let force = -press * area * across * across.abs();
+            p += y * force / moments[0];
+            q -= x * force / moments[1];
+        }
+        [p, q, r]
     })
+}
+
+/// By how much air delays the flip (s), to first order in the parts of the rates about axes 1 and
+/// 2 that it takes in a second: an error grows more slowly as the turning slows down and as it is
+/// braked itself, but is a larger part of what turns.
+pub fn delay([stray, whole]: [f64; 2], first: f64, pace: f64) -> f64 {
+    0.5 * whole * first * first - (whole - 0.5 * stray) * first / pace
 }
 
 fn length([x, y, z]: [f64; 3]) -> f64 {
