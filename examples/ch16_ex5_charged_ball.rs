@@ -329,10 +329,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         &[0.0],
         1e-12,
     )?;
+    let spark = (own + 3.0 * p.field) / 3e6;
     let slipping = ball.holding() / (p.friction.max(1e-300) * p.gravity);
     effect_card! { report,
-        "slipping": "mu_min/mu" = slipping, costs 0.0, "of x''", included;
-        "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = (own + 3.0 * p.field) / 3e6, costs 0.0, "of x'' while below 1";
+        "slipping": "mu_min/mu" = slipping, costs f64::from(slipping > 1.0), "of x''", included;
+        "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = spark, costs f64::from(spark >= 1.0), "of x'', nothing below 1";
         "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs image / (1.0 + image), "of mu_min";
         "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = arm, costs arm, "of x''";
         "air drag, at the end": "rho C S v^2/(2 q E)" = drag, costs 0.5 * drag, "of the work",

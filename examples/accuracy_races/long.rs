@@ -41,13 +41,13 @@ pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
         "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad":
             across()? => 0.0, within 2e-11;
     }?;
-    effects(report)?;
+    effects(report, tolerance)?;
     report.strip(&free(100.0)?, &[tolerance])
 }
 
 /// A block of steel that turns at 0.6 rad/s for a thousand periods in a laboratory: what the model
 /// leaves out, and what no method can better.
-fn effects(report: &mut Report) -> Result<()> {
+fn effects(report: &mut Report, tolerance: f64) -> Result<()> {
     let (rate, time): (f64, f64) = (0.6, 14_700.0);
     let (gravity, radius): (f64, f64) = (9.81, 6.371e6);
     let earth = 7.292e-5 / rate;
@@ -66,7 +66,7 @@ fn effects(report: &mut Report) -> Result<()> {
         Ok(FreeBody::new(body.moments(), start.attitude, rates)?.attitude(block.end))
     };
     let rounded = end(1.0)?.angle_to(&end(1.0 + apart)?) * EPS / apart;
-    rotation_dynamics::effect_card! { report,
+    rotation_dynamics::effect_card! { report, asked tolerance;
         "rotation of the Earth, laboratory axes":
             "Omega_E / omega" = earth, costs earth * rate * time, "rad";
         "gravity gradient of the Earth":
