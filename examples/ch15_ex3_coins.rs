@@ -245,11 +245,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
             measured 0.2 * p.mass * 9.80665 * way, within 1e-4 * rubbed, at_cost cost(Some(around.work()));
         "slip of a hundredth at the contact":
-            "s" = slip, costs slip / r.abs(), "turns a circuit",
+            "s" = slip, costs slip / r.abs(), "turns a circuit", beside "turns",
             measured slipped.as_ref().map(|(there, _)| fewer(there.t)), within 1e-9 * (1.0 + 1.0 / r.abs()),
             at_cost cost(slipped.as_ref().map(|(_, work)| *work));
         "a radius off by 0.01 mm":
-            "dR/R2" = edge, costs edge / r.abs(), "turns a circuit",
+            "dR/R2" = edge, costs edge / r.abs(), "turns a circuit", beside "turns",
             measured worn.as_ref().map(|run| fewer(run.end_time())), within 1e-9 * (1.0 + 1.0 / r.abs()),
             at_cost cost(worn.as_ref().map(Solution::work));
     }

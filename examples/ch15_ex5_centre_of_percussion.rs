@@ -332,7 +332,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slack = 10.0 * SOFT * (1.0 + p.mass / p.ball) + (angle + way) * (angle + way);
     let weight = p.mass * 9.80665 * contact / impulse(p, true);
     effect_card! { report,
-        "bending of the bat": "2 f_1 t_c" = x, costs bends * response.abs(), "J/m, velocity of a free handle",
+        "bending of the bat": "2 f_1 t_c" = x, costs bends * response.abs(), "of J/m, velocity of a free handle",
             measured swings.map(|left| bends * left), within 1e-6, at_cost cost.clone();
         "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
             measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;

@@ -321,7 +321,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let gradient = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum() * round;
     let body = RigidBody::new(PrincipalMoments::symmetric(top.i1, top.i3)?);
     let (scene, start) = (Scene::new(body), free.state(0.0));
-    let weaker = scene.called_for(&start, round, 1e-6)?.of_axis().line(
+    let weaker = scene.called_for(&start, round, 1e-3)?.of_axis().line(
         "gravity of the Earth weaker at the upper end",
         "3 g (I1 - I3) T/(2 R_E L)",
         gradient,

@@ -319,6 +319,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([a, _], pull) = (ball.accelerations(), ball.pull);
     let (time, speed) = ((2.0 * p.length / a).sqrt(), (2.0 * p.length * a).sqrt());
     let own = p.charge / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
+    let spark = (own + 3.0 * p.field) / 3e6;
     let slipping = ball.holding() / (p.friction.max(1e-300) * p.gravity);
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
     let arrives = |resisting: [f64; 2]| {
@@ -337,8 +338,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let [rolled, dragged] = [lost([arm, 0.0], rolling)?, lost([0.0, drag], blown)?];
     let (magnetic, leaking) = (speed * 5e-5 / p.field, 1e-14 * time / EPSILON_0);
     effect_card! { report,
-        "slipping": "mu_min/mu" = slipping, costs 0.0, "of x''", included;
-        "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = (own + 3.0 * p.field) / 3e6, costs 0.0, "of x'' while below 1";
+        "slipping": "mu_min/mu" = slipping, costs f64::from(slipping > 1.0), "of x''", included;
+        "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = spark, costs f64::from(spark >= 1.0), "of x'', nothing below 1";
         "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs image / (1.0 + image), "of mu_min";
         "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = rolling, costs rolling, "of x''",
             measured rolled, within 1e-7;

@@ -384,7 +384,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     effect_card! { report,
         "friction that falls by 1 % for each 0.1 m/s of slip":
-            "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "growth of the amplitude in a swing",
+            "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "of the amplitude, gained in a swing",
             measured grown.map(|grown| grown / small - 1.0), within 1e-8;
         "a thickness of 2 cm": "mu h/(2 a)" = thick, costs -thick, "of the period", measured slower, within 1e-8;
         "coefficients of the rollers that differ by 1 %":

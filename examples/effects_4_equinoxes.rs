@@ -347,21 +347,21 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let node = nutation::first_order(p)?[0];
     let triaxial = 0.007;
     let quick = 0.5 * triaxial * rate(p).abs() * sin(p.obliquity) / (2.0 * spin(p)) / ARCSEC;
-    effect_card! { report,
-        "the Moon": "part of both" = moon_part / both, costs moon_part, "arcsec a year", included;
+    effect_card! { report, asked 1e-3;
+        "the Moon": "part of both" = moon_part / both, costs moon_part, "arcsec a year", beside "both", included;
         "ellipses": "(3/2) e^2 of the Moon's" = 1.5 * f * f,
-            costs 1.5 * (e * e * sun_part + f * f * moon_part), "arcsec a year", included;
+            costs 1.5 * (e * e * sun_part + f * f * moon_part), "arcsec a year", beside "both", included;
         "inclination of the Moon's orbit": "(3/2) sin(i)^2" = 1.5 * sin(i) * sin(i),
-            costs 1.5 * sin(i) * sin(i) * moon_part, "arcsec a year", included;
+            costs 1.5 * sin(i) * sin(i) * moon_part, "arcsec a year", beside "both", included;
         "the Sun narrows the Moon's orbit": "(1/2) (month/year)^2" = 0.5 * ratio * ratio,
-            costs 0.5 * ratio * ratio * moon_part, "arcsec a year", included;
+            costs 0.5 * ratio * ratio * moon_part, "arcsec a year", beside "both", included;
         "planets turn the ecliptic": "planets over all" = PLANETS / 50.384_815_07,
-            costs PLANETS, "arcsec a year";
-        "geodesic precession": "(3/2) (v/c)^2" = 1.5 * slowness(), costs geodesic(), "arcsec a year";
+            costs PLANETS, "arcsec a year", beside "both";
+        "geodesic precession": "(3/2) (v/c)^2" = 1.5 * slowness(), costs geodesic(), "arcsec a year", beside "both";
         "fluid core and yielding": "part of the 18.6-year nutation" = (node[1] - 9.2052) / 9.2052,
-            costs node[1] - 9.2052, "arcsec of the tilt";
+            costs node[1] - 9.2052, "arcsec of the tilt", beside "node_tilt";
         "two different moments in the equator": "(B - A)/(C - A)" = triaxial,
-            costs quick, "arcsec, twice a day";
+            costs quick, "arcsec, twice a day", beside "both";
     }
 }
 

@@ -359,8 +359,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let grows = exponents(p.rate, k, p.loss)[1];
     let noise = 1e4 * step;
+    let slips = nu * p.velocity / (p.friction * p.gravity);
     effect_card! { report,
-        "slipping": "nu v/(mu g)" = nu * p.velocity / (p.friction * p.gravity), costs 0.0, "of the circle", included;
+        "slipping": "nu v/(mu g)" = slips, costs f64::from(slips > 1.0), "of the circle", included;
         "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / p.velocity, costs turn * level, "m of drift a turn",
             measured drifted, within noise * (p.place + p.velocity / nu);
         "rolling resistance": "c/((1 + k) nu)" = lossy / nu, costs turn * grows[0], "of the radius a turn",

@@ -100,7 +100,8 @@ fn sound() -> Report {
         within: 0.0,
         cost: None,
         included: false,
-        needed_for: None,
+        beside: None,
+        beyond: false,
     });
     report.add_price(Price {
         method: "RK4".into(),
@@ -126,8 +127,8 @@ fn a_report_has_its_sections_in_order_and_reads_back() {
          rate  1.250  rad/s  1e-3   oracle           <1e-15\n\n\
          limits\nlimit  must give  gives  within  because\n\
          slow   0          0      1e-15   nothing moves\n\n\
-         effects\neffect    number         value  error if left out  here\n\
-         air drag  rho C A l / m  0.012  4.6e-7 rad         left out\n\n\
+         effects\neffect    number         value  error if left out  here      at 1e-2\n\
+         air drag  rho C A l / m  0.012  4.6e-7 rad         left out  out\n\n\
          accuracy\nmethod  requested  delivered  work         relative time\n\
          RK4     -          4e-9       400 torques  -\n\n\
          table masses\nm   t\n1  -2\n\n\
@@ -387,14 +388,112 @@ fn the_card_becomes_a_ledger_where_something_is_measured() {
         .expect("sound");
     let text = report.text().expect("sound");
     let expected = "effects\n\
-        effect    number         value  error if left out  measured  cost: without, with       here\n\
-        air drag  rho C A l / m  0.010  0.0020 rad         0.0021    closed form, 812 torques  left out\n\
-        weight    m g l / L w    0.030  6.3 rad            -         -                         in\n";
+        effect    number         value  error if left out  measured  cost: without, with       here      at 1e-2\n\
+        air drag  rho C A l / m  0.010  0.0020 rad         0.0021    closed form, 812 torques  left out  out\n\
+        weight    m g l / L w    0.030  6.3 rad            -         -                         in        in\n";
     assert!(text.ends_with(expected), "{text}");
     assert_eq!(
         parse(&text).expect("it follows its grammar").tables,
         report.sections().expect("sound")
     );
+}
+
+/// What the card says of an effect whose error of this size and unit is asked for, beside some
+/// claims.
+fn called_for(asked: f64, error: f64, unit: &str, beside: Option<&str>) -> Result<String, String> {
+    let mut report = Report::new("A title", "What the scene is.").expect("sound");
+    for (key, value, unit) in [
+        ("mass", 3.0, "kg"),
+        ("spin", -5.0, "kg m^2/s"),
+        ("rate", 2.5, "rad/s"),
+        ("other", 70.0, "rad/s"),
+        ("turns", 4.0, "-"),
+    ] {
+        let told = rotation_dynamics::report::claim(key, "a size", value, unit);
+        report
+            .add(told.within(1e-9).against("by hand", value))
+            .expect("sound");
+    }
+    let line = effect("wind").number("n", 0.5).costs(error, unit);
+    let line = beside.map_or(line.clone(), |key| line.beside(key));
+    let added = report.ask(asked).and_then(|()| report.add(line));
+    let sections = added
+        .and_then(|()| report.sections())
+        .map_err(|e| e.to_string())?;
+    let card = sections
+        .iter()
+        .find(|table| table.heading() == "effects")
+        .expect("it has a line");
+    assert_eq!(
+        card.columns().last().map(String::as_str),
+        Some(format!("at {asked:e}").as_str())
+    );
+    Ok(card.rows()[0].last().cloned().expect("a cell"))
+}
+
+/// A part beside the whole, an angle beside a radian, the rest beside the claim in its unit: in if
+/// twice the error is larger than the part asked for. A hair decides.
+#[test]
+fn an_effect_is_in_or_out_at_the_accuracy_asked_for() {
+    let hair = 1.0 + 1e-12;
+    let mut ran = 0;
+    for (asked, error, unit, beside, told) in [
+        (0.01, 0.005, "-", None, "out"),
+        (0.01, 0.005 * hair, "-", None, "in"),
+        (0.01, -0.005 * hair, "of the period", None, "in"),
+        (0.02, -0.005 * hair, "of the period", None, "out"),
+        (1e-3, 5e-4, "rad a turn", None, "out"),
+        (1e-3, 5e-4 * hair, "rad, at most", None, "in"),
+        (0.01, 0.28, "deg", None, "out, 0.57 deg"),
+        (0.01, 0.29, "deg in a day", None, "in, 0.57 deg"),
+        (0.01, 0.0125, "rad/s", None, "out, 0.025 rad/s"),
+        (
+            0.01,
+            0.0125 * hair,
+            "rad/s: it slips",
+            None,
+            "in, 0.025 rad/s",
+        ),
+        (
+            0.01,
+            0.0125 * hair,
+            "rad/s",
+            Some("other"),
+            "out, 0.70 rad/s",
+        ),
+        // Not beside the mass.
+        (0.1, 0.25, "kg m^2/s later", None, "out, 0.50 kg m^2/s"),
+        (
+            0.1,
+            0.25 * hair,
+            "kg m^2/s later",
+            None,
+            "in, 0.50 kg m^2/s",
+        ),
+        (0.1, 0.1, "turns", Some("mass"), "out, 0.30 kg"),
+        (0.1, 0.1, "turns", Some("turns"), "out, 0.40"),
+    ] {
+        assert_eq!(
+            called_for(asked, error, unit, beside).as_deref(),
+            Ok(told),
+            "{error} {unit}"
+        );
+        ran += 1;
+    }
+    assert_eq!(ran, 15);
+    for (asked, unit, beside, words) in [
+        (0.01, "m", None, "wind: m"),
+        (0.01, "offered", None, "wind: offered"),
+        (0.01, "rad/s^2", None, "wind: rad/s^2"),
+        (0.01, "m", Some("length"), "length"),
+        (0.0, "-", None, "the accuracy asked for = 0"),
+        (-1.0, "-", None, "the accuracy asked for = -1"),
+        (f64::NAN, "-", None, "the accuracy asked for"),
+        (f64::INFINITY, "-", None, "the accuracy asked for"),
+    ] {
+        let told = called_for(asked, 0.5, unit, beside).expect_err("it is refused");
+        assert!(told.contains(words), "{told}");
+    }
 }
 
 /// Half and twice the prediction are within the factor 2, a little more is not; of a large

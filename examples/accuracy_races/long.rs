@@ -41,13 +41,13 @@ pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
         "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad":
             across()? => 0.0, within 2e-11;
     }?;
-    effects(report)?;
+    effects(report, tolerance)?;
     report.strip(&free(100.0)?, &[tolerance])
 }
 
 /// A block of steel that turns at nearly a radian a second for a thousand periods in a laboratory: what the model
 /// leaves out, and what no method can better.
-fn effects(report: &mut Report) -> Result<()> {
+fn effects(report: &mut Report, tolerance: f64) -> Result<()> {
     let block = free(1000.0)?;
     let time = block.end;
     let rate = (block.scene.body().angular_velocity(&block.start)).norm();
@@ -67,7 +67,7 @@ fn effects(report: &mut Report) -> Result<()> {
         Ok(FreeBody::new(body.moments(), start.attitude, rates)?.attitude(block.end))
     };
     let rounded = end(1.0)?.angle_to(&end(1.0 + apart)?) * EPS / apart;
-    rotation_dynamics::effect_card! { report,
+    rotation_dynamics::effect_card! { report, asked tolerance;
         "rotation of the Earth, laboratory axes":
             "Omega_E / omega" = earth, costs earth * rate * time, "rad";
         "gravity gradient of the Earth":

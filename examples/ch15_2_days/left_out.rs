@@ -126,15 +126,15 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (jupiter, (pulled, rounds)) = (7.2 / TURN * TAU, by_jupiter(1.0 / 1047.35)?);
     let (tides, near) = (2.4e-3 / 86_400.0, 1e-10 * p.day);
     rotation_dynamics::effect_card! { report,
-        "Moon: the Earth circles the common centre": "r/au" = MOON, costs spread(&later(p, by_the_moon)?), "s of E, to first order",
+        "Moon: the Earth circles the common centre": "r/au" = MOON, costs spread(&later(p, by_the_moon)?), "s of E, to first order", beside "earliest",
             measured spread(&circled.0), within near, at_cost counted(circled.1);
-        "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E, by its largest term",
+        "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E, by its largest term", beside "earliest",
             measured pulled * second, at_cost format!("none, {} derivatives", rounds.derivatives);
-        "aberration of light": "v/c" = slow, costs spread(&later(p, light)?), "s of E, to first order",
+        "aberration of light": "v/c" = slow, costs spread(&later(p, light)?), "s of E, to first order", beside "earliest",
             measured delayed.as_ref().map(|run| spread(&run.0)), within near,
             at_cost delayed.map_or("-".into(), |run| counted(run.1));
-        "motion of the perihelion": "angle a year" = perihelion, costs spread(&by_turn), "s of E a year, to first order",
+        "motion of the perihelion": "angle a year" = perihelion, costs spread(&by_turn), "s of E a year, to first order", beside "earliest",
             measured spread(&compared(p, &turned.0, &plain)), within near, at_cost counted(turned.1);
-        "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day";
+        "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day", beside "mean_sidereal";
     }
 }

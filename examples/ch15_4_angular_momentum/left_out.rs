@@ -5,7 +5,7 @@ use rotation_dynamics::effects::KeplerOrbit;
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
 
 /// The cylinder with its motor shut off, slowed down by the air on strips of it, each across its
-/// own speed: the power lost, on average over the first radian, and the work. `drag` is the density
+/// own speed: the torque, on average over the first radian, and the work. `drag` is the density
 /// times the drag coefficient.
 pub fn blown(shaft: &Shaft, p: &Parameters, drag: f64) -> Result<(f64, Work)> {
     const STRIPS: u32 = 64;
@@ -26,7 +26,7 @@ pub fn blown(shaft: &Shaft, p: &Parameters, drag: f64) -> Result<(f64, Work)> {
             y[0] - 1.0
         })?;
     let lost = 0.5 * inertia * (shaft.rate - end.state[1]) * (shaft.rate + end.state[1]);
-    Ok((lost / end.t, work))
+    Ok((lost, work))
 }
 
 /// The force that leads the centre of the cylinder round, so far off the shaft, from the places
@@ -52,7 +52,7 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (shaft, (s, c)) = (Shaft::of(p)?, sincos(p.tilt));
     let air = 1.2 * 1.2 * p.radius * s * s * s * pow(p.height, 4.0) / 32.0;
     let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
-    let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate * p.rate);
+    let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate);
     let breeze = if slowing < 0.1 {
         Some(blown(&shaft, p, 1.2 * 1.2)?)
     } else {
@@ -86,11 +86,11 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     rotation_dynamics::effect_card! { report,
         "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I)" = slowing,
-            costs slowing * unit, "W of the motor, to first order",
-            measured breeze.map(|(power, _)| power), within 1e-12 * unit, at_cost counted(breeze.map(|(_, work)| work));
+            costs slowing * unit, "N m of the motor, to first order",
+            measured breeze.map(|(torque, _)| torque), within 1e-12 * unit, at_cost counted(breeze.map(|(_, work)| work));
         "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
-            costs p.mass * off * p.rate * p.rate, "N, going round",
-            measured whirled(&shaft, p, off), within 1e-12 * p.mass * (p.height + p.radius) * p.rate * p.rate, at_cost "none, 64 attitudes";
+            costs p.mass * off * p.rate * p.rate * p.height, "N m with the lever H, going round",
+            measured whirled(&shaft, p, off) * p.height, within 1e-12 * p.mass * (p.height + p.radius) * p.height * p.rate * p.rate, at_cost "none, 64 attitudes";
         "rolling wheel: resistance": "C_rr g (1 s)/(1.5 R Omega)" = resisted,
             costs resisted, "of L a second",
             measured rolled.map(|(lost, _)| lost / speed), at_cost counted(rolled.map(|(_, work)| work));

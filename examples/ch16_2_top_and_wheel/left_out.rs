@@ -152,7 +152,7 @@ pub fn add(report: &mut Report) -> Result<()> {
         drill,
         effect("top: the tip lifts off")
             .number("1 - least N / m g, lifts off at 1", 1.0 - tip.load)
-            .costs(0.0, "as long as it is below 1"),
+            .costs(f64::from(tip.load <= 0.0), "of the motion, nothing below 1"),
         effect("wheel: the rope gives way to the nods")
             .number("greatest |F_h| / N", rope.grip)
             .costs(rope.grip, "rad, slant of the rope"),

@@ -217,7 +217,7 @@ fn card(p: &Parameters, [all, point, smooth]: [(f64, u64); 3], report: &mut Repo
         "slope of the floor": "slope" = p.slope, costs p.slope * (LEVER + p.tip) / LEVER, "rad of the tilt asleep",
             measured leans, within 1e-5, included;
         "force that varies in a nod, and patch with it": "(N/mg - 1)/3 at the throw" = hop / 3.0, costs hop / 3.0, "of the patch";
-        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs rolls, "rad/s of rise", measured rising, within 1e-4;
+        "rolling resistance, an arm of a hundredth of r": "arm/r" = 0.01, costs rolls, "rad/s of rise", beside "rise", measured rising, within 1e-4;
         "drag of the air on the axis's motion": "theta" = ASLEEP, costs ASLEEP * ASLEEP, "of the drag";
         "rotation of the Earth": "Omega_E/precession" = earth, costs earth, "rad of the tilt asleep";
     }

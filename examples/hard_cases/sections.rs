@@ -23,8 +23,8 @@ pub fn add(report: &mut Report, p: &Parameters, computed: &[Arc<Computed>]) -> R
     broken(report)?;
     counts(report, computed)?;
     limits(report)?;
-    effects(report)?;
     let asked = p.tolerance.map_or(vec![1e-9, 1e-6, 1e-12], |one| vec![one]);
+    effects(report, asked[0])?;
     report.strip(&flip()?, &asked)?;
     findings::elsewhere(report)?;
     summary(report, computed)
@@ -164,8 +164,8 @@ fn twice() -> Result<f64> {
 }
 
 /// These cases are about arithmetic: what is in is rounding.
-fn effects(report: &mut Report) -> Result<()> {
-    effect_card! { report,
+fn effects(report: &mut Report, asked: f64) -> Result<()> {
+    effect_card! { report, asked asked;
         "rounding of the numbers": "2^-53" = EPS, costs 0.5 * EPS, "rad per radian turned", included;
     }
 }

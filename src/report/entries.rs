@@ -1,8 +1,8 @@
 //! The lines of a report, one builder each: `report.add(claim(…).within(…).against(…))?`.
 
+use super::card::{EffectEntry, SMALL};
 use super::claim::{Claim, Oracle, Slip};
-use super::number::rounded_up;
-use super::sections::{EffectEntry, Limit, Price, Report, SMALL};
+use super::sections::{Limit, Price, Report};
 use super::table::Table;
 use crate::accuracy::{CalledFor, Measured, Weighed};
 use crate::effects::Effect;
@@ -170,56 +170,69 @@ impl Entry for LimitEntry {
 /// [`included`](EffectLine::included). It needs [`number`](EffectLine::number) and
 /// [`costs`](EffectLine::costs).
 pub fn effect(effect: impl Into<String>) -> EffectLine {
-    EffectLine(EffectEntry {
+    let entry = EffectEntry {
         effect: effect.into(),
         number: String::new(),
         value: f64::NAN,
         error: f64::NAN,
         unit: "-".into(),
+        beside: None,
         measured: None,
         within: 0.0,
         cost: None,
         included: false,
-        needed_for: None,
-    })
+        beyond: false,
+    };
+    EffectLine { entry, asked: None }
 }
 
 /// An effect to be added; without its number and the error it is refused.
 #[derive(Debug, Clone)]
 #[must_use = "it is added by Report::add"]
-pub struct EffectLine(EffectEntry);
+pub struct EffectLine {
+    entry: EffectEntry,
+    /// The accuracy (rad) at which it was weighed.
+    asked: Option<f64>,
+}
 
 impl EffectLine {
     /// The dimensionless number that measures it, as a formula, and its value.
     pub fn number(mut self, formula: impl Into<String>, value: f64) -> Self {
-        (self.0.number, self.0.value) = (formula.into(), value);
+        (self.entry.number, self.entry.value) = (formula.into(), value);
         self
     }
     /// The error of leaving it out, with its unit or what it is an error of.
     pub fn costs(mut self, error: f64, unit: impl Into<String>) -> Self {
-        (self.0.error, self.0.unit) = (error, unit.into());
+        (self.entry.error, self.entry.unit) = (error, unit.into());
+        self
+    }
+    /// The error is large or small beside the value of the claim with this key; without it, beside
+    /// the first claim in its unit, a part (`"of the period"`) beside the whole, an angle beside a
+    /// radian.
+    pub fn beside(mut self, key: impl Into<String>) -> Self {
+        self.entry.beside = Some(key.into());
         self
     }
     /// The same error, with its sign, from a simulation with the effect and one without it;
     /// `None` where none could tell. For a small effect, whose number is 0.1 or less, the
     /// report refuses a prediction that is off by more than a factor 2.
     pub fn measured(mut self, error: impl Into<Option<f64>>) -> Self {
-        self.0.measured = error.into();
+        self.entry.measured = error.into();
         self
     }
     /// The error of what is measured itself.
     pub fn within(mut self, bound: f64) -> Self {
-        self.0.within = bound;
+        self.entry.within = bound;
         self
     }
     /// What a simulation costs without it and with it: `"closed form, 812 torques"`.
     pub fn at_cost(mut self, cost: impl Into<String>) -> Self {
-        self.0.cost = Some(cost.into());
+        self.entry.cost = Some(cost.into());
         self
     }
     /// The scene includes it.
     pub fn included(mut self) -> Self {
-        self.0.included = true;
+        self.entry.included = true;
         self
     }
 }
@@ -228,7 +241,8 @@ impl<E: Effect + Clone> CalledFor<'_, E> {
     /// The line of the card for an effect that the scene leaves out: what the page calls it,
     /// the number that measures it, as a formula and its value, the effect, and what the
     /// predicted angle is: `"rad a turn, of the axis"`. Beside the prediction stands what two
-    /// simulations measure, what they cost, and whether the tolerance needs the effect.
+    /// simulations measure, what they cost, and whether the tolerance, at which the card from now
+    /// on says in or out, calls for the effect.
     ///
     /// ```
     /// use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -288,9 +302,8 @@ impl EffectLine {
         let mut line = self
             .costs(weighed.predicted, format!("{of}{order}"))
             .at_cost(format!("{without}, {with}"));
-        if weighed.called_for {
-            line.0.needed_for = Some(format!("{} rad", rounded_up(tolerance)));
-        }
+        line.entry.beyond = !weighed.linear;
+        line.asked = Some(tolerance);
         // Of an effect that is not small the first order need not hold.
         let within = if weighed.linear {
             measured.within
@@ -303,8 +316,11 @@ impl EffectLine {
 
 impl Entry for EffectLine {
     fn enter(self, report: &mut Report) -> Result<()> {
-        self.0.check()?;
-        report.add_effect(self.0);
+        self.entry.check()?;
+        if let Some(asked) = self.asked {
+            report.ask(asked)?;
+        }
+        report.add_effect(self.entry);
         Ok(())
     }
 }

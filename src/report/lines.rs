@@ -96,18 +96,21 @@ macro_rules! limits {
 /// as a formula and its value, the error of leaving it out, and of what it is an error. After
 /// that may stand what a simulation measures of that error, `measured`, what it costs,
 /// `at_cost`, and that the scene has it `included`: the verbs of
-/// [`EffectLine`](crate::report::EffectLine). Evaluates to a `Result`.
+/// [`EffectLine`](crate::report::EffectLine). Before all lines may stand the accuracy `asked`
+/// ([`Report::ask`](crate::report::Report::ask)): an effect is in at it if twice its error is
+/// larger. Evaluates to a `Result`.
 ///
 /// ```
 /// use rotation_dynamics::report::Report;
 /// let mut report = Report::new("A pendulum", "a weight on a string")?;
 /// let (drag, angle) = (1e-3, 0.1_f64);
-/// rotation_dynamics::effect_card! { report,
+/// rotation_dynamics::effect_card! { report, asked 1e-4;
 ///     "air": "rho C S l/M" = drag, costs 4.0 / 3.0 * drag * angle, "of the swing",
 ///         measured 1.4e-4;
 ///     "size of the swing": "theta^2" = angle * angle, costs 0.0, "of the period", included;
 /// }?;
-/// assert!(report.text()?.contains("rho C S l/M"));
+/// let text = report.text()?;
+/// assert!(text.contains("here      at 1e-4") && text.contains("left out  in"), "{text}");
 /// // A small effect whose prediction a simulation does not bear out is refused.
 /// assert!(rotation_dynamics::effect_card! { report,
 ///     "air": "rho C S l/M" = drag, costs 1e-3, "of the swing", measured 4e-4;
@@ -121,6 +124,9 @@ macro_rules! limits {
 /// off by more than a factor 2.
 #[macro_export]
 macro_rules! effect_card {
+    ($report:expr, asked $asked:expr; $($lines:tt)+) => {
+        $report.ask($asked).and_then(|()| $crate::effect_card! { $report, $($lines)+ })
+    };
     ($report:expr,
      $( $effect:literal : $number:literal = $value:expr, costs $error:expr, $of:literal $(, $verb:ident $($what:expr)? )*; )+) => {
         $report.add(vec![ $(

@@ -29,12 +29,15 @@
 //! | `parameters` | `flag`, `value`, `unit`, `meaning` |
 //! | `claims` | `key`, `value`, `unit`, `bound`, `checked against`, `differs by` |
 //! | `limits` | `limit`, `must give`, `gives`, `within`, `because` |
-//! | `effects` | `effect`, `number`, `value`, `error if left out`, `measured`, `cost: without, with`, `here` |
+//! | `effects` | `effect`, `number`, `value`, `error if left out`, `measured`, `cost: without, with`, `here`, `at ACCURACY` |
 //! | `accuracy` | `method`, `requested`, `delivered`, `work`, `relative time` |
 //! | `checks` | `key`, `within`, `meaning`, `group` |
 //! | `slips` | `key`, `value`, `hint` |
 //!
-//! `measured` and `cost: without, with` stand in `effects` where a line has them.
+//! `measured` and `cost: without, with` stand in `effects` where a line has them. `here` says
+//! whether the scene has the effect `in` or `left out`, the last column whether the accuracy in its
+//! head ([`Report::ask`]) calls for it: `in` or `out`, with the tolerance where that is neither a
+//! part nor in radians.
 //!
 //! A claim's value shows only the digits its bound supports ([`supported_digits`]).
 //! `within` in `checks` is the relative tolerance of [`Claim::verdict`], which is
@@ -42,6 +45,7 @@
 //! claims that have one, under it; `-` is for those that a reader does not compute.
 
 mod answer;
+mod card;
 mod claim;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -68,6 +72,7 @@ mod table;
 mod trajectory;
 
 pub use answer::{Answer, DEGREES, RECIPROCAL, USUAL_SLIPS, Verdict, digits_asked};
+pub use card::EffectEntry;
 pub use claim::{Claim, Oracle, Slip};
 pub use computation::{ClosedForm, Computation};
 pub use entries::{ClaimEntry, EffectLine, Entry, LimitEntry, claim, effect, limit};
@@ -80,7 +85,7 @@ pub use number::{below, rounded_up, short, supported_digits};
 pub use parameters::{Flag, Grid, ParameterSet, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};
-pub use sections::{EffectEntry, Limit, Price, Report, for_reading};
+pub use sections::{Limit, Price, Report, for_reading};
 pub use table::{Parsed, Table, parse};
 pub use trajectory::Trajectory;
 

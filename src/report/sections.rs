@@ -1,10 +1,11 @@
 //! The report and what goes into its sections.
 
+use super::card::{self, ASKED, EffectEntry};
 use super::claim::Claim;
 use super::computation::{ClosedForm, Computation};
 use super::entries::Entry;
 use super::lab::Lab;
-use super::number::{rounded_up, short, supported_digits};
+use super::number::{rounded_up, supported_digits};
 use super::table::{Table, check_cell};
 use crate::error::{Error, Result, finite};
 use core::fmt;
@@ -59,80 +60,6 @@ impl Limit {
     }
 }
 
-/// A line of the card of effects.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EffectEntry {
-    /// The effect: `"air drag"`.
-    pub effect: String,
-    /// The dimensionless number that measures it, as a formula: `"rho C d l^2 / m"`.
-    pub number: String,
-    /// The value of that number.
-    pub value: f64,
-    /// The error made by leaving it out.
-    pub error: f64,
-    /// The unit of that error, `"-"` if it has none.
-    pub unit: String,
-    /// The same error from a simulation with the effect and one without it, where one was made.
-    pub measured: Option<f64>,
-    /// The error of that itself.
-    pub within: f64,
-    /// What a simulation costs without it and with it, in words, where it was counted:
-    /// `"closed form, 812 torques"`.
-    pub cost: Option<String>,
-    /// Whether the scene includes it.
-    pub included: bool,
-    /// The accuracy that is asked for and needs it, in words, if it was weighed against one:
-    /// `"1e-3 rad"`.
-    pub needed_for: Option<String>,
-}
-
-/// An effect whose number is larger is not small: a prediction to first order in it need not
-/// hold.
-pub(super) const SMALL: f64 = 0.1;
-
-/// Prediction and simulation of a small effect agree within this factor.
-const WITHIN: f64 = 2.0;
-
-impl EffectEntry {
-    pub(super) fn check(&self) -> Result<()> {
-        finite("the number of an effect", self.value)?;
-        finite("the error of leaving out an effect", self.error)?;
-        [&self.effect, &self.number, &self.unit]
-            .into_iter()
-            .chain(&self.cost)
-            .chain(&self.needed_for)
-            .try_for_each(|cell| check_cell(cell))?;
-        self.measured
-            .map_or(Ok(()), |measured| self.predicts(measured))
-    }
-
-    /// That what is measured of a small effect is what is predicted, within a factor 2.
-    fn predicts(&self, measured: f64) -> Result<()> {
-        finite("the measured error of leaving out an effect", measured)?;
-        let larger = self.error.abs().max(measured.abs());
-        let bound = larger * (1.0 - 1.0 / WITHIN);
-        if self.value.abs() > SMALL || (measured - self.error).abs() <= bound + self.within {
-            return Ok(());
-        }
-        Err(Error::Contradicted {
-            key: format!("the predicted error of leaving out '{}'", self.effect),
-            value: self.error,
-            oracle: "simulation with it and without".into(),
-            oracle_value: measured,
-            bound,
-        })
-    }
-
-    /// Whether it is in, and what needs it.
-    fn here(&self) -> String {
-        let here = if self.included { "in" } else { "left out" };
-        match &self.needed_for {
-            None => here.into(),
-            Some(accuracy) => format!("{here}, needed for {accuracy}"),
-        }
-    }
-}
-
 /// A line of the accuracy strip: what was asked for, what came, and its price.
 #[derive(Debug, Clone)]
 pub struct Price {
@@ -157,6 +84,7 @@ pub struct Report {
     claims: Vec<Claim>,
     limits: Vec<Limit>,
     effects: Vec<EffectEntry>,
+    asked: f64,
     accuracy: Vec<Price>,
     closed_form: Option<ClosedForm>,
     lab: Option<Lab>,
@@ -179,6 +107,7 @@ impl Report {
             claims: Vec::new(),
             limits: Vec::new(),
             effects: Vec::new(),
+            asked: ASKED,
             accuracy: Vec::new(),
             closed_form: None,
             lab: None,
@@ -232,6 +161,24 @@ impl Report {
         self.effects.push(effect);
     }
 
+    /// Asks for this accuracy: an effect is in or out on the card by whether the error of leaving
+    /// it out is noticed at it. A part of what each line is an error of, of a radian for angles;
+    /// one in a hundred if nothing is asked.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if it is not above 0 and finite.
+    pub fn ask(&mut self, accuracy: f64) -> Result<()> {
+        if !(accuracy > 0.0 && accuracy.is_finite()) {
+            return Err(Error::OutOfRange {
+                name: "the accuracy asked for",
+                value: accuracy,
+                allowed: "it must be above 0 and finite",
+            });
+        }
+        self.asked = accuracy;
+        Ok(())
+    }
+
     /// Adds a line to the accuracy strip.
     pub fn add_price(&mut self, price: Price) {
         self.accuracy.push(price);
@@ -277,6 +224,11 @@ impl Report {
     /// The card of effects, line by line.
     pub fn effects(&self) -> &[EffectEntry] {
         &self.effects
+    }
+
+    /// The accuracy at which the card says in or out.
+    pub fn asked(&self) -> f64 {
+        self.asked
     }
 
     /// The accuracy strip, line by line.
@@ -335,34 +287,7 @@ impl Report {
         }
         all.push(table);
 
-        // Two columns stand only where a line has something to say in them.
-        let measured = self.effects.iter().any(|e| e.measured.is_some());
-        let counted = self.effects.iter().any(|e| e.cost.is_some());
-        let mut columns = vec!["effect", "number", "value", "error if left out"];
-        columns.extend(measured.then_some("measured"));
-        columns.extend(counted.then_some("cost: without, with"));
-        columns.push("here");
-        let mut table = Table::headed("effects", columns)?;
-        for e in &self.effects {
-            e.check()?;
-            let unit = if e.unit == "-" {
-                String::new()
-            } else {
-                format!(" {}", e.unit)
-            };
-            let mut row = vec![
-                e.effect.clone(),
-                e.number.clone(),
-                short(e.value, 2),
-                format!("{}{unit}", short(e.error, 2)),
-            ];
-            let dash = || "-".to_string();
-            row.extend(measured.then(|| e.measured.map_or_else(dash, |m| short(m, 2))));
-            row.extend(counted.then(|| e.cost.clone().unwrap_or_else(dash)));
-            row.push(e.here());
-            table.push(row)?;
-        }
-        all.push(table);
+        all.push(card::table(&self.effects, &self.claims, self.asked)?);
 
         let columns = ["method", "requested", "delivered", "work", "relative time"];
         let mut table = Table::headed("accuracy", columns)?;

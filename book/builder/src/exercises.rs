@@ -116,12 +116,11 @@ fn title(stem: &str, page: &str) -> Option<(String, String)> {
 /// The effects in and left out, by their names in the locked output.
 fn effects(project: &Project, stem: &str) -> Result<String, String> {
     let table = project.table(stem, "effects")?;
+    let column = table.columns().iter().position(|column| column == "here");
+    let column = column.ok_or(format!("the card of {stem} does not say what is here"))?;
     let mut html = String::new();
     for (here, word) in [("in", "Counts"), ("left out", "Leaves out")] {
-        let of = table
-            .rows()
-            .iter()
-            .filter(|row| row.last().is_some_and(|cell| cell == here));
+        let of = table.rows().iter().filter(|row| row[column] == here);
         let names: Vec<String> = of.map(|row| notation::words(&row[0])).collect();
         if !names.is_empty() {
             html += &format!("<p><b>{word}</b> {}</p>", names.join("; "));

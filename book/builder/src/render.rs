@@ -102,10 +102,7 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             let table = project.table(stem, section)?;
             match section == times::SECTION {
                 true => Ok(times::of(project, stem, &table)?.html(project, stem)),
-                false => Ok(format!(
-                    "<div class=\"scroll\">{}</div>",
-                    table::html(&table)
-                )),
+                false => Ok(table::section(&table)),
             }
         }
         Splice::Measured { record, table } => measured::html(project, record, table),

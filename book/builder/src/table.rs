@@ -8,6 +8,13 @@ use rotation_dynamics::report::Table;
 /// Sections whose rows are quantities of different kinds.
 const MIXED: [&str; 4] = ["parameters", "claims", "limits", "effects"];
 
+/// The section whose rows are cards on a phone.
+const CARDS: &str = "effects";
+
+/// What a card's last column says, under the card.
+const CARD_LEGEND: &str = "In: twice the error is more than that part of what it is an error of, \
+     or of a radian, or more than the tolerance told.";
+
 /// The most characters of a cell that is not broken: "height_ratio_release".
 const LONGEST_SHORT: usize = 20;
 
@@ -17,15 +24,43 @@ pub fn plain(table: &Table) -> String {
     format!("{} {}", table.columns().join(" "), rows.join(" "))
 }
 
-/// The table as HTML.
+/// The table as HTML. What a card leaves out though it is called for stands out.
 pub fn html(table: &Table) -> String {
-    html_with(table, |_, _| false)
+    if table.heading() != CARDS {
+        return html_with(table, |_, _| false);
+    }
+    let last = table.columns().len() - 1;
+    html_with(table, |line, column| {
+        let row = &table.rows()[line];
+        column == last && row.contains(&"left out".into()) && row[last].starts_with("in")
+    })
+}
+
+/// A section of a page, in a box that scrolls if it must.
+pub fn section(table: &Table) -> String {
+    let legend = match table.heading() {
+        CARDS => format!("<p class=\"measured\">{CARD_LEGEND}</p>"),
+        _ => String::new(),
+    };
+    format!("<div class=\"scroll\">{}</div>{legend}", html(table))
 }
 
 /// The table as HTML; the cells for which `strong` holds, by row and column, stand out.
 pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String {
     let name = table.heading().trim_start_matches("table ");
-    let mut html = format!("<table class=\"section {}\"><thead><tr>", escape(name));
+    // A table whose cells are blocks on a phone must say what they are.
+    let cards = table.heading() == CARDS;
+    let role = |role: &str| match cards {
+        true => format!(" role=\"{role}\""),
+        false => String::new(),
+    };
+    let (of_row, of_head, of_cell) = (role("row"), role("columnheader"), role("cell"));
+    let mut html = format!(
+        "<table class=\"section {}\"{}><thead{}><tr{of_row}>",
+        escape(name),
+        role("table"),
+        role("rowgroup")
+    );
     // A column is numeric if most of what it holds is; one without content is left out.
     let column = |n: usize| table.rows().iter().map(move |row| row[n].as_str());
     let numeric: Vec<bool> = (0..table.columns().len())
@@ -60,11 +95,11 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
             true => head.replacen("<math>", &label, 1),
             false => head,
         };
-        html += &format!("<th scope=\"col\"{}>{head}</th>", class(n));
+        html += &format!("<th scope=\"col\"{of_head}{}>{head}</th>", class(n));
     }
-    html += "</tr></thead><tbody>";
+    html += &format!("</tr></thead><tbody{}>", role("rowgroup"));
     for (line, row) in table.rows().iter().enumerate() {
-        html += "<tr>";
+        html += &format!("<tr{of_row}>");
         for n in (0..numeric.len()).filter(shown) {
             let cell = &row[n];
             let column = table.columns()[n].as_str();
@@ -72,6 +107,11 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
                 ("-", _) => "–".into(),
                 (cell, "key" | "flag") => format!("<code>{}</code>", escape(cell)),
                 (cell, "unit") => unit_html(cell),
+                (cell, _) if cards && cell.contains(", ") && column.starts_with("at ") => {
+                    let (word, tolerance) = cell.split_once(", ").unwrap_or((cell, ""));
+                    let tolerance = quantity(tolerance).unwrap_or_else(|| words(tolerance));
+                    format!("{word}, <span class=\"glued\">{tolerance}</span>")
+                }
                 (cell, _) if powers[n] => {
                     number_html(&with_power(cell)).unwrap_or_else(|| words(cell))
                 }
@@ -83,7 +123,11 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
                 true => format!("<strong>{content}</strong>"),
                 false => content,
             };
-            html += &format!("<td{}>{content}</td>", class(n));
+            let label = match cards && n > 0 {
+                true => format!(" data-label=\"{}\"", escape(&symbols(column))),
+                false => String::new(),
+            };
+            html += &format!("<td{of_cell}{}{label}>{content}</td>", class(n));
         }
         html += "</tr>";
     }
