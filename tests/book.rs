@@ -58,7 +58,10 @@ const ENTRIES: usize = 12 + 9 + 5 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6 + DERIVE
 const CONTINUED: [&str; 2] = ["hard_cases_sizes", "hard_cases_steps"];
 
 /// Pages that derive what a module computes: what an example is to others, its tests are to them.
-const DERIVED: [(&str, &str); 1] = [("how_heavy_top", "src/exact/heavy_top/mod.rs")];
+const DERIVED: [(&str, &str); 2] = [
+    ("how_heavy_top", "src/exact/heavy_top/mod.rs"),
+    ("how_free_body", "src/exact/free_body/mod.rs"),
+];
 
 #[test]
 fn the_book_is_built_and_every_page_is_in_it() {

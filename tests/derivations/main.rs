@@ -5,5 +5,6 @@
 //! in plain doubles and the plain form, for motions in which that does no harm. A formula with
 //! one thing changed is its damaged twin, and must miss.
 
+mod free_body;
 mod heavy_top;
 mod theta;
