@@ -6,5 +6,6 @@
 //! one thing changed is its damaged twin, and must miss.
 
 mod free_body;
+mod gauss_legendre;
 mod heavy_top;
 mod theta;
