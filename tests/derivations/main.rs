@@ -5,6 +5,7 @@
 //! in plain doubles and the plain form, for motions in which that does no harm. A formula with
 //! one thing changed is its damaged twin, and must miss.
 
+mod contacts;
 mod dial;
 mod free_body;
 mod gauss_legendre;
