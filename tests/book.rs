@@ -51,11 +51,23 @@ fn summary() -> Vec<(String, Option<String>)> {
 }
 
 /// Sections 12, exercises 9; sections 5, exercises 8; further problems 6; closing chapters 7,
-/// of which one has three pages; the front page; the effects 6.
-const ENTRIES: usize = 12 + 9 + 5 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6;
+/// of which one has three pages; the front page; the effects 6; how it is computed.
+const ENTRIES: usize = 12 + 9 + 5 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6 + DERIVED.len();
 
 /// Pages that go on with the page of an example, and have none of their own.
 const CONTINUED: [&str; 2] = ["hard_cases_sizes", "hard_cases_steps"];
+
+/// Pages that derive what a module computes: what an example is to others, its tests are to them.
+const DERIVED: [(&str, &str); 5] = [
+    ("how_heavy_top", "src/exact/heavy_top/mod.rs"),
+    ("how_free_body", "src/exact/free_body/mod.rs"),
+    (
+        "how_gauss_legendre",
+        "src/integrators/gauss_legendre/mod.rs",
+    ),
+    ("how_dial", "src/accuracy/dial/mod.rs"),
+    ("how_contacts", "src/planar/contact/mod.rs"),
+];
 
 #[test]
 fn the_book_is_built_and_every_page_is_in_it() {
@@ -116,9 +128,31 @@ fn every_stem_is_complete() {
         .filter(|name| {
             let others = ["SUMMARY", "index", "errata", "exercises", "notation"];
             !others.iter().chain(&CONTINUED).any(|other| other == name)
+                && !DERIVED.iter().any(|(page, _)| page == name)
         })
         .collect();
     assert_eq!(examples, stems, "examples and pages");
+}
+
+/// Each page names the head of its module, that links the page, and has a file of tests.
+#[test]
+fn a_derivation_and_its_module_name_each_other() {
+    let linked = |page: &str, module: &str, tests: &str| {
+        let head = read(&root().join(module));
+        let head = head.lines().take_while(|line| line.starts_with("//!"));
+        let head: String = head.collect();
+        let text = read(&root().join(format!("book/src/{page}.md")));
+        head.contains(&format!("book/src/{page}.md"))
+            && text.contains(&format!("(source/{module}.html)"))
+            && text.contains(&format!("{{{{test derivations/{tests}::"))
+    };
+    for (page, module) in DERIVED {
+        let tests = page.trim_start_matches("how_");
+        assert!(linked(page, module, tests), "{page} and {module}");
+        // The damaged twins: another module, other tests.
+        assert!(!linked(page, "src/exact/mod.rs", tests));
+        assert!(!linked(page, module, "theta"));
+    }
 }
 
 #[test]
@@ -169,7 +203,7 @@ fn every_test_is_run() {
     run.insert("book.rs".to_owned());
     assert_eq!(listed("book/builder/Cargo.toml").len(), 1);
     assert_eq!(found, run);
-    assert_eq!(found.len(), 15);
+    assert_eq!(found.len(), 16);
 }
 
 /// Each damage: the file, what is replaced by what, and how the message begins.

@@ -12,7 +12,7 @@
 
 use crate::math::{DoubleDouble as Dd, ilogb, ldexp};
 
-/// A parameter m <= 4/5, its nome q <= 0.08 and its quarter period.
+/// A parameter m <= 4/5, its nome q < 0.1 and its quarter period.
 #[derive(Debug, Clone)]
 pub(crate) struct Nome {
     /// m and 1 - m.

@@ -10,7 +10,8 @@
 //! S' = (0, L/I1) S / 2,   L' = torque(e3),   e3 = S z.
 //! ```
 //!
-//! However fast the spin is, it costs no steps and no accuracy.
+//! However fast the spin is, it costs no steps and no accuracy. The derivation is in
+//! `book/src/how_gauss_legendre.md`.
 
 use super::scene::components;
 use super::{Dop853, Integrator, Ode, Rk4, Work, advance_by_counting};

@@ -10,6 +10,8 @@
 //! | `method` | the methods, each with one knob |
 //! | `stepping` | choose, refine, verify |
 //!
+//! What is verified, and why what is delivered is better: `book/src/how_dial.md`.
+//!
 //! Not for: scenes with contacts, which have a dial of their own
 //! ([`simulate_within`](crate::planar::simulate_within)).
 

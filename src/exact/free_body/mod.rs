@@ -14,6 +14,8 @@
 //! special there, and no third-kind integral is formed. The set-up is done in
 //! double-double arithmetic; a sample takes two sine-cosine pairs.
 //!
+//! How it is derived, and which differences are not formed: `book/src/how_free_body.md`.
+//!
 //! Sources: the notes, 15.5; L. D. Landau, E. M. Lifshitz, *Mechanics*, 37;
 //! R. van Zon, J. Schofield, J. Comput. Phys. 225, 145 (2007) for the theta
 //! functions in the rotation matrix; the doubled period is ours.

@@ -27,6 +27,8 @@
 //! Not for: tops with friction or with three different moments; see
 //! [`crate::integrators`].
 //!
+//! How it is derived, and which form loses no digit: `book/src/how_heavy_top.md`.
+//!
 //! Sources: the notes, 16.2; F. Klein, A. Sommerfeld, *Theorie des Kreisels*, VI;
 //! E. T. Whittaker, *Analytical Dynamics*, 71-72. The forms without cancellation are
 //! ours.

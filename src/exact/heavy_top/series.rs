@@ -12,7 +12,7 @@
 //!
 //! For m <= 0.8 the series runs in q, for m > 0.8, after Jacobi's imaginary
 //! transformation, in q' = exp(-pi K/K') with hyperbolic functions of w = pi x/2K';
-//! q' = 0 is the homoclinic motion. Either nome is at most 0.08: four terms do. In q
+//! q' = 0 is the homoclinic motion. Either nome is below 0.1: four terms do. In q
 //! attitude and rates have a form of their own (`super::sample`).
 //!
 //! Sources: DLMF 20.2, 20.7(viii); F. Klein, A. Sommerfeld, *Theorie des Kreisels*,

@@ -75,7 +75,7 @@ impl Zero {
 pub(super) struct Periods {
     /// K.
     pub quarter: Dd,
-    /// m > 4/5: `nome` is q', that of 1 - m, and else q, at most 0.08.
+    /// m > 4/5: `nome` is q', that of 1 - m, and else q, below 0.1.
     pub hyperbolic: bool,
     pub nome: Nome,
 }
@@ -175,7 +175,7 @@ impl Series {
     }
 }
 
-/// Terms that are formed in double-double; the others weigh less than q^9 < 1e-12.
+/// Terms that are formed in double-double; the others weigh less than q^9 < 1e-9.
 const LEADING: usize = 3;
 
 /// The series of H and H1 in q, divided by q^(1/4) e^y, y = pi eta/2K:

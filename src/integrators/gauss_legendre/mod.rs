@@ -11,6 +11,8 @@
 //! Not for: systems with jumps inside a step, or stiff ones (the sweeps would
 //! not contract; [`Error::NoConvergence`] says so).
 //!
+//! How it is derived: `book/src/how_gauss_legendre.md`.
+//!
 //! Sources: J. C. Butcher, Math. Comp. 18, 50 (1964); E. Hairer, R. I. McLachlan,
 //! A. Razakarivony, BIT 48, 231 (2008) for round-off in implicit methods.
 

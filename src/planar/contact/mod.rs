@@ -27,6 +27,8 @@
 //! Not for: many contacts ([`MOST_CONTACTS`]), and bodies that deform. Where forces are not determined
 //! (a box on three feet) the motion still is, and one of the possible sets of forces is given.
 //!
+//! The equations, and when they have no answer or two: `book/src/how_contacts.md`.
+//!
 //! Source: F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), 5 and 8.
 
 mod declare;
