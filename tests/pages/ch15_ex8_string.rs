@@ -69,7 +69,7 @@ fn the_spiral_and_the_tension() {
         momentum.push(radius(&state) * across(&state) - 1.0);
         damaged.push(r - 1.0);
     }
-    path.attain(1.43e-9..=1.44e-9, 40);
+    path.attain(4.7e-12..=4.8e-12, 40);
     force.attain(3.02e-11..=3.03e-11, 40);
     momentum.attain(1.64e-13..=1.65e-13, 40);
     damaged.exceed(0.02, 40);
