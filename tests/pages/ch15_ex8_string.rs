@@ -71,7 +71,7 @@ fn the_spiral_and_the_tension() {
     }
     path.attain(4.7e-12..=4.8e-12, 40);
     force.attain(7.8e-14..=7.9e-14, 40);
-    momentum.attain(1.64e-13..=1.65e-13, 40);
+    momentum.attain(5.0e-14..=5.1e-14, 40);
     damaged.exceed(0.02, 40);
 }
 

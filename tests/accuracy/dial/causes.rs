@@ -250,6 +250,6 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
         }
     }
     loose.attain(71.0..=72.0, 6);
-    tight.attain(10.0..=12.0, 6);
+    tight.attain(26.0..=27.0, 6);
     Ok(())
 }
