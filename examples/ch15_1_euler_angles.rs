@@ -96,7 +96,7 @@ impl Screw {
         let sign = 1.0_f64.copysign(cos_sum);
         let half = SpaceVector::new(s * cos_diff, s * diff, c * sum) * sign;
         let angle = 2.0 * atan2(half.norm(), c * cos_sum.abs());
-        let angle = from_to(1e-4, PI - 1e-4).check("angle of the whole rotation", angle)?;
+        let angle = from_to(1e-4, PI - 1e-12).check("angle of the whole rotation", angle)?;
         let axis = half / half.norm();
         let advance = axis.dot(&shift);
         let across = shift - axis * advance;

@@ -28,7 +28,7 @@ parameters! {
         /// how far both masses hang below the axle
         height: number(1.0, "m", from_to(1e-3, 1e3).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
         /// coefficient of friction between rope and pulley
-        friction: number(0.2, "-", from_to(0.0, 2.0).usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
+        friction: number(0.2, "-", from_to(0.0, 3.0).usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
         /// mass of a metre of the heavy rope
         rope: number(0.1, "kg/m", from_to(1e-9, 1e3).usually(0.01, 0.5));
         /// angular velocity of a pulley that spins already
@@ -48,10 +48,19 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// For a rope that holds.
+    /// For a rope that holds. Beside a much lighter mass g - a would have lost its digits, so
+    /// each tension is formed without it.
     pub fn held(m: &Machine) -> Self {
-        let [m1, m2] = m.masses;
-        Self::with(m, (m1 - m2) * m.gravity / (m1 + m2 + m.pulley), false)
+        let ([m1, m2], pulley) = (m.masses, m.pulley);
+        let part = m.gravity / (m1 + m2 + pulley);
+        Self {
+            acceleration: (m1 - m2) * part,
+            tensions: [
+                m1 * (2.0 * m2 + pulley) * part,
+                m2 * (2.0 * m1 + pulley) * part,
+            ],
+            slips: false,
+        }
     }
 
     /// For one that slips when a tension is `grip` times the other.
@@ -60,19 +69,12 @@ impl Answer {
         if held.tensions[0] <= m.grip * held.tensions[1] {
             return held;
         }
-        Self::with(m, (m1 - m.grip * m2) * m.gravity / (m1 + m.grip * m2), true)
-    }
-
-    fn with(m: &Machine, acceleration: f64, slips: bool) -> Self {
-        let [m1, m2] = m.masses;
-        let tensions = [
-            m1 * (m.gravity - acceleration),
-            m2 * (m.gravity + acceleration),
-        ];
+        let part = m.gravity / (m1 + m.grip * m2);
+        let behind = 2.0 * m1 * m2 * part;
         Self {
-            acceleration,
-            tensions,
-            slips,
+            acceleration: (m1 - m.grip * m2) * part,
+            tensions: [m.grip * behind, behind],
+            slips: true,
         }
     }
 }
@@ -159,8 +161,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let weighed = heavy.run(0.0, p.tolerance, 2.0 * longer)?;
     let heavier = weighed.transition("arrives")?;
     // The pulley spins, and the rope is behind.
-    let drawn = (m.grip * m1 - m2) * g / (m.grip * m1 + m2);
-    let braked = m1 * (g - drawn) * (m.grip - 1.0) / m.pulley;
+    let part = g / (m.grip * m1 + m2);
+    let drawn = (m.grip * m1 - m2) * part;
+    let braked = 2.0 * m1 * m2 * part * (m.grip - 1.0) / m.pulley;
     let catch = p.spin * p.radius / (drawn + braked);
     let spun = simulated.run(
         p.spin * p.radius,

@@ -337,8 +337,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             t_free => "a wide swing takes longer",
             t_free * (1.0 + p.release * p.release / 16.0) => "that is the first term of a series";
         /// swings until the free one is half a swing ahead
-        ahead: 0.5 * t_fixed / (t_fixed - t_free), "-", "the simulated periods" => 0.5 * slow / (slow - stiff),
-        within 1e-6 / share;
+        ahead: 0.5 * (1.0 + (m.carried / fixed).sqrt()) * fixed / m.own, "-", "the simulated periods" => 0.5 * slow / (slow - stiff),
+        within (1e-6 + 1e-12 / share) / share;
         /// torque that the fixed joint must hold
         grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip,
         in "The joint":

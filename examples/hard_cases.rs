@@ -14,6 +14,8 @@ mod flips;
 pub mod forms;
 #[path = "hard_cases/impacts.rs"]
 mod impacts;
+#[path = "hard_cases/ladder.rs"]
+mod ladder;
 #[path = "hard_cases/limits.rs"]
 mod limits;
 #[path = "hard_cases/long.rs"]

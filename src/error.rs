@@ -177,7 +177,8 @@ pub enum Error {
     ConditionUnknown { name: &'static str },
     /// The error asked for at the end cannot be reached with doubles.
     NotDelivered { requested: f64, reached: f64 },
-    /// The inputs, as doubles, do not determine the end as closely as is asked for.
+    /// The inputs, as doubles, do not determine the end as closely as is asked for; if
+    /// `attainable` (rad) is half a turn or more, not at all.
     BeyondCondition {
         requested: f64,
         attainable: f64,
@@ -457,6 +458,16 @@ impl fmt::Display for Error {
                 f,
                 "an error of {requested:e} is asked for, and finer and finer runs do not even agree \
                  on what happens: the start is too near a limit for doubles"
+            ),
+            Self::BeyondCondition {
+                requested,
+                attainable,
+                ..
+            } if attainable.is_nan() || *attainable >= core::f64::consts::PI => write!(
+                f,
+                "an error of {requested:e} rad is asked for, and nothing can be promised: as on a \
+                 separatrix, a change of the inputs in their last digits leads to any other \
+                 attitude at the end"
             ),
             Self::BeyondCondition {
                 requested,

@@ -8,6 +8,8 @@ mod corner;
 mod declared;
 #[path = "planar/dial.rs"]
 mod dial;
+#[path = "planar/drift.rs"]
+mod drift;
 #[path = "planar/impacts.rs"]
 mod impacts;
 #[path = "planar/ladder.rs"]

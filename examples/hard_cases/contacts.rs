@@ -2,57 +2,24 @@
 //! faster and faster, to an end that no clock passes.
 
 use super::events::{G, row, tightest};
+use super::ladder::{LENGTH, Ladder};
 use super::table::Row;
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::math::{cos, pow, sincos, tan};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion};
+use rotation_dynamics::math::{cos, pow, tan};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 use rotation_dynamics::{Error, Result};
 
-/// A uniform ladder of 3 m under a wall that overhangs by 20 degrees, per unit mass.
-struct Under {
-    mu: f64,
-}
-
-const LENGTH: f64 = 3.0;
+/// How far the wall leans over the ladder: 20 degrees.
 const OVERHANG: f64 = PI / 9.0;
 /// Its angle from the vertical at the start (rad).
 const LEANS: f64 = 1.4;
-
-impl Mechanism<3, 6, 2> for Under {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let inertia = LENGTH * LENGTH / 12.0;
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
-    }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
-        [0.0, -G, 0.0]
-    }
-    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
-        let (s, c) = sincos(ladder.q[2]);
-        let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
-        let (sin, cos) = sincos(OVERHANG);
-        let wall = Surface {
-            normal: [cos, -sin],
-            offset: 0.0,
-        };
-        [
-            Contact::corner("wall", ladder, [-s, c], wall).friction(self.mu),
-            Contact::corner("foot", ladder, [s, -c], Surface::FLOOR).friction(self.mu),
-        ]
-    }
-    fn end(&self, ladder: &State<3>) -> Option<(&'static str, f64)> {
-        Some(("lands", FRAC_PI_2 - ladder.q[2]))
-    }
-}
 
 /// It turns about its foot, which holds: a rod on a pivot, to the floor. Friction of 1.13 could
 /// also hold it where it is, wedged between wall and floor; then nothing in the laws of dry
 /// friction says which.
 fn overhang(words: [&'static str; 2], mu: f64, naive: &'static str) -> Result<Row> {
-    let (s, c) = sincos(LEANS);
-    let top = tan(OVERHANG) * LENGTH * c;
-    let start = State::rest([top + 0.5 * LENGTH * s, 0.5 * LENGTH * c, LEANS]);
     let rod = Suspension {
         moment: LENGTH * LENGTH / 3.0,
         mass: 1.0,
@@ -71,8 +38,12 @@ fn overhang(words: [&'static str; 2], mu: f64, naive: &'static str) -> Result<Ro
     }
     // By the energy: L theta'^2 = 3 g cos(theta_0).
     let rate = (3.0 * G * cos(LEANS) / LENGTH).sqrt();
-    let ladder = Under { mu };
-    let found = motion(&ladder, &tightest()?, start, 1.0);
+    let ladder = Ladder {
+        gravity: G,
+        overhang: OVERHANG,
+        mu,
+    };
+    let found = motion(&ladder, &tightest()?, ladder.at_rest(LEANS), 1.0);
     let time = found
         .as_ref()
         .map_err(Clone::clone)

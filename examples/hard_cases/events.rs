@@ -2,13 +2,12 @@
 //! bouncing.
 
 use super::contacts;
+use super::ladder::{LENGTH, Ladder};
 use super::table::{Cell, Family, Naive, Row, bound};
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan2, sincos};
-use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, State, Surface, motion, motion_within,
-};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion, motion_within};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 use rotation_dynamics::{Error, Result};
 
@@ -180,43 +179,17 @@ fn corner(words: [&'static str; 2], later: f64, longest: f64, end: f64) -> Resul
     row(words, [2.0, 2.0 * G * end], [time, state], naive)
 }
 
-/// A smooth ladder of 3 m that leans on a wall.
-struct Ladder;
-const LENGTH: f64 = 3.0;
-
-impl Mechanism<3, 6, 2> for Ladder {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let inertia = LENGTH * LENGTH / 12.0;
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
-    }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
-        [0.0, -G, 0.0]
-    }
-    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
-        let (s, c) = sincos(ladder.q[2]);
-        let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
-        [
-            Contact::corner("wall", ladder, [-s, c], Surface::WALL),
-            Contact::corner("foot", ladder, [s, -c], Surface::FLOOR),
-        ]
-    }
-    fn scale(&self, ladder: &State<3>) -> State<3> {
-        let q = [ladder.q[0].abs(), LENGTH, ladder.q[2].abs()];
-        State {
-            q,
-            v: q.map(|size| (1.5 * G / LENGTH).sqrt() * size),
-        }
-    }
-}
-
 /// From 1e-8 rad off the wall: half of the way in time nothing seems to happen.
 fn ladder() -> Result<Row> {
     let angle = 1e-8;
     let exact = Exact::new(LENGTH, G, angle)?;
-    let (s, c) = sincos(angle);
-    let start = State::rest([0.5 * LENGTH * s, 0.5 * LENGTH * c, angle]);
+    let smooth = Ladder {
+        gravity: G,
+        overhang: 0.0,
+        mu: 0.0,
+    };
     let (release, end) = (exact.release_time(), exact.release_time() + 0.2);
-    let found = motion_within(&Ladder, 1e-12, start, end);
+    let found = motion_within(&smooth, 1e-12, smooth.at_rest(angle), end);
     let time = found
         .as_ref()
         .map_err(Clone::clone)

@@ -456,7 +456,7 @@ fn counted(
 const LOOKS: f64 = 1e-2;
 
 /// Findings that are no error of a motion: what was found, and the test that sees it now.
-pub const ELSEWHERE: [[&str; 4]; 11] = [
+pub const ELSEWHERE: [[&str; 4]; 12] = [
     [
         "2",
         "pulses narrower than a step, unnamed",
@@ -498,6 +498,12 @@ pub const ELSEWHERE: [[&str; 4]; 11] = [
         "least tilt and period left out beside a pole",
         "tests/pages/ch16_2_gyroscope.rs",
         "near_a_pole_nothing_is_left_out",
+    ],
+    [
+        "10",
+        "up to 262 times the torques of the cheapest method",
+        "tests/accuracy/dial/causes.rs",
+        "the_price_of_not_knowing_is_bounded",
     ],
     [
         "10",

@@ -10,8 +10,12 @@
 //!
 //! Not for: elementary functions of `libm`, or anything with a branch.
 
+#[cfg(all(target_arch = "x86_64", registers))]
+use asked::widest;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(all(target_arch = "x86_64", registers))]
+mod asked;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -251,18 +255,22 @@ pub(crate) trait Sampler<const N: usize> {
     fn sample<L: Phased>(&self, t: L) -> [L; N];
 }
 
-/// True if the processor has registers of eight doubles, and `--cfg registers` does not keep
-/// this build from them: `.ci/same_bits` compares what narrower ones give.
-#[cfg(target_arch = "x86_64")]
-pub(crate) fn has_avx512() -> bool {
-    cfg!(not(any(registers = "avx2", registers = "plain")))
-        && std::is_x86_feature_detected!("avx512f")
+/// How many doubles a register may hold at most.
+#[cfg(all(target_arch = "x86_64", not(registers)))]
+const fn widest() -> usize {
+    8
 }
 
-/// True if the processor has registers of four doubles, and this build may use them.
+/// True if the processor has registers of eight doubles and this run may use them.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn has_avx512() -> bool {
+    widest() >= 8 && std::is_x86_feature_detected!("avx512f")
+}
+
+/// True if the processor has registers of four doubles and this run may use them.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn has_avx2() -> bool {
-    cfg!(not(registers = "plain")) && std::is_x86_feature_detected!("avx2")
+    widest() >= 4 && std::is_x86_feature_detected!("avx2")
 }
 
 /// Hands the sample at each time to `put`, with the widest registers the processor has.

@@ -25,4 +25,8 @@ impl<const N: usize, S: Phased<N>> Phased<N> for Bilateral<S> {
     fn scale(&self, state: &[f64; N]) -> [f64; N] {
         self.0.scale(state)
     }
+
+    fn drift(&self, phase: S::Phase, state: &[f64; N], within: f64) -> Option<[f64; N]> {
+        self.0.drift(phase, state, within)
+    }
 }

@@ -78,6 +78,12 @@ pub trait Phased<const N: usize> {
     fn scale(&self, state: &[f64; N]) -> [f64; N] {
         state.map(|c| c.abs().max(1.0))
     }
+
+    /// How far a state is off what `phase` keeps, such as a shut gap, as
+    /// [`crate::integrators::Ode::drift`].
+    fn drift(&self, _phase: Self::Phase, _state: &[f64; N], _within: f64) -> Option<[f64; N]> {
+        None
+    }
 }
 
 impl<const N: usize, S: Phased<N>> Phased<N> for &S {
@@ -90,6 +96,9 @@ impl<const N: usize, S: Phased<N>> Phased<N> for &S {
     }
     fn scale(&self, state: &[f64; N]) -> [f64; N] {
         (**self).scale(state)
+    }
+    fn drift(&self, phase: S::Phase, state: &[f64; N], within: f64) -> Option<[f64; N]> {
+        (**self).drift(phase, state, within)
     }
 }
 

@@ -57,6 +57,9 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
     fn scale(&self, state: &[f64; N]) -> [f64; N] {
         self.0.scale(state)
     }
+    fn drift(&self, _t: f64, state: &[f64; N], within: f64) -> Option<[f64; N]> {
+        self.0.drift(self.1, state, within)
+    }
 }
 
 /// The motion of `scene` from `start` in `phase`, from time 0 to `t_end` or to the end

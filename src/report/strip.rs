@@ -160,7 +160,9 @@ impl Report {
                 (solved.method, error, solved.work.to_string(), Some(again))
             }
             // What the reader asked for and cannot have is an error, with its reason.
-            Err(Error::BeyondCondition { attainable, .. }) if label != CLOSED_FORM => {
+            Err(Error::BeyondCondition { attainable, .. })
+                if label != CLOSED_FORM && attainable.is_finite() =>
+            {
                 ("-", attainable, "refused".into(), None)
             }
             Err(other) => return Err(other),

@@ -69,9 +69,9 @@ fn the_spiral_and_the_tension() {
         momentum.push(radius(&state) * across(&state) - 1.0);
         damaged.push(r - 1.0);
     }
-    path.attain(1.43e-9..=1.44e-9, 40);
-    force.attain(3.02e-11..=3.03e-11, 40);
-    momentum.attain(1.64e-13..=1.65e-13, 40);
+    path.attain(4.7e-12..=4.8e-12, 40);
+    force.attain(7.8e-14..=7.9e-14, 40);
+    momentum.attain(5.0e-14..=5.1e-14, 40);
     damaged.exceed(0.02, 40);
 }
 

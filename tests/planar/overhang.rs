@@ -2,58 +2,21 @@
 //! allows both the solver says so.
 
 use super::G;
+use super::ladder::mechanism::Ladder;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{sincos, tan};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Mode, State, Surface, motion};
+use rotation_dynamics::planar::contact::{Mode, motion};
 use rotation_dynamics::{Error, Result};
 use support::Errors;
 
-/// A uniform ladder of length 3 m, per unit mass, under a wall that overhangs.
-#[derive(Clone, Copy)]
-struct Ladder {
-    /// By this angle from the vertical.
-    overhang: f64,
-    mu: f64,
-}
-
-const LENGTH: f64 = 3.0;
-
-impl Ladder {
-    /// At rest at this angle from the vertical, its top on the wall.
-    fn at_rest(&self, angle: f64) -> State<3> {
-        let (s, c) = sincos(angle);
-        let half = 0.5 * LENGTH;
-        let top = tan(self.overhang) * LENGTH * c;
-        State::rest([top + half * s, half * c, angle])
-    }
-
-    fn begins(&self, angle: f64) -> Result<[Mode; 2]> {
-        let method = Dop853::new(1e-9)?;
-        motion(self, &method, self.at_rest(angle), 1e-3)?.modes(0.0)
-    }
-}
-
-impl Mechanism<3, 6, 2> for Ladder {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let inertia = LENGTH * LENGTH / 12.0;
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
-    }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
-        [0.0, -G, 0.0]
-    }
-    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
-        let (s, c) = sincos(ladder.q[2]);
-        let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
-        let (sin, cos) = sincos(self.overhang);
-        let wall = Surface {
-            normal: [cos, -sin],
-            offset: 0.0,
-        };
-        [
-            Contact::corner("wall", ladder, [-s, c], wall).friction(self.mu),
-            Contact::corner("foot", ladder, [s, -c], Surface::FLOOR).friction(self.mu),
-        ]
-    }
+/// What its contacts do at first, from rest at this angle.
+fn begins(overhang: f64, mu: f64, angle: f64) -> Result<[Mode; 2]> {
+    let ladder = Ladder {
+        gravity: G,
+        overhang,
+        mu,
+    };
+    motion(&ladder, &Dop853::new(1e-9)?, ladder.at_rest(angle), 1e-3)?.modes(0.0)
 }
 
 /// The least friction with which the ladder can be wedged. The wall's force points as far up
@@ -92,7 +55,7 @@ fn two_motions_begin_where_statics_say() {
     let mut errors = Errors::of("least friction that wedges");
     let mut damaged = Errors::of("the same under a wall that overhangs a little more");
     for (overhang, angle) in ANGLES {
-        let begins = |mu| Ladder { overhang, mu }.begins(angle);
+        let begins = |mu| begins(overhang, mu, angle);
         let refused = bisected(|mu| matches!(begins(mu), Err(Error::SeveralMotions { .. })));
         let by_hand = least(overhang, angle, 0.0);
         errors.add(refused, by_hand, by_hand);
@@ -110,7 +73,7 @@ fn two_motions_begin_where_statics_say() {
 fn both_motions_obey_all_laws() {
     for (overhang, angle) in ANGLES {
         let mu = 1.1 * least(overhang, angle, 0.0);
-        let error = Ladder { overhang, mu }.begins(angle).unwrap_err();
+        let error = begins(overhang, mu, angle).unwrap_err();
         let Error::SeveralMotions { first, second, .. } = &error else {
             panic!("{error}")
         };
@@ -143,8 +106,7 @@ fn both_motions_obey_all_laws() {
 fn a_steep_ladder_has_one_motion() {
     for mu in [0.1, 1.0, 3.0, 8.0] {
         for angle in [0.3, 0.8, 1.2] {
-            let ladder = Ladder { overhang: 0.35, mu };
-            let begins = ladder.begins(angle);
+            let begins = begins(0.35, mu, angle);
             assert!(begins.is_ok(), "{mu} {angle}: {begins:?}");
         }
     }

@@ -86,8 +86,8 @@ const METHODS: [Method; 7] = [
     Method {
         kind: "roller_plank",
         name: "planar::contact",
-        measured: 19.1..=19.2,
-        cases: 5,
+        measured: 7.0..=7.1,
+        cases: 7,
         promised: 1000.0,
         run: roller_plank::contacts,
     },
@@ -95,7 +95,7 @@ const METHODS: [Method; 7] = [
 
 /// Kinds that have no solver here, and how many cases of each are in the repository: `static`
 /// are exercises with a page each, which `tests/pages/reference_statics.rs` asks.
-const NOT_COVERED: [(&str, usize); 1] = [("static", 12)];
+const NOT_COVERED: [(&str, usize); 1] = [("static", 16)];
 
 /// How many of the repository's cases the library refuses, where nothing is lost: a pendulum
 /// after 1e16 radians.

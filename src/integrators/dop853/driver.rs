@@ -16,6 +16,8 @@ const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 /// Weight of the last error in the choice of the next step (PI control).
 const MEMORY: f64 = 0.04;
+/// The drift that is left where it is, in errors of a step.
+const DRIFT: f64 = 0.1;
 /// Exponent of the present error: 1/8, less what the memory takes.
 const RESPONSE: f64 = 0.125 - 0.75 * MEMORY;
 
@@ -62,7 +64,7 @@ impl Dop853 {
             let to = if last { t_end } else { t + direction * h };
             // The step the clock really makes: t + h was rounded.
             let made = (to - t) * direction;
-            let trial = Trial::new(ode, t, y, first, to, work);
+            let trial = Trial::new(ode, [t, to], y, first, DRIFT * self.tolerance, work);
             let error = match &trial {
                 Ok(trial) => trial.error(ode, self.tolerance)?,
                 Err(_) => f64::INFINITY,

@@ -16,17 +16,21 @@ pub(super) struct Trial<const N: usize> {
     pub start: Compensated<N>,
     pub end: Compensated<N>,
     k: [[f64; N]; STAGES],
+    /// What was added to the end to put it back, where it had drifted.
+    back: Option<[f64; N]>,
+    /// The drift that is left where it is, in parts of what drifts.
+    within: f64,
 }
 
 impl<const N: usize> Trial<N> {
-    /// The step from `start` at `t`, where the derivative is `first`, to `t_end`.
-    /// Eleven derivatives.
+    /// The step from `start` at the first time, where the derivative is `first`, to the other;
+    /// a drift beyond `within` is put back. Eleven derivatives.
     pub fn new(
         ode: &(impl Ode<N> + ?Sized),
-        t: f64,
+        [t, t_end]: [f64; 2],
         start: Compensated<N>,
         first: [f64; N],
-        t_end: f64,
+        within: f64,
         work: &mut Work,
     ) -> Result<Self> {
         let h = t_end - t;
@@ -38,12 +42,17 @@ impl<const N: usize> Trial<N> {
             work.derivatives += 1;
             k[i] = finite_derivative(at, &y, ode.derivative(at, &y))?;
         }
+        let stepped = start.plus(&mean_increment(h, A[STAGES], &k));
+        let drift = ode.drift(t_end, &stepped.value, within);
+        let back = drift.map(|drift| drift.map(|d| -d));
         Ok(Self {
             t,
             t_end,
             start,
-            end: start.plus(&mean_increment(h, A[STAGES], &k)),
+            end: back.map_or(stepped, |back| stepped.plus(&back)),
             k,
+            back,
+            within,
         })
     }
 
@@ -54,7 +63,14 @@ impl<const N: usize> Trial<N> {
         t_end: f64,
         work: &mut Work,
     ) -> Result<Self> {
-        Self::new(ode, self.t, self.start, self.k[0], t_end, work)
+        Self::new(
+            ode,
+            [self.t, t_end],
+            self.start,
+            self.k[0],
+            self.within,
+            work,
+        )
     }
 
     /// The derivative at the end of the step.
@@ -107,7 +123,10 @@ impl<const N: usize> Trial<N> {
             k[i] = finite_derivative(at, &y, ode.derivative(at, &y))?;
         }
         // The increment itself, not end - start: the difference has lost digits.
-        let difference = mean_increment(h, A[STAGES], &k);
+        let mut difference = mean_increment(h, A[STAGES], &k);
+        for (d, back) in difference.iter_mut().zip(self.back.iter().flatten()) {
+            *d += back;
+        }
         let mut bend = [0.0; N];
         let mut twist = [0.0; N];
         for i in 0..N {

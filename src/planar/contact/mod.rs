@@ -5,7 +5,8 @@
 //! solver finds the modes by trying all of them: the motion that a set of modes gives must
 //! agree with what they claim (normal forces push, friction holds within its cone or
 //! opposes the slip, open gaps do not close). Where a mode stops agreeing is an event,
-//! located by real steps like every event of [`planar`](super).
+//! located by real steps like every event of [`planar`](super). What a step has drifted off the
+//! contacts that act is put back at its end, by least action on the masses.
 //!
 //! | item | what it is |
 //! |---|---|

@@ -1,7 +1,7 @@
 //! A mechanism as a scene in phases: the phase is the mode of each contact.
 
 use super::declare::{Contact, Mode, Press, Sense, State};
-use super::resolve::{Trigger, enter};
+use super::resolve::{Trigger, enter, put_on};
 use super::response::{Problem, Response, total};
 use super::{Force, Mechanism, Modes};
 use crate::error::Result;
@@ -88,6 +88,28 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moda
 
     fn contact(&self, i: usize, state: &[f64; S]) -> Contact<N> {
         self.0.contacts(&split(state))[i]
+    }
+
+    /// Whether a contact that acts is off its surface, or moves where it must not, by more than
+    /// this part of its size.
+    fn has_drifted(&self, modes: &Modes<C>, state: &State<N>, within: f64) -> bool {
+        let contacts = self.0.contacts(state);
+        (0..C).filter(|&i| modes[i] != Mode::Open).any(|i| {
+            let Contact {
+                gap,
+                normal,
+                tangent,
+                press,
+                ..
+            } = &contacts[i];
+            let is_off = || {
+                gap.abs() > within * self.gap_size(i, state)
+                    || normal.speed(&state.v).abs() > within * self.normal_size(i, state)
+            };
+            let slips = || tangent.speed(&state.v).abs() > within * self.slip_size(i, state);
+            let touches = matches!(press, Press::OneSided | Press::TwoSided);
+            (touches && is_off()) || (modes[i] == Mode::Stick && slips())
+        })
     }
 
     /// What the gap of contact `i` is measured by.
@@ -183,5 +205,14 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
 
     fn scale(&self, state: &[f64; S]) -> [f64; S] {
         join(&self.0.scale(&split(state)))
+    }
+
+    fn drift(&self, modes: Modes<C>, state: &[f64; S], within: f64) -> Option<[f64; S]> {
+        let mut back = split(state);
+        self.has_drifted(&modes, &back, within).then(|| {
+            put_on(self, &modes, &mut back);
+            let back: [f64; S] = join(&back);
+            core::array::from_fn(|k| state[k] - back[k])
+        })
     }
 }

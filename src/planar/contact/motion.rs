@@ -158,7 +158,8 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
     }
 
     /// How far the integration has drifted off the contacts, at most, at the ends of its steps: the
-    /// largest gap of a shut contact and the largest slip speed of a sticking one.
+    /// largest gap of a shut contact and the largest slip speed of a sticking one. Beyond a tenth
+    /// of the error of a step it is put back.
     ///
     /// # Errors
     /// None that the run has not met before.

@@ -207,7 +207,7 @@ fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
 
 /// Moves coordinates and velocities onto the contacts that act, by least action on the
 /// masses: what the integration has drifted away.
-fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     scene: &Modal<M, N, S, C>,
     modes: &Modes<C>,
     state: &mut State<N>,

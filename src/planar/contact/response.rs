@@ -171,8 +171,15 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         response.rate[j].abs().max(forces / self.mass[j][j])
     }
 
-    /// Whether the response agrees with what the modes claim.
-    fn agrees(&self, modes: &Modes<C>, choices: &[Choices; C], response: &Response<N, C>) -> bool {
+    /// Whether the response agrees with what the modes claim, where each contact's rate counts
+    /// as none up to this part of its size.
+    fn agrees(
+        &self,
+        modes: &Modes<C>,
+        choices: &[Choices; C],
+        within: &[f64; C],
+        response: &Response<N, C>,
+    ) -> bool {
         (0..C).all(|i| {
             let contact = &self.contacts[i];
             let Force { normal, tangential } = response.force[i];
@@ -184,7 +191,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                     .sum();
                 (
                     dot(along, &response.rate) - aim,
-                    choices[i].within * (size + aim.abs()),
+                    within[i] * (size + aim.abs()),
                 )
             };
             let moves = match modes[i] {
@@ -207,10 +214,25 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
     }
 
     /// The modes whose response agrees with them, and that response: all sets are tried, in
-    /// order. Where two agree and move differently, the error has both.
+    /// order. Where two agree and move differently, the error has both. Where none does, what
+    /// an event has decided may be off by [`DECIDED`].
     pub fn search(
         &self,
         choices: &[Choices; C],
+    ) -> Result<(Modes<C>, Response<N, C>), Unsolved<C>> {
+        match self.search_within(choices, &[ZERO; C]) {
+            Err(Unsolved::None { .. }) if choices.iter().any(|c| c.decided) => {
+                let within = |c: &Choices| if c.decided { DECIDED } else { ZERO };
+                self.search_within(choices, &choices.each_ref().map(within))
+            }
+            found => found,
+        }
+    }
+
+    fn search_within(
+        &self,
+        choices: &[Choices; C],
+        within: &[f64; C],
     ) -> Result<(Modes<C>, Response<N, C>), Unsolved<C>> {
         let mut found: Option<(Modes<C>, Response<N, C>)> = None;
         let mut tried = 0;
@@ -219,7 +241,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
             let modes: Modes<C> = core::array::from_fn(|i| choices[i].modes[at[i]]);
             tried += 1;
             if let Some(response) = self.respond(&modes)
-                && self.agrees(&modes, choices, &response)
+                && self.agrees(&modes, choices, within, &response)
             {
                 match &found {
                     None => found = Some((modes, response)),
@@ -267,8 +289,8 @@ pub(super) struct Choices {
     count: usize,
     /// The gap is shut: only its rate tells whether it opens.
     shut: bool,
-    /// A rate against what it must be counts as none up to this part of its size.
-    within: f64,
+    /// An event says what it does, and its rate there may be off by [`DECIDED`].
+    decided: bool,
     /// The slip speed is 0: only its rate tells whether it slips, and which way.
     slip_begins: bool,
 }
@@ -280,7 +302,7 @@ impl Choices {
             modes: [mode; 4],
             count: 1,
             shut: false,
-            within: ZERO,
+            decided: false,
             slip_begins: false,
         }
     }
@@ -291,7 +313,7 @@ impl Choices {
             modes: [Mode::Open; 4],
             count: modes.len(),
             shut: true,
-            within: ZERO,
+            decided: false,
             slip_begins,
         };
         choices.modes[..modes.len()].copy_from_slice(modes);
@@ -318,7 +340,7 @@ impl Choices {
     /// the run, which was put back onto its contacts since.
     pub fn decided(self) -> Self {
         Self {
-            within: DECIDED,
+            decided: true,
             ..self
         }
     }

@@ -306,3 +306,43 @@ fn units_do_not_matter() {
         "scale of a component = 0 is not allowed: it must be greater than 0"
     );
 }
+
+/// What the solution keeps and the method does not is put back at the end of each step; between
+/// them the interpolant goes to where it was put, in one piece.
+#[test]
+fn what_drifts_is_put_back() {
+    struct Circle {
+        kept: bool,
+    }
+    impl Ode<2> for Circle {
+        fn derivative(&self, _t: f64, &[x, y]: &[f64; 2]) -> [f64; 2] {
+            [-y, x]
+        }
+        fn drift(&self, _t: f64, y: &[f64; 2], within: f64) -> Option<[f64; 2]> {
+            let beyond = 0.5 * (y[0] * y[0] + y[1] * y[1] - 1.0);
+            (self.kept && beyond.abs() > within).then(|| y.map(|c| beyond * c))
+        }
+    }
+    let run = |kept| {
+        let method = Dop853::new(1e-6).expect("valid");
+        let run = method.solve(&Circle { kept }, 0.0, &[1.0, 0.0], 500.0, &[]);
+        run.expect("smooth")
+    };
+    let off = |[x, y]: [f64; 2]| x * x + y * y - 1.0;
+    let (kept, lost) = (run(true), run(false));
+    let mut ends = Errors::of("squared radius at the ends of steps");
+    let mut jumps = Errors::of("jumps in the middle of steps");
+    let mut from = 0.0;
+    for to in kept.step_times() {
+        ends.push(off(kept.at(to).expect("inside")));
+        let middle = 0.5 * (from + to);
+        let [before, after] = [middle, middle * (1.0 + 1e-15)].map(|t| kept.at(t).expect("inside"));
+        jumps.push(before[0] - after[0]);
+        from = to;
+    }
+    let steps = kept.step_times().count();
+    ends.attain(1.9e-7..=2.0e-7, steps);
+    jumps.attain(5.6e-13..=5.7e-13, steps);
+    // The damaged twin.
+    assert!(off(*lost.end_state()).abs() > 1e-4);
+}
