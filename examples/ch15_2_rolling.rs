@@ -33,6 +33,8 @@ parameters! {
         cylinder_rate: number(3.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
         /// angle of the cylinder's axis from Z
         tilt: number(0.5, "rad", from_to(0.001, 3.1).usually(0.1, 1.5));
+        /// rolling resistance of a hoop as a part of its weight, for the claims about it
+        resistance: effect(0.005, "-", above_to(0.0, 1.0));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -245,6 +247,7 @@ fn report(p: &Parameters) -> Result<Report> {
         "A wheel on a road, a coin on a coin, a wheel on a shaft, a cylinder carried round.";
     let mut report = Report::new("Rolling", about)?;
     road(p, &mut report)?;
+    resisted(p, &mut report)?;
     coins(p, &mut report)?;
     cycle(p, &mut report)?;
     orbiting(p, &mut report)?;
@@ -420,6 +423,20 @@ fn limits(report: &mut Report) -> Result<()> {
         "theta = pi/2: Omega_z/Omega": along_axis(FRAC_PI_2)? => 0.0, within 1e-9;
         /// 2 + 2 sqrt(3) + 2 radii, each with a sixth of a turn
         "a wheel of six corners: path/R": six => TAU / 6.0 * (4.0 + 2.0 * 3.0_f64.sqrt()), within 1e-14;
+    }
+}
+
+/// What `--with resistance` adds: the speed of a hoop after a turn's time.
+fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(resistance) = p.resistance else {
+        return Ok(());
+    };
+    let (speed, turn) = (p.wheel_rate * p.wheel_radius, TAU / p.wheel_rate);
+    let stops = 0.5 * resistance * 9.80665 * turn;
+    let (slower, _) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
+    claims! { report,
+        /// with rolling resistance: speed of a hoop after the time of a turn
+        resisted_speed: (speed - stops).max(0.0), "m/s", "simulated" => speed - slower, within 1e-8 * speed;
     }
 }
 

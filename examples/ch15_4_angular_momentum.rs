@@ -26,7 +26,7 @@ use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
-use rotation_dynamics::math::{atan2, pow, sincos};
+use rotation_dynamics::math::{atan2, sincos};
 use rotation_dynamics::report::{Report, Table, short};
 use rotation_dynamics::scene::Scene;
 use swarm::{Grain, Swarm, angle, step};
@@ -72,6 +72,8 @@ rotation_dynamics::parameters! {
         plate_side: number(0.4, "m", above(0.0));
         /// angular velocity of the plate about an edge
         plate_rate: number(3.0, "rad/s", above(0.0));
+        /// drag coefficient of the cylinder in air, for the claims about it
+        air: effect(1.2, "-", above_to(0.0, 1e3));
         /// error asked of the cylinder's attitude after ten turns: above 0, at most pi
         tolerance: number(1e-9, "rad", any());
     }
@@ -195,6 +197,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let mut report = Report::new("Angular momentum", about)?;
     bodies(&mut report)?;
     worked::claims(p, &mut report)?;
+    left_out::in_air(p, &mut report)?;
     tries(p, &mut report)?;
     limits(&mut report)?;
     left_out::effects(p, &mut report)?;

@@ -26,6 +26,8 @@ parameters! {
         drop: number(0.2, "m", from_to(0.0, 10.0).usually(0.0, 1.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// friction of the bearing of the lower disc, for the claims about it
+        bearing: effect(0.05, "N m", above_to(0.0, 1e3));
         /// relative error of the simulations
         tolerance: number(1e-12, "-", from_to(1e-13, 1e-3));
     }
@@ -283,6 +285,39 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// What `--with bearing` adds: the rate at which they turn alike, and when. The lower disc may turn
+/// one way and then the other, and what brakes it turns round with it.
+fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(bearing) = p.bearing else {
+        return Ok(());
+    };
+    between(0.0, 0.99).check(
+        "bearing over the friction of the discs",
+        bearing / p.friction,
+    )?;
+    let rubs = p.friction * Answer::new(p).relative.signum();
+    let (fast, slow) = (-rubs / p.upper, |brake: f64| (rubs - brake) / p.lower);
+    // Until the lower disc stops, if it turns against the friction; then it is driven on.
+    let against = p.lower_rate * rubs < 0.0;
+    let stops = -p.lower_rate / slow(-bearing * rubs.signum());
+    let (wait, rates) = match against {
+        true if stops < Answer::new(p).relative / (slow(-bearing * rubs.signum()) - fast) => {
+            (stops, [p.upper_rate + fast * stops, 0.0])
+        }
+        _ => (0.0, [p.upper_rate, p.lower_rate]),
+    };
+    let way = if against && wait == 0.0 { -1.0 } else { 1.0 };
+    let time = (rates[0] - rates[1]) / (slow(way * bearing * rubs.signum()) - fast);
+    let common = rates[0] + fast * time;
+    let brake = |_: f64, lower: f64| [0.0, bearing * lower.signum()];
+    claims! { report,
+        /// with a bearing that rubs: common angular velocity
+        rough_common: common, "rad/s", "simulated" => braked(p, &brake)?, within 1e-8 * rate(p);
+        /// and how long they slip
+        rough_time: wait + time, "s", "simulated" => (braked(p, &brake)? - p.upper_rate) / fast, within 1e-8 * (rate(p) / fast).abs();
+    }
+}
+
 /// The card of effects: steel discs with a radius of 0.2 m, a ball bearing of 1 cm.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, whole, radius, size) = (Answer::new(p), p.upper + p.lower, 0.2, rate(p));
@@ -379,6 +414,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch15_ex1_two_discs: "Exercise 15.1: two discs on one axis rub on each other until they turn alike";
     "Two discs", "A disc falls on another that turns about the same axis, and slips on it for a while.",
-    [claims, limits, effects, naive, accuracy];
+    [claims, rough, limits, effects, naive, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

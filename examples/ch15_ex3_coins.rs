@@ -21,6 +21,8 @@ parameters! {
         rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 10.0)).drawn(1.0, 5.0, 0.5);
         /// where it rolls: around the fixed coin, or inside a fixed ring of that radius
         side: choice("outside", "inside");
+        /// coefficient of friction of coin and table, for the claims about it
+        table: effect(0.2, "-", above_to(0.0, 10.0));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -115,6 +117,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let mut report = Report::new("Coins of two sizes", about)?;
     let r = ratio(p)?;
     claims(p, &mut report)?;
+    rubbed(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
@@ -208,17 +211,38 @@ pub fn mean_distance(pieces: u32) -> f64 {
     parts.map(ring).sum()
 }
 
+/// What a table takes with this coefficient of friction, J a circuit, and the same from the ways of
+/// the pieces of the coin.
+fn rubbing(p: &Parameters, friction: f64) -> Result<[f64; 2]> {
+    let (r, force) = (ratio(p)?, friction * p.mass * 9.80665);
+    // A disc of weight 1 that turns about a point of its rim rubs 32/(9 pi) as much as one that slides.
+    let way = TAU * p.inner * (1.0 + r) * (32.0 / (4.5 * TAU));
+    // By the angle through which it turns about the contact.
+    let ran = p.outer * mean_distance(40) * rolled(r, TAU, 1e-12)?.end_time();
+    Ok([force * way, force * ran])
+}
+
+/// What `--with table` adds: the work of a circuit, and the power that holds the rate.
+fn rubbed(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(friction) = p.table else {
+        return Ok(());
+    };
+    let [work, ran] = rubbing(p, friction)?;
+    claims! { report,
+        /// on a table that rubs: work of a circuit
+        rubbed_work: work, "J", "ways of its pieces" => ran, within 1e-4 * work;
+        /// and the power that it takes
+        rubbed_power: work * p.rate / TAU, "W", "ways of its pieces" => ran * p.rate / TAU, within 1e-4 * work * p.rate;
+    }
+}
+
 /// The card of effects, for coins that lie on a table.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let r = ratio(p)?;
     let (distance, slip, edge) = (p.inner * (1.0 + r), 0.01, 1e-5 / p.outer);
     above(0.0).check("distance of the middles", distance)?;
     let energy = p.mass * p.inner * p.inner * p.rate * p.rate * kinetic_energy(r);
-    // A disc of weight 1 that turns about a point of its rim rubs 32/(9 pi) as much as one that slides.
-    let rubbed = 0.2 * p.mass * 9.80665 * TAU * distance * (32.0 / (4.5 * TAU));
-    let around = rolled(r, TAU, 1e-12)?;
-    // The way of its pieces, by the angle through which it turns about the contact.
-    let way = p.outer * mean_distance(40) * around.end_time();
+    let ([rubbed, ran], around) = (rubbing(p, 0.2)?, rolled(r, TAU, 1e-12)?);
     // If the rim at the contact moves, the middle moves so much more.
     let faster = 1.0 / (1.0 - slip / (1.0 + r));
     let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate));
@@ -243,7 +267,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     effect_card! { report,
         "rubbing on the table; the rate is held":
             "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
-            measured 0.2 * p.mass * 9.80665 * way, within 1e-4 * rubbed, at_cost cost(Some(around.work()));
+            measured ran, within 1e-4 * rubbed, at_cost cost(Some(around.work()));
         "slip of a hundredth at the contact":
             "s" = slip, costs slip / r.abs(), "turns a circuit", beside "turns",
             measured slipped.as_ref().map(|(there, _)| fewer(there.t)), within 1e-9 * (1.0 + 1.0 / r.abs()),

@@ -9,7 +9,8 @@ use cone::{Cone, Sums, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode};
-use rotation_dynamics::interval::above_to;
+use rotation_dynamics::interval::{above_to, between};
+use rotation_dynamics::math::expm1;
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -27,6 +28,10 @@ parameters! {
         friction: number(0.5, "-", above_to(0.0, 100.0).usually(0.1, 1.5)).drawn(0.30, 0.80, 0.05);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// lever by which the pressure of the table runs ahead, for the claims about it
+        rolling: effect(2e-5, "m", above_to(0.0, 1.0));
+        /// density of the air that brakes it, for the claims about it
+        air: effect(1.204, "kg/m^3", above_to(0.0, 1e3));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -146,6 +151,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let about = "A solid cone lies on a table and rolls, without slipping, about its vertex.";
     let mut report = Report::new("A cone that rolls about its vertex", about)?;
     claims(p, &mut report)?;
+    left(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
     let exact = rolled(a, TAU)?;
@@ -241,6 +247,34 @@ fn limits(report: &mut Report) -> Result<()> {
         "w = 0: d/(h cos(alpha))": centre_of_pressure(0.4, 0.0) / cos(0.4) => 0.75, within 1e-15;
         /// then the moment 3/20 M h R Omega^2, which turns L, is M g R
         "alpha = pi/2 - 0.001: w at tipping": tips(TAU / 4.0 - 1e-3) => 20.0 / 3.0, within 1e-4;
+    }
+}
+
+/// What `--with rolling` and `--with air` add: the rate that is left after a circuit, if nothing drives the cone.
+fn left(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, h, rate) = (p.half_angle, p.height, p.rate);
+    let inertia = 2.0 * p.mass * h * h * kinetic_energy(a);
+    if let Some(lever) = p.rolling {
+        let bears = p.mass * p.gravity * lever * -angular_velocity(a);
+        let lost = 2.0 * TAU * bears / (inertia * rate * rate);
+        between(0.0, 0.9).check(
+            "part of the energy that rolling resistance takes in a circuit",
+            lost,
+        )?;
+        let (ran, _) = left_to_itself(lost, [inertia, rate], |_| bears)?;
+        claims! { report,
+            /// with rolling resistance: rate after a circuit
+            rolled_rate: rate * (1.0 - lost).sqrt(), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
+        }?;
+    }
+    let Some(density) = p.air else { return Ok(()) };
+    let strips = body(p).air(a, density);
+    let lost = -expm1(-2.0 * TAU * strips / inertia);
+    between(0.0, 0.9).check("part of the energy that the air takes in a circuit", lost)?;
+    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
+    claims! { report,
+        /// in air: rate after a circuit
+        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
     }
 }
 

@@ -12,6 +12,8 @@ use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::interval::between;
+use rotation_dynamics::math::expm1;
 use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::scene::Scene;
 
@@ -28,6 +30,8 @@ parameters! {
         rate: number(1.5, "rad/s", from_to(1e-3, 1e3).usually(0.5, 12.0)).drawn(1.0, 4.0, 0.5);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// density of the air that brakes it, for the claims about it
+        air: effect(1.204, "kg/m^3", above_to(0.0, 1e3));
         /// error of the solved attitude
         tolerance: number(1e-9, "rad", from_to(1e-11, 1e-3));
     }
@@ -133,6 +137,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let about = "A solid cone with a level axis: its vertex is held, its rim rolls on a table.";
     let mut report = Report::new("A cone with its vertex raised", about)?;
     claims(p, &mut report)?;
+    left(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
     let (a, rate) = (p.half_angle, p.rate);
@@ -221,6 +226,21 @@ fn limits(report: &mut Report) -> Result<()> {
         "w = 0: N/(M g)": pressure(0.4, 0.0) => 0.75, within 1e-15;
         /// as a thin rod it presses no more for going round
         "alpha = 0.001, w = 1: N/(M g)": pressure(1e-3, 1.0) => 0.75, within 1e-3;
+    }
+}
+
+/// What `--with air` adds: the rate that is left after a circuit, if nothing drives the cone.
+fn left(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, h, rate) = (p.half_angle, p.height, p.rate);
+    let inertia = 2.0 * p.mass * h * h * kinetic_energy(a);
+    let Some(density) = p.air else { return Ok(()) };
+    let strips = body(p).air(0.0, density);
+    let lost = -expm1(-2.0 * TAU * strips / inertia);
+    between(0.0, 0.9).check("part of the energy that the air takes in a circuit", lost)?;
+    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
+    claims! { report,
+        /// in air: rate after a circuit
+        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
     }
 }
 

@@ -33,6 +33,10 @@ parameters! {
         speed: number(2.0, "m/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        /// arm of the normal force ahead of the body, for the claims about it
+        rolling: effect(2e-4, "m", above_to(0.0, 1.0));
+        /// drag coefficient of a cylinder of wood in air, for the claims about it
+        air: effect(1.0, "-", above_to(0.0, 1e3));
         /// relative error asked for, at every event: from 1e-13 to 0.1
         tolerance: number(1e-12, "-", from_to(1e-13, 0.1));
     }
@@ -361,6 +365,43 @@ pub fn resisting(p: &Parameters) -> [f64; 2] {
     [2e-4, 1.204 / (700.0 * PI * p.radius)]
 }
 
+/// What `--with rolling` and `--with air` add: it does not come as far.
+fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (goal, v, [_, drag]) = (Goal::Top, p.speed, resisting(p));
+    let body = Roller::new(p);
+    let (roller, start) = (Roller { goal, ..body }, body.rolling(v));
+    let (end, far) = (
+        -4.0 * v / body.acceleration(),
+        -0.5 * v * v / body.acceleration(),
+    );
+    if p.rolling.is_some() || p.air.is_some() {
+        // What slides is slowed down otherwise.
+        from_to(0.0, 1.0).check("mu_min/mu", body.needed() / p.friction.max(1e-300))?;
+    }
+    if let Some(arm) = p.rolling {
+        let resistance = arm / p.radius;
+        let rolls = way(Resisted { roller, resistance }, start, end)?;
+        let far = far / (1.0 + resistance / tan(p.angle));
+        claims! { report,
+            /// with rolling resistance: distance to the highest place
+            rolled_way: far, "m", "located event" => rolls, within 1e-8 * far;
+        }?;
+    }
+    let Some(coefficient) = p.air else {
+        return Ok(());
+    };
+    let air = QuadraticDrag::new(coefficient * drag)?;
+    let number = air.number(v, p.gravity * sin(p.angle));
+    let (far, blown) = (
+        far * log1p(number) / number,
+        way(roller.with(air), start, end)?,
+    );
+    claims! { report,
+        /// in air: distance to the highest place
+        blown_way: far, "m", "located event" => blown, within 1e-8 * far;
+    }
+}
+
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, [arm, drag]) = (Roller::new(p), resisting(p));
     let (v, sliding) = (p.speed, body.grip() < body.needed());
@@ -451,6 +492,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch16_1_incline: "Section 16.1: a cylinder that rolls up an incline and back";
     "Rolling on an incline", "A round body rolls up a slope, stops, and rolls back.",
-    [claims, limits, effects, accuracy];
+    [claims, resisted, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

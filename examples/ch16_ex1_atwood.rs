@@ -7,9 +7,10 @@ pub mod machine;
 
 use core::f64::consts::PI;
 use machine::{Grip, Machine, capstan};
-use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::integrators::{Dop853, after, ode, second_order};
 use rotation_dynamics::math::asinh;
 use rotation_dynamics::planar::Run;
+use rotation_dynamics::planar::contact::QuadraticDrag;
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -33,6 +34,8 @@ parameters! {
         rope: number(0.1, "kg/m", from_to(1e-9, 1e3).usually(0.01, 0.5));
         /// angular velocity of a pulley that spins already
         spin: number(40.0, "rad/s", from_to(1e-6, 1e6).usually(5.0, 80.0));
+        /// C S of both masses in air, for the claims about it
+        air: effect(0.02, "m^2", above_to(0.0, 10.0));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -260,6 +263,31 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// What `--with air` adds: it takes longer, and ends slower.
+fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(area) = p.air else { return Ok(()) };
+    let (m, way) = (machine(p)?, p.height);
+    let (held, [m1, m2]) = (Answer::new(&m), m.masses);
+    if held.slips {
+        return Err(rotation_dynamics::Error::OutOfRange {
+            name: "the acceleration of a rope that slips, with air",
+            value: held.acceleration,
+            allowed: "the claims about the air are for a rope that holds: more friction, or lighter masses",
+        });
+    }
+    let (a, inertia) = (held.acceleration, m1 + m2 + m.pulley);
+    let drag = QuadraticDrag::in_air(1.204, 1.0, area)?;
+    let ([time, speed], slowing) = (drag.driven(a, inertia, way), drag.coefficient() / inertia);
+    let law = second_order(|_, _, v| a - slowing * v * v);
+    let (there, _) = Dop853::new(1e-13)?.zero(&law, [0.0; 2], 1, 2.0 * time, |y| y[0] - way)?;
+    claims! { report,
+        /// in air: time of the way
+        blown_time: time, "s", "located event" => there.t, within 1e-10 * time;
+        /// in air: speed at its end
+        blown_speed: speed, "m/s", "located event" => there.state[1], within 1e-10 * speed;
+    }
+}
+
 /// A rope 8 mm thick, a bearing that rubs, the air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let m = machine(p)?;
@@ -311,6 +339,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch16_ex1_atwood: "Exercise 16.1: Atwood's machine with a heavy pulley";
     "Atwood's machine", "Two masses hang on a rope over a pulley that has a moment of inertia.",
-    [claims, limits, effects, accuracy];
+    [claims, blown, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -26,6 +26,8 @@ parameters! {
         fading: number(0.05, "s/m", from_to(1e-4, 10.0).usually(0.01, 0.5));
         /// the moving picture: the sense that presses it to the wall, or the other one
         sense: choice("pressed", "away");
+        /// angle by which the wall leans back, for the claims about it
+        lean: effect(0.0175, "rad", above_to(0.0, 0.5));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -276,6 +278,18 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// What `--with lean` adds: the wall presses less.
+fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(lean) = p.lean else { return Ok(()) };
+    let (u, cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
+    let (time, stop) = (u.time, u.spin / cylinder.braking());
+    let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance.min(1e-9))?;
+    claims! { report,
+        /// at a wall that leans back: time to the stop
+        t_leaning: stop * time, "s", "located event" => ride.event("floor sticks")?.t * time, within 1e-7 * stop * time;
+    }
+}
+
 /// The card of effects; the air rubs at a wooden cylinder (700 kg/m^3) with 0.01 of rho v^2/2.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, u, cylinder) = (p.friction, units(p)?, Cylinder::alike(p.friction));
@@ -380,6 +394,6 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch16_ex3_corner: "Exercise 16.3: a spinning cylinder is set down in a corner";
     "A spinning cylinder in a corner", "A cylinder that spins is set down between a floor and a wall.",
-    [claims, limits, effects, accuracy, surfaces, signs];
+    [claims, leaning, limits, effects, accuracy, surfaces, signs];
     figures::figures, figures::trajectory, figures::moving_picture
 }

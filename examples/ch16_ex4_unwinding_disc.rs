@@ -7,8 +7,9 @@ pub mod string;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::integrators::{Dop853, after, ode, second_order};
 use rotation_dynamics::planar::Run;
+use rotation_dynamics::planar::contact::QuadraticDrag;
 use rotation_dynamics::report::prelude::*;
 use string::{Disc, Leaves, long_string};
 
@@ -31,6 +32,8 @@ parameters! {
         stiffness: number(9400.0, "N", above(0.0).usually(1000.0, 50000.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// drag coefficient of a disc of steel in air, for the claims about it
+        air: effect(1.0, "-", above_to(0.0, 1e3));
         /// error of a step of the simulations: from 1e-15 to 1e-6
         tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
     }
@@ -203,6 +206,33 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// How wide the disc is, of steel.
+fn width(p: &Parameters) -> f64 {
+    p.mass / (7850.0 * PI * p.radius * p.radius)
+}
+
+/// What `--with air` adds: it takes longer, and ends slower.
+fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(coefficient) = p.air else {
+        return Ok(());
+    };
+    let (a, way, inertia) = (
+        Answer::new(p).acceleration,
+        p.wound,
+        p.mass * (1.0 + p.shape),
+    );
+    let drag = QuadraticDrag::in_air(1.204, coefficient, 2.0 * p.radius * width(p))?;
+    let ([time, speed], slowing) = (drag.driven(a, inertia, way), drag.coefficient() / inertia);
+    let law = second_order(|_, _, v| a - slowing * v * v);
+    let (there, _) = Dop853::new(1e-13)?.zero(&law, [0.0; 2], 1, 2.0 * time, |y| y[0] - way)?;
+    claims! { report,
+        /// in air: time of the way
+        blown_time: time, "s", "located event" => there.t, within 1e-10 * time;
+        /// in air: speed at its end
+        blown_speed: speed, "m/s", "located event" => there.state[1], within 1e-10 * speed;
+    }
+}
+
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (d, a, weight) = (disc(p)?, Answer::new(p), p.mass * p.gravity);
@@ -219,9 +249,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         true => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
         false => 1.0,
     };
-    let width = p.mass / (7850.0 * PI * p.radius * p.radius);
     let last = a.velocity(a.unwound(p.wound));
-    let air = 0.5 * 1.204 * 2.0 * p.radius * width * last * last / weight;
+    let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;
     // The square of the speed on the way down, over that without air.
     let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]);
     let blown = air * after(1.0, &law, &[0.0], 1e-12)?[0];
@@ -261,6 +290,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch16_ex4_unwinding_disc: "Exercise 16.4: a disc falls and unwinds from a string";
     "A disc on a string", "A disc falls and unwinds from a string, to the end of the string and over it.",
-    [claims, limits, effects, accuracy];
+    [claims, blown, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

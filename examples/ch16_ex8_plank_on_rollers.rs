@@ -30,6 +30,8 @@ parameters! {
         gravity: number(9.80665, "m/s^2", from_to(0.1, 1e2).usually(1.0, 25.0));
         /// the moving picture: the tops of the rollers move towards each other (in) or apart
         sense: choice("in", "out");
+        /// part of the friction that is lost per m/s of slip, for the claims about it
+        falling: effect(0.1, "s/m", above_to(0.0, 10.0));
         /// error of a step of the simulations: from 1e-15 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -350,28 +352,45 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// Time of a small swing of a thin plank between rollers whose friction falls by this part per m/s
+/// of slip, and by what factor the swing has grown.
+fn grown(p: &Parameters, fading: f64) -> Result<[f64; 2]> {
+    let (a, swing) = (p.distance, rate(p, 1.0));
+    let rubs = |slip: f64| p.kinetic * slip.signum() * (1.0 - fading * (slip.abs() - p.speed));
+    let law = second_order(|_, x, v| {
+        let (left, right) = (0.5 - x / a, 0.5 + x / a);
+        p.gravity * (rubs(p.speed - v) * left + rubs(-p.speed - v) * right)
+    });
+    let small = 1e-3 * a.min(p.speed / swing);
+    let (there, _) = Dop853::new(1e-12)?.zero(&law, [small, 0.0], 2, 1e3 / swing, |y| y[1])?;
+    Ok([there.t, there.state[0] / small])
+}
+
+/// What `--with falling` adds: a small swing grows, as one that is damped would die.
+fn driven(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(fading) = p.falling else {
+        return Ok(());
+    };
+    from_to(0.0, 0.0).check("thickness, with friction that falls", p.thickness)?;
+    let (gain, free) = (0.5 * p.gravity * fading * p.kinetic, rate(p, 1.0));
+    between(0.0, 0.5).check("growth over the rate of the swing", gain / free)?;
+    let period = TAU / (free * free - gain * gain).sqrt();
+    let [time, factor] = grown(p, fading)?;
+    claims! { report,
+        /// with friction that falls: period of a small swing
+        falling_period: period, "s", "located event" => time, within 1e-8 * period;
+        /// and by what factor it grows in a period
+        falling_growth: exp(gain * period), "-", "located event" => factor, within 1e-7 * exp(gain * period);
+    }
+}
+
 /// The card of effects.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, a, swing) = (p.kinetic, p.distance, rate(p, 1.0));
     let (thick, falling) = (0.5 * mu * 0.02 / a, 0.5 * p.gravity * 0.1 * mu);
     let is_thin = (swing * swing * a / (2.0 * mu * p.gravity) - 1.0).abs() < 0.1;
-    // A small swing of a thin plank between rollers whose friction falls so.
-    let rubs = |slip: f64| mu * slip.signum() * (1.0 - 0.1 * (slip.abs() - p.speed));
-    let law = second_order(|_, x, v| {
-        let (left, right) = (0.5 - x / a, 0.5 + x / a);
-        p.gravity * (rubs(p.speed - v) * left + rubs(-p.speed - v) * right)
-    });
-    let (small, slow) = (
-        1e-3 * a.min(p.speed / swing),
-        falling < 0.1 * swing && is_thin,
-    );
-    let grown = match slow {
-        true => Some(
-            Dop853::new(1e-12)?
-                .zero(&law, [small, 0.0], 2, 1e3 / swing, |y| y[1])?
-                .0
-                .state[0],
-        ),
+    let grown = match falling < 0.1 * swing && is_thin {
+        true => Some(grown(p, 0.1)?[1]),
         false => None,
     };
     let board = |thickness: f64| Parameters {
@@ -385,7 +404,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     effect_card! { report,
         "friction that falls by 1 % for each 0.1 m/s of slip":
             "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "of the amplitude, gained in a swing",
-            measured grown.map(|grown| grown / small - 1.0), within 1e-8;
+            measured grown.map(|grown| grown - 1.0), within 1e-8;
         "a thickness of 2 cm": "mu h/(2 a)" = thick, costs -thick, "of the period", measured slower, within 1e-8;
         "coefficients of the rollers that differ by 1 %":
             "dmu/mu" = 0.01, costs 0.25 * 0.01 * a, "m, place of rest";
@@ -429,6 +448,6 @@ fn smooth(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch16_ex8_plank_on_rollers: "Exercise 16.8: a plank on two rollers that turn against each other";
     "A plank on two rollers", "A plank lies on two rollers that turn in opposite senses.",
-    [claims, limits, effects, accuracy, smooth];
+    [claims, driven, limits, effects, accuracy, smooth];
     figures::figures, figures::trajectory, figures::moving_picture
 }

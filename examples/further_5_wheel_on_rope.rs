@@ -28,6 +28,8 @@ parameters! {
         push: number(0.0, "rad/s", from_to(-20.0, 20.0).usually(-3.0, 3.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        /// density of the air that brakes the wheel, for the claims about it
+        air: effect(1.204, "kg/m^3", above_to(0.0, 1e3));
         /// error of a step of the simulations: from 1e-14 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));
     }
@@ -591,6 +593,26 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// Torque of air of this density over that of the weight, and the part of the spin that it leaves
+/// after a turn about the rope.
+fn braked(p: &Parameters, wheel: &Wheel, density: f64) -> Result<[f64; 2]> {
+    let torque = 0.0066 * density * p.spin * p.spin * p.radius.powi(5);
+    let slowing = torque / (wheel.momentum * wheel.steady(0.0)?[0]);
+    let law = ode(|_, &[spin]: &[f64; 1]| [-2.0 * PI * slowing * spin * spin]);
+    Ok([slowing, after(1.0, &law, &[1.0], 1e-12)?[0]])
+}
+
+/// What `--with air` adds: the spin that is left, in proportion to which the wheel goes round faster.
+fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(density) = p.air else { return Ok(()) };
+    let [slowing, left] = braked(p, &Wheel::new(p), density)?;
+    let spin = p.spin / (1.0 + 2.0 * PI * slowing);
+    claims! { report,
+        /// in air: spin after a turn about the rope
+        blown_spin: spin, "rad/s", "simulated" => left * p.spin, within 1e-10 * p.spin;
+    }
+}
+
 /// The card of effects; the rope is of nylon, 6 mm thick, as heavy as 25 g a metre.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let wheel = Wheel::new(p);
@@ -599,12 +621,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         0.025 * p.rope / p.mass,
         p.mass * p.gravity / (1e9 * 0.25 * PI * 36e-6),
     );
-    let air =
-        0.0066 * 1.204 * p.radius * p.radius * p.radius * p.spin * p.spin * p.radius * p.radius;
-    let slowing = air / (wheel.momentum * rate);
-    // The spin over that at the start, for a turn about the rope.
-    let law = ode(|_, &[spin]: &[f64; 1]| [-2.0 * PI * slowing * spin * spin]);
-    let left = after(1.0, &law, &[1.0], 1e-12)?[0];
+    let [slowing, left] = braked(p, &wheel, 1.204)?;
     let bound = wheel.at_end() * rate / wheel.momentum;
     // tan(lean) g = rate^2 (lever + rope sin(lean)), by the length of the rope.
     let ((s, c), far) = (sincos(rope), rate * rate * p.rope / p.gravity);
@@ -654,6 +671,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     further_5_wheel_on_rope: "A further problem: a spinning wheel hung by its axle from a rope";
     "A wheel on a rope", "A spinning bicycle wheel whose axle hangs by one end from a rope.",
-    [claims, limits, effects, accuracy];
+    [claims, blown, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -8,7 +8,9 @@ use core::f64::consts::{PI, TAU};
 use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{CoulombBearing, Effect, GravityAtLever, GravityGradient, Torque};
+use rotation_dynamics::effects::{
+    CoulombBearing, Effect, GravityAtLever, GravityGradient, KeplerOrbit, OrbitingBody, Torque,
+};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -348,6 +350,23 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// The same satellite on an orbit of this eccentricity, started at the pericentre on a swing of this
+/// size about the direction of the Earth: how far from it a quarter of an orbit later, rad.
+pub fn forced(p: &Parameters, eccentricity: f64, swing: f64) -> Result<f64> {
+    let (n0, (scene, _)) = (p.mean_motion, satellite(p)?);
+    let orbit = KeplerOrbit::elliptic(1.0, TAU / n0, eccentricity)?;
+    let earth = OrbitingBody::new(n0 * n0, orbit)?;
+    let (place, moment) = (orbit.place(0.0), scene.body().moments().i3());
+    let rate = place.cross(&orbit.velocity(0.0)) * (1.0 / place.dot(&place));
+    let momentum = (rate + orbit.normal(0.0) * (swing * n0)) * moment;
+    let start = State::new(Attitude::IDENTITY, momentum)?;
+    let quarter = 0.25 * TAU / n0;
+    let end = (Scene::new(*scene.body()).with(earth)).solve(&start, quarter, p.tolerance)?;
+    let long = end.state.attitude.to_space(BodyVector::new(1.0, 0.0, 0.0));
+    let down = orbit.place(quarter);
+    Ok(atan2(down.cross(&long).norm(), down.dot(&long)))
+}
+
 /// What acts on a real satellite of this size, two metres long, and is left out.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((scene, start), stiff) = (satellite(p)?, 210.0 * p.mean_motion * p.mean_motion);
@@ -361,7 +380,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     let [lit, drawn] = [light, MAGNET].map(|torque| torque / stiff);
     let (orbit, e) = ("an orbit that is no circle, e = 0.001", 1e-3);
-    let forced = 2.0 * e / (3.0 * 0.7 - 1.0);
+    let swing = 2.0 * e / (3.0 * 0.7 - 1.0);
     report.add(vec![
         left_out.line(
             "sunlight off the centre",
@@ -373,7 +392,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         left_out.line("magnet on board", formula, drawn, &magnet, "rad in a day")?,
         effect(orbit)
             .number("e", e)
-            .costs(forced, "rad, forced, once an orbit"),
+            .costs(swing, "rad, forced, once an orbit")
+            .measured(forced(p, e, swing)?),
     ])?;
     effect_card! { report,
         "gradient of gravity":

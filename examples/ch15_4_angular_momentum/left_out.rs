@@ -3,6 +3,8 @@
 use super::*;
 use rotation_dynamics::effects::KeplerOrbit;
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
+use rotation_dynamics::interval::between;
+use rotation_dynamics::math::{expm1, sin};
 
 /// The cylinder with its motor shut off, slowed down by the air on strips of it, each across its
 /// own speed: the torque, on average over the first radian, and the work. `drag` is the density
@@ -46,12 +48,35 @@ pub fn whirled(shaft: &Shaft, p: &Parameters, off: f64) -> f64 {
     swarm::rate(|t| swarm::rate(moment, t, h), 0.0, h).norm()
 }
 
+/// The torque of the air over the square of the rate; `drag` as for [`blown`].
+fn dragged(p: &Parameters, drag: f64) -> f64 {
+    let across = p.height * sin(p.tilt);
+    drag * p.radius * across * across * across * p.height / 32.0
+}
+
+/// What `--with air` adds: what the motor has to give to the cylinder, and what it would lose without.
+pub fn in_air(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(coefficient) = p.air else {
+        return Ok(());
+    };
+    let (shaft, (s, c), drag) = (Shaft::of(p)?, sincos(p.tilt), 1.2 * coefficient);
+    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let energy = 0.5 * inertia * p.rate * p.rate;
+    let lost = -expm1(-2.0 * dragged(p, drag) / inertia);
+    between(0.0, 0.9).check("part of the energy that the air takes in a radian", lost)?;
+    let (ran, _) = blown(&shaft, p, drag)?;
+    rotation_dynamics::claims! { report,
+        /// in air, the motor shut off: energy lost in the first radian
+        air_lost: lost * energy, "J", "64 strips" => ran, within 1e-3 * lost * energy;
+    }
+}
+
 /// The card of effects. Air: 1.2 kg/m^3 and a drag coefficient of 1.2; Earth and Moon: their
 /// measured masses, distance and moment.
 pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (shaft, (s, c)) = (Shaft::of(p)?, sincos(p.tilt));
-    let air = 1.2 * 1.2 * p.radius * s * s * s * pow(p.height, 4.0) / 32.0;
     let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let air = dragged(p, 1.2 * 1.2);
     let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate);
     let breeze = if slowing < 0.1 {
         Some(blown(&shaft, p, 1.2 * 1.2)?)

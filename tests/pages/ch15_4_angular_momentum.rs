@@ -354,7 +354,7 @@ fn the_card_says_what_air_and_shaft_do() {
         double.push(whirled(&shaft, &p, -2e-4) / force - 1.0);
     }
     errors.attain(4.8e-4..=4.9e-4, 3);
-    first.exceed(1.4, 3);
+    first.exceed(1.0, 3);
     led.attain(8.4e-12..=8.5e-12, 3);
     double.exceed(0.9, 3);
 }

@@ -110,3 +110,18 @@ fn every_row_of_the_refusals_is_one() {
     assert_eq!((rows.len(), answers.len()), (7, 7));
     assert_eq!(Page::stem(&EXAMPLE), "library");
 }
+
+/// The forced swing: its error is a part of the eccentricity; the twin starts without it.
+#[test]
+fn on_an_ellipse_it_swings_as_the_card_says() {
+    let p = Parameters::default();
+    let (mut errors, mut twin) = (Errors::of("error of the swing over e"), Errors::of("at rest at the start"));
+    for e in [1e-4, 3e-4, 1e-3] {
+        let swing = 2.0 * e / 1.1;
+        let found = |start: f64| forced(&p, e, start).expect("solved") / swing - 1.0;
+        errors.push_at(found(swing) / e, e);
+        twin.push(found(0.0));
+    }
+    errors.attain(2.2e-1..=2.3e-1, 3);
+    twin.exceed(0.1, 3);
+}

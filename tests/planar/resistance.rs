@@ -262,6 +262,33 @@ fn drags(damage: f64) -> Errors {
     errors
 }
 
+/// Time and speed at the end of a way through air, from the law of the time, v = w tanh(a t/w) with
+/// the last speed w; the twin meets a little more drag.
+fn driven(damage: f64) -> Errors {
+    let mut errors = Errors::in_units_of(EPS, "time and speed at the end of a way");
+    for c in [1e-9, 0.01, 0.3, 4.0] {
+        for part in [1e-6, 1e-3, 0.1, 1.0, 5.0] {
+            let (drag, last) = (
+                QuadraticDrag::new(c * (1.0 + damage)).unwrap(),
+                (2.0 * G / c).sqrt(),
+            );
+            let half = rotation_dynamics::math::sinh(0.5 * part);
+            let way = last * last / G * rotation_dynamics::math::log1p(2.0 * half * half);
+            let [time, speed] = drag.driven(G, 2.0, way);
+            let (at, fast) = (part * last / G, last * rotation_dynamics::math::tanh(part));
+            errors.add(time, at, at);
+            errors.add(speed, fast, fast);
+        }
+    }
+    errors
+}
+
+#[test]
+fn what_is_driven_through_air_ends_as_the_law_of_the_time_says() {
+    driven(0.0).attain(2.3..=2.4, 40);
+    assert!(driven(1e-9).largest() > 1e5);
+}
+
 #[test]
 fn drags_follow_their_closed_forms() {
     drags(0.0).attain(368.0..=369.0, 36);

@@ -107,6 +107,8 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
                 ("-", _) => "–".into(),
                 (cell, "key" | "flag") => format!("<code>{}</code>", escape(cell)),
                 (cell, "unit") => unit_html(cell),
+                // A formula, though it may begin as a quantity does: 4 m d^2/I.
+                (cell, "number") if cards => words(cell),
                 (cell, _) if cards && cell.contains(", ") && column.starts_with("at ") => {
                     let (word, tolerance) = cell.split_once(", ").unwrap_or((cell, ""));
                     let tolerance = quantity(tolerance).unwrap_or_else(|| words(tolerance));
@@ -124,7 +126,8 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
                 false => content,
             };
             let label = match cards && n > 0 {
-                true => format!(" data-label=\"{}\"", escape(&symbols(column))),
+                true if cell == "-" => " data-none".into(),
+                true => format!(" data-label=\"{}\"", escape(&label(column))),
                 false => String::new(),
             };
             html += &format!("<td{of_cell}{}{label}>{content}</td>", class(n));
@@ -132,6 +135,17 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
         html += "</tr>";
     }
     html + "</tbody></table>"
+}
+
+/// A head as plain text: `at 1e-2` is `at 10⁻²`.
+fn label(column: &str) -> String {
+    let Some(exponent) = column.strip_prefix("at 1e-") else {
+        return symbols(column);
+    };
+    let digits = exponent
+        .chars()
+        .filter_map(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit.to_digit(10)? as usize));
+    format!("at 10⁻{}", digits.collect::<String>())
 }
 
 /// A number with its unit, or with what it counts: `1.2e-5 rad`, `0.031 of t_floor`. The first
@@ -203,6 +217,28 @@ mod tests {
             "{html}"
         );
         assert_eq!(html.matches("aria-label").count(), 1, "{html}");
+    }
+
+    #[test]
+    fn a_card_says_what_its_cells_are_and_what_it_lacks() {
+        let locked = "Sample\n\neffects\n\
+             effect    number       value  error if left out  here      at 1e-2\n\
+             antennas  4 m d^2/I_a  0.72   0.72 of the rate   left out  in\n\
+             weight    2^-53        1.0    6.3 rad            in        in, 0.063 rad/s\n";
+        let parsed = rotation_dynamics::report::parse(locked).expect("it is a table");
+        let html = section(&parsed.tables[0]);
+        for part in [
+            "<table class=\"section effects\" role=\"table\">",
+            "<td role=\"cell\" class=\"short\">antennas</td>",
+            "data-label=\"number\"><math><mn>4</mn><mi>m</mi>",
+            "data-label=\"at 10⁻²\"><strong>in</strong></td>",
+            "data-label=\"at 10⁻²\">in, <span class=\"glued\">0.063\u{202f}rad/s</span></td>",
+            ">at 10<sup>\u{2212}2</sup></th>",
+        ] {
+            assert!(html.contains(part), "{part}\n{html}");
+        }
+        assert!(html.ends_with(&format!("</div><p class=\"measured\">{CARD_LEGEND}</p>")));
+        assert_eq!(html.matches("<strong>").count(), 1, "{html}");
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use super::declare::dot;
 use super::{Contact, Mechanism, State};
 use crate::error::{Result, positive};
-use crate::math::hypot;
+use crate::math::{asinh, expm1, hypot};
 
 /// A generalized force that depends on the state: drag, a wind, a spring.
 pub trait Load<const N: usize> {
@@ -173,6 +173,29 @@ impl QuadraticDrag {
         positive("C_d", coefficient)?;
         positive("frontal area", area)?;
         Self::new(0.5 * density * coefficient * area)
+    }
+
+    /// Time (s) and speed (m/s) at the end of this way (m), from rest, of what would get faster by
+    /// `acceleration` (m/s^2) without the drag and has this inertia (kg) along the way:
+    /// `cosh(t sqrt(a d)) = exp(d s)` and `v^2 = (1 - exp(-2 d s)) a/d` with `d` = c/inertia.
+    ///
+    /// ```
+    /// use rotation_dynamics::planar::contact::QuadraticDrag;
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// // Far down it falls as fast as it can, sqrt(a/d).
+    /// let [_, speed] = QuadraticDrag::new(0.1)?.driven(10.0, 1.0, 200.0);
+    /// assert!((speed - 10.0).abs() < 1e-14);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Accuracy: 2.4 eps (`tests/planar/resistance.rs`).
+    pub fn driven(&self, acceleration: f64, inertia: f64, way: f64) -> [f64; 2] {
+        let slowing = self.coefficient / inertia;
+        // Both stay exact where there is next to no drag.
+        let (grown, left) = (expm1(2.0 * slowing * way), -expm1(-2.0 * slowing * way));
+        let time = asinh(grown.sqrt()) / (slowing * acceleration).sqrt();
+        [time, (acceleration / slowing * left).sqrt()]
     }
 
     /// Pi_D: the drag at this speed (m/s) over the driving force (N).
