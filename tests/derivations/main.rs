@@ -7,6 +7,7 @@
 
 mod contacts;
 mod dial;
+mod double_double;
 mod free_body;
 mod gauss_legendre;
 mod heavy_top;
