@@ -8,6 +8,7 @@
 mod contacts;
 mod dial;
 mod double_double;
+mod events;
 mod free_body;
 mod gauss_legendre;
 mod heavy_top;
