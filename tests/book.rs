@@ -58,14 +58,16 @@ const ENTRIES: usize = 12 + 9 + 5 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6 + DERIVE
 const CONTINUED: [&str; 2] = ["hard_cases_sizes", "hard_cases_steps"];
 
 /// Pages that derive what a module computes: what an example is to others, its tests are to them.
-const DERIVED: [(&str, &str); 5] = [
+const DERIVED: [(&str, &str); 7] = [
     ("how_heavy_top", "src/exact/heavy_top/mod.rs"),
     ("how_free_body", "src/exact/free_body/mod.rs"),
+    ("how_double_double", "src/math/double_double.rs"),
     (
         "how_gauss_legendre",
         "src/integrators/gauss_legendre/mod.rs",
     ),
     ("how_dial", "src/accuracy/dial/mod.rs"),
+    ("how_events", "src/integrators/dop853/mod.rs"),
     ("how_contacts", "src/planar/contact/mod.rs"),
 ];
 

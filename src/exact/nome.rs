@@ -8,6 +8,8 @@
 //! Not for: single values ([`super::legendre`] has F, rounded once), m above 4/5 (give
 //! the complement: its nome is the small one).
 //!
+//! Derived in `book/src/how_double_double.md`.
+//!
 //! Sources: DLMF 20.2, 22.2; the nome from the modulus, OEIS A002103.
 
 use crate::math::{DoubleDouble as Dd, ilogb, ldexp};

@@ -8,6 +8,8 @@
 //! Not for: full IEEE semantics. Intermediate products must stay between about
 //! 1e-290 and 1e299, the range in which Dekker's product is exact.
 //!
+//! Why each step is exact, and what the set-ups make of it: `book/src/how_double_double.md`.
+//!
 //! Sources: T. J. Dekker, Numer. Math. 18, 224 (1971); M. Joldes, J.-M. Muller,
 //! V. Popescu, ACM TOMS 44, 15res (2017), whose error bounds hold for `+`, `*`
 //! and `/`; Y. Hida, X. Li, D. Bailey, ARITH-15 (2001).

@@ -7,7 +7,7 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Characteristic, Modulus, legendre};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::{atan, cosh, exp, hypot, log, sinh};
+use rotation_dynamics::math::{DoubleDouble as Dd, EPS, atan, cosh, exp, hypot, log, sinh};
 use support::Errors;
 
 /// Moments in the order J1, J2, J3, and the first and the last rate where the second is zero:
@@ -269,4 +269,34 @@ fn the_other_nome_gives_the_same_series() {
     };
     errors(1.0).attain(6.6e-16..=6.7e-16, 6 * 4 * 2);
     assert!(errors(1.01).largest() > 1e-3);
+}
+
+#[test]
+fn the_slow_rate_is_a_root_of_a_sum() {
+    // l3 from 1 - m and l1, and as the difference of what alpha and beta are squared, beside the
+    // separatrix: relative, against L and E.
+    let mut root = Errors::in_units_of(EPS, "l3 as the root of a sum");
+    let mut difference = Errors::in_units_of(EPS, "l3 as a difference of squares");
+    for narrow in [1e-3, 1e-5, 1e-7] {
+        // Moments 1, 2, 3: side = 3 w3^2 - w1^2, with b = 6 w3^2 and m1 = side/(3 w3^2).
+        let w3 = (1.0 + narrow) / 3.0_f64.sqrt();
+        let plain = Plain::new([1.0, 2.0, 3.0, 1.0, w3]);
+        let side = Dd::product(w3, w3) * 3.0 - 1.0;
+        let m1 = 2.0 * side.to_f64() / plain.b;
+        let quarter = 0.5 * 0.5 * plain.motion.rate_period();
+        for part in [0.9, 0.99, 1.0] {
+            let omega = plain.motion.angular_velocity(part * quarter);
+            let l = plain.motion.body_momentum(omega) / plain.momentum;
+            let c = 3.0 * w3 / plain.momentum;
+            let largest = 1.0 / plain.momentum;
+            let cn = l.x() / largest;
+            let by_root = c * (m1 + plain.m * cn * cn).sqrt();
+            // |alpha|^2 and |beta|^2, each a double.
+            let (alpha, beta) = (0.5 * (1.0 + l.z()), 0.5 * (1.0 - l.z()));
+            root.push_at(by_root / l.z() - 1.0, (narrow, part));
+            difference.push_at((alpha - beta) / l.z() - 1.0, (narrow, part));
+        }
+    }
+    root.attain(2.9..=3.1, 9);
+    assert!(difference.largest() > 1e2);
 }

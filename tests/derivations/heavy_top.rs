@@ -400,3 +400,24 @@ fn the_other_nome_gives_the_same_quotients() {
     errors(1.0).attain(2.5e-15..=2.6e-15, 6 * 2 * 4 * 2);
     assert!(errors(1.01).largest() > 1e-3);
 }
+
+#[test]
+fn four_terms_are_enough() {
+    // The nomes where the series change, and the weights of the terms beside the first.
+    let periods = Periods::new(0.8, 0.2);
+    let (q, other) = (periods.nome(), periods.other_nome());
+    assert!(q < 0.1 && q > 0.099 && other < 1.0 / 70.0, "{q} {other}");
+    let mut over = Errors::of("weight over q^(n^2), at most 1");
+    for part in [0.1, 0.5, 1.0] {
+        // y up to that of K'.
+        let y = part * periods.angle(periods.conjugate);
+        for n in 1..=5 {
+            let order = f64::from(n);
+            let weight = exp(order * (order + 1.0) * log(q)) * cosh((2.0 * order + 1.0) * y);
+            over.push_at(weight / cosh(y) / exp(order * order * log(q)), (part, n));
+        }
+    }
+    over.attain(0.9..=1.0, 15);
+    let fifth = exp(16.0 * log(q));
+    assert!(fifth < 1e-16 && exp(9.0 * log(q)) > 1e-10);
+}

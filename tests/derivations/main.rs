@@ -7,6 +7,8 @@
 
 mod contacts;
 mod dial;
+mod double_double;
+mod events;
 mod free_body;
 mod gauss_legendre;
 mod heavy_top;

@@ -2,7 +2,8 @@
 //!
 //! Twelve derivatives a step, two embedded error estimates (orders 5 and 3)
 //! that choose the step, an interpolant of order 7 for the time between steps,
-//! and events located to the accuracy of the run itself.
+//! and events located to the accuracy of the run itself. How, and how well:
+//! `book/src/how_events.md`.
 
 pub mod coefficients;
 mod driver;
