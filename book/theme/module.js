@@ -111,8 +111,8 @@ async function joined(packs) {
 }
 
 // Answers calls one after the other. A call is `{id, packs?, call, page?, text?, numbers?}`:
-// `packs` (gzipped, of one list) give a new instance; `call` is an export, given the page's
-// number, if it takes one, and the numbers; `text` is its input. The answer is `{id, text}`, of
+// `packs` (gzipped, of one list) give a new instance; `call` is an export, given the numbers and,
+// if it takes one more, the page's; `text` is its input. The answer is `{id, text}`, of
 // `frame` `{id, bytes}`, or `{id, error, trapped}`: `trapped` when the module broke off, as it
 // does where a function is missing; the same call with a page's full packs then tells.
 function caller() {
@@ -124,7 +124,7 @@ function caller() {
       const bytes = new TextEncoder().encode(text);
       new Uint8Array(wasm.memory.buffer, wasm.input(bytes.length), bytes.length).set(bytes);
     }
-    const length = wasm[call](...(page === undefined ? [] : [page]), ...numbers);
+    const length = wasm[call](...[page, ...numbers].slice(-wasm[call].length));
     return new Uint8Array(wasm.memory.buffer, wasm.output(), length);
   };
   const told = (message) => new TextDecoder().decode(invoke(message));
@@ -138,8 +138,8 @@ function caller() {
         told(opened.message);
         opened.wasm = wasm;
       }
-      const bytes = invoke(message).slice();
-      return bytes.length > 0 ? { id, bytes } : { id, error: told({ call: 'failure' }) };
+      const bytes = invoke(message).slice().buffer;
+      return bytes.byteLength > 0 ? { id, bytes } : { id, error: told({ call: 'failure' }) };
     } catch (error) {
       const trapped = error instanceof WebAssembly.RuntimeError;
       if (trapped) wasm = undefined; // What it left in memory is not to be relied on.
@@ -153,7 +153,7 @@ if (typeof importScripts === 'function') {
   let before = Promise.resolve();
   onmessage = ({ data }) => {
     before = before.then(() => answer(data)).then((told) => {
-      postMessage(told, told.bytes ? [told.bytes.buffer] : []);
+      postMessage(told, told.bytes ? [told.bytes] : []);
     });
   };
 }

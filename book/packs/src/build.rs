@@ -8,6 +8,21 @@ use std::{env, fs};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
+/// What the module is compiled of.
+const SOURCES: [&str; 7] = [
+    "Cargo.toml",
+    "Cargo.lock",
+    "src",
+    "examples",
+    "tests/every_example",
+    "book/live",
+    "book/packs",
+];
+
+/// Lanes of two doubles, the same bits as one by one; and half of the code that inlining would
+/// make.
+const CODE: &str = "-Ctarget-feature=+simd128 -Cllvm-args=-inline-threshold=50";
+
 /// The project's directory.
 pub fn root() -> Result<PathBuf, Box<dyn Error>> {
     let here = env::current_dir()?;
@@ -19,9 +34,53 @@ pub fn root() -> Result<PathBuf, Box<dyn Error>> {
         .ok_or("there is no book/book.toml here or in any directory above".into())
 }
 
+/// Every file in a directory, or the file itself.
+fn files(path: PathBuf, found: &mut Vec<PathBuf>) -> std::io::Result<()> {
+    if !path.is_dir() {
+        found.push(path);
+        return Ok(());
+    }
+    for entry in fs::read_dir(path)? {
+        files(entry?.path(), found)?;
+    }
+    Ok(())
+}
+
+/// A number that changes with the sources (FNV-1a of names and contents).
+pub fn sources(root: &Path) -> Result<String, Box<dyn Error>> {
+    let mut found = Vec::new();
+    for source in SOURCES {
+        files(root.join(source), &mut found)?;
+    }
+    found.sort();
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    for file in found {
+        let name = file
+            .strip_prefix(root)?
+            .to_string_lossy()
+            .replace('\\', "/");
+        for byte in name.bytes().chain(fs::read(&file)?) {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+    Ok(format!("{hash:016x}"))
+}
+
 /// Compiles and links the module of all pages; where it lies.
 pub fn linked(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home
+        .or_else(|| Some(env::home_dir()?.join(".cargo")))
+        .ok_or("there is no home directory")?;
+    // The same bytes wherever it is compiled.
+    let given = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS";
+    let flags = format!(
+        "{} --remap-path-prefix={}=. --remap-path-prefix={}=crates {CODE}",
+        env::var(given).unwrap_or_default(),
+        root.display(),
+        home.join("registry/src").display()
+    );
     let built = Command::new(cargo)
         .current_dir(root)
         .args([
@@ -32,14 +91,14 @@ pub fn linked(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
             "page",
             "--package",
             "live",
-            "--target",
-            TARGET,
         ])
-        .args(["--", "-C", "link-arg=--emit-relocs"])
+        .args(["--target", TARGET, "--", "-C", "link-arg=--emit-relocs"])
+        .env(given, flags.trim())
         .status()?;
     if !built.success() {
         return Err(format!(
-            "the module was not compiled; the target is added by `rustup target add {TARGET}`"
+            "the module was not compiled; its target comes by `rustup target add {TARGET}`, or else \
+             by `eval \"$(book/packs/toolchain.sh)\"`"
         )
         .into());
     }
@@ -52,8 +111,7 @@ pub fn traced(root: &Path, whole: &[u8]) -> Result<Value, Box<dyn Error>> {
     let file = env::temp_dir().join(format!("packs_{}", std::process::id()));
     fs::write(&file, whole)?;
     let node = Command::new("node")
-        .arg(root.join("book/packs/src/trace.mjs"))
-        .arg(root.join("book/theme/module.js"))
+        .arg(root.join("book/packs/trace.mjs"))
         .arg(&file)
         .stderr(Stdio::inherit())
         .output();

@@ -7,8 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::ops::Range;
 use wasmparser::{
-    DataKind, ElementItems, ExternalKind, KnownCustom, Linking, Name, Operator, Parser, Payload,
-    RelocationEntry, RelocationType, SymbolInfo,
+    DataKind, ExternalKind, KnownCustom, Linking, Name, Operator, Parser, Payload, RelocationEntry,
+    RelocationType, SymbolInfo,
 };
 
 /// What a body or a datum names.
@@ -85,8 +85,6 @@ pub struct Linked {
     pub data: Vec<Datum>,
     /// Name and index of each exported function.
     pub exports: BTreeMap<String, usize>,
-    /// How many functions are in the table; the first is in slot 1.
-    pub slots: usize,
 }
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -141,7 +139,6 @@ struct Parts<'a> {
     places: Vec<(usize, usize, String)>,
     relocations: [Vec<RelocationEntry>; 2],
     exports: BTreeMap<String, usize>,
-    slots: usize,
 }
 
 fn at(offset: u64) -> usize {
@@ -172,13 +169,6 @@ impl<'a> Parts<'a> {
                             parts
                                 .exports
                                 .insert(export.name.into(), export.index as usize);
-                        }
-                    }
-                }
-                Payload::ElementSection(section) => {
-                    for element in section {
-                        if let ElementItems::Functions(items) = element?.items {
-                            parts.slots += items.count() as usize;
                         }
                     }
                 }
@@ -406,7 +396,6 @@ impl Linked {
             functions,
             data,
             exports: parts.exports,
-            slots: parts.slots,
         })
     }
 }

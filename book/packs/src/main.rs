@@ -11,7 +11,7 @@ mod linked;
 mod pack;
 mod slim;
 
-use cut::Need;
+use cut::{List, Need};
 use linked::Linked;
 use serde_json::{Map, Value, json};
 use slim::{Node, Slim};
@@ -21,17 +21,14 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-/// Files that a list has at most.
-const MOST_FILES: usize = 8;
-/// What asking for one more file is worth, in bytes before they are compressed.
-const A_FILE: usize = 4000;
-/// The lists of a page, each within the next: what moves; what tells; whatever may be called.
-const LISTS: [&str; 3] = ["motion", "full", "rest"];
+/// The lists of a page, each within the next, and their weights: what moves; what tells;
+/// whatever may be called.
+const LISTS: [(&str, usize); 3] = [("motion", 4), ("full", 2), ("rest", 1)];
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 /// The functions that ran, as the trace tells them.
-fn functions(traced: &Value) -> BTreeSet<Node> {
+fn functions(traced: &Value) -> Need {
     let numbers = traced
         .as_array()
         .into_iter()
@@ -40,17 +37,18 @@ fn functions(traced: &Value) -> BTreeSet<Node> {
     numbers.map(|n| Node::Function(n as usize)).collect()
 }
 
-/// What each list of each page must hold, page by page.
-fn needs(module: &Slim, traced: &[Value]) -> Outcome<Vec<Need>> {
+/// What the lists of each page must hold, page by page.
+fn lists(module: &Slim, traced: &[Value]) -> Outcome<Vec<List>> {
     let entries = cut::entries(module, traced.len())?;
-    let mut needs = Vec::new();
+    let mut lists = Vec::new();
     for (page, traced) in traced.iter().enumerate() {
         let rest = cut::reached(module, &entries, page);
-        let motion = cut::with_data(module, functions(&traced["motion"]), &rest);
-        let told = functions(&traced["full"]).union(&motion).copied().collect();
-        needs.extend([motion, cut::with_data(module, told, &rest), rest]);
+        let moves = functions(&traced["motion"]);
+        let tells = functions(&traced["full"]).union(&moves).copied().collect();
+        let needs = [cut::with_data(module, moves, &rest), cut::with_data(module, tells, &rest), rest];
+        lists.extend(LISTS.iter().zip(needs).map(|((_, weight), need)| List { page, weight: *weight, need }));
     }
-    Ok(needs)
+    Ok(lists)
 }
 
 /// The names of the packs: a page's own have its stem, others count from the most shared down.
@@ -68,7 +66,7 @@ fn named(groups: &mut [cut::Group], stems: &[&str]) -> Vec<String> {
             (1, Some(list)) => format!(
                 "{}_{}.gz",
                 stems[list / LISTS.len()],
-                LISTS[list % LISTS.len()]
+                LISTS[list % LISTS.len()].0
             ),
             _ => {
                 shared += 1;
@@ -88,69 +86,8 @@ fn packs(module: &Slim, traced: &Value) -> Outcome<(BTreeMap<String, Vec<u8>>, V
         .iter()
         .filter_map(|page| page["declared"]["stem"].as_str())
         .collect();
-    let needs = needs(module, pages)?;
-    let mut groups = cut::groups(module, &needs, MOST_FILES, A_FILE);
-    let names = named(&mut groups, &stems);
-    let mut packs = BTreeMap::new();
-    for (group, name) in groups.iter().zip(&names) {
-        let everyones = group.lists.len() == needs.len();
-        packs.insert(name.clone(), pack::pack(module, &group.nodes, everyones));
-    }
-    let files = |list: usize| -> Vec<&String> {
-        let loaded = groups
-            .iter()
-            .zip(&names)
-            .filter(|(group, _)| group.lists.contains(&list));
-        loaded.map(|(_, name)| name).collect()
-    };
-    let mut listed = Map::new();
-    for (n, (stem, page)) in stems.iter().zip(pages).enumerate() {
-        let mut entry = json!({ "page": n, "declared": page["declared"] });
-        for (which, list) in LISTS.iter().enumerate() {
-            entry[list] = json!(files(n * LISTS.len() + which));
-        }
-        listed.insert((*stem).into(), entry);
-    }
-    Ok((
-        packs,
-        json!({ "pages": listed, "palette": traced["palette"] }),
-    ))
-}
-
-/// Writes what differs and removes what is no more; tells of each.
-fn write(packs: &BTreeMap<String, Vec<u8>>, index: &Value, to: &Path) -> Outcome<()> {
-    fs::create_dir_all(to)?;
-    for entry in fs::read_dir(to)? {
-        let path = entry?.path();
-        let name = path
-            .file_name()
-            .and_then(|name| name.to_str())
-            .unwrap_or_default();
-        if name.ends_with(".gz") && !packs.contains_key(name) {
-            fs::remove_file(&path)?;
-            println!("gone     {name}");
-        }
-    }
-    let (mut same, mut total) = (0, 0);
-    for (name, bytes) in packs {
-        let file = to.join(name);
-        let before = fs::read(&file).unwrap_or_default();
-        if pack::is(&before, bytes) {
-            same += 1;
-            total += before.len();
-            continue;
-        }
-        let after = pack::compressed(bytes)?;
-        println!(
-            "{} {:7} -> {:7} bytes  {name}",
-            if before.is_empty() {
-                "new     "
-            } else {
-                "changed "
-            },
-            before.len(),
-            after.len()
-        );
+    let lists = lists(module, pages)?;
+    let mut groups = cut::groups(module, &lists);
         total += after.len();
         fs::write(&file, after)?;
     }
@@ -161,7 +98,7 @@ fn write(packs: &BTreeMap<String, Vec<u8>>, index: &Value, to: &Path) -> Outcome
 
 /// What the longest lists weigh.
 fn tell(index: &Value, to: &Path) -> Outcome<()> {
-    for list in LISTS {
+    for (list, _) in LISTS {
         let mut weights = Vec::new();
         for (stem, page) in index["pages"].as_object().into_iter().flatten() {
             let names: Vec<&str> = page[list]
@@ -192,32 +129,50 @@ fn tell(index: &Value, to: &Path) -> Outcome<()> {
     Ok(())
 }
 
+/// The sources of which the packs in a directory were made.
+fn made_of(modules: &Path) -> Option<String> {
+    let index = fs::read(modules.join("index.json")).ok()?;
+    let index: Value = serde_json::from_slice(&index).ok()?;
+    Some(index["sources"].as_str()?.to_owned())
+}
+
+const USAGE: &str = "usage: cargo modules [--out DIRECTORY] [--module LINKED.wasm]
+  --out     where the packs go; book/modules if it is not given
+  --module  a module that is linked already";
+
 fn run() -> Outcome<()> {
     let root = build::root()?;
+    let committed = root.join("book/modules");
     let mut arguments = env::args_os().skip(1);
-    let (mut to, mut linked) = (root.join("book/modules"), None);
+    let (mut to, mut linked) = (committed.clone(), None);
     while let Some(argument) = arguments.next() {
-        let mut value = || {
-            arguments
-                .next()
-                .map(PathBuf::from)
-                .ok_or("a path is missing")
-        };
+        let mut value = || arguments.next().map(PathBuf::from).ok_or(USAGE);
         match argument.to_str() {
             Some("--out") => to = value()?,
             Some("--module") => linked = Some(value()?),
-            _ => {
-                return Err("usage: cargo modules [--out DIRECTORY] [--module LINKED.wasm]".into());
-            }
+            _ => return Err(USAGE.into()),
         }
     }
-    let linked = match linked {
-        Some(module) => module,
-        None => build::linked(&root)?,
-    };
+    // Elsewhere packs are made only if neither they nor the committed ones are of these sources.
+    let sources = build::sources(&root)?;
+    if to != committed {
+        let current = |modules: &Path| made_of(modules).as_ref() == Some(&sources);
+        if current(&committed) {
+            return match to.join("index.json") {
+                old if old.is_file() => Ok(fs::remove_file(old)?),
+                _ => Ok(()),
+            };
+        }
+        if current(&to) {
+            return Ok(());
+        }
+    }
+    let linked = linked.map_or_else(|| build::linked(&root), Ok)?;
     let module = Slim::new(&Linked::read(&fs::read(linked)?)?);
-    let traced = build::traced(&root, &pack::whole(&module))?;
-    let (packs, index) = packs(&module, &traced)?;
+    let traced = match env::var_os("PACKS_TRACE") { Some(f) => serde_json::from_slice(&fs::read(f)?)?, None => build::traced(&root, &pack::whole(&module))? };
+    fs::write("/tmp/packs_trace.json", serde_json::to_vec(&traced)?)?;
+    let (packs, mut index) = packs(&module, &traced)?;
+    index["sources"] = sources.into();
     write(&packs, &index, &to)?;
     tell(&index, &to)
 }

@@ -273,6 +273,14 @@ impl Slim {
 }
 
 impl Slim {
+    /// How many bytes a body has, or a datum.
+    pub fn size(&self, node: Node) -> usize {
+        match node {
+            Node::Function(f) => self.bodies[f].len(),
+            Node::Datum(d) => self.data[d].1.len(),
+        }
+    }
+
     /// What every module has: what is called from outside, and the data that no symbol covers.
     pub fn roots(&self) -> impl Iterator<Item = Node> + '_ {
         let exports = self.exports.values().map(|f| Node::Function(*f));
