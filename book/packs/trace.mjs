@@ -70,10 +70,12 @@ function settings({ flags }) {
   return lines;
 }
 
-// The command lines of `run`: what every example knows; then, one by one, effects and words, and
-// what is refused. The default run is traced by itself.
-function commands({ flags }) {
-  const lines = [['--help'], ['--csv', 'motion.csv'], ['--check', 'x=1'], ['--nothing', '1']];
+// The command lines of `run`: what readers are given; what every example knows; then, one by one,
+// effects and words, and what is refused.
+const given = readFileSync(new URL('tests/snapshots/commands/all.snap', root), 'utf8');
+function commands({ stem, flags }) {
+  const lines = given.split('\n').map((line) => line.trim().split(/\s+/)).filter(([, , of]) => of === stem).map((words) => words.slice(3));
+  lines.push(['--help'], ['--csv', 'motion.csv'], ['--check', 'x=1'], ['--nothing', '1']);
   for (const { name, kind, words } of flags) {
     if (kind === 'effect') lines.push(['--with', name], ['--without', name], ['--with', `${name}=-1e9`]);
     else lines.push(...words.map((word) => [`--${name}`, word]), [`--${name}`, 'x'], [`--${name}`, '-1e9']);

@@ -93,11 +93,17 @@ pub fn groups(module: &Slim, lists: &[List]) -> Vec<Group> {
     }
     let mut by_lists: BTreeMap<BTreeSet<usize>, Group> = BTreeMap::new();
     for (node, lists) in users {
-        let group = by_lists.entry(lists.clone()).or_insert_with(|| Group { lists, ..Group::default() });
+        let group = by_lists.entry(lists.clone()).or_insert_with(|| Group {
+            lists,
+            ..Group::default()
+        });
         group.nodes.insert(node);
         group.bytes += module.size(node);
     }
-    let mut sharing = Sharing { lists, groups: by_lists.into_values().collect() };
+    let mut sharing = Sharing {
+        lists,
+        groups: by_lists.into_values().collect(),
+    };
     sharing.share();
     sharing.groups
 }
@@ -125,7 +131,10 @@ impl Sharing<'_> {
     fn pages(&self, group: &Group) -> BTreeMap<usize, BTreeSet<usize>> {
         let mut pages: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
         for list in &group.lists {
-            pages.entry(self.lists[*list].page).or_default().insert(*list);
+            pages
+                .entry(self.lists[*list].page)
+                .or_default()
+                .insert(*list);
         }
         pages
     }
@@ -135,30 +144,43 @@ impl Sharing<'_> {
         let both = self.weight(a.lists.intersection(&b.lists));
         let vain = a.bytes * self.weight(b.lists.difference(&a.lists))
             + b.bytes * self.weight(a.lists.difference(&b.lists));
-        (both > 0).then(|| vain.checked_signed_diff(FILE * both)).flatten()
+        (both > 0)
+            .then(|| vain.checked_signed_diff(FILE * both))
+            .flatten()
     }
 
     /// The same if each page has the group among its own; `None` if it is one page's.
     fn owned(&self, group: &Group) -> Option<isize> {
         let pages = self.pages(group).len();
         let more = COPY * group.bytes * (pages - 1);
-        (pages > 1).then(|| more.checked_signed_diff(FILE * self.weight(group.lists.iter()))).flatten()
+        (pages > 1)
+            .then(|| more.checked_signed_diff(FILE * self.weight(group.lists.iter())))
+            .flatten()
     }
 
     /// The best step for a group, and what is lost by it.
     fn best(&self, row: usize) -> Option<(isize, Step)> {
         let group = &self.groups[row];
         let others = (0..self.groups.len()).filter(|other| *other != row);
-        let joins = others.filter_map(|other| Some((self.joined(group, &self.groups[other])?, Step::Join(other))));
-        joins.chain(self.owned(group).map(|loss| (loss, Step::Own))).min()
+        let joins = others.filter_map(|other| {
+            Some((self.joined(group, &self.groups[other])?, Step::Join(other)))
+        });
+        joins
+            .chain(self.owned(group).map(|loss| (loss, Step::Own)))
+            .min()
     }
 
     /// Takes the best step as long as it pays.
     fn share(&mut self) {
         let mut bests: Vec<_> = (0..self.groups.len()).map(|row| self.best(row)).collect();
         loop {
-            let steps = bests.iter().enumerate().filter_map(|(row, best)| best.map(|(loss, step)| (loss, row, step)));
-            let Some((_, row, step)) = steps.min().filter(|(loss, ..)| *loss < 0) else { return };
+            let steps = bests
+                .iter()
+                .enumerate()
+                .filter_map(|(row, best)| best.map(|(loss, step)| (loss, row, step)));
+            let Some((_, row, step)) = steps.min().filter(|(loss, ..)| *loss < 0) else {
+                return;
+            };
             // The groups that change, and those that are gone.
             let (changed, gone) = match step {
                 Step::Join(other) => {
@@ -172,7 +194,10 @@ impl Sharing<'_> {
             self.groups.swap_remove(gone);
             bests.swap_remove(gone);
             let moved = self.groups.len();
-            let changed: Vec<usize> = changed.into_iter().map(|row| if row == moved { gone } else { row }).collect();
+            let changed: Vec<usize> = changed
+                .into_iter()
+                .map(|row| if row == moved { gone } else { row })
+                .collect();
             for row in 0..self.groups.len() {
                 let lost = |other| other == gone || other == moved || changed.contains(&other);
                 bests[row] = match bests[row] {
@@ -180,7 +205,10 @@ impl Sharing<'_> {
                     _ if changed.contains(&row) => self.best(row),
                     found => {
                         let with = changed.iter().filter_map(|other| {
-                            Some((self.joined(&self.groups[row], &self.groups[*other])?, Step::Join(*other)))
+                            Some((
+                                self.joined(&self.groups[row], &self.groups[*other])?,
+                                Step::Join(*other),
+                            ))
                         });
                         with.chain(found).min()
                     }
@@ -194,7 +222,10 @@ impl Sharing<'_> {
         let group = self.groups[row].clone();
         let mut changed = Vec::new();
         for (_, lists) in self.pages(&group) {
-            let own = Group { lists: lists.clone(), ..group.clone() };
+            let own = Group {
+                lists: lists.clone(),
+                ..group.clone()
+            };
             match self.groups.iter().position(|other| other.lists == lists) {
                 Some(known) => {
                     self.groups[known].take(own);

@@ -45,8 +45,16 @@ fn lists(module: &Slim, traced: &[Value]) -> Outcome<Vec<List>> {
         let rest = cut::reached(module, &entries, page);
         let moves = functions(&traced["motion"]);
         let tells = functions(&traced["full"]).union(&moves).copied().collect();
-        let needs = [cut::with_data(module, moves, &rest), cut::with_data(module, tells, &rest), rest];
-        lists.extend(LISTS.iter().zip(needs).map(|((_, weight), need)| List { page, weight: *weight, need }));
+        let needs = [
+            cut::with_data(module, moves, &rest),
+            cut::with_data(module, tells, &rest),
+            rest,
+        ];
+        lists.extend(LISTS.iter().zip(needs).map(|((_, weight), need)| List {
+            page,
+            weight: *weight,
+            need,
+        }));
     }
     Ok(lists)
 }
@@ -88,6 +96,54 @@ fn packs(module: &Slim, traced: &Value) -> Outcome<(BTreeMap<String, Vec<u8>>, V
         .collect();
     let lists = lists(module, pages)?;
     let mut groups = cut::groups(module, &lists);
+    let names = named(&mut groups, &stems);
+    let mut packs = BTreeMap::new();
+    for (group, name) in groups.iter().zip(&names) {
+        let everyones = group.lists.len() == lists.len();
+        packs.insert(name.clone(), pack::pack(module, &group.nodes, everyones));
+    }
+    let files = |list: usize| -> Vec<&String> {
+        let loaded = groups.iter().zip(&names);
+        let loaded = loaded.filter(|(group, _)| group.lists.contains(&list));
+        loaded.map(|(_, name)| name).collect()
+    };
+    let mut listed = Map::new();
+    for (n, (stem, page)) in stems.iter().zip(pages).enumerate() {
+        let mut entry = json!({ "page": n, "declared": page["declared"] });
+        for (which, (list, _)) in LISTS.iter().enumerate() {
+            entry[list] = json!(files(n * LISTS.len() + which));
+        }
+        listed.insert((*stem).into(), entry);
+    }
+    Ok((
+        packs,
+        json!({ "pages": listed, "palette": traced["palette"] }),
+    ))
+}
+
+/// Writes what differs and removes what is no more; tells of each.
+fn write(packs: &BTreeMap<String, Vec<u8>>, index: &Value, to: &Path) -> Outcome<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(to)? {
+        let path = entry?.path();
+        let name = path.file_name().and_then(|name| name.to_str());
+        let name = name.unwrap_or_default();
+        if name.ends_with(".gz") && !packs.contains_key(name) {
+            fs::remove_file(&path)?;
+            println!("gone     {name}");
+        }
+    }
+    let (mut same, mut total) = (0, 0);
+    for (name, bytes) in packs {
+        let file = to.join(name);
+        let before = fs::read(&file).unwrap_or_default();
+        if pack::is(&before, bytes) {
+            same += 1;
+            total += before.len();
+            continue;
+        }
+        let after = pack::compressed(bytes)?;
+        println!("{:7} -> {:7} bytes  {name}", before.len(), after.len());
         total += after.len();
         fs::write(&file, after)?;
     }
@@ -169,8 +225,7 @@ fn run() -> Outcome<()> {
     }
     let linked = linked.map_or_else(|| build::linked(&root), Ok)?;
     let module = Slim::new(&Linked::read(&fs::read(linked)?)?);
-    let traced = match env::var_os("PACKS_TRACE") { Some(f) => serde_json::from_slice(&fs::read(f)?)?, None => build::traced(&root, &pack::whole(&module))? };
-    fs::write("/tmp/packs_trace.json", serde_json::to_vec(&traced)?)?;
+    let traced = build::traced(&root, &pack::whole(&module))?;
     let (packs, mut index) = packs(&module, &traced)?;
     index["sources"] = sources.into();
     write(&packs, &index, &to)?;
