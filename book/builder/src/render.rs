@@ -199,6 +199,12 @@ fn first_fonts(fresh: &Path) -> Result<Vec<String>> {
     Ok(fonts::FIRST.iter().filter_map(font).cloned().collect())
 }
 
+/// The text keeps its place but is not shown before its letters are there, so that nothing moves
+/// when they come; it waits for them no longer than a second.
+const SETTING: &str = "<style>.setting :is(main,#mdbook-sidebar){visibility:hidden}</style><script>(root=>{\
+    const show=()=>root.classList.remove('setting');root.classList.add('setting');setTimeout(show,1000);\
+    addEventListener('DOMContentLoaded',()=>document.fonts.ready.then(show))})(document.documentElement)</script>";
+
 /// A page with its marks filled and the theme's colours in place.
 fn finish(
     project: &Project,
@@ -219,7 +225,7 @@ fn finish(
         })
         .collect();
     let colours = format!(
-        "{preload}<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
+        "{preload}{SETTING}<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
         light = css_variables(false).replace('\n', ""),
         dark = css_variables(true).replace('\n', ""),
     );
