@@ -392,15 +392,13 @@ fn slider(flag: &Value, typed: &str, spoken: &str) -> String {
         );
     }
     let least = (to - from) / 200.0;
-    let power = 10_f64.powf(least.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|n| n * power >= least)
-        .unwrap_or(10.0);
-    // The step is typed, so that 10^-3 is 0.001 and no neighbour of it.
-    let step = match power.log10().round() as i32 {
-        decimals @ ..=-1 => format!("{:.*}", decimals.unsigned_abs() as usize, step * power),
-        _ => format!("{:.0}", step * power),
+    let even = (least.log10().floor() as i32..)
+        .flat_map(|power| [1, 2, 5].map(|digit| (digit, power)))
+        .find(|(digit, power)| f64::from(*digit) * 10_f64.powi(*power) >= least);
+    // Typed digit by digit, so that 10^-3 is 0.001 and no neighbour of it.
+    let step = match even.unwrap_or((1, 0)) {
+        (digit, power @ ..=-1) => format!("0.{digit:0>0$}", power.unsigned_abs() as usize),
+        (digit, power) => format!("{digit}{}", "0".repeat(power as usize)),
     };
     let value = if typed.is_empty() {
         format!("{}", 0.5 * (from + to))
