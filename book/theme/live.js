@@ -65,7 +65,9 @@ const Live = (() => {
                 if (this.started !== started) throw new Error("stopped");
                 this.worker = worker;
                 this.asked += 1;
-                const message = { id: this.asked, call, page: this.page, ...more };
+                const message = { id: this.asked, call, ...more };
+                // A frame is of the page that is open.
+                if (call !== "frame") message.page = this.page;
                 if (packs.length > 0) message.packs = packs.splice(0);
                 return await new Promise((done, failed) => {
                     this.waiting.set(message.id, [done, failed]);
@@ -132,6 +134,17 @@ const Live = (() => {
             if (!effects.has(name)) return [`--${name}`, value];
             return value === "" ? ["--without", name] : ["--with", `${name}=${value}`];
         });
+    }
+
+    // ---- What runs commands and methods is brought when it is first asked for.
+    const brought = (opener) => once("run", script).then(() => opener.click(), (error) => {
+        opener.disabled = true;
+        opener.title = error.message;
+    });
+    if (able) {
+        for (const opener of document.querySelectorAll("button.run, .bench > button")) {
+            opener.addEventListener("click", () => brought(opener), { once: true });
+        }
     }
 
     return { able, inks, packed, has: (stem) => able && stem in pages, machine, state, change, listen, remember, commanded };

@@ -9,8 +9,9 @@ const Paint = (() => {
     const ANCHORS = [0, 0.5, 1]; // how much of a text lies before its place
     const HALO = 4; // px, half of it outside of the letters
 
-    /** The drawing in `buffer`: `{ size, shapes, texts }`; the places stay where they lie. */
-    function decoded(buffer) {
+    /** The drawing in `bytes`: `{ size, shapes, texts }`; the places stay where they lie. */
+    function decoded(bytes) {
+        const buffer = bytes.buffer ?? bytes;
         const [ints, reals] = [new Int32Array(buffer), new Float32Array(buffer)];
         const utf8 = new TextDecoder();
         let at = 0;
@@ -41,8 +42,8 @@ const Paint = (() => {
         };
         const run = () => {
             const [slanted, size, drop, length] = [int(), real(), real(), int()];
-            const bytes = new Uint8Array(buffer, 4 * skip(Math.ceil(length / 4)), length);
-            return { slanted, size, drop, text: utf8.decode(bytes) };
+            const letters = new Uint8Array(buffer, 4 * skip(Math.ceil(length / 4)), length);
+            return { slanted, size, drop, text: utf8.decode(letters) };
         };
         const text = () => {
             const [x, y, anchor, ink, halo] = [int(), int(), int(), int(), int()];

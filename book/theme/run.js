@@ -1,9 +1,9 @@
 // "Run it here": a command of the page shows what the terminal would, with the arguments that the
 // reader types; the page's figures are drawn anew for them. And the bench of methods.
+// live.js brings this script when it is first asked for.
 "use strict";
 
 (() => {
-    if (!Live.able) return;
     const make = (name, attributes = {}, ...children) => {
         const element = document.createElement(name);
         for (const [key, value] of Object.entries(attributes)) {

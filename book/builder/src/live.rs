@@ -20,6 +20,9 @@ const DIRECTORY: &str = "book/modules";
 /// worker from one: the source comes as a text.
 const SOURCE: &str = "book/theme/module.js";
 
+/// What runs commands, loaded when the first is run.
+const RUNS: &str = "book/theme/run.js";
+
 /// Shows the controls where they can work, before anything is laid out.
 const ABLE: &str = "<script>if(window.WebAssembly&&window.DecompressionStream&&window.Worker)\
     document.documentElement.classList.add('live')</script>";
@@ -226,8 +229,8 @@ impl Modules {
         ))
     }
 
-    /// The files that the pages load, with their places in the book: each module as it is, and
-    /// as a script for pages that are opened as files, where nothing can be fetched.
+    /// The files that the pages load later, with their places in the book: two scripts, and each
+    /// module as it is and as a script for pages that are opened as files, where nothing can be fetched.
     ///
     /// # Errors
     /// A module that the index names and that is not there.
@@ -241,7 +244,13 @@ impl Modules {
             .collect();
         let source = json!(project.read(SOURCE)?);
         let source = format!("Live.packed(\"module\",{source})\n");
-        let mut files = vec![("modules/module.js".to_owned(), source.into_bytes())];
+        let mut files = vec![
+            ("modules/module.js".to_owned(), source.into_bytes()),
+            (
+                "modules/run.js".to_owned(),
+                project.read(RUNS)?.into_bytes(),
+            ),
+        ];
         for name in names {
             let file = format!("{DIRECTORY}/{name}");
             let bytes = std::fs::read(project.path(&file))
