@@ -14,7 +14,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// What the command line asks of an example, whatever its parameters are: written for it,
@@ -326,6 +326,13 @@ impl Outcome {
     }
 }
 
+/// A file of a run: where it goes, and what is in it.
+pub type Leaf = (PathBuf, String);
+
+/// What becomes of the files of a run, all of them and the directory of the figures if one is
+/// asked for; returns how many were there before.
+type Keep<'k> = &'k mut dyn FnMut(Option<&Path>, Vec<Leaf>) -> Result<usize>;
+
 impl<P: ParameterSet> Example<P> {
     /// Runs the example with the arguments of the process.
     pub fn main(&self) -> ExitCode {
@@ -340,33 +347,71 @@ impl<P: ParameterSet> Example<P> {
         &self,
         arguments: impl IntoIterator<Item = A>,
     ) -> Outcome {
-        let mut run = Running {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        answer(&mut self.run(), arguments, &mut on_disk)
+    }
+
+    /// What [`answer`](Self::answer) prints, and the files that it would write.
+    pub fn answer_with_files(&self, arguments: Vec<OsString>) -> (Outcome, Vec<Leaf>) {
+        let mut files = Vec::new();
+        let outcome = answer(&mut self.run(), arguments, &mut |_, written| {
+            files = written;
+            Ok(0)
+        });
+        (outcome, files)
+    }
+
+    /// The drawings for these arguments, with the stills; or what is printed instead.
+    ///
+    /// # Errors
+    /// The refusal.
+    pub fn figures_for(
+        &self,
+        arguments: Vec<OsString>,
+    ) -> core::result::Result<Vec<Figure>, Outcome> {
+        let mut run = self.run();
+        set_up(&mut run, arguments)?;
+        run.figures().map_err(Outcome::refused)
+    }
+
+    fn run(&self) -> Running<'_, P> {
+        Running {
             example: self,
             parameters: P::default(),
-        };
-        answer(&mut run, arguments.into_iter().map(Into::into).collect())
+        }
     }
 }
 
-fn answer(run: &mut dyn Run, arguments: Vec<OsString>) -> Outcome {
+fn answer(run: &mut dyn Run, arguments: Vec<OsString>, keep: Keep<'_>) -> Outcome {
+    match set_up(run, arguments) {
+        Ok(matches) => outcome(run, &matches, keep).unwrap_or_else(Outcome::refused),
+        Err(told) => told,
+    }
+}
+
+/// Sets the parameters; what is said instead of running, if anything is.
+fn set_up(
+    run: &mut dyn Run,
+    arguments: Vec<OsString>,
+) -> core::result::Result<ArgMatches, Outcome> {
     let flags = run.flags();
     let arguments = joined(arguments.into_iter());
     let name = core::iter::once(OsString::from(run.stem()));
     let matches = match command(run, &flags).try_get_matches_from(name.chain(arguments)) {
         Ok(matches) => matches,
         Err(told) if told.kind() == ErrorKind::DisplayHelp => {
-            return Outcome {
+            return Err(Outcome {
                 stdout: told.render().to_string(),
                 stderr: String::new(),
                 code: 0,
-            };
+            });
         }
         Err(error) => {
-            return Outcome {
+            return Err(Outcome {
                 stdout: String::new(),
                 stderr: error.render().to_string() + &hint(&error, &flags),
                 code: 2,
-            };
+            });
         }
     };
     for (place, flag) in parameters(&flags) {
@@ -374,10 +419,8 @@ fn answer(run: &mut dyn Run, arguments: Vec<OsString>) -> Outcome {
             run.set(place, setting);
         }
     }
-    if let Err(reason) = put_in(&matches, &flags, run) {
-        return Outcome::refused(reason);
-    }
-    outcome(run, &matches).unwrap_or_else(Outcome::refused)
+    put_in(&matches, &flags, run).map_err(Outcome::refused)?;
+    Ok(matches)
 }
 
 fn command(run: &dyn Run, flags: &[Told]) -> Command {
@@ -421,7 +464,7 @@ fn command(run: &dyn Run, flags: &[Told]) -> Command {
         )
 }
 
-fn outcome(run: &dyn Run, matches: &ArgMatches) -> Result<Outcome> {
+fn outcome(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<Outcome> {
     let report = run.report()?;
     let mut outcome = Outcome {
         stdout: String::new(),
@@ -439,46 +482,48 @@ fn outcome(run: &dyn Run, matches: &ArgMatches) -> Result<Outcome> {
     } else {
         outcome.stdout = report.output()?;
     }
-    outcome.stderr = write_files(run, matches)?;
+    outcome.stderr = write_files(run, matches, keep)?;
     Ok(outcome)
 }
 
-/// Writes what `--csv` and `--svg` ask for; returns a line for each.
-fn write_files(run: &dyn Run, matches: &ArgMatches) -> Result<String> {
-    let mut files = Vec::new();
-    let mut told = String::new();
-    let mut made = Directories::default();
+/// Makes the files that `--csv` and `--svg` ask for and hands them on; returns a line for each.
+fn write_files(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<String> {
+    let (mut files, mut told) = (Vec::new(), String::new());
     if let Some(path) = matches.get_one::<PathBuf>("csv") {
         let trajectory = run.trajectory()?;
-        told += &format!(
-            "wrote {} samples to {}\n",
-            trajectory.rows().len(),
-            path.display()
-        );
+        let (rows, shown) = (trajectory.rows().len(), path.display());
+        told += &format!("wrote {rows} samples to {shown}\n");
         files.push((path.clone(), trajectory.csv()));
     }
-    if let Some(directory) = matches.get_one::<PathBuf>("svg") {
+    let directory = matches.get_one::<PathBuf>("svg");
+    if let Some(directory) = directory {
         let figures = run.figures()?;
-        made = Directories::missing(directory);
-        std::fs::create_dir_all(directory).map_err(|e| failure(directory, &e))?;
-        told += &format!(
-            "wrote {} figures to {}\n",
-            figures.len(),
-            directory.display()
-        );
+        let (count, shown) = (figures.len(), directory.display());
+        told += &format!("wrote {count} figures to {shown}\n");
         for figure in figures {
             // As in the locked figures.
             let name = format!("{}__{}.svg", run.stem(), figure.name);
             files.push((directory.join(name), figure.svg));
         }
     }
-    let files: Vec<(PathBuf, &str)> = files.iter().map(|(p, c)| (p.clone(), &**c)).collect();
-    let replaced = write_whole(&files)?;
-    made.keep();
+    let replaced = keep(directory.map(PathBuf::as_path), files)?;
     if replaced > 0 {
         told += &format!("{replaced} of these files were there before and are replaced\n");
     }
     Ok(told)
+}
+
+/// Writes the files, all whole or none.
+fn on_disk(directory: Option<&Path>, files: Vec<Leaf>) -> Result<usize> {
+    let mut made = Directories::default();
+    if let Some(directory) = directory {
+        made = Directories::missing(directory);
+        std::fs::create_dir_all(directory).map_err(|e| failure(directory, &e))?;
+    }
+    let files: Vec<(PathBuf, &str)> = files.iter().map(|(p, c)| (p.clone(), &**c)).collect();
+    let replaced = write_whole(&files)?;
+    made.keep();
+    Ok(replaced)
 }
 
 /// Writes what there is to say; the exit code. A reader that has gone away (`| head`) is

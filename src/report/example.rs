@@ -1,6 +1,6 @@
 //! An example: its name everywhere, what it can be told, what it computes and draws.
 
-use super::{Figure, Flag, Grid, MovingPicture, ParameterSet, Report, Trajectory};
+use super::{Figure, Flag, Grid, Lab, MovingPicture, ParameterSet, Report, Trajectory};
 use crate::error::{Error, Result};
 
 /// What stands behind a page: the functions of an example and their parameters.
@@ -213,9 +213,32 @@ pub trait Page: Sync {
     /// # Errors
     /// As [`Page::report_with`].
     fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>>;
+    /// What it is and its parameters are, as JSON for the controls of its page.
+    fn declared(&self) -> String;
+    /// The methods for a reader to try, with these lines set as in
+    /// [`Moves::opened`](super::Moves::opened); `None` where no motion is known exactly.
+    ///
+    /// # Errors
+    /// As there, and as [`Page::report`].
+    fn lab(&self, settings: &str) -> Result<Option<Lab>>;
     /// What it prints for these arguments, parted by spaces.
     #[cfg(feature = "cli")]
     fn answer(&self, arguments: &str) -> super::cli::Outcome;
+    /// The same for arguments one by one, with the files that it would write.
+    #[cfg(feature = "cli")]
+    fn answer_with_files(
+        &self,
+        arguments: Vec<String>,
+    ) -> (super::cli::Outcome, Vec<super::cli::Leaf>);
+    /// The drawings for these arguments, with the stills.
+    ///
+    /// # Errors
+    /// What is printed instead of running.
+    #[cfg(feature = "cli")]
+    fn figures_for(
+        &self,
+        arguments: Vec<String>,
+    ) -> core::result::Result<Vec<Figure>, super::cli::Outcome>;
 }
 
 impl<P: ParameterSet> Page for Example<P> {
@@ -247,9 +270,31 @@ impl<P: ParameterSet> Page for Example<P> {
         parameters.check()?;
         (self.figures)(&parameters)
     }
+    fn declared(&self) -> String {
+        super::live::declared(self)
+    }
+    fn lab(&self, settings: &str) -> Result<Option<Lab>> {
+        let report = Example::report(self, &super::live::read(settings)?)?;
+        Ok(report.lab().cloned())
+    }
     #[cfg(feature = "cli")]
     fn answer(&self, arguments: &str) -> super::cli::Outcome {
         Example::answer(self, arguments.split_whitespace())
+    }
+    #[cfg(feature = "cli")]
+    fn answer_with_files(
+        &self,
+        arguments: Vec<String>,
+    ) -> (super::cli::Outcome, Vec<super::cli::Leaf>) {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        Example::answer_with_files(self, arguments)
+    }
+    #[cfg(feature = "cli")]
+    fn figures_for(
+        &self,
+        arguments: Vec<String>,
+    ) -> core::result::Result<Vec<Figure>, super::cli::Outcome> {
+        Example::figures_for(self, arguments.into_iter().map(Into::into).collect())
     }
 }
 

@@ -4,7 +4,12 @@ use super::Report;
 use core::fmt::Write;
 
 /// A JSON string literal.
-fn quoted(text: &str) -> String {
+///
+/// ```
+/// use rotation_dynamics::report::quoted;
+/// assert_eq!(quoted("a \"b\"\n"), r#""a \"b\"\u000a""#);
+/// ```
+pub fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {

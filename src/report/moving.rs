@@ -1,7 +1,7 @@
 //! A drawing that moves.
 
 use super::Figure;
-use super::draw::{Panel, Scene, Stack};
+use super::draw::{Panel, Scene, Stack, Turn, turned};
 use crate::error::{Error, Result, finite};
 use core::ops::RangeInclusive;
 
@@ -109,6 +109,39 @@ impl MovingPicture {
     pub fn frame(&self, t: f64) -> Result<Figure> {
         self.check(t)?;
         (self.draw)(t)
+    }
+
+    /// The drawing at `t` for a reader who turned the scene, and whether there is one to turn:
+    /// a mechanism is flat.
+    ///
+    /// ```
+    /// use rotation_dynamics::frame::SpaceVector;
+    /// use rotation_dynamics::report::MovingPicture;
+    /// use rotation_dynamics::report::draw::{Ink, Side, Turn, View};
+    /// let picture = MovingPicture::new(0.0..=1.0, [0.0], |t| {
+    ///     View::new("axis", "an axis that leans over more and more")
+    ///         .arrow(SpaceVector::zero(), SpaceVector::new(t, 0.0, 1.0), Ink::Body, "", Side::Right)
+    ///         .figure()
+    /// })?;
+    /// let turn = Turn { about: 0.5, up: -0.1 };
+    /// let (turned, turns) = picture.seen(1.0, turn)?;
+    /// assert!(turns && turned != picture.frame(1.0)?);
+    /// assert_eq!(picture.seen(1.0, Turn::default())?.0, picture.frame(1.0)?);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`MovingPicture::frame`]; [`Error::NotFinite`] for a turn that is not finite.
+    pub fn seen(&self, t: f64, turn: Turn) -> Result<(Figure, bool)> {
+        finite("turn of a camera", turn.about)?;
+        finite("turn of a camera", turn.up)?;
+        let (figure, turns) = turned(turn, || self.frame(t));
+        Ok((figure?, turns))
+    }
+
+    /// The times of the frames that stand on paper.
+    pub fn still_times(&self) -> &[f64] {
+        &self.stills
     }
 
     /// The frames that stand on paper, named `frame_1`, `frame_2`, …

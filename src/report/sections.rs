@@ -3,6 +3,7 @@
 use super::claim::Claim;
 use super::computation::{ClosedForm, Computation};
 use super::entries::Entry;
+use super::lab::Lab;
 use super::number::{rounded_up, short, supported_digits};
 use super::table::{Table, check_cell};
 use crate::error::{Error, Result, finite};
@@ -158,6 +159,7 @@ pub struct Report {
     effects: Vec<EffectEntry>,
     accuracy: Vec<Price>,
     closed_form: Option<ClosedForm>,
+    lab: Option<Lab>,
     tables: Vec<Table>,
 }
 
@@ -179,6 +181,7 @@ impl Report {
             effects: Vec::new(),
             accuracy: Vec::new(),
             closed_form: None,
+            lab: None,
             tables: Vec::new(),
         })
     }
@@ -280,6 +283,17 @@ impl Report {
     pub fn prices(&self) -> &[Price] {
         &self.accuracy
     }
+
+    /// The methods that a reader may try, if the scene is a problem with a known answer.
+    pub fn lab(&self) -> Option<&Lab> {
+        self.lab.as_ref()
+    }
+
+    /// Sets the methods that a reader may try.
+    pub fn set_lab(&mut self, lab: Lab) {
+        self.lab = Some(lab);
+    }
+
     /// The unit of the strip's times, if the scene has a closed form.
     pub fn closed_form(&self) -> Option<&ClosedForm> {
         self.closed_form.as_ref()

@@ -1,6 +1,6 @@
 //! The accuracy strip: what the dial delivers and pays, and what each method would.
 
-use super::{ClosedForm, Computation, Price, Report};
+use super::{ClosedForm, Computation, Lab, Price, Report};
 use crate::accuracy::{Fineness, Problem, Solved, applies, largest};
 use crate::effects::Effect;
 use crate::error::{Error, Result};
@@ -29,7 +29,8 @@ impl Report {
     /// For each of `tolerances` (rad) a line for the dial, stepping, with all its runs. For
     /// the first, which is the page's own, also the dial as it is, where that takes the
     /// closed form, and the least work of each method, as hindsight knows it. Every line can
-    /// be run again by those who measure time; the unit is a sample of the closed form.
+    /// be run again by those who measure time; the unit is a sample of the closed form. The
+    /// problem is then the report's [`Lab`], too.
     ///
     /// # Errors
     /// A tolerance out of range, one for which the first lines are refused, or what a
@@ -58,6 +59,7 @@ impl Report {
                 }
             }
         }
+        self.set_lab(Lab::new(problem));
         if let Some(attitude) = problem.closed_form().cloned() {
             let end = problem.end;
             self.set_closed_form(ClosedForm::new(move |part| Ok(attitude(part * end))));

@@ -37,6 +37,7 @@ fn main() {
         .collect();
     let library = format!(
         "{modules}\n/// Every example, in the order of the stems.\npub const ALL: &[&dyn Page] = &[{list}];\n\
+         /// What moves of each, in the same order.\npub const MOVING: &[&dyn Moves] = &[{list}];\n\
          /// Whether none was left out.\npub const WHOLE: bool = {};\n",
         others.is_empty()
     );

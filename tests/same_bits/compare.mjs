@@ -7,7 +7,7 @@ const { instance } = await WebAssembly.instantiate(readFileSync(module), {});
 const wasm = instance.exports;
 
 function told(length) {
-  const at = wasm.text();
+  const at = wasm.output();
   return Buffer.from(wasm.memory.buffer, at, length).toString('utf8');
 }
 
@@ -24,11 +24,9 @@ for (let n = 0; n < count; n++) {
   const stem = told(wasm.stem(n));
   const began = Date.now();
   if (told(wasm.report(n)).trimEnd() !== text(stem).trimEnd()) differ.push(stem);
-  for (const drawn of told(wasm.figures(n)).split('\0').slice(0, -1)) {
-    const end = drawn.indexOf('\n');
-    const name = drawn.slice(0, end);
+  for (const { name, svg: drawn } of JSON.parse(told(wasm.figures(n))).figures) {
     const svg = readFileSync(`${locked}/figures/${stem}__${name}.snap.svg`, 'utf8');
-    if (drawn.slice(end + 1) !== svg) differ.push(`${stem}__${name}`);
+    if (drawn !== svg) differ.push(`${stem}__${name}`);
     figures += 1;
   }
   process.stderr.write(`${stem}: ${Date.now() - began} ms\n`);

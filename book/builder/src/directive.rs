@@ -8,7 +8,8 @@
 //! | `{{param STEM:NAME}}`, `{{param STEM:NAME@3 unit}}` | the value of a parameter (its flag is `--NAME`), written as `num` is |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
-//! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip; a caption as for `figure` |
+//! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip that moves when it is touched; a caption as for `figure` |
+//! | `{{moving STEM:STILL NAME …}}` | one of these frames, which moves as soon as the page is loaded, with controls for these parameters only |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs`; `STEM/FILE:ANCHOR` in `examples/STEM/FILE.rs` |
 //! | `{{output STEM}}` | the locked output with its command, folded |
@@ -24,6 +25,7 @@ use crate::check;
 use crate::exercises::{self, Exercise};
 use crate::expand::Page;
 use crate::figure;
+use crate::live;
 use crate::measured;
 use crate::notation;
 use crate::project::{Claim, Project};
@@ -56,6 +58,12 @@ pub enum Directive {
     Figure(Vec<(String, String)>),
     /// The frames of a moving figure.
     Stills { stem: String },
+    /// One frame of a figure that moves by itself, and the parameters that may be changed.
+    Moving {
+        stem: String,
+        still: String,
+        only: Vec<String>,
+    },
     /// Lines of an example: in its file, or in one of its directory (`STEM/FILE`).
     Listing { file: String, anchor: String },
     /// The locked output, or one section of it.
@@ -134,6 +142,12 @@ impl Directive {
                 stem: (*stem).to_owned(),
             }),
             ("stills", _) => Err(wrong("stills STEM")),
+            ("moving", [word, only @ ..]) if only.iter().all(|name| is_name(name)) => {
+                let (stem, still) = pair(word).ok_or_else(|| wrong("moving STEM:STILL NAME …"))?;
+                let only = only.iter().map(|name| (*name).to_owned()).collect();
+                Ok(Self::Moving { stem, still, only })
+            }
+            ("moving", _) => Err(wrong("moving STEM:STILL NAME …")),
             ("given", [number]) if number_html(number).is_some() => {
                 Ok(Self::Given((*number).to_owned()))
             }
@@ -212,7 +226,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
-                 listing, output, table, measured, check, exercise, exercises, test"
+                 moving, listing, output, table, measured, check, exercise, exercises, test"
             )),
         }
     }
@@ -227,7 +241,10 @@ impl Directive {
 
     /// Whether the next paragraph is its caption.
     pub fn has_caption(&self) -> bool {
-        matches!(self, Self::Figure(_) | Self::Stills { .. })
+        matches!(
+            self,
+            Self::Figure(_) | Self::Stills { .. } | Self::Moving { .. }
+        )
     }
 }
 
@@ -387,7 +404,7 @@ pub fn block(
         Directive::Figure(figures) => {
             let id = format!("fig-{}", figures[0].1);
             let marks = panels(page, figures)?;
-            Ok(page.row(&marks, caption, indent, &id, None))
+            Ok(page.row(&marks, None, caption, indent, &id))
         }
         Directive::Stills { stem } => {
             let prefix = format!("{stem}__frame_");
@@ -403,7 +420,32 @@ pub fn block(
                 ));
             }
             let marks = panels(page, &frames)?;
-            Ok(page.row(&marks, caption, indent, "fig-frames", Some(stem)))
+            let player = Splice::Player {
+                stem: stem.clone(),
+                only: Vec::new(),
+            };
+            Ok(page.row(
+                &marks,
+                Some((stem, &player.mark(""))),
+                caption,
+                indent,
+                "fig-frames",
+            ))
+        }
+        Directive::Moving { stem, still, only } => {
+            let marks = panels(page, &[(stem.clone(), still.clone())])?;
+            live::known(project, stem, only)?;
+            let player = Splice::Player {
+                stem: stem.clone(),
+                only: only.clone(),
+            };
+            Ok(page.row(
+                &marks,
+                Some((stem, &player.mark(""))),
+                caption,
+                indent,
+                "fig-moving",
+            ))
         }
         Directive::Listing { file, anchor } => {
             let stem = file.split_once('/').map_or(file.as_str(), |(stem, _)| stem);
@@ -480,8 +522,8 @@ pub fn block(
     }
 }
 
-/// The marks of some figures.
-fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<String>, String> {
+/// The names of some figures and their marks.
+fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<(String, String)>, String> {
     let mut marks = Vec::new();
     for (stem, name) in figures {
         page.stems.push(stem.clone());
@@ -492,7 +534,8 @@ fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<String>, 
             stem: stem.clone(),
             name: name.clone(),
         };
-        marks.push(splice.mark(&crate::text::unescape(alt)));
+        let mark = splice.mark(&crate::text::unescape(alt));
+        marks.push((format!("{stem}:{name}"), mark));
     }
     Ok(marks)
 }
@@ -548,6 +591,14 @@ mod tests {
             ]))
         );
         assert_eq!(
+            Directive::read("moving a:frame_1 energy"),
+            Ok(Directive::Moving {
+                stem: "a".into(),
+                still: "frame_1".into(),
+                only: vec!["energy".into()]
+            })
+        );
+        assert_eq!(
             Directive::read("measured peers:ratios"),
             Ok(Directive::Measured {
                 record: "peers".into(),
@@ -584,6 +635,9 @@ mod tests {
             ("param", "param STEM:NAME}} or {{param STEM:NAME unit"),
             ("stills", "stills STEM"),
             ("stills a:b", "stills STEM"),
+            ("moving", "moving STEM:STILL NAME …"),
+            ("moving a", "moving STEM:STILL NAME …"),
+            ("moving a:b c:d", "moving STEM:STILL NAME …"),
             ("given", "given NUMBER"),
             ("given pi", "given NUMBER"),
             ("given 1 2", "given NUMBER"),

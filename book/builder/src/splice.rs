@@ -28,6 +28,8 @@ pub enum Splice {
     },
     /// A locked figure.
     Figure { stem: String, name: String },
+    /// What plays a moving figure; `only` these parameters, and then by itself.
+    Player { stem: String, only: Vec<String> },
     /// A section of the locked output.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -72,6 +74,9 @@ impl Splice {
                 proof.clone(),
             ],
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
+            Self::Player { stem, only } => {
+                vec!["player".into(), stem.clone(), only.join(" ")]
+            }
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
             Self::Measured { record, table } => {
                 vec!["measured".into(), record.clone(), table.clone()]
@@ -101,6 +106,10 @@ impl Splice {
             ["figure", stem, name] => Self::Figure {
                 stem: stem.into(),
                 name: name.into(),
+            },
+            ["player", stem, only] => Self::Player {
+                stem: stem.into(),
+                only: only.split_whitespace().map(str::to_owned).collect(),
             },
             ["table", stem, section] => Self::Table {
                 stem: stem.into(),
@@ -202,6 +211,10 @@ mod tests {
                 stem: "a".into(),
                 name: "b".into(),
             },
+            Splice::Player {
+                stem: "a".into(),
+                only: vec!["b".into(), "c-d".into()],
+            },
             Splice::Table {
                 stem: "a".into(),
                 section: "limits".into(),
@@ -228,7 +241,7 @@ mod tests {
             seen.push(splice.clone());
             Ok("!".into())
         });
-        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!"));
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!!"));
         assert_eq!(seen, splices);
         // The damaged twin: a broken mark is an error, not text.
         assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());

@@ -25,6 +25,7 @@ mod curve;
 mod depth;
 mod display;
 mod drawing;
+mod encoded;
 mod hidden;
 mod ink;
 mod label;
@@ -44,6 +45,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod ticks;
+mod turned;
 mod view;
 mod words;
 
@@ -58,5 +60,7 @@ pub use sketch::Sketch;
 pub use solid::{Camera, Solid};
 pub use stack::{Scene, Stack};
 pub use sweep::Sweep;
+pub use turned::Turn;
+pub(in crate::report) use turned::turned;
 pub use view::View;
 pub use words::Side;

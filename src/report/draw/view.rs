@@ -115,9 +115,11 @@ impl View {
         self
     }
 
-    /// With the lines of the sphere: they depend on the camera.
+    /// As it is seen: the camera as the reader turned it, and with the lines of the sphere,
+    /// which depend on the camera.
     pub(super) fn furnished(&self) -> Self {
         let mut view = self.clone();
+        view.camera = self.camera.as_turned();
         if !self.sphere {
             return view;
         }
@@ -133,7 +135,8 @@ impl View {
             ..thin
         };
         // The axis ends outside the outline, so long as that is not far away.
-        let seen = crate::math::hypot(self.camera.project(z).0, self.camera.project(z).1);
+        let (right, up) = view.camera.project(z);
+        let seen = crate::math::hypot(right, up);
         let end = (1.08 / seen.max(0.1)).clamp(1.14, 1.6);
         let above = Stroke::new(Ink::Frame, 1.0);
         let lines = [

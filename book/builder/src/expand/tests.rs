@@ -100,6 +100,7 @@ impl Sample {
                     kind, id, proof, ..
                 } => format!("«{kind} {id} {proof}»"),
                 Splice::Figure { stem, name } => format!("«{stem}:{name}»"),
+                Splice::Player { stem, only } => format!("«player {stem}{}»", only.concat()),
                 Splice::Table { stem, section } => format!("«table {stem}:{section}»"),
                 other => format!("«{other:?}»"),
             })

@@ -1,0 +1,186 @@
+//! Every example in a module that has no platform around it: what a page calls when it moves.
+//!
+//! Plain exports, no binding generator. A text or a list of bytes is left in memory, its
+//! length is returned, [`output`] says where it lies; a text for a call is written to where
+//! [`input`] says. A page is a number, its place among the stems in their order. `open` and
+//! `frame` need none of the rest: a module of moving pictures alone is small.
+
+mod told;
+
+use every_example::{ALL, MOVING};
+use rotation_dynamics::report::draw::Turn;
+use rotation_dynamics::report::{Lab, MovingPicture, Page};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// What is kept from one call to the next.
+struct Kept {
+    input: Vec<u8>,
+    output: Vec<u8>,
+    failure: String,
+    picture: Option<MovingPicture>,
+    /// Of which page, for which settings.
+    lab: Option<(usize, String, Option<Lab>)>,
+}
+
+static KEPT: Mutex<Kept> = Mutex::new(Kept {
+    input: Vec::new(),
+    output: Vec::new(),
+    failure: String::new(),
+    picture: None,
+    lab: None,
+});
+
+fn kept() -> MutexGuard<'static, Kept> {
+    KEPT.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn leave(bytes: impl Into<Vec<u8>>) -> usize {
+    let mut kept = kept();
+    kept.output = bytes.into();
+    kept.output.len()
+}
+
+/// The text that the caller wrote; once.
+fn taken() -> String {
+    String::from_utf8_lossy(&core::mem::take(&mut kept().input)).into_owned()
+}
+
+/// The arguments that the caller wrote, parted by NUL.
+fn arguments() -> Vec<String> {
+    let text = taken();
+    if text.is_empty() {
+        return Vec::new();
+    }
+    text.split('\0').map(str::to_owned).collect()
+}
+
+fn page(n: usize) -> &'static dyn Page {
+    ALL[n]
+}
+
+/// Room for a text of this length, which the next call reads.
+#[unsafe(no_mangle)]
+pub extern "C" fn input(length: usize) -> *mut u8 {
+    let mut kept = kept();
+    kept.input = vec![0; length];
+    kept.input.as_mut_ptr()
+}
+
+/// Where the bytes lie that were left last.
+#[unsafe(no_mangle)]
+pub extern "C" fn output() -> *const u8 {
+    kept().output.as_ptr()
+}
+
+/// Prepares the moving picture of a page for the settings that were written, lines of
+/// `NAME=VALUE`. Leaves `{"span", "stills", "size", "turns"}` or `{"error"}`.
+#[unsafe(no_mangle)]
+pub extern "C" fn open(n: usize) -> usize {
+    let settings = taken();
+    kept().picture = None;
+    let told = MOVING[n].opened(&settings).and_then(|picture| {
+        let picture = picture.ok_or(rotation_dynamics::Error::Text {
+            text: "a moving picture".into(),
+            allowed: "this page has none",
+        })?;
+        let told = told::opened(&picture)?;
+        kept().picture = Some(picture);
+        Ok(told)
+    });
+    leave(told.unwrap_or_else(|error| told::error(&error)))
+}
+
+/// Leaves the display list of the picture that is open, at a time, seen from elsewhere by so
+/// much (rad). Its length; 0 if it cannot be drawn, then [`failure`] says why.
+#[unsafe(no_mangle)]
+pub extern "C" fn frame(t: f64, about: f64, up: f64) -> usize {
+    let picture = kept().picture.take();
+    let drawn = match &picture {
+        None => Err("no moving picture is open".into()),
+        Some(picture) => picture
+            .seen(t, Turn { about, up })
+            .map_err(|e| e.to_string()),
+    };
+    kept().picture = picture;
+    match drawn {
+        Ok((figure, _)) => leave(figure.display.encoded()),
+        Err(reason) => {
+            kept().failure = reason;
+            0
+        }
+    }
+}
+
+/// Leaves why the last frame could not be drawn.
+#[unsafe(no_mangle)]
+pub extern "C" fn failure() -> usize {
+    let reason = core::mem::take(&mut kept().failure);
+    leave(reason)
+}
+
+/// How many pages there are.
+#[unsafe(no_mangle)]
+pub extern "C" fn pages() -> usize {
+    ALL.len()
+}
+
+/// Leaves the stem of a page.
+#[unsafe(no_mangle)]
+pub extern "C" fn stem(n: usize) -> usize {
+    leave(page(n).stem())
+}
+
+/// Leaves what a page and its parameters are.
+#[unsafe(no_mangle)]
+pub extern "C" fn declared(n: usize) -> usize {
+    leave(page(n).declared())
+}
+
+/// Leaves the inks, `[{"name", "line", "text", "lit", "shade"}]`, in the order of their numbers.
+#[unsafe(no_mangle)]
+pub extern "C" fn palette() -> usize {
+    leave(told::palette())
+}
+
+/// Leaves what the example prints without arguments, with all its sections, as the tests lock it; or the error.
+#[unsafe(no_mangle)]
+pub extern "C" fn report(n: usize) -> usize {
+    let text = page(n).report().and_then(|report| report.text());
+    leave(text.unwrap_or_else(|error| format!("error: {error}")))
+}
+
+/// Runs the example with the arguments that were written, parted by NUL, as a terminal would.
+/// Leaves `{"stdout", "stderr", "code", "files": [{"name", "text"}]}`.
+#[unsafe(no_mangle)]
+pub extern "C" fn run(n: usize) -> usize {
+    let (outcome, files) = page(n).answer_with_files(arguments());
+    leave(told::outcome(&outcome, &files))
+}
+
+/// Draws all figures for the arguments that were written. Leaves `{"figures": [{"name", "alt",
+/// "svg"}]}` or `{"error"}`.
+#[unsafe(no_mangle)]
+pub extern "C" fn figures(n: usize) -> usize {
+    leave(told::figures(page(n).figures_for(arguments())))
+}
+
+/// What accuracy costs, by the reader's choice: lines of settings, and of `method=NAME` with
+/// `setting=VALUE` (steps; of DOP853 a tolerance), or of `dial=TOLERANCE`. Leaves what the run
+/// delivered and paid; without a choice `{"methods": [{"name", "order", "setting"}], "span"}`;
+/// or `{"error"}`.
+#[unsafe(no_mangle)]
+pub extern "C" fn lab(n: usize) -> usize {
+    let asked = told::Asked::read(&taken());
+    let known = kept().lab.take();
+    let known = known.filter(|(of, settings, _)| *of == n && *settings == asked.settings);
+    let told = match known {
+        Some((.., lab)) => Ok(lab),
+        None => page(n).lab(&asked.settings),
+    };
+    let told = told.map(|lab| {
+        let told = asked.answer(lab.as_ref());
+        kept().lab = Some((n, asked.settings.clone(), lab));
+        told
+    });
+    leave(told.unwrap_or_else(|error| told::error(&error)))
+}

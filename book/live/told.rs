@@ -1,0 +1,145 @@
+//! What the module tells, as JSON.
+
+use rotation_dynamics::integrators::Method;
+use rotation_dynamics::report::cli::{Leaf, Outcome};
+use rotation_dynamics::report::draw::{PALETTE, Turn};
+use rotation_dynamics::report::{Figure, Lab, MovingPicture, quoted};
+use rotation_dynamics::{Error, Result};
+
+/// `{"error": …}`.
+pub fn error(error: &dyn core::fmt::Display) -> String {
+    format!("{{\"error\": {}}}", quoted(&error.to_string()))
+}
+
+fn list(items: impl IntoIterator<Item = String>) -> String {
+    let items: Vec<String> = items.into_iter().collect();
+    format!("[{}]", items.join(", "))
+}
+
+/// What there is to know of a picture before it moves.
+pub fn opened(picture: &MovingPicture) -> Result<String> {
+    let span = picture.span();
+    let (first, turns) = picture.seen(*span.start(), Turn::default())?;
+    let (width, height) = first.display.size;
+    let stills = list(picture.still_times().iter().map(|t| format!("{t:?}")));
+    Ok(format!(
+        "{{\"span\": [{:?}, {:?}], \"stills\": {stills}, \"size\": [{width}, {height}], \"turns\": {turns}}}",
+        span.start(),
+        span.end(),
+    ))
+}
+
+/// Every ink: its CSS variable, and the light theme's colours.
+pub fn palette() -> String {
+    list(PALETTE.iter().map(|colour| {
+        format!(
+            "{{\"name\": \"{}\", \"line\": \"#{:06X}\", \"text\": \"#{:06X}\"}}",
+            colour.name, colour.line, colour.text
+        )
+    }))
+}
+
+/// What a terminal would show, and the files.
+pub fn outcome(outcome: &Outcome, files: &[Leaf]) -> String {
+    let files = files.iter().map(|(path, text)| {
+        let name = quoted(&path.display().to_string());
+        format!("{{\"name\": {name}, \"text\": {}}}", quoted(text))
+    });
+    format!(
+        "{{\"stdout\": {}, \"stderr\": {}, \"code\": {}, \"files\": {}}}",
+        quoted(&outcome.stdout),
+        quoted(&outcome.stderr),
+        outcome.code,
+        list(files)
+    )
+}
+
+/// The drawings, or what is said instead.
+pub fn figures(drawn: core::result::Result<Vec<Figure>, Outcome>) -> String {
+    match drawn {
+        Err(told) => error(&format!("{}{}", told.stdout, told.stderr)),
+        Ok(figures) => {
+            let figures = figures.iter().map(|figure| {
+                let [name, alt, svg] = [&figure.name, &figure.alt, &figure.svg].map(|s| quoted(s));
+                format!("{{\"name\": {name}, \"alt\": {alt}, \"svg\": {svg}}}")
+            });
+            format!("{{\"figures\": {}}}", list(figures))
+        }
+    }
+}
+
+/// What a reader asks of a page's methods.
+pub struct Asked {
+    /// The lines that set the page's parameters.
+    pub settings: String,
+    method: Option<String>,
+    setting: Option<f64>,
+    dial: Option<f64>,
+}
+
+impl Asked {
+    /// Reads the lines; what is no number stands for none.
+    pub fn read(text: &str) -> Self {
+        let mut asked = Self {
+            settings: String::new(),
+            method: None,
+            setting: None,
+            dial: None,
+        };
+        for line in text.lines() {
+            match line.split_once('=') {
+                Some(("method", name)) => asked.method = Some(name.into()),
+                Some(("setting", value)) => asked.setting = value.parse().ok(),
+                Some(("dial", value)) => asked.dial = value.parse().ok(),
+                _ => asked.settings += &format!("{line}\n"),
+            }
+        }
+        asked
+    }
+
+    /// What the run delivered, what there is to choose from, or what is wrong.
+    pub fn answer(&self, lab: Option<&Lab>) -> String {
+        let Some(lab) = lab else {
+            return "{\"methods\": []}".into();
+        };
+        let tried = match (&self.method, self.setting, self.dial) {
+            (None, _, Some(tolerance)) => lab.dial(tolerance),
+            (Some(name), Some(setting), _) => {
+                let known = lab.methods().iter().find(|method| method.name() == name);
+                match known {
+                    Some(method) => lab.run(*method, setting),
+                    None => Err(Error::UnknownKey {
+                        key: name.clone(),
+                        known: lab
+                            .methods()
+                            .iter()
+                            .map(|m| m.name())
+                            .collect::<Vec<_>>()
+                            .join(", "),
+                    }),
+                }
+            }
+            _ => return choices(lab),
+        };
+        tried.map_or_else(|refusal| error(&refusal), |tried| tried.json())
+    }
+}
+
+fn choices(lab: &Lab) -> String {
+    let methods = lab.methods().iter().map(|method| {
+        let setting = match method {
+            Method::Dop853 => "tolerance",
+            _ => "steps",
+        };
+        format!(
+            "{{\"name\": {}, \"order\": {}, \"setting\": \"{setting}\"}}",
+            quoted(method.name()),
+            method.order()
+        )
+    });
+    format!(
+        "{{\"methods\": {}, \"span\": {:?}}}",
+        list(methods),
+        lab.span()
+    )
+}

@@ -1,0 +1,145 @@
+//! The methods of a problem at a reader's own choice: what this step, this tolerance costs.
+
+use super::json::quoted;
+use crate::accuracy::{Errors, Fineness, Problem, applies};
+use crate::effects::Effect;
+use crate::error::Result;
+use crate::integrators::{Method, Work};
+use core::fmt;
+use std::sync::Arc;
+
+/// What a run of a reader's choice delivered and paid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tried {
+    /// The method: the one chosen, or the one that the dial chose.
+    pub method: &'static str,
+    /// How far its end is from the exact one.
+    pub errors: Errors,
+    /// What it cost, all runs together.
+    pub work: Work,
+}
+
+impl Tried {
+    /// `{"method", "attitude", "rates", "momentum", "energy", "torques", "work"}`: the errors
+    /// (rad; relative), `null` for one that is not finite, and the work, counted and in words.
+    pub fn json(&self) -> String {
+        let number = |x: f64| match x.is_finite() {
+            true => format!("{x:?}"),
+            false => "null".into(),
+        };
+        let Errors {
+            attitude,
+            rates,
+            momentum,
+            energy,
+            ..
+        } = self.errors;
+        let [attitude, rates, momentum, energy] = [attitude, rates, momentum, energy].map(number);
+        format!(
+            "{{\"method\": {}, \"attitude\": {attitude}, \"rates\": {rates}, \"momentum\": {momentum}, \
+             \"energy\": {energy}, \"torques\": {}, \"work\": {}}}",
+            quoted(self.method),
+            self.work.torques(),
+            quoted(&self.work.to_string()),
+        )
+    }
+}
+
+type Try = dyn Fn(Option<Method>, f64) -> Result<Tried> + Send + Sync;
+
+/// A problem whose methods a reader may run.
+///
+/// ```
+/// use rotation_dynamics::accuracy::Problem;
+/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::body::RigidBody;
+/// use rotation_dynamics::exact::free_body::FreeBody;
+/// use rotation_dynamics::frame::BodyVector;
+/// use rotation_dynamics::inertia::PrincipalMoments;
+/// use rotation_dynamics::integrators::Method;
+/// use rotation_dynamics::report::Lab;
+/// use rotation_dynamics::scene::Scene;
+/// let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
+/// let rates = BodyVector::new(0.8, 0.4, 0.3375);
+/// let scene = Scene::new(RigidBody::new(moments));
+/// let start = scene.body().state(Attitude::IDENTITY, rates)?;
+/// let exact = FreeBody::new(moments, Attitude::IDENTITY, rates)?.state(10.0);
+/// let lab = Lab::new(&Problem::new(scene, start, 10.0, exact));
+/// let [coarse, fine] = [100.0, 200.0].map(|steps| lab.run(Method::Rk4, steps));
+/// let gain = coarse?.errors.attitude / fine?.errors.attitude;
+/// assert!((gain.log2() - 4.0).abs() < 0.1); // a method of order 4
+/// assert!(lab.dial(1e-9)?.errors.attitude <= 1e-9);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Lab {
+    methods: Vec<Method>,
+    span: f64,
+    run: Arc<Try>,
+}
+
+impl Lab {
+    /// The methods that apply to this problem, with the dial.
+    pub fn new<E>(problem: &Problem<E>) -> Self
+    where
+        E: Effect + Clone + Send + Sync + 'static,
+    {
+        let all = Method::ALL.into_iter();
+        let problem = problem.clone();
+        Self {
+            methods: all.filter(|method| applies::<E>(*method)).collect(),
+            span: problem.end,
+            run: Arc::new(move |method, setting| {
+                let (method, reached, work) = match method {
+                    Some(method) => {
+                        let fineness = Fineness::of(method, setting);
+                        let (reached, work) = problem.run_as_usual(method, fineness)?;
+                        (method.name(), reached, work)
+                    }
+                    None => {
+                        let (scene, start) = (&problem.scene, &problem.start);
+                        let solved = scene.solve_by_stepping(start, problem.end, setting)?;
+                        (solved.method, solved.state, solved.work)
+                    }
+                };
+                Ok(Tried {
+                    method,
+                    errors: problem.errors(&reached),
+                    work,
+                })
+            }),
+        }
+    }
+
+    /// The methods that apply.
+    pub fn methods(&self) -> &[Method] {
+        &self.methods
+    }
+
+    /// The time (s) at whose end the errors are found.
+    pub fn span(&self) -> f64 {
+        self.span
+    }
+
+    /// A run of a method with so many steps; of DOP853, with this tolerance of a step.
+    ///
+    /// # Errors
+    /// What the method refuses.
+    pub fn run(&self, method: Method, setting: f64) -> Result<Tried> {
+        (self.run)(Some(method), setting)
+    }
+
+    /// The dial, stepping: an attitude asked for within so many rad at the end.
+    ///
+    /// # Errors
+    /// As [`Scene::solve_by_stepping`](crate::scene::Scene::solve_by_stepping).
+    pub fn dial(&self, tolerance: f64) -> Result<Tried> {
+        (self.run)(None, tolerance)
+    }
+}
+
+impl fmt::Debug for Lab {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Lab({:?} over {} s)", self.methods, self.span)
+    }
+}
