@@ -118,13 +118,16 @@ class Knobs {
             const part = (selector) => root.querySelector(selector);
             [this.play, this.time, this.now, this.speed] = [".play", ".time", ".now", ".speed select"].map(part);
             this.refusal = part(".refusal");
+            // With settings of its own it plays by itself, and is not the page's.
+            this.own = root.dataset.plays !== undefined;
+            this.fixed = (root.dataset.plays ?? "").split(" ").filter((line) => line !== "");
             this.knobs = new Knobs(root, () => this.changed());
             // `t` is where it is, `shown` what is painted, `sound` the settings of the last good picture.
             Object.assign(this, { machine: null, picture: null, drawing: null, t: null, camera: [0, 0], shown: "",
                 sound: "", playing: false, visible: false, busy: false, opening: false, stale: false, last: 0, held: 0 });
             this.listen();
             this.heard = (state) => { this.knobs.adopt(state); if (this.machine) this.open(); };
-            if (!root.hasAttribute("data-plays")) Live.listen(this.heard);
+            if (!this.own) Live.listen(this.heard);
         }
 
         listen() {
@@ -174,10 +177,13 @@ class Knobs {
         /** The size of the picture on the page, and of its pixels. */
         fit() {
             const [, , width, height] = this.still.getAttribute("viewBox").split(" ").map(Number);
-            const room = this.figure.clientWidth / width;
-            const scale = Math.min(room, Math.max(Math.min(1, room), Math.min(LARGEST[0], LARGEST[1] * innerHeight / height)));
-            this.figure.style.setProperty("--width", `${(scale * width).toFixed(1)}px`);
+            if (!this.own) {
+                const room = this.figure.clientWidth / width;
+                const large = Math.max(1, Math.min(LARGEST[0], LARGEST[1] * innerHeight / height));
+                this.figure.style.setProperty("--width", `${(width * Math.min(room, large)).toFixed(1)}px`);
+            }
             const { canvas } = this;
+            const scale = this.panel.clientWidth / width;
             const bleed = [-BLEED * scale, -BLEED * scale];
             [canvas.style.left, canvas.style.top] = bleed.map((px) => `${px}px`);
             const size = [width, height].map((px) => scale * (px + 2 * BLEED));
@@ -199,7 +205,8 @@ class Knobs {
             this.opening = true;
             do {
                 this.stale = false;
-                const lines = [...this.knobs.changed()].map(([name, value]) => `${name}=${value}`).join("\n");
+                const set = [...this.knobs.changed()].map(([name, value]) => `${name}=${value}`);
+                const lines = [...this.fixed, ...set].join("\n");
                 try {
                     this.opened(await this.machine.ask("open", lines));
                     this.sound = lines;
@@ -212,6 +219,7 @@ class Knobs {
             } while (this.stale);
             this.opening = false;
             this.shown = "";
+            this.remember();
             this.wake();
         }
 
@@ -236,15 +244,16 @@ class Knobs {
         changed() {
             this.touch();
             this.open();
-            if (this.root.hasAttribute("data-plays")) return;
+            if (this.own) return;
             Live.change(this.knobs.changed(), this.heard);
             this.remember();
         }
 
         remember() {
-            if (this.root.hasAttribute("data-plays")) return;
+            if (this.own) return;
             clearTimeout(this.later);
-            const t = this.playing || this.t === null ? null : this.t.toFixed(this.decimals ?? 3);
+            const still = !this.playing && this.picture && this.t !== this.picture.span[0];
+            const t = still ? this.t.toFixed(this.decimals) : null;
             this.later = setTimeout(() => Live.remember(t), 300);
         }
 
@@ -397,7 +406,7 @@ class Knobs {
     for (const root of document.querySelectorAll(".player")) {
         if (!Live.has(root.dataset.stem)) continue;
         const player = new Player(root);
-        if (root.hasAttribute("data-plays")) {
+        if (player.own) {
             // It moves when the page is there, unless motion is not wanted.
             addEventListener("load", () => { if (!quiet.matches) player.toggle(); });
             continue;

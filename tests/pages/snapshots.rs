@@ -7,10 +7,10 @@
 
 use insta::Settings;
 use rotation_dynamics::report::draw::PALETTE;
+use crate::told::root;
 use pages::{ALL, WHOLE};
 use rotation_dynamics::report::{Figure, Page, parse};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -57,12 +57,7 @@ fn locked(page: &dyn Page) -> Locked {
     }
 }
 
-/// The project's root.
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn settings(path: &str) -> Settings {
+pub fn settings(path: &str) -> Settings {
     let path = root().join("tests").join(path);
     let mut settings = Settings::new();
     settings.set_prepend_module_to_snapshot(false);

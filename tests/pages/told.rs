@@ -3,6 +3,12 @@
 #![allow(dead_code, reason = "a page asks some of it, and one page alone can be tested")]
 
 use rotation_dynamics::report::{Page, parse};
+use std::path::{Path, PathBuf};
+
+/// The project's root.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
 
 /// Asserts that the page answers each of these command lines, flags parted by spaces: a claim
 /// is printed only if its oracle agrees, so every number of these runs is confirmed.

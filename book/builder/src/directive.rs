@@ -9,7 +9,7 @@
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
 //! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip that moves when it is touched; a caption as for `figure` |
-//! | `{{moving STEM:STILL NAME …}}` | one of these frames, which moves as soon as the page is loaded, with controls for these parameters only |
+//! | `{{moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …}}` | one of these frames, which moves as soon as the page is loaded, with these values, and sliders for those that have a range |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs`; `STEM/FILE:ANCHOR` in `examples/STEM/FILE.rs` |
 //! | `{{output STEM}}` | the locked output with its command, folded |
@@ -25,7 +25,7 @@ use crate::check;
 use crate::exercises::{self, Exercise};
 use crate::expand::Page;
 use crate::figure;
-use crate::live;
+use crate::live::{self, Setting};
 use crate::measured;
 use crate::notation;
 use crate::project::{Claim, Project};
@@ -58,11 +58,11 @@ pub enum Directive {
     Figure(Vec<(String, String)>),
     /// The frames of a moving figure.
     Stills { stem: String },
-    /// One frame of a figure that moves by itself, and the parameters that may be changed.
+    /// One frame of a figure that moves by itself, the values it is moved with, the sliders.
     Moving {
         stem: String,
         still: String,
-        only: Vec<String>,
+        settings: Vec<Setting>,
     },
     /// Lines of an example: in its file, or in one of its directory (`STEM/FILE`).
     Listing { file: String, anchor: String },
@@ -142,12 +142,19 @@ impl Directive {
                 stem: (*stem).to_owned(),
             }),
             ("stills", _) => Err(wrong("stills STEM")),
-            ("moving", [word, only @ ..]) if only.iter().all(|name| is_name(name)) => {
-                let (stem, still) = pair(word).ok_or_else(|| wrong("moving STEM:STILL NAME …"))?;
-                let only = only.iter().map(|name| (*name).to_owned()).collect();
-                Ok(Self::Moving { stem, still, only })
+            ("moving", [word, settings @ ..]) => {
+                let form = "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …";
+                let (stem, still) = pair(word).ok_or_else(|| wrong(form))?;
+                let settings: Option<Vec<Setting>> =
+                    settings.iter().map(|word| Setting::read(word)).collect();
+                let settings = settings.ok_or_else(|| wrong(form))?;
+                Ok(Self::Moving {
+                    stem,
+                    still,
+                    settings,
+                })
             }
-            ("moving", _) => Err(wrong("moving STEM:STILL NAME …")),
+            ("moving", _) => Err(wrong("moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …")),
             ("given", [number]) if number_html(number).is_some() => {
                 Ok(Self::Given((*number).to_owned()))
             }
@@ -422,7 +429,7 @@ pub fn block(
             let marks = panels(page, &frames)?;
             let player = Splice::Player {
                 stem: stem.clone(),
-                only: Vec::new(),
+                settings: Vec::new(),
             };
             Ok(page.row(
                 &marks,
@@ -432,12 +439,16 @@ pub fn block(
                 "fig-frames",
             ))
         }
-        Directive::Moving { stem, still, only } => {
+        Directive::Moving {
+            stem,
+            still,
+            settings,
+        } => {
             let marks = panels(page, &[(stem.clone(), still.clone())])?;
-            live::known(project, stem, only)?;
+            live::known(project, stem, settings)?;
             let player = Splice::Player {
                 stem: stem.clone(),
-                only: only.clone(),
+                settings: settings.clone(),
             };
             Ok(page.row(
                 &marks,
@@ -591,11 +602,22 @@ mod tests {
             ]))
         );
         assert_eq!(
-            Directive::read("moving a:frame_1 energy"),
+            Directive::read("moving a:frame_1 b=0.6 spin-rate=-2:-3..1e2"),
             Ok(Directive::Moving {
                 stem: "a".into(),
                 still: "frame_1".into(),
-                only: vec!["energy".into()]
+                settings: vec![
+                    Setting {
+                        name: "b".into(),
+                        value: "0.6".into(),
+                        range: None
+                    },
+                    Setting {
+                        name: "spin-rate".into(),
+                        value: "-2".into(),
+                        range: Some([-3.0, 100.0])
+                    }
+                ]
             })
         );
         assert_eq!(
@@ -635,9 +657,34 @@ mod tests {
             ("param", "param STEM:NAME}} or {{param STEM:NAME unit"),
             ("stills", "stills STEM"),
             ("stills a:b", "stills STEM"),
-            ("moving", "moving STEM:STILL NAME …"),
-            ("moving a", "moving STEM:STILL NAME …"),
-            ("moving a:b c:d", "moving STEM:STILL NAME …"),
+            (
+                "moving",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c=",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c=1:2",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c=1:3..2",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b =1",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
             ("given", "given NUMBER"),
             ("given pi", "given NUMBER"),
             ("given 1 2", "given NUMBER"),

@@ -12,6 +12,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
+use std::fmt;
 
 /// Where the modules and their index are.
 const DIRECTORY: &str = "book/modules";
@@ -26,6 +27,49 @@ const RUNS: &str = "book/theme/run.js";
 /// Shows the controls where they can work, before anything is laid out.
 const ABLE: &str = "<script>if(window.WebAssembly&&window.DecompressionStream&&window.Worker)\
     document.documentElement.classList.add('live')</script>";
+
+/// What a moving figure is told: a parameter, its value, and the range of a slider if the reader
+/// may change it. Written `NAME=VALUE` or `NAME=VALUE:FROM..TO`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    /// Its name.
+    pub name: String,
+    /// Its value at first, as it is typed.
+    pub value: String,
+    /// From where to where the slider goes.
+    pub range: Option<[f64; 2]>,
+}
+
+impl Setting {
+    /// Reads a setting; `None` if it is not written so.
+    pub fn read(word: &str) -> Option<Self> {
+        let (name, rest) = word.split_once('=')?;
+        let (value, range) = match rest.split_once(':') {
+            None => (rest, None),
+            Some((value, range)) => {
+                let (from, to) = range.split_once("..")?;
+                let ends: [f64; 2] = [from.parse().ok()?, to.parse().ok()?];
+                (value, Some(ends).filter(|[from, to]| from < to).map(Some)?)
+            }
+        };
+        let named = |text: &str| !text.is_empty() && !text.contains(['"', '<', '&', ' ']);
+        (named(name) && named(value)).then(|| Self {
+            name: name.into(),
+            value: value.into(),
+            range,
+        })
+    }
+}
+
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, value, range } = self;
+        match range {
+            None => write!(f, "{name}={value}"),
+            Some([from, to]) => write!(f, "{name}={value}:{from}..{to}"),
+        }
+    }
+}
 
 /// The modules that there are: `{"pages": {STEM: {"page", "motion", "full", "declared"}},
 /// "palette": [{"name"}]}`.
@@ -61,23 +105,36 @@ impl Modules {
         flags.map_or(&[], Vec::as_slice)
     }
 
-    /// What plays the moving picture of `stem`: its bar, and the controls of its parameters; of
-    /// `only` these, if there are any, and then it plays by itself. Nothing if it does not move.
-    pub fn player(&self, stem: &str, only: &[String], prefix: &str) -> String {
+    /// What plays the moving picture of `stem`: its bar, and the controls of its parameters. With
+    /// `settings` it plays by itself, with these values and controls only for those with a range.
+    /// Nothing if it does not move.
+    pub fn player(&self, stem: &str, settings: &[Setting], prefix: &str) -> String {
         let page = self.page(stem);
         let moves = page.is_some_and(|page| page["declared"]["moves"] == true);
         if !moves {
             return String::new();
         }
-        let shown =
-            |flag: &&Value| only.is_empty() || only.iter().any(|name| flag["name"] == **name);
-        let flags: Vec<&Value> = self.flags(stem).iter().filter(shown).collect();
+        let shown = |flag: &Value| {
+            let setting = settings
+                .iter()
+                .find(|setting| flag["name"] == *setting.name);
+            match setting {
+                None => settings.is_empty().then(|| flag.clone()),
+                Some(Setting { value, range, .. }) => range.map(|[from, to]| {
+                    let mut flag = flag.clone();
+                    flag["default"] = json!(value);
+                    [flag["from"], flag["to"]] = [json!(from), json!(to)];
+                    flag
+                }),
+            }
+        };
+        let flags: Vec<Value> = self.flags(stem).iter().filter_map(shown).collect();
         let knobs: String = flags.iter().map(|flag| knob(flag, prefix)).collect();
-        let names: Vec<String> = flags
+        let names = flags
             .iter()
-            .map(|flag| format!("<span>{}</span>", text(flag, "name")))
-            .collect();
-        let knobs = match (knobs.is_empty(), only.is_empty()) {
+            .map(|flag| format!("<span>{}</span>", text(flag, "name")));
+        let names: Vec<String> = names.collect();
+        let knobs = match (knobs.is_empty(), settings.is_empty()) {
             (true, _) => String::new(),
             (_, false) => format!("<div class=\"knobs\">{knobs}</div>"),
             (_, true) => format!(
@@ -86,7 +143,14 @@ impl Modules {
                 names.join(" ")
             ),
         };
-        let plays = if only.is_empty() { "" } else { " data-plays" };
+        let fixed: Vec<String> = settings
+            .iter()
+            .map(|Setting { name, value, .. }| format!("{name}={value}"))
+            .collect();
+        let plays = match fixed.is_empty() {
+            true => String::new(),
+            false => format!(" data-plays=\"{}\"", fixed.join(" ")),
+        };
         format!(
             "<div class=\"player\" role=\"group\" aria-label=\"Moving picture\" data-stem=\"{stem}\"{plays}>\
              {BAR}<p class=\"refusal\" role=\"status\"></p>{knobs}</div>"
@@ -266,22 +330,20 @@ impl Modules {
     }
 }
 
-/// Confirms that these are parameters of an example that has a module.
+/// Confirms that these are parameters of an example, if it has a module.
 ///
 /// # Errors
 /// One that is not.
-pub fn known(project: &Project, stem: &str, names: &[String]) -> Result<(), String> {
+pub fn known(project: &Project, stem: &str, settings: &[Setting]) -> Result<(), String> {
     let Some(modules) = Modules::of(project)? else {
         return Ok(());
     };
     let flags = modules.flags(stem);
-    for name in names {
+    for Setting { name, .. } in settings {
         if !flags.iter().any(|flag| flag["name"] == **name) {
             let known: Vec<String> = flags.iter().map(|flag| text(flag, "name")).collect();
-            return Err(format!(
-                "{stem} has no parameter '{name}'; it has: {}",
-                known.join(", ")
-            ));
+            let known = known.join(", ");
+            return Err(format!("{stem} has no parameter '{name}'; it has: {known}"));
         }
     }
     Ok(())
@@ -491,9 +553,19 @@ mod tests {
             assert!(html.contains(part), "{part}\n{html}");
         }
         assert_eq!(html.matches("class=\"knob ").count(), 4);
-        let opening = modules().player("rod", &["mass".into()], "p1-");
+        let opening = modules().player(
+            "rod",
+            &["angle=0.5", "mass=2:1..3"].map(|word| Setting::read(word).expect(word)),
+            "p1-",
+        );
         assert_eq!(opening.matches("class=\"knob ").count(), 1);
-        assert!(opening.contains(" data-plays>") && !opening.contains("<details"));
+        for part in [
+            " data-plays=\"angle=0.5 mass=2\">",
+            "min=\"1\" max=\"3\" step=\"0.01\" value=\"2\"",
+        ] {
+            assert!(opening.contains(part), "{part}\n{opening}");
+        }
+        assert!(!opening.contains("<details"));
         // The damaged twins: what does not move has no player, what is unknown nothing.
         assert_eq!(modules().player("table", &[], ""), "");
         assert_eq!(modules().player("other", &[], ""), "");

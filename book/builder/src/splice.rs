@@ -5,6 +5,7 @@
 //! renderer fills it. The mark carries everything, so that the two may run in
 //! different processes, as the stock `mdbook` does it.
 
+use crate::live::Setting;
 use std::fmt::Write;
 
 /// What belongs at a mark.
@@ -28,8 +29,11 @@ pub enum Splice {
     },
     /// A locked figure.
     Figure { stem: String, name: String },
-    /// What plays a moving figure; `only` these parameters, and then by itself.
-    Player { stem: String, only: Vec<String> },
+    /// What plays a moving figure; if there are settings, by itself and with these.
+    Player {
+        stem: String,
+        settings: Vec<Setting>,
+    },
     /// A section of the locked output.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -74,8 +78,9 @@ impl Splice {
                 proof.clone(),
             ],
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
-            Self::Player { stem, only } => {
-                vec!["player".into(), stem.clone(), only.join(" ")]
+            Self::Player { stem, settings } => {
+                let words: Vec<String> = settings.iter().map(Setting::to_string).collect();
+                vec!["player".into(), stem.clone(), words.join(" ")]
             }
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
             Self::Measured { record, table } => {
@@ -107,9 +112,12 @@ impl Splice {
                 stem: stem.into(),
                 name: name.into(),
             },
-            ["player", stem, only] => Self::Player {
+            ["player", stem, settings] => Self::Player {
                 stem: stem.into(),
-                only: only.split_whitespace().map(str::to_owned).collect(),
+                settings: settings
+                    .split_whitespace()
+                    .map(Setting::read)
+                    .collect::<Option<_>>()?,
             },
             ["table", stem, section] => Self::Table {
                 stem: stem.into(),
@@ -213,7 +221,10 @@ mod tests {
             },
             Splice::Player {
                 stem: "a".into(),
-                only: vec!["b".into(), "c-d".into()],
+                settings: ["b=0.6", "c-d=1:-0.5..2"]
+                    .into_iter()
+                    .filter_map(Setting::read)
+                    .collect(),
             },
             Splice::Table {
                 stem: "a".into(),

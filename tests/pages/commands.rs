@@ -1,0 +1,100 @@
+//! Every command that a reader is given, on a page or in the README, is run as it is typed:
+//! its end and what it prints are locked, so a command that has grown old is seen. The list is
+//! also what the modules of the pages are held to.
+
+use crate::snapshots::settings;
+use crate::told::root;
+use pages::{WHOLE, page};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::fs;
+use std::thread;
+
+const COMMAND: &str = "cargo run --example ";
+
+/// The commands in a text: up to the end of the line, of the code or of a remark.
+fn commands(text: &str) -> impl Iterator<Item = &str> {
+    text.match_indices(COMMAND).map(|(at, _)| {
+        let rest = &text[at + COMMAND.len()..];
+        let end = rest.find(['`', '\n', '#']).unwrap_or(rest.len());
+        rest[..end].trim()
+    })
+}
+
+/// FNV-1a: short, the same everywhere, in a line of any language.
+fn digest(bytes: impl IntoIterator<Item = u8>) -> u64 {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, step)
+}
+
+/// The code with which the command ends, and the digest of what it prints and writes.
+fn told(stem: &str, arguments: &str) -> Option<(u8, u64)> {
+    let arguments = arguments.split_whitespace().map(str::to_owned).collect();
+    let (outcome, files) = page(stem)?.answer_with_files(arguments);
+    let written = files.iter().flat_map(|(_, text)| text.bytes());
+    let all = outcome.stdout.bytes().chain(outcome.stderr.bytes());
+    Some((outcome.code, digest(all.chain(written))))
+}
+
+#[test]
+fn every_command_that_a_reader_is_given_runs() {
+    if !WHOLE {
+        return;
+    }
+    let mut texts = vec![root().join("README.md")];
+    let pages = fs::read_dir(root().join("book/src")).expect("the pages can be read");
+    texts.extend(pages.map(|page| page.expect("an entry").path()));
+    let mut given = BTreeMap::new();
+    let mut must_run = BTreeSet::new();
+    for path in texts {
+        let text = fs::read_to_string(&path).expect("a text");
+        for command in commands(&text) {
+            let (stem, arguments) = command.split_once(" -- ").unwrap_or((command, ""));
+            let command = (stem.to_owned(), arguments.to_owned());
+            // A page may ask what a program will refuse; the README invites.
+            if path.ends_with("README.md") {
+                must_run.insert(command.clone());
+            }
+            given.insert(command, None);
+        }
+    }
+    let mut all: Vec<_> = given.iter_mut().collect();
+    let part = all.len().div_ceil(2);
+    thread::scope(|scope| {
+        for part in all.chunks_mut(part) {
+            scope.spawn(|| {
+                for ((stem, arguments), ended) in part {
+                    **ended = told(stem, arguments);
+                }
+            });
+        }
+    });
+    let mut list = String::new();
+    for (command, ended) in &given {
+        let (stem, arguments) = command;
+        let Some((code, digest)) = ended else {
+            assert_eq!(stem, "problem_sheet", "there is no example {stem}");
+            continue;
+        };
+        let refused = *code > 1 && must_run.contains(command);
+        assert!(!refused, "the README's {stem} {arguments} is refused");
+        let line = format!("{code} {digest:016x} {stem} {arguments}");
+        let _ = writeln!(list, "{}", line.trim_end());
+    }
+    assert!(must_run.len() > 5 && given.len() > 200, "{} commands", given.len());
+    settings("snapshots/commands").bind(|| insta::assert_snapshot!("all", list));
+}
+
+/// The damaged twin: a command that has grown old is refused, another output is another line.
+#[test]
+fn a_command_that_has_grown_old_is_seen() {
+    if !WHOLE {
+        return;
+    }
+    let told = |arguments| told("ch16_ex6_ladder", arguments).expect("there is a ladder");
+    assert_eq!(told("--angel 0.5").0, 2);
+    assert_ne!(told("--angle 0.5"), told("--angle 0.25"));
+    assert_eq!(told("--check t_release=0.876").0, 0);
+    let text = "`cargo run --example a -- --b 1` and\ncargo run --example c   # d\n";
+    assert_eq!(commands(text).collect::<Vec<_>>(), ["a -- --b 1", "c"]);
+}
