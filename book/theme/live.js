@@ -136,14 +136,15 @@ const Live = (() => {
         });
     }
 
-    // ---- What runs commands and methods is brought when it is first asked for.
-    const brought = (opener) => once("run", script).then(() => opener.click(), (error) => {
+    // ---- What runs commands and methods is brought when it is first asked for; then it listens itself.
+    let here = false;
+    const brought = (opener) => once("run", script).then(() => { here = true; opener.click(); }, (error) => {
         opener.disabled = true;
         opener.title = error.message;
     });
     if (able) {
         for (const opener of document.querySelectorAll("button.run, .bench > button")) {
-            opener.addEventListener("click", () => brought(opener), { once: true });
+            opener.addEventListener("click", () => { if (!here) brought(opener); });
         }
     }
 
