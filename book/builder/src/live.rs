@@ -10,6 +10,7 @@ use crate::project::Project;
 use crate::text::{escape, number_html, unescape, unit_html};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use rotation_dynamics::report::{STEPPING, Table};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fmt;
@@ -169,12 +170,11 @@ impl Modules {
         format!(" data-unset=\"{unset}\" data-effects=\"{effects}\"")
     }
 
-    /// The bench beside the table of what accuracy costs: any method, at any step.
-    pub fn bench(&self, stem: &str) -> String {
-        let has = self
-            .page(stem)
-            .is_some_and(|page| page["declared"]["lab"] == true);
-        match has {
+    /// The bench beside the table of what accuracy costs: any method at any step, where the
+    /// table tells of a problem that has been stepped.
+    pub fn bench(&self, stem: &str, accuracy: &Table) -> String {
+        let stepped = |row: &Vec<String>| row[0].starts_with(STEPPING);
+        match self.page(stem).is_some() && accuracy.rows().iter().any(stepped) {
             false => String::new(),
             true => format!(
                 "<div class=\"bench\" role=\"group\" aria-label=\"Try a method\" data-stem=\"{stem}\">\
@@ -522,7 +522,7 @@ mod tests {
         ]);
         let page = |n: u32, moves: bool| {
             json!({"page": n, "motion": ["a.gz"], "full": ["a.gz", "b.gz"],
-                "declared": {"moves": moves, "lab": moves, "flags": flags}})
+                "declared": {"moves": moves, "flags": flags}})
         };
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
         Modules {
@@ -569,13 +569,20 @@ mod tests {
         // The damaged twins: what does not move has no player, what is unknown nothing.
         assert_eq!(modules().player("table", &[], ""), "");
         assert_eq!(modules().player("other", &[], ""), "");
-        assert_eq!(
-            (
-                modules().bench("rod").is_empty(),
-                modules().bench("table").is_empty()
-            ),
-            (false, true)
-        );
+    }
+
+    #[test]
+    fn a_bench_stands_where_a_problem_is_stepped() {
+        let table = |method: &str| {
+            let mut table = Table::new("accuracy", ["method", "work"]).expect("a table");
+            table.push([method.into(), "1 step".into()]).expect("a row");
+            table
+        };
+        let bench = |stem, method| modules().bench(stem, &table(method));
+        assert!(bench("rod", "dial, stepping: DOP853").contains(" data-stem=\"rod\">"));
+        // The damaged twins: no module, no problem.
+        assert_eq!(bench("other", "dial, stepping: DOP853"), "");
+        assert_eq!(bench("rod", "dial: DOP853"), "");
     }
 
     #[test]
