@@ -137,15 +137,20 @@ const Live = (() => {
     }
 
     // ---- What runs commands and methods is brought when it is first asked for.
-    const brought = (opener) => once("run", script).then(() => opener.click(), (error) => {
-        opener.disabled = true;
-        opener.title = error.message;
-    });
-    if (able) {
-        for (const opener of document.querySelectorAll("button.run, .bench > button")) {
-            opener.addEventListener("click", () => brought(opener), { once: true });
+    let brought = false;
+    const bring = async (event) => {
+        const opener = event.target.closest("button.run, .bench > button");
+        if (brought || opener === null) return;
+        try {
+            await once("run", script);
+            if (!brought) [brought] = [true, document.removeEventListener("click", bring)];
+            opener.click();
+        } catch (error) {
+            opener.disabled = true;
+            opener.title = error.message;
         }
-    }
+    };
+    if (able) document.addEventListener("click", bring);
 
     return { able, inks, packed, has: (stem) => able && stem in pages, machine, state, change, listen, remember, commanded };
 })();

@@ -575,7 +575,7 @@ mod tests {
     fn a_bench_stands_where_a_problem_is_stepped() {
         let table = |method: &str| {
             let mut table = Table::new("accuracy", ["method", "work"]).expect("a table");
-            table.push([method.into(), "1 step".into()]).expect("a row");
+            table.push([method, "1 step"]).expect("a row");
             table
         };
         let bench = |stem, method| modules().bench(stem, &table(method));
