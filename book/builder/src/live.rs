@@ -72,7 +72,10 @@ impl fmt::Display for Setting {
     }
 }
 
-/// The modules that there are: `{"pages": {STEM: {"page", "motion", "full", "declared"}},
+/// The packs of a page: for its moving picture; for its report and figures; for all that it can.
+const LISTS: [&str; 3] = ["motion", "full", "rest"];
+
+/// The modules that there are: `{"pages": {STEM: {"page", a key for each of LISTS, "declared"}},
 /// "palette": [{"name"}]}`.
 pub struct Modules {
     index: Value,
@@ -278,9 +281,11 @@ impl Modules {
             .into_iter()
             .filter_map(|stem| {
                 let page = self.page(stem)?;
-                let needed =
-                    json!({"page": page["page"], "motion": page["motion"], "full": page["full"]});
-                Some((stem.to_owned(), needed))
+                let needed = page.iter().filter(|(key, _)| *key != "declared");
+                let needed: Map<String, Value> = needed
+                    .map(|(key, value)| (key.clone(), value.clone()))
+                    .collect();
+                Some((stem.to_owned(), needed.into()))
             })
             .collect();
         let palette = self.index["palette"].as_array().into_iter().flatten();
@@ -300,7 +305,7 @@ impl Modules {
     /// A module that the index names and that is not there.
     pub fn files(&self, project: &Project) -> Result<Vec<(String, Vec<u8>)>, String> {
         let pages = self.index["pages"].as_object().into_iter().flatten();
-        let lists = pages.flat_map(|(_, page)| [&page["motion"], &page["full"]]);
+        let lists = pages.flat_map(|(_, page)| LISTS.map(|list| &page[list]));
         let names: BTreeSet<&str> = lists
             .filter_map(Value::as_array)
             .flatten()
@@ -521,7 +526,7 @@ mod tests {
             flag("friction", "effect", json!({"usual": "0.02"})),
         ]);
         let page = |n: u32, moves: bool| {
-            json!({"page": n, "motion": ["a.gz"], "full": ["a.gz", "b.gz"],
+            json!({"page": n, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"],
                 "declared": {"moves": moves, "flags": flags}})
         };
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
@@ -650,7 +655,8 @@ mod tests {
             .nth(1)
             .and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
-        let page = json!({"page": 3, "motion": ["a.gz"], "full": ["a.gz", "b.gz"]});
+        let page =
+            json!({"page": 3, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"]});
         assert_eq!(
             data,
             json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]})
