@@ -84,9 +84,8 @@
         };
         const follows = Live.has(form.dataset.stem) && form.dataset.sheet === undefined;
         if (follows) {
-            const adopt = (state) => { show(form, state); say("", ""); };
-            Live.listen(adopt);
-            adopt(Live.state);
+            Live.listen((state) => { show(form, state); told(); });
+            show(form, Live.state);
         }
         form.addEventListener("submit", async (event) => {
             event.preventDefault();
@@ -111,7 +110,8 @@
         form.addEventListener("keydown", (event) => event.stopPropagation());
         const told = () => {
             output.textContent = "";
-            asked.textContent = `Give ${check().digits} digits.`;
+            const others = follows ? [...Live.state].map(([name, value]) => value === "" ? `no ${name}` : `${name} = ${value}`) : [];
+            asked.textContent = `Give ${check().digits} digits${others.length > 0 ? ` for ${others.join(", ")}` : ""}.`;
         };
         key.addEventListener("change", told);
         told();

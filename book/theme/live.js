@@ -34,48 +34,59 @@ const Live = (() => {
     };
 
     // ---- Machines: a worker with the module of a page.
+    const bytes = (names) => Promise.all(names.map((name) => once(name, pack))).then((all) => all.map((one) => one.slice().buffer));
     class Machine {
         /** Of the page `stem`, with its packs for `use`: `motion` or `full`. */
         constructor(stem, use) {
-            [this.page, this.packs] = [pages[stem].page, pages[stem][use]];
-            [this.worker, this.waiting, this.asked] = [null, new Map(), 0];
+            [this.page, this.names, this.rest] = [pages[stem].page, pages[stem][use], pages[stem].rest];
+            [this.worker, this.started, this.waiting, this.asked] = [null, null, new Map(), 0];
         }
 
         async start() {
-            const [source, ...packs] = await Promise.all([once("module", script), ...this.packs.map((name) => once(name, pack))]);
+            const [source, packs] = await Promise.all([once("module", script), bytes(this.names)]);
             const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
             const worker = new Worker(address);
             URL.revokeObjectURL(address);
-            worker.onmessage = ({ data: { id, error, ...answer } }) => {
+            worker.onmessage = ({ data: { id, error, trapped, ...answer } }) => {
                 const [done, failed] = this.waiting.get(id) ?? [];
                 this.waiting.delete(id);
                 if (error === undefined) done?.(answer);
-                else failed?.(new Error(error));
+                else failed?.(Object.assign(new Error(error), { trapped }));
             };
             worker.onerror = (event) => this.end(new Error(event.message || "the module cannot run here"));
-            return { worker, packs: packs.map((bytes) => bytes.slice().buffer) };
+            return { worker, packs };
         }
 
-        /** The answer to a call: `{ text }` or `{ bytes }`. */
-        async call(call, more = {}) {
-            this.started ??= this.start();
-            const started = this.started;
+        async send(message, packs) {
+            const started = this.started ??= this.start();
             try {
-                const { worker, packs } = await started;
+                const first = await started;
                 if (this.started !== started) throw new Error("stopped");
-                this.worker = worker;
+                this.worker = first.worker;
+                const brought = packs ?? first.packs.splice(0);
                 this.asked += 1;
-                const message = { id: this.asked, call, ...more };
-                // A frame is of the page that is open.
-                if (call !== "frame") message.page = this.page;
-                if (packs.length > 0) message.packs = packs.splice(0);
+                const sent = { ...message, id: this.asked, ...(brought.length > 0 ? { packs: brought } : {}) };
                 return await new Promise((done, failed) => {
-                    this.waiting.set(message.id, [done, failed]);
-                    worker.postMessage(message, message.packs ?? []);
+                    this.waiting.set(sent.id, [done, failed]);
+                    this.worker.postMessage(sent, brought);
                 });
             } catch (error) {
                 if (this.started === started && this.worker === null) this.started = null;
                 throw error;
+            }
+        }
+
+        /** The answer to a call: `{ text }` or `{ bytes }`. */
+        async call(call, more = {}) {
+            // A frame is of the page that is open.
+            const message = { call, ...(call === "frame" ? {} : { page: this.page }), ...more };
+            try {
+                return await this.send(message);
+            } catch (error) {
+                // The packs hold what is usual; a rare wish needs all.
+                if (!error.trapped || this.rest === undefined || this.names === this.rest) throw error;
+                this.names = this.rest;
+                return this.send(message, await bytes(this.rest));
             }
         }
 
@@ -136,17 +147,21 @@ const Live = (() => {
         });
     }
 
-    // ---- What runs commands and methods is brought when it is first asked for; then it listens itself.
-    let here = false;
-    const brought = (opener) => once("run", script).then(() => { here = true; opener.click(); }, (error) => {
-        opener.disabled = true;
-        opener.title = error.message;
-    });
-    if (able) {
-        for (const opener of document.querySelectorAll("button.run, .bench > button")) {
-            opener.addEventListener("click", () => { if (!here) brought(opener); });
+    // ---- What runs commands and methods is brought when it is first asked for.
+    let brought = false;
+    const bring = async (event) => {
+        const opener = event.target.closest("button.run, .bench > button");
+        if (brought || opener === null) return;
+        try {
+            await once("run", script);
+            if (!brought) [brought] = [true, document.removeEventListener("click", bring)];
+            opener.click();
+        } catch (error) {
+            opener.disabled = true;
+            opener.title = error.message;
         }
-    }
+    };
+    if (able) document.addEventListener("click", bring);
 
     return { able, inks, packed, has: (stem) => able && stem in pages, machine, state, change, listen, remember, commanded };
 })();

@@ -358,7 +358,7 @@ class Knobs {
 
         tell(t) {
             const [from, to] = this.picture.span;
-            const { name = "t", unit = "" } = this.picture.time ?? {};
+            const [name, unit = ""] = (this.picture.time ?? "t").split(" / ");
             const number = t.toFixed(this.decimals).replace("-", "\u2212");
             const text = `${number}${unit && ` ${unit}`}`;
             this.now.textContent = `${name} = ${text}`;

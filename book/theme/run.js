@@ -245,7 +245,7 @@
             this.go = make("button", { type: "submit" }, "Run");
             const form = make("form", {}, make("label", {}, "Method ", this.method), this.label,
                 make("label", { class: "wide" }, make("span", { class: "quiet" }, "coarse to fine"), this.slider), this.go);
-            this.root.prepend(make("p", { class: "head" }, `The motion of this page to t = ${Number(span.toPrecision(6))} s, by any method:`),
+            this.root.prepend(make("p", { class: "head" }, `The motion of this page to t = ${Number(span.toPrecision(6))}, by any method:`),
                 form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table));
             const range = () => this.kind() === "steps" ? [10, 1e5] : [1e-2, 1e-13];
             const typed = () => {
@@ -271,17 +271,20 @@
         async run() {
             this.go.disabled = true;
             const setting = this.field.value.trim();
+            const lines = this.lines();
             const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
             try {
-                const told = await this.machine.ask("lab", [...this.lines(), ...asked].join("\n"));
+                const told = await this.machine.ask("lab", [...lines, ...asked].join("\n"));
+                if (told.method === undefined) throw new Error("With these parameters there is no exact motion to compare with");
                 const raised = (digits) => [...digits].map((c) => c === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
                 const number = (x) => x === null ? "not finite" : x === 0 ? "0"
                     : x.toExponential(1).replace(/e\+?(-?\d+)/, (_, power) => `\u202f\u00d7\u202f10${raised(power)}`);
                 const what = { steps: `${setting} steps`, tolerance: `tolerance ${setting}`, dial: `${setting} rad asked for` }[this.kind()];
+                const whole = [what, ...lines].join("; ");
                 const name = this.kind() === "dial" ? `dial: ${told.method}` : told.method;
-                const cells = [name, what, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
+                const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
                 this.rows.prepend(make("tr", {}, ...cells.map((text) => make("td", {}, text))));
-                this.status.textContent = `${name}, ${what}: off by ${number(told.attitude)} rad for ${told.work}`;
+                this.status.textContent = `${name}, ${whole}: off by ${number(told.attitude)} rad for ${told.work}`;
             } catch (error) {
                 this.status.textContent = `${error.message}.`;
             }

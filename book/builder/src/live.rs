@@ -10,6 +10,7 @@ use crate::project::Project;
 use crate::text::{escape, number_html, unescape, unit_html};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use rotation_dynamics::report::{STEPPING, Table};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fmt;
@@ -71,7 +72,10 @@ impl fmt::Display for Setting {
     }
 }
 
-/// The modules that there are: `{"pages": {STEM: {"page", "motion", "full", "declared"}},
+/// The packs of a page: for its moving picture; for its report and figures; for all that it can.
+const LISTS: [&str; 3] = ["motion", "full", "rest"];
+
+/// The modules that there are: `{"pages": {STEM: {"page", a key for each of LISTS, "declared"}},
 /// "palette": [{"name"}]}`.
 pub struct Modules {
     index: Value,
@@ -169,12 +173,11 @@ impl Modules {
         format!(" data-unset=\"{unset}\" data-effects=\"{effects}\"")
     }
 
-    /// The bench beside the table of what accuracy costs: any method, at any step.
-    pub fn bench(&self, stem: &str) -> String {
-        let has = self
-            .page(stem)
-            .is_some_and(|page| page["declared"]["lab"] == true);
-        match has {
+    /// The bench beside the table of what accuracy costs: any method at any step, where the
+    /// table tells of a problem that has been stepped.
+    pub fn bench(&self, stem: &str, accuracy: &Table) -> String {
+        let stepped = |row: &Vec<String>| row[0].starts_with(STEPPING);
+        match self.page(stem).is_some() && accuracy.rows().iter().any(stepped) {
             false => String::new(),
             true => format!(
                 "<div class=\"bench\" role=\"group\" aria-label=\"Try a method\" data-stem=\"{stem}\">\
@@ -278,9 +281,11 @@ impl Modules {
             .into_iter()
             .filter_map(|stem| {
                 let page = self.page(stem)?;
-                let needed =
-                    json!({"page": page["page"], "motion": page["motion"], "full": page["full"]});
-                Some((stem.to_owned(), needed))
+                let needed = page.iter().filter(|(key, _)| *key != "declared");
+                let needed: Map<String, Value> = needed
+                    .map(|(key, value)| (key.clone(), value.clone()))
+                    .collect();
+                Some((stem.to_owned(), needed.into()))
             })
             .collect();
         let palette = self.index["palette"].as_array().into_iter().flatten();
@@ -300,7 +305,7 @@ impl Modules {
     /// A module that the index names and that is not there.
     pub fn files(&self, project: &Project) -> Result<Vec<(String, Vec<u8>)>, String> {
         let pages = self.index["pages"].as_object().into_iter().flatten();
-        let lists = pages.flat_map(|(_, page)| [&page["motion"], &page["full"]]);
+        let lists = pages.flat_map(|(_, page)| LISTS.map(|list| &page[list]));
         let names: BTreeSet<&str> = lists
             .filter_map(Value::as_array)
             .flatten()
@@ -521,8 +526,8 @@ mod tests {
             flag("friction", "effect", json!({"usual": "0.02"})),
         ]);
         let page = |n: u32, moves: bool| {
-            json!({"page": n, "motion": ["a.gz"], "full": ["a.gz", "b.gz"],
-                "declared": {"moves": moves, "lab": moves, "flags": flags}})
+            json!({"page": n, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"],
+                "declared": {"moves": moves, "flags": flags}})
         };
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
         Modules {
@@ -569,13 +574,20 @@ mod tests {
         // The damaged twins: what does not move has no player, what is unknown nothing.
         assert_eq!(modules().player("table", &[], ""), "");
         assert_eq!(modules().player("other", &[], ""), "");
-        assert_eq!(
-            (
-                modules().bench("rod").is_empty(),
-                modules().bench("table").is_empty()
-            ),
-            (false, true)
-        );
+    }
+
+    #[test]
+    fn a_bench_stands_where_a_problem_is_stepped() {
+        let table = |method: &str| {
+            let mut table = Table::new("accuracy", ["method", "work"]).expect("a table");
+            table.push([method, "1 step"]).expect("a row");
+            table
+        };
+        let bench = |stem, method| modules().bench(stem, &table(method));
+        assert!(bench("rod", "dial, stepping: DOP853").contains(" data-stem=\"rod\">"));
+        // The damaged twins: no module, no problem.
+        assert_eq!(bench("other", "dial, stepping: DOP853"), "");
+        assert_eq!(bench("rod", "dial: DOP853"), "");
     }
 
     #[test]
@@ -643,7 +655,8 @@ mod tests {
             .nth(1)
             .and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
-        let page = json!({"page": 3, "motion": ["a.gz"], "full": ["a.gz", "b.gz"]});
+        let page =
+            json!({"page": 3, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"]});
         assert_eq!(
             data,
             json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]})

@@ -237,7 +237,7 @@ fn finish(
                 modules.player(stem, settings, &format!("p{number}-"))
             }
             (Some(modules), Splice::Table { stem, section }) if section == times::SECTION => {
-                plain + &modules.bench(stem)
+                plain + &modules.bench(stem, &project.table(stem, section)?)
             }
             (Some(modules), Splice::Check { stem }) => {
                 let form = "<form class=\"answer\"";
