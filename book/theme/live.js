@@ -23,8 +23,8 @@ const Live = (() => {
     });
     async function pack(name) {
         if (location.protocol === "file:") return Uint8Array.from(atob(await script(name)), (c) => c.charCodeAt(0));
-        const answer = await fetch(`modules/${name}`);
-        if (!answer.ok) throw new Error(`modules/${name} did not arrive: ${answer.status}`);
+        const answer = await fetch(`modules/${name}`).catch(() => null);
+        if (!answer?.ok) throw new Error(`modules/${name} did not arrive`);
         return new Uint8Array(await answer.arrayBuffer());
     }
     /** What `bring(name)` gives, asked for once unless it fails. */

@@ -13,7 +13,7 @@ class Knobs {
             };
             knob.words = knob.told.innerHTML;
             this.all.set(element.dataset.name, knob);
-            const moved = () => { this.mark(knob); changed(element.dataset.name); };
+            const moved = () => { this.mark(knob); this.touched = element.dataset.name; changed(); };
             knob.value.addEventListener("input", () => {
                 if (knob.box) knob.box.checked = true;
                 this.slide(knob);
@@ -28,7 +28,8 @@ class Knobs {
             knob.back.addEventListener("click", () => {
                 this.set(element.dataset.name, knob.preset);
                 knob.value.focus();
-                changed(element.dataset.name);
+                this.touched = element.dataset.name;
+                changed();
             });
         }
     }
@@ -84,12 +85,16 @@ class Knobs {
         return new Set([...this.all].filter(([, knob]) => knob.box).map(([name]) => name));
     }
 
-    /** Says beside the control that it names what is wrong; "" says that nothing is. True if one is named. */
+    /**
+     * Says what is wrong beside the control that the message names, or else the one last touched;
+     * "" says that nothing is. True if there is one.
+     */
     refuse(message) {
         const [, field = ""] = message.match(/^([A-Za-z0-9_-]+) ?=/) ?? [];
+        const meant = this.all.has(field.replaceAll("_", "-")) ? field.replaceAll("_", "-") : this.touched;
         let named = false;
         for (const [name, knob] of this.all) {
-            const mine = name === field.replaceAll("_", "-");
+            const mine = message !== "" && name === meant;
             named ||= mine;
             if (mine) knob.told.textContent = `${message}.`;
             else if (knob.element.classList.contains("refused")) knob.told.innerHTML = knob.words;
@@ -160,18 +165,33 @@ class Knobs {
         touch() {
             if (this.machine) return;
             this.machine = Live.machine(this.root.dataset.stem, "motion");
-            this.canvas = document.createElement("canvas");
+            this.canvas ??= document.createElement("canvas");
             this.canvas.setAttribute("role", "img");
             this.canvas.setAttribute("aria-label", `Moving picture. At first: ${this.still.getAttribute("aria-label")}`);
-            const before = this.root.getBoundingClientRect().top;
-            this.panel.append(this.canvas);
-            this.figure.classList.add("moving");
-            this.fit();
-            // What was touched stays where it is.
-            scrollBy({ top: this.root.getBoundingClientRect().top - before, behavior: "instant" });
-            new ResizeObserver(() => this.fit()).observe(this.figure);
+            this.show(true);
+            this.resized ??= new ResizeObserver(() => this.fit());
+            this.resized.observe(this.figure);
             this.now.textContent = "…";
             this.open();
+        }
+
+        /** One picture that moves, or the strip as it is locked; what was touched stays where it is. */
+        show(moving) {
+            const before = this.root.getBoundingClientRect().top;
+            this.figure.classList.toggle("moving", moving);
+            if (moving) {
+                this.panel.append(this.canvas);
+                this.fit();
+            } else this.canvas.remove();
+            scrollBy({ top: this.root.getBoundingClientRect().top - before, behavior: "instant" });
+        }
+
+        /** Nothing came of the first touch. */
+        leave() {
+            this.resized.disconnect();
+            this.show(false);
+            [this.machine, this.playing, this.now.textContent] = [null, false, ""];
+            this.label();
         }
 
         /** The size of the picture on the page, and of its pixels. */
@@ -214,9 +234,9 @@ class Knobs {
                 } catch (error) {
                     this.say(error.message);
                     if (this.picture) await this.machine.ask("open", this.sound).catch(() => {});
-                    else this.now.textContent = "";
+                    else this.leave();
                 }
-            } while (this.stale);
+            } while (this.stale && this.machine);
             this.opening = false;
             this.shown = "";
             this.remember();
@@ -239,6 +259,7 @@ class Knobs {
         say(message) {
             const named = this.knobs.refuse(message);
             this.refusal.textContent = message === "" || named ? "" : `${message}.`;
+            this.refusal.classList.remove("note");
         }
 
         changed() {
@@ -342,6 +363,7 @@ class Knobs {
             this.busy = true;
             try {
                 const { bytes } = await this.machine.call("frame", { numbers: wish });
+                this.note(bytes, wish.join());
                 this.shown = wish.join();
                 this.drawing = Paint.decoded(bytes);
                 this.repaint();
@@ -354,6 +376,21 @@ class Knobs {
             }
             this.busy = false;
             this.wake();
+        }
+
+        /** A parameter need not enter the picture: then the reader is told. */
+        note(bytes, wish) {
+            const words = new Int32Array(bytes.buffer ?? bytes);
+            const asked = this.knobs.touched;
+            if (asked !== undefined && this.before?.wish === wish) {
+                const same = words.length === this.before.words.length && words.every((word, n) => word === this.before.words[n]);
+                if (same) {
+                    this.refusal.textContent = `The picture stays the same with another ${asked}; a run of the example tells what changes.`;
+                    this.refusal.classList.add("note");
+                }
+                this.knobs.touched = undefined;
+            }
+            this.before = { words, wish };
         }
 
         tell(t) {

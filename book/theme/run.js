@@ -88,12 +88,12 @@
             this.output = make("code", { class: "stdout" });
             this.error = make("code", { class: "stderr" });
             this.told = make("details", { class: "told", open: true, hidden: true }, make("summary", {}, "What it prints"),
-                make("pre", { tabindex: "0", "aria-label": "output" }, this.output, this.error));
+                make("pre", { tabindex: "0", role: "group", "aria-label": "output, scrolls" }, this.output, this.error));
             this.more = make("p", { class: "more", hidden: true });
             const form = make("form", {}, this.asks,
                 make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} --`)),
                 make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
-            this.root = make("section", { class: "terminal", "aria-label": `Run ${stem} here` }, form, this.told, this.more);
+            this.root = make("div", { class: "terminal", role: "group", "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.more);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
             this.stop.addEventListener("click", () => this.machine.end());
             this.guess.addEventListener("input", () => this.label());
@@ -182,6 +182,7 @@
     for (const opener of document.querySelectorAll("button.run")) {
         if (!Live.has(opener.dataset.stem)) continue;
         opener.setAttribute("aria-expanded", "false");
+        const named = opener.getAttribute("aria-label");
         let terminal = null;
         opener.addEventListener("click", () => {
             if (terminal === null) {
@@ -193,6 +194,7 @@
             const open = !terminal.root.hidden;
             opener.setAttribute("aria-expanded", String(open));
             opener.textContent = open ? "Close" : "Run";
+            opener.setAttribute("aria-label", open ? named.replace("Run here", "Close") : named);
             if (!open) return;
             (terminal.asks.hidden ? terminal.line : terminal.guess).focus({ preventScroll: true });
             if (terminal.asks.hidden && !terminal.seen) terminal.submit();
