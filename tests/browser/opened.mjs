@@ -14,8 +14,9 @@ export const PHONE = 390;
 
 /** Runs in the page before its own scripts: sums what moves by itself. */
 const watch = (theme) => {
-    localStorage.setItem("mdbook-theme", theme);
     window.moved = 0;
+    if (location.protocol === "about:") return;
+    localStorage.setItem("mdbook-theme", theme);
     if (!PerformanceObserver.supportedEntryTypes.includes("layout-shift")) return;
     new PerformanceObserver((list) => {
         for (const shift of list.getEntries()) if (!shift.hadRecentInput) window.moved += shift.value;
@@ -49,7 +50,8 @@ export async function opened(browser, address, { width = DESK, theme = "light", 
         });
         await before(page);
         await page.goto(address, { waitUntil: "load" });
-        await page.evaluate(() => document.fonts.ready.then(() => new Promise((done) => setTimeout(done, 300))));
+        if (more.javaScriptEnabled === false) await page.waitForTimeout(500);
+        else await page.evaluate(() => document.fonts.ready.then(() => new Promise((done) => setTimeout(done, 300))));
         return await use(page, faults);
     } finally {
         await context.close();

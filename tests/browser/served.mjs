@@ -40,3 +40,15 @@ export async function served(root, change = (_, body) => body) {
     const origin = `http://127.0.0.1:${server.address().port}`;
     return { origin, close: () => { server.closeAllConnections(); server.close(); } };
 }
+
+// ---- Damages.
+/** What `damage` makes of the texts whose path matches. */
+export const changed = (pattern, damage) => (path, body) => pattern.test(path) ? damage(body.toString()) : body;
+/** In a file of the theme, such as `player.js`, `to` for `from`. */
+export const instead = (file, from, to) => {
+    const [name, extension] = file.split(".");
+    return changed(new RegExp(`/${name}-[0-9a-f]+\\.${extension}$`), (text) => {
+        if (!text.includes(from)) throw new Error(`${file} does not hold ${from}`);
+        return text.replaceAll(from, to);
+    });
+};

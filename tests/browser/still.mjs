@@ -6,10 +6,11 @@ import { opened } from "./opened.mjs";
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 /**
- * The sum of layout shifts; the bytes that came over the wire; and what must be done before the
- * page can be used, ms of processor time of its thread, so that a busy machine changes nothing.
+ * The sum of layout shifts; the bytes that came over the wire, and those of modules apart, which
+ * only a page that plays by itself brings; and what must be done before the page can be used, ms
+ * of processor time of its thread, so that a busy machine changes nothing.
  */
-export const BOUNDS = { shift: 0.05, weight: 350_000, work: 1000 };
+export const BOUNDS = { shift: 0.05, weight: 350_000, modules: 300_000, work: 1000 };
 
 /** What is at fault on a page, check by check, and what was measured. */
 export async function still(browser, address, how) {
@@ -23,9 +24,12 @@ export async function still(browser, address, how) {
         const measured = await page.evaluate(() => {
             const [load] = performance.getEntriesByType("navigation");
             const files = performance.getEntriesByType("resource");
+            const bytes = (wanted) => files.filter(({ name }) => wanted === /\/modules\//.test(name))
+                .reduce((sum, file) => sum + file.transferSize, 0);
             return {
                 shift: window.moved,
-                weight: files.reduce((sum, file) => sum + file.transferSize, load.transferSize),
+                weight: load.transferSize + bytes(false),
+                modules: bytes(true),
                 ready: load.domContentLoadedEventEnd,
             };
         });
@@ -49,7 +53,7 @@ export async function violations(page) {
 
 const before = (mark, added) => (html) => html.replace(mark, () => added + mark);
 /** For each check a damage to a page that it must see. */
-export const TWINS = {
+export const DAMAGES = {
     console: before("</body>", "<script>undefined.field</script>"),
     failed: before("</body>", '<img src="missing.png" alt="">'),
     away: before("</body>", '<img src="http://elsewhere.example/dot.png" alt="">'),
@@ -58,6 +62,7 @@ export const TWINS = {
         late.style.height = "40vh"; document.querySelector("main").prepend(late); }, 60))</script>`),
     weight: (html) => before("</body>", `<!-- ${Array.from({ length: 60_000 }, (_, n) =>
         Math.sin(n).toString(36).slice(4))} -->`)(html),
+    modules: before("</body>", "<script>for (let n = 0; n < 40; n++) fetch(`modules/run.js?${n}`)</script>"),
     work: before("</body>", "<script>{ let sum = 0; for (let n = 0; n < 2e8; n++) sum += Math.sin(n); }</script>"),
     axe: before("</main>", '<p style="color: #bbb; background: #fff">Hard to read.</p>'),
 };
