@@ -42,4 +42,6 @@ for (const [name, language] of Object.entries({
     ini: require("highlight.js/lib/languages/ini"),
 })) hljs.registerLanguage(name, language);
 
+hljs.highlightBlock = hljs.highlightElement; // mdBook calls it by its older name
+
 module.exports = hljs;

@@ -15,7 +15,7 @@ export const PHONE = 390;
 /** Runs in the page before its own scripts: sums what moves by itself. */
 const watch = (theme) => {
     window.moved = 0;
-    if (location.protocol === "about:") return;
+    if (!location.host) return; // an empty page before the first keeps nothing
     localStorage.setItem("mdbook-theme", theme);
     if (!PerformanceObserver.supportedEntryTypes.includes("layout-shift")) return;
     new PerformanceObserver((list) => {

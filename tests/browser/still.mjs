@@ -62,7 +62,7 @@ export const DAMAGES = {
         late.style.height = "40vh"; document.querySelector("main").prepend(late); }, 60))</script>`),
     weight: (html) => before("</body>", `<!-- ${Array.from({ length: 60_000 }, (_, n) =>
         Math.sin(n).toString(36).slice(4))} -->`)(html),
-    modules: before("</body>", "<script>for (let n = 0; n < 40; n++) fetch(`modules/run.js?${n}`)</script>"),
+    modules: before("</body>", "<script>for (let n = 0; n < 90; n++) fetch(`modules/run.js?${n}`)</script>"),
     work: before("</body>", "<script>{ let sum = 0; for (let n = 0; n < 2e8; n++) sum += Math.sin(n); }</script>"),
     axe: before("</main>", '<p style="color: #bbb; background: #fff">Hard to read.</p>'),
 };
