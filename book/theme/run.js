@@ -91,7 +91,7 @@
                 make("pre", { tabindex: "0", role: "group", "aria-label": "output, scrolls" }, this.output, this.error));
             this.more = make("p", { class: "more", hidden: true });
             const form = make("form", {}, this.asks,
-                make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} --`)),
+                make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} `, make("span", { class: "flag" }, "--"))),
                 make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
             this.root = make("div", { class: "terminal", role: "group", "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.more);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
