@@ -111,6 +111,7 @@ class Knobs {
     const SECONDS = [4, 15]; // a span plays in its own time, but within these
     const HOLD = 1; // s, at the end, before it begins anew
     const LARGEST = [1.9, 0.72]; // of the stills' size, and of the window's height
+    const BESIDE = 0.45; // of the window's height, while the controls below it are open
     const BLEED = 10; // px around the drawing: letters may be wider than those that were measured
     const quiet = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -122,7 +123,7 @@ class Knobs {
             this.still = this.panel.querySelector("svg");
             const part = (selector) => root.querySelector(selector);
             [this.play, this.time, this.now, this.speed] = [".play", ".time", ".now", ".speed select"].map(part);
-            this.refusal = part(".refusal");
+            [this.refusal, this.fold] = [part(".refusal"), part(".fold")];
             // With settings of its own it plays by itself, and is not the page's.
             this.own = root.dataset.plays !== undefined;
             this.fixed = (root.dataset.plays ?? "").split(" ").filter((line) => line !== "");
@@ -150,6 +151,10 @@ class Knobs {
                 this.t = this.picture?.span[0] ?? null;
                 this.changed();
             });
+            // While the controls are open the picture stays in view above them.
+            this.fold?.addEventListener("toggle", () => {
+                if (this.machine) this.inPlace(() => this.fit());
+            });
             // The arrow keys turn pages, but not from here.
             root.addEventListener("keydown", (event) => event.stopPropagation());
             new IntersectionObserver(([{ isIntersecting }]) => {
@@ -175,14 +180,21 @@ class Knobs {
             this.open();
         }
 
-        /** One picture that moves, or the strip as it is locked; what was touched stays where it is. */
+        /** One picture that moves, or the strip as it is locked. */
         show(moving) {
+            this.inPlace(() => {
+                this.figure.classList.toggle("moving", moving);
+                if (moving) {
+                    this.panel.append(this.canvas);
+                    this.fit();
+                } else this.canvas.remove();
+            });
+        }
+
+        /** What is touched stays where it is while `change` changes the picture's size. */
+        inPlace(change) {
             const before = this.root.getBoundingClientRect().top;
-            this.figure.classList.toggle("moving", moving);
-            if (moving) {
-                this.panel.append(this.canvas);
-                this.fit();
-            } else this.canvas.remove();
+            change();
             scrollBy({ top: this.root.getBoundingClientRect().top - before, behavior: "instant" });
         }
 
@@ -199,7 +211,9 @@ class Knobs {
             const [, , width, height] = this.still.getAttribute("viewBox").split(" ").map(Number);
             if (!this.own) {
                 const room = this.figure.clientWidth / width;
-                const large = Math.max(1, Math.min(LARGEST[0], LARGEST[1] * innerHeight / height));
+                const open = this.fold?.open === true;
+                const most = (open ? BESIDE : LARGEST[1]) * innerHeight / height;
+                const large = open ? most : Math.max(1, Math.min(LARGEST[0], most));
                 this.figure.style.setProperty("--width", `${(width * Math.min(room, large)).toFixed(1)}px`);
             }
             const { canvas } = this;

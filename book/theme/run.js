@@ -75,7 +75,7 @@
         constructor(opener) {
             panels += 1;
             const { stem, arguments: typed, predict } = opener.dataset;
-            [this.stem, this.opener] = [stem, opener];
+            this.stem = stem;
             const id = (name) => `run${panels}-${name}`;
             this.line = make("input", { id: id("line"), value: typed, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
             this.go = make("button", { type: "submit" }, "Run");
@@ -91,7 +91,7 @@
                 make("pre", { tabindex: "0", role: "group", "aria-label": "output, scrolls" }, this.output, this.error));
             this.more = make("p", { class: "more", hidden: true });
             const form = make("form", {}, this.asks,
-                make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} --`)),
+                make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} `, make("span", { class: "flag" }, "--"))),
                 make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
             this.root = make("div", { class: "terminal", role: "group", "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.more);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
@@ -103,6 +103,14 @@
 
         get machine() {
             return Live.machine(this.stem, "full");
+        }
+
+        /** Takes the page's parameters as arguments. */
+        adopt() {
+            const effects = document.querySelectorAll(`.player[data-stem="${this.stem}"] .knob.effect`);
+            const names = new Set([...effects].map((knob) => knob.dataset.name));
+            this.line.value = Live.commanded(Live.state, names).join(" ");
+            this.seen = false;
         }
 
         label() {
@@ -182,7 +190,7 @@
     for (const opener of document.querySelectorAll("button.run")) {
         if (!Live.has(opener.dataset.stem)) continue;
         opener.setAttribute("aria-expanded", "false");
-        const named = opener.getAttribute("aria-label");
+        const [named, words] = [opener.getAttribute("aria-label"), opener.textContent];
         let terminal = null;
         opener.addEventListener("click", () => {
             if (terminal === null) {
@@ -193,9 +201,10 @@
             } else terminal.root.hidden = !terminal.root.hidden;
             const open = !terminal.root.hidden;
             opener.setAttribute("aria-expanded", String(open));
-            opener.textContent = open ? "Close" : "Run";
-            opener.setAttribute("aria-label", open ? named.replace("Run here", "Close") : named);
+            opener.textContent = open ? "Close" : words;
+            opener.setAttribute("aria-label", open ? `Close: ${named}` : named);
             if (!open) return;
+            if (opener.dataset.state !== undefined) terminal.adopt();
             (terminal.asks.hidden ? terminal.line : terminal.guess).focus({ preventScroll: true });
             if (terminal.asks.hidden && !terminal.seen) terminal.submit();
         });
@@ -228,6 +237,11 @@
                 this.status.textContent = "";
                 opener.remove();
                 this.build(methods, span);
+                // An effect that is switched shows in error and cost.
+                Live.listen(() => {
+                    clearTimeout(this.later);
+                    this.later = setTimeout(() => this.run(), 600);
+                });
             } catch (error) {
                 this.status.textContent = `${error.message}.`;
                 opener.disabled = false;
@@ -277,7 +291,7 @@
             const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
             try {
                 const told = await this.machine.ask("lab", [...lines, ...asked].join("\n"));
-                if (told.method === undefined) throw new Error("With these parameters there is no exact motion to compare with");
+                if (told.method === undefined) throw new Error("With these parameters there is no exact motion to compare with; the effects that a run lists tell what has changed");
                 const raised = (digits) => [...digits].map((c) => c === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
                 const number = (x) => x === null ? "not finite" : x === 0 ? "0"
                     : x.toExponential(1).replace(/e\+?(-?\d+)/, (_, power) => `\u202f\u00d7\u202f10${raised(power)}`);

@@ -143,7 +143,9 @@ impl Modules {
             (_, false) => format!("<div class=\"knobs\">{knobs}</div>"),
             (_, true) => format!(
                 "<details class=\"fold\"><summary>Change it <span class=\"names\">{}</span></summary>\
-                 <div class=\"knobs\">{knobs}</div></details>",
+                 <div class=\"knobs\">{knobs}</div><p class=\"runs\"><button type=\"button\" class=\"run\" \
+                 data-stem=\"{stem}\" data-arguments=\"\" data-state aria-label=\"Run the example with these parameters\">\
+                 Run the example with these</button></p></details>",
                 names.join(" ")
             ),
         };
@@ -554,6 +556,7 @@ mod tests {
             "<div class=\"knob effect\" data-name=\"friction\" data-default=\"\"><label><input type=\"checkbox\"> ",
             "value=\"0.02\" aria-label=\"strength: angle θ, in rad/s^2\"",
             "<code>--with friction</code>",
+            "data-stem=\"rod\" data-arguments=\"\" data-state",
         ] {
             assert!(html.contains(part), "{part}\n{html}");
         }
