@@ -472,6 +472,102 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
     assert!(other.join("sample.rs").is_file());
 }
 
+/// With modules beside it the sample's figure plays, its command runs; without them nothing of
+/// this is there, and damage to them is named.
+#[test]
+fn what_moves_is_made_where_there_are_modules() {
+    let sample = Sample::new("moving");
+    let out = sample.root.join("out");
+    let build = || book(&sample.root, &["--out", &out.to_string_lossy()], "");
+    let write = |file: &str, text: &str| {
+        let path = sample.root.join(file);
+        fs::create_dir_all(path.parent().expect("a directory")).expect("it can be made");
+        fs::write(path, text).expect("the copy can be written");
+    };
+    let opening = "# Two\n\n{{moving sample:frame_1 length=1.5:1..2}}\n\n**It moves.**\n\n\
+        `cargo run --example sample -- --length 2`";
+    let two = read(&sample.root.join("book/src/two.md")).replacen("# Two", opening, 1);
+    write("book/src/two.md", &two);
+    let live = [
+        "class=\"player\"",
+        "class=\"run\"",
+        "id=\"live\"",
+        "data-plays=\"length=1.5\"",
+    ];
+    let built = build();
+    assert!(built.ok, "{}", built.stderr);
+    let html = read(&out.join("two.html"));
+    assert_eq!(live.map(|part| html.contains(part)), [false; 4], "{html}");
+    assert!(!out.join("modules").exists());
+
+    let flag = json!({"name": "length", "unit": "m", "meaning": "length of the rod", "kind": "number",
+        "default": "1.5", "usual": null, "allowed": null, "from": null, "to": null, "words": []});
+    let declared = json!({"moves": true, "flags": [flag]});
+    let page =
+        json!({"page": 0, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "declared": declared});
+    let index = json!({"pages": {"sample": page}, "palette": [{"name": "fig-ink"}]}).to_string();
+    write("book/modules/index.json", &index);
+    write("book/modules/a.gz", "abc");
+    write("book/modules/b.gz", "");
+    write("book/theme/module.js", "\"joins\"\n");
+    write("book/theme/run.js", "runs\n");
+    let built = build();
+    assert!(built.ok, "{}", built.stderr);
+    let html = read(&out.join("two.html"));
+    assert_eq!(live.map(|part| html.contains(part)), [true; 4], "{html}");
+    let paper = read(&out.join("print.html"));
+    assert_eq!(live.map(|part| paper.contains(part)), [false; 4]);
+    for (file, text) in [
+        ("a.gz", "abc"),
+        ("a.gz.js", "Live.packed(\"a.gz\",\"YWJj\")\n"),
+        (
+            "module.js",
+            "Live.packed(\"module\",\"\\\"joins\\\"\\n\")\n",
+        ),
+        ("run.js", "runs\n"),
+    ] {
+        assert_eq!(read(&out.join("modules").join(file)), text, "{file}");
+    }
+
+    // The damaged twins.
+    let damages = [
+        (
+            "book/modules/index.json",
+            index.replace("palette", "colours"),
+            "must hold \"pages\" and \"palette\"",
+        ),
+        (
+            "book/modules/index.json",
+            index.replace("b.gz", "c.gz"),
+            "cannot read book/modules/c.gz",
+        ),
+        (
+            "book/src/two.md",
+            two.replace("length=1.5", "width=1.5"),
+            "book/src/two.md:3: sample has no parameter 'width'; it has: length",
+        ),
+        (
+            "book/src/two.md",
+            two.replace("1..2", "2..1"),
+            "book/src/two.md:3: {{moving sample:frame_1 length=1.5:2..1}} must be written",
+        ),
+    ];
+    let mut found = 0;
+    for (file, damaged, message) in damages {
+        let sound = read(&sample.root.join(file));
+        write(file, &damaged);
+        let built = build();
+        write(file, &sound);
+        assert!(
+            !built.ok && built.stderr.contains(message),
+            "{message}\n{}",
+            built.stderr
+        );
+        found += 1;
+    }
+    assert_eq!(found, 4);
+}
+
 #[test]
 fn numbers_ticks_stills_and_the_answer_box_are_made() {
     let sample = Sample::new("parts");

@@ -73,7 +73,7 @@ pub extern "C" fn output() -> *const u8 {
 }
 
 /// Prepares the moving picture of a page for the settings that were written, lines of
-/// `NAME=VALUE`. Leaves `{"span", "stills", "size", "turns"}` or `{"error"}`.
+/// `NAME=VALUE`. Leaves `{"span", "time", "stills", "size", "turns"}` or `{"error"}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn open(n: usize) -> usize {
     let settings = taken();

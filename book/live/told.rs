@@ -23,9 +23,10 @@ pub fn opened(picture: &MovingPicture) -> Result<String> {
     let (width, height) = first.display.size;
     let stills = list(picture.still_times().iter().map(|t| format!("{t:?}")));
     Ok(format!(
-        "{{\"span\": [{:?}, {:?}], \"stills\": {stills}, \"size\": [{width}, {height}], \"turns\": {turns}}}",
+        "{{\"span\": [{:?}, {:?}], \"time\": {}, \"stills\": {stills}, \"size\": [{width}, {height}], \"turns\": {turns}}}",
         span.start(),
         span.end(),
+        quoted(&picture.time()),
     ))
 }
 

@@ -234,11 +234,11 @@ const Answer = (() => {
     const DECIMAL = /^-?(\d+\.?\d*|\.\d+)(e-?\d+)?$/;
 
     /**
-     * What the query of an address asks the box to judge for: null if it asks for nothing,
-     * `{ error }`, or `{ values, checks }`, the parameters that it sets and the checks for them.
-     * `own` holds the names and values of the page's parameters, `checks` the page's own checks.
+     * What the query of an address says: `{ error }`, or `{ given, t, sheet }`. `given` are the
+     * parameters that it sets, by the names of their flags, as typed (an effect without a value is
+     * left out); `t` is the time of the moving picture, `sheet` what a problem sheet brings.
      */
-    function addressed(query, stem, own, checks) {
+    function parts(query) {
         const given = new Map();
         for (const part of query.replace(/^\?/, "").split("&")) {
             const at = part.indexOf("=");
@@ -246,19 +246,39 @@ const Answer = (() => {
             // The search marks its words so.
             if (name === "" || name === "highlight" || name === "search") continue;
             if (given.has(name)) return { error: `${name} stands twice in this address` };
-            given.set(name, at < 0 ? "" : part.slice(at + 1));
-        }
-        if (given.size === 0) return null;
-        const sheet = given.get("sheet");
-        given.delete("sheet");
-        for (const [name, value] of given) {
-            if (!own.some(([known]) => known === name)) {
-                return { error: `This page has no parameter ${name}; it has ${own.map(([known]) => known).join(", ")}` };
+            try {
+                given.set(name, at < 0 ? "" : decodeURIComponent(part.slice(at + 1)));
+            } catch {
+                return { error: DAMAGED };
             }
-            if (!DECIMAL.test(value)) return { error: `The ${name} in this address is not a number` };
+        }
+        const [t, sheet] = ["t", "sheet"].map((name) => given.get(name));
+        given.delete("t");
+        given.delete("sheet");
+        if (t !== undefined && !DECIMAL.test(t)) return { error: "The time in this address is not a number" };
+        return { given, t, sheet };
+    }
+
+    /**
+     * What the query of an address asks the box to judge for: null if it asks for nothing,
+     * `{ error }`, or `{ values, checks }`, the parameters that it sets and the checks for them.
+     * Parameters without a sheet bring no checks: `{ values, error }`.
+     * `own` holds the names and values of the page's parameters, `checks` the page's own checks,
+     * `unset` the names of parameters that are not set unless they are given.
+     */
+    function addressed(query, stem, own, checks, unset = []) {
+        const { error, given, sheet } = parts(query);
+        if (error !== undefined) return { error };
+        if (given.size === 0 && sheet === undefined) return null;
+        const known = [...own.map(([name]) => name), ...unset];
+        for (const [name, value] of given) {
+            if (!known.includes(name)) {
+                return { error: `This page has no parameter ${name}; it has ${known.join(", ")}` };
+            }
+            if (sheet !== undefined && !DECIMAL.test(value)) return { error: `The ${name} in this address is not a number` };
         }
         if (sheet === undefined) {
-            return { error: "This address sets parameters, but this box cannot compute: only the address " +
+            return { values: given, error: "This address sets parameters, but this box cannot compute: only the address " +
                 "of a problem sheet, as it was made, brings what answers are judged by" };
         }
         const [code, told, ...more] = sheet.split(".");
@@ -286,7 +306,7 @@ const Answer = (() => {
         };
     }
 
-    return { read, judge, addressed };
+    return { read, judge, parts, addressed };
 })();
 
 if (typeof module !== "undefined") module.exports = Answer;

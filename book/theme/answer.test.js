@@ -39,6 +39,8 @@ for (const [key, text, said] of sheet.judged) {
 for (const plain of ["", "?", "?highlight=ladder", "?search=wall&highlight=a"]) {
     expect(`'${plain}' asks for nothing`, ask(plain), null);
 }
+expect("a time", ask(`${query}&t=1.5`).error, undefined);
+expect("a time alone", ask("?t=1.5"), null);
 expect("a marked word", ask(`${query}&highlight=wall`).error, undefined);
 const [first, ...others] = query.slice(1).split("&");
 expect("another order", ask(`?${[...others, first].join("&")}`).error, undefined);
@@ -64,6 +66,15 @@ refused("a parameter left out", query.replace(`${name}=${value}&`, ""), "does no
 refused("a parameter twice", `${query}&${name}=${value}`, "stands twice");
 refused("an unknown parameter", `${query}&colour=3`, "no parameter colour; it has");
 refused("parameters alone", `?${name}=${value}`, "cannot compute");
+refused("a time in words", `${query}&t=noon`, "is not a number");
+refused("a damaged sign", `${query}&t=%E0`, "does not hold together");
+// What a page that computes makes of parameters alone, and of those that are not set without it.
+const alone = ask(`?${name}=1e-3`);
+expect("parameters alone are told", JSON.stringify([...alone.values]), JSON.stringify([[name, "1e-3"]]));
+refused("an effect", "?friction=0.1", "no parameter friction");
+const { stem, own, checks } = sheet;
+const withEffect = Answer.addressed("?friction=", stem, own, checks, ["friction"]);
+expect("an effect left out", JSON.stringify([...withEffect.values]), JSON.stringify([["friction", ""]]));
 refused("another page", query, "does not hold together", { ...sheet, stem: "another" });
 const moved = sheet.own.map(([known, value]) => [known, sheet.values.some(([own]) => own === known) ? value : "1.62"]);
 refused("other defaults", query, "does not hold together", { ...sheet, own: moved });

@@ -13,29 +13,62 @@
         line.append(...words);
         form.querySelector(".head").after(line);
     };
+    /** Shows in the box what it assumes: the page's numbers, but for `values`. */
+    const show = (form, values) => {
+        for (const item of form.querySelectorAll(".assumed [data-name]")) {
+            const value = values.get(item.dataset.name);
+            const span = item.querySelector("span");
+            item.dataset.shown ??= span.innerHTML;
+            if (value === undefined) span.innerHTML = item.dataset.shown;
+            else span.textContent = value === "" ? "left out" : value.replace("-", "\u2212");
+            item.classList.toggle("given", value !== undefined);
+        }
+        const own = [...form.querySelectorAll(".assumed [data-name]")].map((item) => item.dataset.name);
+        const more = [...values].filter(([name]) => !own.includes(name));
+        form.querySelector(".assumed .more")?.remove();
+        if (more.length === 0) return;
+        const item = document.createElement("li");
+        item.className = "more given";
+        item.textContent = more.map(([name, value]) => `${name}: ${value}`).join(", ");
+        form.querySelector(".assumed ul").append(item);
+    };
+    /** A way back to the numbers of the page. */
+    const plain = () => {
+        const link = document.createElement("a");
+        link.href = location.pathname + "#check-your-answer";
+        link.textContent = "Judge for the numbers of the page";
+        return link;
+    };
     /** The checks for what the address asks for, or the page's; null if it makes no sense. */
     const forSheet = (form, ours) => {
         const shown = [...form.querySelectorAll(".assumed [data-name]")];
         const own = shown.map((item) => [item.dataset.name, item.dataset.value]);
-        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours);
+        const unset = (form.dataset.unset ?? "").split(" ").filter((name) => name !== "");
+        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours, unset);
         if (asked === null) return ours;
-        const plain = document.createElement("a");
-        plain.href = location.pathname + "#check-your-answer";
-        plain.textContent = "Judge for the numbers of the page";
+        if (asked.error && asked.values && Live.has(form.dataset.stem)) {
+            Live.change(asked.values, null);
+            return ours;
+        }
         if (asked.error) {
             for (const control of form.elements) control.disabled = true;
-            tell(form, "refused", `${asked.error}. Nothing is judged here. `, plain, ".");
+            tell(form, "refused", `${asked.error}. Nothing is judged here. `, plain(), ".");
             return null;
         }
-        for (const item of shown) {
-            const value = asked.values.get(item.dataset.name);
-            if (value !== undefined) item.querySelector("span").textContent = value.replace("-", "\u2212");
-            item.classList.toggle("given", value !== undefined);
-        }
+        show(form, asked.values);
         form.querySelector(".assumed").open = true;
         tell(form, "sheet", "This box judges for the numbers of your sheet, listed below. What the page " +
-            "around it computes is for its own numbers. ", plain, ".");
+            "around it computes is for its own numbers. ", plain(), ".");
+        form.dataset.sheet = "";
         return asked.checks;
+    };
+    /** The verdict on an answer for other parameters than the page's: that of the program itself. */
+    const computed = async (form, key, answer) => {
+        const effects = new Set((form.dataset.effects ?? "").split(" "));
+        const words = [...Live.commanded(Live.state, effects), "--check", `${key}=${answer}`];
+        const { stdout, stderr, code } = await Live.machine(form.dataset.stem, "full").ask("run", words.join("\0"));
+        const kind = code === 0 ? "right" : stdout.startsWith("nearly") ? "nearly" : "wrong";
+        return [kind, sentence((stdout || stderr.replace(/^error: /, "")).trim())];
     };
     for (const form of document.querySelectorAll("form.answer")) {
         const { checks: ours, rules } = JSON.parse(form.querySelector("script").textContent);
@@ -45,23 +78,40 @@
         const output = form.querySelector("output");
         const asked = form.querySelector(".asked");
         const check = () => checks.find((c) => c.key === key.value);
-        form.addEventListener("submit", (event) => {
+        const say = (kind, words) => {
+            output.className = kind;
+            output.textContent = words;
+        };
+        const follows = Live.has(form.dataset.stem) && form.dataset.sheet === undefined;
+        if (follows) {
+            Live.listen((state) => { show(form, state); told(); });
+            show(form, Live.state);
+        }
+        form.addEventListener("submit", async (event) => {
             event.preventDefault();
             const answer = Answer.read(value.value);
-            const [kind, words] = answer.error
-                ? ["wrong", answer.error]
-                : Answer.judge(answer, check(), rules);
-            output.className = kind === "right" || kind === "nearly" ? kind : "wrong";
-            output.textContent =
+            if (answer.error) return say("wrong", sentence(answer.error));
+            if (follows && Live.state.size > 0) {
+                say("", "Computing for these parameters …");
+                try {
+                    say(...await computed(form, key.value, value.value));
+                } catch (error) {
+                    say("wrong", sentence(error.message));
+                }
+                return;
+            }
+            const [kind, words] = Answer.judge(answer, check(), rules);
+            say(kind === "right" || kind === "nearly" ? kind : "wrong",
                 kind === "slip" ? `Not yet: ${words}.`
-                : kind === "wrong" && !answer.error ? "Not this. Check the units and the starting values."
-                : sentence(words);
+                : kind === "wrong" ? "Not this. Check the units and the starting values."
+                : sentence(words));
         });
         // The arrow keys turn pages, but not while one types.
         form.addEventListener("keydown", (event) => event.stopPropagation());
         const told = () => {
             output.textContent = "";
-            asked.textContent = `Give ${check().digits} digits.`;
+            const others = follows ? [...Live.state].map(([name, value]) => value === "" ? `no ${name}` : `${name} = ${value}`) : [];
+            asked.textContent = `Give ${check().digits} digits${others.length > 0 ? ` for ${others.join(", ")}` : ""}.`;
         };
         key.addEventListener("change", told);
         told();

@@ -181,4 +181,5 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         Stack::frame(&alt, scene("scene", &alt, angles, names), &graph, t)
     })
+    .map(|picture| picture.timed("turns made"))
 }

@@ -326,4 +326,5 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .dot(centre, Ink::Ink, "", Side::Below);
         Stack::frame(&alt, scene, &graph, t)
     })
+    .map(|picture| picture.timed("$t$ / d"))
 }

@@ -405,4 +405,5 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
         );
         Stack::frame(&alt, two_plates(angle), &graph, angle)
     })
+    .map(|picture| picture.timed("angle of the axis / rad"))
 }

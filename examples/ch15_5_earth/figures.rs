@@ -234,4 +234,5 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .dot(at, Ink::Velocity, r"$\Omega$", Side::AboveRight);
         Stack::frame(&alt, ground, &graph, t)
     })
+    .map(|picture| picture.timed("$t$ / d"))
 }

@@ -164,4 +164,5 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .fold(view, |view, other| ghost(view, &(up * other.attitude)));
         Stack::frame(&alt, view, &graph, day)
     })
+    .map(|picture| picture.timed("day of December 1992"))
 }

@@ -86,6 +86,7 @@ pub use parameters::{Flag, Grid, ParameterSet, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};
 pub use sections::{Limit, Price, Report, for_reading};
+pub use strip::STEPPING;
 pub use table::{Parsed, Table, parse};
 pub use trajectory::Trajectory;
 

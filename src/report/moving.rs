@@ -1,7 +1,7 @@
 //! A drawing that moves.
 
 use super::Figure;
-use super::draw::{Panel, Scene, Stack, Turn, turned};
+use super::draw::{Panel, Scene, Stack, Turn, plain, turned};
 use crate::error::{Error, Result, finite};
 use core::ops::RangeInclusive;
 
@@ -28,6 +28,7 @@ use core::ops::RangeInclusive;
 pub struct MovingPicture {
     span: RangeInclusive<f64>,
     stills: Vec<f64>,
+    time: String,
     draw: Box<dyn Fn(f64) -> Result<Figure> + Send + Sync>,
 }
 
@@ -47,6 +48,7 @@ impl MovingPicture {
         let picture = Self {
             span,
             stills: stills.into(),
+            time: "$t$ / s".into(),
             draw: Box::new(draw),
         };
         for &t in &picture.stills {
@@ -80,10 +82,34 @@ impl MovingPicture {
         stills: impl Into<Vec<f64>>,
         scene: impl Fn(f64) -> Result<(String, S)> + Send + Sync + 'static,
     ) -> Result<Self> {
-        Self::new(span, stills, move |t| {
+        let time = graph.horizontal().to_owned();
+        let picture = Self::new(span, stills, move |t| {
             let (alt, scene) = scene(t)?;
             Stack::frame(&alt, scene, &graph, t)
-        })
+        })?;
+        Ok(picture.timed(&time))
+    }
+
+    /// Names what runs from frame to frame, as on an axis, `"days of the year"`. Unless it is
+    /// named it is the horizontal axis of the graph below, else `"$t$ / s"`.
+    #[must_use]
+    pub fn timed(mut self, label: &str) -> Self {
+        self.time = label.into();
+        self
+    }
+
+    /// What runs from frame to frame, in plain letters, `"t / s"`.
+    ///
+    /// ```
+    /// use rotation_dynamics::report::MovingPicture;
+    /// use rotation_dynamics::report::draw::Sketch;
+    /// let picture = MovingPicture::new(0.0..=1.0, [0.0], |_| Sketch::new("rest", "rest").figure())?;
+    /// assert_eq!(picture.time(), "t / s");
+    /// assert_eq!(picture.timed(r"$\theta_{0}$ / rad").time(), "θ0 / rad");
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    pub fn time(&self) -> String {
+        plain(&self.time)
     }
 
     fn check(&self, t: f64) -> Result<()> {

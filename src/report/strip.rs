@@ -21,6 +21,9 @@ const SHOWN: [Method; 6] = [
 /// The label of the dial where it takes the closed form.
 const CLOSED_FORM: &str = "dial";
 
+/// The label of the dial where it steps: the report then has a [`Lab`], too.
+pub const STEPPING: &str = "dial, stepping";
+
 type Solve<E> = fn(&Problem<E>, f64) -> Result<Solved>;
 
 impl Report {
@@ -52,7 +55,7 @@ impl Report {
             if tolerance == own && problem.closed_form().is_some() {
                 self.add_dial(problem, CLOSED_FORM, tolerance, solve)?;
             }
-            self.add_dial(problem, "dial, stepping", tolerance, step)?;
+            self.add_dial(problem, STEPPING, tolerance, step)?;
             if tolerance == own {
                 for method in SHOWN.into_iter().filter(|method| applies::<E>(*method)) {
                     self.add_least(problem, method, tolerance)?;

@@ -8,7 +8,8 @@
 //! | `{{param STEM:NAME}}`, `{{param STEM:NAME@3 unit}}` | the value of a parameter (its flag is `--NAME`), written as `num` is |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
-//! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip; a caption as for `figure` |
+//! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip that moves when it is touched; a caption as for `figure` |
+//! | `{{moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …}}` | one of these frames, which moves as soon as the page is loaded, with these values, and sliders for those that have a range |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs`; `STEM/FILE:ANCHOR` in `examples/STEM/FILE.rs` |
 //! | `{{output STEM}}` | the locked output with its command, folded |
@@ -24,6 +25,7 @@ use crate::check;
 use crate::exercises::{self, Exercise};
 use crate::expand::Page;
 use crate::figure;
+use crate::live::{self, Setting};
 use crate::measured;
 use crate::notation;
 use crate::project::{Claim, Project};
@@ -56,6 +58,12 @@ pub enum Directive {
     Figure(Vec<(String, String)>),
     /// The frames of a moving figure.
     Stills { stem: String },
+    /// One frame of a figure that moves by itself, the values it is moved with, the sliders.
+    Moving {
+        stem: String,
+        still: String,
+        settings: Vec<Setting>,
+    },
     /// Lines of an example: in its file, or in one of its directory (`STEM/FILE`).
     Listing { file: String, anchor: String },
     /// The locked output, or one section of it.
@@ -134,6 +142,19 @@ impl Directive {
                 stem: (*stem).to_owned(),
             }),
             ("stills", _) => Err(wrong("stills STEM")),
+            ("moving", [word, settings @ ..]) => {
+                let form = "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …";
+                let (stem, still) = pair(word).ok_or_else(|| wrong(form))?;
+                let settings: Option<Vec<Setting>> =
+                    settings.iter().map(|word| Setting::read(word)).collect();
+                let settings = settings.ok_or_else(|| wrong(form))?;
+                Ok(Self::Moving {
+                    stem,
+                    still,
+                    settings,
+                })
+            }
+            ("moving", _) => Err(wrong("moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …")),
             ("given", [number]) if number_html(number).is_some() => {
                 Ok(Self::Given((*number).to_owned()))
             }
@@ -212,7 +233,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
-                 listing, output, table, measured, check, exercise, exercises, test"
+                 moving, listing, output, table, measured, check, exercise, exercises, test"
             )),
         }
     }
@@ -227,7 +248,10 @@ impl Directive {
 
     /// Whether the next paragraph is its caption.
     pub fn has_caption(&self) -> bool {
-        matches!(self, Self::Figure(_) | Self::Stills { .. })
+        matches!(
+            self,
+            Self::Figure(_) | Self::Stills { .. } | Self::Moving { .. }
+        )
     }
 }
 
@@ -387,7 +411,7 @@ pub fn block(
         Directive::Figure(figures) => {
             let id = format!("fig-{}", figures[0].1);
             let marks = panels(page, figures)?;
-            Ok(page.row(&marks, caption, indent, &id, None))
+            Ok(page.row(&marks, None, caption, indent, &id))
         }
         Directive::Stills { stem } => {
             let prefix = format!("{stem}__frame_");
@@ -403,7 +427,36 @@ pub fn block(
                 ));
             }
             let marks = panels(page, &frames)?;
-            Ok(page.row(&marks, caption, indent, "fig-frames", Some(stem)))
+            let player = Splice::Player {
+                stem: stem.clone(),
+                settings: Vec::new(),
+            };
+            Ok(page.row(
+                &marks,
+                Some((stem, &player.mark(""))),
+                caption,
+                indent,
+                "fig-frames",
+            ))
+        }
+        Directive::Moving {
+            stem,
+            still,
+            settings,
+        } => {
+            let marks = panels(page, &[(stem.clone(), still.clone())])?;
+            live::known(project, stem, settings)?;
+            let player = Splice::Player {
+                stem: stem.clone(),
+                settings: settings.clone(),
+            };
+            Ok(page.row(
+                &marks,
+                Some((stem, &player.mark(""))),
+                caption,
+                indent,
+                "fig-moving",
+            ))
         }
         Directive::Listing { file, anchor } => {
             let stem = file.split_once('/').map_or(file.as_str(), |(stem, _)| stem);
@@ -480,8 +533,8 @@ pub fn block(
     }
 }
 
-/// The marks of some figures.
-fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<String>, String> {
+/// The names of some figures and their marks.
+fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<(String, String)>, String> {
     let mut marks = Vec::new();
     for (stem, name) in figures {
         page.stems.push(stem.clone());
@@ -492,7 +545,8 @@ fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<String>, 
             stem: stem.clone(),
             name: name.clone(),
         };
-        marks.push(splice.mark(&crate::text::unescape(alt)));
+        let mark = splice.mark(&crate::text::unescape(alt));
+        marks.push((format!("{stem}:{name}"), mark));
     }
     Ok(marks)
 }
@@ -548,6 +602,25 @@ mod tests {
             ]))
         );
         assert_eq!(
+            Directive::read("moving a:frame_1 b=0.6 spin-rate=-2:-3..1e2"),
+            Ok(Directive::Moving {
+                stem: "a".into(),
+                still: "frame_1".into(),
+                settings: vec![
+                    Setting {
+                        name: "b".into(),
+                        value: "0.6".into(),
+                        range: None
+                    },
+                    Setting {
+                        name: "spin-rate".into(),
+                        value: "-2".into(),
+                        range: Some([-3.0, 100.0])
+                    }
+                ]
+            })
+        );
+        assert_eq!(
             Directive::read("measured peers:ratios"),
             Ok(Directive::Measured {
                 record: "peers".into(),
@@ -584,6 +657,34 @@ mod tests {
             ("param", "param STEM:NAME}} or {{param STEM:NAME unit"),
             ("stills", "stills STEM"),
             ("stills a:b", "stills STEM"),
+            (
+                "moving",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c=",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c=1:2",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b c=1:3..2",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
+            (
+                "moving a:b =1",
+                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
+            ),
             ("given", "given NUMBER"),
             ("given pi", "given NUMBER"),
             ("given 1 2", "given NUMBER"),

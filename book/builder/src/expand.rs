@@ -5,7 +5,7 @@
 //! comments, `$…$`, `$$…$$`, `\eqref{…}` and `{{…}}`. Everything else is copied.
 
 use crate::directive::{self, Directive};
-use crate::figure;
+use crate::figure::{self, Row};
 use crate::lint;
 use crate::maths::{self, Refused};
 use crate::problem::Problem;
@@ -97,17 +97,25 @@ impl<'a> Page<'a> {
         .mark(&text)
     }
 
-    /// The next figure of the page.
+    /// The next figure of the page; `player`: whose moving figure it is, the mark of
+    /// what plays it.
     pub fn row(
         &mut self,
-        marks: &[String],
+        panels: &[(String, String)],
+        player: Option<(&str, &str)>,
         caption: &str,
         indent: &str,
         id: &str,
-        frame: Option<&str>,
     ) -> String {
         self.figures += 1;
-        figure::row(self.figures, marks, caption, indent, id, frame)
+        figure::row(&Row {
+            number: self.figures,
+            panels,
+            player,
+            caption,
+            indent,
+            id,
+        })
     }
 
     /// The Markdown for mdBook; `first` is the number of its first line.

@@ -15,6 +15,7 @@ mod exercises;
 mod expand;
 mod frame;
 mod lint;
+mod live;
 mod measured;
 mod modules;
 mod pages;

@@ -6,6 +6,7 @@ use crate::exercises;
 use crate::figure;
 use crate::fonts;
 use crate::frame;
+use crate::live::Modules;
 use crate::maths;
 use crate::measured;
 use crate::pages;
@@ -98,6 +99,8 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             *number += 1;
             figure::inline(&project.figure(stem, name)?, &format!("f{number}-"))
         }
+        // Moves in a page only.
+        Splice::Player { .. } => Ok(String::new()),
         Splice::Table { stem, section } => {
             let table = project.table(stem, section)?;
             match section == times::SECTION {
@@ -157,11 +160,12 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
 
     let mut written = BTreeMap::new();
     let fonts = first_fonts(fresh)?;
+    let modules = Modules::of(project).map_err(Error::msg)?;
     for path in files(fresh)? {
         if path.extension().is_some_and(|e| e == "html") {
             let address = address(fresh, &path);
             let html = fs::read_to_string(&path)?;
-            let html = finish(project, &html, &address, &fonts)
+            let html = finish(project, modules.as_ref(), &html, &address, &fonts)
                 .map_err(|e| Error::msg(format!("{address}: {e}")))?;
             fs::write(&path, &html)?;
             written.insert(address, html);
@@ -174,6 +178,14 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
         }
         fs::write(&path, &html)?;
         written.insert(address, html);
+    }
+    for (address, bytes) in modules
+        .map_or(Ok(Vec::new()), |m| m.files(project))
+        .map_err(Error::msg)?
+    {
+        let path = fresh.join(&address);
+        fs::create_dir_all(path.parent().unwrap_or(fresh))?;
+        fs::write(&path, bytes)?;
     }
     let all: Vec<String> = files(fresh)?.iter().map(|p| address(fresh, p)).collect();
     let source = |address: &str| {
@@ -196,16 +208,44 @@ fn first_fonts(fresh: &Path) -> Result<Vec<String>> {
     Ok(fonts::FIRST.iter().filter_map(font).cloned().collect())
 }
 
+/// The text keeps its place but is not shown before its letters are there, so that nothing moves
+/// when they come; it waits for them no longer than a second.
+const SETTING: &str = "<style>.setting :is(main,#mdbook-sidebar){visibility:hidden}</style><script>(root=>{\
+    const show=()=>root.classList.remove('setting');root.classList.add('setting');setTimeout(show,1000);\
+    addEventListener('DOMContentLoaded',()=>document.fonts.ready.then(show))})(document.documentElement)</script>";
+
 /// A page with its marks filled and the theme's colours in place.
 fn finish(
     project: &Project,
+    modules: Option<&Modules>,
     html: &str,
     address: &str,
     fonts: &[String],
 ) -> Result<String, String> {
     let mut number = 0;
-    let html = frame::page(html, address)?;
-    let html = splice::fill(&html, |splice| html_of(project, splice, &mut number))?;
+    // Everything on one page is for paper.
+    let modules = modules.filter(|_| address != "print.html");
+    let html = modules.map_or(html.to_owned(), |modules| modules.runs(html));
+    let html = frame::page(&html, address)?;
+    let html = splice::fill(&html, |splice| {
+        let plain = html_of(project, splice, &mut number)?;
+        Ok(match (modules, splice) {
+            (Some(modules), Splice::Player { stem, settings }) => {
+                modules.player(stem, settings, &format!("p{number}-"))
+            }
+            (Some(modules), Splice::Table { stem, section }) if section == times::SECTION => {
+                plain + &modules.bench(stem, &project.table(stem, section)?)
+            }
+            (Some(modules), Splice::Check { stem }) => {
+                let form = "<form class=\"answer\"";
+                plain.replacen(form, &format!("{form}{}", modules.answered(stem)), 1)
+            }
+            _ => plain,
+        })
+    })?;
+    let live = modules
+        .and_then(|modules| modules.head(&html))
+        .unwrap_or_default();
     let up = "../".repeat(address.matches('/').count());
     let preload: String = fonts
         .iter()
@@ -216,7 +256,7 @@ fn finish(
         })
         .collect();
     let colours = format!(
-        "{preload}<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
+        "{preload}{SETTING}{live}<style>:root{{{light}}}.coal{{{dark}}}@media print{{:root,.coal{{{light}}}}}</style></head>",
         light = css_variables(false).replace('\n', ""),
         dark = css_variables(true).replace('\n', ""),
     );

@@ -5,6 +5,7 @@
 //! renderer fills it. The mark carries everything, so that the two may run in
 //! different processes, as the stock `mdbook` does it.
 
+use crate::live::Setting;
 use std::fmt::Write;
 
 /// What belongs at a mark.
@@ -28,6 +29,11 @@ pub enum Splice {
     },
     /// A locked figure.
     Figure { stem: String, name: String },
+    /// What plays a moving figure; if there are settings, by itself and with these.
+    Player {
+        stem: String,
+        settings: Vec<Setting>,
+    },
     /// A section of the locked output.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -72,6 +78,10 @@ impl Splice {
                 proof.clone(),
             ],
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
+            Self::Player { stem, settings } => {
+                let words: Vec<String> = settings.iter().map(Setting::to_string).collect();
+                vec!["player".into(), stem.clone(), words.join(" ")]
+            }
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
             Self::Measured { record, table } => {
                 vec!["measured".into(), record.clone(), table.clone()]
@@ -101,6 +111,13 @@ impl Splice {
             ["figure", stem, name] => Self::Figure {
                 stem: stem.into(),
                 name: name.into(),
+            },
+            ["player", stem, settings] => Self::Player {
+                stem: stem.into(),
+                settings: settings
+                    .split_whitespace()
+                    .map(Setting::read)
+                    .collect::<Option<_>>()?,
             },
             ["table", stem, section] => Self::Table {
                 stem: stem.into(),
@@ -202,6 +219,13 @@ mod tests {
                 stem: "a".into(),
                 name: "b".into(),
             },
+            Splice::Player {
+                stem: "a".into(),
+                settings: ["b=0.6", "c-d=1:-0.5..2"]
+                    .into_iter()
+                    .filter_map(Setting::read)
+                    .collect(),
+            },
             Splice::Table {
                 stem: "a".into(),
                 section: "limits".into(),
@@ -228,7 +252,7 @@ mod tests {
             seen.push(splice.clone());
             Ok("!".into())
         });
-        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!"));
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!!"));
         assert_eq!(seen, splices);
         // The damaged twin: a broken mark is an error, not text.
         assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());

@@ -47,27 +47,42 @@ pub fn inline(svg: &str, prefix: &str) -> Result<String, String> {
     Ok(svg)
 }
 
-/// The figure with this number on its page: a row of panels with their caption below, as
-/// Markdown that holds HTML. The stills of a moving figure say whose they are (`frame`).
-pub fn row(
-    number: usize,
-    marks: &[String],
-    caption: &str,
-    indent: &str,
-    id: &str,
-    frame: Option<&str>,
-) -> String {
-    let panels: Vec<String> = marks
-        .iter()
-        .map(|mark| format!("<div class=\"panel\">{mark}</div>"))
-        .collect();
-    let (class, frame) = match frame {
-        Some(stem) => ("panels stills", format!(" data-frame=\"{stem}\"")),
-        None => ("panels", String::new()),
+/// A figure of a page: a row of panels with their caption below.
+pub struct Row<'a> {
+    /// Its number on the page.
+    pub number: usize,
+    /// The panels: the name of each (`STEM:NAME`) and the mark that holds its place.
+    pub panels: &'a [(String, String)],
+    /// Of a moving figure: whose it is, and the mark of what plays it.
+    pub player: Option<(&'a str, &'a str)>,
+    /// What the reader is told.
+    pub caption: &'a str,
+    /// What stands before each line: within a list or a quotation.
+    pub indent: &'a str,
+    /// Its identifier.
+    pub id: &'a str,
+}
+
+/// The figure as Markdown that holds HTML.
+pub fn row(row: &Row) -> String {
+    let panel = |(name, mark): &(String, String)| {
+        format!("<div class=\"panel\" data-figure=\"{name}\">{mark}</div>")
     };
+    let panels: String = row.panels.iter().map(panel).collect();
+    let (class, frame, player) = match row.player {
+        Some((stem, mark)) => ("panels stills", format!(" data-frame=\"{stem}\""), mark),
+        None => ("panels", String::new(), ""),
+    };
+    let Row {
+        number,
+        caption,
+        indent,
+        id,
+        ..
+    } = row;
     let lines = [
         &format!("<figure id=\"{id}\"{frame}>"),
-        &format!("<div class=\"{class}\">{}</div>", panels.concat()),
+        &format!("<div class=\"{class}\">{panels}</div>{player}"),
         "<figcaption>",
         "",
         &format!("<span class=\"number\">Figure {number}.</span> {caption}"),

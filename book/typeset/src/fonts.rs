@@ -22,8 +22,8 @@ static FILES: [(&str, &[u8]); 6] = shipped!(
     "mono"
 );
 
-/// The fonts that the first screen needs, so that nothing moves when they arrive.
-pub const FIRST: [&str; 2] = ["serif", "maths"];
+/// The fonts that every page needs: they are asked for with the page.
+pub const FIRST: [&str; 4] = ["serif", "serif-italic", "serif-semibold", "maths"];
 
 /// What the style sheet sets in a font of the book.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -245,6 +245,13 @@ impl Label {
     }
 }
 
+/// The letters of a label, one after the other.
+pub(in crate::report) fn plain(text: &str) -> String {
+    let label = Label::new(text);
+    let spans = label.spans.iter().map(|span| &*span.text);
+    spans.collect::<String>().replace('\u{2009}', " ")
+}
+
 fn glyph_width(c: char) -> f64 {
     match c {
         '\u{300}'..='\u{36f}' => 0.0,

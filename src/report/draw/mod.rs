@@ -54,6 +54,7 @@ pub use curve::Curve;
 pub use display::{Anchor, Dash, Display, Place, Run, Shape, Stroke, Text};
 pub use drawing::Drawing;
 pub use ink::{Colour, Ink, PALETTE, css_variables};
+pub(in crate::report) use label::plain;
 pub use method::{Marker, Method};
 pub use panel::Panel;
 pub use sketch::Sketch;

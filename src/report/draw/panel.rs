@@ -79,6 +79,11 @@ impl Panel {
         Self::new("", "").x(x.into()).y(y.into())
     }
 
+    /// The label of its horizontal axis.
+    pub(in crate::report) fn horizontal(&self) -> &str {
+        &self.x.label
+    }
+
     pub(super) fn called(mut self, name: &str, alt: &str) -> Self {
         (self.name, self.alt) = (name.into(), alt.into());
         self

@@ -100,6 +100,10 @@ impl Sample {
                     kind, id, proof, ..
                 } => format!("«{kind} {id} {proof}»"),
                 Splice::Figure { stem, name } => format!("«{stem}:{name}»"),
+                Splice::Player { stem, settings } => {
+                    let settings: Vec<String> = settings.iter().map(ToString::to_string).collect();
+                    format!("«player {stem}{}»", settings.concat())
+                }
                 Splice::Table { stem, section } => format!("«table {stem}:{section}»"),
                 other => format!("«{other:?}»"),
             })

@@ -101,11 +101,11 @@ fn what_is_sound_is_expanded_without_a_word() {
         ),
         (
             "{{figure s:swing}}\n\n**It** $x$.\nMore.\n\nEnd",
-            "<figure id=\"fig-swing\">\n<div class=\"panels\"><div class=\"panel\">«s:swing»</div></div>\n<figcaption>\n\n<span class=\"number\">Figure 1.</span> **It** <span class=\"glued\">«x».</span>\nMore.\n\n</figcaption>\n</figure>\n\n\n\nEnd",
+            "<figure id=\"fig-swing\">\n<div class=\"panels\"><div class=\"panel\" data-figure=\"s:swing\">«s:swing»</div></div>\n<figcaption>\n\n<span class=\"number\">Figure 1.</span> **It** <span class=\"glued\">«x».</span>\nMore.\n\n</figcaption>\n</figure>\n\n\n\nEnd",
         ),
         (
             "{{stills s}}\n\n**Two.**",
-            "<figure id=\"fig-frames\" data-frame=\"s\">\n<div class=\"panels stills\"><div class=\"panel\">«s:frame_1»</div><div class=\"panel\">«s:frame_2»</div></div>\n<figcaption>\n\n<span class=\"number\">Figure 1.</span> **Two.**\n\n</figcaption>\n</figure>\n\n",
+            "<figure id=\"fig-frames\" data-frame=\"s\">\n<div class=\"panels stills\"><div class=\"panel\" data-figure=\"s:frame_1\">«s:frame_1»</div><div class=\"panel\" data-figure=\"s:frame_2\">«s:frame_2»</div></div>«player s»\n<figcaption>\n\n<span class=\"number\">Figure 1.</span> **Two.**\n\n</figcaption>\n</figure>\n\n",
         ),
         (
             "{{output s:limits}}",

@@ -1,0 +1,169 @@
+// The modules of the examples, run beside the page, and what the page's address sets.
+//
+// A module is joined from packs (module.js) in a worker, when it is first asked; a call is a
+// message, its answer a promise. Pages that are opened as files may not fetch: there packs come
+// as scripts, as the source of the worker always does.
+"use strict";
+
+const Live = (() => {
+    const told = document.getElementById("live");
+    const able = told !== null && document.documentElement.classList.contains("live");
+    const { pages = {}, inks = [] } = able ? JSON.parse(told.textContent) : {};
+
+    // ---- Files.
+    const arrived = new Map(); // of a script: its name and what it brought
+    const packed = (name, content) => arrived.set(name, content);
+    const files = new Map();
+    const script = (name) => new Promise((done, failed) => {
+        const element = document.createElement("script");
+        element.src = `modules/${name}.js`;
+        element.onload = () => done(arrived.get(name));
+        element.onerror = () => failed(new Error(`modules/${name}.js did not arrive`));
+        document.head.append(element);
+    });
+    async function pack(name) {
+        if (location.protocol === "file:") return Uint8Array.from(atob(await script(name)), (c) => c.charCodeAt(0));
+        const answer = await fetch(`modules/${name}`).catch(() => null);
+        if (!answer?.ok) throw new Error(`modules/${name} did not arrive`);
+        return new Uint8Array(await answer.arrayBuffer());
+    }
+    /** What `bring(name)` gives, asked for once unless it fails. */
+    const once = (name, bring) => {
+        if (!files.has(name)) files.set(name, bring(name).catch((error) => { files.delete(name); throw error; }));
+        return files.get(name);
+    };
+
+    // ---- Machines: a worker with the module of a page.
+    const bytes = (names) => Promise.all(names.map((name) => once(name, pack))).then((all) => all.map((one) => one.slice().buffer));
+    class Machine {
+        /** Of the page `stem`, with its packs for `use`: `motion` or `full`. */
+        constructor(stem, use) {
+            [this.page, this.names, this.rest] = [pages[stem].page, pages[stem][use], pages[stem].rest];
+            [this.worker, this.started, this.waiting, this.asked] = [null, null, new Map(), 0];
+        }
+
+        async start() {
+            const [source, packs] = await Promise.all([once("module", script), bytes(this.names)]);
+            const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+            const worker = new Worker(address);
+            URL.revokeObjectURL(address);
+            worker.onmessage = ({ data: { id, error, trapped, ...answer } }) => {
+                const [done, failed] = this.waiting.get(id) ?? [];
+                this.waiting.delete(id);
+                if (error === undefined) done?.(answer);
+                else failed?.(Object.assign(new Error(error), { trapped }));
+            };
+            worker.onerror = (event) => this.end(new Error(event.message || "the module cannot run here"));
+            return { worker, packs };
+        }
+
+        async send(message, packs) {
+            const started = this.started ??= this.start();
+            try {
+                const first = await started;
+                if (this.started !== started) throw new Error("stopped");
+                this.worker = first.worker;
+                const brought = packs ?? first.packs.splice(0);
+                this.asked += 1;
+                const sent = { ...message, id: this.asked, ...(brought.length > 0 ? { packs: brought } : {}) };
+                return await new Promise((done, failed) => {
+                    this.waiting.set(sent.id, [done, failed]);
+                    this.worker.postMessage(sent, brought);
+                });
+            } catch (error) {
+                if (this.started === started && this.worker === null) this.started = null;
+                throw error;
+            }
+        }
+
+        /** The answer to a call: `{ text }` or `{ bytes }`. */
+        async call(call, more = {}) {
+            // A frame is of the page that is open.
+            const message = { call, ...(call === "frame" ? {} : { page: this.page }), ...more };
+            try {
+                return await this.send(message);
+            } catch (error) {
+                // The packs hold what is usual; a rare wish needs all.
+                if (!error.trapped || this.rest === undefined || this.names === this.rest) throw error;
+                this.names = this.rest;
+                return this.send(message, await bytes(this.rest));
+            }
+        }
+
+        /** What a call says in JSON. */
+        async ask(call, text = "") {
+            const answer = JSON.parse((await this.call(call, { text })).text);
+            if (answer.error) throw new Error(answer.error);
+            return answer;
+        }
+
+        /** Ends what it does; whoever waits is told. The next call starts it anew. */
+        end(error = new Error("stopped")) {
+            this.worker?.terminate();
+            const waiting = [...this.waiting.values()];
+            this.waiting.clear();
+            [this.worker, this.started] = [null, null];
+            for (const [, failed] of waiting) failed(error);
+        }
+    }
+
+    const machines = new Map();
+    /** The machine of a page for `use`, the same for all that ask. */
+    function machine(stem, use) {
+        const key = `${stem} ${use}`;
+        if (!machines.has(key)) machines.set(key, new Machine(stem, use));
+        return machines.get(key);
+    }
+
+    // ---- The page's parameters that are not as declared: typed values by name; "" is an effect
+    // left out. The address holds them, and the time of the picture as `t`.
+    const state = new Map();
+    const heard = [];
+    /** Sets the parameters of the page and tells everyone but `from`. */
+    function change(values, from) {
+        state.clear();
+        for (const [name, value] of values) state.set(name, value);
+        for (const listener of heard) if (listener !== from) listener(state);
+    }
+    const listen = (listener) => heard.push(listener);
+
+    /** Writes the parameters and the time `t` (null: none) into the address. */
+    function remember(t) {
+        const kept = location.search.replace(/^\?/, "").split("&").filter((part) => /^(highlight|search)=/.test(part));
+        const set = [...state].map(([name, value]) => `${name}=${encodeURIComponent(value)}`);
+        const query = [...set, ...(t === null ? [] : [`t=${t}`]), ...kept].join("&");
+        try {
+            history.replaceState(history.state, "", (query === "" ? location.pathname : `?${query}`) + location.hash);
+        } catch {
+            // A page opened as a file keeps its address in some browsers.
+        }
+    }
+
+    /** The arguments of the command line that set `values`; `effects` are the names of effects. */
+    function commanded(values, effects) {
+        return [...values].flatMap(([name, value]) => {
+            if (!effects.has(name)) return [`--${name}`, value];
+            return value === "" ? ["--without", name] : ["--with", `${name}=${value}`];
+        });
+    }
+
+    // ---- What runs commands and methods is brought when it is first asked for.
+    let brought = false;
+    const bring = async (event) => {
+        const opener = event.target.closest("button.run, .bench > button");
+        if (brought || opener === null) return;
+        try {
+            await once("run", script);
+            if (!brought) [brought] = [true, document.removeEventListener("click", bring)];
+            opener.click();
+        } catch (error) {
+            opener.disabled = true;
+            opener.title = error.message;
+        }
+    };
+    if (able) document.addEventListener("click", bring);
+
+    return { able, inks, packed, has: (stem) => able && stem in pages, machine, state, change, listen, remember, commanded };
+})();
+
+if (typeof module !== "undefined") module.exports = Live;

@@ -1,0 +1,97 @@
+// Drives live.js without a browser: which packs a machine is given and when, how its answers come
+// back, what a stop does, and how parameters become arguments. `node book/theme/live.test.js`
+"use strict";
+const assert = require("node:assert");
+
+// ---- A page with one module, a server of packs, a worker that answers as it is told.
+const pages = { rod: { page: 3, motion: ["a.gz"], full: ["a.gz", "b.gz"], rest: ["c.gz"] } };
+const asked = [];
+const workers = [];
+let missing = "";
+globalThis.document = {
+    getElementById: () => ({ textContent: JSON.stringify({ pages, inks: ["fig-ink"] }) }),
+    documentElement: { classList: { contains: () => true } },
+    addEventListener: () => {},
+    createElement: () => ({}),
+    head: { append: (script) => { asked.push(script.src); Live.packed("module", "source"); script.onload(); } },
+};
+globalThis.location = { protocol: "http:", search: "?angle=1&highlight=wall", pathname: "/rod.html", hash: "#x" };
+globalThis.history = { state: null, replaceState: (_, __, address) => { location.address = address; } };
+globalThis.fetch = async (address) => {
+    asked.push(address);
+    return { ok: address !== missing, arrayBuffer: async () => Uint8Array.of(address.length).buffer };
+};
+globalThis.URL.createObjectURL = () => "blob:";
+globalThis.URL.revokeObjectURL = () => {};
+globalThis.Worker = class {
+    constructor() { workers.push(this); this.got = []; }
+    postMessage(message) {
+        this.got.push(message);
+        if (message.call === "run" && message.text === "endless") return;
+        const answer = message.call !== "open" ? { text: "{}" }
+            : message.text === "bad" ? { text: '{"error": "refused"}' }
+            : message.text === "rare" && message.packs === undefined ? { error: "unreachable", trapped: true }
+            : { text: '{"span": [0, 1]}' };
+        setTimeout(() => this.onmessage({ data: { id: message.id, ...answer } }));
+    }
+    terminate() { this.ended = true; }
+};
+const Live = require("./live.js");
+globalThis.Live = Live;
+
+(async () => {
+    assert.ok(Live.able && Live.has("rod") && !Live.has("table"));
+    assert.deepStrictEqual(asked, [], "nothing is brought before it is asked for");
+    const machine = Live.machine("rod", "motion");
+    assert.strictEqual(Live.machine("rod", "motion"), machine);
+    const [first, second] = await Promise.all([machine.ask("open", "angle=1"), machine.ask("open", "")]);
+    assert.deepStrictEqual([first, second], [{ span: [0, 1] }, { span: [0, 1] }]);
+    assert.deepStrictEqual(asked.sort(), ["modules/a.gz", "modules/module.js"]);
+    const [{ got }] = workers;
+    assert.deepStrictEqual(got.map(({ call, page, text, packs }) => [call, page, text, packs?.length]),
+        [["open", 3, "angle=1", 1], ["open", 3, "", undefined]], "the packs go once, before the first call");
+    await machine.call("frame", { numbers: [0, 0, 0] });
+    assert.strictEqual(got[2].page, undefined, "a frame is of the page that is open");
+    await assert.rejects(machine.ask("open", "bad"), /^Error: refused$/);
+
+    // What traps is asked again, with all packs; only once.
+    await machine.ask("open", "rare");
+    assert.deepStrictEqual(got.slice(4).map(({ packs }) => packs?.length), [undefined, 1]);
+    assert.ok(asked.includes("modules/c.gz"));
+
+    // A stop: whoever waits is told, and the next call has a worker and packs of its own.
+    const full = Live.machine("rod", "full");
+    await full.ask("run", "short");
+    const endless = full.ask("run", "endless");
+    setTimeout(() => full.end(), 20);
+    await assert.rejects(endless, /^Error: stopped$/);
+    assert.ok(workers[1].ended);
+    await full.ask("run", "short");
+    assert.strictEqual(workers[2].got[0].packs.length, 2);
+    assert.strictEqual(asked.filter((address) => address === "modules/a.gz").length, 1, "a pack is fetched once");
+
+    // A pack that is not there is an error in words, and is asked for again.
+    pages.rod.motion = ["d.gz"];
+    missing = "modules/d.gz";
+    const other = new machine.constructor("rod", "motion");
+    other.names = ["d.gz"];
+    await assert.rejects(other.ask("open"), /modules\/d.gz did not arrive/);
+    missing = "";
+    await other.ask("open");
+
+    // Parameters as arguments, and in the address: what the search marked stays there.
+    const values = new Map([["length", "-1e-3"], ["friction", "0.1"], ["gravity", ""]]);
+    assert.deepStrictEqual(Live.commanded(values, new Set(["friction", "gravity"])),
+        ["--length", "-1e-3", "--with", "friction=0.1", "--without", "gravity"]);
+    const heard = [];
+    Live.listen((state) => heard.push([...state]));
+    Live.change(values, null);
+    assert.deepStrictEqual(heard, [[...values]]);
+    Live.remember("0.50");
+    assert.strictEqual(location.address, "?length=-1e-3&friction=0.1&gravity=&t=0.50&highlight=wall#x");
+    location.search = "";
+    Live.change(new Map(), null);
+    Live.remember(null);
+    assert.strictEqual(location.address, "/rod.html#x");
+    console.log(`${asked.length} files are brought, ${workers.length} workers answer as they should`);
+})();

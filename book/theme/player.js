@@ -1,0 +1,471 @@
+// Moving pictures: what the stills of a figure become when they are touched.
+"use strict";
+
+/** The controls of a page's parameters, made by the builder from their one declaration. */
+class Knobs {
+    constructor(root, changed) {
+        this.all = new Map();
+        for (const element of root.querySelectorAll(".knob")) {
+            const part = (selector) => element.querySelector(selector);
+            const knob = {
+                element, preset: element.dataset.default, value: part(".value"), usual: part(".value").value,
+                slider: part(".slide input"), box: part("[type=checkbox]"), back: part(".back"), told: part(".told"),
+            };
+            knob.words = knob.told.innerHTML;
+            this.all.set(element.dataset.name, knob);
+            const moved = () => { this.mark(knob); this.touched = element.dataset.name; changed(); };
+            knob.value.addEventListener("input", () => {
+                if (knob.box) knob.box.checked = true;
+                this.slide(knob);
+                moved();
+            });
+            knob.slider?.addEventListener("input", () => {
+                knob.value.value = this.slid(knob.slider);
+                if (knob.box) knob.box.checked = true;
+                moved();
+            });
+            knob.box?.addEventListener("change", moved);
+            knob.back.addEventListener("click", () => {
+                this.set(element.dataset.name, knob.preset);
+                knob.value.focus();
+                this.touched = element.dataset.name;
+                changed();
+            });
+        }
+    }
+
+    /** What a slider says, as it is typed. */
+    slid(slider) {
+        const { from, to } = slider.dataset;
+        if (from === undefined) return slider.value;
+        return String(Number((from * (to / from) ** (slider.value / slider.max)).toPrecision(3)));
+    }
+
+    /** Brings the slider to what is typed. */
+    slide({ slider, value }) {
+        const number = Number(value.value);
+        if (!slider || value.value === "" || !Number.isFinite(number)) return;
+        const { from, to } = slider.dataset;
+        slider.value = from === undefined ? number : slider.max * Math.log(Math.max(number, from) / from) / Math.log(to / from);
+    }
+
+    /** The typed value of a knob; "" is an effect left out, or what is not set. */
+    typed(knob) {
+        return knob.box && !knob.box.checked ? "" : knob.value.value.trim();
+    }
+
+    mark(knob) {
+        const changed = this.typed(knob) !== knob.preset;
+        knob.back.disabled = !changed;
+        knob.element.classList.toggle("changed", changed);
+        knob.element.classList.toggle("out", knob.box !== null && !knob.box.checked);
+    }
+
+    set(name, typed) {
+        const knob = this.all.get(name);
+        if (knob.box) knob.box.checked = typed !== "";
+        knob.value.value = knob.box && typed === "" ? knob.usual : typed;
+        this.slide(knob);
+        this.mark(knob);
+    }
+
+    /** Sets what `values` has, and the rest as declared. */
+    adopt(values) {
+        for (const [name, knob] of this.all) this.set(name, values.get(name) ?? knob.preset);
+    }
+
+    /** The values that are not as declared. */
+    changed() {
+        const typed = [...this.all].map(([name, knob]) => [name, this.typed(knob), knob.preset]);
+        return new Map(typed.filter(([, value, preset]) => value !== preset).map(([name, value]) => [name, value]));
+    }
+
+    /** Names of the effects. */
+    effects() {
+        return new Set([...this.all].filter(([, knob]) => knob.box).map(([name]) => name));
+    }
+
+    /**
+     * Says what is wrong beside the control that the message names, or else the one last touched;
+     * "" says that nothing is. True if there is one.
+     */
+    refuse(message) {
+        const [, field = ""] = message.match(/^([A-Za-z0-9_-]+) ?=/) ?? [];
+        const meant = this.all.has(field.replaceAll("_", "-")) ? field.replaceAll("_", "-") : this.touched;
+        let named = false;
+        for (const [name, knob] of this.all) {
+            const mine = message !== "" && name === meant;
+            named ||= mine;
+            if (mine) knob.told.textContent = `${message}.`;
+            else if (knob.element.classList.contains("refused")) knob.told.innerHTML = knob.words;
+            knob.element.classList.toggle("refused", mine);
+            if (mine) knob.value.setAttribute("aria-invalid", "true");
+            else knob.value.removeAttribute("aria-invalid");
+        }
+        return named;
+    }
+}
+
+(() => {
+    const STEPS = 100; // single steps in the whole span
+    const SECONDS = [4, 15]; // a span plays in its own time, but within these
+    const HOLD = 1; // s, at the end, before it begins anew
+    const LARGEST = [1.9, 0.72]; // of the stills' size, and of the window's height
+    const BESIDE = 0.45; // of the window's height, while the controls below it are open
+    const BLEED = 10; // px around the drawing: letters may be wider than those that were measured
+    const quiet = matchMedia("(prefers-reduced-motion: reduce)");
+
+    class Player {
+        constructor(root) {
+            this.root = root;
+            this.figure = root.closest("figure");
+            this.panel = this.figure.querySelector(".panel");
+            this.still = this.panel.querySelector("svg");
+            const part = (selector) => root.querySelector(selector);
+            [this.play, this.time, this.now, this.speed] = [".play", ".time", ".now", ".speed select"].map(part);
+            [this.refusal, this.fold] = [part(".refusal"), part(".fold")];
+            // With settings of its own it plays by itself, and is not the page's.
+            this.own = root.dataset.plays !== undefined;
+            this.fixed = (root.dataset.plays ?? "").split(" ").filter((line) => line !== "");
+            this.knobs = new Knobs(root, () => this.changed());
+            // `t` is where it is, `shown` what is painted, `sound` the settings of the last good picture.
+            Object.assign(this, { machine: null, picture: null, drawing: null, t: null, camera: [0, 0], shown: "",
+                sound: "", playing: false, visible: false, busy: false, opening: false, stale: false, last: 0, held: 0 });
+            this.listen();
+            this.heard = (state) => { this.knobs.adopt(state); if (this.machine) this.open(); };
+            if (!this.own) Live.listen(this.heard);
+        }
+
+        listen() {
+            const { root, time, speed, play } = this;
+            play.addEventListener("click", () => this.toggle());
+            for (const step of root.querySelectorAll(".step")) {
+                step.addEventListener("click", () => this.step(Number(step.dataset.by)));
+            }
+            time.addEventListener("input", () => this.seek(time.value / time.max));
+            speed.addEventListener("change", () => this.touch());
+            root.querySelector(".whole").addEventListener("click", () => {
+                this.knobs.adopt(new Map());
+                this.camera = [0, 0];
+                this.pause();
+                this.t = this.picture?.span[0] ?? null;
+                this.changed();
+            });
+            // While the controls are open the picture stays in view above them.
+            this.fold?.addEventListener("toggle", () => {
+                if (this.machine) this.inPlace(() => this.fit());
+            });
+            // The arrow keys turn pages, but not from here.
+            root.addEventListener("keydown", (event) => event.stopPropagation());
+            new IntersectionObserver(([{ isIntersecting }]) => {
+                this.visible = isIntersecting;
+                if (isIntersecting && this.wished) this.touch();
+                this.wake();
+            }).observe(this.panel);
+            document.addEventListener("visibilitychange", () => this.wake());
+            new MutationObserver(() => this.repaint()).observe(document.documentElement, { attributeFilter: ["class"] });
+        }
+
+        /** The first touch: the strip becomes one picture, its module is brought. */
+        touch() {
+            if (this.machine) return;
+            this.machine = Live.machine(this.root.dataset.stem, "motion");
+            this.canvas ??= document.createElement("canvas");
+            this.canvas.setAttribute("role", "img");
+            this.canvas.setAttribute("aria-label", `Moving picture. At first: ${this.still.getAttribute("aria-label")}`);
+            this.show(true);
+            this.resized ??= new ResizeObserver(() => this.fit());
+            this.resized.observe(this.figure);
+            this.now.textContent = "…";
+            this.open();
+        }
+
+        /** One picture that moves, or the strip as it is locked. */
+        show(moving) {
+            this.inPlace(() => {
+                this.figure.classList.toggle("moving", moving);
+                if (moving) {
+                    this.panel.append(this.canvas);
+                    this.fit();
+                } else this.canvas.remove();
+            });
+        }
+
+        /** What is touched stays where it is while `change` changes the picture's size. */
+        inPlace(change) {
+            const before = this.root.getBoundingClientRect().top;
+            change();
+            scrollBy({ top: this.root.getBoundingClientRect().top - before, behavior: "instant" });
+        }
+
+        /** Nothing came of the first touch. */
+        leave() {
+            this.resized.disconnect();
+            this.show(false);
+            [this.machine, this.playing, this.now.textContent] = [null, false, ""];
+            this.label();
+        }
+
+        /** The size of the picture on the page, and of its pixels. */
+        fit() {
+            const [, , width, height] = this.still.getAttribute("viewBox").split(" ").map(Number);
+            if (!this.own) {
+                const room = this.figure.clientWidth / width;
+                const open = this.fold?.open === true;
+                const most = (open ? BESIDE : LARGEST[1]) * innerHeight / height;
+                const large = open ? most : Math.max(1, Math.min(LARGEST[0], most));
+                this.figure.style.setProperty("--width", `${(width * Math.min(room, large)).toFixed(1)}px`);
+            }
+            const { canvas } = this;
+            const scale = this.panel.clientWidth / width;
+            const bleed = [-BLEED * scale, -BLEED * scale];
+            [canvas.style.left, canvas.style.top] = bleed.map((px) => `${px}px`);
+            const size = [width, height].map((px) => scale * (px + 2 * BLEED));
+            [canvas.style.width, canvas.style.height] = size.map((px) => `${px}px`);
+            const pixels = size.map((px) => Math.round(px * devicePixelRatio));
+            if (canvas.width === pixels[0] && canvas.height === pixels[1]) return;
+            [canvas.width, canvas.height] = pixels;
+            this.repaint();
+        }
+
+        repaint() {
+            if (!this.drawing) return;
+            Paint.draw(this.canvas, this.drawing, Paint.theme(this.canvas, Live.inks), BLEED);
+        }
+
+        /** Prepares the picture for what is set now; the last good one stays if that is refused. */
+        async open() {
+            if (this.opening) { this.stale = true; return; }
+            this.opening = true;
+            do {
+                this.stale = false;
+                const set = [...this.knobs.changed()].map(([name, value]) => `${name}=${value}`);
+                const lines = [...this.fixed, ...set].join("\n");
+                try {
+                    this.opened(await this.machine.ask("open", lines));
+                    this.sound = lines;
+                    this.say("");
+                } catch (error) {
+                    this.say(error.message);
+                    if (this.picture) await this.machine.ask("open", this.sound).catch(() => {});
+                    else this.leave();
+                }
+            } while (this.stale && this.machine);
+            this.opening = false;
+            this.shown = "";
+            this.remember();
+            this.wake();
+        }
+
+        opened(picture) {
+            const [from, to] = picture.span;
+            const before = this.picture?.span;
+            // The same part of the motion, should its span have changed.
+            if (before && this.t !== null) this.t = from + (this.t - before[0]) / (before[1] - before[0]) * (to - from);
+            if (this.t === null) this.t = this.playing ? from : picture.stills.at(-1);
+            this.picture = picture;
+            this.t = Math.min(Math.max(this.t, from), to);
+            this.decimals = Math.min(Math.max(Math.ceil(-Math.log10((to - from) / 400)), 0), 12);
+            this.root.classList.toggle("turns", picture.turns);
+            if (picture.turns && !this.panel.hasAttribute("tabindex")) this.turnable();
+        }
+
+        say(message) {
+            const named = this.knobs.refuse(message);
+            this.refusal.textContent = message === "" || named ? "" : `${message}.`;
+            this.refusal.classList.remove("note");
+        }
+
+        changed() {
+            this.touch();
+            this.open();
+            if (this.own) return;
+            Live.change(this.knobs.changed(), this.heard);
+            this.remember();
+        }
+
+        remember() {
+            if (this.own) return;
+            clearTimeout(this.later);
+            const still = !this.playing && this.picture && this.t !== this.picture.span[0];
+            const t = still ? this.t.toFixed(this.decimals) : null;
+            this.later = setTimeout(() => Live.remember(t), 300);
+        }
+
+        // ---- Time.
+        toggle() {
+            if (this.playing) return this.pause();
+            this.playing = true;
+            this.touch();
+            const [from, to] = this.picture?.span ?? [];
+            if (this.t >= to || this.begun !== true) this.t = from ?? null;
+            this.begun = true;
+            [this.last, this.held] = [0, 0];
+            this.label();
+            this.wake();
+        }
+
+        pause() {
+            this.playing = false;
+            this.label();
+            this.remember();
+        }
+
+        label() {
+            this.play.setAttribute("aria-pressed", String(this.playing));
+            this.play.querySelector("span").textContent = this.playing ? "Pause" : "Play";
+            // What changes by itself is not read out.
+            this.now.setAttribute("aria-live", this.playing ? "off" : "polite");
+        }
+
+        step(by) {
+            this.touch();
+            if (this.playing) this.pause();
+            if (!this.picture) return;
+            const [from, to] = this.picture.span;
+            this.t = Math.min(Math.max(this.t + by * (to - from) / STEPS, from), to);
+            this.begun = true;
+            this.remember();
+            this.wake();
+        }
+
+        seek(part) {
+            this.touch();
+            if (this.playing) this.pause();
+            if (!this.picture) return;
+            const [from, to] = this.picture.span;
+            this.t = from + part * (to - from);
+            this.begun = true;
+            this.remember();
+            this.wake();
+        }
+
+        advance(seconds) {
+            const [from, to] = this.picture.span;
+            const whole = Math.min(Math.max(to - from, SECONDS[0]), SECONDS[1]);
+            this.held = this.t >= to ? this.held + seconds : 0;
+            if (this.held > HOLD) [this.t, this.held] = [from, 0];
+            else this.t = Math.min(to, this.t + seconds * this.speed.value * (to - from) / whole);
+        }
+
+        // ---- Frames: one at a time, the newest wish next, none while nobody looks.
+        wake() {
+            if (this.ticking || !this.picture || !this.visible || document.hidden) return;
+            this.ticking = true;
+            this.last = 0;
+            requestAnimationFrame((now) => this.tick(now));
+        }
+
+        tick(now) {
+            this.ticking = false;
+            if (!this.visible || document.hidden) return;
+            // Where motion is not wanted, play shows a step every half second.
+            const least = quiet.matches ? 0.5 : 0;
+            const passed = this.last === 0 ? 0 : Math.min((now - this.last) / 1000, 0.5 + least);
+            if (this.playing && passed >= least) this.advance(passed);
+            if (passed >= least || this.last === 0) this.last = now;
+            this.draw();
+            if (this.playing || this.busy) {
+                this.ticking = true;
+                requestAnimationFrame((next) => this.tick(next));
+            }
+        }
+
+        async draw() {
+            const wish = [this.t, ...this.camera];
+            if (this.busy || this.opening || wish.join() === this.shown) return;
+            this.busy = true;
+            try {
+                const { bytes } = await this.machine.call("frame", { numbers: wish });
+                this.note(bytes, wish.join());
+                this.shown = wish.join();
+                this.drawing = Paint.decoded(bytes);
+                this.repaint();
+                this.figure.classList.add("painted");
+                this.tell(wish[0]);
+            } catch (error) {
+                this.pause();
+                this.say(error.message);
+                this.shown = wish.join();
+            }
+            this.busy = false;
+            this.wake();
+        }
+
+        /** A parameter need not enter the picture: then the reader is told. */
+        note(bytes, wish) {
+            const words = new Int32Array(bytes.buffer ?? bytes);
+            const asked = this.knobs.touched;
+            if (asked !== undefined && this.before?.wish === wish) {
+                const same = words.length === this.before.words.length && words.every((word, n) => word === this.before.words[n]);
+                if (same) {
+                    this.refusal.textContent = `The picture stays the same with another ${asked}; a run of the example tells what changes.`;
+                    this.refusal.classList.add("note");
+                }
+                this.knobs.touched = undefined;
+            }
+            this.before = { words, wish };
+        }
+
+        tell(t) {
+            const [from, to] = this.picture.span;
+            const [name, unit = ""] = (this.picture.time ?? "t").split(" / ");
+            const number = t.toFixed(this.decimals).replace("-", "\u2212");
+            const text = `${number}${unit && ` ${unit}`}`;
+            this.now.textContent = `${name} = ${text}`;
+            this.time.value = this.time.max * (t - from) / (to - from);
+            this.time.setAttribute("aria-valuetext", text);
+        }
+
+        // ---- The camera: dragged, or turned by the arrow keys.
+        turnable() {
+            const { panel } = this;
+            panel.tabIndex = 0;
+            panel.setAttribute("role", "group");
+            panel.setAttribute("aria-label", "The picture; the arrow keys turn it, Home turns it back");
+            const turn = (about, up) => {
+                this.camera = [this.camera[0] + about, Math.min(Math.max(this.camera[1] + up, -1.5), 1.5)];
+                this.wake();
+            };
+            const keys = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+            panel.addEventListener("keydown", (event) => {
+                if (event.key === " ") this.toggle();
+                else if (event.key === "Home") turn(-this.camera[0], -this.camera[1]);
+                else if (keys[event.key]) turn(...keys[event.key]);
+                else return;
+                event.preventDefault();
+                event.stopPropagation();
+            });
+            let from = null;
+            panel.addEventListener("pointerdown", (event) => {
+                if (event.button !== 0) return;
+                from = [event.clientX, event.clientY];
+                panel.setPointerCapture(event.pointerId);
+            });
+            panel.addEventListener("pointermove", (event) => {
+                if (!panel.hasPointerCapture(event.pointerId)) return;
+                const to = [event.clientX, event.clientY];
+                turn((from[0] - to[0]) / 120, (to[1] - from[1]) / 120);
+                from = to;
+            });
+            panel.addEventListener("dblclick", () => turn(-this.camera[0], -this.camera[1]));
+        }
+    }
+
+    if (!Live.able) return;
+    const asked = Answer.parts(location.search);
+    for (const root of document.querySelectorAll(".player")) {
+        if (!Live.has(root.dataset.stem)) continue;
+        const player = new Player(root);
+        if (player.own) {
+            // It moves when the page is there, unless motion is not wanted.
+            addEventListener("load", () => { if (!quiet.matches) player.toggle(); });
+            continue;
+        }
+        const own = [...asked.given ?? []].filter(([name]) => player.knobs.all.has(name));
+        if (own.length > 0) Live.change(own, null);
+        if (asked.t !== undefined) player.t = Number(asked.t);
+        player.begun = asked.t !== undefined;
+        player.wished = own.length > 0 || asked.t !== undefined;
+    }
+})();

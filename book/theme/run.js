@@ -1,0 +1,313 @@
+// "Run it here": a command of the page shows what the terminal would, with the arguments that the
+// reader types; the page's figures are drawn anew for them. And the bench of methods.
+// live.js brings this script when it is first asked for.
+"use strict";
+
+(() => {
+    const make = (name, attributes = {}, ...children) => {
+        const element = document.createElement(name);
+        for (const [key, value] of Object.entries(attributes)) {
+            if (typeof value === "boolean") element.toggleAttribute(key, value);
+            else element.setAttribute(key, value);
+        }
+        element.append(...children);
+        return element;
+    };
+    const button = (text, attributes = {}) => make("button", { type: "button", ...attributes }, text);
+    /** Words as a shell parts them, without its other powers. */
+    const parted = (line) => [...line.matchAll(/(?:[^\s"']+|"[^"]*"|'[^']*')+/g)]
+        .map(([word]) => word.replace(/"([^"]*)"|'([^']*)'/g, "$1$2"));
+
+    // ---- The figures of the page, drawn for other arguments.
+    const SVG = "http://www.w3.org/2000/svg";
+    const own = new Map(); // of each place: the locked figure
+    /** The `svg` as part of the page, its identifiers its own. */
+    function placed(svg, prefix) {
+        const drawn = new DOMParser().parseFromString(svg.slice(svg.indexOf("<svg")), "image/svg+xml").documentElement;
+        if (drawn.namespaceURI !== SVG) throw new Error("a figure that is no SVG");
+        for (const element of drawn.querySelectorAll("[id]")) {
+            const id = element.id;
+            element.id = prefix + id;
+            for (const user of drawn.querySelectorAll("*")) {
+                for (const attribute of user.attributes) {
+                    attribute.value = attribute.value.replaceAll(`url(#${id})`, `url(#${prefix}${id})`);
+                }
+            }
+        }
+        return document.importNode(drawn, true);
+    }
+    /** Puts the drawn figures where the locked ones of `stem` stand; says how many, and for what. */
+    function redraw(stem, figures, words) {
+        const named = new Map(figures.map((figure) => [`${stem}:${figure.name}`, figure.svg]));
+        let count = 0;
+        for (const panel of document.querySelectorAll(".panel[data-figure]")) {
+            const svg = named.get(panel.dataset.figure);
+            const old = panel.querySelector("svg");
+            if (svg === undefined || old === null) continue;
+            if (!own.has(panel)) own.set(panel, old);
+            count += 1;
+            old.replaceWith(placed(svg, `again${count}-`));
+            const figure = panel.closest("figure");
+            if (figure.querySelector(".redrawn")) figure.querySelector(".redrawn code").textContent = words;
+            else {
+                const back = button("Back to the page’s own");
+                back.addEventListener("click", restore);
+                figure.querySelector("figcaption").before(make("p", { class: "redrawn" }, "Drawn for ", make("code", {}, words), ". ", back));
+            }
+        }
+        return count;
+    }
+    function restore() {
+        for (const [panel, svg] of own) panel.querySelector("svg").replaceWith(svg);
+        own.clear();
+        for (const line of document.querySelectorAll(".redrawn")) line.remove();
+    }
+
+    // ---- A run.
+    const file = (name, text) => {
+        const kind = name.endsWith(".svg") ? "image/svg+xml" : name.endsWith(".json") ? "application/json" : "text/plain";
+        const href = URL.createObjectURL(new Blob([text], { type: `${kind};charset=utf-8` }));
+        return make("a", { href, download: name.split("/").pop() }, name.split("/").pop());
+    };
+
+    let panels = 0;
+    class Terminal {
+        constructor(opener) {
+            panels += 1;
+            const { stem, arguments: typed, predict } = opener.dataset;
+            this.stem = stem;
+            const id = (name) => `run${panels}-${name}`;
+            this.line = make("input", { id: id("line"), value: typed, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
+            this.go = make("button", { type: "submit" }, "Run");
+            this.stop = button("Stop", { hidden: true });
+            this.elapsed = make("span", { class: "elapsed", role: "status" });
+            this.guess = make("textarea", { id: id("guess"), rows: "2" });
+            this.asks = make("div", { class: "guess", hidden: predict === undefined },
+                make("label", { for: id("guess") }, "What do you expect, and why?"), this.guess,
+                make("p", {}, "Write it down; then run. Your words stay here, beside what comes out."));
+            this.output = make("code", { class: "stdout" });
+            this.error = make("code", { class: "stderr" });
+            this.told = make("details", { class: "told", open: true, hidden: true }, make("summary", {}, "What it prints"),
+                make("pre", { tabindex: "0", role: "group", "aria-label": "output, scrolls" }, this.output, this.error));
+            this.more = make("p", { class: "more", hidden: true });
+            const form = make("form", {}, this.asks,
+                make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} `, make("span", { class: "flag" }, "--"))),
+                make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
+            this.root = make("div", { class: "terminal", role: "group", "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.more);
+            form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
+            this.stop.addEventListener("click", () => this.machine.end());
+            this.guess.addEventListener("input", () => this.label());
+            this.root.addEventListener("keydown", (event) => event.stopPropagation());
+            this.label();
+        }
+
+        get machine() {
+            return Live.machine(this.stem, "full");
+        }
+
+        /** Takes the page's parameters as arguments. */
+        adopt() {
+            const effects = document.querySelectorAll(`.player[data-stem="${this.stem}"] .knob.effect`);
+            const names = new Set([...effects].map((knob) => knob.dataset.name));
+            this.line.value = Live.commanded(Live.state, names).join(" ");
+            this.seen = false;
+        }
+
+        label() {
+            const asked = !this.asks.hidden && !this.seen && this.guess.value.trim() === "";
+            this.go.textContent = asked ? "Run without a guess" : "Run";
+        }
+
+        /** Asks the machine, with the time that it takes shown and a way to stop it. */
+        async working(call, words) {
+            const begun = performance.now();
+            const seconds = () => `${((performance.now() - begun) / 1000).toFixed(1)} s`;
+            const clock = setInterval(() => { this.elapsed.textContent = seconds(); }, 100);
+            this.elapsed.setAttribute("aria-live", "off");
+            [this.go.disabled, this.stop.hidden] = [true, false];
+            for (const control of this.more.querySelectorAll("button")) control.disabled = true;
+            let ended = "";
+            try {
+                const answer = await this.machine.ask(call, words.join("\0"));
+                ended = `done in ${seconds()}`;
+                return answer;
+            } catch (error) {
+                ended = error.message === "stopped" ? `stopped after ${seconds()}` : error.message;
+                return null;
+            } finally {
+                clearInterval(clock);
+                this.elapsed.setAttribute("aria-live", "polite");
+                this.elapsed.textContent = ended;
+                [this.go.disabled, this.stop.hidden] = [false, true];
+                for (const control of this.more.querySelectorAll("button")) control.disabled = false;
+            }
+        }
+
+        async submit() {
+            this.more.hidden = true;
+            const words = parted(this.line.value);
+            const told = await this.working("run", words);
+            if (told === null) return;
+            this.seen = true;
+            this.guess.readOnly = this.guess.value.trim() !== "";
+            this.label();
+            [this.output.textContent, this.error.textContent] = [told.stdout, told.stderr];
+            this.told.classList.toggle("failed", told.code !== 0);
+            this.told.hidden = false;
+            this.offer(words, told);
+        }
+
+        /** What else there is of these parameters: the files, the figures. */
+        offer(words, told) {
+            this.more.replaceChildren(...told.files.flatMap(({ name, text }) => [file(name, text), " "]));
+            // A refusal has no more to give.
+            if (told.code === 0 && !words.some((word) => ["--check", "--json", "--csv", "--svg", "--help", "-h"].includes(word.split("=")[0]))) {
+                const again = (text, flags) => {
+                    const ask = button(text);
+                    ask.addEventListener("click", async () => {
+                        const more = await this.working("run", [...words, ...flags]);
+                        if (more === null) return;
+                        const files = flags[0] === "--json" ? [{ name: `${this.stem}.json`, text: more.stdout }] : more.files;
+                        ask.replaceWith(...files.flatMap(({ name, text }) => [file(name, text), " "]));
+                    });
+                    return ask;
+                };
+                const draw = button("Draw the page’s figures for these");
+                draw.addEventListener("click", async () => {
+                    const drawn = await this.working("figures", words);
+                    if (drawn === null) return;
+                    const count = redraw(this.stem, drawn.figures, words.join(" ") || "the page’s own numbers");
+                    this.elapsed.textContent += count === 1 ? ": one figure is drawn anew" : `: ${count} figures are drawn anew`;
+                });
+                const here = document.querySelector(`.panel[data-figure^="${this.stem}:"]`) !== null;
+                this.more.append(...(here ? [draw, " "] : []), "Download: ", again("motion as CSV", ["--csv", `${this.stem}.csv`]), " ",
+                    again("figures as SVG", ["--svg", "."]), " ", again("claims as JSON", ["--json"]));
+            }
+            this.more.hidden = this.more.childNodes.length === 0;
+        }
+    }
+
+    for (const opener of document.querySelectorAll("button.run")) {
+        if (!Live.has(opener.dataset.stem)) continue;
+        opener.setAttribute("aria-expanded", "false");
+        const [named, words] = [opener.getAttribute("aria-label"), opener.textContent];
+        let terminal = null;
+        opener.addEventListener("click", () => {
+            if (terminal === null) {
+                terminal = new Terminal(opener);
+                const block = opener.closest(".runs, li, p, td");
+                if (block.matches("li, td")) block.append(terminal.root);
+                else block.after(terminal.root);
+            } else terminal.root.hidden = !terminal.root.hidden;
+            const open = !terminal.root.hidden;
+            opener.setAttribute("aria-expanded", String(open));
+            opener.textContent = open ? "Close" : words;
+            opener.setAttribute("aria-label", open ? `Close: ${named}` : named);
+            if (!open) return;
+            if (opener.dataset.state !== undefined) terminal.adopt();
+            (terminal.asks.hidden ? terminal.line : terminal.guess).focus({ preventScroll: true });
+            if (terminal.asks.hidden && !terminal.seen) terminal.submit();
+        });
+    }
+
+    // ---- The bench: a method at the reader's own step, against the exact motion.
+    class Bench {
+        constructor(root) {
+            [this.root, this.stem] = [root, root.dataset.stem];
+            root.querySelector("button").addEventListener("click", () => this.open());
+            root.addEventListener("keydown", (event) => event.stopPropagation());
+        }
+
+        get machine() {
+            return Live.machine(this.stem, "full");
+        }
+
+        /** The lines that set the page's parameters. */
+        lines() {
+            return [...Live.state].map(([name, value]) => `${name}=${value}`);
+        }
+
+        async open() {
+            const opener = this.root.querySelector("button");
+            opener.disabled = true;
+            this.status = make("p", { class: "status", role: "status" }, "Bringing the methods …");
+            this.root.append(this.status);
+            try {
+                const { methods, span } = await this.machine.ask("lab", this.lines().join("\n"));
+                this.status.textContent = "";
+                opener.remove();
+                this.build(methods, span);
+                // An effect that is switched shows in error and cost.
+                Live.listen(() => {
+                    clearTimeout(this.later);
+                    this.later = setTimeout(() => this.run(), 600);
+                });
+            } catch (error) {
+                this.status.textContent = `${error.message}.`;
+                opener.disabled = false;
+            }
+        }
+
+        build(methods, span) {
+            this.method = make("select", {}, make("option", { value: "" }, "the dial: solve, stepping"),
+                ...methods.map(({ name, setting }) => make("option", { value: name, "data-setting": setting }, name)));
+            this.slider = make("input", { type: "range", min: "0", max: "300", value: "150" });
+            this.field = make("input", { inputmode: "decimal", size: "9", autocomplete: "off" });
+            this.name = make("span");
+            this.label = make("label", {}, this.name, this.field);
+            this.rows = make("tbody");
+            const head = ["method", "setting", "attitude off by", "energy", "momentum", "work"];
+            const table = make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))), this.rows);
+            this.go = make("button", { type: "submit" }, "Run");
+            const form = make("form", {}, make("label", {}, "Method ", this.method), this.label,
+                make("label", { class: "wide" }, make("span", { class: "quiet" }, "coarse to fine"), this.slider), this.go);
+            this.root.prepend(make("p", { class: "head" }, `The motion of this page to t = ${Number(span.toPrecision(6))}, by any method:`),
+                form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table));
+            const range = () => this.kind() === "steps" ? [10, 1e5] : [1e-2, 1e-13];
+            const typed = () => {
+                const [from, to] = range();
+                const value = from * (to / from) ** (this.slider.value / 300);
+                this.field.value = this.kind() === "steps" ? String(Math.round(value)) : value.toExponential(0);
+            };
+            const chosen = () => {
+                this.name.textContent = { steps: "Steps ", tolerance: "Tolerance ", dial: "Error asked for / rad " }[this.kind()];
+                typed();
+            };
+            this.method.addEventListener("change", chosen);
+            this.slider.addEventListener("input", typed);
+            form.addEventListener("submit", (event) => { event.preventDefault(); this.run(); });
+            chosen();
+            this.run();
+        }
+
+        kind() {
+            return this.method.selectedOptions[0].dataset.setting ?? "dial";
+        }
+
+        async run() {
+            this.go.disabled = true;
+            const setting = this.field.value.trim();
+            const lines = this.lines();
+            const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
+            try {
+                const told = await this.machine.ask("lab", [...lines, ...asked].join("\n"));
+                if (told.method === undefined) throw new Error("With these parameters there is no exact motion to compare with; the effects that a run lists tell what has changed");
+                const raised = (digits) => [...digits].map((c) => c === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
+                const number = (x) => x === null ? "not finite" : x === 0 ? "0"
+                    : x.toExponential(1).replace(/e\+?(-?\d+)/, (_, power) => `\u202f\u00d7\u202f10${raised(power)}`);
+                const what = { steps: `${setting} steps`, tolerance: `tolerance ${setting}`, dial: `${setting} rad asked for` }[this.kind()];
+                const whole = [what, ...lines].join("; ");
+                const name = this.kind() === "dial" ? `dial: ${told.method}` : told.method;
+                const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
+                this.rows.prepend(make("tr", {}, ...cells.map((text) => make("td", {}, text))));
+                this.status.textContent = `${name}, ${whole}: off by ${number(told.attitude)} rad for ${told.work}`;
+            } catch (error) {
+                this.status.textContent = `${error.message}.`;
+            }
+            this.go.disabled = false;
+        }
+    }
+    for (const root of document.querySelectorAll(".bench")) {
+        if (Live.has(root.dataset.stem)) new Bench(root);
+    }
+})();

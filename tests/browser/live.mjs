@@ -1,0 +1,187 @@
+// What lives in a page, used as a reader uses it: each function gives what is at fault.
+import { existsSync, readFileSync } from "node:fs";
+import { instead } from "./served.mjs";
+import { BOUNDS } from "./still.mjs";
+
+const LOCKED = new URL("../snapshots/", import.meta.url);
+const PATIENCE = 120_000; // ms, for a machine that does much else
+
+/** Waits in the page until `told(argument)` is true; false if it does not come to it. */
+const comes = (page, told, argument, timeout = PATIENCE) =>
+    page.waitForFunction(told, argument, { timeout, polling: 50 }).then(() => true, () => false);
+
+/** Opens the folds, and keeps what each canvas shows: the list of its shapes and texts. */
+export const tap = (page) => page.evaluate(() => {
+    for (const fold of document.querySelectorAll("details")) fold.open = true;
+    window.drawn ??= new Map();
+    const { draw } = Paint;
+    Paint.draw = (canvas, drawing, ...more) => {
+        drawn.set(canvas, drawing);
+        draw(canvas, drawing, ...more);
+    };
+});
+
+/** What the n-th player's canvas shows, as a text; null before it has painted. */
+export const pixels = (n) => {
+    const canvas = document.querySelectorAll(".player")[n].closest("figure").querySelector("canvas");
+    return canvas && window.drawn.has(canvas) ? canvas.toDataURL() : null;
+};
+/** True once the n-th picture is painted, false where it is refused. */
+export async function paints(page, n) {
+    await comes(page, (n) => {
+        const player = document.querySelectorAll(".player")[n];
+        const canvas = player.closest("figure").querySelector("canvas");
+        return window.drawn.has(canvas) || player.querySelector(".refusal").textContent !== "";
+    }, n);
+    return await page.evaluate(pixels, n) !== null;
+}
+/** Whether the canvas shows something else than `then`. */
+const differs = ({ n, then, pixels }) => ![null, then].includes(eval(pixels)(n));
+const differ = (page, n, then, patience = 15_000) => comes(page, differs, { n, then, pixels: `(${pixels})` }, patience);
+/** The picture once nothing is under way. */
+async function settled(page, n) {
+    let last;
+    for (;;) {
+        await page.waitForTimeout(150);
+        const now = await page.evaluate(pixels, n);
+        if (now === last) return now;
+        last = now;
+    }
+}
+
+/** Opens the n-th moving picture and holds what it says to the locked still. */
+export async function opens(page, n) {
+    const player = page.locator(".player").nth(n);
+    await player.locator(".bar").evaluate((bar) => bar.scrollIntoView({ block: "center", behavior: "instant" }));
+    const plays = await player.getAttribute("data-plays") !== null;
+    const before = await player.boundingBox();
+    // The first touch opens it, at its last still.
+    await page.evaluate(() => { window.moved = 0; });
+    await player.locator(".step").first().click();
+    if (!await paints(page, n)) return [`picture ${n} does not open: ${await player.locator(".refusal").innerText()}`];
+    const after = await player.boundingBox();
+    const faults = Math.abs(after.y - before.y) < 2 ? [] : [`the controls jump by ${after.y - before.y} px`];
+    const moved = await page.evaluate(() => window.moved);
+    if (moved > BOUNDS.shift) faults.push(`the page shifts by ${moved} while picture ${n} opens`);
+    if (plays) return faults;
+    const [shown, locked] = await page.evaluate((n) => {
+        const figure = document.querySelectorAll(".player")[n].closest("figure");
+        const still = [...figure.querySelectorAll(".panel svg")].at(-1);
+        const place = (x, y, text) => `${Number(x).toFixed(2)} ${Number(y).toFixed(2)} ${text}`;
+        const locked = [...still.querySelectorAll("text")].map((text) =>
+            place(text.getAttribute("x"), text.getAttribute("y"), text.textContent));
+        const { texts } = drawn.get(figure.querySelector("canvas"));
+        return [texts.map(({ x, y, runs }) => place(x / 100, y / 100, runs.map((run) => run.text).join(""))), locked]
+            .map((all) => [...new Set(all)].sort().join("\n"));
+    }, n);
+    if (shown !== locked) faults.push(`it says\n${shown}\nthe locked still\n${locked}`);
+    return faults;
+}
+
+/** Play moves the picture, pause holds it. */
+export async function moves(page, n) {
+    const player = page.locator(".player").nth(n);
+    const play = player.locator(".play");
+    if (await play.getAttribute("aria-pressed") === "false") await play.click();
+    if (!await paints(page, n)) return [`picture ${n} does not open: ${await player.locator(".refusal").innerText()}`];
+    const then = await page.evaluate(pixels, n);
+    const faults = await differ(page, n, then) ? [] : [`picture ${n} stands still`];
+    await play.click();
+    const held = await settled(page, n);
+    await page.waitForTimeout(300);
+    if (await page.evaluate(pixels, n) !== held) faults.push(`picture ${n} does not pause`);
+    return faults;
+}
+
+/** The sliders, by their arrow keys: one that the picture shows changes it, and is put back. */
+export async function slides(page, n) {
+    const player = page.locator(".player").nth(n);
+    const knobs = player.locator(".knob", { has: page.locator(".slide") });
+    const count = await knobs.count();
+    if (count === 0) return [];
+    // Half of the way the motion shows what set it off.
+    await player.locator(".time").evaluate((time) => {
+        time.value = time.max / 2;
+        time.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+    const before = await settled(page, n);
+    for (let k = 0; k < count; k += 1) {
+        await knobs.nth(k).locator(".slide input").focus();
+        for (let press = 0; press < 4; press += 1) await page.keyboard.press("ArrowLeft");
+        const changed = await differ(page, n, before, 4000);
+        await knobs.nth(k).locator(".back").click();
+        if (changed) return [];
+    }
+    return [`no slider changes picture ${n}`];
+}
+
+/** FNV-1a, of the bytes of a text: what tests/pages/commands.rs locks. */
+function digest(text) {
+    let hash = 0xcbf29ce484222325n;
+    for (const byte of Buffer.from(text)) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
+    return hash.toString(16).padStart(16, "0");
+}
+/** The locked text of a page, which begins with its default output, after a head between two lines of dashes. */
+function text(stem) {
+    const file = readFileSync(new URL(`${stem}.snap`, LOCKED), "utf8");
+    return file.slice(file.indexOf("\n---\n", 4) + 5);
+}
+/** Of each command that a page gives: the code with which it ends, and the digest of all it says. */
+function commands() {
+    const file = new URL("commands/all.snap", LOCKED);
+    if (!existsSync(file)) return new Map();
+    const lines = readFileSync(file, "utf8").split("\n").map((line) => line.match(/^(\d+) ([0-9a-f]{16}) (.*)$/));
+    return new Map(lines.filter(Boolean).map(([, code, digest, command]) => [command, { code: Number(code), digest }]));
+}
+const ENDED = commands();
+
+/** Every Run button prints what is locked for its command; `ran` takes the commands. */
+export async function runs(page, ran = new Set()) {
+    const faults = [];
+    const buttons = page.locator("button.run");
+    for (let n = 0; n < await buttons.count(); n += 1) {
+        const button = buttons.nth(n);
+        const { stem, arguments: words, predict } = await button.evaluate(({ dataset }) => ({ ...dataset }));
+        const command = `${stem} ${words}`.trim();
+        if (ran.has(command)) continue;
+        ran.add(command);
+        await button.click();
+        const terminal = page.locator(".terminal:not([data-tried])");
+        await terminal.waitFor({ timeout: PATIENCE });
+        const id = `tried-${ran.size}`;
+        await terminal.evaluate((terminal, id) => { terminal.dataset.tried = id; }, id);
+        faults.push(...await prints(page.locator(`[data-tried=${id}]`), command, predict !== undefined));
+    }
+    return faults;
+}
+
+/** What a terminal that has just opened prints is what is locked for its command. */
+export async function prints(terminal, command, predict) {
+    const [stem] = command.split(" ");
+    const faults = [];
+    if (predict) {
+        await terminal.locator(".guess textarea").fill("It goes faster.");
+        await terminal.locator("button[type=submit]").click();
+    }
+    const done = await terminal.locator(".told").waitFor({ state: "visible", timeout: PATIENCE }).then(() => true, () => false);
+    if (!done) return [`${command}: ${await terminal.innerText()}`];
+    const told = await terminal.evaluate(async (terminal) => {
+        const said = (part) => terminal.querySelector(part).textContent;
+        const files = [...terminal.querySelectorAll("a[download]")];
+        const written = await Promise.all(files.map((file) => fetch(file.href).then((answer) => answer.text())));
+        return { out: said(".stdout"), all: said(".stdout") + said(".stderr") + written.join("") };
+    });
+    if (command === stem && !text(stem).startsWith(told.out.trimEnd())) faults.push(`${command}: not the locked text`);
+    const locked = ENDED.get(command);
+    if (ENDED.size > 0 && locked === undefined) faults.push(`${command}: not among the locked commands`);
+    if (locked && locked.digest !== digest(told.all)) faults.push(`${command}: not what is locked`);
+    return faults;
+}
+
+/** For each of these a damage that it must see, on a page whose picture holds digits. */
+export const DAMAGES = {
+    opens: instead("paint.js", "utf8.decode(letters)", 'utf8.decode(letters).replace(/\\d/, "7")'),
+    moves: instead("player.js", "advance(seconds) {", "advance(seconds) { return;"),
+    slides: instead("player.js", 'async open() {', "async open() { if (this.picture) return;"),
+    runs: (path, body) => path === "/modules/run.js" ? body.toString().replace("told.stdout", 'told.stdout.replace(/\\d/, "0")') : body,
+};
