@@ -122,10 +122,12 @@ function caller() {
   const invoke = ({ call, page, text, numbers = [] }) => {
     if (text !== undefined) {
       const bytes = new TextEncoder().encode(text);
-      new Uint8Array(wasm.memory.buffer, wasm.input(bytes.length), bytes.length).set(bytes);
+      const at = wasm.input(bytes.length); // may move the memory
+      new Uint8Array(wasm.memory.buffer, at, bytes.length).set(bytes);
     }
     const length = wasm[call](...[page, ...numbers].slice(-wasm[call].length));
-    return new Uint8Array(wasm.memory.buffer, wasm.output(), length);
+    const at = wasm.output();
+    return new Uint8Array(wasm.memory.buffer, at, length);
   };
   const told = (message) => new TextDecoder().decode(invoke(message));
   return async ({ id, packs, ...message }) => {

@@ -17,7 +17,6 @@ const OWN: &str = "target/modules";
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The directory of the modules that belong to the sources, as far as [`renew`] could make them.
-#[allow(dead_code, reason = "the pages ask for it as soon as they are live")]
 pub fn directory(project: &Project) -> &'static str {
     match project.path(OWN).join("index.json").is_file() {
         true => OWN,
