@@ -46,15 +46,8 @@ pub const ROTOR: Rotor = Rotor {
 impl Rotor {
     /// Its motion in closed form.
     pub fn motion(&self) -> Result<Motion> {
-        let Self {
-            i1,
-            i3,
-            mass,
-            gravity,
-            length,
-            ..
-        } = *self;
-        let body = SymmetricTop::from_mass(i1, i3, mass, gravity, length)?;
+        let (mass, gravity) = (self.mass, self.gravity);
+        let body = SymmetricTop::from_mass(self.i1, self.i3, mass, gravity, self.length)?;
         Motion::new("", HeavyTop::from_body(body, self.tilted(), self.rates())?)
     }
 
@@ -72,9 +65,7 @@ impl Rotor {
     pub fn rates(&self) -> BodyVector {
         BodyVector::new(self.nutation, self.precession * sin(self.theta), self.spin)
     }
-}
 
-impl Rotor {
     /// In slow steady precession at its tilt.
     pub fn steady(&self) -> Result<Steady> {
         let body = RigidBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?);

@@ -157,7 +157,7 @@ fn rates_are_elliptic_functions() {
     };
     errors(1.0).attain(6.5e-15..=6.6e-15, 6 * 19);
     errors(1.001).exceed(1e-6, 6 * 19);
-    // The frequency with the opposite sign, as printed by Celledoni et al.
+    // The frequency with the opposite sign, as in the preprint of Celledoni et al.
     errors(-1.0).exceed(1e-3, 6 * 19);
 }
 

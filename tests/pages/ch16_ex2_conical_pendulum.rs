@@ -1,5 +1,4 @@
-//! Exercise 16.2, the conical pendulum. That simulations confirm the formulas is part of the
-//! report: a claim or a limit that differs from its oracle is an error.
+//! Exercise 16.2, the conical pendulum; a claim that its simulation does not confirm is an error.
 
 use crate::told::{confirmed, refused, value};
 use pages::ch16_ex2_conical_pendulum::*;
@@ -10,10 +9,10 @@ use support::{Errors, second_derivative};
 
 #[test]
 fn formulas_and_simulations_agree_at_every_rate() {
-    let rates = [0.1, 1.0, 3.0, 3.49, 3.51, 3.6, 5.0, 30.0, 1000.0].into_iter();
+    let rates = [0.1, 1.0, 3.0, 3.49, 3.51, 3.6, 5.0, 30.0, 1000.0];
     let released = |w| [0.01, 0.5, 1.5, 3.1].map(|angle| format!("--rate={w} --release={angle}"));
-    confirmed(&EXAMPLE, rates.flat_map(released), 36);
-    // The damaged twin: the formula without its square misses the simulation.
+    confirmed(&EXAMPLE, rates.into_iter().flat_map(released), 36);
+    // The damaged twin has no square.
     assert!((measured_free(0.5).unwrap() - free(0.5_f64.sqrt())).abs() > 0.1);
 }
 
@@ -27,18 +26,16 @@ fn the_reference_case_is_met() {
 
 #[test]
 fn what_is_no_pendulum_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--length=-0.8", "length = -0.8 is not allowed"),
         ("--mass=0", "mass = 0 is not allowed"),
         ("--release=4", "release = 4 is not allowed"),
         ("--rate=3.5011873", "1 at the threshold"),
         ("--rate=1e-9", "from 1.001 to 1000000"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
-/// The equation of the angle knows no tension: it must be what M (a - g) has along the
-/// string, with the acceleration from the places at five times.
+/// It must be what M (a - g) has along the string, with a from the places at five times.
 #[test]
 fn the_tension_is_what_the_motion_needs() {
     let (q, motion) = (0.49, swung(0.49, 0.0, 0.3, 21.0, 1e-15).unwrap());
@@ -74,6 +71,5 @@ fn exactly_zero_stays() {
     assert_eq!(still.end_state(), &[0.0, 0.0]);
     let touched = swung(0.49, 0.0, 1e-9, 32.0, 1e-15).unwrap();
     assert!(touched.end_state()[0] > cone(0.49));
-    // Below the threshold the formula alone is not a number.
-    assert!(acos(1.2).is_nan() && cone(1.2) == 0.0);
+    assert!(acos(1.2).is_nan() && cone(1.2) == 0.0); // below the threshold
 }
