@@ -125,6 +125,24 @@ mod tests {
         assert_eq!(ran, 6 * 4 * 3);
     }
 
+    /// What three runs say of an error that falls as the order has it, of which a part is trusted.
+    #[test]
+    fn an_error_that_falls_as_the_order_says_is_overestimated() {
+        let over = |damage: f64| {
+            let mut over = Errors::of("estimate over error");
+            for (trust, levels) in [(0.5, 1.0), (0.33, 1.0), (0.12, 2.0)] {
+                let (mut gaps, error) = falling(1e-3, exp(-LEVEL * levels), 3);
+                gaps.iter_mut().for_each(|gap| gap.step = levels);
+                let left = exp(-damage * trust * LEVEL * levels);
+                let want = 2.0 * (exp(LEVEL * levels) - 1.0) * left / (1.0 - left);
+                over.add(Verdict::of(trust, &gaps).estimate / error, want, want);
+            }
+            over
+        };
+        over(1.0).attain(2.0e-16..=2.1e-16, 3);
+        over(0.9).exceed(0.05, 3);
+    }
+
     /// Two runs say the least, and three that fall as the order has it say more.
     #[test]
     fn two_runs_are_trusted_least() {
@@ -139,6 +157,31 @@ mod tests {
         // A fall that has not begun: the larger distance counts.
         let rising = [gaps[1], gaps[0]];
         assert_error!(Verdict::of(0.5, &rising).estimate, 9.0 * gaps[0].apart, 0.0);
+    }
+
+    /// A run as fine as is asked, by an error that falls as trusted, leaves seven tenths of
+    /// the budget.
+    #[test]
+    fn the_next_run_is_as_fine_as_the_budget_asks() {
+        let left = |damage: f64| {
+            let mut left = Errors::of("estimate over budget, less seven tenths");
+            for x in [0.05, 0.1, 0.2] {
+                for trust in [0.33, 0.5] {
+                    let (gaps, _) = falling(1e-3, x, 3);
+                    let verdict = Verdict::of(trust, &gaps);
+                    // Two thirds of the way between the least and the most it may ask for.
+                    let decay = -trust * log(x);
+                    let budget = 2.0 * x * gaps[1].apart / (exp(1.5 * decay) - 1.0) / 0.7;
+                    let levels = verdict.ahead(damage * budget);
+                    let fall = exp(-decay * levels);
+                    let estimate = 2.0 * x * gaps[1].apart * fall / (1.0 - fall);
+                    left.push_at(estimate / budget - 0.7, (x, trust));
+                }
+            }
+            left
+        };
+        left(1.0).attain(2.2e-16..=2.3e-16, 6);
+        left(0.9).exceed(0.05, 6);
     }
 
     #[test]
