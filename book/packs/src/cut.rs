@@ -198,22 +198,19 @@ impl Sharing<'_> {
                 .into_iter()
                 .map(|row| if row == moved { gone } else { row })
                 .collect();
-            for row in 0..self.groups.len() {
-                let lost = |other| other == gone || other == moved || changed.contains(&other);
-                bests[row] = match bests[row] {
-                    Some((_, Step::Join(other))) if lost(other) => self.best(row),
-                    _ if changed.contains(&row) => self.best(row),
-                    found => {
-                        let with = changed.iter().filter_map(|other| {
-                            Some((
-                                self.joined(&self.groups[row], &self.groups[*other])?,
-                                Step::Join(*other),
-                            ))
-                        });
-                        with.chain(found).min()
-                    }
-                };
-            }
+            let lost = |other| other == gone || other == moved || changed.contains(&other);
+            let again = |(row, found): (usize, Option<(isize, Step)>)| match found {
+                Some((_, Step::Join(other))) if lost(other) => self.best(row),
+                _ if changed.contains(&row) => self.best(row),
+                found => {
+                    let joins = changed.iter().filter_map(|other| {
+                        let loss = self.joined(&self.groups[row], &self.groups[*other])?;
+                        Some((loss, Step::Join(*other)))
+                    });
+                    joins.chain(found).min()
+                }
+            };
+            bests = bests.into_iter().enumerate().map(again).collect();
         }
     }
 
@@ -246,5 +243,68 @@ impl Group {
         self.lists.extend(other.lists);
         self.nodes.extend(other.nodes);
         self.bytes += other.bytes;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bodies of these sizes.
+    fn module(sizes: &[usize]) -> Slim {
+        Slim {
+            sections: Default::default(),
+            kinds: vec![0; sizes.len()],
+            slots: 0,
+            bodies: sizes.iter().map(|size| vec![0; *size]).collect(),
+            data: Vec::new(),
+            exports: BTreeMap::new(),
+            names: BTreeMap::new(),
+            called: BTreeMap::new(),
+        }
+    }
+
+    fn shared(sizes: &[usize], needs: &[&[usize]]) -> Vec<(Vec<usize>, Vec<Node>)> {
+        let list = |(page, need): (usize, &&[usize])| List {
+            page,
+            weight: 1,
+            need: need.iter().copied().map(Node::Function).collect(),
+        };
+        let lists: Vec<List> = needs.iter().enumerate().map(list).collect();
+        let mut groups: Vec<_> = groups(&module(sizes), &lists)
+            .into_iter()
+            .map(|group| {
+                (
+                    group.lists.into_iter().collect(),
+                    group.nodes.into_iter().collect(),
+                )
+            })
+            .collect();
+        groups.sort();
+        groups
+    }
+
+    #[test]
+    fn what_is_large_stays_apart_and_what_is_small_is_not_worth_a_file() {
+        use Node::Function as F;
+        let (large, small) = (10 * FILE, 1);
+        // The page 0 needs 0 and 1, the page 1 needs 0 and 2.
+        let needs: [&[usize]; 2] = [&[0, 1], &[0, 2]];
+        assert_eq!(
+            shared(&[large, large, large], &needs),
+            [
+                (vec![0], vec![F(1)]),
+                (vec![0, 1], vec![F(0)]),
+                (vec![1], vec![F(2)])
+            ]
+        );
+        assert_eq!(
+            shared(&[large, small, small], &needs),
+            [(vec![0, 1], vec![F(0), F(1), F(2)])]
+        );
+        assert_eq!(
+            shared(&[small, large, large], &needs),
+            [(vec![0], vec![F(0), F(1)]), (vec![1], vec![F(0), F(2)])]
+        );
     }
 }

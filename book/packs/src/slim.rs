@@ -182,7 +182,7 @@ impl Slim {
             .enumerate()
             .filter(|(_, datum)| datum.name.is_empty());
         let roots = roots.chain(unnamed.map(|(index, _)| Node::Datum(index)));
-        let kept = closure(roots, |node| names(node), |_| true);
+        let kept = closure(roots, names, |_| true);
 
         let mut slots = BTreeSet::new();
         for &node in &kept {
@@ -308,4 +308,57 @@ pub fn closure(
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_take_as_few_bytes_as_they_can() {
+        // The values of the DWARF standard's tables of LEB128.
+        let cases: [(i64, &[u8]); 6] = [
+            (2, &[2]),
+            (-2, &[0x7e]),
+            (127, &[0xff, 0]),
+            (-127, &[0x81, 0x7f]),
+            (128, &[0x80, 1]),
+            (-129, &[0xff, 0x7e]),
+        ];
+        for (value, bytes) in cases {
+            let mut out = Vec::new();
+            signed(value, &mut out);
+            assert_eq!(out, bytes, "{value}");
+        }
+        for (value, bytes) in [
+            (2, &[2][..]),
+            (127, &[0x7f]),
+            (128, &[0x80, 1]),
+            (12857, &[0xb9, 0x64]),
+        ] {
+            let mut out = Vec::new();
+            unsigned(value, &mut out);
+            assert_eq!(out, bytes, "{value}");
+        }
+    }
+
+    #[test]
+    fn a_hole_is_filled_without_its_padding() {
+        let hole = |at, form| Hole {
+            at,
+            form,
+            target: Target::Fixed,
+            value: 3,
+        };
+        let bytes = [
+            0x10, 0x83, 0x80, 0x80, 0x80, 0, 0x41, 0x83, 0x80, 0x80, 0x80, 0, 0x0b, 3, 0, 0, 0,
+        ];
+        let holes = [
+            hole(1, Form::Unsigned),
+            hole(7, Form::Signed),
+            hole(13, Form::Word),
+        ];
+        let found = filled(&bytes, &holes, |hole| hole.value + 64);
+        assert_eq!(found, [0x10, 67, 0x41, 0xc3, 0, 0x0b, 67, 0, 0, 0]);
+    }
 }

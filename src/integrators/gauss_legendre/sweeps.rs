@@ -5,14 +5,18 @@
 //! loops, no closures.
 
 use super::coefficients::{CONTINUATION, NODES, STAGES, STAGES_REST, WEIGHTS, WEIGHTS_REST};
-use super::registers::{Common, Octet, Registers};
+#[cfg(target_arch = "x86_64")]
+use super::registers::Registers;
+use super::registers::{Common, Octet};
 use super::{GaussLegendre, Lanes, StageOde};
 use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
 use crate::integrators::explicit::node;
 use crate::integrators::ode::finite_derivative;
-use crate::math::{DoubleDouble, ilogb, lane, ldexp};
+#[cfg(target_arch = "x86_64")]
+use crate::math::lane;
+use crate::math::{DoubleDouble, ilogb, ldexp};
 use core::hint::black_box;
 
 /// More sweeps than any contracting step needs.
