@@ -1,35 +1,160 @@
-// node compare.mjs MODULE.wasm SNAPSHOTS: holds every text and figure of the module against
-// what is locked, byte for byte.
-import { readFileSync } from 'node:fs';
+// node compare.mjs [MODULES]: joins the packs of every page as a page does and holds what they
+// tell against what is locked, byte for byte: each report, each figure, and each command that a
+// reader is given. What moves is held against what the full packs draw.
+//
+// Two pages at a time. A damaged pack must be seen.
+import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { runInThisContext } from 'node:vm';
+import { gunzipSync, gzipSync } from 'node:zlib';
+import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 
-const [module, locked] = process.argv.slice(2);
-const { instance } = await WebAssembly.instantiate(readFileSync(module), {});
-const wasm = instance.exports;
+const root = new URL('../../', import.meta.url);
+const read = (path) => readFileSync(new URL(path, root));
+const modules = workerData ?? process.argv[2] ?? 'book/modules';
+const index = JSON.parse(read(`${modules}/index.json`));
+const caller = runInThisContext(`${read('book/theme/module.js')};caller`);
 
-function told(length) {
-  const at = wasm.output();
-  return Buffer.from(wasm.memory.buffer, at, length).toString('utf8');
-}
+// Kilobytes that a page loads at most, as measured: for what moves, for what tells, for what is
+// rarely called; and all together.
+const MOST = { motion: 244, full: 686, rest: 797, all: 3626 };
+
+const packs = (stem, list) => index.pages[stem][list].map((name) => read(`${modules}/${name}`));
 
 // A locked text follows a head between two lines of dashes.
-function text(stem) {
-  const file = readFileSync(`${locked}/${stem}.snap`, 'utf8');
-  return file.slice(file.indexOf('\n---\n', 4) + 5);
+function locked(file) {
+  const text = read(`tests/snapshots/${file}`).toString();
+  return text.slice(text.indexOf('\n---\n', 4) + 5);
 }
 
-const differ = [];
-let figures = 0;
-const count = wasm.examples();
-for (let n = 0; n < count; n++) {
-  const stem = told(wasm.stem(n));
-  const began = Date.now();
-  if (told(wasm.report(n)).trimEnd() !== text(stem).trimEnd()) differ.push(stem);
-  for (const { name, svg: drawn } of JSON.parse(told(wasm.figures(n))).figures) {
-    const svg = readFileSync(`${locked}/figures/${stem}__${name}.snap.svg`, 'utf8');
-    if (drawn !== svg) differ.push(`${stem}__${name}`);
-    figures += 1;
-  }
-  process.stderr.write(`${stem}: ${Date.now() - began} ms\n`);
+// The commands that readers are given: how each ended, the digest of what it told, its words.
+function commands() {
+  const lines = locked('commands/all.snap').split('\n').filter((line) => /^\d+ [0-9a-f]{16} /.test(line));
+  return lines.map((line) => line.trim().split(/\s+/));
 }
-console.log(`wasm: ${count} texts and ${figures} figures compared, ${differ.length} differ ${differ.join(' ')}`);
-process.exit(count > 0 && figures > count && differ.length === 0 ? 0 : 1);
+
+// FNV-1a of 64 bits, as `tests/pages/commands.rs` has it, in two halves.
+function digest(text) {
+  let [high, low] = [0xcbf29ce4, 0x84222325];
+  for (const byte of Buffer.from(text)) {
+    low = (low ^ byte) >>> 0;
+    const product = low * 0x1b3;
+    high = (Math.imul(high, 0x1b3) + Math.floor(product / 0x100000000) + (low << 8)) >>> 0;
+    low = product >>> 0;
+  }
+  return [high, low].map((half) => half.toString(16).padStart(8, '0')).join('');
+}
+
+// A page's module: a call answers, by the next longer list where a function is missing.
+function page(stem, lists) {
+  const call = caller();
+  const { page } = index.pages[stem];
+  let left = [...lists];
+  let send = packs(stem, left.shift());
+  const ask = async (message) => {
+    const answer = await call({ ...message, page, packs: send });
+    send = undefined;
+    if (!answer.trapped || left.length === 0) return answer;
+    ask.longer.push(message.call);
+    send = packs(stem, left.shift());
+    return ask(message);
+  };
+  ask.longer = []; // the calls that needed a longer list
+  return ask;
+}
+
+// What a page tells other than what is locked: the names of what differs.
+async function told(stem) {
+  const began = performance.now();
+  const differ = [];
+  let compared = 0;
+  const hold = (name, found, expected) => {
+    compared += 1;
+    if (found !== expected) differ.push(name);
+  };
+  const full = page(stem, ['full', 'rest']);
+  const ask = async (call, text) => (await full({ call, text })).text ?? '{}';
+  hold(stem, (await ask('report')).trimEnd(), locked(`${stem}.snap`).trimEnd());
+  for (const { name, svg } of JSON.parse(await ask('figures', '')).figures ?? []) {
+    hold(`${stem}__${name}`, svg, read(`tests/snapshots/figures/${stem}__${name}.snap.svg`).toString());
+  }
+  for (const [code, expected, of, ...given] of commands()) {
+    if (of !== stem) continue;
+    const { stdout, stderr, code: ended, files } = JSON.parse(await ask('run', given.join('\0')));
+    const written = files.map((file) => file.text).join('');
+    hold([stem, ...given].join(' '), `${ended} ${digest(stdout + stderr + written)}`, `${code} ${expected}`);
+  }
+  if (index.pages[stem].declared.moves) {
+    const lists = [page(stem, ['motion']), page(stem, ['rest'])];
+    const all = (message) => Promise.all(lists.map((ask) => ask(message)));
+    const [open, whole] = await all({ call: 'open', text: '' });
+    hold(`${stem}, opened`, open.text, whole.text);
+    const { span = [], stills = [] } = JSON.parse(whole.text);
+    for (const t of [...span, ...stills]) {
+      for (const turn of [0, 0.5]) {
+        const frames = await all({ call: 'frame', numbers: [t, turn, 0] });
+        const [found, expected] = frames.map(({ bytes, error }) => (bytes ? Buffer.from(bytes).toString('base64') : error));
+        hold(`${stem} at ${t}`, found, expected);
+      }
+    }
+  }
+  return { stem, differ, compared, longer: full.longer, seconds: (performance.now() - began) / 1000 };
+}
+
+// The packs with a letter of a page's text changed, well compressed again: the report is then
+// another. A pack that is cut off does not join at all.
+async function damaged() {
+  const stem = Object.keys(index.pages).find((stem) => index.pages[stem].declared.moves);
+  const letter = Buffer.from(index.pages[stem].declared.about.slice(0, 12));
+  const call = caller();
+  const changed = packs(stem, 'full').map((gz) => {
+    const pack = gunzipSync(gz);
+    const at = pack.indexOf(letter);
+    if (at >= 0) pack[at] ^= 1;
+    return gzipSync(pack);
+  });
+  const { text } = await call({ packs: changed, call: 'declared', page: index.pages[stem].page });
+  const cut = packs(stem, 'full');
+  cut[0] = cut[0].subarray(0, cut[0].length - 9);
+  const { error } = await call({ packs: cut, call: 'declared', page: index.pages[stem].page });
+  return JSON.parse(text).about !== index.pages[stem].declared.about && error !== undefined;
+}
+
+// Lists that weigh more than they may, in kilobytes.
+function heavy() {
+  const weight = (name) => statSync(new URL(`${modules}/${name}`, root)).size / 1000;
+  const sum = (names) => names.reduce((sum, name) => sum + weight(name), 0);
+  const files = readdirSync(new URL(modules, root)).filter((name) => name.endsWith('.gz'));
+  const lists = Object.entries(index.pages).flatMap(([stem, page]) =>
+    ['motion', 'full', 'rest'].map((list) => [`${stem}, ${list}`, sum(page[list]), MOST[list]]));
+  return [...lists, ['all packs', sum(files), MOST.all]].filter(([, weight, most]) => !(weight <= most));
+}
+
+if (!isMainThread) {
+  parentPort.on('message', async (stem) => parentPort.postMessage(await told(stem)));
+} else {
+  const waiting = Object.keys(index.pages);
+  const total = { compared: 0, differ: [], longer: 0 };
+  const hand = (worker) => (waiting.length > 0 ? worker.postMessage(waiting.shift()) : worker.terminate());
+  const done = Array.from({ length: 2 }, () => new Promise((ended, failed) => {
+    const worker = new Worker(new URL(import.meta.url), { workerData: modules });
+    worker.on('message', ({ stem, differ, compared, longer, seconds }) => {
+      total.compared += compared;
+      total.differ.push(...differ);
+      total.longer += longer.length;
+      if (seconds > 3 || longer.length > 0) console.log(`${stem}: ${seconds.toFixed(1)} s; needs more for ${longer.length} calls`);
+      hand(worker);
+    });
+    worker.on('error', failed);
+    worker.on('exit', ended);
+    hand(worker);
+  }));
+  await Promise.all(done);
+  const seen = await damaged();
+  const much = heavy();
+  const { user, system } = process.cpuUsage();
+  for (const [name, weight, most] of much) console.log(`${name}: ${weight.toFixed(0)} kB of ${most}`);
+  console.log(`modules: ${total.compared} answers compared, ${total.differ.length} differ ${total.differ.join(', ')}; ` +
+    `${total.longer} calls needed what is rarely called; a damaged pack is ${seen ? '' : 'not '}seen; ${((user + system) / 1e6).toFixed(0)} s of processor`);
+  if (total.differ.length > 0) console.log('numbers have changed: make the packs anew with `cargo modules`');
+  process.exit(total.compared > 0 && total.differ.length === 0 && seen && much.length === 0 ? 0 : 1);
+}

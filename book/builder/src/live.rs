@@ -1,10 +1,11 @@
 //! What moves in a page: the markup of players, Run buttons and the bench of methods, and the
 //! modules beside the pages.
 //!
-//! The modules and their index (`book/modules`, made by `book/packs`) hold the code of the
+//! The modules and their index (`book/modules`, made by `cargo modules`) hold the code of the
 //! examples; `theme/live.js` and its kin load them when they are touched. A page without them, or
 //! in a browser that cannot run them, is as it was: nothing of this is shown.
 
+use crate::modules;
 use crate::notation;
 use crate::project::Project;
 use crate::text::{escape, number_html, unescape, unit_html};
@@ -14,9 +15,6 @@ use rotation_dynamics::report::{STEPPING, Table};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fmt;
-
-/// Where the modules and their index are.
-const DIRECTORY: &str = "book/modules";
 
 /// What joins modules and calls them, in a worker. A page that is opened as a file may start no
 /// worker from one: the source comes as a text.
@@ -78,6 +76,7 @@ const LISTS: [&str; 3] = ["motion", "full", "rest"];
 /// The modules that there are: `{"pages": {STEM: {"page", a key for each of LISTS, "declared"}},
 /// "palette": [{"name"}]}`.
 pub struct Modules {
+    directory: &'static str,
     index: Value,
 }
 
@@ -87,14 +86,15 @@ impl Modules {
     /// # Errors
     /// An index that cannot be read.
     pub fn of(project: &Project) -> Result<Option<Self>, String> {
-        let file = format!("{DIRECTORY}/index.json");
+        let directory = modules::directory(project);
+        let file = format!("{directory}/index.json");
         if !project.path(&file).is_file() {
             return Ok(None);
         }
         let index = serde_json::from_str(&project.read(&file)?);
         let index: Value = index.map_err(|e| format!("{file}: {e}"))?;
         match index["pages"].is_object() && index["palette"].is_array() {
-            true => Ok(Some(Self { index })),
+            true => Ok(Some(Self { directory, index })),
             false => Err(format!("{file} must hold \"pages\" and \"palette\"")),
         }
     }
@@ -323,7 +323,7 @@ impl Modules {
             ),
         ];
         for name in names {
-            let file = format!("{DIRECTORY}/{name}");
+            let file = format!("{}/{name}", self.directory);
             let bytes = std::fs::read(project.path(&file))
                 .map_err(|e| format!("cannot read {file}: {e}"))?;
             let script = format!(
@@ -533,6 +533,7 @@ mod tests {
         };
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
         Modules {
+            directory: "",
             index: json!({"pages": pages, "palette": [{"name": "fig-ink"}, {"name": "fig-axis"}]}),
         }
     }

@@ -17,6 +17,7 @@ mod frame;
 mod lint;
 mod live;
 mod measured;
+mod modules;
 mod pages;
 mod preprocess;
 mod problem;
@@ -109,8 +110,12 @@ fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
             let here = std::env::current_dir()?;
             let project = match matches.get_one::<PathBuf>("root") {
                 Some(root) => Project::new(root),
-                None => Project::above(&here)
-                    .ok_or("there is no book/book.toml here or in any directory above")?,
+                None => {
+                    let project = Project::above(&here)
+                        .ok_or("there is no book/book.toml here or in any directory above")?;
+                    modules::renew(&project);
+                    project
+                }
             };
             match matches.get_one::<PathBuf>("out") {
                 Some(out) => build::once(&project, &here.join(out)),

@@ -1,0 +1,161 @@
+// Joins packs into the module of a page and, in a worker, calls it.
+//
+// `book/packs/src/pack.rs` says what bytes a pack has: function bodies by their numbers, data
+// by their addresses. A function that no pack brought gets a body that traps.
+'use strict';
+
+const TRAP = [3, 0, 0x00, 0x0b]; // 3 bytes: no locals, unreachable, end
+
+async function inflated(gz) {
+  const stream = new Blob([gz]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Reads numbers of seven bits a byte, and what they count.
+function reader(bytes) {
+  let at = 0;
+  const number = () => {
+    for (let value = 0, shift = 0; ; shift += 7) {
+      const byte = bytes[at++];
+      value |= (byte & 0x7f) << shift;
+      if (byte < 0x80) return value >>> 0;
+    }
+  };
+  const take = (length) => bytes.subarray(at, (at += length));
+  const counted = () => take(number());
+  const list = (one) => Array.from({ length: number() }, one);
+  // Start and length of each run.
+  const runs = () => {
+    let reached = 0;
+    return list(() => {
+      const start = reached + number();
+      const length = number();
+      reached = start + length;
+      return [start, length];
+    });
+  };
+  return { number, take, counted, list, runs, rest: () => bytes.subarray(at) };
+}
+
+function unsigned(value) {
+  const bytes = [];
+  for (; value >= 0x80; value >>>= 7) bytes.push((value & 0x7f) | 0x80);
+  return [...bytes, value];
+}
+
+// An address as a signed number: its highest bit is no sign.
+function address(value) {
+  const bytes = unsigned(value);
+  const last = bytes.length - 1;
+  return bytes[last] < 0x40 ? bytes : [...bytes.slice(0, last), bytes[last] | 0x80, 0];
+}
+
+const counted = (bytes) => [unsigned(bytes.length), bytes];
+const list = (items) => [unsigned(items.length), ...items.flat()]; // of lists of bytes
+
+function concatenated(parts) {
+  const whole = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+// The module's bytes, of inflated packs. `changed` may write a body anew, given its number.
+function assembled(packs, changed = (body) => body) {
+  const read = packs.map(reader);
+  const heads = read.map((pack) => pack.counted());
+  const head = reader(heads.find((bytes) => bytes.length > 0));
+  const [types, memory, globals] = [head.counted(), head.counted(), head.counted()];
+  const slots = head.number();
+  const exported = head.list(() => [head.counted(), head.number()]);
+  const kinds = head.list(() => [head.number(), head.number()]).flatMap(([n, kind]) => Array(n).fill(kind));
+
+  const code = kinds.map(() => [TRAP]);
+  const data = [];
+  for (const pack of read) {
+    for (const [start, count] of pack.runs()) {
+      for (let n = start; n < start + count; n++) code[n] = counted(changed(pack.counted(), n));
+    }
+    for (const [start, length] of pack.runs()) {
+      data.push([[0, 0x41], address(start), [0x0b], ...counted(pack.take(length))]);
+    }
+  }
+  const slot = Array.from({ length: slots }, (_, n) => unsigned(n));
+  const exports = exported.map(([name, n]) => [...counted(name), [0], unsigned(n)]);
+  exports.push([...counted(new TextEncoder().encode('memory')), [2, 0]]);
+  const section = (id, parts) => [[id], unsigned(parts.reduce((sum, part) => sum + part.length, 0)), ...parts];
+  return concatenated([
+    [0, 0x61, 0x73, 0x6d, 1, 0, 0, 0],
+    ...section(1, [types]),
+    ...section(3, list(kinds.map((kind) => [unsigned(kind)]))),
+    ...section(4, [[1, 0x70, 0], unsigned(slots + 1)]),
+    ...section(5, [memory]),
+    ...section(6, [globals]),
+    ...section(7, list(exports)),
+    ...section(9, [[1, 0, 0x41, 1, 0x0b], ...list(slot.map((n) => [n]))]),
+    ...section(10, list(code)),
+    ...section(11, list(data)),
+  ]);
+}
+
+async function compiled(packs) {
+  return WebAssembly.compile(assembled(await Promise.all(packs.map(inflated))));
+}
+
+// The instance of gzipped packs.
+async function joined(packs) {
+  return WebAssembly.instantiate(await compiled(packs), {});
+}
+
+// Answers calls one after the other. A call is `{id, packs?, call, page?, text?, numbers?}`:
+// `packs` (gzipped, of one list) give a new instance; `call` is an export, given the numbers and,
+// if it takes one more, the page's; `text` is its input. The answer is `{id, text}`, of
+// `frame` `{id, bytes}`, or `{id, error, trapped}`: `trapped` when the module broke off, as it
+// does where a function is missing; the same call with a page's full packs then tells.
+function caller() {
+  let module;
+  let wasm;
+  let opened; // the last `open`, and the instance that has it
+  const invoke = ({ call, page, text, numbers = [] }) => {
+    if (text !== undefined) {
+      const bytes = new TextEncoder().encode(text);
+      const at = wasm.input(bytes.length); // may move the memory
+      new Uint8Array(wasm.memory.buffer, at, bytes.length).set(bytes);
+    }
+    const length = wasm[call](...[page, ...numbers].slice(-wasm[call].length));
+    const at = wasm.output();
+    return new Uint8Array(wasm.memory.buffer, at, length);
+  };
+  const told = (message) => new TextDecoder().decode(invoke(message));
+  return async ({ id, packs, ...message }) => {
+    try {
+      if (packs) module = await compiled(packs);
+      if (packs || !wasm) wasm = (await WebAssembly.instantiate(module, {})).exports;
+      if (message.call === 'open') opened = { message, wasm };
+      if (message.call !== 'frame') return { id, text: told(message) };
+      if (opened && opened.wasm !== wasm) {
+        told(opened.message);
+        opened.wasm = wasm;
+      }
+      const bytes = invoke(message).slice().buffer;
+      return bytes.byteLength > 0 ? { id, bytes } : { id, error: told({ call: 'failure' }) };
+    } catch (error) {
+      const trapped = error instanceof WebAssembly.RuntimeError;
+      if (trapped) wasm = undefined; // What it left in memory is not to be relied on.
+      return { id, error: String(error), trapped };
+    }
+  };
+}
+
+if (typeof importScripts === 'function') {
+  const answer = caller();
+  let before = Promise.resolve();
+  onmessage = ({ data }) => {
+    before = before.then(() => answer(data)).then((told) => {
+      postMessage(told, told.bytes ? [told.bytes] : []);
+    });
+  };
+}
