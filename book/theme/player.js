@@ -395,7 +395,8 @@ class Knobs {
         /** A parameter need not enter the picture: then the reader is told. */
         note(bytes, wish) {
             const words = new Int32Array(bytes.buffer ?? bytes);
-            const asked = this.knobs.touched;
+            // A frame that was asked for before the change says nothing of it.
+            const asked = this.opening ? undefined : this.knobs.touched;
             if (asked !== undefined && this.before?.wish === wish) {
                 const same = words.length === this.before.words.length && words.every((word, n) => word === this.before.words[n]);
                 if (same) {
