@@ -44,29 +44,37 @@ MATHS = [
     (0x22EE, 0x22EF), (0x25A0, 0x25A1), (0x25CB, 0x25CF), (0x27E8, 0x27E9), (0x1D400, 0x1D467), (0x1D493, 0x1D493),
     (0x1D6A8, 0x1D6C1), (0x1D6E2, 0x1D71B), (0x1D736, 0x1D755),
 ]
-CODE = TEXT + [(0x2500, 0x257F)]
+# What programs and their comments need beside ASCII.
+CODE = [
+    (0x20, 0x7E), (0xA0, 0xFF), (0x391, 0x3A9), (0x3B1, 0x3C9), (0x2009, 0x200A), (0x2010, 0x2015), (0x2018, 0x201E),
+    (0x2026, 0x2026), (0x202F, 0x202F), (0x2032, 0x2033), (0x2070, 0x2070), (0x2074, 0x207B), (0x2080, 0x208E),
+    (0x2190, 0x2194), (0x2202, 0x2202), (0x2206, 0x2208), (0x2211, 0x2213), (0x221A, 0x221A), (0x221E, 0x221E),
+    (0x2248, 0x2248), (0x2260, 0x2261), (0x2264, 0x2265), (0x22C5, 0x22C5), (0x2500, 0x2500), (0x2502, 0x2502),
+    (0x2514, 0x2514), (0x251C, 0x251C),
+]
 
 READING = ["ccmp", "liga", "kern", "mark"]
 # The MATH table brings its own variants; "ssty" (for scripts) would double the size.
 SETTING = ["dtls"]
 
-# File, source, family, style, repertoire, features, hints (for what is read small and long).
+# File, source, family, style, repertoire, features. Hints would weigh a fifth of the text's fonts.
 FONTS = [
-    ("serif", "LibertinusSerif-Regular.otf", "Book Serif", "Regular", TEXT, READING, True),
-    ("serif-italic", "LibertinusSerif-Italic.otf", "Book Serif", "Italic", TEXT, READING, False),
-    ("serif-semibold", "LibertinusSerif-Semibold.otf", "Book Serif", "Semibold", TEXT, READING, False),
-    ("serif-semibold-italic", "LibertinusSerif-SemiboldItalic.otf", "Book Serif", "Semibold Italic", TEXT, READING, False),
-    ("maths", "NewCMMath-Book.otf", "Book Maths", "Regular", MATHS, SETTING, False),
-    ("mono", "DejaVuSansMono.ttf", "Book Mono", "Regular", CODE, [], False),
+    ("serif", "LibertinusSerif-Regular.otf", "Book Serif", "Regular", TEXT, READING),
+    ("serif-italic", "LibertinusSerif-Italic.otf", "Book Serif", "Italic", TEXT, READING),
+    ("serif-semibold", "LibertinusSerif-Semibold.otf", "Book Serif", "Semibold", TEXT, READING),
+    ("serif-semibold-italic", "LibertinusSerif-SemiboldItalic.otf", "Book Serif", "Semibold Italic", TEXT, READING),
+    ("maths", "NewCMMath-Book.otf", "Book Maths", "Regular", MATHS, SETTING),
+    ("mono", "DejaVuSansMono.ttf", "Book Mono", "Regular", CODE, []),
 ]
 
 
 def named(font, family, style):
-    """Gives the subset a name of its own; copyright and licence stay as they are."""
+    """Gives the subset a name of its own; copyright and the licence's address stay as they are.
+    (LICENSES.txt has its text.)"""
     names = font["name"]
     origin = names.getDebugName(4)
     version = names.getDebugName(5)
-    names.names = [record for record in names.names if record.nameID in (0, 13, 14)]
+    names.names = [record for record in names.names if record.nameID in (0, 14)]
     postscript = f"{family}-{style}".replace(" ", "")
     own = {
         1: family,
@@ -88,11 +96,11 @@ def named(font, family, style):
 
 def main(sources):
     total = 0
-    for name, source, family, style, repertoire, features, hints in FONTS:
+    for name, source, family, style, repertoire, features in FONTS:
         font = TTFont(Path(sources) / source)
         options = subset.Options()
         options.layout_features = features
-        options.hinting = hints
+        options.hinting = False
         # Brotli finds what outlines share better than the subroutines of CFF tell it.
         options.desubroutinize = True
         options.notdef_outline = True
