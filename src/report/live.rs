@@ -28,7 +28,7 @@ use core::fmt::Write;
 ///     moving_picture: Some(|p: &Parameters| {
 ///         let l = p.length;
 ///         MovingPicture::new(0.0..=6.0, [0.0], move |t| {
-///             Sketch::new("clock", "the hand of a clock").window((-1.0, 1.0), (-1.0, 1.0))
+///             Sketch::new("clock", "the hand of a clock turns").window((-1.0, 1.0), (-1.0, 1.0))
 ///                 .arrow((0.0, 0.0), (l * t.sin(), l * t.cos()), Ink::Body, "", Side::Right)
 ///                 .figure()
 ///         })
