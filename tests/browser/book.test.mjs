@@ -74,7 +74,7 @@ const lives = (browser, address, how) => opened(browser, address, how, async (pa
         for (const check of ["opens", "moves", "slides"]) found.push(...await live[check](page, n));
     }
     found.push(...await live.runs(page, commands));
-    if (browser === chromium) found.push(...await still.violations(page));
+    if (browser === chromium) found.push(...await still.violations(page, ".player, .terminal, canvas"));
     return [...found, ...faults.console, ...faults.failed, ...faults.away];
 });
 

@@ -42,11 +42,12 @@ export async function still(browser, address, how) {
     });
 }
 
-/** What axe finds, the folds open. */
-export async function violations(page) {
+/** What axe finds, the folds open, in the page or in what of it `parts` selects. */
+export async function violations(page, parts = "html") {
     await page.evaluate(() => { for (const fold of document.querySelectorAll("details")) fold.open = true; });
     await page.evaluate(axe);
-    const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+    const { violations } = await page.evaluate((parts) =>
+        axe.run([...document.querySelectorAll(parts)], { resultTypes: ["violations"] }), parts);
     return violations.flatMap(({ id, nodes }) => nodes.map((node) =>
         `${id} at ${node.target}: ${node.failureSummary.replace(/\s+/g, " ")}`));
 }
