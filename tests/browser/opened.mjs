@@ -18,8 +18,14 @@ const watch = (theme) => {
     if (!location.host) return; // an empty page before the first keeps nothing
     localStorage.setItem("mdbook-theme", theme);
     if (!PerformanceObserver.supportedEntryTypes.includes("layout-shift")) return;
+    // What follows a touch within half a second is the reader's doing; a machine that does much
+    // else may hand the touch over later than that, so the half second begins where it arrives.
+    let touched = -Infinity;
+    addEventListener("click", () => { touched = performance.now(); }, { capture: true });
     new PerformanceObserver((list) => {
-        for (const shift of list.getEntries()) if (!shift.hadRecentInput) window.moved += shift.value;
+        for (const shift of list.getEntries()) {
+            if (!shift.hadRecentInput && shift.startTime > touched + 500) window.moved += shift.value;
+        }
     }).observe({ type: "layout-shift", buffered: true });
 };
 
