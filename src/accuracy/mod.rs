@@ -22,6 +22,7 @@ mod measures;
 mod problem;
 mod sweep;
 
+#[cfg(feature = "report")]
 pub(crate) use called_for::MARGIN;
 pub use called_for::{CalledFor, Measured, Weighed};
 pub use carry::{Carrier, Fineness, Variables, applies};

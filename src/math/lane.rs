@@ -35,20 +35,22 @@ pub trait Lane:
     const WIDTH: usize;
     /// The same number in every lane.
     fn of(value: f64) -> Self;
-    /// The first `WIDTH` numbers.
-    fn load(values: &[f64; WIDEST]) -> Self;
-    /// Writes the first `WIDTH` numbers.
-    fn store(self, values: &mut [f64; WIDEST]);
+    /// The first `WIDTH` numbers of a list; panics if it has fewer.
+    fn load(values: &[f64]) -> Self;
+    /// Writes the first `WIDTH` numbers of a list; panics if it has fewer.
+    fn store(self, values: &mut [f64]);
     /// The square root, correctly rounded.
     fn sqrt(self) -> Self;
+    /// The absolute value.
+    fn abs(self) -> Self;
+    /// The sum of the lanes: the halves are added, then the halves of that, to the last two.
+    fn sum(self) -> f64;
 }
 
 /// A lane that can be asked for a phase, and that goes in pairs.
 pub trait Phased: Lane + Number {
     /// Two of these.
     type Pair: Pair<Self>;
-    /// The first `WIDTH` numbers of a list that has them; panics if it has not.
-    fn load_from(values: &[f64]) -> Self;
 }
 
 /// What has the arithmetic of a number, in every lane, and its bits.
@@ -140,16 +142,24 @@ impl Lane for f64 {
         value
     }
     #[inline(always)]
-    fn load(values: &[f64; WIDEST]) -> Self {
+    fn load(values: &[f64]) -> Self {
         values[0]
     }
     #[inline(always)]
-    fn store(self, values: &mut [f64; WIDEST]) {
+    fn store(self, values: &mut [f64]) {
         values[0] = self;
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn sum(self) -> f64 {
+        self
     }
 }
 
@@ -158,17 +168,23 @@ impl Phased for f64 {
     type Pair = x86::Two;
     #[cfg(not(target_arch = "x86_64"))]
     type Pair = Both<f64>;
-    #[inline(always)]
-    fn load_from(values: &[f64]) -> Self {
-        values[0]
-    }
 }
 
 /// Two of a kind, one after the other.
 #[derive(Debug, Clone, Copy)]
 pub struct Both<L>(L, L);
 
-impl<L: Phased> Both<L> {
+/// Eight numbers in registers of AVX-512, and in those of AVX2: only where they are.
+#[cfg(target_arch = "x86_64")]
+pub(crate) use x86::{Eight, FourTwice};
+/// Eight numbers in what every processor of its kind has.
+#[cfg(target_arch = "x86_64")]
+pub(crate) type CommonEight = Both<Both<x86::Two>>;
+/// Eight numbers in what every processor of its kind has.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) type CommonEight = Both<Both<Both<f64>>>;
+
+impl<L: Copy> Both<L> {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(L, L) -> L) -> Self {
         Self(f(self.0, other.0), f(self.1, other.1))
@@ -177,31 +193,62 @@ impl<L: Phased> Both<L> {
 
 macro_rules! both {
     ($($trait:ident $method:ident),*) => {$(
-        impl<L: Phased> $trait for Both<L> {
+        impl<L: Lane> $trait for Both<L> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.zip(other, L::$method)
             }
         }
-
-        impl<L: Phased> $trait<f64> for Both<L> {
+    )*};
+    (f64: $($trait:ident $method:ident),*) => {$(
+        impl<L: Lane> $trait<f64> for Both<L> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: f64) -> Self {
-                self.zip(Self::same(other), L::$method)
+                Self(self.0.$method(other), self.1.$method(other))
             }
         }
     )*};
 }
 
-both!(Add add, Sub sub, Mul mul);
+both!(Add add, Sub sub, Mul mul, Div div);
+both!(f64: Add add, Sub sub, Mul mul);
 
-impl<L: Phased> Neg for Both<L> {
+impl<L: Lane> Neg for Both<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         Self(-self.0, -self.1)
+    }
+}
+
+impl<L: Lane> Lane for Both<L> {
+    const WIDTH: usize = 2 * L::WIDTH;
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        Self(L::of(value), L::of(value))
+    }
+    #[inline(always)]
+    fn load(values: &[f64]) -> Self {
+        Self(L::load(values), L::load(&values[L::WIDTH..]))
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [f64]) {
+        self.0.store(values);
+        self.1.store(&mut values[L::WIDTH..]);
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+    #[inline(always)]
+    fn sum(self) -> f64 {
+        (self.0 + self.1).sum()
     }
 }
 
@@ -303,7 +350,7 @@ fn run<L: Phased, const N: usize>(
     while let Some(first) = left.first() {
         let count = left.len().min(L::WIDTH);
         let t = if count == L::WIDTH {
-            L::load_from(left)
+            L::load(left)
         } else {
             // Filled up; what the idle lanes give is dropped.
             let mut t = [*first; WIDEST];

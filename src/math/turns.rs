@@ -183,6 +183,12 @@ impl Clock<f64> {
 }
 
 impl Clock<[f64; 2]> {
+    /// Both at a time beyond [`Clock::until`].
+    #[cold]
+    pub fn both_far(&self, t: f64) -> Reduced<<f64 as Phased>::Pair> {
+        beside(self.one(0).read_far(t), self.one(1).read_far(t))
+    }
+
     /// Either of two.
     pub fn one(&self, i: usize) -> Clock<f64> {
         Clock {
@@ -198,7 +204,7 @@ impl Clock<[f64; 2]> {
 
 /// Two phases side by side.
 #[inline(always)]
-pub(crate) fn beside<L: Phased>(first: Reduced<L>, second: Reduced<L>) -> Reduced<L::Pair> {
+fn beside<L: Phased>(first: Reduced<L>, second: Reduced<L>) -> Reduced<L::Pair> {
     Reduced {
         rest: L::Pair::new(first.rest, second.rest),
         whole: L::Pair::new(first.whole, second.whole),

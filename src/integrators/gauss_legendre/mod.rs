@@ -19,13 +19,11 @@
 mod bodies;
 pub mod coefficients;
 mod free_rotation;
-mod registers;
 mod sweeps;
 
 pub use bodies::BodyAxes;
 pub(crate) use bodies::SideBySide;
 pub use free_rotation::FreeRotation;
-pub use registers::Registers;
 
 use super::compensated::Compensated;
 use super::explicit::no_steps;
@@ -37,6 +35,17 @@ use crate::math::{EPS, Lane};
 
 /// One number for each of the eight stages.
 pub type Lanes = [f64; 8];
+
+/// The registers that a run may use; it takes the best of them that there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Registers {
+    /// What every processor of its kind has.
+    Common,
+    /// Up to those of AVX2: four numbers each.
+    Avx2,
+    /// Up to those of AVX-512: eight numbers.
+    Avx512,
+}
 
 /// A system y' = f(t, y) evaluated at several times and states at once.
 ///

@@ -1,22 +1,18 @@
 //! The steps of the method, and the sweeps that solve the stages of each.
 //!
-//! Written once over the kinds of [`registers`](super::registers). What is inside a
-//! sweep must be inlined, or it is compiled for registers that are not there: plain
-//! loops, no closures.
+//! Written once over [lanes](crate::math::lane) of eight. What is inside a sweep must be
+//! inlined, or it is compiled for registers that are not there: plain loops, no closures.
 
-use super::coefficients::{CONTINUATION, NODES, STAGES, STAGES_REST, WEIGHTS, WEIGHTS_REST};
 #[cfg(target_arch = "x86_64")]
-use super::registers::Registers;
-use super::registers::{Common, Octet};
+use super::Registers;
+use super::coefficients::{CONTINUATION, NODES, STAGES, STAGES_REST, WEIGHTS, WEIGHTS_REST};
 use super::{GaussLegendre, Lanes, StageOde};
 use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
 use crate::integrators::explicit::node;
 use crate::integrators::ode::finite_derivative;
-#[cfg(target_arch = "x86_64")]
-use crate::math::lane;
-use crate::math::{DoubleDouble, ilogb, ldexp};
+use crate::math::{DoubleDouble, Lane, ilogb, lane, ldexp};
 use core::hint::black_box;
 
 /// More sweeps than any contracting step needs.
@@ -28,13 +24,13 @@ const ROUND_OFF: f64 = 1e-12;
 /// What is done with each step once its stages are known: a quadrature along the way.
 pub(super) trait Companion<const N: usize> {
     /// The step by `h` (in two parts) led from one state through the stages to another.
-    fn follow<L: Octet>(&mut self, h: [f64; 2], from: &[f64; N], stages: &[L; N], to: &[f64; N]);
+    fn follow<L: Lane>(&mut self, h: [f64; 2], from: &[f64; N], stages: &[L; N], to: &[f64; N]);
 }
 
 /// Nothing is done.
 impl<const N: usize> Companion<N> for () {
     #[inline(always)]
-    fn follow<L: Octet>(&mut self, _: [f64; 2], _: &[f64; N], _: &[L; N], _: &[f64; N]) {}
+    fn follow<L: Lane>(&mut self, _: [f64; 2], _: &[f64; N], _: &[L; N], _: &[f64; N]) {}
 }
 
 /// Rows of eight numbers, placed so that none lies across two lines of the cache.
@@ -92,7 +88,7 @@ impl GaussLegendre {
                 return unsafe { self.run_avx2(ode, t, start, t_end, companion, work) };
             }
         }
-        self.run_in::<Common, N, _, _>(ode, t, start, t_end, companion, work)
+        self.run_in::<lane::CommonEight, N, _, _>(ode, t, start, t_end, companion, work)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -106,7 +102,7 @@ impl GaussLegendre {
         companion: &mut C,
         work: &mut Work,
     ) -> Result<[f64; N]> {
-        self.run_in::<super::registers::Avx512, N, _, _>(ode, t, start, t_end, companion, work)
+        self.run_in::<lane::Eight, N, _, _>(ode, t, start, t_end, companion, work)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -120,11 +116,11 @@ impl GaussLegendre {
         companion: &mut C,
         work: &mut Work,
     ) -> Result<[f64; N]> {
-        self.run_in::<super::registers::Avx2, N, _, _>(ode, t, start, t_end, companion, work)
+        self.run_in::<lane::FourTwice, N, _, _>(ode, t, start, t_end, companion, work)
     }
 
     #[inline(always)]
-    fn run_in<L: Octet, const N: usize, O: StageOde<N>, C: Companion<N>>(
+    fn run_in<L: Lane, const N: usize, O: StageOde<N>, C: Companion<N>>(
         &self,
         ode: &O,
         t: f64,
@@ -133,6 +129,7 @@ impl GaussLegendre {
         companion: &mut C,
         work: &mut Work,
     ) -> Result<[f64; N]> {
+        const { assert!(L::WIDTH == 8) };
         let mut y = start;
         // The step in two parts: its rounding would stretch the time, always to one side.
         let step = DoubleDouble::sum(t_end, -t) / self.steps as f64;
@@ -223,7 +220,7 @@ impl GaussLegendre {
 
 /// first + sum_j column_j x_j, as a tree: its depth is what a sweep waits for.
 #[inline(always)]
-fn combination<L: Octet>(columns: &[Lanes; 8], x: &Lanes, first: L) -> L {
+fn combination<L: Lane>(columns: &[Lanes; 8], x: &Lanes, first: L) -> L {
     let early = ((first + term::<L>(columns, x, 0)) + term::<L>(columns, x, 1))
         + (term::<L>(columns, x, 2) + term::<L>(columns, x, 3));
     let late = (term::<L>(columns, x, 4) + term::<L>(columns, x, 5))
@@ -232,13 +229,13 @@ fn combination<L: Octet>(columns: &[Lanes; 8], x: &Lanes, first: L) -> L {
 }
 
 #[inline(always)]
-fn term<L: Octet>(columns: &[Lanes; 8], x: &Lanes, j: usize) -> L {
+fn term<L: Lane>(columns: &[Lanes; 8], x: &Lanes, j: usize) -> L {
     L::load(&columns[j]) * x[j]
 }
 
 /// sum_j b_j x_j with weights whose sum is 1 exactly: x_0 + sum_j b_j (x_j - x_0).
 #[inline(always)]
-pub(super) fn weighted_mean<L: Octet>(x: &Lanes) -> f64 {
+pub(super) fn weighted_mean<L: Lane>(x: &Lanes) -> f64 {
     let off = L::load(x) - x[0];
     x[0] + ((off * L::load(&WEIGHTS_REST)).sum() + (off * L::load(&WEIGHTS)).sum())
 }

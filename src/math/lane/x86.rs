@@ -1,7 +1,7 @@
 //! The vector registers of x86-64.
 
 use super::{
-    Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, Pair, Phased, Sampler, Sub, WIDEST, run,
+    Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, Pair, Phased, Sampler, Sub, run,
 };
 use core::arch::x86_64::*;
 
@@ -25,14 +25,15 @@ pub(super) fn avx2<const N: usize>(
     run::<Four, N>(sampler, times, put);
 }
 
-// SAFETY of every block below: `Two` needs SSE2, which every x86-64 has. `Four` and
-// `Eight` are private to this module, and values of them exist only inside `avx2` and
-// `avx512`, which run where the instructions exist. Loads and stores stay within the
-// lists they are given.
-macro_rules! number {
-    ($name:ident, $register:ty, $set:ident, $add:ident, $sub:ident, $mul:ident,
+// SAFETY of every block below: `Two` needs SSE2, which every x86-64 has. Values of `Four` and
+// `Eight` exist only inside functions that run where the instructions exist: `avx2` and `avx512`
+// here, and those of the same kind in `integrators::gauss_legendre`. Loads and stores stay within
+// the lists they are given.
+macro_rules! register {
+    ($name:ident($register:ty), $width:literal, $set:ident, $load:ident, $store:ident,
+     $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident,
      $integer:ident, $from_integer:ident, $whole:ident, $plus:ident, $and:ident, $xor:ident, $shift:ident,
-     $or_if_odd:expr) => {
+     $or_if_odd:expr, $halves:expr) => {
         impl Number for $name {
             #[inline(always)]
             fn same(value: f64) -> Self {
@@ -64,40 +65,6 @@ macro_rules! number {
             }
         }
 
-        number!(@operator $name, Add, add, $add);
-        number!(@operator $name, Sub, sub, $sub);
-        number!(@operator $name, Mul, mul, $mul);
-
-        impl Neg for $name {
-            type Output = Self;
-            #[inline(always)]
-            fn neg(self) -> Self {
-                // From -0, so that the sign of a zero turns as well.
-                Self::same(-0.0) - self
-            }
-        }
-    };
-    (@operator $name:ident, $trait:ident, $method:ident, $intrinsic:ident) => {
-        impl $trait for $name {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(unsafe { $intrinsic(self.0, other.0) })
-            }
-        }
-
-        impl $trait<f64> for $name {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: f64) -> Self {
-                self.$method(Self::same(other))
-            }
-        }
-    };
-}
-
-macro_rules! lane {
-    ($name:ident, $width:literal, $load:ident, $store:ident, $div:ident, $sqrt:ident) => {
         impl Lane for $name {
             const WIDTH: usize = $width;
             #[inline(always)]
@@ -105,49 +72,81 @@ macro_rules! lane {
                 Self::same(value)
             }
             #[inline(always)]
-            fn load(values: &[f64; WIDEST]) -> Self {
+            fn load(values: &[f64]) -> Self {
+                assert!(values.len() >= $width);
                 Self(unsafe { $load(values.as_ptr()) })
             }
             #[inline(always)]
-            fn store(self, values: &mut [f64; WIDEST]) {
+            fn store(self, values: &mut [f64]) {
+                assert!(values.len() >= $width);
                 unsafe { $store(values.as_mut_ptr(), self.0) }
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
                 Self(unsafe { $sqrt(self.0) })
             }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                Self(unsafe { $from_integer($and($integer(self.0), $whole(!i64::MIN))) })
+            }
+            #[inline(always)]
+            fn sum(self) -> f64 {
+                let (low, high) = $halves(self.0);
+                (low + high).sum()
+            }
         }
 
         impl Phased for $name {
             type Pair = Both<Self>;
+        }
+
+        impl Neg for $name {
+            type Output = Self;
             #[inline(always)]
-            fn load_from(values: &[f64]) -> Self {
-                assert!(values.len() >= $width);
-                Self(unsafe { $load(values.as_ptr()) })
+            fn neg(self) -> Self {
+                Self(unsafe { $from_integer($xor($integer(self.0), $whole(i64::MIN))) })
             }
         }
 
-        impl Div for $name {
+        register!(@operator $name, Div div $div);
+        register!(@operator $name, Add add $add, Sub sub $sub, Mul mul $mul);
+        register!(@number $name, Add add, Sub sub, Mul mul);
+    };
+    (@operator $name:ident, $($trait:ident $method:ident $intrinsic:ident),*) => {$(
+        impl $trait for $name {
             type Output = Self;
             #[inline(always)]
-            fn div(self, other: Self) -> Self {
-                Self(unsafe { $div(self.0, other.0) })
+            fn $method(self, other: Self) -> Self {
+                Self(unsafe { $intrinsic(self.0, other.0) })
             }
         }
-    };
+    )*};
+    (@number $name:ident, $($trait:ident $method:ident),*) => {$(
+        impl $trait<f64> for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self.$method(Self::same(other))
+            }
+        }
+    )*};
 }
 
 /// Eight numbers in a register of AVX-512.
 #[derive(Clone, Copy)]
-struct Eight(__m512d);
+pub struct Eight(__m512d);
 
-number!(
-    Eight,
-    __m512d,
+register!(
+    Eight(__m512d),
+    8,
     _mm512_set1_pd,
+    _mm512_loadu_pd,
+    _mm512_storeu_pd,
     _mm512_add_pd,
     _mm512_sub_pd,
     _mm512_mul_pd,
+    _mm512_div_pd,
+    _mm512_sqrt_pd,
     _mm512_castpd_si512,
     _mm512_castsi512_pd,
     _mm512_set1_epi64,
@@ -158,28 +157,28 @@ number!(
     |even, odd, whole| {
         let mask = _mm512_test_epi64_mask(whole, _mm512_set1_epi64(1));
         _mm512_mask_blend_pd(mask, even, odd)
+    },
+    |all| unsafe {
+        let high = _mm512_extractf64x4_pd::<1>(all);
+        (Four(_mm512_castpd512_pd256(all)), Four(high))
     }
-);
-lane!(
-    Eight,
-    8,
-    _mm512_loadu_pd,
-    _mm512_storeu_pd,
-    _mm512_div_pd,
-    _mm512_sqrt_pd
 );
 
 /// Four numbers in a register of AVX.
 #[derive(Clone, Copy)]
-struct Four(__m256d);
+pub struct Four(__m256d);
 
-number!(
-    Four,
-    __m256d,
+register!(
+    Four(__m256d),
+    4,
     _mm256_set1_pd,
+    _mm256_loadu_pd,
+    _mm256_storeu_pd,
     _mm256_add_pd,
     _mm256_sub_pd,
     _mm256_mul_pd,
+    _mm256_div_pd,
+    _mm256_sqrt_pd,
     _mm256_castpd_si256,
     _mm256_castsi256_pd,
     _mm256_set1_epi64x,
@@ -191,28 +190,31 @@ number!(
         // The blend looks at the sign alone.
         let sign = _mm256_castsi256_pd(_mm256_slli_epi64::<63>(whole));
         _mm256_blendv_pd(even, odd, sign)
+    },
+    |all| unsafe {
+        let high = _mm256_extractf128_pd::<1>(all);
+        (Two(_mm256_castpd256_pd128(all)), Two(high))
     }
 );
-lane!(
-    Four,
-    4,
-    _mm256_loadu_pd,
-    _mm256_storeu_pd,
-    _mm256_div_pd,
-    _mm256_sqrt_pd
-);
+
+/// Eight numbers in two registers of AVX.
+pub type FourTwice = Both<Four>;
 
 /// Two numbers in a register of SSE2: a pair of single ones.
 #[derive(Clone, Copy)]
 pub struct Two(__m128d);
 
-number!(
-    Two,
-    __m128d,
+register!(
+    Two(__m128d),
+    2,
     _mm_set1_pd,
+    _mm_loadu_pd,
+    _mm_storeu_pd,
     _mm_add_pd,
     _mm_sub_pd,
     _mm_mul_pd,
+    _mm_div_pd,
+    _mm_sqrt_pd,
     _mm_castpd_si128,
     _mm_castsi128_pd,
     _mm_set1_epi64x,
@@ -224,7 +226,8 @@ number!(
         let bit = _mm_and_si128(whole, _mm_set1_epi64x(1));
         let mask = _mm_castsi128_pd(_mm_sub_epi64(_mm_setzero_si128(), bit));
         _mm_or_pd(_mm_andnot_pd(mask, even), _mm_and_pd(mask, odd))
-    }
+    },
+    |all| Two(all).parts()
 );
 
 impl Pair<f64> for Two {
