@@ -14,6 +14,7 @@
 mod composition;
 mod euler;
 mod matrix;
+pub(crate) mod product;
 mod quaternion;
 mod rotation_vector;
 mod sequence;

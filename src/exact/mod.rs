@@ -14,6 +14,7 @@
 //!
 //! Not for: motions that must be stepped; see [`crate::integrators`].
 
+mod batch;
 pub mod carlson;
 mod extended;
 pub mod free_body;
@@ -27,6 +28,7 @@ pub mod pendulum;
 mod phase;
 pub mod plank;
 mod scene;
+mod theta;
 
 pub use modulus::{Characteristic, Modulus};
 

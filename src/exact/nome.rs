@@ -47,6 +47,17 @@ pub(crate) struct Angle {
     pub(crate) cos: Dd,
 }
 
+impl Angle {
+    /// That of K - u.
+    pub(crate) fn complement(self) -> Self {
+        Self {
+            z: Dd::FRAC_PI_2 - self.z,
+            sin: self.cos,
+            cos: self.sin,
+        }
+    }
+}
+
 /// An argument i u off the real axis, as y = pi u/2K.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Depth {

@@ -14,6 +14,7 @@
 //! 22.6(iv).
 
 use super::extended::{complete_first_kind, first_kind};
+use super::theta::alternating;
 use crate::math::{DoubleDouble as Dd, exp, expm1, sincos};
 
 /// sn, cn, dn of `start + rate t`.
@@ -148,7 +149,6 @@ impl Series {
         };
         let width = width.to_f64();
         let nome = exp(-width);
-        let alternating = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         let twice = |n: usize| if n == 0 { 1.0 } else { 2.0 };
         // The coefficients of theta_1, theta_2, theta_3, theta_4 at argument 0, each
         // normalised to s' = c = d = n = 1 there.

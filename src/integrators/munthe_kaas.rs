@@ -18,6 +18,7 @@ use super::ode::{check_span, finite_derivative};
 use super::scene::{components, state};
 use super::{Integrator, Rk4, Work};
 use crate::attitude::Attitude;
+use crate::attitude::product::{stretched_and, vector_times};
 use crate::body::State;
 use crate::effects::Effect;
 use crate::error::Result;
@@ -61,7 +62,7 @@ fn rotation_vector_rate(theta: SpaceVector, omega: SpaceVector) -> SpaceVector {
 }
 
 /// exp(theta) q - q: small for small angles, so that its rounding is too.
-fn turning(theta: SpaceVector, [w, x, y, z]: [f64; 4]) -> [f64; 4] {
+fn turning(theta: SpaceVector, quaternion: [f64; 4]) -> [f64; 4] {
     let angle = theta.norm();
     // cos(angle/2) - 1 = -2 sin^2(angle/4) does not cancel.
     let (s, c) = sincos(0.25 * angle);
@@ -71,13 +72,8 @@ fn turning(theta: SpaceVector, [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     } else {
         0.5
     };
-    let [a, b, c] = theta.to_array().map(|v| rate * v);
-    [
-        less * w - (a * x + b * y + c * z),
-        less * x + (a * w + b * z - c * y),
-        less * y + (b * w + c * x - a * z),
-        less * z + (c * w + a * y - b * x),
-    ]
+    let turn = vector_times(theta.to_array().map(|v| rate * v), quaternion);
+    stretched_and(less, quaternion, turn)
 }
 
 fn sum(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {

@@ -16,11 +16,11 @@
 use super::scene::components;
 use super::{Dop853, Integrator, Ode, Rk4, Work, advance_by_counting};
 use crate::attitude::Attitude;
+use crate::attitude::product::{self, vector_times};
 use crate::body::{RigidBody, State};
 use crate::effects::Effect;
 use crate::error::{Error, Result};
 use crate::frame::SpaceVector;
-use crate::math::sincos;
 use crate::scene::Scene;
 
 /// The scene of a symmetric body, as a problem from which the spin is taken out.
@@ -121,11 +121,9 @@ pub(super) fn spin_rate(body: &RigidBody, state: &State) -> f64 {
 }
 
 /// The state with the attitude S exp(spin e3).
-pub(super) fn spun([w, x, y, z]: [f64; 4], spin: f64, momentum: [f64; 3]) -> Result<State> {
-    let (s, c) = sincos(0.5 * spin);
-    let quaternion = [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s];
+pub(super) fn spun(quaternion: [f64; 4], spin: f64, momentum: [f64; 3]) -> Result<State> {
     State::new(
-        Attitude::from_quaternion(quaternion)?,
+        Attitude::from_quaternion(product::spun(quaternion, spin))?,
         SpaceVector::from_array(momentum),
     )
 }
@@ -138,16 +136,8 @@ impl<E: Effect> Ode<7> for SpinFree<'_, E> {
         let [tx, ty, tz] =
             (self.scene.effects()).torques_on_axis(self.scene.body(), axis.to_array());
         let half = 0.5 / self.scene.body().moments().i1();
-        let (p, q, r) = (half * lx, half * ly, half * lz);
-        [
-            -(p * x + q * y + r * z),
-            p * w + q * z - r * y,
-            q * w + r * x - p * z,
-            r * w + p * y - q * x,
-            tx,
-            ty,
-            tz,
-        ]
+        let [dw, dx, dy, dz] = vector_times([half * lx, half * ly, half * lz], [w, x, y, z]);
+        [dw, dx, dy, dz, tx, ty, tz]
     }
 
     /// As for the scene itself.

@@ -2,6 +2,7 @@
 
 use super::{Contact, Phase, Resistance, TipFriction, Top};
 use crate::attitude::Attitude;
+use crate::attitude::product::spun;
 use crate::body::State;
 use crate::effects::Effect;
 use crate::frame::{BodyVector, SpaceVector};
@@ -97,10 +98,8 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     /// The body's attitude: of the coordinates of a run.
     pub fn attitude(&self, coordinates: &Coordinates) -> Attitude {
         let [w, x, y, z, spin, ..] = *coordinates;
-        let (s, c) = sincos(0.5 * spin);
-        let turned = [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s];
         // Coordinates of a run are finite, and their quaternion is not zero.
-        Attitude::from_quaternion(turned).unwrap_or(Attitude::IDENTITY)
+        Attitude::from_quaternion(spun([w, x, y, z], spin)).unwrap_or(Attitude::IDENTITY)
     }
 
     /// The moment with these coordinates, in this phase.

@@ -2,12 +2,14 @@
 //! arithmetic.
 
 use super::hyperbolic::Late;
-use super::periods::Periods;
 use super::sample::{Rates, Sampler};
 use super::series::Series;
 use super::{near_one, norm3};
 use crate::attitude::Attitude;
+use crate::attitude::product::product;
 use crate::body::Kinematics;
+use crate::exact::batch::Branchless;
+use crate::exact::theta::Periods;
 use crate::math::{DoubleDouble as Dd, ilogb, order_of_three};
 
 /// Three different moments, on ordered axes: the third keeps the sign of its rate
@@ -88,7 +90,7 @@ impl Asymmetric {
         } else {
             let m1 = saddle.squared(m1, unit);
             let cn = amplitude2 * (first * across.rates[0]);
-            let periods = Periods::new(shrunk(shrunk(m)), m1);
+            let periods = Periods::new(shrunk(shrunk(m)), m1, 0.5);
             let tau = periods.first_kind(sn, cn);
             (periods, tau)
         };
@@ -223,18 +225,6 @@ impl Small {
     fn ln_per(&self, unit: f64) -> Dd {
         Dd::LN_2 * f64::from(ilogb(self.unit) - ilogb(unit))
     }
-}
-
-/// The quaternion product; the factors are unit to a few eps, and so is the result.
-#[inline]
-pub(super) fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {
-    let ([pw, px, py, pz], [qw, qx, qy, qz]) = (p, q);
-    [
-        pw * qw - px * qx - py * qy - pz * qz,
-        pw * qx + px * qw + py * qz - pz * qy,
-        pw * qy - px * qz + py * qw + pz * qx,
-        pw * qz + px * qy - py * qx + pz * qw,
-    ]
 }
 
 /// Where each index stands in a permutation.

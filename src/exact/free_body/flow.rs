@@ -333,7 +333,8 @@ const POWERS: [[f64; 8]; 4] = {
     powers
 };
 
-/// The quaternion product.
+/// The quaternion product, what is subtracted from the first part summed first: the last bit of
+/// long steps is better so.
 fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     [
         a * w - (b * x + c * y + d * z),

@@ -1,10 +1,10 @@
 //! The sample near the separatrix, where the hyperbolic series converges and a period
 //! is long: it counts whole periods and takes its series from the nearest turning point.
 
-use super::asymmetric::product;
 use super::sample::Rates;
 use super::series::Hyperbolic;
 use crate::attitude::Attitude;
+use crate::attitude::product::product;
 use crate::body::Kinematics;
 use crate::frame::BodyVector;
 use crate::math::{DoubleDouble as Dd, known, sincos_turns};

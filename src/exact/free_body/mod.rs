@@ -23,6 +23,7 @@
 use crate::attitude::Attitude;
 use crate::body::{Kinematics, State};
 use crate::error::{Error, Result, finite};
+use crate::exact::batch::Branchless;
 use crate::exact::check_times;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
@@ -30,7 +31,6 @@ use crate::math::DoubleDouble as Dd;
 
 mod asked;
 mod asymmetric;
-mod batch;
 mod flow;
 mod hyperbolic;
 mod periods;
@@ -40,7 +40,6 @@ mod symmetric;
 
 pub(in crate::exact) use asked::first_bad;
 use asymmetric::Asymmetric;
-use batch::Branchless;
 pub use flow::FreeFlow;
 use symmetric::Symmetric;
 
@@ -262,12 +261,8 @@ impl FreeBody {
 
     /// In lanes if there is a motion that samples without a branch, and far enough.
     fn fill(&self, motion: Option<&impl Branchless>, times: &[f64], samples: &mut [Kinematics]) {
-        let reached = |motion: &&_| {
-            let until = Branchless::until(*motion);
-            times.iter().filter(|t| t.abs() > until).count() == 0
-        };
-        if let Some(motion) = motion.filter(reached) {
-            batch::fill(motion, times, samples);
+        if let Some(motion) = motion.and_then(|motion| motion.reaching(times)) {
+            motion.fill(times, samples);
         } else {
             for (t, sample) in times.iter().zip(samples) {
                 *sample = self.kinematics(*t);

@@ -3,13 +3,11 @@
 //! z and the phase along L grow steadily and are read together: two sine-cosine pairs
 //! are all a sample takes.
 
-use super::batch::Branchless;
 use super::series::Trigonometric;
 use crate::attitude::Attitude;
-use crate::body::Kinematics;
-use crate::frame::BodyVector;
+use crate::exact::batch::Branchless;
 use crate::math::lane::{Cubics, Pair, Phased, cubics, horner};
-use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, beside, sincos_of};
+use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, sincos_of};
 
 /// A motion ready to be sampled.
 #[derive(Debug, Clone)]
@@ -134,34 +132,14 @@ impl Sampler {
             .of((ai * br - ar * bi) * twice, (ar * br + ai * bi) * twice)
     }
 
+    /// The attitude alone costs less.
     pub fn attitude(&self, t: f64) -> Attitude {
         let clocks = if t.abs() <= self.until {
             self.clocks.read(Pair::both, &Time::new(t).twice())
         } else {
-            self.far(t)
+            self.clocks.both_far(t)
         };
         Attitude::from_unit(self.quaternion_of(&self.sample::<f64>(clocks)))
-    }
-
-    pub fn kinematics(&self, t: f64) -> Kinematics {
-        let clocks = if t.abs() <= self.until {
-            self.clocks.read(Pair::both, &Time::new(t).twice())
-        } else {
-            self.far(t)
-        };
-        let sample = self.sample::<f64>(clocks);
-        Kinematics::new(
-            Attitude::from_unit(self.quaternion_of(&sample)),
-            BodyVector::from_array(self.rates_of(&sample)),
-        )
-    }
-
-    #[cold]
-    fn far(&self, t: f64) -> Reduced<<f64 as Phased>::Pair> {
-        beside(
-            self.clocks.one(0).read_far(t),
-            self.clocks.one(1).read_far(t),
-        )
     }
 }
 
@@ -174,6 +152,12 @@ impl Branchless for Sampler {
     fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
         let clocks = self.clocks.read(L::Pair::both, &Time::new(t).twice());
         let sample = self.sample::<L>(clocks);
+        (self.quaternion_of(&sample), self.rates_of(&sample))
+    }
+
+    #[cold]
+    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
+        let sample = self.sample::<f64>(self.clocks.both_far(t));
         (self.quaternion_of(&sample), self.rates_of(&sample))
     }
 }

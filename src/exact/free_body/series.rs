@@ -3,8 +3,8 @@
 //! transformation, hyperbolic with the complementary nome. Either nome is at
 //! most exp(-pi) = 0.043, and four terms reach 1e-19.
 
-use super::periods::{Periods, Zero};
 use crate::exact::nome::Nome;
+use crate::exact::theta::{Across, Periods, Zero, alternating};
 use crate::math::DoubleDouble as Dd;
 use crate::math::{exp, expm1};
 
@@ -42,23 +42,24 @@ impl Series {
     /// dropped by the hyperbolic form adds over 2K.
     pub(super) fn new(periods: &Periods, zero: &Zero, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
         let Periods { quarter, nome, .. } = periods;
-        let (q, mut zero) = (nome.q, *zero);
-        if !periods.complementary {
-            return Self::trigonometric(*quarter, q, &zero, p, ratio);
-        }
+        let angle = match zero {
+            Zero::Across(zero) => return Self::trigonometric(*quarter, nome.q, zero, p, ratio),
+            Zero::Along(angle) => angle.z,
+        };
         // K' >= K/2, or pi K/K' <= 2 pi.
         if nome.quarter.scaled(2.0) < *quarter {
-            return Self::hyperbolic(nome, *quarter, zero.angle, p, ratio);
+            return Self::hyperbolic(nome, *quarter, angle, p, ratio);
         }
         let per_quarter = nome.quarter / *quarter;
         let q = (-(Dd::PI * per_quarter)).exp();
-        zero.fall = -(-(zero.angle * per_quarter).scaled(2.0)).exp_m1();
-        zero.decay = 1.0 - zero.fall;
-        zero.rest = q / zero.decay;
+        let fall = -(-(angle * per_quarter).scaled(2.0)).exp_m1();
+        let decay = 1.0 - fall;
+        let rest = q / decay;
+        let zero = Across { decay, fall, rest };
         Self::trigonometric(*quarter, q, &zero, p, ratio)
     }
 
-    fn trigonometric(k: Dd, q: Dd, zero: &Zero, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
+    fn trigonometric(k: Dd, q: Dd, zero: &Across, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
         let nome = q.square();
         // q^2 e^{+-2y}: the growth of the hyperbolic factors is bound to the nome's decay.
         let (up, down) = (q * zero.rest, nome * zero.decay);
@@ -79,14 +80,14 @@ impl Series {
             factor *= step;
             grow *= up.hi();
             decay *= down.hi();
-            let sign = alternating(n);
+            let sign = alternating(n as usize);
             small += sign * weight * (grow + decay);
             small_slope -= 2.0 * sign * f64::from(n) * weight * (grow - decay);
         }
         for n in 1..=3 {
             let (order, i) = (f64::from(n), n as usize);
             let (grown, decayed) = (grown[i - 1], decayed[i - 1]);
-            let sign = alternating(n);
+            let sign = alternating(i);
             sums[0] += (grown + decayed) * sign;
             sums[1] += (grown - decayed) * (-2.0 * sign * order);
             a[i] = sign * (grown + decayed).to_f64();
@@ -106,7 +107,7 @@ impl Series {
         let mut power = e;
         let (mut c, mut d) = ([0.0; 4], [0.0; 4]);
         for n in 0..=3 {
-            let common = alternating(n) * weights[n as usize];
+            let common = alternating(n as usize) * weights[n as usize];
             // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}): no cancellation for a needle, where
             // y -> 0.
             let fall = zero.fall.hi() * geometric;
@@ -172,14 +173,14 @@ impl Series {
             sums[0] += weight * cos;
             sums[1] += weight * sin * odd;
             alpha0 += weight * cos;
-            beta0 += weight * sin * alternating(n);
+            beta0 += weight * sin * alternating(n as usize);
             if n <= 3 {
                 // The sample supplies e^{2nw} q^n; q^(n^2) is left for here.
                 let i = n as usize;
                 alpha[0][i] = (inner * cos).to_f64();
                 alpha[1][i] = (inner * sin).to_f64();
-                beta[0][i] = (inner * cos).to_f64() * alternating(n);
-                beta[1][i] = (inner * sin).to_f64() * alternating(n);
+                beta[0][i] = (inner * cos).to_f64() * alternating(i);
+                beta[1][i] = (inner * sin).to_f64() * alternating(i);
             }
             (sin, cos) = (sin * cos2 + cos * sin2, cos * cos2 - sin * sin2);
             inner = weight * power;
@@ -229,9 +230,4 @@ impl Hyperbolic {
 #[inline]
 fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
     a[0] * b[0] + (a[1] * b[1] + (a[2] * b[2] + a[3] * b[3]))
-}
-
-/// (-1)^n.
-fn alternating(n: i32) -> f64 {
-    if n % 2 == 0 { 1.0 } else { -1.0 }
 }

@@ -1,15 +1,13 @@
 //! Torque-free motion with two equal moments: two steady rotations. A steady rotation
 //! is the first of them alone.
 
-use super::asymmetric::product;
-use super::batch::Branchless;
 use super::norm3;
 use super::sample::combined;
 use crate::attitude::Attitude;
-use crate::body::Kinematics;
-use crate::frame::BodyVector;
+use crate::attitude::product::product;
+use crate::exact::batch::Branchless;
 use crate::math::lane::{Pair, Phased};
-use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, beside, sincos_of};
+use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, sincos_of};
 
 /// R(t) = exp(t L/I1) R0 exp(t Omega_S e), notes 15.5 (9), (10).
 #[derive(Debug, Clone)]
@@ -101,27 +99,6 @@ impl Symmetric {
         omega[j] = cos * q - sin * p;
         (quaternion, omega)
     }
-
-    pub(super) fn kinematics(&self, t: f64) -> Kinematics {
-        let clocks = if t.abs() <= self.until {
-            self.clocks.read(Pair::both, &Time::new(t).twice())
-        } else {
-            self.far(t)
-        };
-        let (quaternion, omega) = self.sample::<f64>(clocks);
-        Kinematics::new(
-            Attitude::from_unit(quaternion),
-            BodyVector::from_array(omega),
-        )
-    }
-
-    #[cold]
-    fn far(&self, t: f64) -> Reduced<<f64 as Phased>::Pair> {
-        beside(
-            self.clocks.one(0).read_far(t),
-            self.clocks.one(1).read_far(t),
-        )
-    }
 }
 
 impl Branchless for Symmetric {
@@ -132,5 +109,10 @@ impl Branchless for Symmetric {
     #[inline(always)]
     fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
         self.sample(self.clocks.read(L::Pair::both, &Time::new(t).twice()))
+    }
+
+    #[cold]
+    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
+        self.sample::<f64>(self.clocks.both_far(t))
     }
 }

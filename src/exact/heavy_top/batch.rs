@@ -1,15 +1,12 @@
 //! Many samples of one motion at once.
-//!
-//! The lanes run the scalar sample's own code, which has no branch where the series
-//! is trigonometric. The hyperbolic one needs `exp` and goes one by one.
 
 use super::sample::Sampler;
 use super::{Course, HeavyTop};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
 use crate::error::Result;
+use crate::exact::batch::Branchless;
 use crate::exact::check_times;
-use crate::frame::BodyVector;
 use crate::math::lane::{self, Phased, for_each_sample};
 
 impl HeavyTop {
@@ -57,15 +54,7 @@ impl HeavyTop {
     pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
         check_times("samples", samples.len(), times)?;
         if let Some(sampler) = self.in_lanes(times) {
-            let mut samples = samples.iter_mut();
-            for_each_sample(&Whole(sampler), times, |[w, x, y, z, p, q, r]| {
-                if let Some(sample) = samples.next() {
-                    *sample = Kinematics::new(
-                        Attitude::from_unit([w, x, y, z]),
-                        BodyVector::new(p, q, r),
-                    );
-                }
-            });
+            sampler.fill(times, samples);
         } else {
             for (t, sample) in times.iter().zip(samples) {
                 *sample = self.kinematics(*t);
@@ -79,9 +68,7 @@ impl HeavyTop {
         let Course::Moving { sampler, .. } = &self.course else {
             return None;
         };
-        let until = sampler.as_ref()?.until;
-        let beyond = times.iter().filter(|t| t.abs() > until).count();
-        sampler.as_deref().filter(|_| beyond == 0)
+        sampler.as_deref()?.reaching(times)
     }
 }
 
@@ -91,15 +78,5 @@ impl lane::Sampler<4> for Attitudes<'_> {
     #[inline(always)]
     fn sample<L: Phased>(&self, t: L) -> [L; 4] {
         self.0.quaternion(t)
-    }
-}
-
-struct Whole<'a>(&'a Sampler);
-
-impl lane::Sampler<7> for Whole<'_> {
-    #[inline(always)]
-    fn sample<L: Phased>(&self, t: L) -> [L; 7] {
-        let ([w, x, y, z], [p, q, r]) = self.0.all(t);
-        [w, x, y, z, p, q, r]
     }
 }

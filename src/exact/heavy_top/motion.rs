@@ -9,7 +9,8 @@
 use super::rates::RateWave;
 use super::roots::{Conserved, Origin, Roots};
 use super::series::{Factor, Pair, Series};
-use super::waves::{Periods, Place as ZeroPlace, Zero};
+use super::waves::Zero;
+use crate::exact::theta::{self, Periods};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
 
@@ -73,14 +74,14 @@ impl Motion {
         let span = roots.span();
         let p = span.sqrt().scaled(0.5);
         let (m, m1) = (roots.parameter(), roots.complementary_parameter());
-        let periods = Periods::new(m, m1);
+        let periods = Periods::new(m, m1, 0.8);
         let quarter = periods.quarter;
         let homoclinic = !quarter.is_finite();
         let [a, b] = zeros(conserved, &roots, &periods);
         let matched = Series::matched(&periods.nome, &a, &b, roots.y2.sqrt(), roots.x1.sqrt());
         let step = [&a, &b].map(|zero| match zero.place {
-            ZeroPlace::Along(angle) => angle.z * zero.sign,
-            ZeroPlace::Across { .. } => Dd::ZERO,
+            theta::Zero::Along(angle) => angle.z * zero.sign,
+            theta::Zero::Across(_) => Dd::ZERO,
         });
         let rate = Dd::FRAC_PI_2 * p / periods.nome.quarter;
         // The phase rates are matched where they do not cancel: that of a at the upper
@@ -254,18 +255,14 @@ fn zeros(conserved: &Conserved, roots: &Roots, periods: &Periods) -> [Zero; 2] {
     let Roots { x2, y1, gap, .. } = *roots;
     let sign = |value: Dd| if value < 0.0 { -1.0 } else { 1.0 };
     [
-        Zero::new(
-            sign(conserved.sum),
-            (y1, gap),
-            (Dd::ONE, kappa * y1),
-            periods,
-        ),
-        Zero::new(
-            sign(conserved.difference),
-            (x2, gap * near),
-            (near, kappa * x2),
-            periods,
-        ),
+        Zero {
+            sign: sign(conserved.sum),
+            place: periods.zero((y1, gap), (Dd::ONE, kappa * y1)),
+        },
+        Zero {
+            sign: sign(conserved.difference),
+            place: periods.zero((x2, gap * near), (near, kappa * x2)),
+        },
     ]
 }
 

@@ -6,6 +6,7 @@ use super::{Course, HeavyTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::{Kinematics, State};
 use crate::error::{Result, finite};
+use crate::exact::batch::Branchless;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;

@@ -1,8 +1,9 @@
 //! The set-up of the transverse rate's theta series.
 
 use super::series::Factor;
-use super::waves::{Place, Wave, Zero};
+use super::waves::{Wave, Zero};
 use crate::exact::nome::Nome;
+use crate::exact::theta::{self, Across};
 use crate::math::DoubleDouble as Dd;
 
 /// theta_2(z - i y) e^{i sense z}, up to a real factor: the first as polynomials in
@@ -32,8 +33,8 @@ impl RateWave {
 /// q = 0; then q beside them drops them.
 fn zero(a: &Zero, b: &Zero) -> (f64, Zero) {
     let [(decay_a, rest_a), (decay_b, rest_b)] = [a, b].map(|zero| match zero.place {
-        Place::Across { decay, rest, .. } => (decay, rest),
-        Place::Along(_) => (Dd::ZERO, Dd::ZERO),
+        theta::Zero::Across(Across { decay, rest, .. }) => (decay, rest),
+        theta::Zero::Along(_) => (Dd::ZERO, Dd::ZERO),
     });
     let quotient = |part: Dd, whole: Dd| {
         if whole == 0.0 { Dd::ZERO } else { part / whole }
@@ -59,6 +60,6 @@ fn zero(a: &Zero, b: &Zero) -> (f64, Zero) {
         }
     }
     let fall = 1.0 - decay;
-    let place = Place::Across { decay, fall, rest };
+    let place = theta::Zero::Across(Across { decay, fall, rest });
     (sense, Zero { sign, place })
 }

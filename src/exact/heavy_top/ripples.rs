@@ -4,6 +4,7 @@
 use super::series::Factor;
 use super::waves::{even_polynomial, odd_polynomial};
 use crate::exact::nome::{Angle, Nome};
+use crate::exact::theta::alternating;
 use crate::math::DoubleDouble as Dd;
 
 /// The same after Jacobi's imaginary transformation: H as theta_1(y' + iw | q') divided
@@ -113,9 +114,4 @@ impl Ripple {
             im: [im(1, 1) - im(3, 1), im(2, 2), im(3, 3), 0.0],
         }
     }
-}
-
-/// (-1)^n.
-fn alternating(n: usize) -> f64 {
-    if n.is_multiple_of(2) { 1.0 } else { -1.0 }
 }

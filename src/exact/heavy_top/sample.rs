@@ -15,10 +15,9 @@ use super::motion::Motion;
 use super::rates::RateWave;
 use super::{Turns, series::Factor};
 use crate::attitude::Attitude;
-use crate::body::Kinematics;
-use crate::frame::BodyVector;
+use crate::exact::batch::Branchless;
 use crate::math::lane::{Cubics, Pair, Phased, cubics, horner};
-use crate::math::{Clock, Reduced, Time, beside, sincos_of, unsigned_sincos_of};
+use crate::math::{Clock, Reduced, Time, sincos_of, unsigned_sincos_of};
 
 /// A motion ready to be sampled.
 #[derive(Debug, Clone)]
@@ -36,7 +35,7 @@ pub(super) struct Sampler {
     sense: f64,
     spin: f64,
     /// The greatest |t|.
-    pub until: f64,
+    until: f64,
 }
 
 /// alpha and beta, normalised, and what the rates need of them.
@@ -141,13 +140,6 @@ impl Sampler {
         Self::quaternion_of(&self.axis(self.phases(t)))
     }
 
-    /// The unit quaternion and the body rates at time `t`.
-    #[inline(always)]
-    pub fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
-        let axis = self.axis(self.phases(t));
-        (Self::quaternion_of(&axis), self.rates_of(&axis))
-    }
-
     pub fn attitude(&self, t: f64) -> Attitude {
         Attitude::from_unit(if t.abs() <= self.until {
             self.quaternion(t)
@@ -155,26 +147,23 @@ impl Sampler {
             self.far(t).0
         })
     }
+}
 
-    pub fn kinematics(&self, t: f64) -> Kinematics {
-        let (quaternion, rates) = if t.abs() <= self.until {
-            self.all(t)
-        } else {
-            self.far(t)
-        };
-        Kinematics::new(
-            Attitude::from_unit(quaternion),
-            BodyVector::from_array(rates),
-        )
+impl Branchless for Sampler {
+    fn until(&self) -> f64 {
+        self.until
+    }
+
+    #[inline(always)]
+    fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
+        let axis = self.axis(self.phases(t));
+        (Self::quaternion_of(&axis), self.rates_of(&axis))
     }
 
     #[cold]
     fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        let phases = beside(
-            self.phases.one(0).read_far(t),
-            self.phases.one(1).read_far(t),
-        );
-        let axis = self.axis::<f64>((self.nutation.read_far(t), phases));
+        let phases = (self.nutation.read_far(t), self.phases.both_far(t));
+        let axis = self.axis::<f64>(phases);
         (Self::quaternion_of(&axis), self.rates_of(&axis))
     }
 }

@@ -6,7 +6,8 @@
 
 use super::ripples::Ripple;
 use super::series::{Factor, Series};
-use crate::exact::nome::{Angle, Nome};
+use crate::exact::nome::Nome;
+use crate::exact::theta::{self, Across};
 use crate::math::DoubleDouble as Dd;
 use core::ops::{Add, Sub};
 
@@ -15,100 +16,7 @@ use core::ops::{Add, Sub};
 pub(super) struct Zero {
     /// The sense in which the phase runs past it: +1 or -1.
     pub sign: f64,
-    pub place: Place,
-}
-
-/// Where a zero is, in the terms of the series that converges.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Place {
-    /// e^{-2y}, 1 - e^{-2y} and q e^{2y}, y = pi eta/2K.
-    Across { decay: Dd, fall: Dd, rest: Dd },
-    /// y' = pi eta/2K'.
-    Along(Angle),
-}
-
-impl Zero {
-    /// From sc^2(eta|m1) and sc^2(K' - eta|m1), each as a quotient.
-    pub fn new(sign: f64, eta: (Dd, Dd), rest: (Dd, Dd), periods: &Periods) -> Self {
-        let nome = &periods.nome;
-        let nearer = eta.0 * rest.1 <= rest.0 * eta.1;
-        let (num, den) = if nearer { eta } else { rest };
-        let place = if periods.hyperbolic {
-            let Angle { z, sin, cos } = nome.angle(num, den);
-            Place::Along(if nearer {
-                Angle { z, sin, cos }
-            } else {
-                Angle {
-                    z: Dd::FRAC_PI_2 - z,
-                    sin: cos,
-                    cos: sin,
-                }
-            })
-        } else {
-            let depth = nome.depth(num, den);
-            // No q -> 0 times e^y -> infinity.
-            let other = if nome.q == 0.0 {
-                Dd::ZERO
-            } else {
-                nome.q / depth.decay
-            };
-            if nearer {
-                Place::Across {
-                    decay: depth.decay,
-                    fall: depth.fall,
-                    rest: other,
-                }
-            } else {
-                Place::Across {
-                    decay: other,
-                    fall: 1.0 - other,
-                    rest: depth.decay,
-                }
-            }
-        };
-        Self { sign, place }
-    }
-}
-
-/// Periods and nome.
-#[derive(Debug, Clone)]
-pub(super) struct Periods {
-    /// K.
-    pub quarter: Dd,
-    /// m > 4/5: `nome` is q', that of 1 - m, and else q, below 0.1.
-    pub hyperbolic: bool,
-    pub nome: Nome,
-}
-
-impl Periods {
-    /// For the parameter m and 1 - m.
-    pub fn new(m: Dd, m1: Dd) -> Self {
-        let hyperbolic = m > 0.8;
-        if hyperbolic {
-            let nome = Nome::new(m1, m);
-            Self {
-                quarter: nome.conjugate(),
-                hyperbolic,
-                nome,
-            }
-        } else {
-            let nome = Nome::new(m, m1);
-            Self {
-                quarter: nome.quarter,
-                hyperbolic,
-                nome,
-            }
-        }
-    }
-
-    /// The argument u <= K/2 with sc^2(u|m) = `num`/`den`.
-    pub fn argument(&self, num: Dd, den: Dd) -> Dd {
-        self.nome.argument(if self.hyperbolic {
-            self.nome.depth(num, den).y
-        } else {
-            self.nome.angle(num, den).z
-        })
-    }
+    pub place: theta::Zero,
 }
 
 /// What the set-up learns besides the series: the phase rates d arg/dz that the two
@@ -126,7 +34,7 @@ impl Series {
     /// one |b| is `size_b`.
     pub fn matched(nome: &Nome, a: &Zero, b: &Zero, size_a: Dd, size_b: Dd) -> Matched {
         match [a.place, b.place] {
-            [Place::Along(angle_a), Place::Along(angle_b)] => {
+            [theta::Zero::Along(angle_a), theta::Zero::Along(angle_b)] => {
                 let waves = [(a.sign, angle_a), (b.sign, angle_b)]
                     .map(|(sign, angle)| Ripple::new(sign, angle, nome));
                 Self::hyperbolic(nome, &waves, size_a, size_b)
@@ -191,9 +99,13 @@ pub(super) struct Wave {
 
 impl Wave {
     pub fn new(zero: &Zero, nome: &Nome) -> Self {
-        let (decay, fall, rest) = match zero.place {
-            Place::Across { decay, fall, rest } => (decay, fall, rest),
-            Place::Along(_) => (Dd::ZERO, Dd::ONE, Dd::ZERO),
+        let Across { decay, fall, rest } = match zero.place {
+            theta::Zero::Across(across) => across,
+            theta::Zero::Along(_) => Across {
+                decay: Dd::ZERO,
+                fall: Dd::ONE,
+                rest: Dd::ZERO,
+            },
         };
         // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}), E = e^{-2y}.
         let square = decay.square();

@@ -4,6 +4,7 @@
 use super::free_rotation::{inverse_moments, rates, rates_of};
 use super::{GaussLegendre, StageOde};
 use crate::attitude::Attitude;
+use crate::attitude::product::vector_times;
 use crate::body::State;
 use crate::effects::Effect;
 use crate::error::Result;
@@ -156,20 +157,16 @@ struct Precession<'s, E> {
 
 impl<E: Effect> Precession<'_, E> {
     #[inline(always)]
-    fn rates<L: Lane>(&self, [w, x, y, z]: [L; 4], [p, q, r]: [L; 3]) -> ([L; 4], [L; 3]) {
+    fn rates<L: Lane>(&self, quaternion: [L; 4], momentum: [L; 3]) -> ([L; 4], [L; 3]) {
+        let [w, x, y, z] = quaternion;
         let axis = [
             (x * z + w * y) * 2.0,
             (y * z - w * x) * 2.0,
             (w * w + z * z) - (x * x + y * y),
         ];
         let [a, b, c] = (self.scene.effects()).torques_on_axis(self.scene.body(), axis);
-        let turn = [
-            -(p * x + q * y + r * z),
-            p * w + q * z - r * y,
-            q * w + r * x - p * z,
-            r * w + p * y - q * x,
-        ];
-        (turn, [a * self.half, b * self.half, c * self.half])
+        let torque = [a * self.half, b * self.half, c * self.half];
+        (vector_times(momentum, quaternion), torque)
     }
 }
 

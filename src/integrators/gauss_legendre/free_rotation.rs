@@ -4,10 +4,10 @@
 //! are known, the attitude costs no sweep: it turns l to the constant momentum in space,
 //! and only the angle about that is left, an integral.
 
-use super::registers::Octet;
 use super::sweeps::{Companion, weighted_mean};
 use super::{GaussLegendre, StageOde};
 use crate::attitude::Attitude;
+use crate::attitude::product::product;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite};
 use crate::frame::{BodyVector, SpaceVector};
@@ -312,7 +312,7 @@ struct Turn {
 
 impl Companion<3> for Turn {
     #[inline(always)]
-    fn follow<L: Octet>(
+    fn follow<L: Lane>(
         &mut self,
         [h, h_rest]: [f64; 2],
         from: &[f64; 3],
@@ -382,16 +382,6 @@ fn shortest(from: [f64; 3], to: [f64; 3]) -> Quaternion {
         b * f - c * e,
         c * d - a * f,
         a * e - b * d,
-    ]
-}
-
-#[inline(always)]
-fn product([a, b, c, d]: Quaternion, [w, x, y, z]: Quaternion) -> Quaternion {
-    [
-        a * w - b * x - c * y - d * z,
-        a * x + b * w + c * z - d * y,
-        a * y - b * z + c * w + d * x,
-        a * z + b * y - c * x + d * w,
     ]
 }
 

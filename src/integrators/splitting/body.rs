@@ -9,6 +9,7 @@
 
 use super::Separable;
 use crate::attitude::Attitude;
+use crate::attitude::product::{stretched_and, times_vector, vector_times};
 use crate::body::{RigidBody, State};
 use crate::effects::Effect;
 use crate::error::Result;
@@ -74,14 +75,8 @@ impl BodyPoint {
             Free::Asymmetric(flow) => {
                 let attitude = Attitude::from_unit(quaternion);
                 let momentum = attitude.to_body(SpaceVector::from_array(momentum));
-                let [w, x, y, z] = quaternion;
                 let [less, a, b, c] = flow.increment(momentum.to_array(), dt);
-                [
-                    less * w - (a * x + b * y + c * z),
-                    less * x + (a * w + c * y - b * z),
-                    less * y + (b * w + a * z - c * x),
-                    less * z + (c * w + b * x - a * y),
-                ]
+                stretched_and(less, quaternion, times_vector(quaternion, [a, b, c]))
             }
         };
         self.quaternion = self.quaternion.plus(&increment);
@@ -134,18 +129,13 @@ impl<E: Effect> Separable for Scene<E> {
 }
 
 /// What a turn about L, by the angle |L| `per_moment`, adds to q.
-fn turned_about(momentum: [f64; 3], per_moment: f64, [w, x, y, z]: [f64; 4]) -> [f64; 4] {
+fn turned_about(momentum: [f64; 3], per_moment: f64, quaternion: [f64; 4]) -> [f64; 4] {
     let [a, b, c] = momentum.map(|l| 0.5 * per_moment * l);
     let square = a * a + b * b + c * c;
     // What is added to q is q (cos - 1) + sin (n q): small for small angles,
     // so that its rounding is too.
     let (rate, versine) = sinc_versine(square);
     let less = -square * versine;
-    let (a, b, c) = (rate * a, rate * b, rate * c);
-    [
-        less * w - (a * x + b * y + c * z),
-        less * x + (a * w + b * z - c * y),
-        less * y + (b * w + c * x - a * z),
-        less * z + (c * w + a * y - b * x),
-    ]
+    let turn = vector_times([rate * a, rate * b, rate * c], quaternion);
+    stretched_and(less, quaternion, turn)
 }
