@@ -25,11 +25,11 @@ rotation_dynamics::parameters! {
     /// A displacement of a rigid body: the instance of all pages of Section 15.1.
     pub struct Parameters {
         /// first turn, about Z
-        phi: number(0.3, "rad", between(-PI, PI));
+        phi: number(0.3, "rad", between(-PI, PI).usually(-3.1, 3.1));
         /// second turn, about the new x
-        theta: number(0.7, "rad", from_to(0.0, PI));
+        theta: number(0.7, "rad", from_to(0.0, PI).usually(0.0, 3.1));
         /// third turn, about the newest z
-        zeta: number(-0.4, "rad", between(-PI, PI));
+        zeta: number(-0.4, "rad", between(-PI, PI).usually(-3.1, 3.1));
         /// displacement of the reference point along X
         shift_x: number(1.0, "m", from_to(-1e3, 1e3).usually(-3.0, 3.0));
         /// along Y

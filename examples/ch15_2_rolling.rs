@@ -6,7 +6,7 @@ mod figures;
 #[path = "ch15_2_rolling/hoop.rs"]
 pub mod hoop;
 
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, Work, ode};
@@ -26,7 +26,7 @@ parameters! {
         /// radius of the cycle wheel
         radius: number(0.3, "m", from_to(1e-3, 1e3).usually(0.1, 1.0));
         /// length of its shaft
-        shaft: number(0.5, "m", from_to(1e-3, 1e3).usually(0.0, 2.0));
+        shaft: number(0.5, "m", from_to(1e-3, 1e3).usually(0.05, 2.0));
         /// rate at which the shaft goes round Z
         rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
         /// rate at which the cylinder goes round Z
@@ -35,6 +35,8 @@ parameters! {
         tilt: number(0.5, "rad", from_to(0.001, 3.1).usually(0.1, 1.5));
         /// rolling resistance of a hoop as a part of its weight, for the claims about it
         resistance: effect(0.005, "-", above_to(0.0, 1.0));
+        /// slip of the coin over its way along the other's rim, for the picture and the claims about it
+        slip: effect(1.0, "-", above_to(0.0, 2.0).usually(0.1, 2.0));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -84,11 +86,25 @@ fn coin_run(fixed: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
     Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])
 }
 
+/// How often the coin of these parameters turns while the line of centres turns once.
+fn net_turns(p: &Parameters) -> f64 {
+    2.0 - p.slip.unwrap_or(0.0)
+}
+
 /// How far the coin has turned then, and the path of the point of its rim that touched the fixed
 /// coin at the start, in radii.
 pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<[f64; 2]> {
     let run = coin_run(fixed, orbit, step)?;
     Ok([run.end_time(), run.end_state()[5]])
+}
+
+/// How fast a coin slides on its like at their contact, over Omega_orbit R: from where the point
+/// of the coin that touches is shortly before and after, while the coin is carried round at the
+/// rate 1 and spins at this rate against the line of centres.
+pub fn sliding(spin: f64) -> f64 {
+    let at = |t: f64| 2.0 * sin(t) + sin(PI + (1.0 + spin) * t);
+    let h = 1e-3;
+    (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h)
 }
 
 /// The places of a corner of a regular polygon that tips along the ground, from one side to the
@@ -249,6 +265,7 @@ fn report(p: &Parameters) -> Result<Report> {
     road(p, &mut report)?;
     resisted(p, &mut report)?;
     coins(p, &mut report)?;
+    slid(p, &mut report)?;
     cycle(p, &mut report)?;
     orbiting(p, &mut report)?;
     limits(&mut report)?;
@@ -323,6 +340,19 @@ fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
         coin_seen: TAU, "rad", "the same, less the turn of the line" => whole - TAU, within 10.0 * bound;
         /// path of a point of its rim in that circuit
         cardioid: 16.0 * p.coin_radius, "m", "rolled about the contact" => p.coin_radius * path, within 100.0 * bound * p.coin_radius;
+    }
+}
+
+/// What `--with slip` adds: how far a coin turns that does not only roll.
+fn slid(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Some(slip) = p.slip else {
+        return Ok(());
+    };
+    // Linear in the spin.
+    let spin = (sliding(0.0) - slip) / (sliding(0.0) - sliding(1.0));
+    claims! { report,
+        /// with slip: coin turned, when it is back at its place
+        slid_circuit: net_turns(p) * TAU, "rad", "places of its contact differenced" => (1.0 + spin) * TAU, within 1e-10;
     }
 }
 

@@ -120,6 +120,11 @@ fn followed(p: &Parameters) -> f64 {
     (TAU / p.rate).min(30.0 * (p.height / p.gravity).sqrt())
 }
 
+/// The rate beyond which the joint must pull the vertex down.
+fn lifting(p: &Parameters) -> f64 {
+    (p.gravity / (1.2 * p.height * tan(p.half_angle))).sqrt()
+}
+
 /// How high the axis points in the end, rad, with that force in place of the table.
 pub fn rises(p: &Parameters, n: f64) -> Result<f64> {
     let (scene, start) = without_table(p, n)?;
@@ -164,10 +169,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let contact = level(0.0) * h - UP * (h * tan(a));
     let (spin, sums) = (spin_at_rest(0.0, contact, rate)?, summed(p, rate)?);
     let (near, size) = (3e-11 / (s * s * c * c), unit * hypot(rho, vertical));
-    let (n, lifted) = (
-        weight * pressure(a, w),
-        (p.gravity / (1.2 * h * tan(a))).sqrt(),
-    );
+    let (n, lifted) = (weight * pressure(a, w), lifting(p));
     // As the square of the rate, the force grows from that of the cone at rest.
     let grown = pressed(p, rate)? / weight - 0.75;
     claims! { report,

@@ -17,17 +17,17 @@ parameters! {
     /// The toy top of 16.2, its tip a ball.
     pub struct Parameters {
         /// radius of the tip
-        tip: number(0.005, "m", from_to(0.004, 0.007));
+        tip: number(0.005, "m", from_to(0.004, 0.007).usually(0.004, 0.007));
         /// tilt of the axis at the throw
-        tilt: number(0.3, "rad", from_to(0.2, 0.35));
+        tilt: number(0.3, "rad", from_to(0.2, 0.35).usually(0.2, 0.35));
         /// spin at the throw
-        spin: number(150.0, "rad/s", from_to(130.0, 170.0));
+        spin: number(150.0, "rad/s", from_to(130.0, 170.0).usually(130.0, 170.0));
         /// coefficient of dry friction of tip and floor
-        friction: number(0.05, "-", from_to(0.03, 0.08));
+        friction: number(0.05, "-", from_to(0.03, 0.08).usually(0.03, 0.08));
         /// effective modulus of both: 1/E* is the sum of (1 - nu^2)/E
-        modulus: number(4e9, "Pa", from_to(2e9, 8e9));
+        modulus: number(4e9, "Pa", from_to(2e9, 8e9).usually(2e9, 8e9));
         /// slope of the floor
-        slope: number(1e-3, "rad", from_to(3e-4, 2e-3));
+        slope: number(1e-3, "rad", from_to(3e-4, 2e-3).usually(3e-4, 2e-3));
         /// error of a step of the simulations: from 1e-12 to 1e-8
         tolerance: number(1e-10, "-", from_to(1e-12, 1e-8));
     }

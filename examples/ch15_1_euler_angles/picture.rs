@@ -5,11 +5,32 @@ use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sol
 use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::zero();
+/// Where the pictures are seen from: azimuth and elevation of the eye, rad.
+const EYE: [f64; 2] = [0.15, 0.5];
+/// The middle of what they show, its height above the origin and its reach to every side.
+const MIDDLE: f64 = 0.35;
+const REACH: f64 = 1.15;
+/// Lengths of the arrows of the fixed axes and of the body's.
+const FIXED: f64 = 1.2;
+const BODY: f64 = 1.05;
 
 /// The angles when `t` of the three turns are made.
 fn made(p: &Parameters, t: f64) -> [f64; 3] {
     let part = |k: f64| (t - k).clamp(0.0, 1.0);
     [part(0.0) * p.phi, part(1.0) * p.theta, part(2.0) * p.zeta]
+}
+
+/// What the pictures of all three turns show: centre and reach. Where an axis comes to point
+/// far down they show more below.
+fn shown(p: &Parameters) -> (SpaceVector, f64) {
+    let [(sa, ca), (se, ce)] = EYE.map(sincos);
+    let up = SpaceVector::new(-se * ca, -se * sa, ce);
+    let tips = times(0.0, 3.0, 60).flat_map(|t| frames(made(p, t))[3]);
+    let lowest = tips.map(|axis| BODY * axis.dot(&up)).fold(0.0, f64::min);
+    // Room for a label below the tip.
+    let missing = (MIDDLE * ce - REACH - (lowest - 0.12)).max(0.0);
+    let middle = MIDDLE - 0.5 * missing / ce;
+    (SpaceVector::new(0.0, 0.0, middle), REACH + 0.5 * missing)
 }
 
 /// Three arrows of this length with their names.
@@ -39,18 +60,16 @@ fn body(view: View, [x, _, z]: [SpaceVector; 3]) -> View {
         .line([face, face + x * 0.42], Ink::Paper)
 }
 
-/// The body in the triad that `made` angles lead to, and the ways of the axes.
-fn scene(name: &str, alt: &str, angles: [f64; 3], names: [&str; 3]) -> View {
+/// The body in the triad that these angles lead to, and the ways of the axes; `view` says what
+/// is shown.
+fn scene(view: View, angles: [f64; 3], names: [&str; 3]) -> View {
     let [phi, theta, zeta] = angles;
     let [fixed, first, second, last] = frames(angles);
-    let view = View::new(name, alt)
-        .camera(Camera::new(0.15, 0.5))
-        .around(SpaceVector::new(0.0, 0.0, 0.35), 1.15)
-        .size(250, 230);
+    let view = view.camera(Camera::new(EYE[0], EYE[1])).size(250, 230);
     let view = triad(
         body(view, last),
         fixed,
-        1.2,
+        FIXED,
         ["$X$", "$Y$", "$Z$"],
         Ink::Frame,
     );
@@ -92,14 +111,18 @@ fn scene(name: &str, alt: &str, angles: [f64; 3], names: [&str; 3]) -> View {
     if names[0].is_empty() {
         view
     } else {
-        triad(view, last, 1.05, names, Ink::Body)
+        triad(view, last, BODY, names, Ink::Body)
     }
 }
 
 /// The notes' figure, panel by panel.
 pub fn panels(p: &Parameters) -> Result<[Figure; 4]> {
     let [phi, theta, zeta] = p.angles();
-    let panel = |name, alt, angles, names| scene(name, alt, angles, names).figure();
+    let (centre, reach) = shown(p);
+    let panel = |name, alt, angles, names| {
+        let view = View::new(name, alt).around(centre, reach);
+        scene(view, angles, names).figure()
+    };
     Ok([
         panel(
             "frames_a",
@@ -156,9 +179,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .collect::<Vec<_>>()
     };
     let names = ["$\\phi$", "$\\theta$", "$\\zeta$"];
+    let (centre, reach) = shown(&p);
+    // At least as high as for the angles of the page, so that larger ones look larger.
+    let angles = [p.angles(), Parameters::default().angles()].concat();
     let axes = Panel::new("graph", "")
         .x(Axis::linear("turns made").step(1.0))
-        .y(Axis::linear("angle / rad"));
+        .y(Axis::linear("angle / rad").over(angles));
     let graph = (0..3).fold(axes, |panel, i| {
         let curve = Curve::new(angle(i), Ink::Velocity);
         panel.curve(
@@ -179,7 +205,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "A disc with its axes in the fixed axes X, Y, Z, turned so far by {phi:.2} rad about Z, {theta:.2} rad \
              about x and {zeta:.2} rad about z; below, the three angles, each growing while its turn is made."
         );
-        Stack::frame(&alt, scene("scene", &alt, angles, names), &graph, t)
+        let scene = scene(View::of(centre, reach), angles, names);
+        Stack::frame(&alt, scene, &graph, t)
     })
     .map(|picture| picture.timed("turns made"))
 }

@@ -1,7 +1,6 @@
 //! The drawings; lengths in radii, except of the cycle wheel, which is the notes' instance.
 
 use super::*;
-use core::f64::consts::PI;
 use rotation_dynamics::report::draw::Camera;
 
 /// A point of the rim after the wheel has turned by `t`.
@@ -283,21 +282,34 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-/// Coin on coin, told twice: in the laboratory, and as seen from the line of centres.
-pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let turned = Axis::angle("turned").range(0.0, 2.0 * TAU).parts_of_pi(1);
-    let line = |end: f64| Curve::new([(0.0, 0.0), (TAU, end)], Ink::Body);
-    let graph = Panel::over_axes(Axis::angle(r"$\theta_{orbit}$"), turned)
-        .curve(line(2.0 * TAU).label("laboratory"))
-        .curve(line(TAU).dashed().label("line of centres"));
-    MovingPicture::above(graph, 0.0..=TAU, [0.0, FRAC_PI_2, PI], |t| {
+/// Coin on coin, told twice: in the laboratory, and as seen from the line of centres. Where it
+/// slips, an arrow at the contact says how fast.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (net, slip) = (net_turns(p), p.slip);
+    let spin = net - 1.0;
+    let turned = Axis::angle("turned").range(TAU * spin.min(0.0), 2.0 * TAU);
+    let line = |turns: f64| Curve::new([(0.0, 0.0), (TAU, turns * TAU)], Ink::Body);
+    let graph = Panel::over_axes(Axis::angle(r"$\theta_{orbit}$"), turned.parts_of_pi(1))
+        .curve(line(net).label("laboratory"))
+        .curve(line(spin).dashed().label("line of centres"));
+    MovingPicture::above(graph, 0.0..=TAU, [0.0, FRAC_PI_2, PI], move |t| {
         let turned = |angle: f64| format!("{:.0}", angle.to_degrees());
+        let (back, on) = (turned(t), turned(spin * t));
+        let (moves, seen) = match slip {
+            None => (
+                "rolling",
+                format!("by {back} degrees each, in opposite senses"),
+            ),
+            Some(_) => (
+                "slipping",
+                format!("by {back} degrees clockwise and by {on} counterclockwise"),
+            ),
+        };
         let alt = format!(
-            "Left, in the laboratory: the line of centres has turned by {0} degrees and the rolling \
-             coin by {1}. Right, as seen from the line of centres: the coins turn in place, \
-             by {0} degrees each, in opposite senses. Below, the two angles of the rolling coin.",
-            turned(t),
-            turned(2.0 * t)
+            "Left, in the laboratory: the line of centres has turned by {back} degrees and the {moves} \
+             coin by {}. Right, as seen from the line of centres: the coins turn in place, {seen}. \
+             Below, the two angles of the {moves} coin.",
+            turned(net * t)
         );
         let (left, right, up) = ((-3.35, 0.0), (3.35, 0.0), FRAC_PI_2);
         let (dx, dy) = polar(2.0, up + t);
@@ -313,11 +325,19 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
             Ink::Frame,
         );
         let sketch = coin(
-            coin(sketch, there, 2.0 * t - up, Ink::Body),
+            coin(sketch, there, net * t - up, Ink::Body),
             above,
-            t - up,
+            spin * t - up,
             Ink::Body,
         );
+        let sketch = match slip {
+            None => sketch,
+            Some(slip) => {
+                let ((x, y), (dx, dy)) = (polar(1.0, up + t), polar(0.8 * slip, 2.0 * up + t));
+                let contact = (left.0 + x, y);
+                sketch.arrow_along([contact, (contact.0 + dx, contact.1 + dy)], Ink::Ink)
+            }
+        };
         let told = [
             (left.0, "in the laboratory"),
             (right.0, "from the line of centres"),

@@ -12,7 +12,7 @@ use rotation_dynamics::math::{cbrt, cos, sin, sincos};
 use rotation_dynamics::report::draw::{
     Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View,
 };
-use rotation_dynamics::report::{Figure, MovingPicture, times};
+use rotation_dynamics::report::{Figure, MovingPicture, short, times};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
@@ -181,9 +181,12 @@ fn ellipsoid() -> Result<Figure> {
     .figure()
 }
 
-/// The square with its lower left corner at `at`, edges 1.
-fn plate(sketch: Sketch, at: (f64, f64)) -> Sketch {
-    let edge = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+/// The edges of the square, along x and y.
+const SQUARE: [f64; 2] = [1.0, 1.0];
+
+/// The plate of these edges with its lower left corner at `at`.
+fn plate(sketch: Sketch, at: (f64, f64), [a, b]: [f64; 2]) -> Sketch {
+    let edge = [(0.0, 0.0), (a, 0.0), (a, b), (0.0, b)];
     sketch.body(edge.map(|corner| sum(at, corner)), Ink::Body, 0.15)
 }
 
@@ -213,7 +216,7 @@ fn square() -> Result<Figure> {
     let alt = "A square plate of edge a with the axes x and y through its centre, along its edges; dashed, \
                a pair of axes turned by an angle.";
     let centre = (0.5, 0.5);
-    let drawn = plate(sketch("square", alt), (0.0, 0.0)).dimension(
+    let drawn = plate(sketch("square", alt), (0.0, 0.0), SQUARE).dimension(
         (0.0, -0.12),
         (1.0, -0.12),
         "$a$",
@@ -235,7 +238,7 @@ fn square() -> Result<Figure> {
 
 fn corner() -> Result<Figure> {
     let alt = "The same plate with the axes x and y along two edges, from their common corner P.";
-    let drawn = plate(sketch("corner", alt), (0.0, 0.0));
+    let drawn = plate(sketch("corner", alt), (0.0, 0.0), SQUARE);
     two_axes(drawn, (0.0, 0.0), 0.0, 1.4, ["$x$", "$y$"])
         .dot((0.0, 0.0), Ink::Ink, "$P$", Side::BelowLeft)
         .dot((0.5, 0.5), Ink::Ink, "CM", Side::Right)
@@ -246,7 +249,7 @@ fn principal() -> Result<Figure> {
     let alt = "The plate with axes through the corner P turned by 45 degrees: x prime along the diagonal \
                through the centre of mass, y prime at right angles, outside the plate.";
     let [.., angle] = corner_axes(1.0, 1.0, 1.0);
-    let drawn = plate(sketch("principal", alt), (0.0, 0.0));
+    let drawn = plate(sketch("principal", alt), (0.0, 0.0), SQUARE);
     let along = [polar(1.75, angle), polar(1.2, angle + FRAC_PI_2)];
     let axes = along.into_iter().fold(drawn, |drawn, end| {
         drawn.arrow_along([(0.0, 0.0), end], Ink::Ink)
@@ -343,19 +346,22 @@ fn parallel() -> Result<Figure> {
         .figure()
 }
 
-/// Two squares with the axis at `angle` through the centre and through a corner, and how far each
-/// piece is from it.
-fn two_plates(angle: f64) -> Sketch {
+/// Two plates of these edges, of which the longer is 1, with the axis at `angle` through the centre
+/// and through a corner, and how far each piece is from it.
+fn two_plates([a, b]: [f64; 2], angle: f64) -> Sketch {
     let along = polar(1.0, angle);
-    let piece = |i: u32, j: u32| ((f64::from(i) + 0.5) / 6.0, (f64::from(j) + 0.5) / 6.0);
+    let part = |i: u32| (f64::from(i) + 0.5) / 6.0;
+    let piece = |i: u32, j: u32| (a * part(i), b * part(j));
     let mut drawn = Sketch::new("scene", "").window((-0.62, 3.28), (-0.78, 1.5));
-    for (left, axis) in [(0.0, (0.5, 0.5)), (1.85, (0.0, 0.0))] {
-        drawn = plate(drawn, (left, 0.0));
-        let through = (left + axis.0, axis.1);
+    for (left, axis) in [(0.0, (0.5 * a, 0.5 * b)), (1.85, (0.0, 0.0))] {
+        // In the middle of where the square would be.
+        let corner = (left + 0.5 * (1.0 - a), 0.5 * (1.0 - b));
+        drawn = plate(drawn, corner, [a, b]);
+        let through = sum(corner, axis);
         let at = |by: f64| sum(through, (by * along.0, by * along.1));
         let (mut back, mut front) = (0.0_f64, 0.0_f64);
         for (x, y) in (0..6).flat_map(|i| (0..6).map(move |j| piece(i, j))) {
-            let place = (left + x, y);
+            let place = sum(corner, (x, y));
             let by = (place.0 - through.0) * along.0 + (place.1 - through.1) * along.1;
             (back, front) = (back.max(-by), front.max(by));
             drawn = drawn
@@ -371,13 +377,27 @@ fn two_plates(angle: f64) -> Sketch {
     drawn
 }
 
-/// The axis turns in the plane of the plate, through the centre and through a corner.
-pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
+/// The axis turns in the plane of the plate, through the centre and through a corner. Masses and
+/// lengths over those of the plate and its longer edge.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let longer = p.width.max(p.height);
+    let [a, b] = [p.width, p.height].map(|edge| edge / longer);
     let moment = |plane: Plane| move |angle| turned(plane, angle)[0];
     let (corner, centre) = (
-        moment(about_corner(1.0, 1.0, 1.0)),
-        moment(about_centre(1.0, 1.0, 1.0)),
+        moment(about_corner(1.0, a, b)),
+        moment(about_centre(1.0, a, b)),
     );
+    let (shape, unit) = match a == b {
+        true => ("A square plate".into(), "M a^2"),
+        false => (
+            format!(
+                "A plate of {} m by {} m",
+                short(p.width, 3),
+                short(p.height, 3)
+            ),
+            "M a^2, a the longer edge,",
+        ),
+    };
     let all = || times(0.0, PI, 120);
     let graph = Panel::new("graph", "")
         .x(Axis::angle("angle of the axis / rad").range(0.0, PI))
@@ -396,14 +416,14 @@ pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
         ));
     MovingPicture::new(0.0..=PI, [0.0, 0.25 * PI, 0.75 * PI], move |angle| {
         let alt = format!(
-            "A square plate twice, with its pieces and their distances from an axis in the plane, \
+            "{shape} twice, with its pieces and their distances from an axis in the plane, \
              {:.0} degrees from an edge: on the left through the centre, on the right through a corner. Below, the two \
-             moments over M a^2 against the angle: {:.3} and {:.3} now.",
+             moments over {unit} against the angle: {:.3} and {:.3} now.",
             angle.to_degrees(),
             centre(angle),
             corner(angle)
         );
-        Stack::frame(&alt, two_plates(angle), &graph, angle)
+        Stack::frame(&alt, two_plates([a, b], angle), &graph, angle)
     })
     .map(|picture| picture.timed("angle of the axis / rad"))
 }

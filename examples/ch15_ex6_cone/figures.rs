@@ -1,21 +1,27 @@
-//! The drawings of exercise 15.6; the cone has the half angle of the page and the height 1.
+//! The drawings of exercise 15.6; lengths over h. What moves is the cone of the parameters, the
+//! figures show that of the page.
 
 use super::cone::{UP, drawn, sweep};
 use super::*;
 
 use rotation_dynamics::report::draw::Camera;
 
-/// The half angle of the drawings.
+/// The half angle of the page.
 const ALPHA: f64 = 0.4;
 
-/// The cone on its table, with the circle of its rim.
-fn on_table(attitude: &Attitude) -> View {
-    let view = View::of(UP * 0.22, 1.3)
+/// How long the line of contact of a cone is, over that of the page.
+fn size(a: f64) -> f64 {
+    cos(ALPHA) / cos(a)
+}
+
+/// A cone of this half angle on its table, with the circle of its rim.
+fn on_table(a: f64, attitude: &Attitude) -> View {
+    let view = View::of(UP * (0.22 * size(a)), 1.3 * size(a))
         .camera(Camera::new(0.6, 0.42))
         .size(340, 260)
-        .ground(SpaceVector::zero(), 1.32)
-        .dashed(sweep(0.0, TAU, 1.0 / cos(ALPHA)), Ink::Frame);
-    drawn(view, ALPHA, SpaceVector::zero(), attitude)
+        .ground(SpaceVector::zero(), 1.32 * size(a))
+        .dashed(sweep(0.0, TAU, 1.0 / cos(a)), Ink::Frame);
+    drawn(view, a, SpaceVector::zero(), attitude)
 }
 
 figures! { _: &Parameters;
@@ -27,7 +33,7 @@ figures! { _: &Parameters;
         let (rho, attitude) = (level(azimuth), placed(ALPHA, azimuth, 0.9)?);
         let axis = attitude.axis();
         let rise = times(0.0, ALPHA, 12).map(|b| (rho * cos(b) + UP * sin(b)) * 1.42);
-        on_table(&attitude)
+        on_table(ALPHA, &attitude)
             .dashed([o, axis * 1.5], Ink::Body)
             .text(axis * 1.5, "axis", Ink::Body, Side::Above)
             .line(rise, Ink::Ink)
@@ -126,46 +132,56 @@ fn sped_up(p: &Parameters, t: f64) -> (f64, f64) {
     (last * t / END, 0.5 * last * t * t / END)
 }
 
+/// Where the table then bears it, over h.
+fn borne(p: &Parameters, t: f64) -> f64 {
+    let (rate, _) = sped_up(p, t);
+    centre_of_pressure(p.half_angle, p.height * rate * rate / p.gravity)
+}
+
 /// Made to roll ever faster, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = ["t [s]", "Omega [rad/s]", "phi [rad]", "d [m]"];
     Trajectory::sampled(columns, times(0.0, END, 300), |t| {
         let (rate, turn) = sped_up(p, t);
-        let d = p.height * centre_of_pressure(p.half_angle, p.height * rate * rate / p.gravity);
-        Ok([t, rate, turn, d])
+        Ok([t, rate, turn, p.height * borne(p, t)])
     })
 }
 
-/// The same with the force of the table; lengths over h, the cone of the page.
-pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let borne = |t: f64| {
-        let (p, (rate, _)) = (Parameters::default(), sped_up(&Parameters::default(), t));
-        centre_of_pressure(ALPHA, p.height * rate * rate / p.gravity)
-    };
-    let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(0.5, 1.05);
-    let outward = Curve::of(
-        times(0.0, END, 120),
-        move |t| borne(t) * cos(ALPHA),
-        Ink::Force,
-    );
+/// The same with the force of the table. As it tips, the arrows are as long beside the line of
+/// contact as those of the cone of the page.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (p, a, page) = (p.clone(), p.half_angle, Parameters::default());
+    let lowest = borne(&p, 0.0) * cos(a);
+    let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(lowest.min(0.5), 1.05);
+    let outward = Curve::of(times(0.0, END, 120), |t| borne(&p, t) * cos(a), Ink::Force);
     let graph = Panel::over_axes("$t$ / s", share)
         .level(1.0, Ink::Frame, "rim")
         .curve(outward);
+    let [l, l_page] = [a, ALPHA].map(|a| {
+        let [along, up] = angular_momentum(a);
+        hypot(along, up)
+    });
+    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0);
+    let strong = swift * (l_page / l);
     MovingPicture::above(graph, 0.0..=END, [2.3, 4.2, END], move |t| {
-        let (rate, turn) = sped_up(&Parameters::default(), t);
-        let (rho, d, o) = (level(turn + 2.35), borne(t), SpaceVector::zero());
+        let (rate, turn) = sped_up(&p, t);
+        let (rho, d, o) = (level(turn + 2.35), borne(&p, t), SpaceVector::zero());
+        let [along, up] = angular_momentum(a);
+        let way = ["upward", "downward"][usize::from(up < 0.0)];
         let alt = format!(
             "The cone after {t:.1} s, at {rate:.1} rad/s. Omega lies along the line of contact and points away \
-             from the cone, L upward and away. The table bears the cone at {d:.2} of its height from the vertex. \
+             from the cone, L {way} and away. The table bears the cone at {d:.2} of its height from the vertex. \
              Below, that distance over the length of the line of contact against time."
         );
-        let ([along, up], omega) = (angular_momentum(ALPHA), rho * (-0.17 * rate));
-        let (momentum, bearing) = ((rho * along + UP * up) * (0.3 * rate), rho * d);
-        let view = on_table(&rolled(ALPHA, turn + 2.35)?)
+        let omega = rho * (-0.17 * rate * swift);
+        let momentum = (rho * along + UP * up) * (0.3 * rate * strong);
+        let bearing = rho * d;
+        let force = UP * (0.75 * size(a));
+        let view = on_table(a, &rolled(a, turn + 2.35)?)
             .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
             .arrow(o, momentum, Ink::Momentum, "$L$", Side::Above)
-            .dashed([o, rho / cos(ALPHA)], Ink::Ink)
-            .arrow(bearing, bearing + UP * 0.75, Ink::Force, "$N$", Side::Right)
+            .dashed([o, rho / cos(a)], Ink::Ink)
+            .arrow(bearing, bearing + force, Ink::Force, "$N$", Side::Right)
             .dot(o, Ink::Ink, "", Side::Below);
         Ok((alt, view))
     })

@@ -1,22 +1,34 @@
-//! The drawings of exercise 15.7; the cone has the half angle of the page and the height 1.
+//! The drawings of exercise 15.7; lengths over h. What moves is the cone of the parameters, the
+//! figures show that of the page.
 
 use super::cone::{drawn, sweep};
 use super::*;
 use rotation_dynamics::report::draw::Camera;
 
-/// The half angle of the drawings.
+/// The half angle of the page.
 const ALPHA: f64 = 0.4;
 
-/// The cone with its vertex on a post, its rim on the table, and the circle of the rim.
-fn on_post(attitude: &Attitude) -> View {
-    let vertex = UP * tan(ALPHA);
-    let view = View::of(UP * 0.3, 1.25)
+/// How much more room a cone takes than that of the page: it is 1 wide and 2 tan(alpha) high. A
+/// slender one takes as much.
+fn size(a: f64) -> f64 {
+    let [room, page] = [a, ALPHA].map(|a| hypot(1.0, 2.0 * tan(a)));
+    (room / page).max(1.0)
+}
+
+/// A cone of this half angle with its vertex on a post, its rim on the table, and the circle of the
+/// rim.
+fn on_post(a: f64, attitude: &Attitude) -> View {
+    let (vertex, size) = (UP * tan(a), size(a));
+    let view = View::of(UP * (0.3 * size), 1.25 * size)
         .camera(Camera::new(0.6, 0.3))
         .size(340, 260)
-        .ground(SpaceVector::zero(), 1.25)
+        .ground(SpaceVector::zero(), 1.25 * size)
         .dashed(sweep(0.0, TAU, 1.0), Ink::Frame)
-        .solid(Solid::rod(SpaceVector::zero(), vertex, 0.025), Ink::Frame);
-    drawn(view, ALPHA, vertex, attitude)
+        .solid(
+            Solid::rod(SpaceVector::zero(), vertex, 0.025 * size),
+            Ink::Frame,
+        );
+    drawn(view, a, vertex, attitude)
 }
 
 figures! { _: &Parameters;
@@ -26,7 +38,7 @@ figures! { _: &Parameters;
     setup: {
         let (azimuth, radius) = (1.75, tan(ALPHA));
         let (rho, vertex) = (level(azimuth), UP * radius);
-        on_post(&placed(0.0, azimuth, 2.2)?)
+        on_post(ALPHA, &placed(0.0, azimuth, 2.2)?)
             .arrow(vertex + rho * 1.02, vertex + rho * 1.4, Ink::Frame, r"$\hat\rho$", Side::Right)
             .arrow(vertex, vertex + UP * 0.75, Ink::Frame, "$Z$", Side::Right)
             .turn(sweep(0.2, 2.6, 0.3).map(|p| p + UP * (radius + 0.5)), Ink::Velocity)
@@ -119,19 +131,21 @@ figures! { _: &Parameters;
     };
 }
 
-/// The force of the table over the weight at this rate, with the cone of the page.
-fn share(rate: f64) -> f64 {
-    let p = Parameters::default();
-    pressure(p.half_angle, p.height * rate * rate / p.gravity)
-}
-
-/// Made to roll ever faster, evenly, from rest to the rate `LAST` in the time `END`.
+/// Made to roll ever faster, evenly, from rest to the rate `LAST` in the time `END`; another cone
+/// than that of the page to as much beyond the rate at which its joint begins to pull.
 const END: f64 = 6.0;
 const LAST: f64 = 12.0;
 
 /// The rate, and how far the axis has turned, at `t`.
-fn sped_up(t: f64) -> (f64, f64) {
-    (LAST * t / END, 0.5 * LAST * t * t / END)
+fn sped_up(p: &Parameters, t: f64) -> (f64, f64) {
+    let last = LAST * (lifting(p) / lifting(&Parameters::default()));
+    (last * t / END, 0.5 * last * t * t / END)
+}
+
+/// The force of the table then, over the weight.
+fn share(p: &Parameters, t: f64) -> f64 {
+    let (rate, _) = sped_up(p, t);
+    pressure(p.half_angle, p.height * rate * rate / p.gravity)
 }
 
 /// A circuit at the rate of the parameters, for `--csv`.
@@ -152,48 +166,53 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-/// Ever faster, with the forces that hold the cone up; lengths over h.
-pub fn moving_picture(_: &Parameters) -> Result<MovingPicture> {
-    let over_time = |f: fn(f64) -> f64| Curve::of(times(0.0, END, 120), f, Ink::Force);
-    let (table, joint) = (
-        over_time(|t| share(sped_up(t).0)),
-        over_time(|t| 1.0 - share(sped_up(t).0)),
-    );
+/// Ever faster, with the forces that hold the cone up. In the end omega and L are as long beside
+/// the cone as those of the cone of the page.
+pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
+    let (p, a, page) = (p.clone(), p.half_angle, Parameters::default());
+    let table = Curve::of(times(0.0, END, 120), |t| share(&p, t), Ink::Force);
+    let joint = Curve::of(times(0.0, END, 120), |t| 1.0 - share(&p, t), Ink::Force);
     let graph = Panel::over_axes("$t$ / s", Axis::linear("force$/Mg$").range(-0.4, 1.4))
         .level(0.0, Ink::Frame, "")
         .curve(table.label_at("table", 2.0, 0.84, Side::Above))
         .curve(joint.dashed().label_at("joint", 2.0, 0.3, Side::Above));
-    MovingPicture::above(graph, 0.0..=END, [1.4, 3.3, END], |t| {
-        let (rate, turn) = sped_up(t);
-        let (rho, o, table) = (level(turn + 3.45), UP * tan(ALPHA), share(rate));
+    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0);
+    MovingPicture::above(graph, 0.0..=END, [1.4, 3.3, END], move |t| {
+        let (rate, turn) = sped_up(&p, t);
+        let (rho, o, table) = (level(turn + 3.45), UP * tan(a), share(&p, t));
         let joint = 1.0 - table;
         let way = ["up", "down"][usize::from(joint < 0.0)];
+        let [[x, y], [u, v]] = [angular_velocity(a), angular_momentum(a)];
+        let steeper = ["less steep", "steeper"][usize::from(v * x < y * u)];
         let alt = format!(
             "The cone after {t:.1} s, at {rate:.1} rad/s. Omega points from the lowest point of the rim through \
-             the vertex and on, L steeper. The table presses up with {table:.2} of the weight, and the joint \
+             the vertex and on, L {steeper}. The table presses up with {table:.2} of the weight, and the joint \
              pushes the vertex {way} with {:.2} of it. Below, both forces against time.",
             joint.abs()
         );
-        let vector =
-            |[along, up]: [f64; 2], scale: f64| o + (rho * along + UP * up) * (scale * rate);
+        let vector = |of: fn(f64) -> [f64; 2], scale: f64| {
+            let [length, page] = [a, ALPHA].map(|a| hypot(of(a)[0], of(a)[1]));
+            let [along, up] = of(a);
+            o + (rho * along + UP * up) * (scale * rate * (swift * (page / length)))
+        };
         let (omega, momentum) = (
-            vector(angular_velocity(ALPHA), 0.028),
-            vector(angular_momentum(ALPHA), 0.1),
+            vector(angular_velocity, 0.028),
+            vector(angular_momentum, 0.1),
         );
-        let (rim, beside) = (rho * 1.03, o - rho * 0.07);
-        let view = on_post(&rolled(ALPHA, turn + 3.45)?)
+        let (rim, beside) = (rho * (1.0 + 0.03 * size(a)), o - rho * (0.07 * size(a)));
+        let view = on_post(a, &rolled(a, turn + 3.45)?)
             .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
             .arrow(o, momentum, Ink::Momentum, "$L$", Side::Right)
             .arrow(
                 rim,
-                rim + UP * (0.6 * table),
+                rim + UP * (0.6 * table * size(a)),
                 Ink::Force,
                 "$N$",
                 Side::Right,
             )
             .arrow(
                 beside,
-                beside + UP * (0.6 * joint),
+                beside + UP * (0.6 * joint * size(a)),
                 Ink::Force,
                 "",
                 Side::Left,

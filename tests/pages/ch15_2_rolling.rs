@@ -1,7 +1,7 @@
 //! Rolling: each formula of the page by a route of its own, the slips of the notes, and far
 //! from the notes' numbers. That simulations confirm the claims is part of the report.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::told::{computed, confirmed, ledger, refused, value};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use pages::ch15_2_rolling::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -101,6 +101,23 @@ fn eq_15_2_coin_contact_velocity() {
     }
     errors.attain(2.5e-8..=2.6e-8, 4);
     damaged.exceed(0.9, 4);
+}
+
+/// As much as it slips it turns less: carried round it turns once, and at twice that not at all.
+#[test]
+fn a_coin_that_slips_turns_less() {
+    let slips = ["0.1", "0.25", "1", "1.5", "2"];
+    confirmed(&EXAMPLE, slips.map(|slip| format!("--with slip={slip}")), 5);
+    let turned = |slip: &str| computed(&EXAMPLE, &format!("--with slip={slip}"), "slid_circuit");
+    let (mut errors, mut damaged) = (Errors::of("turned in the circuit"), Errors::of("more, not less"));
+    for (slip, turns) in [("0.5", 1.5), ("1", 1.0), ("2", 0.0)] {
+        errors.push(turned(slip) - turns * TAU);
+        damaged.push(turned(slip) - (4.0 - turns) * TAU);
+    }
+    errors.attain(0.0..=0.0, 3);
+    damaged.exceed(6.0, 3);
+    let runs = [("--with slip=0", "slip = 0 is not allowed"), ("--with slip=2.1", "at most 2")];
+    refused(&EXAMPLE, runs);
 }
 
 /// theta_net = 2 theta_orbit for polygons: tipped about a common corner until the next sides

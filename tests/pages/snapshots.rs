@@ -255,7 +255,7 @@ fn texts(svg: &str) -> Vec<Text> {
 }
 
 /// What is wrong with the texts of a figure of this size: cut off, or on top of each other.
-fn misplaced(svg: &str) -> Vec<String> {
+pub fn misplaced(svg: &str) -> Vec<String> {
     let root = svg.split_once('>').expect("there is a root").0;
     let (width, height) = (
         attribute(root, "width").expect("width"),
