@@ -16,6 +16,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 #[cfg(all(target_arch = "x86_64", registers))]
 mod asked;
+#[cfg(target_feature = "simd128")]
+mod wasm32;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -164,10 +166,7 @@ impl Lane for f64 {
 }
 
 impl Phased for f64 {
-    #[cfg(target_arch = "x86_64")]
-    type Pair = x86::Two;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Pair = Both<f64>;
+    type Pair = Two;
 }
 
 /// Two of a kind, one after the other.
@@ -177,12 +176,16 @@ pub struct Both<L>(L, L);
 /// Eight numbers in registers of AVX-512, and in those of AVX2: only where they are.
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{Eight, FourTwice};
-/// Eight numbers in what every processor of its kind has.
+/// Two numbers in what every processor of its kind has.
 #[cfg(target_arch = "x86_64")]
-pub(crate) type CommonEight = Both<Both<x86::Two>>;
+type Two = x86::Two;
+#[cfg(target_feature = "simd128")]
+type Two = wasm32::Two;
+#[cfg(not(any(target_arch = "x86_64", target_feature = "simd128")))]
+type Two = Both<f64>;
+
 /// Eight numbers in what every processor of its kind has.
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) type CommonEight = Both<Both<Both<f64>>>;
+pub(crate) type CommonEight = Both<Both<Two>>;
 
 impl<L: Copy> Both<L> {
     #[inline(always)]
