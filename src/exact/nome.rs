@@ -390,7 +390,7 @@ mod tests {
     fn arguments_agree_with_duplication() {
         // 1.1e-29, where y = 137 and m = 1e-120.
         of_arguments(0.5, 0.0).attain(890.0..=892.0, 6 * 49);
-        // Terms that weigh less than 1e-16 are formed in `f64`: 4.8e-27.
+        // The terms with q^12, formed in `f64`, weigh 4e-11 there: 4.8e-27.
         of_arguments(0.8, 0.0).attain(3.8e5..=4.0e5, 6 * 63);
         assert!(of_arguments(0.5, 1e-27).largest() > 1e4);
     }

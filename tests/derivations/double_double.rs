@@ -3,7 +3,7 @@
 
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::math::double_double::{two_product, two_sum};
-use rotation_dynamics::math::{DoubleDouble as Dd, atan, atan2, cos, pow, sin};
+use rotation_dynamics::math::{DoubleDouble as Dd, EPS, atan, atan2, cos, pow, sin};
 use support::Errors;
 
 /// A whole number below 2^53 that goes its own way with `n`.
@@ -50,6 +50,28 @@ fn a_root_gains_as_many_digits_again() {
     }
     errors.attain(2.6e-32..=2.7e-32, 199);
     assert!(plain.largest() > 1e-16);
+}
+
+#[test]
+fn a_root_leaves_nine_eighths_of_a_squared_rounding() {
+    // (a - r^2)^2/8r^4 over eps^2, where both roundings, of a and of the root, are as large as
+    // can be, and over many others.
+    let left = |a: Dd| {
+        let root = a.to_f64().sqrt();
+        let rest = (a - Dd::product(root, root)).to_f64() / (EPS * root * root);
+        rest * rest / 8.0
+    };
+    let mut errors = Errors::of("what one step of Newton leaves of a root, over eps^2");
+    // All but half of the last bit of a number from 1 to 2: a half goes to the even neighbour.
+    let low = EPS * (1.0 - EPS);
+    errors.push_at(left(Dd::sum(1.0 + 2.0 * EPS, low)), 0);
+    for n in 0..2000 {
+        let a = 1.0 + 3.0 * (whole(n) as f64 * EPS).abs();
+        errors.push_at(left(Dd::sum(a, low)), n);
+    }
+    errors.attain(1.12..=1.13, 2001);
+    // With the root's own rounding alone it is less.
+    assert!(left(Dd::from(1.0 + 2.0 * EPS)) <= 0.5);
 }
 
 /// lambda of the nome: (q + q^9 + q^25)/(1 + 2 q^4 + 2 q^16).

@@ -1,7 +1,7 @@
 //! The page `how_events`: the interpolant, what a root on it is worth, and how an event's time
 //! depends on a graze.
 
-use rotation_dynamics::integrators::{Dop853, Event, Solution, second_order};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Solution, second_order};
 use rotation_dynamics::math::{EPS, cos, pow, sin};
 use support::Errors;
 
@@ -110,4 +110,26 @@ fn the_place_of_a_graze_need_not_be_known_well() {
     let place = pow(0.5 * (5.0_f64.sqrt() - 1.0), 40.0);
     assert!(place < 1e-8 && place > 1e-9, "{place}");
     assert!(place * place < EPS && pow(place, 1.5) > EPS);
+}
+
+#[test]
+fn an_event_costs_a_few_real_steps() {
+    let mut dear = Errors::of("evaluations an event");
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+        let spring = second_order(|_, x, _| -x);
+        let (_, ends) = Dop853::new(tolerance)
+            .and_then(|method| method.advance(&spring, 0.0, &[1.0, 0.0], 12.0))
+            .expect("smooth");
+        let between = swings(tolerance, 12.0, &[]).work();
+        assert_eq!(between.derivatives - ends.derivatives, 3 * ends.steps);
+        let event = Event::crossing("zero", |_, y: &[f64; 2]| y[0]);
+        let run = swings(tolerance, 12.0, &[event]);
+        // The same steps as without it.
+        assert_eq!(run.work().steps, ends.steps);
+        let more = run.work().derivatives - between.derivatives;
+        assert_eq!(more % 11, 0);
+        dear.push_at(more as f64 / run.events().len() as f64, tolerance);
+    }
+    dear.attain(38.0..=39.0, 5);
+    assert!(dear.smallest() > 19.0);
 }

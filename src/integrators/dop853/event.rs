@@ -1,9 +1,9 @@
 //! Events: places where a function of time and state goes through zero.
 //!
 //! A crossing is found by the sign of the function at the ends of a step, at
-//! seven times between and where it comes nearest to zero, on the interpolant. Its time is then polished with
-//! real steps from the start of the step, so that it has the accuracy of the
-//! run and not that of the interpolant.
+//! seven times between and where it comes nearest to zero, on the interpolant.
+//! Its time is then polished with real steps from the start of the step, so that
+//! it has the accuracy of the run and not that of the interpolant.
 
 use super::segment::Segment;
 use super::trial::Trial;
@@ -125,7 +125,7 @@ pub struct LocatedEvent<const N: usize> {
 
 /// Parts of a step between which the sign of an event function is compared.
 const PARTS: u32 = 8;
-/// Narrowings of the place where a function comes nearest to zero: 0.618^40 of a step.
+/// Narrowings of the place where a function comes nearest to zero: 0.618^40 of a part.
 const NARROWINGS: u32 = 40;
 /// A graze of less than this part of the function's size nearby is round-off.
 const GRAZE: f64 = 16.0 * EPS;

@@ -137,7 +137,7 @@ impl Dop853 {
     /// event, at any time between, with the events met on the way.
     ///
     /// `t_end` may lie before `t`. The interpolant costs three more derivatives
-    /// a step, an event found about 30, and memory for 9 states a step; use
+    /// a step, an event found 20 to 40, and memory for 9 states a step; use
     /// [`Integrator::advance`] where only the end counts.
     ///
     /// Errors: a time or a start that is not finite; a derivative that is not
