@@ -163,7 +163,7 @@ class Knobs {
                 this.wake();
             }).observe(this.panel);
             document.addEventListener("visibilitychange", () => this.wake());
-            new MutationObserver(() => this.repaint()).observe(document.documentElement, { attributeFilter: ["class"] });
+            new MutationObserver(() => { this.theme = undefined; this.repaint(); }).observe(document.documentElement, { attributeFilter: ["class"] });
         }
 
         /** The first touch: the strip becomes one picture, its module is brought. */
@@ -178,6 +178,9 @@ class Knobs {
             this.resized.observe(this.figure);
             this.now.textContent = "…";
             this.open();
+            // What painting needs is looked up while the worker computes.
+            this.canvas.getContext("2d");
+            this.theme = Paint.theme(this.canvas, Live.inks);
         }
 
         /** One picture that moves, or the strip as it is locked. */
@@ -230,7 +233,8 @@ class Knobs {
 
         repaint() {
             if (!this.drawing) return;
-            Paint.draw(this.canvas, this.drawing, Paint.theme(this.canvas, Live.inks), BLEED);
+            this.theme ??= Paint.theme(this.canvas, Live.inks);
+            Paint.draw(this.canvas, this.drawing, this.theme, BLEED);
         }
 
         /** Prepares the picture for what is set now; the last good one stays if that is refused. */
@@ -254,6 +258,7 @@ class Knobs {
             this.opening = false;
             this.shown = "";
             this.remember();
+            if (this.picture && this.visible) this.draw();
             this.wake();
         }
 
