@@ -39,7 +39,7 @@ const Live = (() => {
         /** Of the page `stem`, with its packs for `use`: `motion` or `full`. */
         constructor(stem, use) {
             [this.page, this.names, this.rest] = [pages[stem].page, pages[stem][use], pages[stem].rest];
-            [this.worker, this.started, this.waiting, this.asked] = [null, null, new Map(), 0];
+            [this.worker, this.started, this.waiting, this.asked, this.calls] = [null, null, new Map(), 0, 0];
         }
 
         /** Brings the packs, and the worker that joins them, before it is asked. */
@@ -96,6 +96,7 @@ const Live = (() => {
         async call(call, more = {}) {
             // A frame is of the page that is open.
             const message = { call, ...(call === "frame" ? {} : { page: this.page }), ...more };
+            this.calls += 1;
             try {
                 return await this.send(message);
             } catch (error) {
@@ -103,7 +104,14 @@ const Live = (() => {
                 if (!error.trapped || this.rest === undefined || this.names === this.rest) throw error;
                 this.names = this.rest;
                 return await this.send({ ...message, packs: await bytes(this.rest) });
+            } finally {
+                this.calls -= 1;
             }
+        }
+
+        /** Whether somebody waits for an answer. */
+        get busy() {
+            return this.calls > 0;
         }
 
         /** What a call says in JSON. */
@@ -124,9 +132,9 @@ const Live = (() => {
     }
 
     const machines = new Map();
-    /** The machine of a page for `use`, the same for all that ask. */
-    function machine(stem, use) {
-        const key = `${stem} ${use}`;
+    /** The machine of a page for `use`, the same for all that ask, or one for some of them `apart`. */
+    function machine(stem, use, apart = "") {
+        const key = `${stem} ${use} ${apart}`;
         if (!machines.has(key)) machines.set(key, new Machine(stem, use));
         return machines.get(key);
     }
