@@ -71,6 +71,16 @@ globalThis.Live = Live;
     assert.strictEqual(workers[2].got[1].packs.length, 2);
     assert.strictEqual(asked.filter((address) => address === "modules/a.gz").length, 1, "a pack is fetched once");
 
+    // What is prepared at a touch is what the click then asks; a machine apart has a worker of its own.
+    const apart = Live.machine("rod", "full", "figures");
+    const count = workers.length;
+    await apart.prepare();
+    assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 2, false]);
+    const drawn = apart.ask("figures");
+    assert.ok(apart.busy && !full.busy);
+    await drawn;
+    assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 3, false]);
+
     // A pack that is not there is an error in words, and is asked for again.
     pages.rod.motion = ["d.gz"];
     missing = "modules/d.gz";

@@ -227,7 +227,8 @@
         });
     }
 
-    // ---- The bench: a method at the reader's own step, against the exact motion.
+    // ---- The bench: a method at the reader's own step, against the exact motion, or the dial.
+    const UNKNOWN = "With these parameters there is no motion to compare with; the effects that a run lists tell what has changed";
     class Bench {
         constructor(root) {
             [this.root, this.stem] = [root, root.dataset.stem];
@@ -250,10 +251,11 @@
             this.status = make("p", { class: "status", role: "status" }, "Bringing the methods …");
             this.root.append(this.status);
             try {
-                const { methods, span } = await this.machine.ask("lab", this.lines().join("\n"));
-                this.status.textContent = "";
+                if (this.parts === undefined) this.build();
+                await this.offer(this.lines().join("\n"));
                 opener.remove();
-                this.build(methods, span);
+                this.root.prepend(...this.parts);
+                this.run();
                 // An effect that is switched shows in error and cost.
                 Live.listen(() => {
                     clearTimeout(this.later);
@@ -265,9 +267,23 @@
             }
         }
 
-        build(methods, span) {
-            this.method = make("select", {}, make("option", { value: "" }, "the dial: solve, stepping"),
+        /** Offers the methods for these settings; one that was chosen stays so if it can. */
+        async offer(settings) {
+            if (settings === this.settings) return;
+            const { methods, span } = await this.machine.ask("lab", settings);
+            if (span === undefined) throw new Error(UNKNOWN);
+            const chosen = this.method.value;
+            this.method.replaceChildren(make("option", { value: "" }, "the dial: solve, stepping"),
                 ...methods.map(({ name, setting }) => make("option", { value: name, "data-setting": setting }, name)));
+            this.method.value = methods.some(({ name }) => name === chosen) ? chosen : "";
+            if (this.method.value !== chosen || this.settings === undefined) this.method.dispatchEvent(new Event("change"));
+            this.head.textContent = `The motion of this page to t = ${Number(span.toPrecision(6))}, by any method:`;
+            this.settings = settings;
+        }
+
+        build() {
+            this.method = make("select");
+            this.head = make("p", { class: "head" });
             this.slider = make("input", { type: "range", min: "0", max: "300", value: "150" });
             this.field = make("input", { inputmode: "decimal", size: "9", autocomplete: "off" });
             this.name = make("span");
@@ -276,10 +292,11 @@
             const head = ["method", "setting", "attitude off by", "energy", "momentum", "work"];
             const table = make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))), this.rows);
             this.go = make("button", { type: "submit" }, "Run");
-            const form = make("form", {}, make("label", {}, "Method ", this.method), this.label,
+            const acting = this.effects();
+            const form = make("form", {}, ...(acting.length > 0 ? [make("div", { class: "acting", role: "group", "aria-label": "What acts" }, ...acting)] : []),
+                make("label", {}, "Method ", this.method), this.label,
                 make("label", { class: "wide" }, make("span", { class: "quiet" }, "coarse to fine"), this.slider), this.go);
-            this.root.prepend(make("p", { class: "head" }, `The motion of this page to t = ${Number(span.toPrecision(6))}, by any method:`),
-                form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table));
+            this.parts = [this.head, form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table)];
             const range = () => this.kind() === "steps" ? [10, 1e5] : [1e-2, 1e-13];
             const typed = () => {
                 const [from, to] = range();
@@ -293,8 +310,17 @@
             this.method.addEventListener("change", chosen);
             this.slider.addEventListener("input", typed);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.run(); });
-            chosen();
-            this.run();
+        }
+
+        /** The switches of the page's effects once more: the picture and the bench follow both. */
+        effects() {
+            const boxes = document.querySelectorAll(`.player[data-stem="${this.stem}"] .knob.effect [type=checkbox]`);
+            return [...boxes].map((own) => {
+                const box = make("input", { type: "checkbox", checked: own.checked });
+                box.addEventListener("change", () => own.click());
+                Live.listen(() => { box.checked = own.checked; });
+                return make("label", {}, box, ` ${own.parentElement.textContent.trim()}`);
+            });
         }
 
         kind() {
@@ -303,17 +329,18 @@
 
         async run() {
             this.go.disabled = true;
-            const setting = this.field.value.trim();
             const lines = this.lines();
-            const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
             try {
+                await this.offer(lines.join("\n"));
+                const setting = this.field.value.trim();
+                const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
                 const told = await this.machine.ask("lab", [...lines, ...asked].join("\n"));
-                if (told.method === undefined) throw new Error("With these parameters there is no exact motion to compare with; the effects that a run lists tell what has changed");
                 const raised = (digits) => [...digits].map((c) => c === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
                 const number = (x) => x === null ? "not finite" : x === 0 ? "0"
                     : x.toExponential(1).replace(/e\+?(-?\d+)/, (_, power) => `\u202f\u00d7\u202f10${raised(power)}`);
                 const what = { steps: `${setting} steps`, tolerance: `tolerance ${setting}`, dial: `${setting} rad asked for` }[this.kind()];
-                const whole = [what, ...lines].join("; ");
+                const against = told.against ? [`against the dial at ${told.against.toExponential()}`] : [];
+                const whole = [what, ...lines.map((line) => line.endsWith("=") ? `no ${line.slice(0, -1)}` : line), ...against].join("; ");
                 const name = this.kind() === "dial" ? `dial: ${told.method}` : told.method;
                 const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
                 this.rows.prepend(make("tr", {}, ...cells.map((text) => make("td", {}, text))));
