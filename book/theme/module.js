@@ -188,7 +188,7 @@ async function joined(packs) {
 // Answers calls one after the other. A call is `{id, packs?, call?, page?, text?, numbers?}`:
 // `packs` (gzipped, of one list) give a new instance; `call` is an export, given the numbers and,
 // if it takes one more, the page's; `text` is its input. The answer is `{id, text}`, of
-// `frame` `{id, bytes}`, or `{id, error, trapped}`: `trapped` when the module broke off, as it
+// `frame` `{id, bytes}`, with `told` also `alt`, what it shows in words, or `{id, error, trapped}`: `trapped` when the module broke off, as it
 // does where a function is missing; the same call with a page's full packs then tells.
 function caller() {
   let module;
@@ -217,7 +217,8 @@ function caller() {
         opened.wasm = wasm;
       }
       const bytes = invoke(message).slice().buffer;
-      return bytes.byteLength > 0 ? { id, bytes } : { id, error: told({ call: 'failure' }) };
+      if (bytes.byteLength === 0) return { id, error: told({ call: 'failure' }) };
+      return message.told ? { id, bytes, alt: told({ call: 'alt' }) } : { id, bytes };
     } catch (error) {
       const trapped = error instanceof WebAssembly.RuntimeError;
       if (trapped) wasm = undefined; // What it left in memory is not to be relied on.

@@ -172,7 +172,7 @@ class Knobs {
             this.machine = Live.machine(this.root.dataset.stem, "motion");
             this.canvas ??= document.createElement("canvas");
             this.canvas.setAttribute("role", "img");
-            this.canvas.setAttribute("aria-label", `Moving picture. At first: ${this.still.getAttribute("aria-label")}`);
+            this.canvas.setAttribute("aria-label", this.still.getAttribute("aria-label"));
             this.show(true);
             this.resized ??= new ResizeObserver(() => this.fit());
             this.resized.observe(this.figure);
@@ -314,6 +314,7 @@ class Knobs {
             this.playing = false;
             this.label();
             this.remember();
+            this.wake();
         }
 
         label() {
@@ -378,21 +379,24 @@ class Knobs {
 
         async draw() {
             const wish = [this.t, ...this.camera];
-            if (this.busy || this.opening || wish.join() === this.shown) return;
+            // What stands still is told in words, too.
+            const told = !this.playing;
+            const key = `${wish} ${told}`;
+            if (this.busy || this.opening || key === this.shown) return;
             this.busy = true;
             try {
-                const { bytes } = await this.machine.call("frame", { numbers: wish });
+                const { bytes, alt } = await this.machine.call("frame", { numbers: wish, told });
                 this.note(bytes, wish);
-                this.shown = wish.join();
                 this.drawing = Paint.decoded(bytes);
                 this.repaint();
                 this.figure.classList.add("painted");
+                if (told) this.canvas.setAttribute("aria-label", alt);
                 this.tell(wish[0]);
             } catch (error) {
                 this.pause();
                 this.say(error.message);
-                this.shown = wish.join();
             }
+            this.shown = key;
             this.busy = false;
             this.wake();
         }
