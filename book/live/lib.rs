@@ -17,6 +17,7 @@ struct Kept {
     input: Vec<u8>,
     output: Vec<u8>,
     failure: String,
+    alt: String,
     picture: Option<MovingPicture>,
     /// Of which page, for which settings.
     lab: Option<(usize, String, Option<Lab>)>,
@@ -26,6 +27,7 @@ static KEPT: Mutex<Kept> = Mutex::new(Kept {
     input: Vec::new(),
     output: Vec::new(),
     failure: String::new(),
+    alt: String::new(),
     picture: None,
     lab: None,
 });
@@ -103,7 +105,10 @@ pub extern "C" fn frame(t: f64, about: f64, up: f64) -> usize {
     };
     kept().picture = picture;
     match drawn {
-        Ok((figure, _)) => leave(figure.display.encoded()),
+        Ok((figure, _)) => {
+            kept().alt = figure.alt;
+            leave(figure.display.encoded())
+        }
         Err(reason) => {
             kept().failure = reason;
             0
@@ -116,6 +121,13 @@ pub extern "C" fn frame(t: f64, about: f64, up: f64) -> usize {
 pub extern "C" fn failure() -> usize {
     let reason = core::mem::take(&mut kept().failure);
     leave(reason)
+}
+
+/// Leaves what is to be seen in the last frame, in words.
+#[unsafe(no_mangle)]
+pub extern "C" fn alt() -> usize {
+    let words = core::mem::take(&mut kept().alt);
+    leave(words)
 }
 
 /// How many pages there are.

@@ -61,7 +61,8 @@ pub fn figures(drawn: core::result::Result<Vec<Figure>, Outcome>) -> String {
         Err(told) => error(&format!("{}{}", told.stdout, told.stderr)),
         Ok(figures) => {
             let figures = figures.iter().map(|figure| {
-                let [name, alt, svg] = [&figure.name, &figure.alt, &figure.svg].map(|s| quoted(s));
+                let svg = figure.svg();
+                let [name, alt, svg] = [&figure.name, &figure.alt, &svg].map(|s| quoted(s));
                 format!("{{\"name\": {name}, \"alt\": {alt}, \"svg\": {svg}}}")
             });
             format!("{{\"figures\": {}}}", list(figures))

@@ -96,6 +96,7 @@ const pages = told.declared.map((declared, n) => {
       for (const t of [a, ...stills, 0.3 * a + 0.7 * b, b, 2 * b - a]) ask('frame', undefined, t, 0, 0);
       ask('frame', undefined, b, 0.1, 0.2);
       ask('failure');
+      ask('alt');
     }
   });
   const full = traced((ask) => {

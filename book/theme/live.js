@@ -34,17 +34,24 @@ const Live = (() => {
     };
 
     // ---- Machines: a worker with the module of a page.
-    const bytes = (names) => Promise.all(names.map((name) => once(name, pack))).then((all) => all.map((one) => one.slice().buffer));
+    const bytes = (names) => Promise.all(names.map((name) => once(name, pack)));
     class Machine {
         /** Of the page `stem`, with its packs for `use`: `motion` or `full`. */
         constructor(stem, use) {
             [this.page, this.names, this.rest] = [pages[stem].page, pages[stem][use], pages[stem].rest];
-            [this.worker, this.started, this.waiting, this.asked] = [null, null, new Map(), 0];
+            [this.worker, this.started, this.waiting, this.asked, this.calls] = [null, null, new Map(), 0, 0];
+        }
+
+        /** Brings the packs, and the worker that joins them, before it is asked. */
+        prepare() {
+            this.started ??= this.start();
+            return this.started;
         }
 
         async start() {
-            const [source, packs] = await Promise.all([once("module", script), bytes(this.names)]);
-            const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+            // What it needs is on its way while the worker starts.
+            const brought = Promise.all([once("module", script), bytes(this.names)]);
+            const address = URL.createObjectURL(new Blob(["onmessage = ({ data }) => (0, eval)(data)"], { type: "text/javascript" }));
             const worker = new Worker(address);
             URL.revokeObjectURL(address);
             worker.onmessage = ({ data: { id, error, trapped, ...answer } }) => {
@@ -54,40 +61,57 @@ const Live = (() => {
                 else failed?.(Object.assign(new Error(error), { trapped }));
             };
             worker.onerror = (event) => this.end(new Error(event.message || "the module cannot run here"));
-            return { worker, packs };
-        }
-
-        async send(message, packs) {
-            const started = this.started ??= this.start();
             try {
-                const first = await started;
-                if (this.started !== started) throw new Error("stopped");
-                this.worker = first.worker;
-                const brought = packs ?? first.packs.splice(0);
-                this.asked += 1;
-                const sent = { ...message, id: this.asked, ...(brought.length > 0 ? { packs: brought } : {}) };
-                return await new Promise((done, failed) => {
-                    this.waiting.set(sent.id, [done, failed]);
-                    this.worker.postMessage(sent, brought);
-                });
+                const [source, packs] = await brought;
+                worker.postMessage(source);
+                worker.postMessage({ packs });
             } catch (error) {
-                if (this.started === started && this.worker === null) this.started = null;
+                worker.terminate();
                 throw error;
             }
+            return worker;
+        }
+
+        async send(message) {
+            const started = this.prepare();
+            try {
+                const worker = await started;
+                if (this.started !== started) {
+                    worker.terminate();
+                    throw new Error("stopped");
+                }
+                this.worker = worker;
+            } catch (error) {
+                if (this.started === started) this.started = null;
+                throw error;
+            }
+            this.asked += 1;
+            return new Promise((done, failed) => {
+                this.waiting.set(this.asked, [done, failed]);
+                this.worker.postMessage({ ...message, id: this.asked });
+            });
         }
 
         /** The answer to a call: `{ text }` or `{ bytes }`. */
         async call(call, more = {}) {
             // A frame is of the page that is open.
             const message = { call, ...(call === "frame" ? {} : { page: this.page }), ...more };
+            this.calls += 1;
             try {
                 return await this.send(message);
             } catch (error) {
                 // The packs hold what is usual; a rare wish needs all.
                 if (!error.trapped || this.rest === undefined || this.names === this.rest) throw error;
                 this.names = this.rest;
-                return this.send(message, await bytes(this.rest));
+                return await this.send({ ...message, packs: await bytes(this.rest) });
+            } finally {
+                this.calls -= 1;
             }
+        }
+
+        /** Whether somebody waits for an answer. */
+        get busy() {
+            return this.calls > 0;
         }
 
         /** What a call says in JSON. */
@@ -108,9 +132,9 @@ const Live = (() => {
     }
 
     const machines = new Map();
-    /** The machine of a page for `use`, the same for all that ask. */
-    function machine(stem, use) {
-        const key = `${stem} ${use}`;
+    /** The machine of a page for `use`, the same for all that ask, or one for some of them `apart`. */
+    function machine(stem, use, apart = "") {
+        const key = `${stem} ${use} ${apart}`;
         if (!machines.has(key)) machines.set(key, new Machine(stem, use));
         return machines.get(key);
     }
@@ -162,6 +186,24 @@ const Live = (() => {
         }
     };
     if (able) document.addEventListener("click", bring);
+
+    // ---- A touch begins when a finger or a key comes down; the click that follows a tenth of a
+    // second later finds under way what it needs.
+    const begin = ({ target, type, key }) => {
+        if (type === "keydown" && !/^(Enter| |Arrow.*)$/.test(key)) return;
+        const control = target.closest?.("button, select, [type=range], [type=checkbox]");
+        const part = control?.closest("button.run, .terminal, .bench, .player");
+        const stem = part?.dataset.stem;
+        if (!(stem in pages)) return;
+        const runs = control.matches("button.run, .bench > button");
+        const brought = [
+            ...(runs ? [once("run", script)] : []),
+            ...(control.dataset.predict === undefined ? [machine(stem, part.matches(".player") ? "motion" : "full").prepare()] : []),
+        ];
+        // What fails is told when it is asked for.
+        for (const one of brought) one.catch(() => {});
+    };
+    if (able) for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, begin, { capture: true, passive: true });
 
     return { able, inks, packed, has: (stem) => able && stem in pages, machine, state, change, listen, remember, commanded };
 })();

@@ -49,14 +49,15 @@ globalThis.Live = Live;
     assert.deepStrictEqual(asked.sort(), ["modules/a.gz", "modules/module.js"]);
     const [{ got }] = workers;
     assert.deepStrictEqual(got.map(({ call, page, text, packs }) => [call, page, text, packs?.length]),
-        [["open", 3, "angle=1", 1], ["open", 3, "", undefined]], "the packs go once, before the first call");
+        [[undefined, undefined, undefined, undefined], [undefined, undefined, undefined, 1], ["open", 3, "angle=1", undefined], ["open", 3, "", undefined]],
+        "the source and the packs go once, before the first call");
     await machine.call("frame", { numbers: [0, 0, 0] });
-    assert.strictEqual(got[2].page, undefined, "a frame is of the page that is open");
+    assert.strictEqual(got[4].page, undefined, "a frame is of the page that is open");
     await assert.rejects(machine.ask("open", "bad"), /^Error: refused$/);
 
     // What traps is asked again, with all packs; only once.
     await machine.ask("open", "rare");
-    assert.deepStrictEqual(got.slice(4).map(({ packs }) => packs?.length), [undefined, 1]);
+    assert.deepStrictEqual(got.slice(6).map(({ packs }) => packs?.length), [undefined, 1]);
     assert.ok(asked.includes("modules/c.gz"));
 
     // A stop: whoever waits is told, and the next call has a worker and packs of its own.
@@ -67,8 +68,18 @@ globalThis.Live = Live;
     await assert.rejects(endless, /^Error: stopped$/);
     assert.ok(workers[1].ended);
     await full.ask("run", "short");
-    assert.strictEqual(workers[2].got[0].packs.length, 2);
+    assert.strictEqual(workers[2].got[1].packs.length, 2);
     assert.strictEqual(asked.filter((address) => address === "modules/a.gz").length, 1, "a pack is fetched once");
+
+    // What is prepared at a touch is what the click then asks; a machine apart has a worker of its own.
+    const apart = Live.machine("rod", "full", "figures");
+    const count = workers.length;
+    await apart.prepare();
+    assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 2, false]);
+    const drawn = apart.ask("figures");
+    assert.ok(apart.busy && !full.busy);
+    await drawn;
+    assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 3, false]);
 
     // A pack that is not there is an error in words, and is asked for again.
     pages.rod.motion = ["d.gz"];

@@ -163,7 +163,7 @@ class Knobs {
                 this.wake();
             }).observe(this.panel);
             document.addEventListener("visibilitychange", () => this.wake());
-            new MutationObserver(() => this.repaint()).observe(document.documentElement, { attributeFilter: ["class"] });
+            new MutationObserver(() => { this.theme = undefined; this.repaint(); }).observe(document.documentElement, { attributeFilter: ["class"] });
         }
 
         /** The first touch: the strip becomes one picture, its module is brought. */
@@ -172,12 +172,15 @@ class Knobs {
             this.machine = Live.machine(this.root.dataset.stem, "motion");
             this.canvas ??= document.createElement("canvas");
             this.canvas.setAttribute("role", "img");
-            this.canvas.setAttribute("aria-label", `Moving picture. At first: ${this.still.getAttribute("aria-label")}`);
+            this.canvas.setAttribute("aria-label", this.still.getAttribute("aria-label"));
             this.show(true);
             this.resized ??= new ResizeObserver(() => this.fit());
             this.resized.observe(this.figure);
             this.now.textContent = "…";
             this.open();
+            // What painting needs is looked up while the worker computes.
+            this.canvas.getContext("2d");
+            this.theme = Paint.theme(this.canvas, Live.inks);
         }
 
         /** One picture that moves, or the strip as it is locked. */
@@ -230,7 +233,8 @@ class Knobs {
 
         repaint() {
             if (!this.drawing) return;
-            Paint.draw(this.canvas, this.drawing, Paint.theme(this.canvas, Live.inks), BLEED);
+            this.theme ??= Paint.theme(this.canvas, Live.inks);
+            Paint.draw(this.canvas, this.drawing, this.theme, BLEED);
         }
 
         /** Prepares the picture for what is set now; the last good one stays if that is refused. */
@@ -254,6 +258,7 @@ class Knobs {
             this.opening = false;
             this.shown = "";
             this.remember();
+            if (this.picture && this.visible) this.draw();
             this.wake();
         }
 
@@ -309,6 +314,7 @@ class Knobs {
             this.playing = false;
             this.label();
             this.remember();
+            this.wake();
         }
 
         label() {
@@ -373,21 +379,24 @@ class Knobs {
 
         async draw() {
             const wish = [this.t, ...this.camera];
-            if (this.busy || this.opening || wish.join() === this.shown) return;
+            // What stands still is told in words, too.
+            const told = !this.playing;
+            const key = `${wish} ${told}`;
+            if (this.busy || this.opening || key === this.shown) return;
             this.busy = true;
             try {
-                const { bytes } = await this.machine.call("frame", { numbers: wish });
+                const { bytes, alt } = await this.machine.call("frame", { numbers: wish, told });
                 this.note(bytes, wish);
-                this.shown = wish.join();
                 this.drawing = Paint.decoded(bytes);
                 this.repaint();
                 this.figure.classList.add("painted");
+                if (told) this.canvas.setAttribute("aria-label", alt);
                 this.tell(wish[0]);
             } catch (error) {
                 this.pause();
                 this.say(error.message);
-                this.shown = wish.join();
             }
+            this.shown = key;
             this.busy = false;
             this.wake();
         }

@@ -18,49 +18,61 @@
     const parted = (line) => [...line.matchAll(/(?:[^\s"']+|"[^"]*"|'[^']*')+/g)]
         .map(([word]) => word.replace(/"([^"]*)"|'([^']*)'/g, "$1$2"));
 
-    // ---- The figures of the page, drawn for other arguments.
+    // ---- The figures of the page, drawn for other arguments. The locked ones stay, for paper.
     const SVG = "http://www.w3.org/2000/svg";
-    const own = new Map(); // of each place: the locked figure
-    /** The `svg` as part of the page, its identifiers its own. */
-    function placed(svg, prefix) {
+    const panels = (stem) => document.querySelectorAll(`.panel[data-figure^="${stem}:"]`);
+    /** The `svg` as part of the page. */
+    function placed(svg) {
         const drawn = new DOMParser().parseFromString(svg.slice(svg.indexOf("<svg")), "image/svg+xml").documentElement;
         if (drawn.namespaceURI !== SVG) throw new Error("a figure that is no SVG");
-        for (const element of drawn.querySelectorAll("[id]")) {
-            const id = element.id;
-            element.id = prefix + id;
-            for (const user of drawn.querySelectorAll("*")) {
-                for (const attribute of user.attributes) {
-                    attribute.value = attribute.value.replaceAll(`url(#${id})`, `url(#${prefix}${id})`);
-                }
-            }
-        }
+        drawn.classList.add("again");
         return document.importNode(drawn, true);
     }
-    /** Puts the drawn figures where the locked ones of `stem` stand; says how many, and for what. */
-    function redraw(stem, figures, words) {
-        const named = new Map(figures.map((figure) => [`${stem}:${figure.name}`, figure.svg]));
-        let count = 0;
-        for (const panel of document.querySelectorAll(".panel[data-figure]")) {
-            const svg = named.get(panel.dataset.figure);
-            const old = panel.querySelector("svg");
-            if (svg === undefined || old === null) continue;
-            if (!own.has(panel)) own.set(panel, old);
-            count += 1;
-            old.replaceWith(placed(svg, `again${count}-`));
-            const figure = panel.closest("figure");
-            if (figure.querySelector(".redrawn")) figure.querySelector(".redrawn code").textContent = words;
-            else {
-                const back = button("Back to the page’s own");
-                back.addEventListener("click", restore);
-                figure.querySelector("figcaption").before(make("p", { class: "redrawn" }, "Drawn for ", make("code", {}, words), ". ", back));
-            }
+    /** The locked figures alone. */
+    function restore(stem) {
+        for (const panel of panels(stem)) {
+            panel.querySelector(".again")?.remove();
+            panel.closest("figure").querySelector(".redrawn")?.remove();
         }
-        return count;
     }
-    function restore() {
-        for (const [panel, svg] of own) panel.querySelector("svg").replaceWith(svg);
-        own.clear();
-        for (const line of document.querySelectorAll(".redrawn")) line.remove();
+    /** Puts the drawn figures over the locked ones; says how many, and for what. */
+    function redraw(stem, figures, words) {
+        restore(stem);
+        const named = new Map(figures.map((figure) => [`${stem}:${figure.name}`, figure.svg]));
+        const known = [...panels(stem)].filter((panel) => named.has(panel.dataset.figure));
+        for (const panel of known) {
+            panel.prepend(placed(named.get(panel.dataset.figure)));
+            const figure = panel.closest("figure");
+            if (figure.querySelector(".redrawn")) continue;
+            const back = button("Back to the page’s own");
+            back.addEventListener("click", () => restore(stem));
+            figure.prepend(make("p", { class: "redrawn" }, "Drawn for ", make("code", {}, words), ". ", back));
+        }
+        return known.length;
+    }
+
+    /**
+     * What `answer` comes to, while `status` counts the seconds; then it says what `done` says, or
+     * how it failed, for which the answer is null.
+     */
+    async function counted(status, answer, doing, done) {
+        const begun = performance.now();
+        const seconds = () => `${((performance.now() - begun) / 1000).toFixed(1)} s`;
+        const clock = setInterval(() => { status.textContent = doing + seconds(); }, 100);
+        status.setAttribute("aria-live", "off");
+        let ended = "";
+        try {
+            const told = await answer;
+            ended = done(told, seconds());
+            return told;
+        } catch (error) {
+            ended = error.message === "stopped" ? `stopped after ${seconds()}` : error.message;
+            return null;
+        } finally {
+            clearInterval(clock);
+            status.setAttribute("aria-live", "polite");
+            status.textContent = ended;
+        }
     }
 
     // ---- A run.
@@ -70,13 +82,13 @@
         return make("a", { href, download: name.split("/").pop() }, name.split("/").pop());
     };
 
-    let panels = 0;
+    let terminals = 0;
     class Terminal {
         constructor(opener) {
-            panels += 1;
+            terminals += 1;
             const { stem, arguments: typed, predict } = opener.dataset;
             this.stem = stem;
-            const id = (name) => `run${panels}-${name}`;
+            const id = (name) => `run${terminals}-${name}`;
             this.line = make("input", { id: id("line"), value: typed, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
             this.go = make("button", { type: "submit" }, "Run");
             this.stop = button("Stop", { hidden: true });
@@ -89,11 +101,12 @@
             this.error = make("code", { class: "stderr" });
             this.told = make("details", { class: "told", open: true, hidden: true }, make("summary", {}, "What it prints"),
                 make("pre", { tabindex: "0", role: "group", "aria-label": "output, scrolls" }, this.output, this.error));
+            this.drawn = make("p", { class: "drawn", hidden: true });
             this.more = make("p", { class: "more", hidden: true });
             const form = make("form", {}, this.asks,
                 make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} `, make("span", { class: "flag" }, "--"))),
                 make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
-            this.root = make("div", { class: "terminal", role: "group", "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.more);
+            this.root = make("div", { class: "terminal", role: "group", "data-stem": stem, "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.drawn, this.more);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
             this.stop.addEventListener("click", () => this.machine.end());
             this.guess.addEventListener("input", () => this.label());
@@ -103,6 +116,11 @@
 
         get machine() {
             return Live.machine(this.stem, "full");
+        }
+
+        /** What draws figures: a worker of its own, for which nothing waits. */
+        get drawer() {
+            return Live.machine(this.stem, "full", "figures");
         }
 
         /** Takes the page's parameters as arguments. */
@@ -119,34 +137,20 @@
         }
 
         /** Asks the machine, with the time that it takes shown and a way to stop it. */
-        async working(call, words) {
-            const begun = performance.now();
-            const seconds = () => `${((performance.now() - begun) / 1000).toFixed(1)} s`;
-            const clock = setInterval(() => { this.elapsed.textContent = seconds(); }, 100);
-            this.elapsed.setAttribute("aria-live", "off");
+        async working(words) {
             [this.go.disabled, this.stop.hidden] = [true, false];
             for (const control of this.more.querySelectorAll("button")) control.disabled = true;
-            let ended = "";
-            try {
-                const answer = await this.machine.ask(call, words.join("\0"));
-                ended = `done in ${seconds()}`;
-                return answer;
-            } catch (error) {
-                ended = error.message === "stopped" ? `stopped after ${seconds()}` : error.message;
-                return null;
-            } finally {
-                clearInterval(clock);
-                this.elapsed.setAttribute("aria-live", "polite");
-                this.elapsed.textContent = ended;
-                [this.go.disabled, this.stop.hidden] = [false, true];
-                for (const control of this.more.querySelectorAll("button")) control.disabled = false;
-            }
+            const told = await counted(this.elapsed, this.machine.ask("run", words.join("\0")), "", (_, seconds) => `done in ${seconds}`);
+            [this.go.disabled, this.stop.hidden] = [false, true];
+            for (const control of this.more.querySelectorAll("button")) control.disabled = false;
+            return told;
         }
 
         async submit() {
-            this.more.hidden = true;
+            [this.more.hidden, this.drawn.hidden] = [true, true];
+            if (this.drawer.busy) this.drawer.end(); // figures of an earlier run
             const words = parted(this.line.value);
-            const told = await this.working("run", words);
+            const told = await this.working(words);
             if (told === null) return;
             this.seen = true;
             this.guess.readOnly = this.guess.value.trim() !== "";
@@ -157,6 +161,26 @@
             this.offer(words, told);
         }
 
+        /** Draws the page's figures for what was run. */
+        async draw(words) {
+            if (words.length === 0) return restore(this.stem);
+            if (panels(this.stem).length === 0) return;
+            const [status, stop] = [make("span", { role: "status" }), button("Stop")];
+            this.drawn.replaceChildren(status, " ", stop);
+            this.drawn.hidden = false;
+            stop.addEventListener("click", () => this.drawer.end());
+            const told = await counted(status, this.drawer.ask("figures", words.join("\0")), "The page’s figures are drawn for this: ", ({ figures }) => {
+                const count = redraw(this.stem, figures, words.join(" "));
+                return count === 0 ? "None of the page’s figures shows this."
+                    : `${count === 1 ? "One figure" : `${count} figures`} of this page ${count === 1 ? "is" : "are"} drawn for this.`;
+            });
+            if (!this.drawn.contains(stop)) return; // a later run draws
+            if (told !== null) return stop.remove();
+            const again = button("Draw the page’s figures for this");
+            again.addEventListener("click", () => this.draw(words));
+            stop.replaceWith(again);
+        }
+
         /** What else there is of these parameters: the files, the figures. */
         offer(words, told) {
             this.more.replaceChildren(...told.files.flatMap(({ name, text }) => [file(name, text), " "]));
@@ -165,22 +189,15 @@
                 const again = (text, flags) => {
                     const ask = button(text);
                     ask.addEventListener("click", async () => {
-                        const more = await this.working("run", [...words, ...flags]);
+                        const more = await this.working([...words, ...flags]);
                         if (more === null) return;
                         const files = flags[0] === "--json" ? [{ name: `${this.stem}.json`, text: more.stdout }] : more.files;
                         ask.replaceWith(...files.flatMap(({ name, text }) => [file(name, text), " "]));
                     });
                     return ask;
                 };
-                const draw = button("Draw the page’s figures for these");
-                draw.addEventListener("click", async () => {
-                    const drawn = await this.working("figures", words);
-                    if (drawn === null) return;
-                    const count = redraw(this.stem, drawn.figures, words.join(" ") || "the page’s own numbers");
-                    this.elapsed.textContent += count === 1 ? ": one figure is drawn anew" : `: ${count} figures are drawn anew`;
-                });
-                const here = document.querySelector(`.panel[data-figure^="${this.stem}:"]`) !== null;
-                this.more.append(...(here ? [draw, " "] : []), "Download: ", again("motion as CSV", ["--csv", `${this.stem}.csv`]), " ",
+                this.draw(words);
+                this.more.append("Download: ", again("motion as CSV", ["--csv", `${this.stem}.csv`]), " ",
                     again("figures as SVG", ["--svg", "."]), " ", again("claims as JSON", ["--json"]));
             }
             this.more.hidden = this.more.childNodes.length === 0;
@@ -210,7 +227,8 @@
         });
     }
 
-    // ---- The bench: a method at the reader's own step, against the exact motion.
+    // ---- The bench: a method at the reader's own step, against the exact motion, or the dial.
+    const UNKNOWN = "With these parameters there is no motion to compare with; the effects that a run lists tell what has changed";
     class Bench {
         constructor(root) {
             [this.root, this.stem] = [root, root.dataset.stem];
@@ -233,10 +251,11 @@
             this.status = make("p", { class: "status", role: "status" }, "Bringing the methods …");
             this.root.append(this.status);
             try {
-                const { methods, span } = await this.machine.ask("lab", this.lines().join("\n"));
-                this.status.textContent = "";
+                if (this.parts === undefined) this.build();
+                await this.offer(this.lines().join("\n"));
                 opener.remove();
-                this.build(methods, span);
+                this.root.prepend(...this.parts);
+                this.run();
                 // An effect that is switched shows in error and cost.
                 Live.listen(() => {
                     clearTimeout(this.later);
@@ -248,9 +267,23 @@
             }
         }
 
-        build(methods, span) {
-            this.method = make("select", {}, make("option", { value: "" }, "the dial: solve, stepping"),
+        /** Offers the methods for these settings; one that was chosen stays so if it can. */
+        async offer(settings) {
+            if (settings === this.settings) return;
+            const { methods, span } = await this.machine.ask("lab", settings);
+            if (span === undefined) throw new Error(UNKNOWN);
+            const chosen = this.method.value;
+            this.method.replaceChildren(make("option", { value: "" }, "the dial: solve, stepping"),
                 ...methods.map(({ name, setting }) => make("option", { value: name, "data-setting": setting }, name)));
+            this.method.value = methods.some(({ name }) => name === chosen) ? chosen : "";
+            if (this.method.value !== chosen || this.settings === undefined) this.method.dispatchEvent(new Event("change"));
+            this.head.textContent = `The motion of this page to t = ${Number(span.toPrecision(6))}, by any method:`;
+            this.settings = settings;
+        }
+
+        build() {
+            this.method = make("select");
+            this.head = make("p", { class: "head" });
             this.slider = make("input", { type: "range", min: "0", max: "300", value: "150" });
             this.field = make("input", { inputmode: "decimal", size: "9", autocomplete: "off" });
             this.name = make("span");
@@ -259,10 +292,11 @@
             const head = ["method", "setting", "attitude off by", "energy", "momentum", "work"];
             const table = make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))), this.rows);
             this.go = make("button", { type: "submit" }, "Run");
-            const form = make("form", {}, make("label", {}, "Method ", this.method), this.label,
+            const acting = this.effects();
+            const form = make("form", {}, ...(acting.length > 0 ? [make("div", { class: "acting", role: "group", "aria-label": "What acts" }, ...acting)] : []),
+                make("label", {}, "Method ", this.method), this.label,
                 make("label", { class: "wide" }, make("span", { class: "quiet" }, "coarse to fine"), this.slider), this.go);
-            this.root.prepend(make("p", { class: "head" }, `The motion of this page to t = ${Number(span.toPrecision(6))}, by any method:`),
-                form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table));
+            this.parts = [this.head, form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table)];
             const range = () => this.kind() === "steps" ? [10, 1e5] : [1e-2, 1e-13];
             const typed = () => {
                 const [from, to] = range();
@@ -276,8 +310,17 @@
             this.method.addEventListener("change", chosen);
             this.slider.addEventListener("input", typed);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.run(); });
-            chosen();
-            this.run();
+        }
+
+        /** The switches of the page's effects once more: the picture and the bench follow both. */
+        effects() {
+            const boxes = document.querySelectorAll(`.player[data-stem="${this.stem}"] .knob.effect [type=checkbox]`);
+            return [...boxes].map((own) => {
+                const box = make("input", { type: "checkbox", checked: own.checked });
+                box.addEventListener("change", () => own.click());
+                Live.listen(() => { box.checked = own.checked; });
+                return make("label", {}, box, ` ${own.parentElement.textContent.trim()}`);
+            });
         }
 
         kind() {
@@ -286,17 +329,18 @@
 
         async run() {
             this.go.disabled = true;
-            const setting = this.field.value.trim();
             const lines = this.lines();
-            const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
             try {
+                await this.offer(lines.join("\n"));
+                const setting = this.field.value.trim();
+                const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
                 const told = await this.machine.ask("lab", [...lines, ...asked].join("\n"));
-                if (told.method === undefined) throw new Error("With these parameters there is no exact motion to compare with; the effects that a run lists tell what has changed");
                 const raised = (digits) => [...digits].map((c) => c === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
                 const number = (x) => x === null ? "not finite" : x === 0 ? "0"
                     : x.toExponential(1).replace(/e\+?(-?\d+)/, (_, power) => `\u202f\u00d7\u202f10${raised(power)}`);
                 const what = { steps: `${setting} steps`, tolerance: `tolerance ${setting}`, dial: `${setting} rad asked for` }[this.kind()];
-                const whole = [what, ...lines].join("; ");
+                const against = told.against ? [`against the dial at ${told.against.toExponential()}`] : [];
+                const whole = [what, ...lines.map((line) => line.endsWith("=") ? `no ${line.slice(0, -1)}` : line), ...against].join("; ");
                 const name = this.kind() === "dial" ? `dial: ${told.method}` : told.method;
                 const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
                 this.rows.prepend(make("tr", {}, ...cells.map((text) => make("td", {}, text))));

@@ -91,12 +91,7 @@ fn problem(asked: &Asked, drawn: &Drawn, n: usize, place: &str) -> Result<String
     let setting = Setting {
         stem,
         parameters: &address::parameters(drawn)?,
-        figure: &|name| {
-            figures
-                .iter()
-                .find(|f| f.name == name)
-                .map(|f| f.svg.clone())
-        },
+        figure: &|name| figures.iter().find(|f| f.name == name).map(|f| f.svg()),
         prefix: place,
         book: &asked.book,
     };

@@ -503,7 +503,7 @@ fn write_files(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<St
         for figure in figures {
             // As in the locked figures.
             let name = format!("{}__{}.svg", run.stem(), figure.name);
-            files.push((directory.join(name), figure.svg));
+            files.push((directory.join(name), figure.svg()));
         }
     }
     let replaced = keep(directory.map(PathBuf::as_path), files)?;

@@ -2,26 +2,31 @@
 
 use super::json::quoted;
 use crate::accuracy::{Errors, Fineness, Problem, applies};
+use crate::body::State;
 use crate::effects::Effect;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::integrators::{Method, Work};
+use crate::scene::Scene;
 use core::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// What a run of a reader's choice delivered and paid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tried {
     /// The method: the one chosen, or the one that the dial chose.
     pub method: &'static str,
-    /// How far its end is from the exact one.
+    /// How far its end is from the exact one, or from what stands for it.
     pub errors: Errors,
     /// What it cost, all runs together.
     pub work: Work,
+    /// The error (rad) asked of the dial whose end stands for the exact one; `None` if that is known.
+    pub against: Option<f64>,
 }
 
 impl Tried {
-    /// `{"method", "attitude", "rates", "momentum", "energy", "torques", "work"}`: the errors
-    /// (rad; relative), `null` for one that is not finite, and the work, counted and in words.
+    /// `{"method", "attitude", "rates", "momentum", "energy", "against", "torques", "work"}`: the
+    /// errors (rad; relative), `null` for one that is not finite, what they are measured against
+    /// (`null` for the exact end), and the work, counted and in words.
     pub fn json(&self) -> String {
         let number = |x: f64| match x.is_finite() {
             true => format!("{x:?}"),
@@ -35,9 +40,10 @@ impl Tried {
             ..
         } = self.errors;
         let [attitude, rates, momentum, energy] = [attitude, rates, momentum, energy].map(number);
+        let against = self.against.map_or("null".into(), number);
         format!(
             "{{\"method\": {}, \"attitude\": {attitude}, \"rates\": {rates}, \"momentum\": {momentum}, \
-             \"energy\": {energy}, \"torques\": {}, \"work\": {}}}",
+             \"energy\": {energy}, \"against\": {against}, \"torques\": {}, \"work\": {}}}",
             quoted(self.method),
             self.work.torques(),
             quoted(&self.work.to_string()),
@@ -78,14 +84,64 @@ pub struct Lab {
     run: Arc<Try>,
 }
 
+/// What a run is judged by: the end, and the error asked of the dial that gave it, if it did.
+type Judge = (State, Option<f64>);
+
 impl Lab {
     /// The methods that apply to this problem, with the dial.
     pub fn new<E>(problem: &Problem<E>) -> Self
     where
         E: Effect + Clone + Send + Sync + 'static,
     {
+        Self::judged(problem.clone(), |problem| Ok((problem.exact, None)))
+    }
+
+    /// The same for a motion that nothing knows exactly, of `scene` from `start` to `end` (s):
+    /// runs are judged by the dial at the least error that it grants, from 1e-12 rad upwards in
+    /// powers of ten, which is asked when the first is judged.
+    ///
+    /// ```
+    /// use rotation_dynamics::attitude::Attitude;
+    /// use rotation_dynamics::body::RigidBody;
+    /// use rotation_dynamics::effects::{GravityAtLever, ViscousFriction};
+    /// use rotation_dynamics::frame::BodyVector;
+    /// use rotation_dynamics::inertia::PrincipalMoments;
+    /// use rotation_dynamics::integrators::Method;
+    /// use rotation_dynamics::report::Lab;
+    /// use rotation_dynamics::scene::Scene;
+    /// let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+    /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.0, 4.0))?;
+    /// let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?);
+    /// let scene = scene.with(ViscousFriction::about_axis(0.05)?);
+    /// let lab = Lab::against_the_dial(scene, start, 5.0);
+    /// let [coarse, fine] = [100.0, 200.0].map(|steps| lab.run(Method::Rk4, steps));
+    /// let (coarse, fine) = (coarse?, fine?);
+    /// assert_eq!(coarse.against, Some(1e-12));
+    /// assert!(((coarse.errors.attitude / fine.errors.attitude).log2() - 4.0).abs() < 0.2);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    pub fn against_the_dial<E>(scene: Scene<E>, start: State, end: f64) -> Self
+    where
+        E: Effect + Clone + Send + Sync + 'static,
+    {
+        let known = OnceLock::new();
+        Self::judged(Problem::new(scene, start, end, start), move |problem| {
+            if let Some(judge) = known.get() {
+                return Ok(*judge);
+            }
+            let judge = tightest(problem)?;
+            Ok(*known.get_or_init(|| judge))
+        })
+    }
+
+    fn judged<E>(
+        problem: Problem<E>,
+        judge: impl Fn(&Problem<E>) -> Result<Judge> + Send + Sync + 'static,
+    ) -> Self
+    where
+        E: Effect + Clone + Send + Sync + 'static,
+    {
         let all = Method::ALL.into_iter();
-        let problem = problem.clone();
         Self {
             methods: all.filter(|method| applies::<E>(*method)).collect(),
             span: problem.end,
@@ -102,10 +158,12 @@ impl Lab {
                         (solved.method, solved.state, solved.work)
                     }
                 };
+                let (end, against) = judge(&problem)?;
                 Ok(Tried {
                     method,
-                    errors: problem.errors(&reached),
+                    errors: Errors::between(&problem.scene, &reached, &end),
                     work,
+                    against,
                 })
             }),
         }
@@ -136,6 +194,21 @@ impl Lab {
     pub fn dial(&self, tolerance: f64) -> Result<Tried> {
         (self.run)(None, tolerance)
     }
+}
+
+/// The end by the dial at the least error that it grants.
+fn tightest<E: Effect>(problem: &Problem<E>) -> Result<Judge> {
+    let by = |tolerance| {
+        let solved = (problem.scene).solve_by_stepping(&problem.start, problem.end, tolerance)?;
+        Ok((solved.state, Some(tolerance)))
+    };
+    for tolerance in [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7] {
+        match by(tolerance) {
+            Err(Error::BeyondCondition { .. } | Error::NotDelivered { .. }) => {}
+            told => return told,
+        }
+    }
+    by(1e-6)
 }
 
 impl fmt::Debug for Lab {

@@ -95,10 +95,8 @@ pub use trajectory::Trajectory;
 pub struct Figure {
     /// Its name within the example, `[a-z0-9_]+`.
     pub name: String,
-    /// The whole SVG document; deterministic to the byte.
-    pub svg: String,
     /// What is to be seen, for those who do not see it (also in the SVG, as its label).
     pub alt: String,
-    /// What the SVG writes down, for painters of another kind.
+    /// What is drawn.
     pub display: draw::Display,
 }

@@ -82,7 +82,7 @@ impl MovingPicture {
         stills: impl Into<Vec<f64>>,
         scene: impl Fn(f64) -> Result<(String, S)> + Send + Sync + 'static,
     ) -> Result<Self> {
-        let time = graph.horizontal().to_owned();
+        let (time, graph) = (graph.horizontal().to_owned(), graph.keeping_labels());
         let picture = Self::new(span, stills, move |t| {
             let (alt, scene) = scene(t)?;
             Stack::frame(&alt, scene, &graph, t)

@@ -9,6 +9,7 @@ import * as live from "./live.mjs";
 import { DESK, PHONE, chromiumAt, firefoxAt, opened } from "./opened.mjs";
 import { served } from "./served.mjs";
 import * as still from "./still.mjs";
+import * as uses from "./uses.mjs";
 import * as ways from "./ways.mjs";
 
 const { BOOK, CHROMIUM, FIREFOX, PAGES } = process.env;
@@ -71,7 +72,7 @@ const lives = (browser, address, how) => opened(browser, address, how, async (pa
     await live.tap(page);
     const found = [];
     for (let n = 0; n < await page.locator(".player").count(); n += 1) {
-        for (const check of ["opens", "moves", "slides"]) found.push(...await live[check](page, n));
+        for (const check of ["opens", "tells", "moves", "slides"]) found.push(...await live[check](page, n));
     }
     found.push(...await live.runs(page, commands));
     if (browser === chromium) found.push(...await still.violations(page, ".player, .terminal, canvas"));
@@ -124,6 +125,16 @@ describe("the other ways to read", { ...together, skip }, () => {
         assert.notDeepEqual(await ways.WAYS.file(chromium, `file://${copy}/${SAMPLE}`, { width: PHONE }), []);
         rmSync(copy, { recursive: true });
     });
+});
+
+describe("what a reader does with a page", { ...together, skip }, () => {
+    for (const [use, tried] of Object.entries(uses.USES)) {
+        const file = `${uses.PAGES[use]}.html`;
+        test(use, async () => assert.deepEqual(await tried(chromium, `${book.origin}/${file}`, { width: DESK }), []));
+        test(`${use}: what is damaged is seen`, () => damaged(uses.DAMAGES[use], async (origin) => {
+            assert.notDeepEqual(await tried(chromium, `${origin}/${file}`, { width: DESK }), []);
+        }));
+    }
 });
 
 describe("in Firefox", { skip: skip || (FIREFOX ? false : "Firefox is not here") }, () => {

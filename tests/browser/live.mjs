@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { instead } from "./served.mjs";
 import { BOUNDS } from "./still.mjs";
 
-const LOCKED = new URL("../snapshots/", import.meta.url);
+export const LOCKED = new URL("../snapshots/", import.meta.url);
 const PATIENCE = 120_000; // ms, for a machine that does much else
 
 /** Waits in the page until `told(argument)` is true; false if it does not come to it. */
@@ -78,6 +78,26 @@ export async function opens(page, n) {
     return faults;
 }
 
+/** What is to be seen where it opens is said as of the locked still; a step on it is said anew. */
+export async function tells(page, n) {
+    const player = page.locator(".player").nth(n);
+    if (await player.getAttribute("data-plays") !== null) return [];
+    const said = () => page.evaluate((n) => {
+        const figure = document.querySelectorAll(".player")[n].closest("figure");
+        return [figure.querySelector("canvas"), [...figure.querySelectorAll(".panel svg")].at(-1)].map((seen) => seen.getAttribute("aria-label"));
+    }, n);
+    const [shown, locked] = await said();
+    if (shown !== locked) return [`it is told as ${shown}, the locked still as ${locked}`];
+    const middle = player.locator(".time");
+    await middle.evaluate((time) => {
+        time.value = time.max / 3;
+        time.dispatchEvent(new Event("input", { bubbles: true }));
+    });
+    await settled(page, n);
+    const [then] = await said();
+    return then !== shown ? [] : [`another time is told as ${then}`];
+}
+
 /** Play moves the picture, pause holds it. */
 export async function moves(page, n) {
     const player = page.locator(".player").nth(n);
@@ -137,7 +157,7 @@ function digest(text) {
     return hash.toString(16).padStart(16, "0");
 }
 /** The locked text of a page, which begins with its default output, after a head between two lines of dashes. */
-function text(stem) {
+export function text(stem) {
     const file = readFileSync(new URL(`${stem}.snap`, LOCKED), "utf8");
     return file.slice(file.indexOf("\n---\n", 4) + 5);
 }
@@ -195,6 +215,7 @@ export async function prints(terminal, command, predict) {
 /** For each of these a damage that it must see, on a page whose picture holds digits. */
 export const DAMAGES = {
     opens: instead("paint.js", "utf8.decode(letters)", 'utf8.decode(letters).replace(/\\d/, "7")'),
+    tells: instead("player.js", '"aria-label", alt', '"aria-label", ""'),
     moves: instead("player.js", "advance(seconds) {", "advance(seconds) { return;"),
     slides: instead("player.js", 'async open() {', "async open() { if (this.picture) return;"),
     runs: (path, body) => path === "/modules/run.js" ? body.toString().replace("told.stdout", 'told.stdout.replace(/\\d/, "0")') : body,

@@ -7,7 +7,7 @@ import { changed, instead } from "./served.mjs";
 const TABS = 400;
 
 /** Presses Tab until what has the focus matches; says on the way whose focus cannot be seen. */
-async function tabTo(page, selector, faults) {
+export async function tabTo(page, selector, faults) {
     for (let n = 0; n < TABS; n += 1) {
         await page.keyboard.press("Tab");
         const [there, seen, what] = await page.evaluate((selector) => {

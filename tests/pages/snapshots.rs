@@ -86,7 +86,7 @@ fn examples_are_locked() {
         settings("snapshots/figures").bind(|| {
             for figure in &example.figures {
                 let name = format!("{}__{}.svg", example.stem, figure.name);
-                insta::assert_binary_snapshot!(&name, figure.svg.clone().into_bytes());
+                insta::assert_binary_snapshot!(&name, figure.svg().into_bytes());
             }
         });
     }
@@ -185,9 +185,10 @@ fn figures_say_what_is_to_be_seen_in_colours_of_the_palette() {
                 seen.insert(figure.alt.clone()),
                 "{what} repeats an alternative text"
             );
-            assert!(!figure.svg.contains("NaN"), "{what}");
-            for (at, _) in figure.svg.match_indices("var(--fig-") {
-                let name = &figure.svg[at + 6..];
+            let svg = figure.svg();
+            assert!(!svg.contains("NaN"), "{what}");
+            for (at, _) in svg.match_indices("var(--fig-") {
+                let name = &svg[at + 6..];
                 let name = name.split([',', ')']).next().unwrap_or("");
                 let name = ["-text", "-lit", "-shade"]
                     .iter()
@@ -281,14 +282,15 @@ fn texts_in_figures_are_whole_and_apart() {
     let mut seen = 0;
     for example in all() {
         for figure in &example.figures {
-            let found = misplaced(&figure.svg);
+            let svg = figure.svg();
+            let found = misplaced(&svg);
             assert!(
                 found.is_empty(),
                 "{}__{}: {found:?}",
                 example.stem,
                 figure.name
             );
-            seen += texts(&figure.svg).len();
+            seen += texts(&svg).len();
         }
     }
     let figures: usize = all().iter().map(|e| e.figures.len()).sum();

@@ -54,7 +54,7 @@ fn drawn(name: &str, table: &Table) -> Result<String, String> {
         };
         panel = panel.curve(look.curve(points).with_dots().label(label));
     }
-    panel.figure().map(|f| f.svg).map_err(|e| e.to_string())
+    panel.figure().map(|f| f.svg()).map_err(|e| e.to_string())
 }
 
 /// A strip: one line for each method and error. What the dial chose changes from line to

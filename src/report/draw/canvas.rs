@@ -198,6 +198,29 @@ impl Frame<'_> {
         Ok(())
     }
 
+    /// How many shapes and texts there are.
+    pub(super) fn count(&self) -> [usize; 2] {
+        let display = self.display.borrow();
+        [display.shapes.len(), display.texts.len()]
+    }
+
+    /// What was drawn after there were so many.
+    pub(super) fn since(&self, [shapes, texts]: [usize; 2]) -> Display {
+        let display = self.display.borrow();
+        Display {
+            size: display.size,
+            shapes: display.shapes[shapes..].to_vec(),
+            texts: display.texts[texts..].to_vec(),
+        }
+    }
+
+    /// Draws what was drawn before.
+    pub(super) fn again(&self, drawn: &Display) {
+        let mut display = self.display.borrow_mut();
+        display.shapes.extend_from_slice(&drawn.shapes);
+        display.texts.extend_from_slice(&drawn.texts);
+    }
+
     /// Where `point` comes to lie, in px.
     pub(super) fn px(&self, point: Point) -> Point {
         let (x, y) = self.map.place(point);
@@ -272,7 +295,6 @@ pub(super) fn figure(
     let display = canvas.display.into_inner();
     Ok(Figure {
         name: name.into(),
-        svg: super::svg::document(&display, alt),
         alt: alt.into(),
         display,
     })

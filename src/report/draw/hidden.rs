@@ -48,19 +48,24 @@ impl View {
             let ((ax, ay), (bx, by)) = (self.camera.project(a), self.camera.project(b));
             unit * crate::math::hypot(bx - ax, by - ay)
         };
-        let whole: f64 = part.points.windows(2).map(|w| length(w[0], w[1])).sum();
+        // How long the line is up to each of its points but the first.
+        let reached: Vec<f64> = (part.points.windows(2))
+            .scan(0.0, |behind, w| {
+                *behind += length(w[0], w[1]);
+                Some(*behind)
+            })
+            .collect();
+        let whole = reached.last().copied().unwrap_or(0.0);
         let whole = finite("length of a line in a view", whole)?;
         let shaft = whole - part.head.map_or(0.0, |head| 1.5 * head);
         let at = |wanted: f64| {
-            let mut behind = 0.0;
-            for w in part.points.windows(2) {
-                let next = behind + length(w[0], w[1]);
-                if wanted <= next && next > behind {
-                    return w[0] + (w[1] - w[0]) * ((wanted - behind) / (next - behind));
-                }
-                behind = next;
-            }
-            part.points.last().copied().unwrap_or(SpaceVector::zero())
+            let first = reached.partition_point(|next| *next < wanted.max(f64::MIN_POSITIVE));
+            let Some(&next) = reached.get(first) else {
+                return part.points.last().copied().unwrap_or(SpaceVector::zero());
+            };
+            let behind = first.checked_sub(1).map_or(0.0, |before| reached[before]);
+            let (from, to) = (part.points[first], part.points[first + 1]);
+            from + (to - from) * ((wanted - behind) / (next - behind))
         };
         let plain = Stroke {
             dash: Dash::Solid,

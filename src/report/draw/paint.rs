@@ -216,6 +216,8 @@ impl Panel {
             curves.push(curve);
         }
         let lines: Vec<Vec<Vec<Point>>> = curves.iter().map(|c| clipped(&c.points, x, y)).collect();
+        let kept = self.labels.as_ref().and_then(|labels| labels.get());
+        let kept = kept.filter(|(placed, _)| *placed == plot);
         let now = self.now.map(|now| self.x.place(now)).transpose()?;
         for (i, (curve, parts)) in curves.iter().zip(&lines).enumerate() {
             match now {
@@ -230,7 +232,7 @@ impl Panel {
                 }
                 _ => curve.paint(frame, parts, x, y)?,
             }
-            for part in parts {
+            for part in parts.iter().filter(|_| kept.is_none()) {
                 let px: Vec<Point> = part.iter().map(|&p| frame.px(p)).collect();
                 obstacles.add_line(i, &px);
             }
@@ -246,7 +248,17 @@ impl Panel {
                 obstacles.take(Rect::about((px, py), 3.5));
             }
         }
-        self.paint_labels(sheet, frame, &curves, &lines, plot, obstacles)
+        if let Some((_, labels)) = kept {
+            sheet.again(labels);
+            return Ok(());
+        }
+        let before = sheet.count();
+        self.paint_labels(sheet, frame, &curves, &lines, plot, obstacles)?;
+        if let Some(labels) = &self.labels {
+            // Another frame may have been first.
+            let _ = labels.set((plot, sheet.since(before)));
+        }
+        Ok(())
     }
 
     /// The thin line at the present, and a dot on each curve that runs through it.

@@ -3,10 +3,12 @@
 use super::axis::Axis;
 use super::canvas::{Point, figure};
 use super::curve::Curve;
+use super::display::Display;
 use super::ink::Ink;
-use super::words::Side;
+use super::words::{Rect, Side};
 use crate::error::Result;
 use crate::report::Figure;
+use std::sync::{Arc, OnceLock};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Rule {
@@ -32,7 +34,7 @@ pub(super) struct Note {
 ///     .over("$t$ / s", "$h$ / m")
 ///     .curve(Curve::of(times(0.0, 1.0, 50), |t| 5.0 * (1.0 - t * t), Ink::Body).label("$h(t)$"))
 ///     .figure()?;
-/// assert!(figure.svg.starts_with("<svg"));
+/// assert!(figure.svg().starts_with("<svg"));
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +50,8 @@ pub struct Panel {
     pub(super) curves: Vec<Curve>,
     pub(super) notes: Vec<Note>,
     pub(super) now: Option<f64>,
+    /// The labels with what they were placed in, if they are kept.
+    pub(super) labels: Option<Arc<OnceLock<(Rect, Display)>>>,
 }
 
 impl Panel {
@@ -65,6 +69,7 @@ impl Panel {
             curves: Vec::new(),
             notes: Vec::new(),
             now: None,
+            labels: None,
         }
     }
 
@@ -204,6 +209,12 @@ impl Panel {
     #[must_use]
     pub fn now(mut self, x: f64) -> Self {
         self.now = Some(x);
+        self
+    }
+
+    /// It is finished: places for its labels are searched once, for all of its clones.
+    pub(in crate::report) fn keeping_labels(mut self) -> Self {
+        self.labels = Some(Arc::default());
         self
     }
 

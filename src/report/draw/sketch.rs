@@ -36,7 +36,7 @@ pub(super) enum Element {
 ///     .angle((0.0, 2.6), 0.7, (-1.5708, -1.0472), r"$\theta$")
 ///     .arrow((0.75, 1.3), (0.75, 0.5), Ink::Force, "$mg$", Side::Right)
 ///     .figure()?;
-/// # assert!(figure.svg.contains("mg") || figure.svg.contains(">m"));
+/// # assert!(figure.svg().contains("mg") || figure.svg().contains(">m"));
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug, Clone)]

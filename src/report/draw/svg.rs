@@ -4,6 +4,7 @@
 use super::display::{Anchor, Dash, Display, Place, Run, Shape, Stroke, Text};
 use super::ink::Ink;
 use super::label::SIZE;
+use crate::report::Figure;
 use core::fmt::Write;
 use std::collections::BTreeSet;
 
@@ -12,8 +13,15 @@ const SANS: &str = "'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-seri
 /// Faces of variables, unless the page's CSS sets `--fig-math`.
 const SERIF: &str = "'STIX Two Text','Times New Roman','Liberation Serif',serif";
 
+impl Figure {
+    /// The whole SVG document; deterministic to the byte. A frame that a page paints needs none.
+    pub fn svg(&self) -> String {
+        document(&self.display, &self.alt)
+    }
+}
+
 /// The document of `display`, with alternative text `alt`.
-pub(super) fn document(display: &Display, alt: &str) -> String {
+fn document(display: &Display, alt: &str) -> String {
     let (w, h) = display.size;
     let (paper, alt) = (Ink::Paper.line(), escaped(alt));
     let mut out = format!(

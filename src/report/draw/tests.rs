@@ -30,9 +30,9 @@ fn a_plane_rises_to_its_top() -> Result<()> {
             .curve(Curve::new([foot, (top.0, 0.0), top], Ink::Frame).thin())
             .wall(from, to);
         let plane = sheet().incline(foot, 2.0, angle);
-        assert_eq!(plane.figure()?.svg, by_hand.figure()?.svg);
+        assert_eq!(plane.figure()?.svg(), by_hand.figure()?.svg());
         let lower = sheet().incline(foot, 1.9, angle);
-        assert_ne!(lower.figure()?.svg, by_hand.figure()?.svg);
+        assert_ne!(lower.figure()?.svg(), by_hand.figure()?.svg());
     }
     Ok(())
 }

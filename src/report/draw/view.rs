@@ -40,7 +40,7 @@ pub(super) enum Element {
 ///     .arrow(SpaceVector::zero(), SpaceVector::new(0.6, 0.0, 0.8), Ink::Body, "$e_3$", Side::Right)
 ///     .triad()
 ///     .figure()?;
-/// # assert!(figure.svg.contains("<path"));
+/// # assert!(figure.svg().contains("<path"));
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug, Clone)]

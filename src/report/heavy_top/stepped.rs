@@ -11,7 +11,7 @@ use crate::integrators::{Dop853, Ode, Solution};
 use crate::math::{atan2, hypot};
 use crate::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
 use crate::report::number::exactly;
-use crate::report::{ClaimEntry, EffectLine, Figure, MovingPicture, Report, Trajectory};
+use crate::report::{ClaimEntry, EffectLine, Figure, Lab, MovingPicture, Report, Trajectory};
 use crate::report::{claim, times};
 use crate::scene::Scene;
 use core::f64::consts::TAU;
@@ -288,6 +288,7 @@ impl Stepped {
         let mut report = Report::new(title, description)?;
         report.add(self.claims(tolerance)?)?;
         report.add(self.ledger(tolerance, names)?)?;
+        report.set_lab(Lab::against_the_dial(self.scene, self.start, self.end));
         Ok(report)
     }
 
