@@ -6,16 +6,18 @@
 //! four operations are exact by IEEE 754 and are used as methods of `f64`.)
 
 pub mod double_double;
+mod hypot;
 pub mod lane;
 mod order;
 mod turns;
 mod versine;
 
 pub use double_double::DoubleDouble;
+pub use hypot::hypot;
 pub use lane::Lane;
 pub use libm::{
-    acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, hypot,
-    ilogb, ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
+    acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, ilogb,
+    ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
 #[cfg(feature = "report")]
 pub(crate) use order::order_of;
