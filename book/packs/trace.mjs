@@ -1,9 +1,9 @@
-// node trace.mjs PACK: which functions of the whole module run when a page moves, and when it
-// tells.
+// node trace.mjs PACK: which functions of the whole module run when a page moves, when it tells
+// and when it draws.
 //
-// Answers with JSON: `{palette, pages: [{declared, motion, full}]}`, the last two lists of the
-// numbers of functions. They need not be complete: where a function is missing, the module traps,
-// and the page loads a longer list.
+// Answers with JSON: `{palette, pages: [{declared, motion, told, full}]}`, the last three lists of
+// the numbers of functions. They need not be complete: where a function is missing, the module
+// traps, and the page loads a longer list.
 import { readFileSync } from 'node:fs';
 import { runInThisContext } from 'node:vm';
 
@@ -70,12 +70,15 @@ function settings({ flags }) {
   return lines;
 }
 
-// The command lines of `run`: what readers are given; what every example knows; then, one by one,
-// effects and words, and what is refused.
-const given = readFileSync(new URL('tests/snapshots/commands/all.snap', root), 'utf8');
-function commands({ stem, flags }) {
-  const lines = given.split('\n').map((line) => line.trim().split(/\s+/)).filter(([, , of]) => of === stem).map((words) => words.slice(3));
-  lines.push(['--help'], ['--csv', 'motion.csv'], ['--check', 'x=1'], ['--nothing', '1']);
+// The command lines of `run` that readers are given, those that draw or the others.
+const given = readFileSync(new URL('tests/snapshots/commands/all.snap', root), 'utf8')
+  .split('\n').map((line) => line.trim().split(/\s+/).slice(2));
+const draws = (words) => words.includes('--svg') || words.includes('--csv');
+const givenFor = (stem, drawn) => given.filter(([of, ...words]) => of === stem && draws(words) === drawn).map((words) => words.slice(1));
+
+// The others: what every example knows; then, one by one, effects and words, and what is refused.
+function others({ flags }) {
+  const lines = [['--help'], ['--csv', 'motion.csv'], ['--check', 'x=1'], ['--check', 'x'], ['--nothing', '1']];
   for (const { name, kind, words } of flags) {
     if (kind === 'effect') lines.push(['--with', name], ['--without', name], ['--with', `${name}=-1e9`]);
     else lines.push(...words.map((word) => [`--${name}`, word]), [`--${name}`, 'x'], [`--${name}`, '-1e9']);
@@ -83,11 +86,18 @@ function commands({ stem, flags }) {
   return lines;
 }
 
-const { told } = traced((ask, count) => ({
+// Answers to all of a page's questions, right and wrong in every way.
+function answers(claims) {
+  const ways = [({ printed }) => printed, ({ value, unit }) => `${value} ${unit === '-' ? '' : unit}`,
+    ({ value }) => 2 * Math.PI * value, ({ value }) => 1.001 * value, () => '2/3 pi + sqrt 2', () => '1,5'];
+  return claims.flatMap((claim, n) => ['--check', `${claim.key}=${ways[n % ways.length](claim)}`]);
+}
+
+const { told: each } = traced((ask, count) => ({
   palette: JSON.parse(ask('palette')),
   declared: Array.from({ length: count }, (_, n) => JSON.parse(ask('declared', undefined, n))),
 }));
-const pages = told.declared.map((declared, n) => {
+const pages = each.declared.map((declared, n) => {
   const motion = traced((ask) => {
     for (const lines of declared.moves ? settings(declared) : []) {
       const { span, stills } = JSON.parse(ask('open', lines, n));
@@ -99,15 +109,21 @@ const pages = told.declared.map((declared, n) => {
       ask('alt');
     }
   });
+  const run = (ask, lines) => lines.map((words) => JSON.parse(ask('run', words.join('\0'), n)));
+  const told = traced((ask) => {
+    const [{ stdout }] = run(ask, [['--json'], [], ...givenFor(declared.stem, false)]);
+    run(ask, [answers(JSON.parse(stdout).claims)]);
+    const { methods } = JSON.parse(ask('lab', '', n));
+    for (const { name, setting } of methods) ask('lab', `method=${name}\nsetting=${setting === 'tolerance' ? 1e-6 : 100}`, n);
+    if (methods.length > 0) ask('lab', 'dial=1e-6', n);
+  });
   const full = traced((ask) => {
     ask('declared', undefined, n);
     ask('report', undefined, n);
     ask('figures', '', n);
-    for (const line of commands(declared)) ask('run', line.join('\0'), n);
-    const { methods } = JSON.parse(ask('lab', '', n));
-    for (const { name, setting } of methods ?? []) ask('lab', `method=${name}\nsetting=${setting === 'tolerance' ? 1e-6 : 100}`, n);
+    run(ask, [...others(declared), ...givenFor(declared.stem, true)]);
   });
-  process.stderr.write(`${declared.stem}: ${motion.ran.length} functions move, ${full.ran.length} tell\n`);
-  return { declared, motion: motion.ran, full: full.ran };
+  process.stderr.write(`${declared.stem}: ${motion.ran.length} functions move, ${told.ran.length} tell, ${full.ran.length} draw\n`);
+  return { declared, motion: motion.ran, told: told.ran, full: full.ran };
 });
-process.stdout.write(JSON.stringify({ palette: told.palette, pages }));
+process.stdout.write(JSON.stringify({ palette: each.palette, pages }));

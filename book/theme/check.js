@@ -66,7 +66,7 @@
     const computed = async (form, key, answer) => {
         const effects = new Set((form.dataset.effects ?? "").split(" "));
         const words = [...Live.commanded(Live.state, effects), "--check", `${key}=${answer}`];
-        const { stdout, stderr, code } = await Live.machine(form.dataset.stem, "full").ask("run", words.join("\0"));
+        const { stdout, stderr, code } = await Live.machine(form.dataset.stem, "told").ask("run", words.join("\0"));
         const kind = code === 0 ? "right" : stdout.startsWith("nearly") ? "nearly" : "wrong";
         return [kind, sentence((stdout || stderr.replace(/^error: /, "")).trim())];
     };

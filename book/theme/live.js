@@ -36,9 +36,10 @@ const Live = (() => {
     // ---- Machines: a worker with the module of a page.
     const bytes = (names) => Promise.all(names.map((name) => once(name, pack)));
     class Machine {
-        /** Of the page `stem`, with its packs for `use`: `motion` or `full`. */
+        /** Of the page `stem`, with its packs for `use`: `motion`, `told` or `full`; longer lists follow. */
         constructor(stem, use) {
-            [this.page, this.names, this.rest] = [pages[stem].page, pages[stem][use], pages[stem].rest];
+            const lists = use === "told" ? ["told", "full", "rest"] : [use, "rest"];
+            [this.page, this.lists] = [pages[stem].page, lists.map((list) => pages[stem][list])];
             [this.worker, this.started, this.waiting, this.asked, this.calls] = [null, null, new Map(), 0, 0];
         }
 
@@ -50,7 +51,7 @@ const Live = (() => {
 
         async start() {
             // What it needs is on its way while the worker starts.
-            const brought = Promise.all([once("module", script), bytes(this.names)]);
+            const brought = Promise.all([once("module", script), bytes(this.lists[0])]);
             const address = URL.createObjectURL(new Blob(["onmessage = ({ data }) => (0, eval)(data)"], { type: "text/javascript" }));
             const worker = new Worker(address);
             URL.revokeObjectURL(address);
@@ -98,12 +99,16 @@ const Live = (() => {
             const message = { call, ...(call === "frame" ? {} : { page: this.page }), ...more };
             this.calls += 1;
             try {
-                return await this.send(message);
-            } catch (error) {
-                // The packs hold what is usual; a rare wish needs all.
-                if (!error.trapped || this.rest === undefined || this.names === this.rest) throw error;
-                this.names = this.rest;
-                return await this.send({ ...message, packs: await bytes(this.rest) });
+                for (let packs = {}; ;) {
+                    try {
+                        return await this.send({ ...message, ...packs });
+                    } catch (error) {
+                        // The packs hold what is usual; a rare wish needs more.
+                        if (!error.trapped || this.lists.length === 1) throw error;
+                        this.lists.shift();
+                        packs = { packs: await bytes(this.lists[0]) };
+                    }
+                }
             } finally {
                 this.calls -= 1;
             }
@@ -198,7 +203,7 @@ const Live = (() => {
         const runs = control.matches("button.run, .bench > button");
         const brought = [
             ...(runs ? [once("run", script)] : []),
-            ...(control.dataset.predict === undefined ? [machine(stem, part.matches(".player") ? "motion" : "full").prepare()] : []),
+            ...(control.dataset.predict === undefined ? [machine(stem, part.matches(".player") ? "motion" : "told").prepare()] : []),
         ];
         // What fails is told when it is asked for.
         for (const one of brought) one.catch(() => {});

@@ -4,7 +4,7 @@
 const assert = require("node:assert");
 
 // ---- A page with one module, a server of packs, a worker that answers as it is told.
-const pages = { rod: { page: 3, motion: ["a.gz"], full: ["a.gz", "b.gz"], rest: ["c.gz"] } };
+const pages = { rod: { page: 3, motion: ["a.gz"], told: ["a.gz", "b.gz"], full: ["a.gz", "e.gz"], rest: ["c.gz"] } };
 const asked = [];
 const workers = [];
 let missing = "";
@@ -61,13 +61,13 @@ globalThis.Live = Live;
     assert.ok(asked.includes("modules/c.gz"));
 
     // A stop: whoever waits is told, and the next call has a worker and packs of its own.
-    const full = Live.machine("rod", "full");
-    await full.ask("run", "short");
-    const endless = full.ask("run", "endless");
-    setTimeout(() => full.end(), 20);
+    const told = Live.machine("rod", "told");
+    await told.ask("run", "short");
+    const endless = told.ask("run", "endless");
+    setTimeout(() => told.end(), 20);
     await assert.rejects(endless, /^Error: stopped$/);
     assert.ok(workers[1].ended);
-    await full.ask("run", "short");
+    await told.ask("run", "short");
     assert.strictEqual(workers[2].got[1].packs.length, 2);
     assert.strictEqual(asked.filter((address) => address === "modules/a.gz").length, 1, "a pack is fetched once");
 
@@ -77,15 +77,18 @@ globalThis.Live = Live;
     await apart.prepare();
     assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 2, false]);
     const drawn = apart.ask("figures");
-    assert.ok(apart.busy && !full.busy);
+    assert.ok(apart.busy && !told.busy);
     await drawn;
     assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 3, false]);
 
+    // What prints has a list between its own and all.
+    await told.ask("open", "rare");
+    assert.ok(asked.includes("modules/e.gz"));
+
     // A pack that is not there is an error in words, and is asked for again.
-    pages.rod.motion = ["d.gz"];
     missing = "modules/d.gz";
     const other = new machine.constructor("rod", "motion");
-    other.names = ["d.gz"];
+    other.lists = [["d.gz"]];
     await assert.rejects(other.ask("open"), /modules\/d.gz did not arrive/);
     missing = "";
     await other.ask("open");

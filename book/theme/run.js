@@ -87,7 +87,7 @@
         constructor(opener) {
             terminals += 1;
             const { stem, arguments: typed, predict } = opener.dataset;
-            this.stem = stem;
+            [this.stem, this.use] = [stem, "told"];
             const id = (name) => `run${terminals}-${name}`;
             this.line = make("input", { id: id("line"), value: typed, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
             this.go = make("button", { type: "submit" }, "Run");
@@ -115,7 +115,7 @@
         }
 
         get machine() {
-            return Live.machine(this.stem, "full");
+            return Live.machine(this.stem, this.use);
         }
 
         /** What draws figures: a worker of its own, for which nothing waits. */
@@ -138,6 +138,7 @@
 
         /** Asks the machine, with the time that it takes shown and a way to stop it. */
         async working(words) {
+            this.use = words.some((word) => /^--(csv|svg)\b/.test(word)) ? "full" : "told";
             [this.go.disabled, this.stop.hidden] = [true, false];
             for (const control of this.more.querySelectorAll("button")) control.disabled = true;
             const told = await counted(this.elapsed, this.machine.ask("run", words.join("\0")), "", (_, seconds) => `done in ${seconds}`);
@@ -237,7 +238,7 @@
         }
 
         get machine() {
-            return Live.machine(this.stem, "full");
+            return Live.machine(this.stem, "told");
         }
 
         /** The lines that set the page's parameters. */

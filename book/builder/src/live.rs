@@ -70,8 +70,9 @@ impl fmt::Display for Setting {
     }
 }
 
-/// The packs of a page: for its moving picture; for its report and figures; for all that it can.
-const LISTS: [&str; 3] = ["motion", "full", "rest"];
+/// The packs of a page: for its moving picture; for what it prints; for its figures besides; for
+/// all that it can.
+const LISTS: [&str; 4] = ["motion", "told", "full", "rest"];
 
 /// The modules that there are: `{"pages": {STEM: {"page", a key for each of LISTS, "declared"}},
 /// "palette": [{"name"}]}`.
@@ -528,7 +529,7 @@ mod tests {
             flag("friction", "effect", json!({"usual": "0.02"})),
         ]);
         let page = |n: u32, moves: bool| {
-            json!({"page": n, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"],
+            json!({"page": n, "motion": ["a.gz"], "told": ["a.gz", "b.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"],
                 "declared": {"moves": moves, "flags": flags}})
         };
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
@@ -659,8 +660,7 @@ mod tests {
             .nth(1)
             .and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
-        let page =
-            json!({"page": 3, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"]});
+        let page = json!({"page": 3, "motion": ["a.gz"], "told": ["a.gz", "b.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"]});
         assert_eq!(
             data,
             json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]})

@@ -67,7 +67,7 @@ pub struct List {
 
 /// What one file more in a list is worth, in bytes before they are compressed: so many more are
 /// loaded in vain rather than asked for apart.
-const FILE: usize = 24_000;
+const FILE: usize = 10_000;
 
 /// What a byte that is there once more weighs, against one that a list loads in vain.
 const COPY: usize = 14;

@@ -21,9 +21,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-/// The lists of a page, each within the next, and their weights: what moves; what tells;
+/// The lists of a page and their weights: what moves; what tells in words; what draws besides;
 /// whatever may be called.
-const LISTS: [(&str, usize); 3] = [("motion", 4), ("full", 2), ("rest", 1)];
+const LISTS: [(&str, usize); 4] = [("motion", 4), ("told", 6), ("full", 1), ("rest", 1)];
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -43,11 +43,12 @@ fn lists(module: &Slim, traced: &[Value]) -> Outcome<Vec<List>> {
     let mut lists = Vec::new();
     for (page, traced) in traced.iter().enumerate() {
         let rest = cut::reached(module, &entries, page);
-        let moves = functions(&traced["motion"]);
-        let tells = functions(&traced["full"]).union(&moves).copied().collect();
+        let [moves, tells, draws] = ["motion", "told", "full"].map(|list| functions(&traced[list]));
+        let draws = draws.union(&tells).copied().collect();
         let needs = [
             cut::with_data(module, moves, &rest),
             cut::with_data(module, tells, &rest),
+            cut::with_data(module, draws, &rest),
             rest,
         ];
         lists.extend(LISTS.iter().zip(needs).map(|((_, weight), need)| List {
@@ -71,11 +72,11 @@ fn named(groups: &mut [cut::Group], stems: &[&str]) -> Vec<String> {
     let name = |group: &cut::Group| {
         let pages: BTreeSet<usize> = group.lists.iter().map(|list| list / LISTS.len()).collect();
         match (pages.len(), group.lists.first()) {
-            (1, Some(list)) => format!(
-                "{}_{}.gz",
-                stems[list / LISTS.len()],
-                LISTS[list % LISTS.len()].0
-            ),
+            (1, Some(list)) => {
+                let lists = group.lists.iter().map(|list| LISTS[list % LISTS.len()].0);
+                let lists = lists.collect::<Vec<_>>().join("_");
+                format!("{}_{lists}.gz", stems[list / LISTS.len()])
+            }
             _ => {
                 shared += 1;
                 format!("shared_{shared:02}.gz")
