@@ -191,6 +191,7 @@ const acts = (browser, address, how) => opened(browser, address, how, async (pag
     if (!/; friction=0\.02; against the dial at 1e-1\d$/.test(setting)) faults.push(`it says: ${setting}`);
     if (!(number(error) < 1e-6) || work === before) faults.push(`off by ${error} for ${work}, before for ${before}`);
     if (!await page.locator(".player .knob[data-name=friction] [type=checkbox]").isChecked()) faults.push("the page's own control does not follow");
+    if (faults.length > 0) return faults;
     await page.locator(".player .bar").first().evaluate((bar) => bar.scrollIntoView({ block: "center", behavior: "instant" }));
     if (!await paints(page, 0)) faults.push("nothing moves");
     return faults;
