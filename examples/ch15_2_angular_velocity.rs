@@ -51,7 +51,7 @@ rotation_dynamics::parameters! {
         /// angle of the line of nodes from X
         phi: number(0.3, "rad", from_to(-100.0, 100.0).usually(-3.1, 3.1));
         /// tilt of the axis of the gyroscope
-        theta: number(1.0, "rad", from_to(1e-6, PI - 1e-6).usually(0.1, 3.0));
+        theta: number(1.0, "rad", from_to(1e-6, PI - 1e-6).usually(0.3, 2.8));
         /// angle of a mark on the rotor from the line of nodes
         zeta: number(-0.4, "rad", from_to(-100.0, 100.0).usually(-3.1, 3.1));
         /// rate of phi

@@ -37,7 +37,7 @@ rotation_dynamics::parameters! {
         /// angular velocity across the axis
         omega_y: number(1.0, "rad/s", from_to(1e-9, 1e9).usually(0.1, 40.0));
         /// tilt of the axis in the drawings of the cones
-        drawn_tilt: number(0.5, "rad", between(0.05, 1.5).usually(0.1, 1.2));
+        drawn_tilt: number(0.5, "rad", between(0.05, 1.5).usually(0.1, 0.65));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }

@@ -16,7 +16,7 @@ parameters! {
     /// Bat and ball; the notes leave all numbers open.
     pub struct Parameters {
         /// length of the bat
-        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.5, 1.2)).drawn(0.80, 1.00, 0.05);
+        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.75, 1.2)).drawn(0.80, 1.00, 0.05);
         /// mass of the bat
         mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0)).drawn(0.9, 1.5, 0.1);
         /// distance of the hands from the end of the handle

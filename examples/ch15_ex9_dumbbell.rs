@@ -23,7 +23,7 @@ parameters! {
         /// angle of its path from the right angle to the stick
         slant: number(0.0, "rad", from_to(0.0, FRAC_PI_2));
         /// radius of the ball
-        ball: number(0.03, "m", above(0.0).usually(0.01, 0.8));
+        ball: number(0.03, "m", above(0.0).usually(0.01, 0.1));
         /// radius of the two masses
         knob: number(0.03, "m", above(0.0).usually(0.01, 0.1));
         /// error of a step of the simulation: from 1e-15 to 1e-6

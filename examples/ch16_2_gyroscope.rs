@@ -95,9 +95,9 @@ rotation_dynamics::parameters! {
     /// The notes' motions, unless something is set: then the motion asked for.
     pub struct Parameters {
         /// I3/I1, the shape: above 0, at most 2
-        a: optional("-", any().usually(0.1, 2.0));
+        a: optional("-", any().usually(0.3, 2.0));
         /// L_Z/L_z, vertical over axial angular momentum
-        b: optional("-", any().usually(-1.5, 1.5));
+        b: optional("-", any().usually(-0.7, 0.9));
         /// m g l I3/L_z^2, weight against spin
         c: optional("-", any().usually(0.0, 0.5));
         /// E~, at least the minimum of U_eff

@@ -17,9 +17,9 @@ parameters! {
     /// The machine of the exercise; the notes leave all numbers open, and the radius of the pulley.
     pub struct Parameters {
         /// the heavier mass
-        m1: number(3.0, "kg", from_to(1e-6, 1e6).usually(1.0, 5.0)).drawn(2.5, 4.0, 0.1);
+        m1: number(3.0, "kg", from_to(1e-6, 1e6).usually(2.1, 5.0)).drawn(2.5, 4.0, 0.1);
         /// the lighter mass
-        m2: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.5, 4.0)).drawn(1.0, 2.4, 0.1);
+        m2: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.5, 2.9)).drawn(1.0, 2.4, 0.1);
         /// moment of inertia of the pulley
         inertia: number(0.02, "kg m^2", from_to(1e-9, 1e9).usually(0.001, 0.1)).drawn(0.005, 0.030, 0.005);
         /// radius of the pulley

@@ -19,11 +19,11 @@ parameters! {
         /// mass of the disc
         mass: number(3.0, "kg", above(0.0).usually(0.5, 5.0)).drawn(1.0, 5.0, 0.5);
         /// its radius, on which the string is wound
-        radius: number(0.2, "m", above(0.0).usually(0.05, 0.3)).drawn(0.10, 0.25, 0.01);
+        radius: number(0.2, "m", above(0.0).usually(0.05, 0.25)).drawn(0.10, 0.25, 0.01);
         /// its moment of inertia over M R^2: 1/2 for a disc, 1 for a hoop
-        shape: number(0.5, "-", from_to(1e-2, 1e2).usually(0.1, 2.0));
+        shape: number(0.5, "-", from_to(1e-2, 1e2).usually(0.3, 2.0));
         /// length of the string that is wound up
-        wound: number(1.0, "m", above(0.0).usually(0.3, 3.0)).drawn(0.8, 2.0, 0.1);
+        wound: number(1.0, "m", above(0.0).usually(0.9, 3.0)).drawn(0.8, 2.0, 0.1);
         /// length between the roof and the disc at the start
         free: number(0.3, "m", above(0.0).usually(0.25, 2.0));
         /// when the velocities are asked for
@@ -31,7 +31,7 @@ parameters! {
         /// E A of a string that gives: of nylon, 2 mm thick
         stiffness: number(9400.0, "N", above(0.0).usually(1000.0, 50000.0));
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 11.0));
         /// drag coefficient of a disc of steel in air, for the claims about it
         air: effect(1.0, "-", above_to(0.0, 1e3));
         /// error of a step of the simulations: from 1e-15 to 1e-6

@@ -23,9 +23,9 @@ parameters! {
         /// turns of the rotor in a minute
         rpm: number(3000.0, "1/min", from_to(2000.0, 10000.0).usually(2000.0, 6000.0));
         /// tilt of the axis at the release
-        theta: number(PI / 3.0, "rad", from_to(0.5, 1.6).usually(0.7, 1.5));
+        theta: number(PI / 3.0, "rad", from_to(0.5, 1.6).usually(0.7, 1.2));
         /// moment of the ring about the line of nodes, and across the axle
-        ring: number(1.5e-4, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 1e-3));
+        ring: number(1.5e-4, "kg m^2", from_to(0.0, 5e-3).usually(2e-5, 1e-3));
         /// moment of the ring along the axle
         ring_along: number(2e-5, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 1e-4));
         /// moment of the fork about the vertical

@@ -31,7 +31,7 @@ parameters! {
         /// how high it rises above the hand
         height: number(0.55, "m", above(0.0).usually(0.1, 2.0));
         /// angle of the axis of rotation from the short edge
-        tilt: number(0.05, "rad", from_to(1e-10, 1.2).usually(0.001, 0.5));
+        tilt: number(0.05, "rad", from_to(1e-10, 1.2).usually(0.001, 0.15));
         /// to which side: 0 towards the long edge, pi/2 towards the normal of the back
         toward: number(0.0, "rad", from_to(-PI, PI).usually(-1.5, 1.5));
         /// spread of this angle from throw to throw, in each of the two directions

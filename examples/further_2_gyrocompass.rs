@@ -18,9 +18,9 @@ parameters! {
     /// A compass with numbers that are typical of one on a ship.
     pub struct Parameters {
         /// moment of inertia of the wheel about its axle
-        axial: number(0.012, "kg m^2", above(0.0).usually(1e-3, 0.1)).drawn(0.008, 0.016, 0.001);
+        axial: number(0.012, "kg m^2", above(0.0).usually(0.005, 0.016)).drawn(0.008, 0.016, 0.001);
         /// the same across the axle, of all that turns with it
-        transverse: number(0.008, "kg m^2", above(0.0).usually(1e-3, 0.1));
+        transverse: number(0.008, "kg m^2", above(0.0).usually(0.006, 0.1));
         /// spin
         spin: number(1500.0, "rad/s", from_to(1.0, 1e5).usually(300.0, 2500.0)).drawn(1000.0, 2000.0, 100.0);
         /// latitude, negative south of the equator

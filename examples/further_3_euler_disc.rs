@@ -22,7 +22,7 @@ parameters! {
         /// its mass
         mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0)).drawn(0.30, 0.50, 0.05);
         /// inclination of the steady motion
-        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.2)).drawn(0.20, 0.60, 0.05);
+        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.0)).drawn(0.20, 0.60, 0.05);
         /// radius of the circle of its centre over R; positive on the side away from the contact
         circle: number(0.0, "-", from_to(-10.0, 0.16).usually(-2.0, 0.1));
         /// inclination from which it settles

@@ -25,7 +25,7 @@ parameters! {
         /// by how much the axle rises outward, in question 2
         rise: number(0.5, "rad", from_to(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
-        push: number(0.0, "rad/s", from_to(-20.0, 20.0).usually(-3.0, 3.0));
+        push: number(0.0, "rad/s", from_to(-20.0, 20.0).usually(-2.0, 3.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// density of the air that brakes the wheel, for the claims about it

@@ -16,7 +16,7 @@ parameters! {
         /// angular velocity of the table
         rate: number(10.0, "rad/s", from_to(1.0, 100.0).usually(3.0, 15.0)).drawn(6.0, 14.0, 1.0);
         /// radius of the table
-        table: number(0.3, "m", from_to(1e-3, 1e3).usually(0.1, 0.5));
+        table: number(0.3, "m", from_to(1e-3, 1e3).usually(0.16, 0.5));
         /// radius of the ball
         radius: number(0.02, "m", from_to(1e-3, 1.0).usually(0.005, 0.03));
         /// k = I/(m a^2) of both balls: 2/5 for a uniform one, 2/3 for a thin shell

@@ -313,7 +313,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             t / year,
             turn(year) / TAU * t
         );
-        let star = at(centre, 0.55, 0.5 * PI);
+        // As far as the frame goes.
+        let far = at(centre, 0.55, 0.5 * PI);
+        let star = (far.0, far.1.min(1.3));
         let scene = Sketch::new("scene", &alt)
             .window((-1.45, 1.45), (-1.4, 1.3))
             .curve(circle(sun, 1.0))

@@ -197,6 +197,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (exact, l) = (solve(p)?.exact, p.length);
     let (end, graph) = (exact.landing_time(), forces(p)?);
     let rod = Dop853::new(1e-12)?.solve(&hinged(p), 0.0, &[p.angle, 0.0], end, &[])?;
+    let far = l * sin(rod.at(end)?[0].min(FRAC_PI_2));
     MovingPicture::new(0.0..=end, [0.7 * end, 0.9 * end, end], move |t| {
         let PlankState {
             theta,
@@ -205,10 +206,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             ..
         } = exact.at(t)?;
         let ([foot, top], middle) = (ends(l, theta), (0.0, y_cm));
-        let (s, c) = sincos(rod.at(t)?[0]);
+        // If the rod is first, it lies on the floor and waits.
+        let held = rod.at(t)?[0].min(FRAC_PI_2);
+        let (s, c) = sincos(held);
         let path = Curve::new([(0.0, 0.5 * l), middle], Ink::Ink).thin();
         let scene = floor("scene", "", l)
             .window((-0.75 * l, 0.8 * l), (-0.3 * l, 1.05 * l))
+            .clear((-0.5 * l, far), (0.0, l), [10.0, 6.0, 60.0, 8.0])
             .ghost(|sketch| {
                 sketch
                     .curve(Curve::new([(0.0, 0.0), (l * s, l * c)], Ink::Frame).width(4.0))
@@ -229,7 +233,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              was. The floor pushes with {floor_force:.2} of the weight. Faintly, the rod whose foot is held, at {:.0} degrees. Below, the force \
              of the floor against time.",
             theta.to_degrees(),
-            rod.at(t)?[0].to_degrees()
+            held.to_degrees()
         );
         Stack::frame(&alt, scene, &graph, t)
     })

@@ -69,9 +69,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (round, turns) = (top.round(), top.line_turns());
     let end = 2.0 * round;
     let line = |slope: f64, ink| Curve::of(times(0.0, end, 2), |t| slope * t / round, ink);
+    // Whole turns, as long as there are few of them.
+    let counted = Axis::linear("turns");
+    let counted = if turns < 4.0 {
+        counted.step(1.0)
+    } else {
+        counted
+    };
     let graph = Panel::new("graph", "")
         .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("turns").step(1.0))
+        .y(counted)
         .curve(line(1.0, Ink::Ink).dashed().label("axis"))
         .curve(line(turns, Ink::Body).label("line $OP$"));
     let draw = move |t: f64| {

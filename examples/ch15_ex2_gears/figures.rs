@@ -139,6 +139,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let high = 1.15 * a.max(b);
         let scene = Sketch::within((-1.2 * a, a + 2.3 * b), (-high, high))
+            .high(233)
             .roller((0.0, 0.0), a, slow * q[0], Ink::Body)
             .roller((a + b, 0.0), b, PI + slow * q[1], Ink::Body)
             .text((-0.5 * a, 0.5 * a), "$A$", Ink::Body, Side::Centre)

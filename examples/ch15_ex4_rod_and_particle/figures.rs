@@ -169,6 +169,7 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
         };
         let mut scene = Sketch::new("scene", &alt)
             .window((-0.75 * l, reach + 0.85 * l), (-1.1 * l, 0.75 * l))
+            .high(149)
             .curve(
                 Curve::new(
                     times(0.0, to, 2).map(|t| (a.velocity * t, a.centre)),

@@ -109,7 +109,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 .map(|x| x / length)
                 .into()
         };
-        let scene = Sketch::within((-0.12, 1.15), (-0.35, 0.5));
+        // The hands are where they are; the bat lies farther back the farther in they hold it.
+        let back = p.hands / length;
+        let scene = Sketch::within((-0.12 - back, 1.15 - back), (-0.35, 0.5));
         let scene = drawn(scene, on(-p.hands), on(length - p.hands))
             .disc((q[3] / length, q[4] / length - 0.075), 0.04, Ink::Ink, 0.7)
             .ring(on(0.0), Ink::Ink, "", Side::Below);

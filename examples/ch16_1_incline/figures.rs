@@ -161,7 +161,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             );
             let (push, rub) = (force.normal / weight, force.tangential / weight);
             let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
+            // From the start to the highest place; the arrows have a size of their own.
+            let (foot, top) = (along(3.0 * r, 0.0), along(length - 3.0 * r, 2.3 * r));
             let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
+                .high(311)
+                .clear(
+                    (foot.0, top.0),
+                    (foot.1, top.1),
+                    [50.0 * c + 12.0, 90.0 * c + 16.0, 60.0, 60.0],
+                )
                 .incline((0.0, 0.0), length, slope)
                 .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
                 .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")

@@ -139,6 +139,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(Curve::new(speed(1)?, Ink::Body).label_end("rope"))
         .curve(Curve::new(speed(3)?, Ink::Body).dashed().label_end("rim"));
     let stills = [0.0, 0.2 * end, 0.9 * end];
+    let scale = 0.9 / h;
+    let fitting = sampled(times(0.0, end, 300), |t| {
+        let (grip, [way, ..]) = run.at(t)?;
+        let [heavy, light] = m.forces(grip, way).tensions;
+        let room = |hang: f64, tension: f64| (0.41 + 0.5 * scale * hang) / tension;
+        Ok(room(h + way, heavy).min(room(h - way, light)))
+    })?;
+    // So that a force also fits above a mass that has come up to the axle.
+    let usual = 0.45 / (m.masses[0] * m.gravity);
+    let force = fitting.into_iter().fold(usual, f64::min);
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (grip, [way, _, rim, _]) = run.at(t)?;
         let forces = m.forces(grip, way);
@@ -150,7 +160,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "After {t:.2} s the heavier mass has gone down by {way:.2} m and the rope {does}. Below, the speeds of \
              rope and rim against time: they approach each other and then rise as one line."
         );
-        let (scale, unit) = (0.9 / h, 0.3 / (m.masses[0] * m.gravity));
         let hang = [h + way, h - way].map(|y| 0.5 * scale * y);
         let radius = 0.16;
         let sketch = drawn(
@@ -164,7 +173,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .zip(forces.tensions)
             .zip(hang)
             .fold(sketch, |sketch, ((x, tension), far)| {
-                let top = (x * 1.6, -far + 1.5 * unit * tension);
+                let top = (x * 1.6, -far + force * tension);
                 sketch.arrow_along([(x * 1.6, -far), top], Ink::Force)
             });
         Ok((alt, sketch))

@@ -82,6 +82,9 @@ figures! { _: &Parameters;
 /// Nine turns and a bit, so that the bob ends in profile; time in 1/w.
 const END: f64 = 58.72;
 
+/// The longest pull that is drawn as long as it is, in weights.
+const LONGEST: f64 = 3.0;
+
 /// The damped motion from the release.
 fn motion(p: &Parameters) -> Result<Solution<2>> {
     swung(ratio(p)?, 0.12, p.release, END, p.tolerance)
@@ -99,13 +102,21 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (q, w, run) = (ratio(p)?, p.rate, motion(p)?);
     let angle = sampled(times(0.0, END, 300), |t| Ok((t / w, run.at(t)?[0])))?;
     let graph = Panel::over_axes("$t$ / s", r"$\theta$ / rad").curve(Curve::new(angle, Ink::Body));
-    let (top, weight) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, -0.4));
+    let most = sampled(times(0.0, END, 600), |turn| {
+        Ok(tension(q, place_and_velocity(&in_space(run.at(turn)?, turn))) / q)
+    })?;
+    // So that the longest pull of the string fits.
+    let scale = 0.4 * (LONGEST / most.into_iter().fold(LONGEST, f64::max));
+    let highest = sampled(times(0.0, END, 600), |turn| Ok(-cos(run.at(turn)?[0])))?;
+    let higher = 0.5 * highest.into_iter().fold(0.22, f64::max) - 0.11;
+    let (top, down) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, -0.4));
     MovingPicture::above(graph, 0.0..=END / w, [0.0, 2.17 / w, END / w], move |t| {
         let turn = (t * w).min(END);
         let state = |turn| Ok(place_and_velocity(&in_space(run.at(turn)?, turn)));
         let place = |turn| Ok(state(turn)?[0]);
         let bob = place(turn)?;
-        let pull = bob * (-0.4 * tension(q, state(turn)?) / q);
+        let weight = SpaceVector::new(0.0, 0.0, -scale);
+        let pull = bob * (-scale * tension(q, state(turn)?) / q);
         let path = sampled(times((turn - 6.0).max(0.0), turn, 60), place)?;
         let sum = pull + weight;
         let slant = atan2(sum.z().abs(), hypot(sum.x(), sum.y())).to_degrees();
@@ -114,14 +125,17 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "The bob {t:.1} s after its release{been}, its weight, the pull of the string, and \
              their sum, {slant:.0} degrees off the horizontal; below, its angle against time."
         );
-        let scene = View::of(weight * 1.5, 0.9)
-            .dashed([top, weight * 3.0], Ink::Frame)
-            .dashed(path, Ink::Body)
-            .line([top, bob], Ink::Ink)
-            .dot(bob, Ink::Body, "", Side::Below)
-            .arrow(bob, bob + weight, Ink::Force, "$Mg$", Side::Below)
-            .arrow(bob, bob + pull, Ink::Force, "$T$", Side::Above)
-            .arrow(bob, bob + sum, Ink::Force, "sum", Side::Left);
+        let scene = View::of(
+            down * 1.5 + SpaceVector::new(0.0, 0.0, higher),
+            0.9 + higher,
+        )
+        .dashed([top, down * 3.0], Ink::Frame)
+        .dashed(path, Ink::Body)
+        .line([top, bob], Ink::Ink)
+        .dot(bob, Ink::Body, "", Side::Below)
+        .arrow(bob, bob + weight, Ink::Force, "$Mg$", Side::Below)
+        .arrow(bob, bob + pull, Ink::Force, "$T$", Side::Above)
+        .arrow(bob, bob + sum, Ink::Force, "sum", Side::Left);
         Ok((alt, scene))
     })
 }

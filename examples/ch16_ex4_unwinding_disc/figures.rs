@@ -176,7 +176,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 (x, y)
             })
         })?;
-        let sketch = roofed((-0.5 * deep, 0.5 * deep), (-deep, 0.4)).guide(path);
+        let sketch = roofed((-0.5 * deep, 0.5 * deep), (-deep, 0.4))
+            .high(355)
+            .guide(path);
         let sketch = drawn(sketch, 0.0, &(leaves, y, taut));
         let [tx, ty] = [y[0] + taut.arm[0], y[1] + taut.arm[1]];
         let far = hypot(tx, ty);

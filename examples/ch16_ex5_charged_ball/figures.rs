@@ -153,6 +153,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (left, right) = ways
         .iter()
         .fold((0.0_f64, 0.0_f64), |(a, b), &x| (a.min(x), b.max(x)));
+    // So that the longer of the two forces fits.
+    let most = ball.holding().max(ball.mu * ball.press) / ball.pull;
+    let pixels = 60.0 * (1.2 / most).min(1.0);
     let catch = ball.caught(p.shot)[0].clamp(0.0, end);
     let catch = if catch > 0.0 { catch } else { 0.1 * end };
     let stills = [0.4 * catch, 0.2 * end, 0.85 * end];
@@ -169,10 +172,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              Below, the velocities of its middle and of its rim against time."
         );
         let scene = Sketch::within((left - 3.0 * r, right + 4.5 * r), (-0.9 * r, 2.6 * r))
+            .high(102)
+            .clear((left, right), (0.0, 2.0 * r), [80.0, 90.0, 24.0, 12.0])
             .wall((left - 3.0 * r, 0.0), (right + 4.5 * r, 0.0))
             .roller((x, r), r, FRAC_PI_2 + turn, Ink::Body)
-            .vector((x, r), (1.0, 0.0), 60.0, Ink::Force, "$qE$")
-            .vector((x, 0.09 * r), (rub, 0.0), 60.0, Ink::Force, "")
+            .vector((x, r), (1.0, 0.0), pixels, Ink::Force, "$qE$")
+            .vector((x, 0.09 * r), (rub, 0.0), pixels, Ink::Force, "")
             .text(
                 (x + 0.3 * r * rub.signum(), -0.16 * r),
                 "$F$",

@@ -210,7 +210,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              angles against time: the free one runs ahead."
         );
         let below = -1.18 - radius;
-        let empty = Sketch::within((-wide, 3.0 * wide), (below - 0.14, top));
+        let empty = Sketch::within((-wide, 3.0 * wide), (below - 0.14, top)).high(141);
         let left = drawn(empty, 0.0, radius, [loose, release]).pivot((0.0, 0.0), FRAC_PI_2);
         let both =
             drawn(left, 2.0 * wide, radius, [stiff, stiff]).pivot((2.0 * wide, 0.0), FRAC_PI_2);

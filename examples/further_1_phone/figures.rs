@@ -248,7 +248,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let attitude = free.attitude(t);
         // The height is drawn reduced, so that the phone is large.
-        let up = 0.15 * (0.5 * p.gravity * t * (end - t));
+        let reduced = 0.15_f64.min(0.57 * p.length / p.height);
+        let up = reduced * (0.5 * p.gravity * t * (end - t));
         let centre = SpaceVector::new(0.0, 0.0, up);
         let axis = attitude.to_space(BodyVector::new(0.0, 1.0, 0.0)) * (0.8 * p.length);
         let momentum = free.angular_momentum();
@@ -260,7 +261,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             100.0 * along(t, &free)
         );
         let view = View::of(
-            SpaceVector::new(0.0, 0.0, 0.075 * p.height),
+            SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height),
             0.86 * p.length,
         )
         .camera(camera())

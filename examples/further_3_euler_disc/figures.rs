@@ -239,7 +239,17 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             |x: f64, across: f64| centre + attitude.to_space(BodyVector::new(x, across, 0.035));
         // In ink: a mark in the colour of the body would be lost on a lit face.
         let mark = [on_face(0.0, 0.0), on_face(0.9, 0.0)];
-        let scene = view(disc.tilt, &disc).arrow(mark[0], mark[1], Ink::Ink, "", Side::Above);
+        // From farther off where it stands higher than the drawings' disc.
+        let high = sin(disc.tilt);
+        let whole = (0.4 + 1.15 * high).max(0.85);
+        let middle = SpaceVector::new(0.0, 0.0, 0.6 * high);
+        let scene = view(disc.tilt, &disc).around(middle, whole).arrow(
+            mark[0],
+            mark[1],
+            Ink::Ink,
+            "",
+            Side::Above,
+        );
         let (contact, face) = (
             motion.rate() * t / (time * TAU),
             motion.face() * t / (time * TAU),

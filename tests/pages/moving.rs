@@ -97,17 +97,11 @@ fn faults(picture: &MovingPicture, size: (u32, u32)) -> Vec<String> {
 }
 
 /// Pages where that is not so yet at some end of a slider; one that is mended comes off.
-const NOT_YET: [&str; 19] = [
-    "ch15_2_angular_velocity", "ch15_2_days", "ch15_3_plank", "ch15_5_torque_free", "ch15_ex2_gears",
-    "ch15_ex4_rod_and_particle", "ch15_ex5_centre_of_percussion", "ch15_ex9_dumbbell", "ch16_1_incline",
-    "ch16_2_gyroscope", "ch16_ex1_atwood", "ch16_ex2_conical_pendulum", "ch16_ex4_unwinding_disc",
-    "ch16_ex5_charged_ball", "ch16_ex7_rod_and_disc", "effects_1_gyroscope", "further_1_phone",
-    "further_3_euler_disc", "further_5_wheel_on_rope",
-];
+const NOT_YET: [&str; 1] = ["further_5_wheel_on_rope"];
 
 #[test]
 fn at_the_ends_of_its_sliders_a_picture_is_whole() {
-    let mut seen = 0;
+    let (mut seen, mut wrong) = (0, Vec::new());
     for (page, moves) in ALL.iter().zip(MOVING) {
         let Some(usual) = moves.opened("").expect("its own parameters") else {
             continue;
@@ -123,8 +117,11 @@ fn at_the_ends_of_its_sliders_a_picture_is_whole() {
             }
         }
         let excused = NOT_YET.contains(&page.stem());
-        assert_eq!(excused, !found.is_empty(), "{}: {}", page.stem(), found.join("\n"));
+        if excused == found.is_empty() {
+            wrong.push(format!("{}: {}", page.stem(), found.join("\n")));
+        }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(!WHOLE || seen > 500, "{seen} settings");
 }
 

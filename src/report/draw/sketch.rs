@@ -45,7 +45,7 @@ pub struct Sketch {
     alt: String,
     width: u32,
     pub(super) x: Point,
-    y: Point,
+    pub(super) y: Point,
     pub(super) elements: Vec<Element>,
     pub(super) texts: Vec<(Point, String, Ink, Side, f64)>,
 }
@@ -86,6 +86,51 @@ impl Sketch {
     #[must_use]
     pub fn width(mut self, px: u32) -> Self {
         self.width = px;
+        self
+    }
+
+    /// Shows more to the left and right, or above and below, until it is so many px high.
+    #[must_use]
+    pub fn high(mut self, px: u32) -> Self {
+        let (across, up) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
+        let (width, px) = (f64::from(self.width), f64::from(px));
+        if libm::round(width * up / across) == px {
+            return self;
+        }
+        let grown = |(low, high): Point, by: f64| (low - 0.5 * by, high + 0.5 * by);
+        let unit = (across / width).max(up / px);
+        self.x = grown(self.x, unit * width - across);
+        self.y = grown(self.y, unit * px - up);
+        self
+    }
+
+    /// Shows more, at the size it has, until about this box there are so many px: to its left and
+    /// right, below and above it.
+    #[must_use]
+    pub fn clear(
+        mut self,
+        x: (f64, f64),
+        y: (f64, f64),
+        [left, right, below, above]: [f64; 4],
+    ) -> Self {
+        let (width, height) = (f64::from(self.width), (self.y.1 - self.y.0) / self.px());
+        let needed = |shown: Point, (low, high): Point, size: f64, [before, after]: [f64; 2]| {
+            ((high - low) / (size - before - after))
+                .max((shown.1 - low) / (size - before))
+                .max((high - shown.0) / (size - after))
+        };
+        let unit = self
+            .px()
+            .max(needed(self.x, x, width, [left, right]))
+            .max(needed(self.y, y, height, [below, above]));
+        let about = |shown: Point, (low, high): Point, size: f64, [before, after]: [f64; 2]| {
+            let first = 0.5 * (shown.0 + shown.1 - size * unit);
+            let first = first.max(shown.1.max(high + after * unit) - size * unit);
+            let first = first.min(shown.0.min(low - before * unit));
+            (first, first + size * unit)
+        };
+        self.x = about(self.x, x, width, [left, right]);
+        self.y = about(self.y, y, height, [below, above]);
         self
     }
 

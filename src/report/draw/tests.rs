@@ -78,6 +78,32 @@ fn a_thin_space_in_a_formula_is_no_comma() {
     assert_ne!(Label::new(r"$a\,b$"), Label::new("$a,b$"));
 }
 
+/// A window grows about its middle to the height asked for, and no farther than what is to be
+/// clear about a box asks.
+#[test]
+fn a_window_grows_as_asked() {
+    let (across, all) = ((-1.0, 1.0), (0.0, 2.0));
+    let shown = |sketch: Sketch| (sketch.x, sketch.y);
+    let sheet = || Sketch::within(across, all).width(200);
+    assert_eq!(shown(sheet().high(200)), (across, all));
+    assert_eq!(shown(sheet().high(100)), ((-2.0, 2.0), all));
+    assert_eq!(shown(sheet().high(300)), (across, (-0.5, 2.5)));
+    let clear = |x, margins| shown(sheet().clear(x, (1.0, 1.0), margins));
+    assert_eq!(
+        clear((0.0, 0.5), [100.0, 50.0, 100.0, 100.0]),
+        (across, all)
+    );
+    // Too little on the right, then on both sides.
+    assert_eq!(
+        clear((0.5, 0.5), [0.0, 100.0, 0.0, 0.0]),
+        ((-1.0, 2.0), (-0.5, 2.5))
+    );
+    assert_eq!(
+        clear((-1.0, 1.0), [50.0, 50.0, 0.0, 0.0]),
+        ((-2.0, 2.0), (-1.0, 3.0))
+    );
+}
+
 /// With equal units the plot is as high as its data ask, and margins are added to that.
 #[test]
 fn equal_units_make_the_height() {
