@@ -24,7 +24,7 @@ const pages = readdirSync(BOOK).filter((file) => file.endsWith(".html") && file 
 })).filter(({ html }) => html.includes('<main id="main"'));
 /** Each page at both widths, and in both themes; which goes with which alternates. */
 const VIEWS = [[[PHONE, "light"], [DESK, "coal"]], [[DESK, "light"], [PHONE, "coal"]]];
-const together = { concurrency: cpus().length + 1, timeout: 600_000 };
+const together = { concurrency: cpus().length + 1, timeout: 1_800_000 };
 /** A copy of the book with what `change` makes of its files, for as long as `use` takes. */
 async function damaged(change, use) {
     const twin = await served(BOOK, change);

@@ -1,10 +1,10 @@
 // What lives in a page, used as a reader uses it: each function gives what is at fault.
 import { readFileSync } from "node:fs";
+import { PATIENCE } from "./opened.mjs";
 import { instead } from "./served.mjs";
 import { BOUNDS } from "./still.mjs";
 
 export const LOCKED = new URL("../snapshots/", import.meta.url);
-const PATIENCE = 120_000; // ms, for a machine that does much else
 
 /** Waits in the page until `told(argument)` is true; false if it does not come to it. */
 const comes = (page, told, argument, timeout = PATIENCE) =>

@@ -9,6 +9,8 @@ export const chromiumAt = (executablePath) => chromium.launch({
 /** Firefox as the system's packages bring it. */
 export const firefoxAt = (executablePath) => firefox.launch({ executablePath, channel: "moz-firefox" });
 
+/** ms, for a machine that does much else. */
+export const PATIENCE = 120_000;
 export const DESK = 1280;
 export const PHONE = 390;
 
@@ -39,6 +41,7 @@ export async function opened(browser, address, { width = DESK, theme = "light", 
     const context = await browser.newContext({ viewport: { width, height: width === PHONE ? 844 : 800 }, ...more });
     try {
         if (more.javaScriptEnabled !== false) await context.addInitScript(watch, theme);
+        context.setDefaultTimeout(PATIENCE);
         const page = await context.newPage();
         const faults = { console: [], failed: [], away: [] };
         page.on("console", (line) => {
