@@ -226,7 +226,8 @@ fn the_picture_moves_for_any_motion() {
             let t = from + (to - from) * f64::from(k) / 8.0;
             let frame = picture.frame(t.min(to));
             let frame = frame.unwrap_or_else(|e| panic!("{flags:?} at {t}: {e}"));
-            assert!(frame.svg.contains("<svg") && !frame.svg.contains("NaN"));
+            let svg = frame.svg();
+            assert!(svg.contains("<svg") && !svg.contains("NaN"));
             frames += 1;
         }
         assert_eq!(picture.stills().map(|s| s.len()).ok(), Some(3), "{flags:?}");

@@ -83,7 +83,8 @@ fn beyond(display: &Display) -> f64 {
 fn faults(picture: &MovingPicture, size: (u32, u32)) -> Vec<String> {
     let mut found = Vec::new();
     for part in [0.0, 0.3, 0.6, 1.0] {
-        let Figure { svg, display, .. } = frame(picture, part);
+        let figure = frame(picture, part);
+        let (svg, display) = (figure.svg(), figure.display);
         found.extend(misplaced(&svg));
         let out = beyond(&display);
         if out > 2.0 {
