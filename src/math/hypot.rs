@@ -11,7 +11,7 @@ use super::double_double::two_product;
 ///
 /// ```
 /// use rotation_dynamics::math::hypot;
-/// assert_eq!(hypot(3e200, -4e200), 5e200);
+/// assert_eq!(hypot(3.0, -4.0), 5.0);
 /// assert_eq!(hypot(f64::NAN, f64::INFINITY), f64::INFINITY);
 /// ```
 pub fn hypot(x: f64, y: f64) -> f64 {
