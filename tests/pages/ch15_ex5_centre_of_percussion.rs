@@ -1,12 +1,11 @@
 //! Exercise 15.5. The simulation knows contacts and a hinge and no formula for the place; that it
 //! confirms them is part of the report.
 
-use crate::told::{cell, confirmed, measured, refused, value};
+use crate::told::{cell, confirmed, measured, refused, value, with_report};
 use pages::ch15_ex5_centre_of_percussion::bat::{Blow, Strike};
 use pages::ch15_ex5_centre_of_percussion::*;
 use rotation_dynamics::integrators::{after, ode};
 use rotation_dynamics::math::{hypot, pow};
-use rotation_dynamics::report::Page;
 use std::f64::consts::PI;
 use support::{EPS, Errors, assert_error};
 
@@ -109,8 +108,7 @@ fn the_bending_leaves_both_ends_free() {
 fn what_the_card_measures() {
     let [bending, tip, contact] = measured(&EXAMPLE);
     let p = Parameters::default();
-    let page: &dyn Page = &EXAMPLE;
-    let numbers = page.report().unwrap().effects().iter().map(|line| line.value).collect::<Vec<_>>();
+    let numbers = with_report(&EXAMPLE, |report| report.effects().iter().map(|line| line.value).collect::<Vec<_>>());
     let (x, angle) = (numbers[0], numbers[2]);
     let deepest = 1.0 / 2.943_275_f64;
     // Depth of the ball and its rate, place of the vibration and its rate.

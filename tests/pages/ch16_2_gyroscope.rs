@@ -1,6 +1,7 @@
 //! The gyroscope: any motion asked for is confirmed by a second route or refused in words,
 //! its picture moves, and what the page says of limits and errors holds elsewhere too.
 
+use crate::told::answer;
 use pages::ch16_2_gyroscope as gyroscope;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator, ode};
@@ -12,7 +13,7 @@ use support::Errors;
 use core::f64::consts::{PI, TAU};
 
 fn told(flags: &str) -> Outcome {
-    gyroscope::EXAMPLE.answer(flags.split_whitespace())
+    answer(&gyroscope::EXAMPLE, flags)
 }
 
 /// A claim is printed only if its oracle agrees; so what is printed is confirmed.

@@ -1,7 +1,7 @@
 //! What `--with` puts in: the claims that only then are told, on the pages that simulate one effect
 //! of their card for it.
 
-use crate::told::{computed, refused};
+use crate::told::{computed, refused, with_report};
 use pages::ALL;
 use rotation_dynamics::report::Page;
 use support::Errors;
@@ -67,7 +67,7 @@ fn what_cannot_be_put_in_is_refused() {
             (&flag("=much"), "it is not a number"),
             (&format!("{} --without {effect}", flag("")), "is it in or out?"),
         ]);
-        assert!(page.report().expect("sound").claim(key).is_none(), "{key}");
+        assert!(with_report(page, |report| report.claim(key).is_none()), "{key}");
     }
     // What the law does not cover.
     for (stem, flags, words) in [

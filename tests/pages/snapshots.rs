@@ -7,7 +7,7 @@
 
 use insta::Settings;
 use rotation_dynamics::report::draw::PALETTE;
-use crate::told::root;
+use crate::told::{root, with_report};
 use pages::{ALL, WHOLE};
 use rotation_dynamics::report::{Figure, Page, parse};
 use std::collections::BTreeSet;
@@ -52,7 +52,7 @@ fn locked(page: &dyn Page) -> Locked {
     Locked {
         stem: page.stem(),
         flags: page.flags(),
-        text: page.report().and_then(|r| r.text()).expect(sound),
+        text: with_report(page, |report| report.text()).expect(sound),
         figures: page.figures().expect(sound),
     }
 }

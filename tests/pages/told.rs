@@ -2,12 +2,48 @@
 
 #![allow(dead_code, reason = "a page asks some of it, and one page alone can be tested")]
 
-use rotation_dynamics::report::{Page, parse};
+use rotation_dynamics::report::cli::Outcome;
+use rotation_dynamics::report::{Page, Report, parse};
+use std::collections::HashMap;
+use std::hash::Hash;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
 /// The project's root.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// What has been computed, by its question: pages print the same for the same flags, so a
+/// question that many tests ask is computed once for all of them.
+struct Once<K, V>(LazyLock<Mutex<HashMap<K, Arc<OnceLock<V>>>>>);
+
+impl<K: Eq + Hash, V> Once<K, V> {
+    const fn new() -> Self {
+        Self(LazyLock::new(Mutex::default))
+    }
+
+    /// Others may ask other questions meanwhile.
+    fn ask(&self, question: K, compute: impl FnOnce() -> V) -> Arc<OnceLock<V>> {
+        let found = Arc::clone(self.0.lock().expect("no test panics here").entry(question).or_default());
+        found.get_or_init(compute);
+        found
+    }
+}
+
+/// What the page answers to these flags.
+pub fn answer(page: &dyn Page, flags: &str) -> Outcome {
+    static ANSWERS: Once<(&str, String), Outcome> = Once::new();
+    let words: Vec<&str> = flags.split_whitespace().collect();
+    let told = ANSWERS.ask((page.stem(), words.join(" ")), || page.answer(flags));
+    told.get().expect("it is computed").clone()
+}
+
+/// What the page reports with its defaults, which are sound.
+pub fn with_report<T>(page: &dyn Page, look: impl FnOnce(&Report) -> T) -> T {
+    static REPORTS: Once<&str, Report> = Once::new();
+    let report = REPORTS.ask(page.stem(), || page.report().expect("the default output is sound"));
+    look(report.get().expect("it is computed"))
 }
 
 /// Asserts that the page answers each of these command lines, flags parted by spaces: a claim
@@ -16,7 +52,7 @@ pub fn root() -> PathBuf {
 pub fn confirmed<S: AsRef<str>>(page: &dyn Page, runs: impl IntoIterator<Item = S>, count: usize) {
     let mut ran = 0;
     for flags in runs {
-        let (flags, told) = (flags.as_ref(), page.answer(flags.as_ref()));
+        let (flags, told) = (flags.as_ref(), answer(page, flags.as_ref()));
         assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
         ran += 1;
     }
@@ -29,7 +65,7 @@ pub fn confirmed<S: AsRef<str>>(page: &dyn Page, runs: impl IntoIterator<Item = 
 pub fn refused<const N: usize>(page: &dyn Page, runs: [(&str, &str); N]) {
     const { assert!(N > 0, "nothing is refused") };
     for (flags, words) in runs {
-        let told = page.answer(flags);
+        let told = answer(page, flags);
         assert_eq!((told.code, told.stdout.as_str()), (2, ""), "{flags}");
         assert!(told.stderr.contains(words), "{flags}: {}", told.stderr);
     }
@@ -38,16 +74,15 @@ pub fn refused<const N: usize>(page: &dyn Page, runs: [(&str, &str); N]) {
 /// The value of a claim, to its last bit, with the defaults.
 #[track_caller]
 pub fn value(page: &dyn Page, key: &str) -> f64 {
-    let report = page.report().expect("the default output is sound");
-    let claim = report.claim(key);
-    claim.unwrap_or_else(|| panic!("no claim {key}")).value()
+    let value = with_report(page, |report| Some(report.claim(key)?.value()));
+    value.unwrap_or_else(|| panic!("no claim {key}"))
 }
 
 /// The number that stands first in a cell of what the page prints: in this section, in the row
 /// that begins so, in this column.
 #[track_caller]
 pub fn cell(page: &dyn Page, flags: &str, [section, row, column]: [&str; 3]) -> f64 {
-    let parsed = parse(&page.answer(flags).stdout).expect("the text follows its grammar");
+    let parsed = parse(&answer(page, flags).stdout).expect("the text follows its grammar");
     let table = parsed.table(section).expect("the section is printed");
     let found = table.columns().iter().position(|name| name == column);
     let column = found.unwrap_or_else(|| panic!("{section} has no column {column}"));
@@ -61,9 +96,10 @@ pub fn cell(page: &dyn Page, flags: &str, [section, row, column]: [&str; 3]) -> 
 /// predicted error of leaving out the effect, and the measured one. There are `N` of them.
 #[track_caller]
 pub fn measured<const N: usize>(page: &dyn Page) -> [[f64; 2]; N] {
-    let report = page.report().expect("the default output is sound");
-    let lines = report.effects().iter().filter_map(|line| Some([line.error, line.measured?]));
-    let lines: Vec<[f64; 2]> = lines.collect();
+    let lines: Vec<[f64; 2]> = with_report(page, |report| {
+        let lines = report.effects().iter();
+        lines.filter_map(|line| Some([line.error, line.measured?])).collect()
+    });
     lines.try_into().unwrap_or_else(|lines: Vec<_>| panic!("{} lines are measured, not {N}", lines.len()))
 }
 
@@ -76,7 +112,7 @@ pub fn number(page: &dyn Page, flags: &str, key: &str) -> f64 {
 /// The value of a claim for these flags, to its last bit.
 #[track_caller]
 pub fn computed(page: &dyn Page, flags: &str, key: &str) -> f64 {
-    let told = page.answer(&format!("{flags} --json"));
+    let told = answer(page, &format!("{flags} --json"));
     assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
     claimed(&told.stdout, key).unwrap_or_else(|| panic!("no claim {key} with {flags}"))
 }
@@ -92,7 +128,7 @@ pub fn claimed(json: &str, key: &str) -> Option<f64> {
 /// digits that are printed.
 #[track_caller]
 pub fn ledger(page: &dyn Page, flags: &str) -> Vec<[f64; 2]> {
-    let told = page.answer(flags);
+    let told = answer(page, flags);
     assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
     let parsed = parse(&told.stdout).expect("the text follows its grammar");
     let card = parsed.table("effects").expect("the page has a card");
