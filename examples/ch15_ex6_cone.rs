@@ -278,7 +278,7 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// The card of effects: hard wood on hard wood, in air.
+/// The card of effects: hard smooth surfaces, in air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, h, rate) = (p.half_angle, p.height, p.rate);
     let w = h * rate * rate / p.gravity;

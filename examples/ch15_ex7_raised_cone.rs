@@ -246,7 +246,7 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// The card of effects: hard wood on hard wood, in air.
+/// The card of effects: hard smooth surfaces, in air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, h, rate) = (p.half_angle, p.height, p.rate);
     let (w, lever, friction) = (h * rate * rate / p.gravity, 2e-5, 0.05);
