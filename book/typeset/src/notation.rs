@@ -166,6 +166,7 @@ mod tests {
                 "1e-46 kg m^2, is 5e29 J, m = 2",
                 "10<sup>−46</sup> kg m<sup>2</sup>, is 5\u{202f}×\u{202f}10<sup>29</sup> J, |m=2|",
             ),
+            ("a tanh of 0.1 m/s, 3 m/n", "a tanh of 0.1 m/s, |3m/n|"),
             ("at the end 2. Then (b", "at the end 2. Then (|b|"),
             ("heavy_top: x < 5", "heavy_top: |x<5|"),
             ("b) + (c", "|b|) + (|c|"),

@@ -119,10 +119,14 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
             _ => continue,
         };
     }
-    // The metre of `kg m^2`, the joule of `5e29 J`.
+    // The metre of `kg m^2` and of `0.1 m/s`, the joule of `5e29 J`.
     for n in 2..tokens.len() {
         let (before, spaced) = (&tokens[n - 2], tokens[n - 1].kind == Kind::Space);
         let unit = match tokens[n].tex.as_str() {
+            "m " if before.kind == Kind::Number => {
+                let after = tokens[n + 1..].iter().map(|token| token.tex.as_str());
+                after.take(2).eq(["/", "s"])
+            }
             "m " => before.tex == "kg",
             "J " => before.kind == Kind::Number,
             _ => false,
