@@ -35,20 +35,27 @@ fn in_lanes<L: Phased>(times: &[f64]) -> Vec<Bits> {
 
 /// In every width that this processor has.
 fn in_each_width(times: &[f64]) -> Vec<Vec<Bits>> {
-    let mut found = vec![
+    let common = [
         in_lanes::<f64>(times),
         in_lanes::<Both<f64>>(times),
         in_lanes::<Two>(times),
         in_lanes::<CommonEight>(times),
     ];
-    #[cfg(target_arch = "x86_64")]
+    common
+        .into_iter()
+        .chain(in_wider_registers(times))
+        .collect()
+}
+
+#[cfg(target_arch = "x86_64")]
+fn in_wider_registers(times: &[f64]) -> Vec<Vec<Bits>> {
+    let mut found = Vec::new();
     if std::is_x86_feature_detected!("avx2") {
         let mut wide = Vec::new();
         // SAFETY: just detected.
         unsafe { x86::avx2(&Probe, times, |sample| wide.push(bits(sample))) };
         found.push(wide);
     }
-    #[cfg(target_arch = "x86_64")]
     if std::is_x86_feature_detected!("avx512f") {
         let mut wide = Vec::new();
         // SAFETY: just detected.
@@ -56,6 +63,11 @@ fn in_each_width(times: &[f64]) -> Vec<Vec<Bits>> {
         found.push(wide);
     }
     found
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn in_wider_registers(_: &[f64]) -> Vec<Vec<Bits>> {
+    Vec::new()
 }
 
 /// Whatever the length of the list.
