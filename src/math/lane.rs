@@ -3,7 +3,15 @@
 //! A sample of a closed form without a branch is written over [`Lane`]. With `f64`
 //! it is the scalar code; with a vector register each lane does the same operations
 //! in the same order, none contracted, so the bits are the same. Which registers there
-//! are is asked at run time.
+//! are is asked at run time on x86-64; 64-bit ARM always has NEON, WebAssembly what it is
+//! compiled for.
+//!
+//! NEON against the plain arrays, which the compiler turns into its instructions as well, in
+//! instructions (counted under an emulator, optimised, the same bits): of a sample of a closed
+//! form in a batch 0.71 for the free body and 0.78 for the heavy top, one by one 0.89 and 1.00;
+//! of an evaluation in Gauss-Legendre 0.69 without the spin, 0.82 for the free body by
+//! quadrature, 0.83 with the gradient of gravity, 0.99 on the body's axes, but 1.07 for a scene
+//! with gravity and 1.10 for a free one, where more of what is kept goes through memory.
 //!
 //! What a sample does twice alike, as for alpha and beta, it does on a [`Phased::Pair`]:
 //! two registers, or for one number both halves of one.
@@ -14,8 +22,12 @@
 use asked::widest;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(target_arch = "aarch64")]
+mod aarch64;
 #[cfg(all(target_arch = "x86_64", registers))]
 mod asked;
+#[cfg(test)]
+mod tests;
 #[cfg(target_feature = "simd128")]
 mod wasm32;
 #[cfg(target_arch = "x86_64")]
@@ -179,9 +191,15 @@ pub(crate) use x86::{Eight, FourTwice};
 /// Two numbers in what every processor of its kind has.
 #[cfg(target_arch = "x86_64")]
 type Two = x86::Two;
+#[cfg(target_arch = "aarch64")]
+type Two = aarch64::Two;
 #[cfg(target_feature = "simd128")]
 type Two = wasm32::Two;
-#[cfg(not(any(target_arch = "x86_64", target_feature = "simd128")))]
+#[cfg(not(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_feature = "simd128"
+)))]
 type Two = Both<f64>;
 
 /// Eight numbers in what every processor of its kind has.
@@ -253,6 +271,10 @@ impl<L: Lane> Lane for Both<L> {
     fn sum(self) -> f64 {
         (self.0 + self.1).sum()
     }
+}
+
+impl<L: Phased> Phased for Both<L> {
+    type Pair = Both<Self>;
 }
 
 impl<L: Phased> Number for Both<L> {
@@ -340,7 +362,12 @@ pub(crate) fn for_each_sample<const N: usize>(
             return unsafe { x86::avx2(sampler, times, put) };
         }
     }
-    run::<f64, N>(sampler, times, put);
+    // Elsewhere two at once have not been measured to be worth it.
+    if cfg!(target_arch = "aarch64") {
+        run::<Two, N>(sampler, times, put);
+    } else {
+        run::<f64, N>(sampler, times, put);
+    }
 }
 
 #[inline(always)]

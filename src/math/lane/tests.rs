@@ -1,0 +1,107 @@
+//! Every kind of registers gives the bits of one number at a time.
+
+use super::*;
+use crate::math::sincos_turns;
+
+/// Every operation of a lane, and those of its pairs.
+struct Probe;
+
+impl Sampler<5> for Probe {
+    fn sample<L: Phased>(&self, t: L) -> [L; 5] {
+        let (sin, cos) = sincos_turns(t);
+        let pair = L::Pair::new(t, sin) * L::Pair::both(&[0.3, -1.7]);
+        let (first, second) = (pair.swapped() - pair).parts();
+        [
+            sin,
+            -cos.abs(),
+            (t * t + 0.1).sqrt() / (t - 0.3),
+            t.leading() * first,
+            second,
+        ]
+    }
+}
+
+type Bits = [u64; 5];
+
+fn bits(sample: [f64; 5]) -> Bits {
+    sample.map(f64::to_bits)
+}
+
+fn in_lanes<L: Phased>(times: &[f64]) -> Vec<Bits> {
+    let mut found = Vec::new();
+    run::<L, 5>(&Probe, times, |sample| found.push(bits(sample)));
+    found
+}
+
+/// In every width that this processor has.
+fn in_each_width(times: &[f64]) -> Vec<Vec<Bits>> {
+    let common = [
+        in_lanes::<f64>(times),
+        in_lanes::<Both<f64>>(times),
+        in_lanes::<Two>(times),
+        in_lanes::<CommonEight>(times),
+    ];
+    common
+        .into_iter()
+        .chain(in_wider_registers(times))
+        .collect()
+}
+
+#[cfg(target_arch = "x86_64")]
+fn in_wider_registers(times: &[f64]) -> Vec<Vec<Bits>> {
+    let mut found = Vec::new();
+    if std::is_x86_feature_detected!("avx2") {
+        let mut wide = Vec::new();
+        // SAFETY: just detected.
+        unsafe { x86::avx2(&Probe, times, |sample| wide.push(bits(sample))) };
+        found.push(wide);
+    }
+    if std::is_x86_feature_detected!("avx512f") {
+        let mut wide = Vec::new();
+        // SAFETY: just detected.
+        unsafe { x86::avx512(&Probe, times, |sample| wide.push(bits(sample))) };
+        found.push(wide);
+    }
+    found
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn in_wider_registers(_: &[f64]) -> Vec<Vec<Bits>> {
+    Vec::new()
+}
+
+/// Whatever the length of the list.
+#[test]
+fn every_width_gives_the_scalar_bits() {
+    let mut compared = 0;
+    for length in 0..300 {
+        let times: Vec<f64> = (0..length).map(|k| f64::from(k) * 0.37 - 20.0).collect();
+        let expected: Vec<Bits> = times.iter().map(|t| bits(Probe.sample(*t))).collect();
+        for found in in_each_width(&times) {
+            assert_eq!(found, expected);
+            compared += found.len();
+        }
+    }
+    assert!(compared >= 4 * 44_850, "only {compared} samples compared");
+}
+
+/// The damaged twin: had a product been fused with the sum after it, these times would tell.
+#[test]
+fn a_fused_product_would_be_seen() {
+    let fused = |t: f64| libm::sqrt(libm::fma(t, t, 0.1)) / (t - 0.3);
+    let times = (0..300).map(|k| f64::from(k) * 0.37 - 20.0);
+    let differ = times.filter(|t| fused(*t).to_bits() != bits(Probe.sample(*t))[2]);
+    assert_eq!(differ.count(), 25);
+}
+
+/// The lanes are added as the trait says: halves, then halves of that.
+#[test]
+fn sums_are_taken_in_one_order() {
+    let values: [f64; 8] = core::array::from_fn(|k| 1.0 / (k as f64 + 3.0));
+    let [a, b, c, d, e, f, g, h] = values;
+    let expected = ((a + e) + (c + g)) + ((b + f) + (d + h));
+    assert_eq!(CommonEight::load(&values).sum(), expected);
+    assert_eq!(<Both<Both<Both<f64>>>>::load(&values).sum(), expected);
+    let one_by_one: f64 = values.iter().sum();
+    assert_ne!(one_by_one, expected);
+}
