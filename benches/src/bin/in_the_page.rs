@@ -2,7 +2,7 @@
 //! `benches/record/in_the_page.txt`.
 //!
 //! ```text
-//! cargo run --release -p benches --bin in_the_page -- --date 2026-11-24
+//! cargo run --release -p benches --bin in_the_page -- --date 2026-11-23
 //! ```
 //!
 //! Processor time, the least of some runs of each, a page's both one after the other. The engine
