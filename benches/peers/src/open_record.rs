@@ -5,7 +5,7 @@ use crate::open::OPEN;
 use crate::problem::Problem;
 use crate::race::{Line, Race, TARGETS};
 use crate::record::{
-    Outcome, Rivals, condition_table, head, in_words, run_cells, table, times_table,
+    Outcome, PEERS, Rivals, condition_table, head, in_words, run_cells, table, times_table,
 };
 use benches::conditions::Conditions;
 use rotation_dynamics::report::{Report, Table, short};
@@ -27,7 +27,11 @@ pub fn text(conditions: &Conditions, races: &[Race]) -> Outcome<String> {
         ),
     )
     .map_err(in_words)?;
-    let mut tables = vec![condition_table(conditions, races.iter())?];
+    // The game engine reaches none of these errors and is not asked.
+    let carrying: Vec<&str> = (PEERS.into_iter())
+        .filter(|peer| *peer != "rapier3d")
+        .collect();
+    let mut tables = vec![condition_table(conditions, &carrying, races.iter())?];
     for (problem, race) in OPEN.iter().zip(races) {
         tables.push(problem_table(problem.key, race)?);
     }

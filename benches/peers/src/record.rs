@@ -19,7 +19,7 @@ pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Car
 pub const DENSE: [&str; 2] = ["free_body", "heavy_top"];
 
 /// The peers, as this crate's lock file names them.
-const PEERS: [&str; 6] = [
+pub(crate) const PEERS: [&str; 6] = [
     "numeris",
     "ode_solvers",
     "differential-equations",
@@ -72,7 +72,7 @@ pub fn text(conditions: &Conditions, races: &Races) -> Outcome<String> {
     )
     .map_err(in_words)?;
     let all = races.ends.iter().chain(&races.dense);
-    let mut tables = vec![condition_table(conditions, all)?];
+    let mut tables = vec![condition_table(conditions, &PEERS, all)?];
     for (problem, race) in PROBLEMS.iter().zip(&races.ends) {
         let times = |line: &Line| short(1e3 * line.seconds, 2);
         tables.push(times_table(problem.key, race, TARGETS, times)?);
@@ -102,10 +102,11 @@ pub(crate) fn table<const N: usize>(name: &str, columns: [&str; N]) -> Outcome<T
 
 pub(crate) fn condition_table<'r>(
     conditions: &Conditions,
+    peers: &[&str],
     races: impl Iterator<Item = &'r Race>,
 ) -> Outcome<Table> {
     let mut table = conditions.table().map_err(in_words)?;
-    for peer in PEERS {
+    for &peer in peers {
         let version = version(peer).ok_or(format!("{peer} is not in the lock file"))?;
         table.push([peer, version]).map_err(in_words)?;
     }
