@@ -76,8 +76,13 @@ fn closed(conditions: &Conditions) -> Result<(), String> {
 
 /// The races on motions without one.
 fn open(conditions: &Conditions) -> Result<(), String> {
-    let races: Result<Vec<Race>, String> = OPEN.iter().map(run_to_the_end).collect();
-    write(OPEN_RECORD, &open_record::text(conditions, &races?)?)
+    let mut races = Vec::new();
+    for problem in &OPEN {
+        let race = run_to_the_end(problem)?;
+        eprint!("{}", open_record::of_one(problem, &race)?);
+        races.push(race);
+    }
+    write(OPEN_RECORD, &open_record::text(conditions, &races)?)
 }
 
 fn run_to_the_end(problem: &'static Problem) -> Result<Race, String> {
