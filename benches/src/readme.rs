@@ -46,7 +46,9 @@ pub fn tables(closed: &Parsed, open: &Parsed) -> Result<String, String> {
     let exact = ["closed form, ms", "times faster"];
     let first = of_record(closed, &[&head[..], &exact].concat())?;
     let second = of_record(open, &head)?;
-    Ok(format!("{first}\nMotions without a closed form:\n\n{second}"))
+    Ok(format!(
+        "{first}\nMotions without a closed form:\n\n{second}"
+    ))
 }
 
 /// The ratios of a record under this head, what was missed, and on what it was measured.
