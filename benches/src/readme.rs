@@ -1,4 +1,5 @@
-//! The README's table of races, made of their record, `benches/record/peers.txt`.
+//! The README's tables of races, made of their records, `benches/record/peers.txt` and, of
+//! motions without a closed form, `benches/record/peers_open.txt`.
 //!
 //! The races are run by a crate of their own, `benches/peers`, which compiles the other
 //! crates; that the README shows the record is checked here, where nothing else is needed.
@@ -8,6 +9,9 @@ use std::path::PathBuf;
 
 /// The record of the races, relative to the project's root.
 pub const RECORD: &str = "benches/record/peers.txt";
+
+/// The record of the races of motions without a closed form.
+pub const OPEN_RECORD: &str = "benches/record/peers_open.txt";
 
 /// A path in the project.
 pub fn path(relative: &str) -> PathBuf {
@@ -25,15 +29,31 @@ fn rows<'r>(record: &'r Parsed, heading: &str) -> Result<&'r [Vec<String>], Stri
     Ok(table.rows())
 }
 
-/// The README's tables, from the record.
+/// The README's tables, from the records.
 ///
 /// # Errors
 /// A record without the tables that it takes.
-pub fn tables(record: &Parsed) -> Result<String, String> {
-    let mut text = String::from(
-        "| problem | error | fastest peer | ms | our stepping | ms | times faster | closed form, ms | times faster |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
-    );
+pub fn tables(closed: &Parsed, open: &Parsed) -> Result<String, String> {
+    let head = [
+        "problem",
+        "error",
+        "fastest peer",
+        "ms",
+        "our stepping",
+        "ms",
+        "times faster",
+    ];
+    let exact = ["closed form, ms", "times faster"];
+    let first = of_record(closed, &[&head[..], &exact].concat())?;
+    let second = of_record(open, &head)?;
+    Ok(format!(
+        "{first}\nMotions without a closed form:\n\n{second}"
+    ))
+}
+
+/// The ratios of a record under this head, what was missed, and on what it was measured.
+fn of_record(record: &Parsed, head: &[&str]) -> Result<String, String> {
+    let mut text = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
     let dash = |cell: &String| match cell.as_str() {
         "-" => "–".to_owned(),
         cell => cell.to_owned(),
@@ -41,7 +61,7 @@ pub fn tables(record: &Parsed) -> Result<String, String> {
     for row in rows(record, "table ratios")? {
         if SHOWN.contains(&row[1].as_str()) {
             let title = row[0].replace('_', " ");
-            let cells: Vec<String> = row[1..].iter().map(dash).collect();
+            let cells: Vec<String> = row[1..head.len()].iter().map(dash).collect();
             text += &format!("| {title} | {} |\n", cells.join(" | "));
         }
     }
@@ -99,8 +119,11 @@ mod tests {
     #[test]
     fn the_readme_shows_the_record() {
         let text = fs::read_to_string(path("README.md")).expect("there is a README");
-        let record = fs::read_to_string(path(RECORD)).expect("there is a record");
-        let tables = tables(&parse(&record).expect("a record is a report")).expect("its tables");
+        let [closed, open] = [RECORD, OPEN_RECORD].map(|file| {
+            let record = fs::read_to_string(path(file)).expect("there is a record");
+            parse(&record).expect("a record is a report")
+        });
+        let tables = tables(&closed, &open).expect("their tables");
         assert!(tables.lines().count() > 10);
         assert!(
             with_tables(&text, &tables) == Ok(text.clone()),

@@ -4,6 +4,7 @@ use crate::contestants::{
     differential_equations, diffsol, ivp, numeris, ode_solvers, ours, rapier,
 };
 use crate::form::{Form, FreeMomentum, FreeQuaternion, TopAngles, TopMomentum, TopWithoutSpin};
+use crate::open_contest;
 use crate::problem::{Motion, Problem};
 use core::fmt;
 use core::str::FromStr;
@@ -105,7 +106,7 @@ fn wrong(setting: Setting) -> String {
     format!("not told so: {setting}")
 }
 
-fn in_words(error: rotation_dynamics::Error) -> String {
+pub(crate) fn in_words(error: rotation_dynamics::Error) -> String {
     error.to_string()
 }
 
@@ -153,7 +154,7 @@ fn stepping(
     }
 }
 
-fn own(
+pub(crate) fn own(
     method: &'static str,
     form: &'static str,
     run: impl Fn(u64) -> rotation_dynamics::Result<Attitude> + 'static,
@@ -163,7 +164,7 @@ fn own(
     })
 }
 
-fn own_adaptive(
+pub(crate) fn own_adaptive(
     form: &'static str,
     run: impl Fn(f64) -> rotation_dynamics::Result<Attitude> + 'static,
 ) -> Contestant {
@@ -172,7 +173,7 @@ fn own_adaptive(
     })
 }
 
-fn gauss(
+pub(crate) fn gauss(
     form: &'static str,
     run: impl Fn(&GaussLegendre) -> rotation_dynamics::Result<Attitude> + 'static,
 ) -> Contestant {
@@ -191,7 +192,7 @@ fn gauss(
 }
 
 /// Every peer that carries any equations, in this form.
-fn peers<const N: usize, F: Form<N>>(form: F, end: f64) -> Vec<Contestant> {
+pub(crate) fn peers<const N: usize, F: Form<N>>(form: F, end: f64) -> Vec<Contestant> {
     type Solver<const N: usize, F> = fn(F, f64, f64) -> Result<[f64; N], String>;
     let solvers: [(&'static str, &'static str, Solver<N, F>); 7] = [
         ("numeris", "RKV98", numeris::rkv98),
@@ -224,9 +225,13 @@ fn peers<const N: usize, F: Form<N>>(form: F, end: f64) -> Vec<Contestant> {
 /// # Errors
 /// None for the problems of this crate.
 pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<Contestant>> {
+    if let Motion::Open { under, .. } = problem.motion {
+        return open_contest::contestants(problem, under);
+    }
     let end = problem.end;
     let mut all = vec![exact(move || ours::closed_form(problem))];
     match problem.motion {
+        Motion::Open { .. } => {}
         Motion::Free { .. } => {
             let form = FreeMomentum::new(problem)?;
             let name = <FreeMomentum as Form<7>>::NAME;

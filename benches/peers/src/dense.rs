@@ -219,6 +219,7 @@ pub fn samplers(problem: &'static Problem) -> rotation_dynamics::Result<Vec<Samp
         },
     )?);
     match problem.motion {
+        Motion::Open { .. } => {}
         Motion::Free { .. } => all.extend(peers(FreeMomentum::new(problem)?, problem)?),
         Motion::Top { .. } => {
             all.extend(peers(TopWithoutSpin::new(problem)?, problem)?);

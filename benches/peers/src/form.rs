@@ -9,13 +9,13 @@ use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::{Error, Result};
 
-/// An autonomous system of `N` equations whose solution tells the attitude.
+/// A system of `N` equations whose solution tells the attitude.
 pub trait Form<const N: usize>: Copy + Send + Sync + 'static {
     /// The variables.
     const NAME: &'static str;
 
-    /// y' at y.
-    fn rates(&self, y: &[f64; N]) -> [f64; N];
+    /// y' at t and y.
+    fn rates(&self, t: f64, y: &[f64; N]) -> [f64; N];
 
     /// y at the start.
     fn start(&self) -> [f64; N];
@@ -30,8 +30,8 @@ pub struct Own<F>(pub F);
 
 impl<const N: usize, F: Form<N>> Ode<N> for Own<F> {
     #[inline(always)]
-    fn derivative(&self, _t: f64, y: &[f64; N]) -> [f64; N] {
-        self.0.rates(y)
+    fn derivative(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self.0.rates(t, y)
     }
 
     /// All variables are of order one, or angles.
@@ -79,7 +79,7 @@ impl Form<7> for FreeMomentum {
     const NAME: &'static str = "q, l";
 
     #[inline(always)]
-    fn rates(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
+    fn rates(&self, _t: f64, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
         let [a, b, c] = self.inverse;
         let (p, q, r) = (a * l1, b * l2, c * l3);
         let [dw, dx, dy, dz] = turned([w, x, y, z], [p, q, r]);
@@ -131,7 +131,7 @@ impl Form<4> for FreeQuaternion {
 
     /// As for a quaternion of length one, which an exact solution keeps.
     #[inline(always)]
-    fn rates(&self, &[w, x, y, z]: &[f64; 4]) -> [f64; 4] {
+    fn rates(&self, _t: f64, &[w, x, y, z]: &[f64; 4]) -> [f64; 4] {
         let [lx, ly, lz] = self.momentum;
         // L on the body axes: v + 2 u x (u x v - w v) with u = (x, y, z).
         let (cx, cy, cz) = (
@@ -185,7 +185,7 @@ impl Form<7> for TopMomentum {
     const NAME: &'static str = "q, l";
 
     #[inline(always)]
-    fn rates(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
+    fn rates(&self, _t: f64, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
         let [a, b, c] = self.inverse;
         let (p, q, r) = (a * l1, b * l2, c * l3);
         let [dw, dx, dy, dz] = turned([w, x, y, z], [p, q, r]);
@@ -247,7 +247,7 @@ impl Form<6> for TopWithoutSpin {
     const NAME: &'static str = "S, L";
 
     #[inline(always)]
-    fn rates(&self, &[w, x, y, z, lx, ly]: &[f64; 6]) -> [f64; 6] {
+    fn rates(&self, _t: f64, &[w, x, y, z, lx, ly]: &[f64; 6]) -> [f64; 6] {
         let half = 0.5 * self.inverse;
         let (p, q, r) = (half * lx, half * ly, half * self.vertical);
         let k = 2.0 * self.weight;
@@ -311,7 +311,7 @@ impl Form<4> for TopAngles {
     const NAME: &'static str = "theta, phi, zeta";
 
     #[inline(always)]
-    fn rates(&self, &[theta, rate, ..]: &[f64; 4]) -> [f64; 4] {
+    fn rates(&self, _t: f64, &[theta, rate, ..]: &[f64; 4]) -> [f64; 4] {
         let (s, c) = sincos(theta);
         let part = (self.b - c) / (s * s);
         let precession = self.root * part;
@@ -339,7 +339,7 @@ impl Form<4> for TopAngles {
 fn top(problem: &Problem) -> Result<(f64, [f64; 2])> {
     match problem.motion {
         Motion::Top { a, b, c, .. } => Ok((c, [a, b])),
-        Motion::Free { .. } => Err(Error::OutOfRange {
+        Motion::Free { .. } | Motion::Open { .. } => Err(Error::OutOfRange {
             name: "m g l",
             value: 0.0,
             allowed: "a top has some",

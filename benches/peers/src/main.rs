@@ -1,15 +1,18 @@
-//! Runs the races and writes `benches/record/peers.txt`, from which pages and the README
-//! take their tables.
+//! Runs the races and writes `benches/record/peers.txt` and `peers_open.txt`, from which pages
+//! and the README take their tables; with `closed` or `open` one of them, with the name of a
+//! problem none: then its table is printed.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/peers/Cargo.toml -- --date 2026-11-21
+//! cargo run --release --manifest-path benches/peers/Cargo.toml -- open --date 2026-11-21
 //! ```
 
 use benches::conditions::Conditions;
-use benches::readme::{RECORD, path, tables, with_tables};
+use benches::readme::{OPEN_RECORD, RECORD, path, tables, with_tables};
 use benches::timing::{Clock, Task, interleaved_by};
+use peers::open::OPEN;
+use peers::open_record;
 use peers::problem::{PROBLEMS, Problem};
-use peers::race::{along_the_way, to_the_end};
+use peers::race::{Race, along_the_way, to_the_end};
 use peers::record::{DENSE, Races, text};
 use rotation_dynamics::report::parse;
 use std::hint::black_box;
@@ -27,27 +30,64 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), String> {
-    let conditions = Conditions::read("peers", env::args().skip(1)).map_err(|e| e.to_string())?;
+    let mut arguments = env::args().skip(1).peekable();
+    let which = arguments.next_if(|argument| !argument.starts_with("--"));
+    let conditions = Conditions::read("peers [closed | open | PROBLEM]", arguments)
+        .map_err(|e| e.to_string())?;
+    match which.as_deref() {
+        None => {
+            closed(&conditions)?;
+            open(&conditions)?;
+        }
+        Some("closed") => closed(&conditions)?,
+        Some("open") => open(&conditions)?,
+        Some(key) => {
+            let problem = Problem::named(key).ok_or(format!("no problem {key}"))?;
+            print!("{}", open_record::of_one(problem, &to_the_end(problem)?)?);
+            return Ok(());
+        }
+    }
+    let old = fs::read_to_string(path("README.md")).map_err(|e| e.to_string())?;
+    let records = [RECORD, OPEN_RECORD].map(|file| {
+        let text = fs::read_to_string(path(file)).map_err(|e| format!("{file}: {e}"))?;
+        parse(&text).map_err(|e| format!("{file}: {e}"))
+    });
+    let [closed, open] = records;
+    write("README.md", &with_tables(&old, &tables(&closed?, &open?)?)?)
+}
+
+/// The races on motions with a closed form.
+fn closed(conditions: &Conditions) -> Result<(), String> {
     let mut races = Races {
         ends: Vec::new(),
         dense: Vec::new(),
         late: late()?,
     };
     for problem in &PROBLEMS {
-        eprintln!("{}: {}", problem.key, problem.title);
-        races.ends.push(to_the_end(problem)?);
+        races.ends.push(run_to_the_end(problem)?);
     }
     for key in DENSE {
         eprintln!("dense output: {key}");
         let problem = Problem::named(key).ok_or(format!("no problem {key}"))?;
         races.dense.push(along_the_way(problem)?);
     }
-    let text = text(&conditions, &races)?;
-    write(RECORD, &text)?;
-    print!("{text}");
-    let parsed = parse(&text).map_err(|e| e.to_string())?;
-    let old = fs::read_to_string(path("README.md")).map_err(|e| e.to_string())?;
-    write("README.md", &with_tables(&old, &tables(&parsed)?)?)
+    write(RECORD, &text(conditions, &races)?)
+}
+
+/// The races on motions without one.
+fn open(conditions: &Conditions) -> Result<(), String> {
+    let mut races = Vec::new();
+    for problem in &OPEN {
+        let race = run_to_the_end(problem)?;
+        eprint!("{}", open_record::of_one(problem, &race)?);
+        races.push(race);
+    }
+    write(OPEN_RECORD, &open_record::text(conditions, &races)?)
+}
+
+fn run_to_the_end(problem: &'static Problem) -> Result<Race, String> {
+    eprintln!("{}: {}", problem.key, problem.title);
+    to_the_end(problem)
 }
 
 fn write(file: &str, text: &str) -> Result<(), String> {

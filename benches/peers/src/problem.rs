@@ -8,12 +8,15 @@
 //! So they end a third of a period later; the fast top after one precession, which is no
 //! whole number of nods; the flips in the middle of a flip, where the attitude is most
 //! sensitive.
+//!
+//! Motions without a closed form: [`open`].
 
 #![allow(
     clippy::excessive_precision,
     reason = "the oracle's digits, as it gave them"
 )]
 
+use crate::open::{self, OPEN, Under, no_closed_form};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
@@ -31,6 +34,12 @@ pub enum Motion {
     Free { moments: [f64; 3], rates: [f64; 3] },
     /// The notes' reduced top: I1 = 1, I3 = a, m g l = c, time in units of t'.
     Top { a: f64, b: f64, c: f64, from: Begin },
+    /// A body with these moments and rates, from [`open::LYING`], under what has no closed form.
+    Open {
+        moments: [f64; 3],
+        rates: [f64; 3],
+        under: Under,
+    },
 }
 
 /// How a top starts, at phi = zeta = 0.
@@ -101,7 +110,7 @@ const POLE: Problem = Problem {
     ],
 };
 
-/// All problems, in the order of the record.
+/// All problems with a closed form, in the order of their record.
 pub const PROBLEMS: [Problem; 7] = [
     Problem {
         key: "free_body",
@@ -202,13 +211,14 @@ impl Exact {
 impl Problem {
     /// The problem of this name.
     pub fn named(key: &str) -> Option<&'static Self> {
-        PROBLEMS.iter().find(|problem| problem.key == key)
+        let mut all = PROBLEMS.iter().chain(&OPEN);
+        all.find(|problem| problem.key == key)
     }
 
     /// The closed form, set up.
     ///
     /// # Errors
-    /// None for the problems of this file.
+    /// A motion that has none.
     pub fn exact(&self) -> Result<Exact> {
         match self.motion {
             Motion::Free { moments, rates } => {
@@ -228,13 +238,14 @@ impl Problem {
                 };
                 Ok(Exact::Top(Box::new(top)))
             }
+            Motion::Open { .. } => Err(no_closed_form()),
         }
     }
 
     /// Moments of inertia.
     pub fn moments(&self) -> [f64; 3] {
         match self.motion {
-            Motion::Free { moments, .. } => moments,
+            Motion::Free { moments, .. } | Motion::Open { moments, .. } => moments,
             Motion::Top { a, .. } => [1.0, 1.0, a],
         }
     }
@@ -244,6 +255,9 @@ impl Problem {
     /// # Errors
     /// None for the problems of this file.
     pub fn start(&self) -> Result<(RigidBody, State)> {
+        if let Motion::Open { moments, rates, .. } = self.motion {
+            return open::start(moments, rates);
+        }
         let [i1, i2, i3] = self.moments();
         let body = RigidBody::new(PrincipalMoments::new(i1, i2, i3)?);
         let Kinematics {
@@ -262,6 +276,7 @@ impl Problem {
         match self.motion {
             Motion::Free { .. } => Ok((Scene::new(body), start)),
             Motion::Top { c, .. } => Err(other_kind(c)),
+            Motion::Open { .. } => Err(no_closed_form()),
         }
     }
 
@@ -277,6 +292,7 @@ impl Problem {
                 Ok((Scene::new(body).with(weight), start))
             }
             Motion::Free { .. } => Err(other_kind(0.0)),
+            Motion::Open { .. } => Err(no_closed_form()),
         }
     }
 

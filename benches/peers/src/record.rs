@@ -19,7 +19,7 @@ pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Car
 pub const DENSE: [&str; 2] = ["free_body", "heavy_top"];
 
 /// The peers, as this crate's lock file names them.
-const PEERS: [&str; 6] = [
+pub(crate) const PEERS: [&str; 6] = [
     "numeris",
     "ode_solvers",
     "differential-equations",
@@ -46,14 +46,14 @@ pub struct Races {
     pub late: f64,
 }
 
-type Outcome<T> = Result<T, String>;
+pub(crate) type Outcome<T> = Result<T, String>;
 
-fn in_words(error: rotation_dynamics::Error) -> String {
+pub(crate) fn in_words(error: rotation_dynamics::Error) -> String {
     error.to_string()
 }
 
 /// An error as the head of a column: `1e-9`.
-fn head(error: f64) -> String {
+pub(crate) fn head(error: f64) -> String {
     format!("{error:e}")
 }
 
@@ -71,7 +71,8 @@ pub fn text(conditions: &Conditions, races: &Races) -> Outcome<String> {
         ),
     )
     .map_err(in_words)?;
-    let mut tables = vec![condition_table(conditions, races)?];
+    let all = races.ends.iter().chain(&races.dense);
+    let mut tables = vec![condition_table(conditions, &PEERS, all)?];
     for (problem, race) in PROBLEMS.iter().zip(&races.ends) {
         let times = |line: &Line| short(1e3 * line.seconds, 2);
         tables.push(times_table(problem.key, race, TARGETS, times)?);
@@ -95,21 +96,21 @@ pub fn text(conditions: &Conditions, races: &Races) -> Outcome<String> {
     report.text().map_err(in_words)
 }
 
-fn table<const N: usize>(name: &str, columns: [&str; N]) -> Outcome<Table> {
+pub(crate) fn table<const N: usize>(name: &str, columns: [&str; N]) -> Outcome<Table> {
     Table::new(name, columns).map_err(in_words)
 }
 
-fn condition_table(conditions: &Conditions, races: &Races) -> Outcome<Table> {
+pub(crate) fn condition_table<'r>(
+    conditions: &Conditions,
+    peers: &[&str],
+    races: impl Iterator<Item = &'r Race>,
+) -> Outcome<Table> {
     let mut table = conditions.table().map_err(in_words)?;
-    for peer in PEERS {
+    for &peer in peers {
         let version = version(peer).ok_or(format!("{peer} is not in the lock file"))?;
         table.push([peer, version]).map_err(in_words)?;
     }
-    let rounds = races
-        .ends
-        .iter()
-        .chain(&races.dense)
-        .map(|race| race.rounds);
+    let rounds = races.map(|race| race.rounds);
     let (least, most) = rounds.fold((usize::MAX, 0), |(a, b), n| (a.min(n), b.max(n)));
     let rounds = format!("{least} to {most}");
     table.push(["rounds", &rounds]).map_err(in_words)?;
@@ -117,7 +118,7 @@ fn condition_table(conditions: &Conditions, races: &Races) -> Outcome<Table> {
 }
 
 /// A line per name, a column per error, and why a place is empty.
-fn times_table(
+pub(crate) fn times_table(
     name: &str,
     race: &Race,
     targets: [f64; 4],
@@ -149,14 +150,14 @@ fn times_table(
 }
 
 /// The fastest peer, the fastest stepping of ours, and the closed form.
-struct Rivals<'r> {
-    peer: Option<&'r Line>,
-    stepping: Option<&'r Line>,
+pub(crate) struct Rivals<'r> {
+    pub(crate) peer: Option<&'r Line>,
+    pub(crate) stepping: Option<&'r Line>,
     exact: Option<&'r Line>,
 }
 
 impl<'r> Rivals<'r> {
-    fn of(race: &'r Race, target: usize) -> Self {
+    pub(crate) fn of(race: &'r Race, target: usize) -> Self {
         Self {
             peer: race.fastest(target, |line| !line.is_ours()),
             stepping: race.fastest(target, |line| line.is_ours() && !line.is_exact()),
@@ -165,7 +166,7 @@ impl<'r> Rivals<'r> {
     }
 
     /// How many times faster our stepping is than the fastest peer.
-    fn gain(&self) -> Option<f64> {
+    pub(crate) fn gain(&self) -> Option<f64> {
         Some(self.peer?.ratio / self.stepping?.ratio)
     }
 
@@ -340,21 +341,27 @@ fn run_table(races: &Races) -> Outcome<Table> {
     let dense = dense.map(|(key, race)| (key, race, dense::TARGETS));
     for (key, race, targets) in keys.chain(dense) {
         for line in &race.lines {
-            let [lower, upper] = line.quartiles.map(|quartile| short(quartile, 2));
-            let cells = [
-                key.clone(),
-                head(targets[line.target]),
-                line.name.clone(),
-                line.form.to_owned(),
-                line.setting.to_string(),
-                rounded_up(line.error),
-                short(line.ratio, 2),
-                format!("{lower} to {upper}"),
-            ];
-            table.push(cells).map_err(in_words)?;
+            table
+                .push(run_cells(&key, line, targets))
+                .map_err(in_words)?;
         }
     }
     Ok(table)
+}
+
+/// A line of a race as a row of the table of runs.
+pub(crate) fn run_cells(key: &str, line: &Line, targets: [f64; 4]) -> [String; 8] {
+    let [lower, upper] = line.quartiles.map(|quartile| short(quartile, 2));
+    [
+        key.to_owned(),
+        head(targets[line.target]),
+        line.name.clone(),
+        line.form.to_owned(),
+        line.setting.to_string(),
+        rounded_up(line.error),
+        short(line.ratio, 2),
+        format!("{lower} to {upper}"),
+    ]
 }
 
 /// A line of the record, to be run again.

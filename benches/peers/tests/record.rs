@@ -1,22 +1,28 @@
-//! Every line of `benches/record/peers.txt` claims an error: each is run again here, and
+//! Every line of `benches/record/peers.txt` and `peers_open.txt` claims an error: each is run again here, and
 //! must reach it. Nothing is timed.
 
-use benches::readme::{RECORD, path};
+use benches::readme::{OPEN_RECORD, RECORD, path};
 use peers::contest::Setting;
+use peers::open::OPEN;
 use peers::problem::PROBLEMS;
 use peers::record::{Claim, DENSE, again, claims};
 use rotation_dynamics::report::{Parsed, parse};
 use std::fs;
 
-fn record() -> Parsed {
-    let text = fs::read_to_string(path(RECORD)).expect("there is a record");
+fn read(file: &str) -> Parsed {
+    let text = fs::read_to_string(path(file)).expect("there is a record");
     parse(&text).expect("a record is a report")
+}
+
+/// The lines of both records.
+fn lines() -> Vec<Claim> {
+    let both = [RECORD, OPEN_RECORD].map(|file| claims(&read(file)).expect("lines can be read"));
+    both.concat()
 }
 
 /// Runs all claims on `key` again; gives how many there were.
 fn checked(key: &str) -> usize {
-    let claims = claims(&record()).expect("the runs can be read");
-    let delivered = again(key, &claims).expect("every line can be run again");
+    let delivered = again(key, &lines()).expect("every line can be run again");
     for (error, claim) in &delivered {
         assert!(error <= &claim.error, "{error:e} is delivered by {claim:?}");
     }
@@ -27,7 +33,7 @@ macro_rules! reached {
     ($($name:ident),*) => {
         $(#[test]
         fn $name() {
-            // The closed form at each error, and at least one of the others at one.
+            // The closed form at each error or ours, and at least one of the others at one.
             assert!(checked(stringify!($name)) > 4);
         })*
 
@@ -43,18 +49,25 @@ reached!(
     pole,
     pole_angles,
     flips,
+    heavy_body,
+    damped_top,
+    satellite,
+    driven_body,
     dense_free_body,
     dense_heavy_top
 );
 
 #[test]
 fn every_line_is_checked() {
-    let ends = PROBLEMS.iter().map(|problem| problem.key.to_owned());
+    let ends = PROBLEMS
+        .iter()
+        .chain(&OPEN)
+        .map(|problem| problem.key.to_owned());
     let all: Vec<String> = ends
         .chain(DENSE.map(|key| format!("dense_{key}")))
         .collect();
     assert_eq!(all, CHECKED);
-    for claim in claims(&record()).expect("the runs can be read") {
+    for claim in lines() {
         assert!(CHECKED.contains(&claim.key.as_str()), "{claim:?}");
     }
 }
@@ -62,22 +75,23 @@ fn every_line_is_checked() {
 /// The damaged twin: with a tolerance a thousand times as large, no claim is reached.
 #[test]
 fn a_damaged_setting_is_found() {
-    let all = claims(&record()).expect("the runs can be read");
-    let mut damaged: Vec<Claim> = Vec::new();
-    for claim in all.iter().filter(|claim| claim.key == "flips") {
-        if let Setting::Tolerance(tolerance) = claim.setting {
-            let setting = Setting::Tolerance(1e3 * tolerance);
-            damaged.push(Claim {
-                setting,
-                ..claim.clone()
-            });
+    for key in ["flips", "satellite"] {
+        let mut damaged: Vec<Claim> = Vec::new();
+        for claim in lines().iter().filter(|claim| claim.key == key) {
+            if let Setting::Tolerance(tolerance) = claim.setting {
+                let setting = Setting::Tolerance(1e3 * tolerance);
+                damaged.push(Claim {
+                    setting,
+                    ..claim.clone()
+                });
+            }
         }
-    }
-    let delivered = again("flips", &damaged).expect("they run");
-    assert_eq!(delivered.len(), damaged.len());
-    assert!(damaged.len() > 8);
-    for (error, claim) in delivered {
-        assert!(error > claim.error, "{error:e} is delivered by {claim:?}");
+        let delivered = again(key, &damaged).expect("they run");
+        assert_eq!(delivered.len(), damaged.len());
+        assert!(damaged.len() > 8);
+        for (error, claim) in delivered {
+            assert!(error > claim.error, "{error:e} is delivered by {claim:?}");
+        }
     }
 }
 

@@ -12,8 +12,8 @@ use differential_equations::solution::Solution;
 struct Rates<F>(F);
 
 impl<const N: usize, F: Form<N>> ODE<f64, [f64; N]> for Rates<F> {
-    fn diff(&self, _t: f64, y: &[f64; N], rates: &mut [f64; N]) {
-        *rates = self.0.rates(y);
+    fn diff(&self, t: f64, y: &[f64; N], rates: &mut [f64; N]) {
+        *rates = self.0.rates(t, y);
     }
 }
 

@@ -19,8 +19,8 @@ pub fn tsit45<const N: usize, F: Form<N>>(
         .rtol(0.0)
         .atol([tolerance])
         .h0(1e-3)
-        .rhs(|y: &[f64], _p: &[f64], _t, rates: &mut [f64]| {
-            rates.copy_from_slice(&form.rates(&array(y)));
+        .rhs(|y: &[f64], _p: &[f64], t, rates: &mut [f64]| {
+            rates.copy_from_slice(&form.rates(t, &array(y)));
         })
         .init(|_p: &[f64], _t, y: &mut [f64]| y.copy_from_slice(&start), N)
         .build()

@@ -18,8 +18,8 @@ fn array<const N: usize>(y: &[f64]) -> [f64; N] {
 struct System<const N: usize, F>(Rates<F>);
 
 impl<const N: usize, F: Form<N>> FirstOrderSystem for System<N, F> {
-    fn derivative(&self, _t: f64, y: &[f64], rates: &mut [f64]) {
-        rates.copy_from_slice(&self.0.0.rates(&array(y)));
+    fn derivative(&self, t: f64, y: &[f64], rates: &mut [f64]) {
+        rates.copy_from_slice(&self.0.0.rates(t, &array(y)));
     }
 }
 

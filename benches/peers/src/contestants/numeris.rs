@@ -30,7 +30,7 @@ pub fn rkv98<const N: usize, F: Form<N>>(
     tolerance: f64,
 ) -> Result<[f64; N], String> {
     let start = Vector::from_array(form.start());
-    let rates = |_, y: &Vector<f64, N>| Vector::from_array(form.rates(&array(y)));
+    let rates = |t, y: &Vector<f64, N>| Vector::from_array(form.rates(t, &array(y)));
     RKV98NoInterp::integrate(0.0, end, &start, rates, &settings(tolerance))
         .map(|solution| array(&solution.y))
         .map_err(reason)
@@ -48,7 +48,7 @@ pub fn rkv98_dense<const N: usize, F: Form<N>>(
 ) -> Result<(), String> {
     let end = *times.last().ok_or("no times")?;
     let start = Vector::from_array(form.start());
-    let rates = |_, y: &Vector<f64, N>| Vector::from_array(form.rates(&array(y)));
+    let rates = |t, y: &Vector<f64, N>| Vector::from_array(form.rates(t, &array(y)));
     let settings = AdaptiveSettings {
         dense_output: true,
         ..settings(tolerance)

@@ -8,8 +8,8 @@ use ode_solvers::{Dop853, Dopri5, OutputType, SVector, System};
 struct Rates<F>(F);
 
 impl<const N: usize, F: Form<N>> System<f64, SVector<f64, N>> for Rates<F> {
-    fn system(&self, _t: f64, y: &SVector<f64, N>, dy: &mut SVector<f64, N>) {
-        dy.data.0[0] = self.0.rates(&y.data.0[0]);
+    fn system(&self, t: f64, y: &SVector<f64, N>, dy: &mut SVector<f64, N>) {
+        dy.data.0[0] = self.0.rates(t, &y.data.0[0]);
     }
 }
 

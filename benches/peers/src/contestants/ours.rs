@@ -9,7 +9,7 @@ use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::integrators::gauss_legendre::{BodyAxes, FreeRotation, LaneByLane};
 use rotation_dynamics::integrators::splitting::Scheme;
 use rotation_dynamics::integrators::{
-    Dop853, GaussLegendre, Integrator, MuntheKaas4, Rk4, SpinFree, Splitting,
+    Dop853, GaussLegendre, Integrator, MuntheKaas4, Rk4, SpinFree, Splitting, StageOde,
 };
 use rotation_dynamics::scene::Scene;
 
@@ -77,6 +77,16 @@ pub fn form_on_lanes<const N: usize, F: Form<N>>(
     method: &GaussLegendre,
 ) -> Result<Attitude> {
     let (y, _) = method.advance(&LaneByLane(Own(form)), 0.0, &form.start(), end)?;
+    Attitude::from_quaternion(form.quaternion(end, &y))
+}
+
+/// A form that is written over lanes, by Gauss-Legendre.
+pub fn form_of_lanes<const N: usize, F: Form<N> + StageOde<N>>(
+    form: F,
+    end: f64,
+    method: &GaussLegendre,
+) -> Result<Attitude> {
+    let (y, _) = method.advance(&form, 0.0, &form.start(), end)?;
     Attitude::from_quaternion(form.quaternion(end, &y))
 }
 

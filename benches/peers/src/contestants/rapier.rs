@@ -21,7 +21,7 @@ pub fn steps(problem: &Problem, steps: u64) -> Result<[f64; 4]> {
         .map(|c| c as f32);
     let weight = match problem.motion {
         Motion::Top { c, .. } => c as f32,
-        Motion::Free { .. } => 0.0,
+        Motion::Free { .. } | Motion::Open { .. } => 0.0,
     };
 
     let mut world = PhysicsWorld::new();
