@@ -67,7 +67,7 @@ pub const OPEN: [Problem; 4] = [
     ANY_BODY,
     Problem {
         key: "damped_top",
-        title: "heavy top, I = (1, 1, 2), m g l = 0.2, whose bearing takes more than half of its spin, \
+        title: "heavy top, I = (1, 1, 2), m g l = 0.2, whose bearing takes over half of its spin, \
                 300.4 nutations of the start",
         motion: Motion::Open {
             moments: [1.0, 1.0, 2.0],
