@@ -49,6 +49,10 @@ pub struct Solved {
     /// What all runs together cost: those that chose, those that verified, those that
     /// felt the condition, and those that came to no end.
     pub work: Work,
+    /// What of that went into the choice of the method.
+    pub choice: Work,
+    /// What of that went into the condition.
+    pub probes: Work,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
     /// The same of the angular momentum, as a part of its scale
@@ -214,6 +218,8 @@ impl Solved {
             method: delivered.method.name(),
             run: delivered.run,
             work: delivered.work,
+            choice: delivered.choice,
+            probes: delivered.probes,
             estimate,
             momentum_estimate,
             rates_estimate,

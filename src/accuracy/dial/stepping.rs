@@ -79,6 +79,8 @@ pub(super) struct Delivered {
     pub steps: Vec<Vec<Steps>>,
     pub run: Work,
     pub work: Work,
+    pub choice: Work,
+    pub probes: Work,
     /// Upper estimates of the three errors, at the place where each is largest.
     pub estimate: Apart,
     pub condition: Apart,
@@ -136,6 +138,9 @@ pub(super) struct Stepping<'p> {
     /// Where the motion is looked at, from the start to the end.
     times: Vec<f64>,
     work: Work,
+    /// What of that went into the choice of the method, and into the condition.
+    choice: Work,
+    probes: Work,
 }
 
 impl<'p> Stepping<'p> {
@@ -152,12 +157,15 @@ impl<'p> Stepping<'p> {
             limits,
             times: (0..=places).map(|n| problem.at_leg(n, places)).collect(),
             work: Work::default(),
+            choice: Work::default(),
+            probes: Work::default(),
         }
     }
 
     /// Solves by the cheapest candidate that can be verified.
     pub fn solve(mut self) -> Result<Delivered> {
         let (mut candidates, part) = self.candidates()?;
+        self.choice = self.work;
         // Errors grow with the time at least.
         let wanted = AIM * self.tolerance * part;
         sort_by_number(&mut candidates, |candidate| candidate.cost(wanted));
@@ -177,6 +185,7 @@ impl<'p> Stepping<'p> {
                 Ok(Outcome::Delivered(delivered)) => {
                     return Ok(Delivered {
                         work: self.work,
+                        probes: self.probes,
                         ..*delivered
                     });
                 }
@@ -481,6 +490,8 @@ impl<'p> Stepping<'p> {
                     steps: run.steps,
                     run: run.work,
                     work: self.work,
+                    choice: self.choice,
+                    probes: self.probes,
                     estimate: [verdict.estimate + left(precision), momentum, rates],
                     condition: conditions,
                     longest_step: run.longest_step,
@@ -600,6 +611,7 @@ impl<'p> Stepping<'p> {
             Ok((places, changed.collect::<Result<_>>()?))
         });
         self.work += all.work;
+        self.probes += all.work;
         condition
     }
 }
