@@ -10,7 +10,7 @@ use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Checked};
+use crate::effects::{AnyEffect, Checked, Known};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
@@ -18,6 +18,11 @@ use crate::math::EPS;
 /// The error of a closed form, in units of eps (1 + condition). Measured over the reference
 /// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
 const CLOSED_FORM: f64 = 8.0;
+
+/// The angle (rad) that a body turns at most between two places where its effects are tried, of
+/// which there are no more than so many.
+const CUT: f64 = 30.0;
+const MOST_CUTS: f64 = 8.0;
 
 /// Where the promise is to hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,6 +99,13 @@ impl<'s> Given<'s> {
             given.breaks = limits.sorted(known.iter().copied().chain(new).collect(), t_end);
         }
         given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
+        if effects.known() == Known::No {
+            // Runs are cut there too, and what effects say of themselves is tried.
+            let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
+            let problem = given.problem();
+            let cuts: Vec<f64> = (1..cuts).map(|n| problem.at_leg(n, cuts)).collect();
+            given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
+        }
         Ok(given)
     }
 
@@ -267,7 +279,10 @@ fn by_closed_form(
         run,
         work,
         choice: Work::default(),
-        probes: Work { samples: work.samples - 1, ..Work::default() },
+        probes: Work {
+            samples: work.samples - 1,
+            ..Work::default()
+        },
         estimate,
         momentum_estimate,
         rates_estimate,

@@ -16,10 +16,12 @@
 //! ([`simulate_within`](crate::planar::simulate_within)).
 
 mod along;
+mod choice;
 mod exact_motion;
 mod given;
 mod limits;
 mod method;
+mod probes;
 mod problem;
 mod stepping;
 mod verdict;

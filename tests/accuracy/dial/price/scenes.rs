@@ -109,7 +109,11 @@ fn known<E: Effect + Clone + 'static>(
         for way in ways(&again) {
             // What the dial chose is known to the end, the others while they may win.
             let chosen = way.name() == name;
-            let most = if chosen { u64::MAX } else { best[0].unwrap_or(u64::MAX) };
+            let most = if chosen {
+                u64::MAX
+            } else {
+                best[0].unwrap_or(u64::MAX)
+            };
             let found = cheapest(way, turned, tolerance, most, |fineness| {
                 let (end, torques) = run(&again, &start, &times, way, fineness).ok()?;
                 Some((exact.angle_to(&end), torques))
@@ -252,7 +256,13 @@ fn driven(dice: &mut Dice) -> Result<Case> {
     })
     .smooth();
     let t_end = dice.scale(1.0, 15.0) * TAU / (rate + gravity.moment().sqrt());
-    known(7, Scene::new(body).with(gravity).with(push), start, t_end, None)
+    known(
+        7,
+        Scene::new(body).with(gravity).with(push),
+        start,
+        t_end,
+        None,
+    )
 }
 
 /// A drag of one's own that grows with the square of the rate, of which nothing is said.
@@ -268,7 +278,13 @@ fn own_drag(dice: &mut Dice) -> Result<Case> {
     })
     .smooth();
     let gravity = GravityAtLever::new(body.kinetic_energy(&start) * dice.scale(0.01, 1.0), 1.0)?;
-    known(8, Scene::new(body).with(gravity).with(drag), start, t_end, None)
+    known(
+        8,
+        Scene::new(body).with(gravity).with(drag),
+        start,
+        t_end,
+        None,
+    )
 }
 
 /// A torque p(t) L with p constant between jumps that are named: free, in a time of its own.
@@ -285,7 +301,13 @@ fn jumps(dice: &mut Dice) -> Result<Case> {
         .collect();
     times.sort_by(f64::total_cmp);
     let strength: Vec<f64> = (0..=count)
-        .map(|n| if n % 2 == 0 { 0.0 } else { dice.between(-2.0, 2.0) / t_end })
+        .map(|n| {
+            if n % 2 == 0 {
+                0.0
+            } else {
+                dice.between(-2.0, 2.0) / t_end
+            }
+        })
         .collect();
     let (mut before, mut grown, mut inner) = (0.0, 0.0, 0.0);
     for (n, p) in strength.iter().enumerate() {
