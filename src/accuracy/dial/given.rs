@@ -10,7 +10,7 @@ use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Checked, Known};
+use crate::effects::{AnyEffect, Checked};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
@@ -99,7 +99,7 @@ impl<'s> Given<'s> {
             given.breaks = limits.sorted(known.iter().copied().chain(new).collect(), t_end);
         }
         given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
-        if effects.known() == Known::No {
+        if given.problem().exact_motion().is_none() {
             // Runs are cut there too, and what effects say of themselves is tried.
             let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
             let problem = given.problem();

@@ -8,7 +8,9 @@
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob |
-//! | `stepping` | choose, refine, verify |
+//! | `choice` | what each does on the first turns |
+//! | `probes` | the condition felt on runs of the motion |
+//! | `stepping` | refine, verify |
 //!
 //! What is verified, and why what is delivered is better: `book/src/how_dial.md`.
 //!
@@ -74,7 +76,7 @@ impl<E: Effect> Scene<E> {
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
     /// Where the scene has a closed form, that is taken: which one is settled when its
-    /// type is. Every other scene is stepped. Each method that applies is tried on the
+    /// type is. Every other scene is stepped. Methods that may pay are tried on the
     /// first turns of the motion; the one predicted cheapest for the error asked for
     /// carries the whole span, coarser and finer, until the runs differ as their order
     /// says they must and what that leaves is within the tolerance. Nothing is returned

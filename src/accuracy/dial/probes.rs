@@ -4,6 +4,7 @@ use super::choice::Candidate;
 use super::method::{Fine, Runs, Steps};
 use super::problem::{Apart, Feeler};
 use super::stepping::{Run, SWEEPS, Stepping, is_final, stops};
+use crate::accuracy::larger;
 use crate::error::{Error, Result};
 use crate::math::{EPS, sort_by_number};
 
@@ -75,6 +76,12 @@ impl Stepping<'_> {
         part: f64,
         lowest: f64,
     ) -> Result<Option<(Felt, Begun)>> {
+        // There a change may carry the motion past its own steepness, and a body that waits on its
+        // axis, or on the upright, waits there after another number of turns as well.
+        let exact = self.problem.exact_motion();
+        if exact.is_some_and(|motion| motion.is_near_separatrix()) {
+            return Ok(None);
+        }
         let (method, level) = (candidate.method, candidate.level(wanted));
         let (rough, by) = if method.is_adaptive() {
             (ROUGH_ADAPTIVE, 1e-4)
@@ -125,6 +132,10 @@ impl Stepping<'_> {
         }
         let (condition, farthest) =
             (self.problem).slopes(by, (run.places.clone(), vec![moved.places]));
+        // Nor may they part on the way and meet again.
+        let farthest = (run.passed.iter().zip(&moved.passed)).fold(farthest, |most, (a, b)| {
+            larger(most, self.problem.apart(&a.1, &b.1)[0])
+        });
         let floor = lowest * EPS * (1.0 + condition[0]);
         let late = self.problem.fastest() * self.problem.span().abs();
         let tame = condition[0] <= TAME * (1.0 + late);

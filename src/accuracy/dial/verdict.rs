@@ -184,6 +184,30 @@ mod tests {
         );
     }
 
+    /// Two runs as far apart as is expected are trusted; nearer ones count as a part of that,
+    /// and without an expectation nothing but the distance does.
+    #[test]
+    fn two_runs_are_trusted_where_they_are_as_expected() {
+        let (gaps, error) = falling(1e-3, exp(-LEVEL), 2);
+        let estimate = |gaps: &[Gap], expected| Verdict::of(0.5, gaps, expected).estimate;
+        let trusted = estimate(&gaps, Some(1e-3));
+        let left = exp(-0.5 * LEVEL);
+        assert_error!(trusted, 2.0 * gaps[0].apart * left / (1.0 - left), 0.0);
+        assert!(error < 0.1 * trusted && trusted < 0.1 * estimate(&gaps, None));
+        // The twin: they agree by chance, a thousand times too well.
+        let chance = [Gap {
+            apart: 1e-3 * gaps[0].apart,
+            ..gaps[0]
+        }];
+        let mistrusted = estimate(&chance, Some(1e-3));
+        assert_error!(mistrusted, 9.0 * chance[0].apart, 0.0);
+        assert!(estimate(&chance, Some(1e-4)) > estimate(&chance, Some(1e-5)));
+        // Less of an order than that is not believed.
+        let slow = Verdict::of(0.12, &gaps, Some(1e-3)).estimate;
+        let least = Verdict::of(TWO, &gaps, Some(1e-3)).estimate;
+        assert_error!(slow, least, 0.0);
+    }
+
     /// A run as fine as is asked, by an error that falls as trusted, leaves seven tenths of
     /// the budget.
     #[test]
