@@ -73,7 +73,7 @@ fn of_record(record: &Parsed, head: &[&str]) -> Result<String, String> {
     text += &match missed.is_empty() {
         true => "\nOf what we set out to reach, all was reached.\n".into(),
         false => format!(
-            "\nWhat we set out to reach and did not:\n\n{}",
+            "\nWhat we set out to reach and did not, judged before rounding:\n\n{}",
             missed.concat()
         ),
     };

@@ -78,7 +78,7 @@ fn ratio_table(races: &[Race]) -> Outcome<Table> {
         "our stepping",
         "ours / ms",
         "faster",
-        "DOP853 against ode_solvers",
+        "DOP853",
     ];
     let mut table = table("ratios", columns)?;
     for (problem, race) in OPEN.iter().zip(races) {
