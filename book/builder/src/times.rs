@@ -18,6 +18,9 @@ const SAME: [&str; 4] = ["method", "requested", "delivered", "work"];
 /// The section in which an example states its strip.
 pub const SECTION: &str = "accuracy";
 
+/// The work of a line whose error was found, but not promised.
+const REFUSED: &str = "refused";
+
 /// The page that says what to choose.
 const CHOICE: &str = "accuracy";
 
@@ -44,7 +47,7 @@ struct Line {
 impl Line {
     /// A line that delivers what it was asked for.
     fn delivers(&self) -> bool {
-        self.delivered <= self.requested
+        self.delivered <= self.requested && self.work != REFUSED
     }
 
     /// A line of the dial, which is asked for an error and finds method and step itself.
@@ -288,9 +291,10 @@ fn least(strip: &Table) -> Vec<usize> {
     let delivering: Vec<(usize, f64, Option<f64>)> = (0..)
         .zip(strip.rows())
         .filter_map(|(n, row)| {
-            let cells = cells(strip, row, &["requested", "delivered", "time"])?;
+            let cells = cells(strip, row, &["requested", "delivered", "time", "work"])?;
             let [requested, delivered, time] = [cells[0], cells[1], cells[2]].map(number);
-            (delivered? <= requested?).then_some((n, requested?, time))
+            let delivers = delivered? <= requested? && cells[3] != REFUSED;
+            delivers.then_some((n, requested?, time))
         })
         .collect();
     let is_least = |&&(line, requested, time): &&(usize, f64, Option<f64>)| {
@@ -347,6 +351,7 @@ mod tests {
             ["fast and wrong", "1e-9", "1e-3", "1 step", "1"],
             ["slow", "1e-9", "1e-9", "9 steps", "90"],
             ["fast", "1e-9", "5e-10", "2 steps", "20"],
+            ["near, not promised", "1e-9", "1e-10", "refused", "-"],
             ["half timed", "1e-3", "5e-4", "2 steps", "-"],
             ["half timed", "1e-3", "5e-4", "1 step", "3"],
             ["alone", "1e-6", "5e-7", "1 step", "10"],

@@ -10,8 +10,8 @@ use crate::maths;
 use crate::text::without_tags;
 use crate::token::{Kind, Token, small, tokens};
 
-/// A stroke in prose and the space behind it, where the line is not broken.
-const SIGNED: &str = "/\u{a0}";
+/// A stroke in prose, with a space behind it or none, where the line is not broken.
+const STROKES: [&str; 2] = ["/\u{a0}", "/"];
 
 /// A cell of words as HTML, its formulas as MathML.
 pub fn words(cell: &str) -> String {
@@ -31,7 +31,8 @@ pub fn words(cell: &str) -> String {
                 let comma = tokens.get(at).filter(|t| ",:;.".contains(&t.tex));
                 let comma = comma.map_or("", |comma| &comma.html);
                 at += usize::from(!comma.is_empty());
-                let sign = if html.ends_with(SIGNED) { SIGNED } else { "" };
+                let stroke = STROKES.into_iter().find(|stroke| html.ends_with(stroke));
+                let sign = stroke.unwrap_or("");
                 html.truncate(html.len() - sign.len());
                 html += &match sign.len() + comma.len() {
                     0 => mathml,
@@ -63,9 +64,15 @@ pub fn symbols(cell: &str) -> String {
 
 /// How many tokens from the first on are a formula; 0 if none.
 fn formula_end(tokens: &[Token]) -> usize {
+    let begins = |kind: Kind| {
+        matches!(
+            kind,
+            Kind::Symbol | Kind::Function | Kind::Number | Kind::Open
+        )
+    };
     let starts = |token: &Token| match token.kind {
-        Kind::Symbol | Kind::Function | Kind::Number | Kind::Open => true,
-        Kind::Sign => token.tex == "-" && tokens.get(1).is_some_and(|t| t.kind == Kind::Symbol),
+        kind if begins(kind) => true,
+        Kind::Sign => token.tex == "-" && tokens.get(1).is_some_and(|t| begins(t.kind)),
         _ => false,
     };
     if !tokens.first().is_some_and(starts) {
@@ -167,6 +174,10 @@ mod tests {
                 "10<sup>−46</sup> kg m<sup>2</sup>, is 5\u{202f}×\u{202f}10<sup>29</sup> J, |m=2|",
             ),
             ("a tanh of 0.1 m/s, 3 m/n", "a tanh of 0.1 m/s, |3m/n|"),
+            (
+                "-(1 + b)/c, -2 cos(a), -3 at",
+                "|-(1+b)/c|, |-2\\cos(a)|, −3 at",
+            ),
             ("at the end 2. Then (b", "at the end 2. Then (|b|"),
             ("heavy_top: x < 5", "heavy_top: |x<5|"),
             ("b) + (c", "|b|) + (|c|"),
@@ -203,6 +214,20 @@ mod tests {
             "{html}"
         );
         assert!(html.ends_with("</math> of 10<sup>6</sup>"), "{html}");
+        // Bars belong to what is between them.
+        for bars in ["3 |I3 - I1| g/b", "|mu'|/lambda", "|L|"] {
+            let html = words(bars);
+            assert!(
+                html.starts_with("<math>") && html.ends_with("</math>"),
+                "{html}"
+            );
+        }
+        let html = words("year/|Omega|, |F_h| / mu N of |x");
+        assert!(
+            html.starts_with("year<span class=\"glued\">/<math>")
+                && html.ends_with("|<math><mi>x</mi></math>"),
+            "{html}"
+        );
         // What stands under a root without brackets.
         let html = words("sqrt 6 b");
         assert!(html.contains("<mn>6</mn></msqrt>"), "{html}");

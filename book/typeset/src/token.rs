@@ -97,6 +97,11 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
                 ' ' => (Kind::Space, " ".into()),
                 '(' => (Kind::Open, "(".into()),
                 ')' => (Kind::Close, ")".into()),
+                // Bars stand in pairs.
+                '|' if tokens.iter().filter(|token| token.tex == "|").count() % 2 == 0 => {
+                    (Kind::Open, "|".into())
+                }
+                '|' => (Kind::Close, "|".into()),
                 '-' if opens => (Kind::Sign, "\u{2212}".into()),
                 '^' => (Kind::Sign, String::new()),
                 '+' | '-' | '=' | '<' | '>' | '/' => (Kind::Sign, escape(&c.to_string())),
