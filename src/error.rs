@@ -204,7 +204,16 @@ impl fmt::Display for Error {
                 name,
                 value,
                 allowed,
-            } => write!(f, "{name} = {} is not allowed: {allowed}", plain(*value)),
+            } => {
+                // Of what was computed six digits say enough, unless the value they say is allowed.
+                let text = plain(*value);
+                let short = format!("{value:.5e}").parse().unwrap_or(*value);
+                let text = match text.len() > 12 && !allowed.contains(short) {
+                    true => plain(short),
+                    false => text,
+                };
+                write!(f, "{name} = {text} is not allowed: {allowed}")
+            }
             Self::NoMotion { energy, minimum } => {
                 // Six places, or all of them if six do not show the difference.
                 let short = format!("{minimum:.6}");

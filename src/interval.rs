@@ -75,6 +75,14 @@ impl Interval {
 
     /// `value` itself, if the interval contains it; `name` says in the error what it is.
     ///
+    /// The error has six digits of a computed value, or all if these six would be allowed.
+    /// ```
+    /// use rotation_dynamics::interval::from_to;
+    /// let said = |value: f64| from_to(0.0, 1.0).check("m/M", value).map_err(|e| e.to_string());
+    /// assert_eq!(said(3.1 / 3.0), Err("m/M = 1.03333 is not allowed: it must be from 0 to 1".into()));
+    /// assert!(said(1.0 + f64::EPSILON).is_err_and(|e| e.starts_with("m/M = 1.0000000000000002 is")));
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Parameter`] if it does not.
     pub fn check(&self, name: &'static str, value: f64) -> Result<f64> {
