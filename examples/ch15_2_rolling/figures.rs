@@ -294,7 +294,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(line(spin).dashed().label("line of centres"));
     MovingPicture::above(graph, 0.0..=TAU, [0.0, FRAC_PI_2, PI], move |t| {
         let turned = |angle: f64| format!("{:.0}", angle.to_degrees());
-        let (back, on) = (turned(t), turned(spin * t));
+        let (back, on) = (turned(t), turned((spin * t).abs()));
+        let sense = ["counterclockwise", "clockwise"][usize::from(spin < 0.0)];
         let (moves, seen) = match slip {
             None => (
                 "rolling",
@@ -302,7 +303,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             ),
             Some(_) => (
                 "slipping",
-                format!("by {back} degrees clockwise and by {on} counterclockwise"),
+                format!("by {back} degrees clockwise and by {on} {sense}"),
             ),
         };
         let alt = format!(

@@ -201,7 +201,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [x, y, angle] = naive.at(t.min(naive.end_time()))?.q;
         let kept = Curve::new(ends(l, angle, (x, y)), Ink::Wrong).width(4.0);
         let scene = corner("scene", "", (1.1 * l, l))
-            .window((-0.3 * l, 1.3 * l), (-0.06 * l, 1.03 * l))
+            .window((-0.3 * l, 1.3 * l), (-0.27 * l, 1.03 * l))
             .ghost(|sketch| if t > t_r { sketch.curve(kept) } else { sketch })
             .curve(Curve::new([top, foot], Ink::Body).width(4.0))
             .vector(top, (wall_force, 0.0), 45.0, Ink::Force, "$N_{wall}$")

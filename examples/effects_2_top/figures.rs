@@ -182,7 +182,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 }
 
 /// Film time at the acts' ends: the slide, the creep, the sleep, the waking, the end.
-const ACTS: [f64; 6] = [0.0, 6.0, 12.0, 14.0, 20.0, 24.0];
+const ACTS: [f64; 6] = [0.0, 6.0, 12.0, 16.0, 21.0, 25.0];
 
 /// The life as a film: each act at its own pace.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {

@@ -279,7 +279,7 @@ figures! { p: &Parameters;
     /// The error of a turning point against how far the energy is above the least, both logarithmic.
     /// By the formula for the roots of a cubic it grows to 1e-8; by the library it stays small.
     tops: pair(errors_over("energy over its least, less one"), decades(-15, -1, 4), turning_points,
-        ["wrong: from coefficients", "as a distance"])?;
+        ["wrong: by the cubic", "as a distance"])?;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.
