@@ -219,6 +219,11 @@ class Knobs {
                 const large = open ? most : Math.max(1, Math.min(LARGEST[0], most));
                 this.figure.style.setProperty("--width", `${(width * Math.min(room, large)).toFixed(1)}px`);
             }
+            // While it is pinned: where the bar of controls stays, and before which end of the figure it leaves.
+            const part = (selector) => this.figure.querySelector(selector);
+            const after = this.figure.getBoundingClientRect().bottom - this.root.getBoundingClientRect().bottom;
+            this.figure.style.setProperty("--pinned", `${part(".panels").offsetHeight}px`);
+            this.figure.style.setProperty("--below", `${after + part(".bar").offsetHeight}px`);
             const { canvas } = this;
             const scale = this.panel.clientWidth / width;
             const bleed = [-BLEED * scale, -BLEED * scale];

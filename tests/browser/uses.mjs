@@ -222,13 +222,35 @@ const turns = (browser, address, how) => opened(browser, address, how, async (pa
     return faults;
 });
 
+/** While the controls are open the picture is pinned above them, and nowhere covers the play button. */
+const pins = (browser, address, how) => opened(browser, address, how, async (page) => {
+    await tap(page);
+    await page.locator(".player .step").first().click();
+    await paints(page, 0);
+    const heights = await page.evaluate(async () => {
+        const figure = document.querySelector("figure.moving"), [play, panels] = [".play", ".panels"].map((part) => figure.querySelector(part));
+        const top = figure.getBoundingClientRect().top + scrollY, found = [];
+        for (let part = 0; part < 1; part += 0.05) {
+            scrollTo({ top: top + part * figure.offsetHeight, behavior: "instant" });
+            await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+            found.push([play, panels].map((element) => element.getBoundingClientRect()).map(({ top, bottom }) => ({ top, bottom })));
+        }
+        return found;
+    });
+    const faults = heights.filter(([play, panels]) => play.top < panels.bottom - 1).map(([play, panels]) =>
+        `the play button is at ${play.top}, the picture down to ${panels.bottom}`);
+    if (heights.filter(([, panels]) => panels.top > 0).length < 5) faults.push("the picture does not stay");
+    return faults;
+});
+
 /** For each use the page that it is tried on. */
 export const PAGES = {
     touch: "ch16_ex2_conical_pendulum", redraws: "ch16_ex2_conical_pendulum", answers: "ch16_ex2_conical_pendulum",
     shares: "ch16_ex2_conical_pendulum", downloads: "ch16_ex2_conical_pendulum",
     benches: "ch15_5_torque_free", acts: "ch16_2_gyroscope", turns: "ch15_5_torque_free",
+    pins: "ch16_ex3_corner",
 };
-export const USES = { touch, redraws, answers, shares, downloads, benches, acts, turns };
+export const USES = { touch, redraws, answers, shares, downloads, benches, acts, turns, pins };
 
 const runs = (from, to) => changed(/\/modules\/run\.js$/, (script) => {
     if (!script.includes(from)) throw new Error(`run.js does not hold ${from}`);
@@ -244,4 +266,5 @@ export const DAMAGES = {
     benches: runs("setting=${setting}", "setting=500"),
     acts: runs("own.click()", "own.focus()"),
     turns: instead("player.js", "panel.setPointerCapture(event.pointerId);", ""),
+    pins: instead("player.js", '"--pinned"', '"--loose"'),
 };
