@@ -11,7 +11,7 @@ use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
 use rotation_dynamics::interval::from_to;
 use rotation_dynamics::report::{ClosedForm, Report};
-use strike::{Blow, Strike, cost};
+use strike::{Blow, Strike};
 
 rotation_dynamics::parameters! {
     /// Rod and particle; the notes give both the same mass.
@@ -256,14 +256,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let after = braked.as_ref().map(Blow::end).transpose()?;
     rotation_dynamics::effect_card! { report,
         "friction in the hinge, impact": "mu r_h J_h/L" = hinge, costs hinge * w, "rad/s",
-            measured rough.map(|([part, _], _)| (1.0 - part) * w), within slack, at_cost cost(rough.map(|(_, work)| work));
+            measured rough.map(|([part, _], _)| (1.0 - part) * w), within slack, at_work rough.map(|(_, work)| work);
         "thickness of the rod": "M b^2/(12 I0)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
         "size of the particle, a ball": "(2/5 + 1) m r^2/I0" = ball, costs ball * w, "rad/s",
             measured slower(solids::rod(p.mass, l)?, sphere)?, within slack;
         "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle",
-            measured yielding.0[1] * contact, at_cost cost(Some(yielding.1));
+            measured yielding.0[1] * contact, at_work yielding.1;
         "friction of the table": "mu g l (M/4 + m/2)/(I0 Omega^2)" = rub, costs rub.min(1.0) * w, "rad/s in the time 1/Omega",
-            measured after.map(|state| w - state.v[2]), within 1e-8 * (1.0 + w), at_cost cost(braked.map(|blow| blow.work()));
+            measured after.map(|state| w - state.v[2]), within 1e-8 * (1.0 + w), at_work braked.map(|blow| blow.work());
     }
 }
 

@@ -626,17 +626,16 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     let sun = by_kicks(&start, Path::orbit(), [0.0, end], end)?.to_degrees();
     // What goes round too far comes back from the other side.
     let told = |predicted: f64, [moved, ..]: [f64; 3]| (predicted < 60.0).then_some(moved);
-    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
     let [by_sun, by_first, by_own] = moved.work;
     rotation_dynamics::effect_card! { report,
         "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs own, "deg in 2008, at most, to first order",
-            measured told(own, moved.own), within 1e-5, at_cost cost(by_own), included;
+            measured told(own, moved.own), within 1e-5, at_work by_own, included;
         "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs first, "deg in 2008, at most, to first order",
-            measured told(first, moved.first), within 1e-5, at_cost cost(by_first);
+            measured told(first, moved.first), within 1e-5, at_work by_first;
         "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit())?, costs sun, "deg in 2008, to first order",
-            measured told(sun, moved.sun), within 1e-5, at_cost cost(by_sun);
+            measured told(sun, moved.sun), within 1e-5, at_work by_sun;
         "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about",
-            measured lit.angle_to(&start.motion()?.attitude(end)).to_degrees(), at_cost cost(by_light);
+            measured lit.angle_to(&start.motion()?.attitude(end)).to_degrees(), at_work by_light;
         "friction inside": "t over the time of damping" = friction, costs (friction * w * end).to_degrees(), "deg in 2008, about";
     }
 }

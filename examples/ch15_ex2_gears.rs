@@ -331,8 +331,6 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // A motor that friction slows by this part in the end, in a time of its own.
     let gives = droop * (1.0 - exp(-which / droop));
     let motor = p.friction * p.radius_a / (droop * p.rate);
-    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
-    let told = |run: Option<(f64, [f64; 2], Work)>| run.map_or("-".into(), |run| cost(run.2));
     let sluggish = (which < 1e3 * droop)
         .then(|| with(p, [motor, 0.0], false))
         .transpose()?;
@@ -351,14 +349,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let both = |[a, b]: [f64; 2]| p.inertia_a * a + p.inertia_b * b;
     effect_card! { report,
         "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole.abs(), "kg m^2/s",
-            measured sluggish.map(|run| whole.abs() - both(run.1).abs()), within 1e-8 * all, at_cost told(sluggish);
+            measured sluggish.map(|run| whole.abs() - both(run.1).abs()), within 1e-8 * all, at_work sluggish.map(|run| run.2);
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
         "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s",
-            measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_cost cost(larger.2);
+            measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_work larger.2;
         "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s later",
-            measured rough.map(|run| run.0 - time(p)), within 1e-8 * time(p), at_cost told(rough);
+            measured rough.map(|run| run.0 - time(p)), within 1e-8 * time(p), at_work rough.map(|run| run.2);
         "which of them is driven": "I2 R1^2/(I1 R2^2)" = which, costs p.rate - undriven(p), "rad/s of Omega1",
-            measured p.rate - free.1[0], within 1e-8 * p.rate, at_cost cost(free.2), included;
+            measured p.rate - free.1[0], within 1e-8 * p.rate, at_work free.2, included;
     }
 }
 

@@ -4,8 +4,7 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
-use rotation_dynamics::Error;
-use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode};
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -111,36 +110,6 @@ pub fn particles(r: f64) -> [f64; 3] {
     sums
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "A coin rolls without slipping around a fixed coin, or inside a fixed ring.";
-    let mut report = Report::new("Coins of two sizes", about)?;
-    let r = ratio(p)?;
-    claims(p, &mut report)?;
-    rubbed(p, &mut report)?;
-    limits(&mut report)?;
-    effects(p, &mut report)?;
-    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    let end = place(r, TAU, r, 0.0);
-    let error = move |run: &Solution<6>| {
-        Ok(hypot(
-            run.end_state()[2] - end[0],
-            run.end_state()[3] - end[1],
-        ))
-    };
-    report.dial(
-        "DOP853, error of a step",
-        asked,
-        move |step| rolled(r, TAU, step),
-        |run| run.work(),
-        error,
-    )?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, Error>(place(r, part * TAU, r, 0.0))
-    }));
-    Ok(report)
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, rate, unit) = (ratio(p)?, p.rate, p.mass * p.inner * p.inner * p.rate);
     let (net, l, t) = (angular_velocity(r), angular_momentum(r), kinetic_energy(r));
@@ -179,7 +148,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Large coins and small ones, outside and inside.
-fn limits(report: &mut Report) -> Result<()> {
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let part = |r: f64, k: usize| particles(r)[k];
     limits! { report,
         /// equal coins: two turns, as in section 15.2
@@ -259,27 +228,37 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     .map(|r| rolled(r, TAU, 1e-12))
     .transpose()?;
     let fewer = |end: f64| (around.end_time() - end) / TAU;
-    let cost = |work: Option<Work>| {
-        work.map_or("-".into(), |work| {
-            format!("closed form, {} derivatives", work.derivatives)
-        })
-    };
     effect_card! { report,
         "rubbing on the table; the rate is held":
             "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
-            measured ran, within 1e-4 * rubbed, at_cost cost(Some(around.work()));
+            measured ran, within 1e-4 * rubbed, at_work around.work();
         "slip of a hundredth at the contact":
             "s" = slip, costs slip / r.abs(), "turns a circuit", beside "turns",
             measured slipped.as_ref().map(|(there, _)| fewer(there.t)), within 1e-9 * (1.0 + 1.0 / r.abs()),
-            at_cost cost(slipped.as_ref().map(|(_, work)| *work));
+            at_work slipped.as_ref().map(|(_, work)| *work);
         "a radius off by 0.01 mm":
             "dR/R2" = edge, costs edge / r.abs(), "turns a circuit", beside "turns",
             measured worn.as_ref().map(|run| fewer(run.end_time())), within 1e-9 * (1.0 + 1.0 / r.abs()),
-            at_cost cost(worn.as_ref().map(Solution::work));
+            at_work worn.as_ref().map(Solution::work);
     }
+}
+
+/// The accuracy strip: where the mark of the coin is after a circuit.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (r, asked) = (ratio(p)?, [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15]);
+    let at = move |part: f64| Ok(place(r, part * TAU, r, 0.0));
+    let error = move |run: &Solution<6>| {
+        let ([.., x, y, _, _], [u, v]) = (*run.end_state(), at(1.0)?);
+        Ok(hypot(x - u, y - v))
+    };
+    report.set_closed_form(ClosedForm::new(at));
+    let run = move |step| rolled(r, TAU, step);
+    report.dial("DOP853, error of a step", asked, run, Solution::work, error)
 }
 
 example! {
     ch15_ex3_coins: "Exercise 15.3: a coin that rolls around a fixed coin of another size";
-    report, figures::figures, figures::trajectory, figures::moving_picture
+    "Coins of two sizes", "A coin rolls without slipping around a fixed coin, or inside a fixed ring.",
+    [claims, rubbed, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -5,16 +5,14 @@ mod figures;
 #[path = "ch15_5_rod_and_particle/strike.rs"]
 pub mod strike;
 
-use core::f64::consts::{PI, TAU};
-use rotation_dynamics::Result;
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::math::{cbrt, sincos};
-use rotation_dynamics::report::{ClosedForm, Report};
-use strike::{Blow, Strike, cost};
+use rotation_dynamics::report::prelude::*;
+use strike::{Blow, Strike};
 
-rotation_dynamics::parameters! {
+parameters! {
     /// Rod and particle; the notes give both the same mass.
     pub struct Parameters {
         /// mass of the rod
@@ -103,22 +101,6 @@ fn turn(p: &Parameters) -> f64 {
     TAU / (Answer::new(p).angular_velocity * scene(p).unit())
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "A particle hits the end of a free rod, and sticks.";
-    let mut report = Report::new("A rod hit by a particle", about)?;
-    claims(p, &mut report)?;
-    limits(&mut report)?;
-    effects(p, &mut report)?;
-    let (scene, end) = (scene(p), turn(p));
-    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
-    let run = move |tolerance| Blow::new(scene, tolerance, 0.5, end);
-    let error = |blow: &Blow| Ok(largest([blow.end()?.q[2] - TAU]));
-    report.dial("contacts by DOP853", asked, run, Blow::work, error)?;
-    report.set_closed_form(ClosedForm::new(move |part| Ok(part * TAU)));
-    Ok(report)
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, scene, blow) = (
         Answer::new(p),
@@ -134,7 +116,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [w, middle] = [after.v[2], after.v[0]];
     let way = scene.centre(&end)[0] - scene.centre(&after)[0];
     let (rest, half) = (a.velocity / a.angular_velocity, 0.5 * m * v * l);
-    rotation_dynamics::claims! { report,
+    claims! { report,
         /// velocity of the centre of mass, before and after
         velocity: a.velocity, "m/s", "contacts simulated, after" => push / whole, within bound * v,
         in "(a) The centre of mass":
@@ -194,10 +176,10 @@ pub fn ratio(particle: f64) -> Answer {
     })
 }
 
-fn limits(report: &mut Report) -> Result<()> {
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let ([light, heavy], equal) = ([1e-9, 1e9].map(ratio), ratio(1.0));
     let rest = |a: Answer| a.centre + a.velocity / a.angular_velocity;
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// a heavy particle goes on; the rod swings about it
         "m/M to infinity: Omega l/v": heavy.angular_velocity => 1.5, within 1e-8;
         /// a light one gives its impulse m v to a rod at rest
@@ -260,22 +242,34 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         .map(Blow::end)
         .transpose()?
         .map(|end| scene.momentum(&end)[0]);
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "thickness of the rod": "M b^2/(12 I)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
         "size of the particle, a ball": "(2/5 m + mu) r^2/I" = ball, costs ball * w, "rad/s",
             measured slower(solids::rod(p.mass, l)?, sphere)?, within slack;
         "it hits 1 mm off the end": "2 x/l" = miss, costs missed, "rad/s, to first order",
             measured off.as_ref().map(|blow| w - blow.after.v[2]), within miss * miss * w,
-            at_cost cost(off.map(|blow| blow.work()));
+            at_work off.map(|blow| blow.work());
         "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle",
-            measured yielding.0[1] * contact, at_cost cost(Some(yielding.1));
+            measured yielding.0[1] * contact, at_work yielding.1;
         "friction of the table": "mu_k g/(V Omega)" = rub, costs braked, "m/s of V in the time 1/Omega, from the start",
             measured push.map(|push| a.velocity - push / whole), within 1e-8 + 1e-5 * a.velocity,
-            at_cost cost(table.map(|blow| blow.work()));
+            at_work table.map(|blow| blow.work());
     }
 }
 
-rotation_dynamics::example! {
+/// The accuracy strip: the angle after one turn.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (scene, end) = (scene(p), turn(p));
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
+    let run = move |tolerance| Blow::new(scene, tolerance, 0.5, end);
+    let error = |blow: &Blow| Ok(largest([blow.end()?.q[2] - TAU]));
+    report.set_closed_form(ClosedForm::new(move |part| Ok(part * TAU)));
+    report.dial("contacts by DOP853", asked, run, Blow::work, error)
+}
+
+example! {
     ch15_ex4_rod_and_particle: "Exercise 15.4: a free rod is hit at its end by a particle that sticks";
-    report, figures::figures, figures::trajectory, figures::moving
+    "A rod hit by a particle", "A particle hits the end of a free rod, and sticks.",
+    [claims, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

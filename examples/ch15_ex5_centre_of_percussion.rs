@@ -223,22 +223,16 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
     let [forces, turned] = ["largest force, ball / kN", "turned meanwhile / rad"];
     let columns = ["contact / s", "J_h/J", forces, "hands / kN", turned];
-    let mut table = Table::new("soft", columns)?;
-    for contact in [0.0001, 0.001, 0.01] {
+    let table = Table::of("soft", columns, [0.0001, 0.001, 0.01], |contact: f64| {
         let p = p.clone();
         let blow = Blow::new(Strike::soft(&Parameters { contact, ..p }), SOFT)?;
         let ([ball, hands], reaction) = (blow.largest_forces()?, blow.reaction());
         let forces = [ball, hands].map(|force| format!("{:.2}", 1e-3 * force));
         let [ball, hands] = forces;
         let turned = format!("{:.4}", blow.turned()?);
-        table.push([
-            contact.to_string(),
-            format!("{reaction:.4}"),
-            ball,
-            hands,
-            turned,
-        ])?;
-    }
+        let reaction = format!("{reaction:.4}");
+        Ok([contact.to_string(), reaction, ball, hands, turned])
+    })?;
     report.add(table)
 }
 
@@ -290,10 +284,6 @@ pub fn in_pieces(p: &Parameters, e: f64) -> Result<f64> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([arm, hit], l, contact) = (arms(p), p.length, p.contact);
     let soft = Blow::new(Strike::soft(p), SOFT)?;
-    let cost = format!(
-        "closed form, {} derivatives",
-        soft.motion.work().derivatives
-    );
     let area = p.mass / (650.0 * l);
     let stiffness = 12e9 / 650.0 * area / (4.0 * PI);
     let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
@@ -333,12 +323,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let weight = p.mass * 9.80665 * contact / impulse(p, true);
     effect_card! { report,
         "bending of the bat": "2 f_1 t_c" = x, costs bends * response.abs(), "of J/m, velocity of a free handle",
-            measured swings.map(|left| bends * left), within 1e-6, at_cost cost.clone();
+            measured swings.map(|left| bends * left), within 1e-6, at_work soft.motion.work();
         "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
             measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;
         "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
             measured soft.reaction() - reaction(p), within slack,
-            at_cost cost;
+            at_work soft.motion.work();
         "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }

@@ -142,33 +142,17 @@ fn circuit(a: f64, step: f64) -> Result<(Attitude, Work)> {
     Ok((Attitude::from_quaternion(q)?, work))
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
+/// Refuses a rate at which the cone would not roll.
+fn check(p: &Parameters) -> Result<()> {
     let (a, unit) = (p.half_angle, (p.gravity / p.height).sqrt());
     let slips = unit * (p.friction / needed(a, 1.0)).sqrt();
     above_to(0.0, unit * tips(a).sqrt()).check("rate, beyond which the cone tips,", p.rate)?;
     above_to(0.0, slips).check("rate, beyond which the cone slips,", p.rate)?;
-    let about = "A solid cone lies on a table and rolls, without slipping, about its vertex.";
-    let mut report = Report::new("A cone that rolls about its vertex", about)?;
-    claims(p, &mut report)?;
-    left(p, &mut report)?;
-    limits(&mut report)?;
-    effects(p, &mut report)?;
-    let exact = rolled(a, TAU)?;
-    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
-    report.dial(
-        "DOP853, error of a step",
-        asked,
-        move |step| circuit(a, step),
-        |run| run.1,
-        error,
-    )?;
-    report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
-    Ok(report)
+    Ok(())
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    check(p)?;
     let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
     let (s, c, unit, w) = (
         sin(a),
@@ -235,7 +219,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Slender cones, flat ones, and a rate so slow that it hardly moves.
-fn limits(report: &mut Report) -> Result<()> {
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     limits! { report,
         /// a rod 3/5 M h^2 on end, and the spin, ever faster: 3/10 + 3/20
         "alpha = 0.001: T/(M h^2 Omega^2)": kinetic_energy(1e-3) => 0.45, within 1e-6;
@@ -291,21 +275,33 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a) / energy;
     let rolling = bears * TAU / energy;
     let (turning, strips) = ([2.0 * energy / (rate * rate), rate], body(p).air(a, 1.204));
-    let (rolled, its_cost) = left_to_itself(rolling, turning, |_| bears)?;
-    let (blown, cost) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
+    let (rolled, its_work) = left_to_itself(rolling, turning, |_| bears)?;
+    let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
         "friction, as far as it is needed":
             "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
         "rolling resistance":
             "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit",
-            measured rolled, within 1e-10, at_cost its_cost;
+            measured rolled, within 1e-10, at_work its_work;
         "drag of the air":
             "rho h S/M" = 1.204 * h * side / p.mass, costs air.min(1.0), "of the energy in a circuit, to first order",
-            measured blown, within 1e-10, at_cost cost;
+            measured blown, within 1e-10, at_work work;
     }
+}
+
+/// The accuracy strip: the attitude after a circuit.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (a, exact) = (p.half_angle, rolled(p.half_angle, TAU)?);
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
+    report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
+    let run = move |step| circuit(a, step);
+    report.dial("DOP853, error of a step", asked, run, |run| run.1, error)
 }
 
 example! {
     ch15_ex6_cone: "Exercise 15.6: a solid cone that rolls on a table about its vertex";
-    report, figures::figures, figures::trajectory, figures::moving_picture
+    "A cone that rolls about its vertex", "A solid cone lies on a table and rolls, without slipping, about its vertex.",
+    [claims, left, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -246,12 +246,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         let [x, y, ..] = askew.after.v;
         (astray, its_cost) = (Some((atan2(y, x) - p.slant).abs()), cost(&askew));
     }
-    let (held, mut slower, mut ran) = (rub * hit::held_back(after), None, "-".into());
-    if held < 0.4 {
-        let (part, work) = hit::rubbed(after, weak)?;
-        slower = Some(part);
-        ran = format!("closed form, {} derivatives", work.derivatives);
-    }
+    let held = rub * hit::held_back(after);
+    let braked = (held < 0.4).then(|| hit::rubbed(after, weak)).transpose()?;
     effect_card! { report,
         "size of the masses": "8 a^2/(5 l^2)" = size, costs size * 2.0 / (2.0 + square), "of Omega, to first order",
             measured turned, within 1e-9, at_cost cost(&heavy);
@@ -261,7 +257,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01 * (1.0 + 2.0 / 3.0 * square) / (2.0 + square), "of V, to first order",
             measured 1.0 - hypot(staff.after.v[0], staff.after.v[1]) / a.centre, within 1e-9, at_cost cost(&staff);
         "friction of the table": "mu_k g l/V^2" = rub, costs held.min(1.0), "of V in the way l, to first order",
-            measured slower, within 1e-8, at_cost ran;
+            measured braked.map(|(part, _)| part), within 1e-8, at_work braked.map(|(_, work)| work);
     }
 }
 

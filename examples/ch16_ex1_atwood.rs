@@ -7,10 +7,11 @@ pub mod machine;
 
 use core::f64::consts::PI;
 use machine::{Grip, Machine, capstan};
-use rotation_dynamics::integrators::{Dop853, after, ode, second_order};
+use rotation_dynamics::integrators::{after, ode};
 use rotation_dynamics::math::asinh;
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
+use rotation_dynamics::report::driven_in_air;
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -266,7 +267,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(area) = p.air else { return Ok(()) };
-    let (m, way) = (machine(p)?, p.height);
+    let m = machine(p)?;
     let (held, [m1, m2]) = (Answer::new(&m), m.masses);
     if held.slips {
         return Err(rotation_dynamics::Error::OutOfRange {
@@ -275,17 +276,12 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
             allowed: "the claims about the air are for a rope that holds: more friction, or lighter masses",
         });
     }
-    let (a, inertia) = (held.acceleration, m1 + m2 + m.pulley);
     let drag = QuadraticDrag::in_air(1.204, 1.0, area)?;
-    let ([time, speed], slowing) = (drag.driven(a, inertia, way), drag.coefficient() / inertia);
-    let law = second_order(|_, _, v| a - slowing * v * v);
-    let (there, _) = Dop853::new(1e-13)?.zero(&law, [0.0; 2], 1, 2.0 * time, |y| y[0] - way)?;
-    claims! { report,
-        /// in air: time of the way
-        blown_time: time, "s", "located event" => there.t, within 1e-10 * time;
-        /// in air: speed at its end
-        blown_speed: speed, "m/s", "located event" => there.state[1], within 1e-10 * speed;
-    }
+    driven_in_air(
+        report,
+        drag,
+        [held.acceleration, m1 + m2 + m.pulley, p.height],
+    )
 }
 
 /// A rope 8 mm thick, a bearing that rubs, the air.

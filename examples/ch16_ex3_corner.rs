@@ -368,8 +368,7 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
     let (w, cylinder) = (units(p)?.spin, Cylinder::alike(p.friction));
     let stop = w / cylinder.braking();
     let columns = "steps until t_stop, spin left / Omega, steps that change its sign";
-    let mut table = Table::new("signs", columns.split(", "))?;
-    for steps in [100, 1000, 10_000] {
+    let table = Table::of("signs", columns.split(", "), [100, 1000, 10_000], |steps| {
         // The stop comes within a step, as it does unless one is lucky.
         let end = 2.0 * stop * f64::from(steps) / (f64::from(steps) + 0.4);
         let all = by_sign(p.friction, w, false, end, 2 * steps);
@@ -377,17 +376,12 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
         let left = after
             .iter()
             .fold(0.0, |m: f64, [_, spin]| m.max(spin.abs()));
-        let changes = after
-            .windows(2)
-            .filter(|pair| pair[0][1] * pair[1][1] < 0.0)
-            .count();
+        let turns = |pair: &&[[f64; 2]]| pair[0][1] * pair[1][1] < 0.0;
+        let changes = after.windows(2).filter(turns).count();
         let part = changes as f64 / (after.len() - 1) as f64;
-        table.push([
-            steps.to_string(),
-            format!("{:.1e}", left / w),
-            format!("{part:.2}"),
-        ])?;
-    }
+        let (left, part) = (format!("{:.1e}", left / w), format!("{part:.2}"));
+        Ok([steps.to_string(), left, part])
+    })?;
     report.add(table)
 }
 

@@ -7,9 +7,10 @@ pub mod string;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{Dop853, after, ode, second_order};
+use rotation_dynamics::integrators::{after, ode};
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
+use rotation_dynamics::report::driven_in_air;
 use rotation_dynamics::report::prelude::*;
 use string::{Disc, Leaves, long_string};
 
@@ -216,21 +217,9 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(coefficient) = p.air else {
         return Ok(());
     };
-    let (a, way, inertia) = (
-        Answer::new(p).acceleration,
-        p.wound,
-        p.mass * (1.0 + p.shape),
-    );
+    let (a, inertia) = (Answer::new(p).acceleration, p.mass * (1.0 + p.shape));
     let drag = QuadraticDrag::in_air(1.204, coefficient, 2.0 * p.radius * width(p))?;
-    let ([time, speed], slowing) = (drag.driven(a, inertia, way), drag.coefficient() / inertia);
-    let law = second_order(|_, _, v| a - slowing * v * v);
-    let (there, _) = Dop853::new(1e-13)?.zero(&law, [0.0; 2], 1, 2.0 * time, |y| y[0] - way)?;
-    claims! { report,
-        /// in air: time of the way
-        blown_time: time, "s", "located event" => there.t, within 1e-10 * time;
-        /// in air: speed at its end
-        blown_speed: speed, "m/s", "located event" => there.state[1], within 1e-10 * speed;
-    }
+    driven_in_air(report, drag, [a, inertia, p.wound])
 }
 
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.

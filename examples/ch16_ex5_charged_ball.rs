@@ -5,10 +5,11 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::integrators::{Dop853, after, second_order};
+use rotation_dynamics::integrators::{after, second_order};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
 };
+use rotation_dynamics::report::driven_in_air;
 use rotation_dynamics::report::prelude::*;
 
 parameters! {
@@ -321,21 +322,13 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(coefficient) = p.air else {
         return Ok(());
     };
-    let (ball, way) = (Ball::new(p)?, p.length);
+    let ball = Ball::new(p)?;
     let [a, _] = ball.accelerations();
     // What rolls has the inertia of its turning as well.
     let rolls = p.friction * p.gravity > ball.holding();
     let inertia = p.mass * if rolls { ball.pull / a } else { 1.0 };
     let drag = QuadraticDrag::in_air(1.204, coefficient, PI * p.radius * p.radius)?;
-    let ([time, speed], slowing) = (drag.driven(a, inertia, way), drag.coefficient() / inertia);
-    let law = second_order(|_, _, v| a - slowing * v * v);
-    let (there, _) = Dop853::new(1e-13)?.zero(&law, [0.0; 2], 1, 2.0 * time, |y| y[0] - way)?;
-    claims! { report,
-        /// in air: time of the way
-        blown_time: time, "s", "located event" => there.t, within 1e-10 * time;
-        /// in air: speed at its end
-        blown_speed: speed, "m/s", "located event" => there.state[1], within 1e-10 * speed;
-    }
+    driven_in_air(report, drag, [a, inertia, p.length])
 }
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {

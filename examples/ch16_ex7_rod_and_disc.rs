@@ -450,21 +450,16 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn held(p: &Parameters, report: &mut Report) -> Result<()> {
     let m = Moments::new(p)?;
     let columns = "friction over c^*; period; derivatives; RK4, 100 steps";
-    let mut table = Table::new("held", columns.split("; "))?;
-    for power in 0..5 {
+    let table = Table::of("held", columns.split("; "), 0..5, |power| {
         let drag = 10.0_f64.powi(power) * worst(m.share);
         let (back, work) = returns(m.share, drag, p.release, 1e-10)?;
         // Its steps must be shorter than 2.785 over the fastest rate.
         let stable = (1.0 + m.share) * drag * 0.02 * PI < 2.785;
         let name = ["grows without bound", "stable"][usize::from(stable)];
-        table.push([
-            format!("1e{power}"),
-            format!("{:.6} s", back.t / m.rate()),
-            work.derivatives.to_string(),
-            name.into(),
-        ])?;
-    }
-    report.add_table(table)
+        let (drag, period) = (format!("1e{power}"), format!("{:.6} s", back.t / m.rate()));
+        Ok([drag, period, work.derivatives.to_string(), name.into()])
+    })?;
+    report.add(table)
 }
 
 /// The accuracy strip: the wide swing with two angles, for a period.

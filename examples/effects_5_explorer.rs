@@ -484,7 +484,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     effect_card! { report,
         "it is not rigid inside": "a times L" = bent, costs turns, "rad of nutation",
-            measured (angle - p.nutation).abs(), within 1e-3, at_cost format!("closed form, {} derivatives", work.derivatives), included;
+            measured (angle - p.nutation).abs(), within 1e-3, at_work work, included;
         "gravity is weaker above": "3 n^2 (I_t - I_a) t/(2 L)" = gravity * time, costs gravity * time, "rad of L, at most";
         "air at the perigee": "rho v^2 C S d t/(2 L)" = air * time, costs air * time, "rad of L, at most";
         "four whip antennas": "4 m d^2/I_a" = about, costs faster, "of the rate in the end",

@@ -135,7 +135,6 @@ pub fn add(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
     // The start by hand: a degree.
     let aim = 0.0175;
     let ([shift, shifted], thrown) = sooner(p, &tumble, aim)?;
-    let cost = |work: Work| format!("closed form, {} derivatives", work.derivatives);
     // Where air would take most of it, there is no second flip to speak of.
     let wait = tumble.between_flips()?;
     let blown = (slowed * wait < 0.5)
@@ -152,17 +151,17 @@ pub fn add(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
     rotation_dynamics::effect_card! { report,
         "a degree in the throw":
             "delta/aside" = aim / p.aside, costs shift, "s between flips, to first order",
-            measured shifted, within 1e-9 * wait, at_cost cost(thrown);
+            measured shifted, within 1e-9 * wait, at_work thrown;
         "air":
             "rho C b l^4 Omega^2/(64 L p)" = slowed / pace,
             costs blown.map_or(1.0, |([first, _], _)| first), "of L, from flip to flip",
-            measured blown.map(|([_, lost], _)| lost), within 1e-8, at_cost blown.map_or("-".into(), |(_, work)| cost(work));
+            measured blown.map(|([_, lost], _)| lost), within 1e-8, at_work blown.map(|(_, work)| work);
         "it bends, and creaks":
             "(Omega/omega_b)^2 Omega/(Q p)" = heated / pace, costs heated, "of the free energy, a second";
         "gravity is weaker above":
             "3 (I3 - I1) g/(2 R_E L p)" = gradient / pace,
             costs twisted.map_or(gradient * wait, |([first, _], _)| first), "rad from flip to flip, in the direction of L",
-            measured twisted.map(|([_, turned], _)| turned), within 1e-12, at_cost twisted.map_or("-".into(), |(_, work)| cost(work));
+            measured twisted.map(|([_, turned], _)| turned), within 1e-12, at_work twisted.map(|(_, work)| work);
         "the Earth turns": "Omega_E/p" = earth / pace, costs earth, "rad a second, at most";
     }
 }

@@ -191,10 +191,3 @@ impl Blow {
         self.motion.work()
     }
 }
-
-/// What a simulation costs where the answer without the effect is a formula.
-pub fn cost(work: Option<Work>) -> String {
-    work.map_or("-".into(), |work| {
-        format!("closed form, {} derivatives", work.derivatives)
-    })
-}

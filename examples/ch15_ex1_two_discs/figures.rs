@@ -97,14 +97,8 @@ figures! { p: &Parameters;
 /// The motion from the release, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
-    let columns = [
-        "t [s]",
-        "height [m]",
-        "Omega1 [rad/s]",
-        "Omega2 [rad/s]",
-        "T [J]",
-    ];
-    Trajectory::sampled(columns, times(0.0, run.end_time(), 400), |t| {
+    let columns = "t [s], height [m], Omega1 [rad/s], Omega2 [rad/s], T [J]";
+    Trajectory::sampled(columns.split(", "), times(0.0, run.end_time(), 400), |t| {
         let State { q, v } = run.at(t)?;
         Ok([t, q[0], v[1], v[2], kinetic_energy(p, [v[1], v[2]])])
     })

@@ -76,25 +76,12 @@ figures! { _: &Parameters;
 
 /// A circuit, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let columns = [
-        "t [s]",
-        "theta_net [rad]",
-        "x [m]",
-        "y [m]",
-        "rim x [m]",
-        "rim y [m]",
-    ];
+    let columns = "t [s], theta_net [rad], x [m], y [m], rim x [m], rim y [m]";
     let (r, a) = (ratio(p)?, p.inner);
-    Trajectory::sampled(columns, times(0.0, TAU, 360), |turn| {
+    Trajectory::sampled(columns.split(", "), times(0.0, TAU, 360), |turn| {
         let ([x, y], [u, v]) = (place(r, turn, 0.0, 0.0), place(r, turn, r, 0.0));
-        Ok([
-            turn / p.rate,
-            angular_velocity(r) * turn,
-            a * x,
-            a * y,
-            a * u,
-            a * v,
-        ])
+        let (t, turned) = (turn / p.rate, angular_velocity(r) * turn);
+        Ok([t, turned, a * x, a * y, a * u, a * v])
     })
 }
 

@@ -4,7 +4,7 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::integrators::{Dop853, second_order};
+use rotation_dynamics::integrators::{Dop853, Work, second_order};
 use rotation_dynamics::math::{cos, sincos, tan};
 use rotation_dynamics::report::draw::{Ink, Solid, View};
 
@@ -103,21 +103,20 @@ impl Cone {
 }
 
 /// The part of its energy, inertia/2 times the square of the rate, that a cone loses in a circuit
-/// if nothing drives it and `brake`, a moment of the rate, holds it back; and what the run costs.
+/// if nothing drives it and `brake`, a moment of the rate, holds it back; and the work of the run.
 /// Nothing if the part `predicted` is so large that it may stop before.
 pub fn left_to_itself(
     predicted: f64,
     [inertia, rate]: [f64; 2],
     brake: impl Fn(f64) -> f64,
-) -> Result<(Option<f64>, String)> {
+) -> Result<(Option<f64>, Option<Work>)> {
     if predicted > 0.9 {
-        return Ok((None, "-".into()));
+        return Ok((None, None));
     }
     // In the time in which it would turn by a radian.
     let law = second_order(|_, _, v| -brake(rate * v) / (inertia * rate * rate));
     let (back, work) = Dop853::new(1e-13)?.zero(&law, [0.0, 1.0], 1, 1e3, |y| y[0] - TAU)?;
-    let cost = format!("closed form, {} derivatives", work.derivatives);
-    Ok((Some(1.0 - back.state[1] * back.state[1]), cost))
+    Ok((Some(1.0 - back.state[1] * back.state[1]), Some(work)))
 }
 
 /// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned

@@ -150,15 +150,8 @@ fn share(p: &Parameters, t: f64) -> f64 {
 
 /// A circuit at the rate of the parameters, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let columns = [
-        "t [s]",
-        "phi [rad]",
-        "zeta [rad]",
-        "rim x [m]",
-        "rim y [m]",
-        "rim z [m]",
-    ];
-    Trajectory::sampled(columns, times(0.0, TAU / p.rate, 240), |t| {
+    let columns = "t [s], phi [rad], zeta [rad], rim x [m], rim y [m], rim z [m]";
+    Trajectory::sampled(columns.split(", "), times(0.0, TAU / p.rate, 240), |t| {
         let (turn, a) = (p.rate * t, p.half_angle);
         let mark = BodyVector::new(tan(a), 0.0, 1.0) * p.height;
         let [x, y, z] = rolled(a, turn)?.to_space(mark).to_array();

@@ -116,14 +116,8 @@ figures! { _: &Parameters;
 /// The motion from rest, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = machine(p)?.run(0.0, p.tolerance, 1e3)?;
-    let columns = [
-        "t [s]",
-        "way [m]",
-        "speed [m/s]",
-        "way of the rim [m]",
-        "speed of the rim [m/s]",
-    ];
-    Trajectory::sampled(columns, times(0.0, run.end_time(), 300), |t| {
+    let columns = "t [s], way [m], speed [m/s], way of the rim [m], speed of the rim [m/s]";
+    Trajectory::sampled(columns.split(", "), times(0.0, run.end_time(), 300), |t| {
         let [way, speed, rim, rim_speed] = run.at(t)?.1;
         Ok([t, way, speed, rim, rim_speed])
     })

@@ -21,15 +21,15 @@ fn digits(value: f64) -> String {
 /// The mass spread differently, with the centre in the middle still.
 #[rustfmt::skip]
 pub fn mass(p: &Parameters) -> Result<Table> {
-    let mut table = Table::new("mass", ["mass", "inertia", "height ratio", "t_release", "omega_floor"])?;
-    for (inertia, name) in [(0.3, "mostly in the middle"), (1.0, "uniform"), (3.0, "at both ends")] {
+    let columns = "mass, inertia, height ratio, t_release, omega_floor".split(", ");
+    let spreads = [(0.3, "mostly in the middle"), (1.0, "uniform"), (3.0, "at both ends")];
+    Table::of("mass", columns, spreads, |(inertia, name)| {
         let run = slide(p, Ladder { inertia, ..Ladder::smooth(p) })?;
         let lets_go = run.event("wall lets go")?;
         let ratio = cos(lets_go.before.q[2]) / cos(p.angle);
         let numbers = [ratio, lets_go.t, run.event("lands")?.before.v[2]].map(digits);
-        table.push([name.into(), inertia.to_string()].into_iter().chain(numbers))?;
-    }
-    Ok(table)
+        Ok([name.into(), inertia.to_string()].into_iter().chain(numbers))
+    })
 }
 
 /// The ladder stays where it is put if `mu` is at least this: tan(theta0/2).
@@ -47,8 +47,8 @@ pub fn rubbing(p: &Parameters, part: f64) -> Result<Slide> {
 /// Dry friction at both ends.
 pub fn friction(p: &Parameters) -> Result<Table> {
     let columns = "mu, mu/tan(theta0/2), height ratio, t_release/s, t_floor/s";
-    let mut table = Table::new("friction", columns.split(", "))?;
-    for part in [0.0, 0.1, 0.3, 0.6, 0.9, 1.0] {
+    let parts = [0.0, 0.1, 0.3, 0.6, 0.9, 1.0];
+    Table::of("friction", columns.split(", "), parts, |part| {
         let mu = supported_digits(part * holding_friction(p), 1e-6);
         let run = rubbing(p, part);
         let known = if run.is_ok() { "it stays" } else { "refused" };
@@ -64,27 +64,25 @@ pub fn friction(p: &Parameters) -> Result<Table> {
                 _ => {}
             }
         }
-        table.push(cells)?;
-    }
-    Ok(table)
+        Ok(cells)
+    })
 }
 
 /// The starts that the page asks about, in closed form.
 #[rustfmt::skip]
 pub fn tries(p: &Parameters) -> Result<Table> {
     let columns = "start, theta_release, t_release, omega_floor, kept wall too fast by";
-    let mut table = Table::new("try", columns.split(", "))?;
-    for (start, gravity, angle) in [
+    let starts = [
         ("as above", p.gravity, p.angle), ("a tenth of the angle", p.gravity, 0.1 * p.angle),
         ("on the Moon", 1.62, p.angle), ("nearly flat", p.gravity, 1.5),
-    ] {
+    ];
+    Table::of("try", columns.split(", "), starts, |(start, gravity, angle)| {
         let exact = Exact::new(p.length, gravity, angle)?;
         let (release, omega) = (exact.release(), exact.landing().omega);
         let excess = (3.0 * gravity * cos(angle) / p.length).sqrt() / omega - 1.0;
         let numbers = [release.theta, exact.release_time(), omega, excess].map(digits);
-        table.push([start.into()].into_iter().chain(numbers))?;
-    }
-    Ok(table)
+        Ok([start.into()].into_iter().chain(numbers))
+    })
 }
 
 /// Air on a light ladder: rho C w l^2/m with its density (kg/m^3), the drag coefficient of

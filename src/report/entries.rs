@@ -230,6 +230,12 @@ impl EffectLine {
         self.entry.cost = Some(cost.into());
         self
     }
+    /// Without it a closed form answers; with it a simulation did this work, if one was made.
+    pub fn at_work(mut self, work: impl Into<Option<Work>>) -> Self {
+        let told = |work: Work| format!("closed form, {} derivatives", work.derivatives);
+        self.entry.cost = work.into().map(told);
+        self
+    }
     /// The scene includes it.
     pub fn included(mut self) -> Self {
         self.entry.included = true;

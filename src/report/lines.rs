@@ -95,7 +95,7 @@ macro_rules! limits {
 /// Adds lines to the card of effects: the effect, the dimensionless number that measures it,
 /// as a formula and its value, the error of leaving it out, and of what it is an error. After
 /// that may stand what a simulation measures of that error, `measured`, what it costs,
-/// `at_cost`, and that the scene has it `included`: the verbs of
+/// `at_cost` in words or `at_work`, and that the scene has it `included`: the verbs of
 /// [`EffectLine`](crate::report::EffectLine). Before all lines may stand the accuracy `asked`
 /// ([`Report::ask`](crate::report::Report::ask)): an effect is in at it if twice its error is
 /// larger. Evaluates to a `Result`.

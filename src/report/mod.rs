@@ -44,6 +44,7 @@
 //! also the rule of the page's answer box. With a column `group` the box offers the
 //! claims that have one, under it; `-` is for those that a reader does not compute.
 
+mod air;
 mod answer;
 mod card;
 mod claim;
@@ -71,6 +72,7 @@ mod strip;
 mod table;
 mod trajectory;
 
+pub use air::driven_in_air;
 pub use answer::{Answer, DEGREES, RECIPROCAL, USUAL_SLIPS, Verdict, digits_asked};
 pub use card::EffectEntry;
 pub use claim::{Claim, Oracle, Slip};

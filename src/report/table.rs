@@ -47,6 +47,31 @@ impl Table {
         Self::headed(format!("table {name}"), columns)
     }
 
+    /// A table with a row for each of `items`: the cells that `row` makes of it.
+    ///
+    /// ```
+    /// use rotation_dynamics::report::Table;
+    /// let cells = |n: u32| Ok([n.to_string(), (n * n).to_string()]);
+    /// let table = Table::of("squares", "number, square".split(", "), 1..=3, cells)?;
+    /// assert_eq!(table.rows()[2], ["3", "9"]);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Table::new`] and [`Table::push`], and those of `row`.
+    pub fn of<I, S: Into<String>, R: IntoIterator<Item: Into<String>>>(
+        name: &str,
+        columns: impl IntoIterator<Item = S>,
+        items: impl IntoIterator<Item = I>,
+        mut row: impl FnMut(I) -> Result<R>,
+    ) -> Result<Self> {
+        let mut table = Self::new(name, columns)?;
+        for item in items {
+            table.push(row(item)?)?;
+        }
+        Ok(table)
+    }
+
     pub(super) fn headed<S: Into<String>>(
         heading: impl Into<String>,
         columns: impl IntoIterator<Item = S>,

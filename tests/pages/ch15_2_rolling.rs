@@ -1,14 +1,14 @@
 //! Rolling: each formula of the page by a route of its own, the slips of the notes, and far
 //! from the notes' numbers. That simulations confirm the claims is part of the report.
 
-use crate::told::{computed, confirmed, ledger, refused, value};
+use crate::told::{computed, confirmed, errors_of, ledger, refused, value};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use pages::ch15_2_rolling::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{atan2, cos, hypot, sincos};
-use support::{EPS, Errors, assert_error};
+use support::{Errors, assert_error};
 
 /// Cycle wheels from a caster to a wheel at the end of a long shaft.
 fn wheels() -> [Parameters; 4] {
@@ -25,7 +25,6 @@ fn at(x: f64, y: f64, z: f64) -> SpaceVector {
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
     let instances = [
         ("wheel_speed", 7.0),
         ("cycloid", 2.8),
@@ -36,10 +35,7 @@ fn the_instances_of_the_notes_come_out() {
         ("across", 1.438_276_615_812_609),
         ("along", 2.632_747_685_671_118),
     ];
-    for (key, instance) in instances {
-        errors.add(value(&EXAMPLE, key), instance, instance.abs());
-    }
-    errors.attain(2.0e0..=2.1e0, 8);
+    errors_of(&EXAMPLE, instances).attain(2.0e0..=2.1e0, 8);
     assert_eq!(value(&EXAMPLE, "cycle_contact"), 0.0);
 }
 

@@ -1,20 +1,16 @@
 //! Exercise 15.3, coins of two sizes. That simulations and formulas agree is part of the report:
 //! a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, measured, refused, value};
+use crate::told::{confirmed, errors_of, measured, refused};
 use core::f64::consts::{PI, TAU};
 use pages::ch15_ex3_coins::*;
 use rotation_dynamics::math::{atan2, cos, sin};
-use support::{EPS, Errors};
+use support::Errors;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
     let instances = [("omega", 16.0 / 3.0), ("momentum", 2.432e-5), ("energy", 3.072e-5)];
-    for (key, instance) in instances {
-        errors.add(value(&EXAMPLE, key), instance, instance);
-    }
-    errors.attain(3.96e0..=3.98e0, 3);
+    errors_of(&EXAMPLE, instances).attain(3.96e0..=3.98e0, 3);
 }
 
 #[test]

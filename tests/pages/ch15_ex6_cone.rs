@@ -1,7 +1,7 @@
 //! Exercise 15.6, the cone that rolls about its vertex. That particles and formulas agree is
 //! part of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::told::{confirmed, errors_of, ledger, refused};
 use pages::ch15_ex6_cone::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::solids;
@@ -11,7 +11,6 @@ use support::{EPS, Errors};
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
     let instances = [
         ("omega", -3.547_833_630_058_67),
         ("l_rho", -0.089_755_429_562_472_2),
@@ -20,10 +19,7 @@ fn the_instances_of_the_notes_come_out() {
         ("omega_tip", 6.231_600_004_822_99),
         ("turns", 2.567_932_455_547_78),
     ];
-    for (key, instance) in instances {
-        errors.add(value(&EXAMPLE, key), instance, instance.abs());
-    }
-    errors.attain(3.6e1..=3.7e1, 6);
+    errors_of(&EXAMPLE, instances).attain(3.6e1..=3.7e1, 6);
 }
 
 #[test]

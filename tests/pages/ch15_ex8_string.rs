@@ -1,16 +1,15 @@
 //! Exercise 15.8, a string pulled in. That the simulated string confirms the formulas is part of
 //! the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, errors_of, refused};
 use pages::ch15_ex8_string::pull::{Pulled, across, energy, radius};
 use pages::ch15_ex8_string::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};
 use rotation_dynamics::math::{hypot, sincos};
-use support::{EPS, Errors};
+use support::Errors;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
     let instances = [
         ("force", 2.304),
         ("angular_velocity", 4.8),
@@ -18,10 +17,7 @@ fn the_instances_of_the_notes_come_out() {
         ("angle", 9.0),
         ("work", 0.351),
     ];
-    for (key, instance) in instances {
-        errors.add(value(&EXAMPLE, key), instance, instance);
-    }
-    errors.attain(2.84..=2.85, 5);
+    errors_of(&EXAMPLE, instances).attain(2.84..=2.85, 5);
 }
 
 #[test]

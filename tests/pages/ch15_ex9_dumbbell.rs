@@ -1,7 +1,7 @@
 //! Exercise 15.9, a dumbbell hit. The simulation knows contacts and impulses and no conservation
 //! law; that it confirms the formulas is part of the report.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::told::{confirmed, errors_of, ledger, refused, value};
 use core::f64::consts::{PI, TAU};
 use pages::ch15_ex9_dumbbell::hit::{Blow, Hit, distances, places, velocities};
 use pages::ch15_ex9_dumbbell::*;
@@ -11,12 +11,8 @@ use support::{EPS, Errors};
 /// The reference case `st-dumbbell`; the last bits are those of a rounded 2/3.
 #[test]
 fn the_reference_case_is_met() {
-    let mut errors = Errors::in_units_of(EPS, "reference");
     let cases = [("v_ball", 1.0), ("v_cm", 2.0), ("omega", 20.0 / 3.0), ("v_hit", 4.0), ("impulse", 1.0)];
-    for (key, expect) in cases {
-        errors.add(value(&EXAMPLE, key), expect, expect);
-    }
-    errors.attain(1.2..=1.21, 5);
+    errors_of(&EXAMPLE, cases).attain(1.2..=1.21, 5);
     assert_eq!(value(&EXAMPLE, "v_other"), 0.0);
 }
 

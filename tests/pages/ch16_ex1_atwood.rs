@@ -1,25 +1,21 @@
 //! Exercise 16.1, Atwood's machine. That Newton's law for each body confirms the formulas is part
 //! of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, number, refused, value};
+use crate::told::{confirmed, errors_of, number, refused, value};
 use pages::ch16_ex1_atwood::machine::{Grip, Machine};
 use pages::ch16_ex1_atwood::*;
 use rotation_dynamics::math::log;
-use support::{EPS, Errors};
+use support::Errors;
 
 /// The reference case `st-atwood`, rounded from 25 digits.
 #[test]
 fn the_reference_case_is_met() {
-    let mut errors = Errors::in_units_of(EPS, "reference, relative");
     let cases = [
         ("a", 1.400_95),
         ("t1", 25.217_1),
         ("t2", 22.415_2),
     ];
-    for (key, expect) in cases {
-        errors.add(value(&EXAMPLE, key), expect, expect);
-    }
-    errors.attain(0.0..=0.0, 3);
+    errors_of(&EXAMPLE, cases).attain(0.0..=0.0, 3);
     assert_eq!(number(&EXAMPLE, "--inertia=0.08 --radius=0.2 --m1=3 --m2=2", "a"), 1.40095);
 }
 

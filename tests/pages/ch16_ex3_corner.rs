@@ -1,21 +1,20 @@
 //! Exercise 16.3, the cylinder in the corner. That simulations confirm the formulas is part of
 //! the report: a claim or a limit that differs from its oracle is an error.
 
-use crate::told::{cell, computed, confirmed, refused, value};
+use crate::told::{cell, computed, confirmed, errors_of, refused};
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode};
 use rotation_dynamics::report::Page;
 use rotation_dynamics::planar::contact::{Mode, State, misdeclared, motion};
-use support::{EPS, Errors};
+use support::Errors;
 
 /// The spin of the page in units of sqrt(g/R).
 const SPIN: f64 = 6.06;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
-    for (key, instance) in [
+    let instances = [
         ("n_floor", 27.689_364_705_882_4),
         ("n_wall", 6.922_341_176_470_59),
         ("alpha", 57.686_176_470_588_2),
@@ -23,10 +22,8 @@ fn the_instances_of_the_notes_come_out() {
         ("turns", 4.966_162_000_899_39),
         ("t_roll", 0.815_772_970_382_343),
         ("v_roll", 2.0),
-    ] {
-        errors.add(value(&EXAMPLE, key), instance, instance);
-    }
-    errors.attain(26.9..=27.0, 7);
+    ];
+    errors_of(&EXAMPLE, instances).attain(26.9..=27.0, 7);
     // The damaged twin: friction that is larger by a thousandth.
     let off = computed(&EXAMPLE, "--friction=0.25025", "t_stop");
     assert!((off / 1.040_110_537_237_49 - 1.0).abs() > 1e-4, "{off}");

@@ -1,15 +1,14 @@
 //! Exercise 16.4, a disc that unwinds from a string. That Newton's law in the plane and Lagrange's
 //! equations in angles confirm each other is part of the report.
 
-use crate::told::{confirmed, number, refused, value};
+use crate::told::{confirmed, errors_of, number, refused};
 use pages::ch16_ex4_unwinding_disc::string::{Disc, Leaves};
 use pages::ch16_ex4_unwinding_disc::*;
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
-use support::{EPS, Errors};
+use support::Errors;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
     let instances = [
         ("a", 6.537_766_666_666_666),
         ("tension", 9.806_65),
@@ -17,10 +16,7 @@ fn the_instances_of_the_notes_come_out() {
         ("t_end", 0.553_095_709_523_567_5),
         ("v_end", 3.616_010_693_199_528),
     ];
-    for (key, instance) in instances {
-        errors.add(value(&EXAMPLE, key), instance, instance);
-    }
-    errors.attain(1.95..=1.96, 5);
+    errors_of(&EXAMPLE, instances).attain(1.95..=1.96, 5);
 }
 
 #[test]

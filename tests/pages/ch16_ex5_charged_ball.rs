@@ -1,11 +1,11 @@
 //! Exercise 16.5, the charged ball. The simulation knows masses, pull and one contact with dry
 //! friction; that it confirms the formulas is part of the report.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{confirmed, errors_of, refused, value};
 use pages::ch16_ex5_charged_ball::*;
 use rotation_dynamics::planar::contact::{Mode, misdeclared};
 use rotation_dynamics::report::prelude::*;
-use support::{EPS, Errors};
+use support::Errors;
 
 fn ball() -> Ball {
     Ball::new(&Parameters::default()).unwrap()
@@ -22,16 +22,12 @@ fn other_balls_are_confirmed() {
 /// The numbers of the inventory, from its 15 digits.
 #[test]
 fn the_instance_of_the_inventory_is_met() {
-    let mut errors = Errors::in_units_of(EPS, "inventory, relative");
     let cases = [
         ("a", 1.785_714_285_714_285_7),
         ("friction", 0.001_428_571_428_571_428_6),
         ("mu_min", 0.072_836_872_355_566_3),
     ];
-    for (key, expect) in cases {
-        errors.add(value(&EXAMPLE, key), expect, expect);
-    }
-    errors.attain(3.4..=3.5, 3);
+    errors_of(&EXAMPLE, cases).attain(3.4..=3.5, 3);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Exercise 16.8, the plank on rollers. That simulations confirm the formulas is part of the
 //! report: a claim or a limit that differs from its oracle is an error.
 
-use crate::told::{computed, confirmed, refused, value};
+use crate::told::{computed, confirmed, errors_of, refused, value};
 use core::f64::consts::TAU;
 use pages::ch16_ex8_plank_on_rollers::*;
 use rotation_dynamics::integrators::{Dop853, second_order};
@@ -10,16 +10,12 @@ use support::{EPS, Errors};
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let mut errors = Errors::in_units_of(EPS, "instances, relative");
     let instances = [
         ("period", 2.590_263_258_624_38),
         ("growth", 2.425_693_715_208_08),
         ("widest", 0.123_675_960_455_817),
     ];
-    for (key, instance) in instances {
-        errors.add(value(&EXAMPLE, key), instance, instance);
-    }
-    errors.attain(33.3..=33.4, 3);
+    errors_of(&EXAMPLE, instances).attain(33.3..=33.4, 3);
     // The others have parameters of their own.
     let mut shown = Errors::in_units_of(EPS, "the other instances, relative");
     let cycle = "--distance=1.2 --kinetic=0.2 --holding=0.35 --speed=0.25";

@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock};
+use support::{EPS, Errors};
 
 /// The project's root.
 pub fn root() -> PathBuf {
@@ -76,6 +77,17 @@ pub fn refused<const N: usize>(page: &dyn Page, runs: [(&str, &str); N]) {
 pub fn value(page: &dyn Page, key: &str) -> f64 {
     let value = with_report(page, |report| Some(report.claim(key)?.value()));
     value.unwrap_or_else(|| panic!("no claim {key}"))
+}
+
+/// How far claims are, with the defaults, from values that are known otherwise: each over its
+/// value, in units of round-off.
+#[track_caller]
+pub fn errors_of<const N: usize>(page: &dyn Page, known: [(&str, f64); N]) -> Errors {
+    let mut errors = Errors::in_units_of(EPS, "claims, relative");
+    for (key, wanted) in known {
+        errors.add(value(page, key), wanted, wanted.abs());
+    }
+    errors
 }
 
 /// The number that stands first in a cell of what the page prints: in this section, in the row
