@@ -11,16 +11,15 @@ mod figures;
 mod variations;
 
 use core::f64::consts::FRAC_PI_2;
-use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
-use rotation_dynamics::math::{EPS, acos, acosh, cos, log, sin, sincos, tan};
+use rotation_dynamics::math::{EPS, acosh};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Motion, State, Surface, kept_within, motion_within,
 };
-use rotation_dynamics::report::{ClosedForm, Report, Trajectory, claim, times};
+use rotation_dynamics::report::prelude::*;
 
-rotation_dynamics::parameters! {
+parameters! {
     /// The ladder of the exercise; the notes leave all three numbers open.
     pub struct Parameters {
         /// length of the ladder
@@ -224,7 +223,7 @@ fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     // Nearly flat, the ladder turns with the constant acceleration W^2.
     let rise = 1e-6;
     let (flat, unit) = (Exact::new(l, g, FRAC_PI_2 - rise)?, rise.sqrt() / rate);
-    rotation_dynamics::limits! { report,
+    limits! { report,
         /// nothing rubs: it is what it was at the start, in units of m g l/2
         "energy at the floor": landed => cos(p.angle), within 8.0 * attainable(p);
         /// arccos(2/3), whatever length and gravity
@@ -296,7 +295,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-rotation_dynamics::example! {
+example! {
     ch16_ex6_ladder: "Exercise 16.6: a ladder slides down a smooth wall and leaves it";
     report, figures::figures, trajectory, figures::moving_picture
 }

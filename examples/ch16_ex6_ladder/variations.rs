@@ -1,11 +1,8 @@
 //! What changes if an assumption goes: the mass is spread differently, the
 //! surfaces rub, the air drags.
 
-use super::{Exact, Ladder, Parameters, Slide, Solved, landing_error};
-use rotation_dynamics::Result;
-use rotation_dynamics::math::{cos, sincos, tan};
-use rotation_dynamics::planar::contact::motion_within;
-use rotation_dynamics::report::{Report, Table, supported_digits, times};
+use super::*;
+use rotation_dynamics::report::supported_digits;
 
 /// The motion of another ladder from the same start, to nine digits.
 fn slide(p: &Parameters, ladder: Ladder) -> Result<Slide> {
@@ -115,7 +112,7 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     let (response, later) = (10.0 * later(0.01)?, later(0.1)?);
     let (drag, lost) = air(p, exact)?;
     let kept = landing_error(exact, &solved.naive)?;
-    rotation_dynamics::effect_card! { report,
+    effect_card! { report,
         "friction, a tenth of what would hold the ladder":
             "mu / tan(theta0/2)" = 0.1, costs response, "of t_floor", measured later;
         "air drag on a light ladder (4 kg/m, 8 cm solid width)":
