@@ -145,10 +145,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "(d) The motion";
         /// velocity of the particle just after
         particle_after: a.after(-0.5 * l), "m/s", "contacts simulated" => after.v[3], within bound * v,
-        in "(d) The motion";
+        in "(d) The motion":
+            a.velocity => "that is the centre of mass; the particle also turns about it";
         /// of the middle of the rod
         middle_after: a.after(0.0), "m/s", "contacts simulated" => middle, within bound * v,
-        in "(d) The motion";
+        in "(d) The motion":
+            a.velocity => "the middle of the rod is not the centre of mass";
         /// of the far end
         far_after: a.after(0.5 * l), "m/s", "contacts simulated" => middle - 0.5 * w * l, within bound * v,
         in "(d) The motion":

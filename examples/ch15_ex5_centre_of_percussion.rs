@@ -183,7 +183,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         turn: turn, "rad/s", "impact simulated" => held.after.v[2], within bound * turn.max(p.speed / l);
         /// velocity of the place of the hands if nobody holds the bat
         away: away, "m/s", "impact simulated, bat free" => free.end_velocity(), within bound * p.speed,
-        in "The hands";
+        in "The hands":
+            loose / p.mass => "that is the centre of mass; the bat turns as well";
         /// second node of the bending, from the end of the handle
         node: node() * l, "m", "shooting from a free end" => shot(1e-13)?.0 * l, within 1e-10 * l;
     }

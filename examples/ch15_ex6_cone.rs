@@ -206,13 +206,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.75 * h * c => "so it is at rest";
         /// friction needed, over the weight
         needed: needed(a, w), "-", "24 particles" => friction(rate)?, within near * needed(a, w),
-        in "The forces";
+        in "The forces":
+            w * c => "how far from the vertex is the centre of mass?",
+            0.75 * w => "the axis of the cone is not level";
         /// rate at which it tips over the rim
         omega_tip: frequency * tips.sqrt(), "rad/s", "made to roll ever faster" => tipping(p)?, within near * frequency * tips.sqrt(),
-        in "The forces";
+        in "The forces":
+            frequency * (1.0 / c / -rho).sqrt() => "the weight has a moment too";
         /// rate at which it slips
         omega_slip: frequency * slips.sqrt(), "rad/s", "24 particles" => rate * (p.friction / friction(rate)?).sqrt(), within near * frequency * slips.sqrt(),
-        in "The forces";
+        in "The forces":
+            frequency * (p.friction / c).sqrt() => "how far from the vertex is the centre of mass?";
         /// coefficient of friction above which it tips before it slips
         mu_tip: needed(a, tips), "-", "24 particles" => friction(tipping(p)?)?, within near * needed(a, tips);
     }

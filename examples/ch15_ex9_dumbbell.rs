@@ -166,7 +166,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             v0 * a.centre => "the turning takes it backward";
         /// impulse of the hit
         impulse: m * v0 * a.impulse, "N s", "contacts simulated" => m * v0 * (1.0 - along([after.v[3], after.v[4]])), within bound * m * v0,
-        in "The velocities";
+        in "The velocities":
+            m * v0 => "the ball does not stop",
+            2.0 * m * v0 => "the ball does not come back as from a wall";
         /// energy of the motion of the centre of mass
         moving: joule * 0.5 * a.centre * a.centre, "J", "contacts simulated" => joule * 0.5 * (after.v[0] * after.v[0] + after.v[1] * after.v[1]), within bound * joule;
         /// energy of the turning

@@ -214,9 +214,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             (held.tensions[0] / held.tensions[1] - 1.0) / PI => "the tension grows along the rope",
             log(held.tensions[0] / held.tensions[1]) / (2.0 * PI) => "it lies on half of the rim";
         /// time until m2 is level with the axle
-        time: time, "s", "located event" => arrives.t, within 10.0 * bound * time, in "The rope";
+        time: time, "s", "located event" => arrives.t, within 10.0 * bound * time, in "The rope":
+            (2.0 * h / g).sqrt() => "they do not fall freely";
         /// speed then
-        speed: fall, "m/s", "simulated" => arrives.before[1], within 10.0 * bound * fall, in "The rope";
+        speed: fall, "m/s", "simulated" => arrives.before[1], within 10.0 * bound * fall, in "The rope":
+            (2.0 * h * g).sqrt() => "they do not fall freely";
         /// the same time with the heavy rope
         heavy_time: longer, "s", "located event" => heavier.t, within late * bound * longer;
         /// speed then

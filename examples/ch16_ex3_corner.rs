@@ -233,7 +233,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             2.0 * heat => "a uniform cylinder has half of that moment of inertia";
         /// part of it that the wall gets
         wall_share: mu / (1.0 + mu), "-", "friction times slip" => rubbed[1] / (rubbed[0] + rubbed[1]),
-        within exact, in "Pressed to the wall";
+        within exact, in "Pressed to the wall":
+            mu => "that is the wall's part over the floor's",
+            1.0 / (1.0 + mu) => "that is the floor's part";
         /// the other sense: when it rolls
         t_roll: roll, "s", "located event" => rolls.t * time, within exact * roll,
         in "The other sense":
@@ -251,7 +253,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             v_roll * roll => "it starts from rest";
         /// part of the energy that is left
         kept: 1.0 / 3.0, "-", "simulated" => (2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin), within exact,
-        in "The other sense";
+        in "The other sense":
+            2.0 / 3.0 => "that is the part that is lost",
+            1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop
         t_fading: faded, "s", "located event" => fades.event("floor sticks")?.t * time,
         within (exact + 100.0 * p.tolerance) * faded;

@@ -155,7 +155,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             (2.0 * g * p.wound).sqrt() => "part of the energy is in the rotation";
         /// angular velocity then
         omega_end: last / p.radius, "rad/s", "located event" => ends.before[5] / second, within bound * last / p.radius,
-        in "At the end of the string";
+        in "At the end of the string":
+            (2.0 * g * p.wound).sqrt() / p.radius => "part of the energy is in the falling, part in the rotation";
         /// time in which the disc turns over the knot
         turn: (over.t - ends.t) * second, "s", "Lagrange, in angles" => turn * second, within 10.0 * bound * second;
         /// largest tension on the way

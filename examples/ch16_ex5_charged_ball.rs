@@ -241,7 +241,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             k * pull / g => "friction itself makes the acceleration smaller";
         /// strongest field in which it rolls
         field_max: 1e-6 * p.field * p.friction / needed, "MV/m", "bisection of the modes" => 1e-6 * p.field * p.friction / least,
-        within 1e-14 * p.field * p.friction / needed, in "The friction";
+        within 1e-14 * p.field * p.friction / needed, in "The friction":
+            1e-6 * p.field * p.friction * g / pull => "friction need not balance the whole pull";
         /// time to the end of the slab
         time: time, "s", "located event" => arrives.t, within bound * time, in "The motion":
             (2.0 * d / pull).sqrt() => "that slides without friction";
