@@ -153,9 +153,18 @@ fn label(column: &str) -> String {
 fn quantity(cell: &str) -> Option<String> {
     let (number, after) = cell.split_once(' ')?;
     let number = number_html(number)?;
-    let end = after.find([' ', ',', ':']).unwrap_or(after.len());
+    let word = |text: &str| text.find([' ', ',', ':']).unwrap_or(text.len());
+    let mut end = word(after);
+    // Newtons and kilograms go on: `N m s`, `kg m^2/s`.
+    if ["N", "kg"].contains(&&after[..end]) {
+        let goes_on =
+            |next: &&str| ["m", "s", "m/s", "m^2", "m^2/s"].contains(&&next[..word(next)]);
+        while let Some(next) = after[end..].strip_prefix(' ').filter(goes_on) {
+            end += 1 + word(next);
+        }
+    }
     let (unit, after) = after.split_at(end);
-    let plain = |c: char| c.is_ascii_alphanumeric() || "/^-".contains(c);
+    let plain = |c: char| c.is_ascii_alphanumeric() || "/^- ".contains(c);
     let is_unit = unit.chars().all(plain) && !token::is_greek(unit) && !after.starts_with(" (");
     Some(match is_unit {
         true => format!("{number}\u{202f}{}{}", unit_html(unit), words(after)),
@@ -263,6 +272,8 @@ mod tests {
             ),
             ("3 m/s^2, upwards", "3\u{202f}m/s<sup>2</sup>, upwards"),
             ("0.5 of it", "0.5\u{202f}of it"),
+            ("0.2 N m of it", "0.2\u{202f}N\u{202f}m of it"),
+            ("3 kg m^2/s", "3\u{202f}kg\u{202f}m<sup>2</sup>/s"),
             ("7 (at most)", "7 (at most)"),
         ];
         // These are formulas.
