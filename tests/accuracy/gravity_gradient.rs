@@ -1,12 +1,13 @@
 //! The gravity gradient: point masses, claims, libration, Jacobi's integral.
 
 use super::twin::{KEEPS_ENERGY, NOT_ON_TIME, OTHER_POTENTIAL, OTHER_POWER, Twin, refused};
-use rotation_dynamics::accuracy::Limits;
+use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityGradient, check};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::sin;
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
@@ -243,4 +244,32 @@ fn bad_input() {
     assert!(refused(N0, z, x * f64::INFINITY).contains("towards, X = inf"));
     assert!(refused(N0, z, x + z).contains("0: the attracting body lies in the plane"));
     assert!(GravityGradient::fixed(-1.0, x).is_err());
+}
+
+/// A satellite tumbles for a day, fifteen orbits: torques taken, and how far its attitude is off
+/// at the end (rad), against a Taylor series of 45 digits (tests/data/satellite.py).
+fn a_day(method: Method, fineness: Fineness, moments: [f64; 3]) -> (u64, f64) {
+    let numbers = include_str!("../data/satellite.txt").split_whitespace();
+    let numbers: Vec<f64> = numbers.map(|x| x.parse().expect("a number")).collect();
+    let [a, b, c] = moments;
+    let body = RigidBody::new(PrincipalMoments::new(a, b, c).expect("a body"));
+    let scene = Scene::new(body).with(tilted_orbit());
+    let carrier = Carrier::new(method, fineness).expect("a setting");
+    let (end, work) = carrier
+        .advance_as_usual(&scene, [0.0, 86_400.0], &tumbling(&body))
+        .expect("solved");
+    let want = Attitude::from_quaternion([numbers[0], numbers[1], numbers[2], numbers[3]]);
+    let off = end.attitude.angle_to(&want.expect("a quaternion"));
+    let rates = body.angular_velocity(&end).to_array();
+    println!("{} {} {off:e} {:?}", method.name(), work.derivatives, rates);
+    (work.derivatives, off)
+}
+
+#[test]
+fn a_satellites_day() {
+    let moments = [20.0, 90.0, 100.0];
+    for n in [50,100,150,200,300, 400] { a_day(Method::GaussLegendre16, Fineness::Steps(n), moments); }
+    for n in [1e-3,1e-6,1e-9,1e-11,1e-12] { a_day(Method::Dop853, Fineness::Tolerance(n), moments); }
+    for n in [1000,10000, 100000] { a_day(Method::Rk4, Fineness::Steps(n), moments); }
+    a_day(Method::GaussLegendre16, Fineness::Steps(300), [20.0,90.0,100.0*(1.0+1e-12)]);
 }
