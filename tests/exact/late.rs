@@ -104,7 +104,10 @@ impl Case {
         let size = |v: &[f64]| v.iter().fold(0.0, |size, x| hypot(size, *x));
         let apart = [0, 1, 2, 3].map(|i| got[i] * along.signum() - moved[i]);
         let faster = [0, 1, 2].map(|i| got[4 + i] - rates[i]);
-        [2.0 * size(&apart), relative(size(&faster), 0.0, size(rates))]
+        [
+            2.0 * size(&apart),
+            relative(size(&faster), 0.0, size(rates)),
+        ]
     }
 }
 

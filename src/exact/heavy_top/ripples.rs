@@ -3,7 +3,7 @@
 
 use super::series::Factor;
 use crate::exact::nome::{Angle, Nome};
-use crate::exact::theta::alternating;
+use crate::exact::theta::{ODD_COSINES, ODD_SINES, alternating, horner};
 use crate::math::DoubleDouble as Dd;
 
 /// The same after Jacobi's imaginary transformation: H as theta_1(y' + iw | q') divided
@@ -42,15 +42,7 @@ impl Ripple {
             nome.q * sin2 - (nome.q4 * sin4).scaled(2.0) + (3.0 * q9 * s6 - 4.0 * nome.q16 * s8);
         let (s, c) = (y.sin.hi(), y.cos.hi());
         let x = s * s;
-        let odd = [
-            (1.0, 1.0),
-            (3.0 - 4.0 * x, 1.0 - 4.0 * x),
-            (5.0 + x * (16.0 * x - 20.0), 1.0 + x * (16.0 * x - 12.0)),
-            (
-                7.0 + x * (x * (112.0 - 64.0 * x) - 56.0),
-                1.0 + x * (x * (80.0 - 64.0 * x) - 24.0),
-            ),
-        ];
+        let odd = |n: usize| (s * horner(&ODD_SINES[n], x), c * horner(&ODD_COSINES[n], x));
         let mut powers = [1.0; 13];
         for n in 1..powers.len() {
             powers[n] = powers[n - 1] * nome.q.hi();
@@ -60,7 +52,7 @@ impl Ripple {
             y,
             at_zero,
             slope: slopes.scaled(4.0) / at_zero * sign,
-            odd: odd.map(|(sin, cos)| (s * sin, c * cos)),
+            odd: core::array::from_fn(odd),
             even: [(s2, c2), (s4, c4), (s6, c6)],
             nome: powers,
             second,
