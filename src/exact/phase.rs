@@ -13,9 +13,8 @@
 //! Sources: E. H. Neville, *Jacobian Elliptic Functions*; DLMF 20.2, 22.2, 22.4(iii),
 //! 22.6(iv).
 
-use super::extended::{complete_first_kind, first_kind};
 use super::theta::{
-    EVEN_COSINES, Multiples, ODD_COSINES, ODD_SINES, Waves, alternating, dot, horner,
+    EVEN_COSINES, Multiples, ODD_COSINES, ODD_SINES, Periods, Waves, alternating, dot, horner,
 };
 use crate::math::{DoubleDouble as Dd, exp, sincos};
 
@@ -65,19 +64,24 @@ impl Phase {
     /// factor), for the parameter `m` and its complement `m1`, and grows by `rate` a
     /// second.
     pub(super) fn new(sin: Dd, cos: Dd, m: Dd, m1: Dd, rate: Dd) -> Self {
-        let quarter = complete_first_kind(m1);
+        let periods = Periods::new(m, m1, 0.5);
         let k1 = m1.sqrt();
-        // Beyond K/2 from the nearest zero of sn, where sc^2 = 1/k1, the start is
-        // counted from a zero of cn: there sc(r) = -cs(K + r)/k1.
-        let (first, start) = if cos.square() < k1 * sin.square() {
-            let side = if sin > 0.0 { 1.0 } else { -1.0 };
-            let start = first_kind(-cos * side, k1 * sin * side, m1, quarter);
-            (side, start)
-        } else if cos < 0.0 {
-            (2.0, first_kind(-sin, -cos, m1, quarter))
+        // From a zero of cn, where that is nearer: there sc(r) = -cs(K + r)/k1.
+        let (beyond, distance) = periods.from_nearer(sin.square(), cos.square());
+        let (first, tangent) = if beyond {
+            (if sin > 0.0 { 1.0 } else { -1.0 }, -cos / (k1 * sin))
         } else {
-            (0.0, first_kind(sin, cos, m1, quarter))
+            (if cos < 0.0 { 2.0 } else { 0.0 }, sin / cos)
         };
+        // A small tangent is the argument, and its square may be beyond the range of doubles.
+        let start = if tangent.abs() < 1e-60 {
+            tangent
+        } else if tangent < 0.0 {
+            -distance
+        } else {
+            distance
+        };
+        let quarter = periods.quarter;
         Self {
             quarter,
             per_quarter: quarter.recip().to_f64(),
@@ -85,7 +89,7 @@ impl Phase {
             start,
             rate,
             k1: k1.to_f64(),
-            series: Series::new(quarter, complete_first_kind(m)),
+            series: Series::new(&periods),
         }
     }
 
@@ -137,17 +141,17 @@ const SQUARE: [i32; 4] = [0, 1, 4, 9];
 const PRONIC_BELOW: [i32; 4] = [0, 0, 2, 6];
 
 impl Series {
-    fn new(quarter: Dd, conjugate: Dd) -> Self {
-        let trigonometric = quarter <= conjugate;
-        let (own, other) = if trigonometric {
-            (quarter, conjugate)
+    fn new(periods: &Periods) -> Self {
+        let (own, other) = if periods.hyperbolic {
+            (periods.nome.quarter, periods.quarter)
         } else {
-            (conjugate, quarter)
+            (periods.quarter, periods.nome.conjugate())
         };
-        let (width, scale) = if other.is_finite() {
-            (Dd::PI * other / own, Dd::FRAC_PI_2 / own)
+        let scale = Dd::FRAC_PI_2 / own;
+        let width = if other.is_finite() {
+            Dd::PI * other / own
         } else {
-            (Dd::from(f64::INFINITY), Dd::FRAC_PI_2 / own)
+            Dd::from(f64::INFINITY)
         };
         let width = width.to_f64();
         let nome = exp(-width);
@@ -169,7 +173,7 @@ impl Series {
             2 => twice(n) / sums[2],
             _ => twice(n) * alternating(n) / sums[3],
         };
-        if trigonometric {
+        if !periods.hyperbolic {
             let weight = |k: usize, n: usize| {
                 a(k, n) * power(nome, if k < 2 { PRONIC[n] } else { SQUARE[n] })
             };

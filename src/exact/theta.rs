@@ -47,6 +47,19 @@ impl Periods {
         })
     }
 
+    /// The argument u, 0 <= u <= K, with sc^2(u|m) = `num`/`den`, as its distance from the nearer
+    /// of 0 and K; true if that is K.
+    pub fn from_nearer(&self, num: Dd, den: Dd) -> (bool, Dd) {
+        let nome = &self.nome;
+        let m1 = if self.hyperbolic { nome.m } else { nome.m1 };
+        // Half-way, sc^2 = 1/sqrt(1-m); sc^2(K - u) = cs^2(u)/(1-m).
+        if num.hi() * m1.hi().sqrt() <= den.hi() {
+            (false, self.argument(num, den))
+        } else {
+            (true, self.argument(den, m1 * num))
+        }
+    }
+
     /// The zero i eta, 0 <= eta <= K', from sc^2(eta|m1) and sc^2(K' - eta|m1), each as a
     /// quotient.
     pub fn zero(&self, eta: (Dd, Dd), rest: (Dd, Dd)) -> Zero {
@@ -186,9 +199,11 @@ pub(super) const EVEN_COSINES: Multiples = [
     [1.0, -18.0, 48.0, -32.0],
 ];
 
-/// The sum of these multiples with these coefficients, as one polynomial.
+/// The sum of these multiples with these coefficients, as one polynomial: the n-th multiple has
+/// powers up to the n-th.
+#[inline]
 pub(super) fn collected(multiples: &Multiples, c: [f64; 4]) -> [f64; 4] {
-    core::array::from_fn(|j| (0..4).fold(0.0, |sum, n| sum + multiples[n][j] * c[n]))
+    core::array::from_fn(|j| (j..4).fold(0.0, |sum, n| sum + multiples[n][j] * c[n]))
 }
 
 /// (-1)^n.
