@@ -67,7 +67,7 @@ impl Phase {
         let periods = Periods::new(m, m1, 0.5);
         let k1 = m1.sqrt();
         // From a zero of cn, where that is nearer: there sc(r) = -cs(K + r)/k1.
-        let (beyond, distance) = periods.from_nearer(sin.square(), cos.square());
+        let (beyond, distance) = periods.nearer_end(sin.square(), cos.square());
         let (first, tangent) = if beyond {
             (if sin > 0.0 { 1.0 } else { -1.0 }, -cos / (k1 * sin))
         } else {

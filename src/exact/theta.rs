@@ -49,7 +49,7 @@ impl Periods {
 
     /// The argument u, 0 <= u <= K, with sc^2(u|m) = `num`/`den`, as its distance from the nearer
     /// of 0 and K; true if that is K.
-    pub fn from_nearer(&self, num: Dd, den: Dd) -> (bool, Dd) {
+    pub fn nearer_end(&self, num: Dd, den: Dd) -> (bool, Dd) {
         let nome = &self.nome;
         let m1 = if self.hyperbolic { nome.m } else { nome.m1 };
         // Half-way, sc^2 = 1/sqrt(1-m); sc^2(K - u) = cs^2(u)/(1-m).

@@ -7,7 +7,7 @@ use crate::math::DoubleDouble as Dd;
 impl Periods {
     /// F of the amplitude with sin : cos = `sin` : `cos`, in (-2K, 2K].
     pub fn first_kind(&self, sin: Dd, cos: Dd) -> Dd {
-        let (beyond, distance) = self.from_nearer(sin.square(), cos.square());
+        let (beyond, distance) = self.nearer_end(sin.square(), cos.square());
         let f = if beyond {
             self.quarter - distance
         } else {

@@ -283,7 +283,7 @@ fn time_from_turning_point(origin: &Origin, roots: &Roots, periods: &Periods, p:
         return (if leaving { -1 } else { 1 }, Dd::ZERO);
     }
     let rising = if state.rate < 0.0 { -1.0 } else { 1.0 };
-    match periods.from_nearer(below, above) {
+    match periods.nearer_end(below, above) {
         (false, since) => (0, since / p * rising),
         (true, until) => (1, -(until / p) * rising),
     }
