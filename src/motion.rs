@@ -122,6 +122,26 @@ pub(crate) fn felt(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
     refused.map_or(Ok(known), Err)
 }
 
+/// `square` and the squares of the conditions of these inputs, each changed by a part of itself.
+/// `moved`: the movement of the state (rad) for other inputs.
+pub(crate) fn felt_of_each<const N: usize>(
+    square: f64,
+    inputs: [f64; N],
+    moved: impl Fn([f64; N]) -> Result<f64>,
+) -> Result<f64> {
+    (0..N).try_fold(square, |square, i| {
+        let felt = felt(|by| {
+            let Some(input) = changed(inputs[i], by) else {
+                return Ok(None);
+            };
+            let mut inputs = inputs;
+            inputs[i] = input;
+            moved(inputs).map(Some)
+        })?;
+        Ok(square + felt * felt)
+    })
+}
+
 /// `x` with a part `by` of it added, if doubles have it to a tenth of the change.
 pub(crate) fn changed(x: f64, by: f64) -> Option<f64> {
     pushed(x, by * x)

@@ -1,24 +1,10 @@
-//! Elliptic integrals of the first kind in double-double arithmetic, for set-ups.
+//! The elliptic integral of the first kind in double-double arithmetic, for set-ups.
 //!
 //! Not for: samples, which are plain `f64`.
 //!
-//! Sources: B. C. Carlson, Numer. Algorithms 10, 13 (1995); DLMF 19.8, 19.25, 19.36.
+//! Sources: B. C. Carlson, Numer. Algorithms 10, 13 (1995); DLMF 19.25, 19.36.
 
 use crate::math::DoubleDouble as Dd;
-
-/// K as a function of the complementary parameter m1 = 1 - m, pi/2 over the
-/// arithmetic-geometric mean of 1 and sqrt(m1); infinite at m1 = 0.
-pub(crate) fn complete_first_kind(m1: Dd) -> Dd {
-    if m1 <= 0.0 {
-        return Dd::from(f64::INFINITY);
-    }
-    let (mut a, mut b) = (Dd::ONE, m1.sqrt());
-    // The difference squares in each step; below 2^-54 of a, one more mean is exact.
-    while (a - b).abs().to_f64() > 1e-17 * a.to_f64() {
-        (a, b) = ((a + b).scaled(0.5), (a * b).sqrt());
-    }
-    Dd::FRAC_PI_2 / (a + b).scaled(0.5)
-}
 
 /// Carlson's R_F(x, y, z), at most one argument zero.
 pub(crate) fn carlson_rf(x: Dd, y: Dd, z: Dd) -> Dd {
@@ -47,20 +33,4 @@ pub(crate) fn carlson_rf(x: Dd, y: Dd, z: Dd) -> Dd {
         + e3.square() * 3.0 / 104.0
         + e2.square() * e3 / 16.0;
     series / mean.sqrt()
-}
-
-/// F(phi | 1 - m1) for the amplitude with sin phi : cos phi = `sin` : `cos`, any
-/// positive common factor, -pi < phi <= pi; `quarter` is K.
-pub(crate) fn first_kind(sin: Dd, cos: Dd, m1: Dd, quarter: Dd) -> Dd {
-    let size = (sin.square() + cos.square()).sqrt();
-    let (s, c) = (sin / size, cos / size);
-    // 1 - m s^2 = c^2 + m1 s^2: nothing cancels as m -> 1.
-    let f = s * carlson_rf(c.square(), c.square() + m1 * s.square(), Dd::ONE);
-    if c >= 0.0 {
-        f
-    } else if s >= 0.0 {
-        quarter.scaled(2.0) - f
-    } else {
-        -quarter.scaled(2.0) - f
-    }
 }

@@ -24,7 +24,7 @@
 use super::phase::Phase;
 use crate::error::{Error, Result, finite};
 use crate::math::{DoubleDouble as Dd, atan2, ldexp};
-use crate::motion::{Kept, Motion, changed, felt};
+use crate::motion::{Kept, Motion, felt_of_each};
 
 /// A rigid body on a fixed horizontal axis.
 ///
@@ -395,29 +395,20 @@ impl Motion for Pendulum {
             self.omega0,
         ];
         let turned = here.omega * t;
-        let mut square = turned * turned;
-        for i in 0..inputs.len() {
-            let felt = felt(|by| {
-                let Some(input) = changed(inputs[i], by) else {
-                    return Ok(None);
-                };
-                let mut inputs = inputs;
-                inputs[i] = input;
-                let [moment, mass, gravity, lever, theta0, omega0] = inputs;
-                let other = Self::new(
-                    Suspension {
-                        moment,
-                        mass,
-                        gravity,
-                        lever,
-                    },
-                    theta0,
-                    omega0,
-                )?;
-                Ok(Some((other.at(t)?.theta - here.theta).abs()))
-            })?;
-            square += felt * felt;
-        }
+        let square = felt_of_each(turned * turned, inputs, |inputs| {
+            let [moment, mass, gravity, lever, theta0, omega0] = inputs;
+            let other = Self::new(
+                Suspension {
+                    moment,
+                    mass,
+                    gravity,
+                    lever,
+                },
+                theta0,
+                omega0,
+            )?;
+            Ok((other.at(t)?.theta - here.theta).abs())
+        })?;
         Ok(square.sqrt())
     }
 }

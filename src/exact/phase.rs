@@ -13,9 +13,10 @@
 //! Sources: E. H. Neville, *Jacobian Elliptic Functions*; DLMF 20.2, 22.2, 22.4(iii),
 //! 22.6(iv).
 
-use super::extended::{complete_first_kind, first_kind};
-use super::theta::alternating;
-use crate::math::{DoubleDouble as Dd, exp, expm1, sincos};
+use super::theta::{
+    EVEN_COSINES, Multiples, ODD_COSINES, ODD_SINES, Periods, Waves, alternating, dot, horner,
+};
+use crate::math::{DoubleDouble as Dd, exp, sincos};
 
 /// sn, cn, dn of `start + rate t`.
 #[derive(Debug, Clone)]
@@ -63,19 +64,24 @@ impl Phase {
     /// factor), for the parameter `m` and its complement `m1`, and grows by `rate` a
     /// second.
     pub(super) fn new(sin: Dd, cos: Dd, m: Dd, m1: Dd, rate: Dd) -> Self {
-        let quarter = complete_first_kind(m1);
+        let periods = Periods::new(m, m1, 0.5);
         let k1 = m1.sqrt();
-        // Beyond K/2 from the nearest zero of sn, where sc^2 = 1/k1, the start is
-        // counted from a zero of cn: there sc(r) = -cs(K + r)/k1.
-        let (first, start) = if cos.square() < k1 * sin.square() {
-            let side = if sin > 0.0 { 1.0 } else { -1.0 };
-            let start = first_kind(-cos * side, k1 * sin * side, m1, quarter);
-            (side, start)
-        } else if cos < 0.0 {
-            (2.0, first_kind(-sin, -cos, m1, quarter))
+        // From a zero of cn, where that is nearer: there sc(r) = -cs(K + r)/k1.
+        let (beyond, distance) = periods.nearer_end(sin.square(), cos.square());
+        let (first, tangent) = if beyond {
+            (if sin > 0.0 { 1.0 } else { -1.0 }, -cos / (k1 * sin))
         } else {
-            (0.0, first_kind(sin, cos, m1, quarter))
+            (if cos < 0.0 { 2.0 } else { 0.0 }, sin / cos)
         };
+        // A small tangent is the argument, and its square may be beyond the range of doubles.
+        let start = if tangent.abs() < 1e-60 {
+            tangent
+        } else if tangent < 0.0 {
+            -distance
+        } else {
+            distance
+        };
+        let quarter = periods.quarter;
         Self {
             quarter,
             per_quarter: quarter.recip().to_f64(),
@@ -83,7 +89,7 @@ impl Phase {
             start,
             rate,
             k1: k1.to_f64(),
-            series: Series::new(quarter, complete_first_kind(m)),
+            series: Series::new(&periods),
         }
     }
 
@@ -135,17 +141,17 @@ const SQUARE: [i32; 4] = [0, 1, 4, 9];
 const PRONIC_BELOW: [i32; 4] = [0, 0, 2, 6];
 
 impl Series {
-    fn new(quarter: Dd, conjugate: Dd) -> Self {
-        let trigonometric = quarter <= conjugate;
-        let (own, other) = if trigonometric {
-            (quarter, conjugate)
+    fn new(periods: &Periods) -> Self {
+        let (own, other) = if periods.hyperbolic {
+            (periods.nome.quarter, periods.quarter)
         } else {
-            (conjugate, quarter)
+            (periods.quarter, periods.nome.conjugate())
         };
-        let (width, scale) = if other.is_finite() {
-            (Dd::PI * other / own, Dd::FRAC_PI_2 / own)
+        let scale = Dd::FRAC_PI_2 / own;
+        let width = if other.is_finite() {
+            Dd::PI * other / own
         } else {
-            (Dd::from(f64::INFINITY), Dd::FRAC_PI_2 / own)
+            Dd::from(f64::INFINITY)
         };
         let width = width.to_f64();
         let nome = exp(-width);
@@ -167,12 +173,12 @@ impl Series {
             2 => twice(n) / sums[2],
             _ => twice(n) * alternating(n) / sums[3],
         };
-        if trigonometric {
+        if !periods.hyperbolic {
             let weight = |k: usize, n: usize| {
                 a(k, n) * power(nome, if k < 2 { PRONIC[n] } else { SQUARE[n] })
             };
             let mut terms = [[0.0; 4]; 4];
-            for (k, polynomials) in MULTIPLE_ANGLES.iter().enumerate() {
+            for (k, polynomials) in MULTIPLES.iter().enumerate() {
                 for n in (0..4).rev() {
                     for (term, p) in terms[k].iter_mut().zip(polynomials[n]) {
                         *term += weight(k, n) * p;
@@ -215,10 +221,10 @@ impl Series {
                 let (sin, cos) = sincos(z.hi());
                 let x = sin * sin;
                 let values = [
-                    sin * poly(&terms[0], x),
-                    cos * poly(&terms[1], x),
-                    poly(&terms[2], x),
-                    poly(&terms[3], x),
+                    sin * horner(&terms[0], x),
+                    cos * horner(&terms[1], x),
+                    horner(&terms[2], x),
+                    horner(&terms[3], x),
                 ];
                 (values, z.lo() / scale.hi())
             }
@@ -229,30 +235,14 @@ impl Series {
             } => {
                 let argument = r * *scale;
                 let w = argument.hi().abs();
-                // All times 2 e^{-w}, so that nothing overflows as m -> 1.
-                let minus = -expm1(-2.0 * w);
-                let decay = 1.0 - minus;
-                let growth = exp(2.0 * w - width);
-                let (mut even, mut odd, mut outer) = ([0.0; 4], [0.0; 4], [0.0; 4]);
-                let (mut weight, mut power, mut differences) = (1.0, decay, minus);
-                let mut full = 1.0;
-                for n in 0..4 {
-                    even[n] = weight * (1.0 + power);
-                    odd[n] = weight * differences;
-                    outer[n] = weight * (1.0 + full);
-                    weight *= growth;
-                    // 1 - E^(2n+3) = (1 - E^(2n+1)) + E^(2n+1) (1 - E)(1 + E), E = e^{-2w}.
-                    differences += power * minus * (1.0 + decay);
-                    power *= decay * decay;
-                    full *= decay * decay;
-                }
+                let waves = Waves::new(w, *width);
                 let sign = if argument.hi() < 0.0 { -1.0 } else { 1.0 };
                 let edge = 2.0 * exp(-w);
                 let values = [
-                    sign * dot(&terms[0], &odd),
-                    edge * dot(&terms[1], &outer),
-                    edge * dot(&terms[2], &outer),
-                    dot(&terms[3], &even),
+                    sign * dot(&terms[0], &waves.odd_sinh),
+                    edge * dot(&terms[1], &waves.even_cosh),
+                    edge * dot(&terms[2], &waves.even_cosh),
+                    dot(&terms[3], &waves.odd_cosh),
                 ];
                 (values, argument.lo() / scale.hi())
             }
@@ -260,40 +250,8 @@ impl Series {
     }
 }
 
-/// sin((2n+1) z)/sin z, cos((2n+1) z)/cos z, cos 2nz and again cos 2nz, n = 0..3, as
-/// polynomials in sin^2 z.
-const MULTIPLE_ANGLES: [[[f64; 4]; 4]; 4] = [
-    [
-        [1.0, 0.0, 0.0, 0.0],
-        [3.0, -4.0, 0.0, 0.0],
-        [5.0, -20.0, 16.0, 0.0],
-        [7.0, -56.0, 112.0, -64.0],
-    ],
-    [
-        [1.0, 0.0, 0.0, 0.0],
-        [1.0, -4.0, 0.0, 0.0],
-        [1.0, -12.0, 16.0, 0.0],
-        [1.0, -24.0, 80.0, -64.0],
-    ],
-    EVEN_ANGLES,
-    EVEN_ANGLES,
-];
-const EVEN_ANGLES: [[f64; 4]; 4] = [
-    [1.0, 0.0, 0.0, 0.0],
-    [1.0, -2.0, 0.0, 0.0],
-    [1.0, -8.0, 8.0, 0.0],
-    [1.0, -18.0, 48.0, -32.0],
-];
-
-#[inline]
-fn poly(c: &[f64; 4], x: f64) -> f64 {
-    c[0] + x * (c[1] + x * (c[2] + x * c[3]))
-}
-
-#[inline]
-fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    a[0] * b[0] + (a[1] * b[1] + (a[2] * b[2] + a[3] * b[3]))
-}
+/// Of s, c, d and n.
+const MULTIPLES: [Multiples; 4] = [ODD_SINES, ODD_COSINES, EVEN_COSINES, EVEN_COSINES];
 
 /// `base` to a small whole power.
 fn power(base: f64, n: i32) -> f64 {

@@ -42,7 +42,7 @@
 use super::ladder::gauss_legendre;
 use crate::error::{Error, Result, finite};
 use crate::math::{self, DoubleDouble as Dd, EPS};
-use crate::motion::{Kept, Motion, changed, felt};
+use crate::motion::{Kept, Motion, felt_of_each};
 
 /// While X + V is below this, the integrand is 1 to 19 digits.
 const UPRIGHT: f64 = 1e-10;
@@ -363,21 +363,15 @@ impl Motion for Plank {
         let here = self.at(t)?;
         let inputs = [self.length, self.gravity, self.theta0, self.omega0];
         let turned = here.omega * t;
-        let mut square = turned * turned;
-        for i in 0..inputs.len() {
-            let felt = felt(|by| {
-                let Some(input) = changed(inputs[i], by) else {
-                    return Ok(None);
-                };
-                let mut inputs = inputs;
-                inputs[i] = input;
-                let [length, gravity, theta0, omega0] = inputs;
+        let square = felt_of_each(
+            turned * turned,
+            inputs,
+            |[length, gravity, theta0, omega0]| {
                 let other = Self::new(length, gravity, theta0, omega0)?;
                 // One that lands before t is no neighbour: the other direction is felt.
-                Ok(Some((other.at(t)?.theta - here.theta).abs()))
-            })?;
-            square += felt * felt;
-        }
+                Ok((other.at(t)?.theta - here.theta).abs())
+            },
+        )?;
         Ok(square.sqrt())
     }
 }

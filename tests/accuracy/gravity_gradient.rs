@@ -1,12 +1,13 @@
 //! The gravity gradient: point masses, claims, libration, Jacobi's integral.
 
 use super::twin::{KEEPS_ENERGY, NOT_ON_TIME, OTHER_POTENTIAL, OTHER_POWER, Twin, refused};
-use rotation_dynamics::accuracy::Limits;
+use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityGradient, check};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::sin;
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
@@ -243,4 +244,57 @@ fn bad_input() {
     assert!(refused(N0, z, x * f64::INFINITY).contains("towards, X = inf"));
     assert!(refused(N0, z, x + z).contains("0: the attracting body lies in the plane"));
     assert!(GravityGradient::fixed(-1.0, x).is_err());
+}
+
+/// The attitude after a day, fifteen orbits, of the tumbling satellite, by a Taylor series of 45
+/// digits (tests/data/satellite.py).
+fn after_a_day() -> Attitude {
+    let numbers = include_str!("../data/satellite.txt").split_whitespace();
+    let numbers: Vec<f64> = numbers.map(|x| x.parse().expect("a number")).collect();
+    let [w, x, y, z, ..] = *numbers else {
+        panic!("four numbers and more");
+    };
+    Attitude::from_quaternion([w, x, y, z]).expect("a quaternion")
+}
+
+/// Torques taken, and how far its attitude is off at the end (rad).
+fn a_day(method: Method, fineness: Fineness, body: &RigidBody) -> (u64, f64) {
+    let scene = Scene::new(*body).with(tilted_orbit());
+    let carrier = Carrier::new(method, fineness).expect("a setting");
+    let (end, work) = carrier
+        .advance_as_usual(&scene, [0.0, 86_400.0], &tumbling(body))
+        .expect("solved");
+    (work.torques(), end.attitude.angle_to(&after_a_day()))
+}
+
+#[test]
+fn a_satellites_day() {
+    let body = satellite();
+    let by = |method, fineness| a_day(method, fineness, &body);
+    let (torques, off) = by(Method::GaussLegendre16, Fineness::Steps(200));
+    assert_eq!(torques, 36_856);
+    assert_error!(off, 2.655e-8);
+    let (torques, off) = by(Method::GaussLegendre16, Fineness::Steps(400));
+    assert_eq!(torques, 48_064);
+    assert_error!(off, 1.96e-12);
+    let (torques, off) = by(Method::Dop853, Fineness::Tolerance(1e-9));
+    assert_eq!(torques, 9_158);
+    assert_error!(off, 1.171e-5);
+    let (torques, off) = by(Method::Dop853, Fineness::Tolerance(1e-12));
+    assert_eq!(torques, 21_206);
+    assert_error!(off, 8.856e-9);
+    let (torques, off) = by(Method::Rk4, Fineness::Steps(10_000));
+    assert_eq!(torques, 40_000);
+    assert_error!(off, 2.595e-5);
+    // The dial delivers what it is asked for.
+    let scene = Scene::new(body).with(tilted_orbit());
+    let day = scene
+        .solve(&tumbling(&body), 86_400.0, 1e-9)
+        .expect("solved");
+    assert!(day.state.attitude.angle_to(&after_a_day()) <= 1e-9);
+    // A moment that is off by 1e-12 of itself is seen.
+    let other = PrincipalMoments::new(20.0, 90.0, 100.0 * (1.0 + 1e-12)).expect("a body");
+    let steps = Fineness::Steps(400);
+    let (_, off) = a_day(Method::GaussLegendre16, steps, &RigidBody::new(other));
+    assert!(off > 1e-9, "{off:e}");
 }

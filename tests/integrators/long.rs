@@ -181,7 +181,7 @@ fn a_billion_steps() {
 
 /// By the splitting of order 2.
 #[test]
-#[ignore = "a billion steps: a quarter of an hour"]
+#[ignore = "a billion steps: six minutes"]
 fn a_billion_heavy_steps() {
     let steps = 1_000_000_000;
     heavy(SPLIT).kept(Method::Strang, steps, swings(Method::Strang, steps));

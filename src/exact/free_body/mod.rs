@@ -45,6 +45,10 @@ use symmetric::Symmetric;
 
 /// A rigid body on which nothing acts: the whole motion, at any time.
 ///
+/// Accuracy: with inputs and time taken as the doubles that they are, the attitude stays within
+/// 8.7 eps rad up to 1e12 periods of the rates, the rates within 4.8 eps of themselves
+/// (`tests/exact/late.rs`).
+///
 /// ```
 /// use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
 /// use rotation_dynamics::{frame::BodyVector, inertia::PrincipalMoments};

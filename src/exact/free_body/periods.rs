@@ -7,17 +7,11 @@ use crate::math::DoubleDouble as Dd;
 impl Periods {
     /// F of the amplitude with sin : cos = `sin` : `cos`, in (-2K, 2K].
     pub fn first_kind(&self, sin: Dd, cos: Dd) -> Dd {
-        let (s, c) = (sin.square(), cos.square());
-        let m1 = if self.hyperbolic {
-            self.nome.m
+        let (beyond, distance) = self.nearer_end(sin.square(), cos.square());
+        let f = if beyond {
+            self.quarter - distance
         } else {
-            self.nome.m1
-        };
-        // Half-way, sc^2 = 1/sqrt(1-m); sc^2(K - u) = cs^2(u)/(1-m).
-        let f = if s.hi() * m1.hi().sqrt() <= c.hi() {
-            self.argument(s, c)
-        } else {
-            self.quarter - self.argument(c, m1 * s)
+            distance
         };
         self.unfolded(f, sin, cos)
     }

@@ -4,9 +4,11 @@
 //! most exp(-pi) = 0.043, and four terms reach 1e-19.
 
 use crate::exact::nome::Nome;
-use crate::exact::theta::{Across, Periods, Zero, alternating};
+use crate::exact::theta::{
+    Across, EVEN_COSINES, EVEN_SINES, ODD_COSINES, ODD_SINES, Periods, Waves, Zero, alternating,
+    collected, dot,
+};
 use crate::math::DoubleDouble as Dd;
-use crate::math::{exp, expm1};
 
 /// Real and imaginary parts of alpha and of beta.
 pub(super) type Parts = ([f64; 2], [f64; 2]);
@@ -119,34 +121,8 @@ impl Series {
         let scale = ratio.to_f64() * a.iter().sum::<f64>() / d.iter().sum::<f64>();
         let (c, d) = (c.map(|x| x * scale), d.map(|x| x * scale));
         let series = Self::Trigonometric(Trigonometric {
-            alpha: [
-                [
-                    a[0] + a[1] + a[2] + a[3],
-                    -2.0 * a[1] - 8.0 * a[2] - 18.0 * a[3],
-                    8.0 * a[2] + 48.0 * a[3],
-                    -32.0 * a[3],
-                ],
-                [
-                    2.0 * b[1] + 4.0 * b[2] + 6.0 * b[3],
-                    -8.0 * b[2] - 32.0 * b[3],
-                    32.0 * b[3],
-                    0.0,
-                ],
-            ],
-            beta: [
-                [
-                    c[0] + 3.0 * c[1] + 5.0 * c[2] + 7.0 * c[3],
-                    -4.0 * c[1] - 20.0 * c[2] - 56.0 * c[3],
-                    16.0 * c[2] + 112.0 * c[3],
-                    -64.0 * c[3],
-                ],
-                [
-                    d[0] + d[1] + d[2] + d[3],
-                    -4.0 * d[1] - 12.0 * d[2] - 24.0 * d[3],
-                    16.0 * d[2] + 80.0 * d[3],
-                    -64.0 * d[3],
-                ],
-            ],
+            alpha: [collected(&EVEN_COSINES, a), collected(&EVEN_SINES, b)],
+            beta: [collected(&ODD_SINES, c), collected(&ODD_COSINES, d)],
         });
         let rate = Dd::PI * p / k.scaled(2.0) * (sums[1] / sums[0]);
         (series, rate, Dd::ZERO)
@@ -204,30 +180,12 @@ impl Hyperbolic {
     /// The sums at time `t` from the turning point, within half a period.
     #[inline]
     pub(super) fn sum(&self, t: f64) -> Parts {
-        let w = (self.rate * t).abs();
-        // All scaled by e^{-w}: cosh -> 1 + e^{-2w}, sinh -> 1 - e^{-2w}.
-        let minus = -expm1(-2.0 * w);
-        let decay = 1.0 - minus;
-        let growth = exp(2.0 * w - self.width);
-        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
-        let (mut weight, mut power, mut differences) = (1.0, decay, minus);
-        for n in 0..4 {
-            even[n] = weight * (1.0 + power);
-            odd[n] = weight * differences;
-            weight *= growth;
-            // 1 - E^{2n+3} = (1 - E^{2n+1}) + E^{2n+1} (1 - E)(1 + E).
-            differences += power * minus * (1.0 + decay);
-            power *= decay * decay;
-        }
+        let waves = Waves::new((self.rate * t).abs(), self.width);
+        let (even, odd) = (waves.odd_cosh, waves.odd_sinh);
         let sign = if t < 0.0 { -1.0 } else { 1.0 };
         (
             [dot(&self.alpha[0], &even), sign * dot(&self.alpha[1], &odd)],
             [sign * dot(&self.beta[0], &odd), dot(&self.beta[1], &even)],
         )
     }
-}
-
-#[inline]
-fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    a[0] * b[0] + (a[1] * b[1] + (a[2] * b[2] + a[3] * b[3]))
 }

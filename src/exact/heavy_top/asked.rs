@@ -6,7 +6,7 @@ use crate::body::{Kinematics, State};
 use crate::error::Result;
 use crate::exact::free_body::first_bad;
 use crate::frame::{BodyVector, SpaceVector};
-use crate::motion::{Kept, Motion, changed, felt, pushed};
+use crate::motion::{Kept, Motion, felt, felt_of_each, pushed};
 
 /// The inputs of the condition are, for a body, three turns of the start (per rad), three
 /// pushes (per |L|: each rate changed by a part of |L|/I), both moments, the torque of gravity,
@@ -84,19 +84,9 @@ impl HeavyTop {
         make: impl Fn([f64; N]) -> Result<Self>,
     ) -> Result<f64> {
         let here = self.attitude(t);
-        let mut square = 0.0;
-        for i in 0..N {
-            let felt = felt(|by| {
-                let Some(input) = changed(inputs[i], by) else {
-                    return Ok(None);
-                };
-                let mut inputs = inputs;
-                inputs[i] = input;
-                Ok(Some(make(inputs)?.attitude(t).angle_to(&here)))
-            })?;
-            square += felt * felt;
-        }
-        Ok(square)
+        felt_of_each(0.0, inputs, |inputs| {
+            Ok(make(inputs)?.attitude(t).angle_to(&here))
+        })
     }
 
     /// The sum of squares over the inputs of a body.

@@ -110,7 +110,7 @@ impl Motion {
                 conserved.difference == 0.0 && roots.x2 == 0.0,
             ),
         ];
-        let (first, offset) = time_from_turning_point(origin, &roots, &periods, m1, p);
+        let (first, offset) = time_from_turning_point(origin, &roots, &periods, p);
         let half_period = if homoclinic { quarter } else { quarter / p };
         let rates = (!periods.hyperbolic).then(|| {
             // The transverse rate at the lower turning point, +-(A - B v1)/sin(theta),
@@ -267,13 +267,7 @@ fn zeros(conserved: &Conserved, roots: &Roots, periods: &Periods) -> [Zero; 2] {
 }
 
 /// The number of a turning point (even: v1, odd: v2) and the time since.
-fn time_from_turning_point(
-    origin: &Origin,
-    roots: &Roots,
-    periods: &Periods,
-    m1: Dd,
-    p: Dd,
-) -> (i64, Dd) {
+fn time_from_turning_point(origin: &Origin, roots: &Roots, periods: &Periods, p: Dd) -> (i64, Dd) {
     let (below, above) = roots.start;
     let state = match origin {
         Origin::Lower => return (0, Dd::ZERO),
@@ -289,10 +283,8 @@ fn time_from_turning_point(
         return (if leaving { -1 } else { 1 }, Dd::ZERO);
     }
     let rising = if state.rate < 0.0 { -1.0 } else { 1.0 };
-    // From the nearer turning point: half-way, sc^2 = 1/sqrt(1-m).
-    if below.hi() * m1.hi().sqrt() <= above.hi() {
-        (0, periods.argument(below, above) / p * rising)
-    } else {
-        (1, -(periods.argument(above, m1 * below) / p) * rising)
+    match periods.nearer_end(below, above) {
+        (false, since) => (0, since / p * rising),
+        (true, until) => (1, -(until / p) * rising),
     }
 }

@@ -21,7 +21,7 @@ impl RateWave {
         let wave = Wave::new(&zero, nome);
         Self {
             sense,
-            factor: wave.h1(size / wave.at_zero()),
+            factor: wave.h1(size / wave.at_zero),
         }
     }
 }

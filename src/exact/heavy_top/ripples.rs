@@ -2,9 +2,8 @@
 //! complementary nome.
 
 use super::series::Factor;
-use super::waves::{even_polynomial, odd_polynomial};
 use crate::exact::nome::{Angle, Nome};
-use crate::exact::theta::alternating;
+use crate::exact::theta::{ODD_COSINES, ODD_SINES, alternating, horner};
 use crate::math::DoubleDouble as Dd;
 
 /// The same after Jacobi's imaginary transformation: H as theta_1(y' + iw | q') divided
@@ -43,15 +42,7 @@ impl Ripple {
             nome.q * sin2 - (nome.q4 * sin4).scaled(2.0) + (3.0 * q9 * s6 - 4.0 * nome.q16 * s8);
         let (s, c) = (y.sin.hi(), y.cos.hi());
         let x = s * s;
-        let odd = [
-            (1.0, 1.0),
-            (3.0 - 4.0 * x, 1.0 - 4.0 * x),
-            (5.0 + x * (16.0 * x - 20.0), 1.0 + x * (16.0 * x - 12.0)),
-            (
-                7.0 + x * (x * (112.0 - 64.0 * x) - 56.0),
-                1.0 + x * (x * (80.0 - 64.0 * x) - 24.0),
-            ),
-        ];
+        let odd = |n: usize| (s * horner(&ODD_SINES[n], x), c * horner(&ODD_COSINES[n], x));
         let mut powers = [1.0; 13];
         for n in 1..powers.len() {
             powers[n] = powers[n - 1] * nome.q.hi();
@@ -61,7 +52,7 @@ impl Ripple {
             y,
             at_zero,
             slope: slopes.scaled(4.0) / at_zero * sign,
-            odd: odd.map(|(sin, cos)| (s * sin, c * cos)),
+            odd: core::array::from_fn(odd),
             even: [(s2, c2), (s4, c4), (s6, c6)],
             nome: powers,
             second,
@@ -71,28 +62,25 @@ impl Ripple {
     /// sum (-1)^n q'^(n(n+1)) [cos(2n+1)y' sinh(2n+1)w - i sin(2n+1)y' cosh(2n+1)w],
     /// in powers of q' 2 cosh 2w.
     pub fn h(&self, scale: Dd) -> Factor {
-        let by_power =
-            |polynomial: fn([f64; 4]) -> [f64; 4], first: Dd, wave: &dyn Fn(usize) -> f64| {
-                let factor = scale.hi();
-                // q'^(n(n+1) - j) belongs to the power j <= n of the variable.
-                let mut result = core::array::from_fn(|j| {
-                    let terms = core::array::from_fn(|n| {
-                        if n < j || n == 0 {
-                            0.0
-                        } else {
-                            alternating(n) * self.nome[n * (n + 1) - j] * wave(n) * factor
-                        }
-                    });
-                    polynomial(terms)[j]
-                });
-                result[0] = (first * scale + result[0]).to_f64();
-                result
-            };
+        let factor = scale.hi();
+        // q'^(n(n+1) - j) belongs to the power j <= n of the variable.
+        let weight = |n: usize, j: usize| alternating(n) * self.nome[n * (n + 1) - j];
+        let re = |n: usize, j: usize| weight(n, j) * self.odd[n].1 * factor;
+        let im = |n: usize, j: usize| weight(n, j) * (-self.sign * self.odd[n].0) * factor;
+        let constant = |first: Dd, rest: f64| (first * scale + rest).to_f64();
         Factor {
-            re: by_power(odd_polynomial, self.y.cos, &|n| self.odd[n].1),
-            im: by_power(even_polynomial, self.y.sin * -self.sign, &|n| {
-                -self.sign * self.odd[n].0
-            }),
+            re: [
+                constant(self.y.cos, re(1, 0) - re(2, 0) - re(3, 0)),
+                re(1, 1) + re(2, 1) - 2.0 * re(3, 1),
+                re(2, 2) + re(3, 2),
+                re(3, 3),
+            ],
+            im: [
+                constant(self.y.sin * -self.sign, im(3, 0) - im(1, 0) - im(2, 0)),
+                im(1, 1) - im(2, 1) - 2.0 * im(3, 1),
+                im(2, 2) - im(3, 2),
+                im(3, 3),
+            ],
         }
     }
 

@@ -18,6 +18,7 @@
 //! Sources: DLMF 20.2, 20.7(viii); F. Klein, A. Sommerfeld, *Theorie des Kreisels*,
 //! VI.
 
+use crate::exact::theta::horner;
 use crate::math;
 use nalgebra::Complex;
 
@@ -147,10 +148,4 @@ impl Series {
         }
         (odd, even, e, sum, difference)
     }
-}
-
-/// Horner's rule for a cubic.
-#[inline]
-fn horner(p: &[f64; 4], k: f64) -> f64 {
-    p[0] + k * (p[1] + k * (p[2] + k * p[3]))
 }

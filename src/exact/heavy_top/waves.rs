@@ -9,7 +9,6 @@ use super::series::{Factor, Series};
 use crate::exact::nome::Nome;
 use crate::exact::theta::{self, Across};
 use crate::math::DoubleDouble as Dd;
-use core::ops::{Add, Sub};
 
 /// The zero i eta of one Cayley-Klein parameter, off the real axis, 0 <= eta <= K'.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +46,7 @@ impl Series {
     }
 
     fn trigonometric(nome: &Nome, waves: &[Wave; 2], size_a: Dd, size_b: Dd) -> Matched {
-        let [scale_a, scale_b] = [size_a / waves[0].at_zero(), size_b / waves[1].at_zero()];
+        let [scale_a, scale_b] = [size_a / waves[0].at_zero, size_b / waves[1].at_zero];
         let series = Self {
             hyperbolic: false,
             nome: nome.q.to_f64(),
@@ -83,8 +82,8 @@ impl Series {
     }
 }
 
-/// Terms that are formed in double-double; the others weigh less than q^9 < 1e-9.
-const LEADING: usize = 3;
+/// Terms that are formed in double-double; the others weigh less than q^16 < 1e-16.
+const LEADING: usize = 4;
 
 /// The series of H and H1 in q, divided by q^(1/4) e^y, y = pi eta/2K:
 /// weights q^(n^2) (q e^{2y})^n of cosh and sinh((2n+1) y), times 2 e^{-(2n+1)y}.
@@ -92,9 +91,10 @@ pub(super) struct Wave {
     sign: f64,
     cosh: [Dd; LEADING],
     sinh: [Dd; LEADING],
-    /// The terms after these.
-    more_cosh: [f64; LEADING],
-    more_sinh: [f64; LEADING],
+    /// H1(-i eta).
+    pub at_zero: Dd,
+    /// Two terms more of the sum of (2n+1) sinh.
+    more_slope: f64,
 }
 
 impl Wave {
@@ -108,49 +108,38 @@ impl Wave {
             },
         };
         // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}), E = e^{-2y}.
-        let square = decay.square();
-        let third = decay + square + 1.0;
-        let fifth = third + square * (decay + square);
-        let falls = [fall, fall * third, fall * fifth];
-        let first = nome.q * rest;
-        let weights = [Dd::ONE, first, nome.q4 * rest.square()];
-        let cosh = core::array::from_fn(|n| weights[n] * (2.0 - falls[n]));
+        let (square, rest2) = (decay.square(), rest.square());
+        let pair = decay + square;
+        let third = pair + 1.0;
+        let fifth = third + square * pair;
+        let seventh = fifth + square.square() * pair;
+        let falls = [fall, fall * third, fall * fifth, fall * seventh];
+        let weights = [
+            Dd::ONE,
+            nome.q * rest,
+            nome.q4 * rest2,
+            nome.q9 * (rest2 * rest),
+        ];
+        let cosh @ [a, b, c, d] = core::array::from_fn(|n| weights[n] * (2.0 - falls[n]));
         let sinh = core::array::from_fn(|n| weights[n] * falls[n]);
-        let (e, two, q2) = (decay.hi(), square.hi(), nome.q.hi() * nome.q.hi());
-        let [mut more_cosh, mut more_sinh] = [[0.0; LEADING]; 2];
-        let mut power = two * two * two * e;
-        // q^(2n+1) and q^(n^2) (q e^{2y})^n for n = 3.
-        let mut odd = q2 * q2 * q2 * nome.q.hi();
-        let mut weight = nome.q9.hi() * rest.hi() * rest.hi() * rest.hi();
-        for (cosh, sinh) in more_cosh.iter_mut().zip(&mut more_sinh) {
-            *cosh = weight * (1.0 + power);
-            *sinh = weight * (1.0 - power);
-            weight *= odd * rest.hi();
-            odd *= q2;
-            power *= two;
-        }
+        let (e, two) = (decay.hi(), square.hi());
+        let ninth = two * two * two * two * e;
+        let fourth = nome.q16 * rest2.hi() * rest2.hi();
+        let fifth = fourth * nome.q9.hi() * rest.hi();
         Self {
             sign: zero.sign,
             cosh,
             sinh,
-            more_cosh,
-            more_sinh,
+            at_zero: a + b + (c + (d + (fourth * (1.0 + ninth) + fifth * (1.0 + ninth * two)))),
+            more_slope: 9.0 * fourth * (1.0 - ninth) + 11.0 * fifth * (1.0 - ninth * two),
         }
-    }
-
-    /// H1(-i eta).
-    pub fn at_zero(&self) -> Dd {
-        let [a, b, c] = self.cosh;
-        let small: f64 = self.more_cosh.iter().rev().sum();
-        a + b + (c + small)
     }
 
     /// d arg H1(x - i eta)/dz at x = 0.
     fn slope(&self) -> Dd {
-        let [a, b, c] = self.sinh;
-        let [d, e, f] = self.more_sinh;
-        let sum = a + b * 3.0 + (c * 5.0 + (7.0 * d + (9.0 * e + 11.0 * f)));
-        sum / self.at_zero() * self.sign
+        let [a, b, c, d] = self.sinh;
+        let sum = a + b * 3.0 + (c * 5.0 + (d * 7.0 + self.more_slope));
+        sum / self.at_zero * self.sign
     }
 
     /// H(x - i eta) = sum (-1)^n [sin(2n+1)z cosh(2n+1)y - i cos(2n+1)z sinh(2n+1)y].
@@ -171,19 +160,15 @@ impl Wave {
         }
     }
 
-    /// The first four terms of cosh and sinh times these and the powers of `alternate`: the
+    /// The leading terms of cosh and sinh times these and the powers of `alternate`: the
     /// first in double-double.
     fn scaled(&self, cosh: Dd, sinh: Dd, alternate: f64) -> (Leading, Leading) {
-        let terms = |terms: &[Dd; LEADING], small: f64, scale: Dd| {
+        let terms = |[first, b, c, d]: [Dd; LEADING], scale: Dd| {
             let factor = scale.hi();
-            let [first, b, c] = *terms;
-            let rest = [b.hi() * alternate, c.hi(), small * alternate];
+            let rest = [b.hi() * alternate, c.hi(), d.hi() * alternate];
             (first * scale, rest.map(|term| term * factor))
         };
-        (
-            terms(&self.cosh, self.more_cosh[0], cosh),
-            terms(&self.sinh, self.more_sinh[0], sinh),
-        )
+        (terms(self.cosh, cosh), terms(self.sinh, sinh))
     }
 }
 
@@ -197,13 +182,8 @@ fn with_leading((first, [b, c, d]): Leading, polynomial: fn([f64; 4]) -> [f64; 4
     polynomial
 }
 
-/// A double or a pair of them.
-pub(super) trait Coefficient: Copy + Add<Output = Self> + Sub<Output = Self> {}
-impl Coefficient for f64 {}
-impl Coefficient for Dd {}
-
 /// sum c_n sin((2n+1)z)/sin z in powers of k = 2 cos 2z.
-pub(super) fn odd_polynomial<C: Coefficient>(c: [C; 4]) -> [C; 4] {
+fn odd_polynomial(c: [f64; 4]) -> [f64; 4] {
     [
         c[0] + c[1] - c[2] - c[3],
         c[1] + c[2] - (c[3] + c[3]),
@@ -213,7 +193,7 @@ pub(super) fn odd_polynomial<C: Coefficient>(c: [C; 4]) -> [C; 4] {
 }
 
 /// sum c_n cos((2n+1)z)/cos z in powers of k = 2 cos 2z.
-pub(super) fn even_polynomial<C: Coefficient>(c: [C; 4]) -> [C; 4] {
+fn even_polynomial(c: [f64; 4]) -> [f64; 4] {
     [
         c[0] - c[1] - c[2] + c[3],
         c[1] - c[2] - (c[3] + c[3]),
