@@ -12,6 +12,7 @@ mod free_flow;
 mod gimbals;
 mod heavy_top;
 mod late;
+mod many;
 mod motion;
 mod pendulum;
 mod plank;
