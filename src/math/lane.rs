@@ -426,18 +426,19 @@ pub(crate) fn write_finite<L: Lane, const N: usize>(values: &[f64; N], row: &mut
     while i + L::WIDTH <= N {
         let x = L::load(&values[i..]);
         x.store(&mut row[i..]);
-        wide = wide + (x - x);
+        wide = wide + x * 0.0;
         i += L::WIDTH;
     }
     if i + 2 <= N {
         let x = Two::load(&values[i..]);
         x.store(&mut row[i..]);
-        two = x - x;
+        two = x * 0.0;
         i += 2;
     }
     if i < N {
         row[i] = values[i];
-        one = values[i] - values[i];
+        one = values[i] * 0.0;
     }
+    // 0 of all that is finite, no number of anything else.
     wide.sum() + two.sum() + one == 0.0
 }
