@@ -23,6 +23,7 @@ impl<const N: usize> Compensated<N> {
     }
 
     /// This state plus an increment.
+    #[inline(always)]
     pub fn plus(&self, increment: &[f64; N]) -> Self {
         let mut sum = *self;
         let parts = sum.value.iter_mut().zip(&mut sum.carry).zip(increment);

@@ -28,7 +28,7 @@ pub struct Tableau<const S: usize> {
 /// Written as h (k_0 + sum_j w_j (k_j - k_0)): the sum is 1 exactly and not to
 /// the rounding of the weights, and round-off acts on differences, which are
 /// small. A constant derivative is integrated without error.
-#[inline]
+#[inline(always)]
 pub(super) fn mean_increment<const N: usize>(h: f64, weights: Weights, k: &[[f64; N]]) -> [f64; N] {
     let first = k[0];
     let mut sum = [0.0; N];
@@ -43,20 +43,26 @@ pub(super) fn mean_increment<const N: usize>(h: f64, weights: Weights, k: &[[f64
     sum
 }
 
-/// h sum_j w_j k_j.
-#[inline]
-pub(super) fn increment<const N: usize>(h: f64, weights: Weights, k: &[[f64; N]]) -> [f64; N] {
+/// sum_j w_j k_j.
+#[inline(always)]
+pub(super) fn combination<const N: usize>(weights: Weights, k: &[[f64; N]]) -> [f64; N] {
     let mut sum = [0.0; N];
     for &(j, w) in weights {
         for i in 0..N {
             sum[i] += w * k[j][i];
         }
     }
-    sum.map(|s| h * s)
+    sum
+}
+
+/// h sum_j w_j k_j.
+#[inline(always)]
+pub(super) fn increment<const N: usize>(h: f64, weights: Weights, k: &[[f64; N]]) -> [f64; N] {
+    combination(weights, k).map(|s| h * s)
 }
 
 /// y + h sum_j w_j k_j.
-#[inline]
+#[inline(always)]
 pub(super) fn stage<const N: usize>(
     y: &[f64; N],
     h: f64,

@@ -151,10 +151,17 @@ pub(super) fn finite_derivative<const N: usize>(
     if derivative.iter().all(|d| d.is_finite()) {
         Ok(derivative)
     } else {
-        Err(Error::DerivativeNotFinite {
-            t,
-            state: y.to_vec(),
-            derivative: derivative.to_vec(),
-        })
+        Err(not_finite(t, y, &derivative))
+    }
+}
+
+/// The error of a derivative that is not finite.
+#[cold]
+#[inline(never)]
+pub(super) fn not_finite(t: f64, y: &[f64], derivative: &[f64]) -> Error {
+    Error::DerivativeNotFinite {
+        t,
+        state: y.to_vec(),
+        derivative: derivative.to_vec(),
     }
 }

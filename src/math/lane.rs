@@ -293,20 +293,20 @@ pub struct Both<L>(L, L);
 
 /// Eight numbers in registers of AVX-512, and in those of AVX2: only where they are.
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Eight, FourTwice};
+pub(crate) use x86::{Eight, Four, FourTwice};
 /// Two numbers in what every processor of its kind has.
 #[cfg(target_arch = "x86_64")]
-type Two = x86::Two;
+pub(crate) type Two = x86::Two;
 #[cfg(target_arch = "aarch64")]
-type Two = aarch64::Two;
+pub(crate) type Two = aarch64::Two;
 #[cfg(target_feature = "simd128")]
-type Two = wasm32::Two;
+pub(crate) type Two = wasm32::Two;
 #[cfg(not(any(
     target_arch = "x86_64",
     target_arch = "aarch64",
     target_feature = "simd128"
 )))]
-type Two = Both<f64>;
+pub(crate) type Two = Both<f64>;
 
 /// Eight numbers in what every processor of its kind has.
 pub(crate) type CommonEight = Both<Both<Two>>;
@@ -580,4 +580,30 @@ fn hand_over<L: Lane, const N: usize>(
         }
         put(values);
     }
+}
+
+/// Writes a row of numbers by registers of `L`, one of two and one number, as compiled loops over
+/// a row read it: a load that takes from two stores waits for both. True if all are finite.
+#[inline(always)]
+pub(crate) fn write_finite<L: Lane, const N: usize>(values: &[f64; N], row: &mut [f64; N]) -> bool {
+    let (mut wide, mut two, mut one) = (L::of(0.0), Two::of(0.0), 0.0);
+    let mut i = 0;
+    while i + L::WIDTH <= N {
+        let x = L::load(&values[i..]);
+        x.store(&mut row[i..]);
+        wide = wide + x * 0.0;
+        i += L::WIDTH;
+    }
+    if i + 2 <= N {
+        let x = Two::load(&values[i..]);
+        x.store(&mut row[i..]);
+        two = x * 0.0;
+        i += 2;
+    }
+    if i < N {
+        row[i] = values[i];
+        one = values[i] * 0.0;
+    }
+    // 0 of all that is finite, no number of anything else.
+    wide.sum() + two.sum() + one == 0.0
 }

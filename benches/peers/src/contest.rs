@@ -259,6 +259,9 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
             all.push(own_adaptive(name, move |tolerance| {
                 ours::form(form, end, &ours::dop853(tolerance)?)
             }));
+            all.push(own_adaptive("theta, phi, zeta, t", move |tolerance| {
+                ours::angles_at_pace(form, end, &ours::dop853(tolerance)?)
+            }));
             all.push(own("RK4", name, move |n| {
                 ours::form(form, end, &ours::rk4(n)?)
             }));
@@ -284,8 +287,13 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
                 }));
             }
             all.push(own_adaptive(name, move |tolerance| {
-                ours::spin_free(problem, &ours::dop853(tolerance)?)
+                ours::form(form, end, &ours::dop853(tolerance)?)
             }));
+            let on_axes = TopMomentum::new(problem)?;
+            all.push(own_adaptive(
+                <TopMomentum as Form<7>>::NAME,
+                move |tolerance| ours::form(on_axes, end, &ours::dop853(tolerance)?),
+            ));
             all.push(own("RK4", name, move |n| {
                 ours::spin_free(problem, &ours::rk4(n)?)
             }));
@@ -293,7 +301,7 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
                 ours::top(problem, &ours::munthe_kaas(n)?)
             }));
             all.extend(peers(form, end));
-            all.extend(peers(TopMomentum::new(problem)?, end));
+            all.extend(peers(on_axes, end));
         }
     }
     if !problem.angles {

@@ -153,6 +153,15 @@ pub const A: [Weights; ALL_STAGES] = [
     ],
 ];
 
+/// The last weight of a stage is that of the stage before it.
+const _: () = {
+    let mut i = 1;
+    while i < ALL_STAGES {
+        assert!(A[i][A[i].len() - 1].0 == i - 1);
+        i += 1;
+    }
+};
+
 /// The error estimate of order 5.
 pub const ERROR_5: Weights = &[
     (0, 0.01312004499419488073250102996),

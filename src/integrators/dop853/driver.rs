@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::{check_span, finite_derivative};
 use crate::integrators::{Ode, Work};
-use crate::math::{EPS, pow};
+use crate::math::{EPS, Lane, lane, pow};
 use core::ops::ControlFlow;
 
 /// Aim at this part of the step that the error estimate allows.
@@ -35,6 +35,38 @@ impl Dop853 {
         start: &[f64; N],
         t_end: f64,
         work: &mut Work,
+        accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
+    ) -> Result<[f64; N]> {
+        #[cfg(target_arch = "x86_64")]
+        if lane::has_avx2() {
+            // SAFETY: the processor has the feature, as just detected.
+            return unsafe { self.drive_avx2(ode, t, start, t_end, work, accepted) };
+        }
+        self.drive_in::<lane::Two, N, O>(ode, t, start, t_end, work, accepted)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn drive_avx2<const N: usize, O: Ode<N> + ?Sized>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        work: &mut Work,
+        accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
+    ) -> Result<[f64; N]> {
+        self.drive_in::<lane::Four, N, O>(ode, t, start, t_end, work, accepted)
+    }
+
+    #[inline(always)]
+    fn drive_in<L: Lane, const N: usize, O: Ode<N> + ?Sized>(
+        &self,
+        ode: &O,
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        work: &mut Work,
         mut accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
     ) -> Result<[f64; N]> {
         check_span(t, start, t_end)?;
@@ -42,15 +74,17 @@ impl Dop853 {
             return Ok(*start);
         }
         let direction = 1f64.copysign(t_end - t);
-        let (mut t, mut y) = (t, Compensated::new(*start));
         work.derivatives += 1;
-        let mut first = finite_derivative(t, start, ode.derivative(t, start))?;
+        let first = finite_derivative(t, start, ode.derivative(t, start))?;
         let mut h = self.first_step(ode, t, start, &first, t_end, work)?;
-        let mut last_error: f64 = 1e-4;
+        let mut trial = Trial::new(t, *start, first, DRIFT * self.tolerance);
+        // The power of the last error that the choice of a step remembers.
+        let mut memory = pow(1e-4, MEMORY);
         let mut after_rejection = false;
         // A step that the clock does not show, or with no digits of its own.
         let vanishes = |t: f64, h: f64| t + direction * h == t || h < 4.0 * EPS * t.abs();
         loop {
+            let t = trial.t;
             if work.steps + work.rejected >= self.step_limit {
                 return Err(Error::TooManySteps {
                     t,
@@ -64,30 +98,28 @@ impl Dop853 {
             let to = if last { t_end } else { t + direction * h };
             // The step the clock really makes: t + h was rounded.
             let made = (to - t) * direction;
-            let trial = Trial::new(ode, [t, to], y, first, DRIFT * self.tolerance, work);
-            let error = match &trial {
-                Ok(trial) => trial.error(ode, self.tolerance)?,
+            let tried = trial.step_to::<L>(ode, to, work);
+            let error = match &tried {
+                Ok(()) => trial.error(ode, self.tolerance)?,
                 Err(_) => f64::INFINITY,
             };
-            if error <= 1.0
-                && let Ok(trial) = &trial
-            {
-                first = trial.last(ode, work)?;
+            if error <= 1.0 {
+                let first = trial.last(ode, work)?;
                 work.steps += 1;
-                if let ControlFlow::Break(end) = accepted(trial, first, work)? {
+                if let ControlFlow::Break(end) = accepted(&trial, first, work)? {
                     return Ok(end);
                 }
-                (t, y) = (to, trial.end);
                 if last {
-                    return Ok(y.value);
+                    return Ok(trial.end.value);
                 }
-                let change = SAFETY * pow(last_error, MEMORY) / pow(error, RESPONSE);
+                trial.go_on::<L>(first);
+                let change = SAFETY * memory / pow(error, RESPONSE);
                 let change = change.clamp(SHRINK, if after_rejection { 1.0 } else { GROW });
                 h = made * change;
-                last_error = error.max(1e-4);
+                memory = pow(error.max(1e-4), MEMORY);
                 after_rejection = false;
-                if vanishes(t, h) {
-                    return Err(underflow(t, h, &y));
+                if vanishes(to, h) {
+                    return Err(underflow(to, h, &trial.start));
                 }
             } else {
                 work.rejected += 1;
@@ -100,8 +132,8 @@ impl Dop853 {
                 after_rejection = true;
                 // Rounded by the clock, a shorter step may be the same again.
                 if vanishes(t, h) || t + direction * h == to {
-                    trial?;
-                    return Err(underflow(t, h, &y));
+                    tried?;
+                    return Err(underflow(t, h, &trial.start));
                 }
             }
         }

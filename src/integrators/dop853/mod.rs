@@ -8,6 +8,7 @@
 pub mod coefficients;
 mod driver;
 mod event;
+mod pace;
 mod segment;
 mod solution;
 mod trial;

@@ -4,11 +4,13 @@ use super::coefficients::{A, ALL_STAGES, C, DENSE, ERROR_5, ORDER_3, STAGES};
 use super::segment::Segment;
 use crate::error::{Error, Result};
 use crate::integrators::compensated::Compensated;
-use crate::integrators::explicit::{increment, mean_increment, stage};
-use crate::integrators::ode::finite_derivative;
+use crate::integrators::explicit::{combination, increment, mean_increment, stage};
+use crate::integrators::ode::{finite_derivative, not_finite};
 use crate::integrators::{Ode, Work};
+use crate::math::Lane;
+use crate::math::lane::{Two, write_finite};
 
-/// A step that has been tried.
+/// A step, tried again and again in one place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trial<const N: usize> {
     pub t: f64,
@@ -16,6 +18,8 @@ pub(super) struct Trial<const N: usize> {
     pub start: Compensated<N>,
     pub end: Compensated<N>,
     k: [[f64; N]; STAGES],
+    /// What was added to the start.
+    made: [f64; N],
     /// What was added to the end to put it back, where it had drifted.
     back: Option<[f64; N]>,
     /// The drift that is left where it is, in parts of what drifts.
@@ -23,37 +27,69 @@ pub(super) struct Trial<const N: usize> {
 }
 
 impl<const N: usize> Trial<N> {
-    /// The step from `start` at the first time, where the derivative is `first`, to the other;
-    /// a drift beyond `within` is put back. Eleven derivatives.
-    pub fn new(
-        ode: &(impl Ode<N> + ?Sized),
-        [t, t_end]: [f64; 2],
-        start: Compensated<N>,
-        first: [f64; N],
-        within: f64,
-        work: &mut Work,
-    ) -> Result<Self> {
-        let h = t_end - t;
+    /// No step yet from `start` at `t`, where the derivative is `first`; a drift beyond `within`
+    /// will be put back.
+    pub fn new(t: f64, start: [f64; N], first: [f64; N], within: f64) -> Self {
+        let start = Compensated::new(start);
         let mut k = [[0.0; N]; STAGES];
         k[0] = first;
-        for i in 1..STAGES {
-            let at = t + C[i] * h;
-            let y = stage(&start.value, h, A[i], &k);
-            work.derivatives += 1;
-            k[i] = finite_derivative(at, &y, ode.derivative(at, &y))?;
-        }
-        let stepped = start.plus(&mean_increment(h, A[STAGES], &k));
-        let drift = ode.drift(t_end, &stepped.value, within);
-        let back = drift.map(|drift| drift.map(|d| -d));
-        Ok(Self {
+        Self {
             t,
-            t_end,
+            t_end: t,
             start,
-            end: back.map_or(stepped, |back| stepped.plus(&back)),
+            end: start,
             k,
-            back,
+            made: [0.0; N],
+            back: None,
             within,
-        })
+        }
+    }
+
+    /// The step to `t_end`. Eleven derivatives.
+    #[inline(always)]
+    pub fn step_to<L: Lane>(
+        &mut self,
+        ode: &(impl Ode<N> + ?Sized),
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<()> {
+        let h = t_end - self.t;
+        let start = self.start.value;
+        let mut newest = self.k[0];
+        for i in 1..STAGES {
+            let at = self.t + C[i] * h;
+            // As `stage` has it; but the newest slope, for which all waits, comes last and
+            // from a register.
+            let [earlier @ .., (_, weight)] = A[i] else {
+                unreachable!("every stage but the first has weights");
+            };
+            let mut y = combination(earlier, &self.k);
+            for n in 0..N {
+                y[n] = start[n] + h * (y[n] + weight * newest[n]);
+            }
+            work.derivatives += 1;
+            newest = ode.derivative(at, &y);
+            if !write_finite::<L, N>(&newest, &mut self.k[i]) {
+                return Err(not_finite(at, &y, &self.k[i]));
+            }
+        }
+        self.made = mean_increment(h, A[STAGES], &self.k);
+        self.end = self.start.plus(&self.made);
+        self.t_end = t_end;
+        let drift = ode.drift(t_end, &self.end.value, self.within);
+        self.back = drift.map(|drift| drift.map(|d| -d));
+        if let Some(back) = &self.back {
+            self.end = self.end.plus(back);
+        }
+        Ok(())
+    }
+
+    /// Goes on from the end of the step, where the derivative is `first`.
+    #[inline(always)]
+    pub fn go_on<L: Lane>(&mut self, first: [f64; N]) {
+        self.t = self.t_end;
+        self.start = self.end;
+        write_finite::<L, N>(&first, &mut self.k[0]);
     }
 
     /// The step from the same start to an earlier end: where an event is.
@@ -63,17 +99,13 @@ impl<const N: usize> Trial<N> {
         t_end: f64,
         work: &mut Work,
     ) -> Result<Self> {
-        Self::new(
-            ode,
-            [self.t, t_end],
-            self.start,
-            self.k[0],
-            self.within,
-            work,
-        )
+        let mut shorter = *self;
+        shorter.step_to::<Two>(ode, t_end, work)?;
+        Ok(shorter)
     }
 
     /// The derivative at the end of the step.
+    #[inline(always)]
     pub fn last(&self, ode: &(impl Ode<N> + ?Sized), work: &mut Work) -> Result<[f64; N]> {
         work.derivatives += 1;
         let y = &self.end.value;
@@ -84,17 +116,17 @@ impl<const N: usize> Trial<N> {
     ///
     /// The estimate of order 5, steadied by that of order 3:
     /// e5^2 / sqrt(e5^2 + e3^2 / 100), in the mean over the components.
+    #[inline(always)]
     pub fn error(&self, ode: &(impl Ode<N> + ?Sized), tolerance: f64) -> Result<f64> {
         let h = self.t_end - self.t;
         let e5 = increment(h, ERROR_5, &self.k);
-        let b = mean_increment(h, A[STAGES], &self.k);
         let b3 = mean_increment(h, ORDER_3, &self.k);
         let size = sizes(ode, &self.start.value)?;
         let size_end = sizes(ode, &self.end.value)?;
         let (mut sum_5, mut sum_3) = (0.0, 0.0);
         for i in 0..N {
             let allowed = tolerance * size[i].max(size_end[i]);
-            let (r5, r3) = (e5[i] / allowed, (b[i] - b3[i]) / allowed);
+            let (r5, r3) = (e5[i] / allowed, (self.made[i] - b3[i]) / allowed);
             sum_5 += r5 * r5;
             sum_3 += r3 * r3;
         }
@@ -123,7 +155,7 @@ impl<const N: usize> Trial<N> {
             k[i] = finite_derivative(at, &y, ode.derivative(at, &y))?;
         }
         // The increment itself, not end - start: the difference has lost digits.
-        let mut difference = mean_increment(h, A[STAGES], &k);
+        let mut difference = self.made;
         for (d, back) in difference.iter_mut().zip(self.back.iter().flatten()) {
             *d += back;
         }
@@ -145,6 +177,7 @@ impl<const N: usize> Trial<N> {
 }
 
 /// The scale of every component, each greater than 0.
+#[inline(always)]
 pub(super) fn sizes<const N: usize>(
     ode: &(impl Ode<N> + ?Sized),
     y: &[f64; N],

@@ -9,6 +9,7 @@ mod closed_form;
 mod dop853;
 mod events;
 mod kepler;
+mod pace;
 mod rk4;
 mod splitting;
 mod trees;

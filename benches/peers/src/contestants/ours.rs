@@ -1,7 +1,8 @@
 //! This library's own methods, through its public interface.
 
-use crate::form::{Form, Own};
+use crate::form::{Form, Own, TopAngles};
 use crate::problem::Problem;
+use core::f64::consts::PI;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
@@ -9,7 +10,7 @@ use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::integrators::gauss_legendre::{BodyAxes, FreeRotation, LaneByLane};
 use rotation_dynamics::integrators::splitting::Scheme;
 use rotation_dynamics::integrators::{
-    Dop853, GaussLegendre, Integrator, MuntheKaas4, Rk4, SpinFree, Splitting, StageOde,
+    Dop853, GaussLegendre, Integrator, MuntheKaas4, Rk4, SpinFree, Splitting, StageOde, ode,
 };
 use rotation_dynamics::scene::Scene;
 
@@ -68,6 +69,20 @@ pub fn form<const N: usize, F: Form<N>, M: Integrator<Own<F>, [f64; N]>>(
 ) -> Result<Attitude> {
     let (y, _) = method.advance(&Own(form), 0.0, &form.start(), end)?;
     Attitude::from_quaternion(form.quaternion(end, &y))
+}
+
+/// The notes' angles by steps in a time of their own, which the distance from either pole paces.
+pub fn angles_at_pace(form: TopAngles, end: f64, method: &Dop853) -> Result<Attitude> {
+    let timed = ode(move |t, &[theta, rate, phi, zeta, _]: &[f64; 5]| {
+        let [theta, rate, phi, zeta] = form.rates(t, &[theta, rate, phi, zeta]);
+        [theta, rate, phi, zeta, 1.0]
+    })
+    .scaled(|_| [1.0; 5]);
+    let [theta, rate, phi, zeta] = form.start();
+    let start = [theta, rate, phi, zeta, 0.0];
+    let pace = |&[theta, ..]: &[f64; 5]| theta * (PI - theta);
+    let ([theta, rate, phi, zeta, _], _) = method.advance_at_pace(&timed, &start, end, pace)?;
+    Attitude::from_quaternion(form.quaternion(end, &[theta, rate, phi, zeta]))
 }
 
 /// Any form, by Gauss-Legendre.
