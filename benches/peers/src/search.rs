@@ -40,9 +40,11 @@ pub struct Outcome {
     pub impatient: bool,
 }
 
-/// The number nearest to this power of ten.
-fn power_of_ten(exponent: i32) -> f64 {
-    format!("1e{exponent}").parse().unwrap_or(0.0)
+/// Two precisions a decade below a target, the loosest first.
+fn precision(rung: i32, target: f64) -> f64 {
+    let digits = if rung % 2 == 0 { "3.2" } else { "1" };
+    let exponent = target.log10().round() as i32 - 1 - rung / 2;
+    format!("{digits}e{exponent}").parse().unwrap_or(0.0)
 }
 
 /// Ten tolerances a decade, the loosest first; each is a decimal number of few digits.
@@ -140,14 +142,14 @@ impl Search<'_> {
     }
 
     /// Solves the stages no better than the target needs, with a few more steps if that
-    /// pays.
+    /// pays, or fewer: rungs are an eighth apart, those of tolerances much less in time.
     fn cheaper_stages(&self, best: &mut Option<Found>, target: f64) {
         let Some(Setting::Stages(fewest, _)) = best.map(|found| found.setting) else {
             return;
         };
-        for below in 1..=4 {
-            let precision = power_of_ten(target.log10().round() as i32 - below);
-            for more in [1.0, 1.12, 1.26] {
+        for rung in 0..8 {
+            let precision = precision(rung, target);
+            for more in [0.95, 1.0, 1.06, 1.12, 1.26] {
                 let steps = (fewest as f64 * more).ceil() as u64;
                 let found = self.run(Setting::Stages(steps, precision));
                 if let Some(found) = found.filter(|found| found.error <= target) {

@@ -18,6 +18,12 @@ use core::hint::black_box;
 /// More sweeps than any contracting step needs.
 const MOST_SWEEPS: u32 = 60;
 
+/// Stages that need not be better than this are not solved to round-off.
+const LOOSE: f64 = 1e-15;
+
+/// What the sweeps of another step gained is not trusted to be better.
+const LEAST_GAIN: f64 = 0.1;
+
 /// Changes below this, relative to the scale, may be nothing but round-off.
 const ROUND_OFF: f64 = 1e-12;
 
@@ -38,15 +44,17 @@ impl<const N: usize> Companion<N> for () {
 #[repr(align(64))]
 struct Rows<const N: usize>([Lanes; N]);
 
-/// The stages' coefficients times the step, in two parts.
+/// The stages' coefficients times the step, in two parts, and what the slopes of the step before
+/// give for the stages.
 struct Tableau {
     stages: Rows<8>,
     rest: Rows<8>,
+    continued: Rows<8>,
 }
 
 impl Tableau {
     fn new(h: DoubleDouble) -> Self {
-        let (mut stages, mut rest) = (Rows([[0.0; 8]; 8]), Rows([[0.0; 8]; 8]));
+        let [mut stages, mut rest, mut continued] = [Rows([[0.0; 8]; 8]); 3];
         // Between 1 and 2, where splitting a product cannot overflow.
         let unit = ldexp(1.0, ilogb(h.hi()));
         let step = h.hi() / unit;
@@ -57,7 +65,18 @@ impl Tableau {
                 rest.0[j][i] = h.hi() * STAGES_REST[j][i] + h.lo() * STAGES[j][i] + product.lo();
             }
         }
-        Self { stages, rest }
+        for (continued, column) in continued.0.iter_mut().zip(&CONTINUATION) {
+            for (stage, column) in stages.0.iter().zip(column) {
+                for i in 0..8 {
+                    continued[i] += stage[i] * column;
+                }
+            }
+        }
+        Self {
+            stages,
+            rest,
+            continued,
+        }
     }
 }
 
@@ -143,69 +162,32 @@ impl GaussLegendre {
         }
         let first = ode.derivatives(L::of(t), &stages);
         work.derivatives += 8;
-        for (first, slopes) in first.iter().zip(&mut slopes.0) {
-            first.store(slopes);
-        }
+        store(&first, &mut slopes);
         finite_derivative(t, &y.value, slopes.0.map(|s| s[0]))?;
-        let tableau = Tableau::new(step);
+        let equations = Equations {
+            tableau: Tableau::new(step),
+            weight,
+            precision: self.precision,
+        };
+        let mut pace = Pace {
+            sweeps: 0,
+            gain: 1.0,
+        };
         for step in 0..self.steps {
             let here = node(t, t_end, step, self.steps);
-            if step > 0 {
-                for i in 0..N {
-                    combination(&CONTINUATION, &slopes.0[i], L::of(0.0)).store(&mut slopes.0[i]);
-                }
-            }
             let times = L::load(&NODES) * h + here;
-            let mut before = f64::INFINITY;
-            let mut sweeps = 0;
-            // What is carried, and with what the coefficients' rounding leaves out: so small
-            // that the slopes the sweeps begin with are good enough for it.
-            let (mut first, mut rest) = ([L::of(0.0); N], [L::of(0.0); N]);
-            for i in 0..N {
-                first[i] = L::of(y.carry[i]);
-                rest[i] = combination(&tableau.rest.0, &slopes.0[i], first[i]);
-            }
-            loop {
-                // Each slope is multiplied by a column, in all lanes: loaded from memory
-                // that costs nothing, taken out of a register it costs more than the
-                // product. The compiler would take it out of the register.
-                black_box(&mut slopes);
-                for i in 0..N {
-                    stages[i] = combination(&tableau.stages.0, &slopes.0[i], first[i]) + y.value[i];
-                }
-                let new = ode.derivatives(times, &stages);
-                let mut changes = (new[0] - L::load(&slopes.0[0])).abs() * weight[0];
-                for i in 1..N {
-                    changes = changes + (new[i] - L::load(&slopes.0[i])).abs() * weight[i];
-                }
-                for (new, slopes) in new.iter().zip(&mut slopes.0) {
-                    new.store(slopes);
-                }
-                first = rest;
-                sweeps += 1;
-                // A sum, so that a NaN anywhere makes it NaN.
-                let change = changes.sum();
-                // The change is what the old slopes lacked; the new ones lack less, by
-                // the gain. Positive conditions: a NaN must not count as converged.
-                let gain = (change / before).min(1.0);
-                let missing = if sweeps > 1 { gain * change } else { change };
-                if missing <= self.precision || (change >= before && change <= ROUND_OFF) {
-                    break;
-                }
-                if !change.is_finite() || (sweeps == MOST_SWEEPS && change > ROUND_OFF) {
+            let solved = if self.paced && self.precision > LOOSE {
+                equations.solve_loosely(ode, times, &y.value, &mut slopes, &mut stages, &mut pace)
+            } else {
+                equations.solve(ode, times, &y, step > 0, &mut slopes, &mut stages)
+            };
+            match solved {
+                Ok(sweeps) => work.derivatives += 8 * u64::from(sweeps),
+                Err(Stuck { sweeps, change }) => {
                     work.derivatives += 8 * u64::from(sweeps);
-                    return Err(Error::NoConvergence {
-                        t: here,
-                        h,
-                        change: before,
-                    });
+                    return Err(Error::NoConvergence { t: here, h, change });
                 }
-                if sweeps == MOST_SWEEPS {
-                    break;
-                }
-                before = change;
             }
-            work.derivatives += 8 * u64::from(sweeps);
             let from = y.value;
             for i in 0..N {
                 let mean = weighted_mean::<L>(&slopes.0[i]);
@@ -216,6 +198,172 @@ impl GaussLegendre {
         }
         Ok(y.value)
     }
+}
+
+/// The stage equations of any step.
+struct Equations<const N: usize> {
+    tableau: Tableau,
+    weight: [f64; N],
+    precision: f64,
+}
+
+/// How many sweeps the step before took, and what the last of them gained.
+struct Pace {
+    sweeps: u32,
+    gain: f64,
+}
+
+/// Sweeps that do not gain, and the last change that was a number.
+struct Stuck {
+    sweeps: u32,
+    change: f64,
+}
+
+impl<const N: usize> Equations<N> {
+    /// To round-off or nearly so, from the slopes of the step before, if it is `continued`.
+    #[inline(always)]
+    fn solve<L: Lane, O: StageOde<N>>(
+        &self,
+        ode: &O,
+        times: L,
+        y: &Compensated<N>,
+        continued: bool,
+        slopes: &mut Rows<N>,
+        stages: &mut [L; N],
+    ) -> core::result::Result<u32, Stuck> {
+        if continued {
+            for i in 0..N {
+                combination(&CONTINUATION, &slopes.0[i], L::of(0.0)).store(&mut slopes.0[i]);
+            }
+        }
+        let mut before = f64::INFINITY;
+        let mut sweeps = 0;
+        // What is carried, and with what the coefficients' rounding leaves out: so small
+        // that the slopes the sweeps begin with are good enough for it.
+        let (mut first, mut rest) = ([L::of(0.0); N], [L::of(0.0); N]);
+        for i in 0..N {
+            first[i] = L::of(y.carry[i]);
+            rest[i] = combination(&self.tableau.rest.0, &slopes.0[i], first[i]);
+        }
+        loop {
+            put_down(slopes);
+            for i in 0..N {
+                stages[i] =
+                    combination(&self.tableau.stages.0, &slopes.0[i], first[i]) + y.value[i];
+            }
+            let new = ode.derivatives(times, stages);
+            let change = self.change(&new, slopes);
+            store(&new, slopes);
+            first = rest;
+            sweeps += 1;
+            // The change is what the old slopes lacked; the new ones lack less, by
+            // the gain. Positive conditions: a NaN must not count as converged.
+            let gain = (change / before).min(1.0);
+            let missing = if sweeps > 1 { gain * change } else { change };
+            if missing <= self.precision || (change >= before && change <= ROUND_OFF) {
+                return Ok(sweeps);
+            }
+            if !change.is_finite() || (sweeps == MOST_SWEEPS && change > ROUND_OFF) {
+                let change = before;
+                return Err(Stuck { sweeps, change });
+            }
+            if sweeps == MOST_SWEEPS {
+                return Ok(sweeps);
+            }
+            before = change;
+        }
+    }
+
+    /// To no more than the precision: what is of the order of round-off is left out, the first
+    /// sweep takes the slopes of the step before as they are, and the changes are looked at only
+    /// where, by the step before, the sweeps may end.
+    #[inline(always)]
+    fn solve_loosely<L: Lane, O: StageOde<N>>(
+        &self,
+        ode: &O,
+        times: L,
+        y: &[f64; N],
+        slopes: &mut Rows<N>,
+        stages: &mut [L; N],
+        pace: &mut Pace,
+    ) -> core::result::Result<u32, Stuck> {
+        let mut before = f64::INFINITY;
+        let mut sweeps = 0;
+        if pace.sweeps > 0 {
+            let new = new_slopes(ode, times, &self.tableau.continued, slopes, y, stages);
+            store(&new, slopes);
+            sweeps += 1;
+        }
+        loop {
+            let new = new_slopes(ode, times, &self.tableau.stages, slopes, y, stages);
+            sweeps += 1;
+            if sweeps + 1 < pace.sweeps {
+                store(&new, slopes);
+                continue;
+            }
+            let change = self.change(&new, slopes);
+            store(&new, slopes);
+            // Positive conditions: a NaN must not count as converged.
+            let gain = if before < f64::INFINITY {
+                (change / before).min(1.0)
+            } else {
+                pace.gain.max(LEAST_GAIN)
+            };
+            let stands = change <= ROUND_OFF && (change >= before || sweeps >= MOST_SWEEPS);
+            if gain * change <= self.precision || stands {
+                *pace = Pace { sweeps, gain };
+                return Ok(sweeps);
+            }
+            if !change.is_finite() || sweeps >= MOST_SWEEPS {
+                let change = before;
+                return Err(Stuck { sweeps, change });
+            }
+            before = change;
+        }
+    }
+
+    /// How much new slopes differ from the old, relative to the scale: a sum, so that a NaN
+    /// anywhere makes it NaN.
+    #[inline(always)]
+    fn change<L: Lane>(&self, new: &[L; N], old: &Rows<N>) -> f64 {
+        let mut changes = L::of(0.0);
+        for ((new, old), weight) in new.iter().zip(&old.0).zip(&self.weight) {
+            changes = changes + (*new - L::load(old)).abs() * *weight;
+        }
+        changes.sum()
+    }
+}
+
+/// The slopes at the stages that these columns and slopes give, and the stages.
+#[inline(always)]
+fn new_slopes<L: Lane, const N: usize, O: StageOde<N>>(
+    ode: &O,
+    times: L,
+    columns: &Rows<8>,
+    slopes: &mut Rows<N>,
+    y: &[f64; N],
+    stages: &mut [L; N],
+) -> [L; N] {
+    put_down(slopes);
+    for i in 0..N {
+        stages[i] = combination(&columns.0, &slopes.0[i], L::of(y[i]));
+    }
+    ode.derivatives(times, stages)
+}
+
+#[inline(always)]
+fn store<L: Lane, const N: usize>(new: &[L; N], slopes: &mut Rows<N>) {
+    for (new, slopes) in new.iter().zip(&mut slopes.0) {
+        new.store(slopes);
+    }
+}
+
+/// Each slope is multiplied by a column, in all lanes: loaded from memory that costs nothing,
+/// taken out of a register it costs more than the product. The compiler would take it out of
+/// the register.
+#[inline(always)]
+fn put_down<const N: usize>(slopes: &mut Rows<N>) {
+    black_box(slopes);
 }
 
 /// first + sum_j column_j x_j, as a tree: its depth is what a sweep waits for.
