@@ -32,7 +32,19 @@ mod theta;
 
 pub use modulus::{Characteristic, Modulus};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite};
+
+/// Refuses `found` places for `expected` states at time `t`, or a time that is not finite.
+fn check_time(found: usize, expected: usize, t: f64) -> Result<()> {
+    if found != expected {
+        return Err(Error::Lengths {
+            name: "states",
+            found,
+            expected,
+        });
+    }
+    finite("t", t).map(|_| ())
+}
 
 /// Refuses `found` places for samples at `times` if they are not as many, or a time that is
 /// not finite.

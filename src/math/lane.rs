@@ -57,6 +57,8 @@ pub trait Lane:
     fn sqrt(self) -> Self;
     /// The absolute value.
     fn abs(self) -> Self;
+    /// The nearest number within `bound` of zero.
+    fn within(self, bound: f64) -> Self;
     /// The sum of the lanes: the halves are added, then the halves of that, to the last two.
     fn sum(self) -> f64;
 }
@@ -88,6 +90,8 @@ pub trait Number:
     fn negative_if_half(self, whole: Self) -> Self;
     /// `odd` where the last bit of `whole` is set, this elsewhere.
     fn or_if_odd(self, odd: Self, whole: Self) -> Self;
+    /// 2^n for the whole number n in the last bits of `whole`, |n| <= 1022.
+    fn two_to(whole: Self) -> Self;
 }
 
 /// Two lanes that go through the same arithmetic.
@@ -100,21 +104,112 @@ pub trait Pair<L>: Number {
     fn swapped(self) -> Self;
 }
 
+/// What a lane is filled with: one number for all of it, or one for each of [`WIDEST`] motions.
+pub(crate) trait Constant: Copy {
+    /// For a lane that starts with the motion number `first`.
+    fn lane<L: Lane>(&self, first: usize) -> L;
+    /// Two side by side.
+    fn pair<L: Phased>(two: &[Self; 2], first: usize) -> L::Pair;
+}
+
+impl Constant for f64 {
+    #[inline(always)]
+    fn lane<L: Lane>(&self, _: usize) -> L {
+        L::of(*self)
+    }
+    #[inline(always)]
+    fn pair<L: Phased>(two: &[Self; 2], _: usize) -> L::Pair {
+        L::Pair::both(two)
+    }
+}
+
+/// A number of each of several motions.
+pub(crate) type Row = [f64; WIDEST];
+
+impl Constant for Row {
+    #[inline(always)]
+    fn lane<L: Lane>(&self, first: usize) -> L {
+        L::load(&self[first..])
+    }
+    #[inline(always)]
+    fn pair<L: Phased>([one, other]: &[Self; 2], first: usize) -> L::Pair {
+        L::Pair::new(one.lane(first), other.lane(first))
+    }
+}
+
+/// What several motions have, number by number.
+pub(crate) trait Gathered: Copy {
+    type Rows;
+    fn gathered(each: [Self; WIDEST]) -> Self::Rows;
+}
+
+impl Gathered for f64 {
+    type Rows = Row;
+    fn gathered(each: [Self; WIDEST]) -> Row {
+        each
+    }
+}
+
+impl<T: Gathered, const N: usize> Gathered for [T; N] {
+    type Rows = [T::Rows; N];
+    fn gathered(each: [Self; WIDEST]) -> Self::Rows {
+        core::array::from_fn(|n| T::gathered(each.map(|one| one[n])))
+    }
+}
+
 /// Two cubics by their coefficients, side by side.
-pub(crate) type Cubics = [[f64; 2]; 4];
+pub(crate) type Cubics<V = f64> = [[V; 2]; 4];
 
 /// The coefficients of two cubics, the lowest first, put side by side.
 pub(crate) fn cubics(first: &[f64; 4], second: &[f64; 4]) -> Cubics {
     core::array::from_fn(|n| [first[n], second[n]])
 }
 
-/// Horner's rule for two cubics at once.
+/// Horner's rule for two cubics at once, for lanes that start with the motion number `first`.
 #[inline(always)]
-pub(crate) fn horner<L: Phased>(p: &Cubics, x: L) -> L::Pair {
+pub(crate) fn horner<L: Phased, V: Constant>(p: &Cubics<V>, x: L, first: usize) -> L::Pair {
     let [p0, p1, p2, p3] = p;
+    let sum = [
+        V::pair::<L>(p0, first),
+        V::pair::<L>(p1, first),
+        V::pair::<L>(p2, first),
+        V::pair::<L>(p3, first),
+    ];
+    cubic::<L>(sum, x)
+}
+
+/// The same of two pairs of cubics, of the second where the last bit of `whole` is set.
+#[inline(always)]
+pub(crate) fn either<L: Phased, V: Constant>(
+    [[e0, e1, e2, e3], [o0, o1, o2, o3]]: &[Cubics<V>; 2],
+    whole: L,
+    x: L,
+    first: usize,
+) -> L::Pair {
+    let whole = L::Pair::new(whole, whole);
+    let chosen = [
+        chosen::<L, V>(e0, o0, whole, first),
+        chosen::<L, V>(e1, o1, whole, first),
+        chosen::<L, V>(e2, o2, whole, first),
+        chosen::<L, V>(e3, o3, whole, first),
+    ];
+    cubic::<L>(chosen, x)
+}
+
+#[inline(always)]
+fn chosen<L: Phased, V: Constant>(
+    even: &[V; 2],
+    odd: &[V; 2],
+    whole: L::Pair,
+    first: usize,
+) -> L::Pair {
+    V::pair::<L>(even, first).or_if_odd(V::pair::<L>(odd, first), whole)
+}
+
+#[inline(always)]
+fn cubic<L: Phased>([p0, p1, p2, p3]: [L::Pair; 4], x: L) -> L::Pair {
     let x = L::Pair::new(x, x);
-    let sum = L::Pair::both(p2) + x * L::Pair::both(p3);
-    L::Pair::both(p0) + x * (L::Pair::both(p1) + x * sum)
+    p0 + x * (p1 + x * (p2 + x * p3))
 }
 
 /// The most numbers a [`Lane`] holds.
@@ -124,6 +219,8 @@ const SIGN: u64 = 1 << 63;
 /// All but the last 27 bits, and half of the last that is kept.
 const LEADING: u64 = !0 << 27;
 const HALF: u64 = 1 << 26;
+/// The bits of 1: an exponent of zero.
+const ONE: u64 = 1023 << 52;
 
 impl Number for f64 {
     #[inline(always)]
@@ -146,6 +243,10 @@ impl Number for f64 {
     fn or_if_odd(self, odd: Self, whole: Self) -> Self {
         let mask = (whole.to_bits() & 1).wrapping_neg();
         f64::from_bits((self.to_bits() & !mask) | (odd.to_bits() & mask))
+    }
+    #[inline(always)]
+    fn two_to(whole: Self) -> Self {
+        f64::from_bits((whole.to_bits() << 52).wrapping_add(ONE))
     }
 }
 
@@ -170,6 +271,10 @@ impl Lane for f64 {
     #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
+    }
+    #[inline(always)]
+    fn within(self, bound: f64) -> Self {
+        self.clamp(-bound, bound)
     }
     #[inline(always)]
     fn sum(self) -> f64 {
@@ -268,6 +373,10 @@ impl<L: Lane> Lane for Both<L> {
         Self(self.0.abs(), self.1.abs())
     }
     #[inline(always)]
+    fn within(self, bound: f64) -> Self {
+        Self(self.0.within(bound), self.1.within(bound))
+    }
+    #[inline(always)]
     fn sum(self) -> f64 {
         (self.0 + self.1).sum()
     }
@@ -301,6 +410,10 @@ impl<L: Phased> Number for Both<L> {
             self.1.or_if_odd(odd.1, whole.1),
         )
     }
+    #[inline(always)]
+    fn two_to(whole: Self) -> Self {
+        Self(L::two_to(whole.0), L::two_to(whole.1))
+    }
 }
 
 impl<L: Phased> Pair<L> for Both<L> {
@@ -322,9 +435,10 @@ impl<L: Phased> Pair<L> for Both<L> {
     }
 }
 
-/// A sample that takes a time to `N` numbers without a branch.
+/// A sample without a branch: `N` numbers of a motion at a time.
 pub(crate) trait Sampler<const N: usize> {
-    fn sample<L: Phased>(&self, t: L) -> [L; N];
+    /// In lanes that start with the motion number `first`.
+    fn sample<L: Phased>(&self, t: L, first: usize) -> [L; N];
 }
 
 /// How many doubles a register may hold at most.
@@ -345,55 +459,105 @@ pub(crate) fn has_avx2() -> bool {
     widest() >= 4 && std::is_x86_feature_detected!("avx2")
 }
 
-/// Hands the sample at each time to `put`, with the widest registers the processor has.
-pub(crate) fn for_each_sample<const N: usize>(
-    sampler: &impl Sampler<N>,
-    times: &[f64],
-    put: impl FnMut([f64; N]),
-) {
+/// Something to be done in registers.
+trait Work {
+    fn run<L: Phased>(self);
+}
+
+/// Does it in the widest registers that the processor has.
+fn in_the_widest(work: impl Work) {
     #[cfg(target_arch = "x86_64")]
     {
         if has_avx512() {
             // SAFETY: the processor has the feature, as just detected.
-            return unsafe { x86::avx512(sampler, times, put) };
+            return unsafe { x86::avx512(work) };
         }
         if has_avx2() {
             // SAFETY: the processor has the feature, as just detected.
-            return unsafe { x86::avx2(sampler, times, put) };
+            return unsafe { x86::avx2(work) };
         }
     }
     // Elsewhere two at once have not been measured to be worth it.
     if cfg!(target_arch = "aarch64") {
-        run::<Two, N>(sampler, times, put);
+        work.run::<Two>();
     } else {
-        run::<f64, N>(sampler, times, put);
+        work.run::<f64>();
     }
 }
 
-#[inline(always)]
-fn run<L: Phased, const N: usize>(
+/// Hands the sample of one motion at each time to `put`.
+pub(crate) fn for_each_time<const N: usize>(
     sampler: &impl Sampler<N>,
     times: &[f64],
-    mut put: impl FnMut([f64; N]),
+    put: impl FnMut([f64; N]),
 ) {
-    let mut left = times;
-    while let Some(first) = left.first() {
-        let count = left.len().min(L::WIDTH);
-        let t = if count == L::WIDTH {
-            L::load(left)
-        } else {
-            // Filled up; what the idle lanes give is dropped.
-            let mut t = [*first; WIDEST];
-            t[..count].copy_from_slice(left);
-            L::load(&t)
-        };
-        let sample = sampler.sample(t);
-        if count == L::WIDTH {
-            hand_over(&sample, L::WIDTH, &mut put);
-        } else {
-            hand_over(&sample, count, &mut put);
+    in_the_widest(EachTime::<_, _, N> {
+        sampler,
+        times,
+        put,
+    });
+}
+
+/// Hands the samples of all motions at one time to `put`; each sampler holds [`WIDEST`].
+pub(crate) fn for_each_motion<'a, const N: usize, S: Sampler<N> + 'a>(
+    blocks: impl Iterator<Item = &'a S>,
+    t: f64,
+    put: impl FnMut([f64; N]),
+) {
+    in_the_widest(EachMotion::<_, _, N> { blocks, t, put });
+}
+
+struct EachTime<'a, S, P, const N: usize> {
+    sampler: &'a S,
+    times: &'a [f64],
+    put: P,
+}
+
+impl<S: Sampler<N>, P: FnMut([f64; N]), const N: usize> Work for EachTime<'_, S, P, N> {
+    #[inline(always)]
+    fn run<L: Phased>(mut self) {
+        let mut left = self.times;
+        while let Some(first) = left.first() {
+            let count = left.len().min(L::WIDTH);
+            let t = if count == L::WIDTH {
+                L::load(left)
+            } else {
+                // Filled up; what the idle lanes give is dropped.
+                let mut t = [*first; WIDEST];
+                t[..count].copy_from_slice(left);
+                L::load(&t)
+            };
+            let sample = self.sampler.sample(t, 0);
+            if count == L::WIDTH {
+                hand_over(&sample, L::WIDTH, &mut self.put);
+            } else {
+                hand_over(&sample, count, &mut self.put);
+            }
+            left = &left[count..];
         }
-        left = &left[count..];
+    }
+}
+
+struct EachMotion<B, P, const N: usize> {
+    blocks: B,
+    t: f64,
+    put: P,
+}
+
+impl<'a, S, B, P, const N: usize> Work for EachMotion<B, P, N>
+where
+    S: Sampler<N> + 'a,
+    B: Iterator<Item = &'a S>,
+    P: FnMut([f64; N]),
+{
+    #[inline(always)]
+    fn run<L: Phased>(mut self) {
+        for block in self.blocks {
+            for first in (0..WIDEST).step_by(L::WIDTH) {
+                let sample = block.sample(L::of(self.t), first);
+                hand_over(&sample, L::WIDTH, &mut self.put);
+            }
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 //! four operations are exact by IEEE 754 and are used as methods of `f64`.)
 
 pub mod double_double;
+mod hyperbolic;
 mod hypot;
 pub mod lane;
 mod order;
@@ -13,6 +14,7 @@ mod turns;
 mod versine;
 
 pub use double_double::DoubleDouble;
+pub(crate) use hyperbolic::{STEEPEST, sinh_cosh_of};
 pub use hypot::hypot;
 pub use lane::Lane;
 pub use libm::{

@@ -6,10 +6,10 @@
 
 use super::double_double::{DoubleDouble, two_sum};
 use super::fmod;
-use super::lane::{Lane, Number, Pair, Phased};
+use super::lane::{Constant, Gathered, Lane, Number, Pair, Phased, WIDEST};
 
 /// 3 * 2^51: adding and subtracting it rounds to a whole number, ties to even.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
+pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// `x` rounded to a whole number, ties to even, without a branch; |x| < 2^50.
 #[inline(always)]
@@ -39,12 +39,31 @@ pub fn sincos_turns<L: Phased>(t: L) -> (L, L) {
 }
 
 /// A number of quarter turns, less whole ones.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Reduced<N> {
     /// Within [-1/2, 1/2], and a rounding.
     pub rest: N,
     /// The whole quarters plus 3 * 2^51: the last bits are theirs.
     pub whole: N,
+}
+
+impl<N: Number> Reduced<N> {
+    /// How many were dropped.
+    #[inline(always)]
+    pub fn count(&self) -> N {
+        self.whole - ROUNDER
+    }
+
+    /// This less another.
+    #[inline(always)]
+    pub fn less(&self, other: &Self) -> Self {
+        let rest = self.rest - other.rest;
+        let more = rest + ROUNDER;
+        Self {
+            rest: rest - (more - ROUNDER),
+            whole: (self.whole - other.count()) + (more - ROUNDER),
+        }
+    }
 }
 
 /// Sine and cosine of so many quarters.
@@ -169,6 +188,31 @@ impl Clock<f64> {
         }
     }
 
+    /// Which of the whole numbers the phase is next to at any time, and what is beyond. A time
+    /// whose last bit is many of them falls anywhere: at most half-way.
+    pub fn counted_far(&self, t: f64) -> (f64, Reduced<f64>) {
+        let phase = self.far(t);
+        let count = phase.hi().round();
+        let rest = (phase - count).hi().clamp(-0.5, 0.5);
+        let whole = fmod(count, 4.0) + ROUNDER;
+        (count, Reduced { rest, whole })
+    }
+
+    /// The phase at any time.
+    pub fn far(&self, t: f64) -> DoubleDouble {
+        let rate = DoubleDouble::from_parts(self.rate, self.low);
+        rate * known(t, self.rate) + DoubleDouble::from_parts(self.start, self.start_low)
+    }
+
+    /// The phase at any time, before it passes its first whole number.
+    pub fn uncounted_far(&self, t: f64) -> Reduced<f64> {
+        let whole = self.start.round();
+        Reduced {
+            rest: (self.far(t) - whole).hi(),
+            whole: whole + ROUNDER,
+        }
+    }
+
     /// Two clocks that are read together.
     pub fn beside(&self, other: &Self) -> Clock<[f64; 2]> {
         Clock {
@@ -199,6 +243,37 @@ impl Clock<[f64; 2]> {
             start: self.start[i],
             start_low: self.start_low[i],
         }
+    }
+}
+
+impl<V: Gathered> Gathered for Clock<V> {
+    type Rows = Clock<V::Rows>;
+    fn gathered(each: [Self; WIDEST]) -> Self::Rows {
+        let rows = |of: fn(Self) -> V| V::gathered(each.map(of));
+        Clock {
+            rate: rows(|clock| clock.rate),
+            leading: rows(|clock| clock.leading),
+            trailing: rows(|clock| clock.trailing),
+            low: rows(|clock| clock.low),
+            start: rows(|clock| clock.start),
+            start_low: rows(|clock| clock.start_low),
+        }
+    }
+}
+
+impl<V: Constant> Clock<V> {
+    /// [`Clock::read`], in lanes that start with the motion number `first`.
+    #[inline(always)]
+    pub fn at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L> {
+        self.read(|value| value.lane(first), t)
+    }
+}
+
+impl<V: Constant> Clock<[V; 2]> {
+    /// The same of two clocks.
+    #[inline(always)]
+    pub fn both_at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L::Pair> {
+        self.read(|two| V::pair::<L>(two, first), &t.twice())
     }
 }
 

@@ -402,6 +402,47 @@ fn the_other_nome_gives_the_same_quotients() {
 }
 
 #[test]
+fn the_transverse_rate_in_the_other_nome() {
+    // theta_3 of y'_b - y'_a + i w around the lower turning point and theta_2 around the upper
+    // one are what theta_2(z - i y) e^{+-iz} is there, once the phases of alpha and beta have
+    // taken what is linear in the time: whichever sign, and with one factor for both.
+    let errors = |damage: f64| {
+        let mut errors = Errors::of("ratios of the rate's series");
+        for top in TOPS {
+            let plain = Plain::new(top);
+            let Periods { quarter, conjugate } = plain.periods;
+            let (q, other) = (plain.periods.nome(), plain.periods.other_nome());
+            let ([sense_a, sense_b], [eta_a, eta_b]) = (plain.senses(), plain.zeros());
+            let eta = sense_b * eta_b - sense_a * eta_a;
+            let along = core::f64::consts::FRAC_PI_2 * eta / conjugate * damage;
+            for sense in [1.0, -1.0] {
+                let y = plain.periods.angle(eta - sense * conjugate);
+                let ratios = |x: f64| {
+                    let z = plain.periods.angle(x);
+                    let place = C::new(along, core::f64::consts::FRAC_PI_2 * x / conjugate);
+                    let phase = turn(sense * z - z / core::f64::consts::FRAC_PI_2 * along);
+                    let lower = theta(2, C::new(z, -y), q) * phase;
+                    let upper = theta(1, C::new(z, -y), q) * phase * C::new(0.0, -sense);
+                    [
+                        lower / theta(3, place, other),
+                        upper / theta(2, place, other),
+                    ]
+                };
+                let [unit, _] = ratios(0.0);
+                for k in 0..=4 {
+                    let [lower, upper] = ratios(0.25 * f64::from(k) * quarter);
+                    errors.push_at((lower / unit).im / size(lower / unit), (top, k));
+                    errors.push_at(size(upper / lower - C::new(1.0, 0.0)), (top, k));
+                }
+            }
+        }
+        errors
+    };
+    errors(1.0).attain(1.3e-15..=1.4e-15, 6 * 2 * 5 * 2);
+    assert!(errors(1.01).largest() > 1e-3);
+}
+
+#[test]
 fn four_terms_are_enough() {
     // The nomes where the series change, and the weights of the terms beside the first.
     let periods = Periods::new(0.8, 0.2);

@@ -72,7 +72,7 @@ fn momentum_and_energy_stay() {
     let cases = cases();
     let mut drifts = Errors::in_units_of(EPS, "drift of L and energy");
     cases.iter().for_each(|case| drift(case, 0.0, &mut drifts));
-    drifts.attain(17.0..=18.0, 54 * 81 * 2);
+    drifts.attain(14.9..=15.0, 54 * 81 * 2);
     // Rates read 1e-12 s late no longer fit the attitude, but where rotation is steady.
     let moving = cases.iter().filter(|c| c.kind() != Kind::Steady);
     let late = |case: &&FreeBody| {
@@ -148,7 +148,7 @@ fn the_separatrix_is_a_single_flip() {
     let late = exact.angular_velocity(80.0);
     assert!(late.x().abs() < 1e-15 && late.z().abs() < 1e-15, "{late:?}");
     let limit = exact.angular_momentum().norm() / 4.0;
-    assert_error!(late.y().abs(), limit, 1.8 eps);
+    assert_error!(late.y().abs(), limit, 0.0 eps);
     let beside = motion([3.0, 4.0, 6.0], [2.0, 0.5, 1.0 + 1e-9]);
     assert_eq!(beside.kind(), Kind::Asymmetric);
     let back = (1..=80).any(|t| beside.angular_velocity(f64::from(t)).y() * late.y() < 0.0);
@@ -202,8 +202,8 @@ fn every_part_of_the_separatrix_is_a_motion() {
     }
     // The middle third; an eps either side is another motion, 1e-200 or not.
     assert_eq!((exactly, all), (6 * 8 * 6, 6 * 8 * 6 * 3));
-    start.attain(4.7..=4.71, all);
-    turned.attain(9.7e-13..=9.8e-13, all);
+    start.attain(2.13..=2.14, all);
+    turned.attain(5.5e-13..=5.6e-13, all);
     damaged.exceed(8e-12, all);
 }
 

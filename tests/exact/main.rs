@@ -11,6 +11,7 @@ mod free_body;
 mod free_flow;
 mod gimbals;
 mod heavy_top;
+mod many;
 mod motion;
 mod pendulum;
 mod plank;

@@ -1,147 +1,171 @@
-//! What a sample of a closed form costs, one by one and in a batch, in units of one
-//! sine-cosine pair of `libm` timed in the same run.
+//! What a sample of a closed form costs, one by one, in a batch of one motion and side by side
+//! with those of other motions, and its set-up: in units of one sine-cosine pair of `libm`
+//! timed in the same run. Writes `benches/record/batch.txt`.
 //!
-//! `cargo run --release -p benches --bin batch`
+//! ```text
+//! cargo run --release -p benches --bin batch -- [--date DATE]
+//! ```
 //!
-//! Rounds are interleaved and medians taken, so the ratios stand also on a machine
-//! that does other work. Fails if a batch does not have the scalar code's bits, or if
-//! what the motion keeps, rebuilt from the states, is off by more than claimed.
+//! In a build with `--cfg registers` the environment's `REGISTERS` says which the run may use
+//! (`avx2`), and the record is `batch_avx2.txt`.
+//!
+//! Rounds are interleaved and the least times taken, so the ratios stand also on a machine
+//! that does other work. Fails if a motion is further from its 25 digits than claimed, or if a
+//! batch does not have the scalar code's bits.
 
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::{Kinematics, RigidBody};
-use rotation_dynamics::effects::GravityAtLever;
-use rotation_dynamics::exact::free_body::FreeBody;
-use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
-use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::{self, EPS};
-use rotation_dynamics::scene::Scene;
+use benches::conditions::Conditions;
+use benches::throughput::{Motion, motions, same_bits, times};
+use benches::timing::{Clock, Task, interleaved_by};
+use rotation_dynamics::body::Kinematics;
+use rotation_dynamics::math;
+use rotation_dynamics::report::{Report, Table, short};
+use std::cell::RefCell;
+use std::error::Error;
 use std::hint::black_box;
-use std::time::Instant;
+use std::path::Path;
+use std::{env, fs};
 
-const SAMPLES: usize = 4096;
+/// Times of a batch.
+const SAMPLES: u32 = 4096;
+/// Motions side by side: as many as stay in a cache.
+const MOTIONS: u32 = 512;
 const ROUNDS: usize = 401;
 
-type Many<'a> = dyn Fn(&[f64], &mut [Kinematics]) -> rotation_dynamics::Result<()> + 'a;
-type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
+type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// A closed form and what it claims.
-struct Motion<'a> {
-    name: &'a str,
-    one: &'a dyn Fn(f64) -> Kinematics,
-    many: &'a Many<'a>,
-    /// The largest relative error of what is kept, rebuilt from a state.
-    error: &'a dyn Fn(&Kinematics) -> f64,
-    /// The most that it may be, eps.
-    claimed: f64,
-    span: f64,
+/// The least times of these tasks, s.
+fn least(tasks: &[Task]) -> Outcome<Vec<f64>> {
+    let measured = interleaved_by(Clock::Thread, tasks, ROUNDS)?;
+    Ok(measured.iter().map(|measured| measured.least).collect())
 }
 
-fn nanoseconds(work: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    work();
-    start.elapsed().as_secs_f64() * 1e9 / SAMPLES as f64
+/// As many sine-cosine pairs as there are times.
+fn pairs(times: &[f64]) {
+    for t in black_box(times) {
+        black_box(math::sincos(black_box(*t)));
+    }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-fn measure(motion: &Motion) -> Outcome<()> {
-    let step = motion.span / SAMPLES as f64;
-    let times: Vec<f64> = (0..SAMPLES).map(|k| k as f64 * step).collect();
-    let mut one_by_one = vec![(motion.one)(0.0); SAMPLES];
-    let mut batch = one_by_one.clone();
-    let mut rounds = [Vec::new(), Vec::new(), Vec::new()];
-    for _ in 0..ROUNDS {
-        rounds[0].push(nanoseconds(|| {
-            for t in black_box(&times) {
-                black_box(math::sincos(black_box(*t)));
+/// One by one and in a batch, in pairs.
+fn samples(motion: &Motion) -> Outcome<[f64; 2]> {
+    let closed = motion.set_up(0.0)?;
+    let times = times(&closed, SAMPLES);
+    let states = || RefCell::new(vec![Kinematics::REST; times.len()]);
+    let (one_by_one, batch) = (states(), states());
+    let found = least(&[
+        &|| {
+            pairs(&times);
+            Ok(())
+        },
+        &|| {
+            for (t, state) in black_box(&times)
+                .iter()
+                .zip(one_by_one.borrow_mut().iter_mut())
+            {
+                *state = closed.kinematics(*t);
             }
-        }));
-        rounds[1].push(nanoseconds(|| {
-            for (t, state) in black_box(&times).iter().zip(&mut one_by_one) {
-                *state = (motion.one)(*t);
-            }
-            black_box(&mut one_by_one);
-        }));
-        let mut done = Ok(());
-        rounds[2].push(nanoseconds(|| {
-            done = (motion.many)(black_box(&times), &mut batch);
-            black_box(&mut batch);
-        }));
-        done?;
-    }
-    if one_by_one != batch {
-        return Err(format!("{}: the batch does not have the scalar bits", motion.name).into());
-    }
-    let error = batch.iter().map(motion.error).fold(0.0, f64::max) / EPS;
-    if error > motion.claimed {
-        let (name, claimed) = (motion.name, motion.claimed);
-        return Err(format!("{name}: off by {error:.1} eps, and {claimed} are claimed").into());
-    }
-    let [pair, scalar, vector] = rounds.map(median);
-    println!("{}, error {error:.1} eps", motion.name);
-    for (name, time) in [
-        ("sine-cosine pair", pair),
-        ("one by one", scalar),
-        ("batch", vector),
-    ] {
-        println!("{name:18} {time:6.1} ns  {:5.2} pairs", time / pair);
-    }
-    println!();
-    Ok(())
+            black_box(&one_by_one);
+            Ok(())
+        },
+        &|| closed.kinematics_at(black_box(&times), black_box(&mut batch.borrow_mut())),
+    ])?;
+    same_bits(motion.name, &one_by_one.borrow(), &batch.borrow())?;
+    Ok([found[1] / found[0], found[2] / found[0]])
+}
+
+/// Many motions at one time: one by one and side by side, in pairs.
+fn side_by_side(motion: &Motion) -> Outcome<[f64; 2]> {
+    let many = motion.many(MOTIONS)?;
+    let together = many.together();
+    let closed = motion.set_up(0.0)?;
+    let (times, late) = (times(&closed, MOTIONS), 1000.0 * closed.period() / 3.0);
+    let states = || RefCell::new(vec![Kinematics::REST; times.len()]);
+    let (one_by_one, batch) = (states(), states());
+    let found = least(&[
+        &|| {
+            pairs(&times);
+            Ok(())
+        },
+        &|| {
+            many.one_by_one(black_box(late), black_box(&mut one_by_one.borrow_mut()));
+            Ok(())
+        },
+        &|| together.kinematics(black_box(late), black_box(&mut batch.borrow_mut())),
+    ])?;
+    same_bits(motion.name, &one_by_one.borrow(), &batch.borrow())?;
+    Ok([found[1] / found[0], found[2] / found[0]])
+}
+
+/// The set-up, in pairs and in seconds, and the pair in seconds.
+fn set_up(motion: &Motion) -> Outcome<[f64; 3]> {
+    let times = times(&motion.set_up(0.0)?, SAMPLES);
+    let found = least(&[
+        &|| {
+            pairs(&times);
+            Ok(())
+        },
+        &|| {
+            black_box(black_box(motion).set_up(black_box(0.0))?);
+            Ok(())
+        },
+    ])?;
+    let pair = found[0] / f64::from(SAMPLES);
+    Ok([found[1] / pair, found[1], pair])
 }
 
 fn main() -> Outcome<()> {
-    let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
-    let start = BodyVector::new(0.8, 0.4, 0.3375);
-    let free = FreeBody::new(moments, Attitude::IDENTITY, start)?;
-    let momentum = free.angular_momentum();
-    measure(&Motion {
-        name: "free body, attitude and body rates, 1000 periods",
-        one: &|t| free.kinematics(t),
-        many: &|times, states| free.kinematics_at(times, states),
-        error: &|now| {
-            let own = free.body_momentum(now.angular_velocity);
-            let drift = (now.attitude.to_space(own) - momentum).norm() / momentum.norm();
-            let energy = 0.5 * own.dot(&now.angular_velocity);
-            drift.max((energy / free.kinetic_energy() - 1.0).abs())
-        },
-        // Measured: 17.2 eps.
-        claimed: 21.0,
-        span: 1000.0 * free.rate_period(),
-    })?;
-
-    let top = HeavyTop::from_energy(
-        ReducedTop::new(2.0, 1.2, 0.2)?,
-        0.55,
-        Start::ThetaMin,
-        0.0,
-        0.0,
+    let conditions = Conditions::read("batch", env::args().skip(1))?;
+    let registers = env::var("REGISTERS").ok().filter(|_| cfg!(registers));
+    let mut report = Report::new(
+        "Samples of the closed forms",
+        format!(
+            "Attitude and body rates: of one motion at {SAMPLES} times over 1000 periods, and of \
+             {MOTIONS} motions at one time, in sine-cosine pairs of libm; the least of {ROUNDS} \
+             rounds; measured, not locked. Every batch has the bits of one by one, and every \
+             motion its 25 digits within K eps (|value| + condition). \
+             Measure again: benches/measure batch"
+        ),
     )?;
-    let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 2.0)?);
-    let scene = Scene::new(body).with(GravityAtLever::new(0.2, 1.0)?);
-    // Energy, L_Z and L_z, all of order one.
-    let kept = |now: &Kinematics| {
-        let state = body
-            .state(now.attitude, now.angular_velocity)
-            .expect("finite rates");
-        let own = body.angular_momentum(&state);
-        [scene.energy(&state), state.angular_momentum.z(), own.z()]
-    };
-    let first = kept(&top.kinematics(0.0));
-    measure(&Motion {
-        name: "heavy top of figure 3(b), attitude and body rates, 1000 nods",
-        one: &|t| top.kinematics(t),
-        many: &|times, states| top.kinematics_at(times, states),
-        error: &|state| {
-            let now = kept(state);
-            (now.iter().zip(&first)).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
-        },
-        // Measured: 18.0 eps, against a first sample that is rounded itself.
-        claimed: 21.0,
-        span: 1000.0 * top.nutation_period(),
-    })
+    report.add_table(conditions.table()?)?;
+    let mut table = Table::new(
+        "samples",
+        [
+            "motion",
+            "K",
+            "one by one",
+            "in a batch",
+            "one by one of many",
+            "side by side",
+        ],
+    )?;
+    let mut set_ups = Table::new("set_up", ["motion", "pairs", "time / us", "pair / ns"])?;
+    for motion in motions()? {
+        let ([one, batch], [of_many, together]) = (samples(&motion)?, side_by_side(&motion)?);
+        let two = |x: f64| format!("{x:.2}");
+        table.push([
+            motion.name.to_owned(),
+            format!("{:.1}", motion.factor),
+            two(one),
+            two(batch),
+            two(of_many),
+            two(together),
+        ])?;
+        let [pairs, seconds, pair] = set_up(&motion)?;
+        set_ups.push([
+            motion.name.to_owned(),
+            format!("{pairs:.0}"),
+            short(1e6 * seconds),
+            short(1e9 * pair),
+        ])?;
+    }
+    report.add_table(table)?;
+    report.add_table(set_ups)?;
+    let text = report.text()?;
+    let name = registers.map_or("batch.txt".to_owned(), |of| format!("batch_{of}.txt"));
+    let file = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("record")
+        .join(name);
+    fs::write(file, &text)?;
+    print!("{text}");
+    Ok(())
 }

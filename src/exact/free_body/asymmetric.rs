@@ -8,7 +8,7 @@ use super::{near_one, norm3};
 use crate::attitude::Attitude;
 use crate::attitude::product::product;
 use crate::body::Kinematics;
-use crate::exact::batch::Branchless;
+use crate::exact::batch::Sampled;
 use crate::exact::theta::Periods;
 use crate::math::{DoubleDouble as Dd, ilogb, order_of_three};
 
@@ -20,12 +20,12 @@ pub(super) struct Asymmetric {
     pub(super) half_period: Option<Dd>,
     /// What the azimuth of the third axis gains in a period of the rates (rad).
     pub(super) precession: f64,
-    form: Form,
+    pub(super) form: Form,
 }
 
 /// In which form the theta functions converge fast.
 #[derive(Debug, Clone)]
-enum Form {
+pub(super) enum Form {
     Trigonometric(Sampler),
     Hyperbolic(Late),
 }
@@ -128,20 +128,11 @@ impl Asymmetric {
                 let sampler = Sampler::new(&series, sense, start, quarter / p, local, rates);
                 Form::Trigonometric(sampler)
             }
-            Series::Hyperbolic(series) => Form::Hyperbolic(Late {
-                series,
-                rates,
-                sense,
-                start,
-                half_period: half_period.map(|half| (half, half.recip().to_f64())),
-                advance: gained.map_or(Dd::ZERO, |gained| {
-                    let turns = gained / Dd::TWO_PI;
-                    turns - turns.round()
-                }),
-                local_rate: local / Dd::TWO_PI,
-                outer: Attitude::IDENTITY.quaternion(),
-                inner: Attitude::IDENTITY.quaternion(),
-            }),
+            Series::Hyperbolic(series) => {
+                let phase = (local, winding);
+                let late = Late::new(&series, sense, start, half_period, phase, rates);
+                Form::Hyperbolic(late)
+            }
         };
         // The ordered axes stand in the body as `inner` says, L in space as it did at t = 0.
         let inner = signed_permutation(order, sign);
@@ -151,11 +142,7 @@ impl Asymmetric {
             Form::Trigonometric(sampler) => Form::Trigonometric(
                 sampler.seen(|quaternion| product(product(outer, quaternion), inner)),
             ),
-            Form::Hyperbolic(late) => Form::Hyperbolic(Late {
-                outer,
-                inner,
-                ..late
-            }),
+            Form::Hyperbolic(late) => Form::Hyperbolic(late.seen(outer, inner)),
         };
         Self {
             half_period,
@@ -167,7 +154,7 @@ impl Asymmetric {
     pub(super) fn attitude(&self, t: f64) -> Attitude {
         match &self.form {
             Form::Trigonometric(sampler) => sampler.attitude(t),
-            Form::Hyperbolic(late) => late.kinematics(t).attitude,
+            Form::Hyperbolic(late) => late.attitude(t),
         }
     }
 
@@ -175,11 +162,11 @@ impl Asymmetric {
         self.form.kinematics(t)
     }
 
-    /// What samples without a branch, if anything does.
-    pub(super) fn sampler(&self) -> Option<&Sampler> {
+    /// The states at these times; both lists are equally long.
+    pub(super) fn fill(&self, times: &[f64], states: &mut [Kinematics]) {
         match &self.form {
-            Form::Trigonometric(sampler) => Some(sampler),
-            Form::Hyperbolic(_) => None,
+            Form::Trigonometric(sampler) => sampler.fill(times, states),
+            Form::Hyperbolic(late) => late.fill(times, states),
         }
     }
 }

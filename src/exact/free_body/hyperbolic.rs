@@ -1,82 +1,189 @@
-//! The sample near the separatrix, where the hyperbolic series converges and a period
-//! is long: it counts whole periods and takes its series from the nearest turning point.
+//! Attitude and rates at a time, without a branch, near the separatrix, where the hyperbolic
+//! series converges and a period is long.
+//!
+//! The series runs from the nearest turning point, and the phase along L then lags by a step
+//! at each passage half-way between them: it is what a clock of the time shows less what a
+//! clock of their number does.
 
-use super::sample::Rates;
+use super::sample::{Columns, Rates, Sample, columns, reduced};
 use super::series::Hyperbolic;
 use crate::attitude::Attitude;
 use crate::attitude::product::product;
-use crate::body::Kinematics;
-use crate::frame::BodyVector;
-use crate::math::{DoubleDouble as Dd, known, sincos_turns};
+use crate::exact::batch::{Branchless, Sampled};
+use crate::math::lane::{Constant, Cubics, Gathered, Pair, Phased, Row, WIDEST, cubics, horner};
+use crate::math::{Clock, DoubleDouble as Dd, Reduced, STEEPEST, Time, sincos_of, sinh_cosh_of};
 
 /// A motion near the separatrix or on it.
-#[derive(Debug, Clone)]
-pub(super) struct Late {
-    pub series: Hyperbolic,
-    pub rates: Rates,
-    /// +1 if J3 < J1, else -1: the sense in which the theta functions turn.
-    pub sense: f64,
-    /// Time from the turning point of the first component to t = 0.
-    pub start: Dd,
-    /// 2K in time and its reciprocal; None on the separatrix.
-    pub half_period: Option<(Dd, f64)>,
-    /// Turns gained in `half_period` beyond whole ones, and turns per second inside it.
-    pub advance: Dd,
-    pub local_rate: Dd,
-    /// From the frame along L to space, and from the body to the ordered axes.
-    pub outer: [f64; 4],
-    pub inner: [f64; 4],
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Late<V = f64> {
+    /// The time in half-periods, and the phase in quarter turns.
+    clocks: Clock<[V; 2]>,
+    /// The quarter turns by which it lags, by the number of half-periods.
+    lag: Clock<V>,
+    /// w in a half-period.
+    width: V,
+    /// 2 q and 4 q: k = 2 q cosh 2w = 2 q + 4 q sinh^2 w.
+    nome: [V; 2],
+    /// Polynomials in k for alpha and beta: times cosh w and sinh w the real parts, times
+    /// sinh w and cosh w the imaginary ones.
+    re: Cubics<V>,
+    im: Cubics<V>,
+    columns: Columns<V>,
+    pub(super) rates: Rates<V>,
+    /// False on the separatrix, which has one turning point.
+    periodic: bool,
+    /// The greatest |t|.
+    until: f64,
 }
 
+/// So many units of w stand for a half-period where there is none.
+const ENDLESS: f64 = 1_152_921_504_606_846_976.0; // 2^60
+
 impl Late {
-    #[inline]
-    pub fn kinematics(&self, t: f64) -> Kinematics {
-        let since = self.start + known(t, self.series.rate);
-        let (rest, phase, parity) = match self.half_period {
-            Some((half, per_half)) => {
-                let n = (since.hi() * per_half).round();
-                // A time whose last bit is many periods falls anywhere: on this side.
-                let reach = 0.5 * half.hi();
-                let mut rest = since - half * n;
-                if rest.hi().abs() > reach {
-                    rest = Dd::from(rest.hi().max(-reach).min(reach));
-                }
-                // Both parts of `rest`: beside a body that is nearly symmetric half a period is
-                // many turns long, and its last bit would be felt in the phase.
-                let phase = fraction(self.local_rate * rest) + fraction(self.advance * n);
-                // theta_1 changes sign over 2K: -1 for odd n.
-                (rest.hi(), phase, 1.0 - 2.0 * (n % 2.0).abs())
-            }
-            None => (since.hi(), fraction(self.local_rate * since), 1.0),
+    /// tau = 0 at -`start`, 2K in time `half_period`, and the phase grows by `local` rad/s;
+    /// `winding` is dropped from it by the series in each half-period.
+    pub fn new(
+        series: &Hyperbolic,
+        sense: f64,
+        start: Dd,
+        half_period: Option<Dd>,
+        (local, winding): (Dd, Dd),
+        rates: Rates,
+    ) -> Self {
+        let quarters = |angle: Dd| angle.scaled(4.0) / Dd::TWO_PI;
+        let (per, width) = match half_period {
+            Some(half) => (half.recip(), (series.rate * half).to_f64()),
+            None => (series.rate.scaled(1.0 / ENDLESS), ENDLESS),
         };
-        let ([ar, ai], [br, bi]) = self.series.sum(rest);
-        // The constant phase of beta puts l1 > 0 at tau = 0.
-        let flip = parity * -self.sense;
-        let (ai, br, bi) = (ai * self.sense, br * flip, bi * flip * self.sense);
-        let scale = 1.0 / (ar * ar + ai * ai + (br * br + bi * bi)).sqrt();
-        let (sin, cos) = sincos_turns(phase);
-        let (sin, cos) = (sin * scale, cos * scale);
-        let quaternion = [
-            ar * cos - ai * sin,
-            br * cos - bi * sin,
-            br * sin + bi * cos,
-            ar * sin + ai * cos,
+        let local = quarters(local);
+        let clocks = [
+            Clock::new(per, per * start),
+            Clock::new(local, reduced(local * start)),
         ];
-        // 2 alpha conj(beta) = l2 + i l1.
-        let twice = scale * scale * 2.0;
-        let rates = self
-            .rates
-            .of((ai * br - ar * bi) * twice, (ar * br + ai * bi) * twice);
-        Kinematics::new(
-            Attitude::from_unit(product(product(self.outer, quaternion), self.inner)),
-            BodyVector::from_array(rates),
+        let until = clocks[1].until().min(0.25 * clocks[0].until());
+        let [alpha, beta] = [&series.alpha, &series.beta];
+        let signed = |p: &[f64; 4], sign: f64| p.map(|c| sign * c);
+        Self {
+            lag: Clock::new(reduced(quarters(winding * -sense)), Dd::ZERO),
+            width,
+            nome: [2.0 * series.nome, 4.0 * series.nome],
+            // The constant phase of beta puts l1 > 0 at tau = 0.
+            re: cubics(&alpha[0], &signed(&beta[0], -sense)),
+            im: cubics(&signed(&alpha[1], sense), &signed(&beta[1], -1.0)),
+            columns: columns(|unit| unit),
+            rates,
+            periodic: half_period.is_some(),
+            until,
+            clocks: clocks[0].beside(&clocks[1]),
+        }
+    }
+
+    /// The same seen from space, on the body's axes: the frames on either side.
+    pub fn seen(self, outer: [f64; 4], inner: [f64; 4]) -> Self {
+        Self {
+            columns: columns(|quaternion| product(product(outer, quaternion), inner)),
+            ..self
+        }
+    }
+
+    /// The attitude alone costs less.
+    pub fn attitude(&self, t: f64) -> Attitude {
+        let sample = if t.abs() <= self.until {
+            self.near(t, 0)
+        } else {
+            self.far_away(t)
+        };
+        Attitude::from_unit(sample.quaternion(&self.columns, 0))
+    }
+
+    #[cold]
+    fn far_away(&self, t: f64) -> Sample<f64> {
+        let halves = self.clocks.one(0);
+        let (count, half) = if self.periodic {
+            halves.counted_far(t)
+        } else {
+            (0.0, halves.uncounted_far(t))
+        };
+        let phase = self.clocks.one(1).read_far(t);
+        let lag = self.lag.read_far(count);
+        self.sample(half, phase.less(&lag), 0)
+    }
+}
+
+impl<V: Constant> Late<V> {
+    #[inline(always)]
+    fn near<L: Phased>(&self, t: L, first: usize) -> Sample<L> {
+        let clocks = self.clocks.both_at(&Time::new(t), first);
+        let ((rest, phase_rest), (whole, phase_whole)) =
+            (clocks.rest.parts(), clocks.whole.parts());
+        let half = Reduced { rest, whole };
+        let phase = Reduced {
+            rest: phase_rest,
+            whole: phase_whole,
+        };
+        let lag = self.lag.at(&Time::new(half.count()), first);
+        self.sample(half, phase.less(&lag), first)
+    }
+
+    #[inline(always)]
+    fn sample<L: Phased>(&self, half: Reduced<L>, phase: Reduced<L>, first: usize) -> Sample<L> {
+        let Reduced { rest, whole } = half;
+        // Steeper than that sinh/cosh is one, and q nothing.
+        let (sinh, cosh) = sinh_cosh_of((rest * self.width.lane::<L>(first)).within(STEEPEST));
+        let [twice, four] = &self.nome;
+        let k = twice.lane::<L>(first) + sinh * four.lane::<L>(first) * sinh;
+        // theta_1 changes sign over 2K.
+        let (odd, even) = (sinh.negative_if_odd(whole), cosh.negative_if_odd(whole));
+        let re = L::Pair::new(cosh, odd) * horner(&self.re, k, first);
+        let im = L::Pair::new(sinh, even) * horner(&self.im, k, first);
+        let (sin, cos) = sincos_of(phase);
+        // At the middle axis, where it rests, the rate is this times what is exact: once rounded.
+        Sample::new([re, im], [sin, cos], |norm, _| L::of(2.0) / norm)
+    }
+}
+
+impl<V: Constant> Branchless<V> for Late<V> {
+    fn until(&self) -> f64 {
+        self.until
+    }
+
+    #[inline(always)]
+    fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]) {
+        let sample = self.near(t, first);
+        (
+            sample.quaternion(&self.columns, first),
+            sample.rates(&self.rates, first),
         )
     }
 }
 
-/// The turns beyond whole ones, within [-1/2, 1/2].
-fn fraction(turns: Dd) -> f64 {
-    // Twice: beyond 2^53 turns the first leaves the trailing part.
-    let turns = turns - turns.hi().round();
-    (turns - turns.hi().round()).hi()
+impl Sampled for Late {
+    #[cold]
+    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
+        let sample = self.far_away(t);
+        (
+            sample.quaternion(&self.columns, 0),
+            sample.rates(&self.rates, 0),
+        )
+    }
+}
+
+impl Gathered for Late {
+    type Rows = Late<Row>;
+    fn gathered(each: [Self; WIDEST]) -> Late<Row> {
+        Late {
+            clocks: Gathered::gathered(each.map(|of| of.clocks)),
+            lag: Gathered::gathered(each.map(|of| of.lag)),
+            width: each.map(|of| of.width),
+            nome: Gathered::gathered(each.map(|of| of.nome)),
+            re: Gathered::gathered(each.map(|of| of.re)),
+            im: Gathered::gathered(each.map(|of| of.im)),
+            columns: Gathered::gathered(each.map(|of| of.columns)),
+            rates: Gathered::gathered(each.map(|of| of.rates)),
+            periodic: each.iter().all(|of| of.periodic),
+            until: each
+                .iter()
+                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+        }
+    }
 }

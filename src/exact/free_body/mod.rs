@@ -23,7 +23,7 @@
 use crate::attitude::Attitude;
 use crate::body::{Kinematics, State};
 use crate::error::{Error, Result, finite};
-use crate::exact::batch::Branchless;
+use crate::exact::batch::Sampled;
 use crate::exact::check_times;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
@@ -31,6 +31,7 @@ use crate::math::DoubleDouble as Dd;
 
 mod asked;
 mod asymmetric;
+mod bodies;
 mod flow;
 mod hyperbolic;
 mod periods;
@@ -40,6 +41,7 @@ mod symmetric;
 
 pub(in crate::exact) use asked::first_bad;
 use asymmetric::Asymmetric;
+pub use bodies::FreeBodies;
 pub use flow::FreeFlow;
 use symmetric::Symmetric;
 
@@ -225,11 +227,12 @@ impl FreeBody {
     }
 
     /// Attitude and body rates at many times (s): the bits of [`FreeBody::kinematics`],
-    /// in vector registers where the processor has them; near the separatrix (m above
-    /// about 0.97) one by one.
+    /// in vector registers where the processor has them. Many bodies at one time:
+    /// [`FreeBodies`].
     ///
-    /// Nothing is allocated. Cost of a sample: 1.0 sine-cosine pairs of `libm` with
-    /// AVX-512 against 3.3 one by one (`benches`, binary `batch`).
+    /// Nothing is allocated. Cost of a sample in sine-cosine pairs of `libm`: 0.5 with AVX-512,
+    /// 0.9 with AVX2, 2.0 one by one; next to the separatrix 0.5, 1.0 and 2.4 (`benches`, binary
+    /// `batch`).
     ///
     /// ```
     /// # use rotation_dynamics::{attitude::Attitude, body::Kinematics};
@@ -251,23 +254,10 @@ impl FreeBody {
     pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
         check_times("samples", samples.len(), times)?;
         match &self.motion {
-            Motion::Steady(motion) | Motion::Symmetric(motion) => {
-                self.fill(Some(motion), times, samples);
-            }
-            Motion::Asymmetric(motion) => self.fill(motion.sampler(), times, samples),
+            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.fill(times, samples),
+            Motion::Asymmetric(motion) => motion.fill(times, samples),
         }
         Ok(())
-    }
-
-    /// In lanes if there is a motion that samples without a branch, and far enough.
-    fn fill(&self, motion: Option<&impl Branchless>, times: &[f64], samples: &mut [Kinematics]) {
-        if let Some(motion) = motion.and_then(|motion| motion.reaching(times)) {
-            motion.fill(times, samples);
-        } else {
-            for (t, sample) in times.iter().zip(samples) {
-                *sample = self.kinematics(*t);
-            }
-        }
     }
 
     /// The angular momentum (kg m^2/s), the same at all times.

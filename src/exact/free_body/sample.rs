@@ -5,56 +5,111 @@
 
 use super::series::Trigonometric;
 use crate::attitude::Attitude;
-use crate::exact::batch::Branchless;
-use crate::math::lane::{Cubics, Pair, Phased, cubics, horner};
+use crate::exact::batch::{Branchless, Sampled};
+use crate::math::lane::{Constant, Cubics, Gathered, Pair, Phased, Row, WIDEST, cubics, horner};
 use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, sincos_of};
 
 /// A motion ready to be sampled.
-#[derive(Debug, Clone)]
-pub(super) struct Sampler {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sampler<V = f64> {
     /// z and the phase, in quarter turns.
-    clocks: Clock<[f64; 2]>,
+    clocks: Clock<[V; 2]>,
     /// Polynomials in sin^2 z for alpha and beta: times 1 and sin z the real parts,
     /// times sin z cos z and cos z the imaginary ones.
-    re: Cubics,
-    im: Cubics,
+    re: Cubics<V>,
+    im: Cubics<V>,
     /// What each of Re alpha, Re beta, Im beta, Im alpha adds to the quaternion.
-    columns: [[f64; 4]; 4],
-    rates: Rates,
+    columns: Columns<V>,
+    pub(super) rates: Rates<V>,
     /// The greatest |t|.
     until: f64,
 }
 
+/// Four quaternions, each as its first two and its last two components.
+pub(super) type Columns<V> = [[[V; 2]; 2]; 4];
+
+/// What becomes of 1, i, j and k.
+pub(super) fn columns(turned: impl Fn([f64; 4]) -> [f64; 4]) -> Columns<f64> {
+    core::array::from_fn(|n| {
+        let mut unit = [0.0; 4];
+        unit[n] = 1.0;
+        let [w, x, y, z] = turned(unit);
+        [[w, x], [y, z]]
+    })
+}
+
 /// The body rates from the direction of L on the ordered axes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rates {
+pub(super) struct Rates<V = f64> {
     /// L/J on the ordered axes, with the sign; and where each body axis stands in that order.
-    pub rate: [f64; 3],
+    pub rate: [V; 3],
     pub place: [usize; 3],
     /// l3 = c dn, dn^2 = m1 + m (l1/l1max)^2: the small l3 next to the separatrix
     /// keeps its relative accuracy, which |alpha|^2 - |beta|^2 would lose.
-    pub c: f64,
-    pub m1: f64,
-    pub m_over_l1: f64,
+    pub c: V,
+    pub m1: V,
+    pub m_over_l1: V,
 }
 
-impl Rates {
+impl<V: Constant> Rates<V> {
     /// On the body's own axes.
     #[inline(always)]
-    pub fn of<L: Phased>(&self, l1: L, l2: L) -> [L; 3] {
-        let l3 = (l1 * self.m_over_l1 * l1 + self.m1).sqrt() * self.c;
-        let ordered = [l1 * self.rate[0], l2 * self.rate[1], l3 * self.rate[2]];
-        let [x, y, z] = self.place;
-        [ordered[x], ordered[y], ordered[z]]
+    pub fn of<L: Phased>(&self, l1: L, l2: L, first: usize) -> [L; 3] {
+        let square = l1 * self.m_over_l1.lane::<L>(first) * l1;
+        let l3 = (square + self.m1.lane::<L>(first)).sqrt() * self.c.lane::<L>(first);
+        let [one, two, three] = &self.rate;
+        let ordered = [
+            l1 * one.lane::<L>(first),
+            l2 * two.lane::<L>(first),
+            l3 * three.lane::<L>(first),
+        ];
+        placed(self.place, ordered)
+    }
+}
+
+/// On the body's own axes what stands on ordered ones.
+#[inline(always)]
+pub(super) fn placed<L: Copy>([x, y, z]: [usize; 3], ordered: [L; 3]) -> [L; 3] {
+    [ordered[x], ordered[y], ordered[z]]
+}
+
+/// The rates of several bodies are left on the ordered axes.
+impl Gathered for Rates {
+    type Rows = Rates<Row>;
+    fn gathered(each: [Self; WIDEST]) -> Rates<Row> {
+        Rates {
+            rate: Gathered::gathered(each.map(|of| of.rate)),
+            place: [0, 1, 2],
+            c: each.map(|of| of.c),
+            m1: each.map(|of| of.m1),
+            m_over_l1: each.map(|of| of.m_over_l1),
+        }
+    }
+}
+
+impl Gathered for Sampler {
+    type Rows = Sampler<Row>;
+    fn gathered(each: [Self; WIDEST]) -> Sampler<Row> {
+        Sampler {
+            clocks: Gathered::gathered(each.map(|of| of.clocks)),
+            re: Gathered::gathered(each.map(|of| of.re)),
+            im: Gathered::gathered(each.map(|of| of.im)),
+            columns: Gathered::gathered(each.map(|of| of.columns)),
+            rates: Gathered::gathered(each.map(|of| of.rates)),
+            until: each
+                .iter()
+                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+        }
     }
 }
 
 /// The sums as they come, and scaled and turned by the phase.
-struct Sample<L: Phased> {
+pub(super) struct Sample<L: Phased> {
     sums: [L::Pair; 2],
     re: L::Pair,
     im: L::Pair,
-    scale: L,
+    /// 2/(|alpha|^2 + |beta|^2).
+    twice: L,
 }
 
 impl Sampler {
@@ -81,107 +136,137 @@ impl Sampler {
             // The constant phase of beta puts l1 > 0 at tau = 0.
             re: cubics(&alpha[0], &signed(&beta[0], -sense)),
             im: cubics(&signed(&alpha[1], sense), &signed(&beta[1], -1.0)),
-            columns: [
-                [1.0, 0.0, 0.0, 0.0],
-                [0.0, 1.0, 0.0, 0.0],
-                [0.0, 0.0, 1.0, 0.0],
-                [0.0, 0.0, 0.0, 1.0],
-            ],
+            columns: columns(|unit| unit),
             rates,
         }
     }
 
     /// The same between other frames: `turned` is what becomes of a quaternion.
-    pub fn seen(mut self, turned: impl Fn([f64; 4]) -> [f64; 4]) -> Self {
-        self.columns = self.columns.map(turned);
-        self
-    }
-
-    #[inline(always)]
-    fn sample<L: Phased>(&self, clocks: Reduced<L::Pair>) -> Sample<L> {
-        let (sin, cos) = sincos_of(clocks);
-        let ((sin, phase_sin), (cos, phase_cos)) = (sin.parts(), cos.parts());
-        let square = sin * sin;
-        let re = L::Pair::new(L::of(1.0), sin) * horner(&self.re, square);
-        let im = L::Pair::new(sin * cos, cos) * horner(&self.im, square);
-        let (first, second) = (re * re + im * im).parts();
-        let scale = L::of(1.0) / (first + second).sqrt();
-        let (sin, cos) = (phase_sin * scale, phase_cos * scale);
-        let (sin, cos) = (L::Pair::new(sin, sin), L::Pair::new(cos, cos));
-        Sample {
-            sums: [re, im],
-            re: re * cos - im * sin,
-            im: re * sin + im * cos,
-            scale,
+    pub fn seen(self, turned: impl Fn([f64; 4]) -> [f64; 4]) -> Self {
+        Self {
+            columns: columns(turned),
+            ..self
         }
-    }
-
-    #[inline(always)]
-    fn quaternion_of<L: Phased>(&self, sample: &Sample<L>) -> [L; 4] {
-        let ((alpha_re, beta_re), (alpha_im, beta_im)) = (sample.re.parts(), sample.im.parts());
-        combined(&self.columns, [alpha_re, beta_re, beta_im, alpha_im])
-    }
-
-    #[inline(always)]
-    fn rates_of<L: Phased>(&self, sample: &Sample<L>) -> [L; 3] {
-        // 2 alpha conj(beta) = l2 + i l1.
-        let [re, im] = sample.sums;
-        let ((ar, br), (ai, bi)) = (re.parts(), im.parts());
-        let twice = sample.scale * sample.scale * 2.0;
-        self.rates
-            .of((ai * br - ar * bi) * twice, (ar * br + ai * bi) * twice)
     }
 
     /// The attitude alone costs less.
     pub fn attitude(&self, t: f64) -> Attitude {
         let clocks = if t.abs() <= self.until {
-            self.clocks.read(Pair::both, &Time::new(t).twice())
+            self.clocks.both_at(&Time::new(t), 0)
         } else {
             self.clocks.both_far(t)
         };
-        Attitude::from_unit(self.quaternion_of(&self.sample::<f64>(clocks)))
+        Attitude::from_unit(self.quaternion_of(&self.sample::<f64>(clocks, 0), 0))
     }
 }
 
-impl Branchless for Sampler {
+impl<V: Constant> Sampler<V> {
+    #[inline(always)]
+    fn sample<L: Phased>(&self, clocks: Reduced<L::Pair>, first: usize) -> Sample<L> {
+        let (sin, cos) = sincos_of(clocks);
+        let ((sin, phase_sin), (cos, phase_cos)) = (sin.parts(), cos.parts());
+        let square = sin * sin;
+        let re = L::Pair::new(L::of(1.0), sin) * horner(&self.re, square, first);
+        let im = L::Pair::new(sin * cos, cos) * horner(&self.im, square, first);
+        Sample::new([re, im], [phase_sin, phase_cos], |_, scale| {
+            scale * scale * 2.0
+        })
+    }
+
+    #[inline(always)]
+    fn quaternion_of<L: Phased>(&self, sample: &Sample<L>, first: usize) -> [L; 4] {
+        sample.quaternion(&self.columns, first)
+    }
+}
+
+impl<L: Phased> Sample<L> {
+    /// Of the sums for alpha and beta, and sine and cosine of the phase; `twice` is
+    /// 2/(|alpha|^2 + |beta|^2) from that sum and one over its root.
+    #[inline(always)]
+    pub fn new([re, im]: [L::Pair; 2], [sin, cos]: [L; 2], twice: impl Fn(L, L) -> L) -> Self {
+        let (first, second) = (re * re + im * im).parts();
+        let norm = first + second;
+        let scale = L::of(1.0) / norm.sqrt();
+        let (sin, cos) = (sin * scale, cos * scale);
+        let (sin, cos) = (L::Pair::new(sin, sin), L::Pair::new(cos, cos));
+        Self {
+            sums: [re, im],
+            re: re * cos - im * sin,
+            im: re * sin + im * cos,
+            twice: twice(norm, scale),
+        }
+    }
+
+    #[inline(always)]
+    pub fn quaternion<V: Constant>(&self, columns: &Columns<V>, first: usize) -> [L; 4] {
+        let ((alpha_re, beta_re), (alpha_im, beta_im)) = (self.re.parts(), self.im.parts());
+        combined(columns, [alpha_re, beta_re, beta_im, alpha_im], first)
+    }
+
+    #[inline(always)]
+    pub fn rates<V: Constant>(&self, rates: &Rates<V>, first: usize) -> [L; 3] {
+        // 2 alpha conj(beta) = l2 + i l1.
+        let [re, im] = self.sums;
+        let ((ar, br), (ai, bi)) = (re.parts(), im.parts());
+        let (l1, l2) = (ai * br - ar * bi, ar * br + ai * bi);
+        rates.of(l1 * self.twice, l2 * self.twice, first)
+    }
+}
+
+impl<V: Constant> Branchless<V> for Sampler<V> {
     fn until(&self) -> f64 {
         self.until
     }
 
     #[inline(always)]
-    fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
-        let clocks = self.clocks.read(L::Pair::both, &Time::new(t).twice());
-        let sample = self.sample::<L>(clocks);
-        (self.quaternion_of(&sample), self.rates_of(&sample))
+    fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]) {
+        let sample = self.sample::<L>(self.clocks.both_at(&Time::new(t), first), first);
+        (
+            self.quaternion_of(&sample, first),
+            sample.rates(&self.rates, first),
+        )
     }
+}
 
+impl Sampled for Sampler {
     #[cold]
     fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        let sample = self.sample::<f64>(self.clocks.both_far(t));
-        (self.quaternion_of(&sample), self.rates_of(&sample))
+        let sample = self.sample::<f64>(self.clocks.both_far(t), 0);
+        (self.quaternion_of(&sample, 0), sample.rates(&self.rates, 0))
     }
 }
 
 /// The columns, each times its part, added up.
 #[inline(always)]
-pub(super) fn combined<L: Phased>(columns: &[[f64; 4]; 4], parts: [L; 4]) -> [L; 4] {
-    let a = times(parts[0], &columns[0]);
-    let b = times(parts[1], &columns[1]);
-    let c = times(parts[2], &columns[2]);
-    let d = times(parts[3], &columns[3]);
+pub(super) fn combined<L: Phased, V: Constant>(
+    columns: &Columns<V>,
+    parts: [L; 4],
+    first: usize,
+) -> [L; 4] {
+    let [a, b, c, d] = columns;
+    let a = times(parts[0], a, first);
+    let b = times(parts[1], b, first);
+    let c = times(parts[2], c, first);
+    let d = times(parts[3], d, first);
     let (w, x) = ((a.0 + b.0) + (c.0 + d.0)).parts();
     let (y, z) = ((a.1 + b.1) + (c.1 + d.1)).parts();
     [w, x, y, z]
 }
 
 #[inline(always)]
-fn times<L: Phased>(part: L, column: &[f64; 4]) -> (L::Pair, L::Pair) {
+fn times<L: Phased, V: Constant>(
+    part: L,
+    [start, end]: &[[V; 2]; 2],
+    first: usize,
+) -> (L::Pair, L::Pair) {
     let both = L::Pair::new(part, part);
-    let [w, x, y, z] = *column;
-    (both * L::Pair::both(&[w, x]), both * L::Pair::both(&[y, z]))
+    (
+        both * V::pair::<L>(start, first),
+        both * V::pair::<L>(end, first),
+    )
 }
 
 /// A phase in quarters less whole turns.
-fn reduced(quarters: Dd) -> Dd {
+pub(super) fn reduced(quarters: Dd) -> Dd {
     quarters - Dd::from(4.0 * quarters.scaled(0.25).round())
 }

@@ -6,10 +6,6 @@
 use crate::exact::nome::Nome;
 use crate::exact::theta::{Across, Periods, Zero, alternating};
 use crate::math::DoubleDouble as Dd;
-use crate::math::{exp, expm1};
-
-/// Real and imaginary parts of alpha and of beta.
-pub(super) type Parts = ([f64; 2], [f64; 2]);
 
 /// theta_4(z + iy) and `ratio` theta_1(z + iy), up to a common real factor and a
 /// phase linear in time.
@@ -26,14 +22,14 @@ pub(super) struct Trigonometric {
     pub beta: [[f64; 4]; 2],
 }
 
-/// cos and sin of (2n+1) y', each with its power of the nome; w = `rate` t.
+/// Polynomials in k = 2 q cosh 2w, w = `rate` t.
 #[derive(Debug, Clone)]
 pub(super) struct Hyperbolic {
-    pub rate: f64,
-    /// pi K/2K' = 2 w_max: the nome is exp of minus this.
-    width: f64,
-    alpha: [[f64; 4]; 2],
-    beta: [[f64; 4]; 2],
+    pub rate: Dd,
+    /// q, the root of the complementary nome.
+    pub nome: f64,
+    pub alpha: [[f64; 4]; 2],
+    pub beta: [[f64; 4]; 2],
 }
 
 impl Series {
@@ -48,7 +44,7 @@ impl Series {
         };
         // K' >= K/2, or pi K/K' <= 2 pi.
         if nome.quarter.scaled(2.0) < *quarter {
-            return Self::hyperbolic(nome, *quarter, angle, p, ratio);
+            return Self::hyperbolic(nome, angle, p, ratio);
         }
         let per_quarter = nome.quarter / *quarter;
         let q = (-(Dd::PI * per_quarter)).exp();
@@ -152,19 +148,14 @@ impl Series {
         (series, rate, Dd::ZERO)
     }
 
-    fn hyperbolic(own: &Nome, k: Dd, angle: Dd, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
+    fn hyperbolic(own: &Nome, angle: Dd, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
         let k1 = own.quarter;
-        let width = if k.is_finite() {
-            Dd::PI * k / k1.scaled(2.0)
-        } else {
-            Dd::from(f64::INFINITY)
-        };
         let nome = own.q.sqrt();
         let (sin, cos) = angle.scaled(0.5).sin_cos();
         let (sin2, cos2) = ((sin * cos).scaled(2.0), 1.0 - sin.square().scaled(2.0));
         let (mut sin, mut cos) = (sin, cos);
         let mut sums = [Dd::ZERO; 2];
-        let (mut alpha, mut beta) = ([[0.0; 4]; 2], [[0.0; 4]; 2]);
+        let mut waves = [[Dd::ZERO; 4]; 2];
         let (mut alpha0, mut beta0) = (Dd::ZERO, Dd::ZERO);
         // q'^(n(n+1)), and q'^(n^2) and the next step for the samples.
         let (mut weight, mut inner, mut power) = (Dd::ONE, Dd::ONE, nome);
@@ -175,59 +166,55 @@ impl Series {
             alpha0 += weight * cos;
             beta0 += weight * sin * alternating(n as usize);
             if n <= 3 {
-                // The sample supplies e^{2nw} q^n; q^(n^2) is left for here.
+                // q^n goes with the powers of cosh 2w; q^(n^2) is left for here.
                 let i = n as usize;
-                alpha[0][i] = (inner * cos).to_f64();
-                alpha[1][i] = (inner * sin).to_f64();
-                beta[0][i] = (inner * cos).to_f64() * alternating(i);
-                beta[1][i] = (inner * sin).to_f64() * alternating(i);
+                waves[0][i] = inner * cos;
+                waves[1][i] = inner * sin;
             }
             (sin, cos) = (sin * cos2 + cos * sin2, cos * cos2 - sin * sin2);
             inner = weight * power;
             weight = inner * power;
             power = power * nome;
         }
-        let scale = (ratio * alpha0 / beta0).to_f64();
-        let beta = beta.map(|part| part.map(|x| x * scale));
+        let scale = ratio * alpha0 / beta0;
+        let scaled = |wave: [Dd; 4]| {
+            let [a, b, c, d] = wave.map(|x| x * scale);
+            [a, -b, c, -d]
+        };
+        let [cos, sin] = waves;
         let series = Self::Hyperbolic(Hyperbolic {
-            rate: (Dd::PI * p / k1.scaled(4.0)).to_f64(),
-            width: width.to_f64(),
-            alpha,
-            beta,
+            rate: Dd::PI * p / k1.scaled(4.0),
+            nome: nome.to_f64(),
+            alpha: [per_cosh(cos, nome.hi()), per_sinh(sin, nome.hi())],
+            beta: [
+                per_sinh(scaled(cos), nome.hi()),
+                per_cosh(scaled(sin), nome.hi()),
+            ],
         });
         let rate = Dd::PI * p / k1.scaled(4.0) * (sums[1] / sums[0]);
         (series, rate, angle)
     }
 }
 
-impl Hyperbolic {
-    /// The sums at time `t` from the turning point, within half a period.
-    #[inline]
-    pub(super) fn sum(&self, t: f64) -> Parts {
-        let w = (self.rate * t).abs();
-        // All scaled by e^{-w}: cosh -> 1 + e^{-2w}, sinh -> 1 - e^{-2w}.
-        let minus = -expm1(-2.0 * w);
-        let decay = 1.0 - minus;
-        let growth = exp(2.0 * w - self.width);
-        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
-        let (mut weight, mut power, mut differences) = (1.0, decay, minus);
-        for n in 0..4 {
-            even[n] = weight * (1.0 + power);
-            odd[n] = weight * differences;
-            weight *= growth;
-            // 1 - E^{2n+3} = (1 - E^{2n+1}) + E^{2n+1} (1 - E)(1 + E).
-            differences += power * minus * (1.0 + decay);
-            power *= decay * decay;
-        }
-        let sign = if t < 0.0 { -1.0 } else { 1.0 };
-        (
-            [dot(&self.alpha[0], &even), sign * dot(&self.alpha[1], &odd)],
-            [sign * dot(&self.beta[0], &odd), dot(&self.beta[1], &even)],
-        )
-    }
+/// sum c_n q^n sinh((2n+1) w)/sinh w in powers of k = 2 q cosh 2w, its constant rounded once.
+fn per_sinh([c0, c1, c2, c3]: [Dd; 4], q: f64) -> [f64; 4] {
+    let [b, c, d] = [c1, c2, c3].map(Dd::hi);
+    [
+        (c0 + q * (b - q * (c + q * d))).to_f64(),
+        b + q * (c - 2.0 * q * d),
+        c + q * d,
+        d,
+    ]
 }
 
-#[inline]
-fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    a[0] * b[0] + (a[1] * b[1] + (a[2] * b[2] + a[3] * b[3]))
+/// The same of cosh((2n+1) w)/cosh w.
+fn per_cosh(c: [Dd; 4], q: f64) -> [f64; 4] {
+    let [c0, c1, c2, c3] = c;
+    let [b, c, d] = [c1, c2, c3].map(Dd::hi);
+    [
+        (c0 - q * (b + q * (c - q * d))).to_f64(),
+        b - q * (c + 2.0 * q * d),
+        c - q * d,
+        d,
+    ]
 }

@@ -2,27 +2,28 @@
 //! is the first of them alone.
 
 use super::norm3;
-use super::sample::combined;
+use super::sample::{Columns, combined, placed};
 use crate::attitude::Attitude;
 use crate::attitude::product::product;
-use crate::exact::batch::Branchless;
-use crate::math::lane::{Pair, Phased};
+use crate::exact::batch::{Branchless, Sampled};
+use crate::math::lane::{Constant, Gathered, Pair, Phased, Row, WIDEST};
 use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, sincos_of};
 
 /// R(t) = exp(t L/I1) R0 exp(t Omega_S e), notes 15.5 (9), (10).
-#[derive(Debug, Clone)]
-pub(super) struct Symmetric {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Symmetric<V = f64> {
     /// Omega_P = L/I1 (rad/s).
-    pub(super) precession_rate: f64,
+    pub(super) precession_rate: V,
     /// The rate at which the transverse rate turns in the body, -Omega_S.
-    pub(super) body_rate: f64,
+    pub(super) body_rate: V,
     /// Half of either angle, in quarter turns.
-    clocks: Clock<[f64; 2]>,
+    clocks: Clock<[V; 2]>,
     /// What cos cos, sin cos, cos sin and sin sin of the half angles add to the
     /// quaternion, the precession's first.
-    columns: [[f64; 4]; 4],
-    axis: usize,
-    omega: [f64; 3],
+    columns: Columns<V>,
+    /// The rates on three axes, the body's own the last; and where each axis stands there.
+    omega: [V; 3],
+    pub(super) place: [usize; 3],
     /// The greatest |t|.
     until: f64,
 }
@@ -73,46 +74,71 @@ impl Symmetric {
             body_rate: -spin.to_f64(),
             until: clocks[0].until().min(clocks[1].until()),
             clocks: clocks[0].beside(&clocks[1]),
-            columns,
-            axis,
-            omega,
+            columns: columns.map(|[w, x, y, z]| [[w, x], [y, z]]),
+            omega: [1, 2, 3].map(|beyond| omega[(axis + beyond) % 3]),
+            place: [0, 1, 2].map(|i| (i + 2 - axis) % 3),
         }
-    }
-
-    /// The unit quaternion and the body rates.
-    #[inline(always)]
-    fn sample<L: Phased>(&self, clocks: Reduced<L::Pair>) -> ([L; 4], [L; 3]) {
-        let (sin, cos) = sincos_of(clocks);
-        let (first, second) = (sin * sin + cos * cos).parts();
-        let ((sin_p, sin_s), (cos_p, cos_s)) = (sin.parts(), cos.parts());
-        let scale = L::of(1.0) / (first * second).sqrt();
-        let (sin_p, cos_p) = (sin_p * scale, cos_p * scale);
-        let parts = [cos_p * cos_s, sin_p * cos_s, cos_p * sin_s, sin_p * sin_s];
-        let quaternion = combined(&self.columns, parts);
-        // The transverse rate turns by the whole angle, the other way.
-        let sin = sin_s * cos_s * 2.0;
-        let cos = L::of(1.0) - sin_s * sin_s * 2.0;
-        let (i, j) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
-        let (p, q) = (self.omega[i], self.omega[j]);
-        let mut omega = [L::of(self.omega[self.axis]); 3];
-        omega[i] = cos * p + sin * q;
-        omega[j] = cos * q - sin * p;
-        (quaternion, omega)
     }
 }
 
-impl Branchless for Symmetric {
+impl<V: Constant> Symmetric<V> {
+    /// The unit quaternion and the body rates.
+    #[inline(always)]
+    fn sample<L: Phased>(&self, clocks: Reduced<L::Pair>, first: usize) -> ([L; 4], [L; 3]) {
+        let (sin, cos) = sincos_of(clocks);
+        let (one, other) = (sin * sin + cos * cos).parts();
+        let ((sin_p, sin_s), (cos_p, cos_s)) = (sin.parts(), cos.parts());
+        let scale = L::of(1.0) / (one * other).sqrt();
+        let (sin_p, cos_p) = (sin_p * scale, cos_p * scale);
+        let parts = [cos_p * cos_s, sin_p * cos_s, cos_p * sin_s, sin_p * sin_s];
+        let quaternion = combined(&self.columns, parts, first);
+        // The transverse rate turns by the whole angle, the other way.
+        let sin = sin_s * cos_s * 2.0;
+        let cos = L::of(1.0) - sin_s * sin_s * 2.0;
+        let [p, q, r] = &self.omega;
+        let (p, q) = (p.lane::<L>(first), q.lane::<L>(first));
+        (
+            quaternion,
+            placed(
+                self.place,
+                [cos * p + sin * q, cos * q - sin * p, r.lane(first)],
+            ),
+        )
+    }
+}
+
+impl<V: Constant> Branchless<V> for Symmetric<V> {
     fn until(&self) -> f64 {
         self.until
     }
 
     #[inline(always)]
-    fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
-        self.sample(self.clocks.read(L::Pair::both, &Time::new(t).twice()))
+    fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]) {
+        self.sample(self.clocks.both_at(&Time::new(t), first), first)
     }
+}
 
+impl Sampled for Symmetric {
     #[cold]
     fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        self.sample::<f64>(self.clocks.both_far(t))
+        self.sample::<f64>(self.clocks.both_far(t), 0)
+    }
+}
+
+/// The rates of several bodies are left on the three axes with the own one the last.
+impl Gathered for Symmetric {
+    type Rows = Symmetric<Row>;
+    fn gathered(each: [Self; WIDEST]) -> Symmetric<Row> {
+        Symmetric {
+            precession_rate: each.map(|of| of.precession_rate),
+            body_rate: each.map(|of| of.body_rate),
+            clocks: Gathered::gathered(each.map(|of| of.clocks)),
+            columns: Gathered::gathered(each.map(|of| of.columns)),
+            omega: Gathered::gathered(each.map(|of| of.omega)),
+            place: [0, 1, 2],
+            until: each
+                .iter()
+                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+        }
     }
 }

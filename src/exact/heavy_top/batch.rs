@@ -1,34 +1,31 @@
 //! Many samples of one motion at once.
 
+use super::hyperbolic::Late;
 use super::sample::Sampler;
-use super::{Course, HeavyTop};
+use super::{Course, Form, HeavyTop};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
 use crate::error::Result;
-use crate::exact::batch::Branchless;
+use crate::exact::batch::{self, Sampled};
 use crate::exact::check_times;
-use crate::math::lane::{self, Phased, for_each_sample};
+use crate::math::lane::{self, Phased};
 
 impl HeavyTop {
     /// The attitudes at many times: the bits of [`HeavyTop::attitude`], in vector
-    /// registers where the processor has them and m <= 0.8; elsewhere one by one.
-    /// Nothing is allocated.
+    /// registers where the processor has them. Nothing is allocated.
     ///
     /// # Errors
     /// `Lengths` if there are not as many attitudes as times; `NotFinite` for a time
     /// that is not finite. No attitude is touched then.
     pub fn attitudes(&self, times: &[f64], attitudes: &mut [Attitude]) -> Result<()> {
         check_times("attitudes", attitudes.len(), times)?;
-        if let Some(sampler) = self.in_lanes(times) {
-            let mut attitudes = attitudes.iter_mut();
-            for_each_sample(&Attitudes(sampler), times, |quaternion| {
-                if let Some(attitude) = attitudes.next() {
-                    *attitude = Attitude::from_unit(quaternion);
+        match self.form() {
+            Some(Form::Trigonometric(sampler)) => filled(&**sampler, times, attitudes),
+            Some(Form::Hyperbolic(late)) => filled(&**late, times, attitudes),
+            None => {
+                for (t, attitude) in times.iter().zip(attitudes) {
+                    *attitude = self.attitude(*t);
                 }
-            });
-        } else {
-            for (t, attitude) in times.iter().zip(attitudes) {
-                *attitude = self.attitude(*t);
             }
         }
         Ok(())
@@ -53,30 +50,64 @@ impl HeavyTop {
     /// As [`HeavyTop::attitudes`].
     pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
         check_times("samples", samples.len(), times)?;
-        if let Some(sampler) = self.in_lanes(times) {
-            sampler.fill(times, samples);
-        } else {
-            for (t, sample) in times.iter().zip(samples) {
-                *sample = self.kinematics(*t);
+        match self.form() {
+            Some(Form::Trigonometric(sampler)) => sampler.fill(times, samples),
+            Some(Form::Hyperbolic(late)) => late.fill(times, samples),
+            None => {
+                for (t, sample) in times.iter().zip(samples) {
+                    *sample = self.kinematics(*t);
+                }
             }
         }
         Ok(())
     }
 
-    /// The sampler, if it is good for all these times.
-    fn in_lanes(&self, times: &[f64]) -> Option<&Sampler> {
-        let Course::Moving { sampler, .. } = &self.course else {
-            return None;
-        };
-        sampler.as_deref()?.reaching(times)
+    /// What is sampled without a branch, if the axis moves.
+    fn form(&self) -> Option<&Form> {
+        match &self.course {
+            Course::Fixed { .. } => None,
+            Course::Moving { form, .. } => Some(form),
+        }
     }
 }
 
-struct Attitudes<'a>(&'a Sampler);
+/// A form of the motion that has the attitude alone.
+trait Turning: Sampled {
+    fn quaternion_at<L: Phased>(&self, t: L) -> [L; 4];
+}
 
-impl lane::Sampler<4> for Attitudes<'_> {
+impl Turning for Sampler {
     #[inline(always)]
-    fn sample<L: Phased>(&self, t: L) -> [L; 4] {
-        self.0.quaternion(t)
+    fn quaternion_at<L: Phased>(&self, t: L) -> [L; 4] {
+        self.quaternion(t)
     }
+}
+
+impl Turning for Late {
+    #[inline(always)]
+    fn quaternion_at<L: Phased>(&self, t: L) -> [L; 4] {
+        self.quaternion(t)
+    }
+}
+
+struct Attitudes<'a, M>(&'a M);
+
+impl<M: Turning> lane::Sampler<4> for Attitudes<'_, M> {
+    #[inline(always)]
+    fn sample<L: Phased>(&self, t: L, _: usize) -> [L; 4] {
+        self.0.quaternion_at(t)
+    }
+}
+
+fn filled(motion: &impl Turning, times: &[f64], attitudes: &mut [Attitude]) {
+    let far = |t| motion.kinematics(t).attitude;
+    let until = motion.until();
+    batch::fill(
+        &Attitudes(motion),
+        until,
+        times,
+        attitudes,
+        Attitude::from_unit,
+        far,
+    );
 }

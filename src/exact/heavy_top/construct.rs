@@ -1,9 +1,10 @@
 //! The ways to state a motion: by energy, by angles and rates, by a body.
 
-use super::motion::Motion;
+use super::hyperbolic::Late;
+use super::motion::{Motion, Rates};
 use super::roots::{Conserved, Origin, Roots, State};
 use super::sample::Sampler;
-use super::{Course, Given, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
+use super::{Course, Form, Given, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
@@ -472,11 +473,18 @@ impl HeavyTop {
             }
         });
         let spin = problem.omega3.to_f64();
-        let sampler = Sampler::new(&motion, &turns, flip, spin).map(Box::new);
+        let form = match &motion.rates {
+            Rates::Trigonometric(wave) => {
+                Form::Trigonometric(Box::new(Sampler::new(&motion, wave, &turns, flip, spin)))
+            }
+            Rates::Hyperbolic(ripple) => {
+                Form::Hyperbolic(Box::new(Late::new(&motion, ripple, &turns, flip, spin)))
+            }
+        };
         Course::Moving {
             motion: Box::new(motion),
             turns,
-            sampler,
+            form,
         }
     }
 }

@@ -6,9 +6,9 @@
 //! turns in the same way: near t = 0 they are near their initial values however fast
 //! the body spins.
 
-use super::rates::RateWave;
+use super::rates::{RateRipple, RateWave};
 use super::roots::{Conserved, Origin, Roots};
-use super::series::{Factor, Pair, Series};
+use super::series::{Pair, Series};
 use super::waves::Zero;
 use crate::exact::theta::{self, Periods};
 use crate::math::{self, DoubleDouble as Dd};
@@ -22,21 +22,27 @@ pub(super) struct Motion {
     pub m1: Dd,
     /// Time from a turning point to the next; infinite for the homoclinic motion.
     pub half_period: Dd,
-    homoclinic: bool,
+    pub homoclinic: bool,
     per_half_period: f64,
     /// The largest |x|: half-way between turning points, and a little for rounding.
     reach: f64,
     /// Time from the turning point number `first` to the start.
     pub offset: Dd,
     pub first: i64,
-    series: Series,
-    /// The transverse rate, where the series is trigonometric.
-    pub rates: Option<RateWave>,
+    pub series: Series,
+    pub rates: Rates,
     /// z or w per time.
-    pub rate: f64,
+    pub rate: Dd,
     pub channels: [Channel; 2],
     /// The half-period of the start, counted from the turning point `first`.
-    start: f64,
+    pub start: f64,
+}
+
+/// The transverse rate's series.
+#[derive(Debug, Clone)]
+pub(super) enum Rates {
+    Trigonometric(RateWave),
+    Hyperbolic(RateRipple),
 }
 
 /// The phase of one Cayley-Klein parameter, without the body's own spin.
@@ -112,15 +118,23 @@ impl Motion {
         ];
         let (first, offset) = time_from_turning_point(origin, &roots, &periods, m1, p);
         let half_period = if homoclinic { quarter } else { quarter / p };
-        let rates = (!periods.hyperbolic).then(|| {
-            // The transverse rate at the lower turning point, +-(A - B v1)/sin(theta),
-            // times the size sqrt(2 k1) that both series together have there.
-            let far = roots.outer + roots.gravity.scaled(2.0);
-            let spin = conserved.spin * roots.y1.sqrt() * a.sign;
-            let rate = (spin - (far * roots.y2).sqrt()) / roots.x1.sqrt();
-            let size = periods.nome.k1.scaled(2.0).sqrt();
-            RateWave::new(&periods.nome, &a, &b, rate * size)
-        });
+        // The transverse rate at the lower turning point, +-(A - B v1)/sin(theta), times the
+        // size that both series together have there.
+        let far = roots.outer + roots.gravity.scaled(2.0);
+        let spin = conserved.spin * roots.y1.sqrt() * a.sign;
+        let turning = (spin - (far * roots.y2).sqrt()) / roots.x1.sqrt();
+        let nome = &periods.nome;
+        let rates = match [a.place, b.place] {
+            [theta::Zero::Along(of_a), theta::Zero::Along(of_b)] => {
+                let size = Dd::from(2.0).sqrt() * nome.theta2();
+                let zeros = [(a.sign, of_a), (b.sign, of_b)];
+                Rates::Hyperbolic(RateRipple::new(nome, zeros, turning * size))
+            }
+            _ => {
+                let size = nome.k1.scaled(2.0).sqrt();
+                Rates::Trigonometric(RateWave::new(nome, &a, &b, turning * size))
+            }
+        };
         let mut motion = Self {
             roots,
             m,
@@ -133,7 +147,7 @@ impl Motion {
             first,
             series: matched.series,
             rates,
-            rate: rate.to_f64(),
+            rate,
             channels,
             start: 0.0,
         };
@@ -157,11 +171,6 @@ impl Motion {
         }
     }
 
-    /// The series of a and b about the lower turning point, where they are trigonometric.
-    pub fn trigonometric(&self) -> Option<&[Factor; 2]> {
-        (!self.series.hyperbolic).then(|| &self.series.sides[0])
-    }
-
     /// Where the time `t` falls.
     #[inline]
     pub fn place(&self, t: f64) -> Place {
@@ -178,7 +187,7 @@ impl Motion {
             period: index >> 1,
             upper: index & 1 == 1,
             // A time whose last bit is many periods falls anywhere: on this side.
-            x: (rest * self.rate).max(-self.reach).min(self.reach),
+            x: (rest * self.rate.hi()).max(-self.reach).min(self.reach),
         }
     }
 

@@ -2,22 +2,14 @@
 
 use super::motion::{Motion, Place};
 use super::series::Pair;
-use super::{Course, HeavyTop, Turns};
+use super::{Course, Form, HeavyTop};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::{Kinematics, State};
 use crate::error::{Result, finite};
-use crate::exact::batch::Branchless;
+use crate::exact::batch::Sampled;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
-
-/// Both Cayley-Klein parameters at a time, up to a common positive factor.
-struct Sample {
-    alpha: Complex<f64>,
-    beta: Complex<f64>,
-    /// |alpha|^2 + |beta|^2.
-    norm: f64,
-}
 
 impl HeavyTop {
     /// The Euler angles at time `t`: phi and zeta continuous, not reduced modulo 2 pi.
@@ -30,7 +22,7 @@ impl HeavyTop {
     /// start and their mean rates; an angle beyond `f64` is infinite.
     /// Source: the notes, 16.2 (4)-(6), solved.
     pub fn angles(&self, t: f64) -> EulerAngles {
-        let (motion, _) = match &self.course {
+        let motion = match &self.course {
             Course::Fixed { theta } => {
                 return EulerAngles {
                     phi: self.phi0,
@@ -38,7 +30,7 @@ impl HeavyTop {
                     zeta: self.zeta0 + late(self.omega3, t),
                 };
             }
-            Course::Moving { motion, turns, .. } => (motion, turns),
+            Course::Moving { motion, .. } => motion,
         };
         let place = motion.place(t);
         let pair = motion.pair(&place);
@@ -90,11 +82,10 @@ impl HeavyTop {
     pub fn attitude(&self, t: f64) -> Attitude {
         match &self.course {
             Course::Fixed { .. } => self.fixed_attitude(t),
-            Course::Moving {
-                sampler: Some(sampler),
-                ..
-            } => sampler.attitude(t),
-            Course::Moving { motion, turns, .. } => attitude_of(&self.sample(motion, turns, t)),
+            Course::Moving { form, .. } => match form {
+                Form::Trigonometric(sampler) => sampler.attitude(t),
+                Form::Hyperbolic(late) => late.attitude(t),
+            },
         }
     }
 
@@ -183,14 +174,10 @@ impl HeavyTop {
             Course::Fixed { .. } => {
                 Kinematics::new(self.fixed_attitude(t), self.angular_velocity(t))
             }
-            Course::Moving {
-                sampler: Some(sampler),
-                ..
-            } => sampler.kinematics(t),
-            Course::Moving { motion, turns, .. } => {
-                let (sample, omega) = self.rates_at(motion, turns, t);
-                Kinematics::new(attitude_of(&sample), omega)
-            }
+            Course::Moving { form, .. } => match form {
+                Form::Trigonometric(sampler) => sampler.kinematics(t),
+                Form::Hyperbolic(late) => late.kinematics(t),
+            },
         }
     }
 
@@ -290,19 +277,6 @@ impl HeavyTop {
         }
     }
 
-    #[inline]
-    fn sample(&self, motion: &Motion, turns: &[Turns; 2], t: f64) -> Sample {
-        let place = motion.place(t);
-        let (alpha, beta) = self.ordered(motion.pair(&place));
-        let norm = alpha.norm_sqr() + beta.norm_sqr();
-        let [turn_alpha, turn_beta] = factors(turns, &place, t);
-        Sample {
-            alpha: alpha * turn_alpha,
-            beta: beta * turn_beta,
-            norm,
-        }
-    }
-
     /// alpha and beta from the parameters in v.
     #[inline]
     fn ordered(&self, pair: Pair) -> (Complex<f64>, Complex<f64>) {
@@ -323,23 +297,7 @@ impl HeavyTop {
         // omega_1 + i omega_2 = 2 (conj(alpha) beta' - beta conj(alpha)').
         let wronskian = alpha.conj() * d_beta - beta * d_alpha.conj();
         let phases = Complex::new(0.0, a.rate.hi() + b.rate.hi()) * (alpha.conj() * beta);
-        [alpha, beta, (wronskian * motion.rate + phases) * 2.0]
-    }
-
-    #[inline]
-    fn rates_at(&self, motion: &Motion, turns: &[Turns; 2], t: f64) -> (Sample, BodyVector) {
-        let place = motion.place(t);
-        let [alpha, beta, transverse] = self.transverse(motion, &place);
-        let norm = alpha.norm_sqr() + beta.norm_sqr();
-        let [turn_alpha, turn_beta] = factors(turns, &place, t);
-        let omega = transverse * (turn_alpha.conj() * turn_beta) / norm;
-        let sample = Sample {
-            alpha: alpha * turn_alpha,
-            beta: beta * turn_beta,
-            norm,
-        };
-        let omega = BodyVector::new(omega.re, omega.im, self.omega3.to_f64());
-        (sample, omega)
+        [alpha, beta, (wronskian * motion.rate.hi() + phases) * 2.0]
     }
 }
 
@@ -350,26 +308,4 @@ fn late(rate: Dd, t: f64) -> f64 {
     } else {
         (rate * t).to_f64()
     }
-}
-
-/// The phase factors of alpha and beta, with the sign that makes the quaternion continuous.
-#[inline]
-fn factors(turns: &[Turns; 2], place: &Place, t: f64) -> [Complex<f64>; 2] {
-    let sign = if place.period & 1 == 0 { 1.0 } else { -1.0 };
-    [&turns[0], &turns[1]].map(|turns| {
-        let (sin, cos) = math::sincos(turns.phase(t, place.count));
-        Complex::new(sign * cos, sign * sin)
-    })
-}
-
-/// The unit quaternion (Re alpha, Re beta, Im beta, Im alpha).
-#[inline]
-fn attitude_of(sample: &Sample) -> Attitude {
-    let scale = 1.0 / sample.norm.sqrt();
-    Attitude::from_unit([
-        sample.alpha.re * scale,
-        sample.beta.re * scale,
-        sample.beta.im * scale,
-        sample.alpha.im * scale,
-    ])
 }

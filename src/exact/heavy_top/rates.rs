@@ -1,8 +1,9 @@
 //! The set-up of the transverse rate's theta series.
 
+use super::ripples::Ripple;
 use super::series::Factor;
 use super::waves::{Wave, Zero};
-use crate::exact::nome::Nome;
+use crate::exact::nome::{Angle, Nome};
 use crate::exact::theta::{self, Across};
 use crate::math::DoubleDouble as Dd;
 
@@ -12,6 +13,38 @@ use crate::math::DoubleDouble as Dd;
 pub(super) struct RateWave {
     pub sense: f64,
     pub factor: Factor,
+}
+
+/// The same after Jacobi's imaginary transformation: theta_3(d + iw | q') around the lower
+/// turning point, times 1 and q' 2 sinh 2w real and imaginary part, and theta_2(d + iw | q')
+/// around the upper one, times cosh w and sinh w, with d = y'_b - y'_a. What turned by +-z is
+/// dropped with the phases of the others.
+#[derive(Debug, Clone)]
+pub(super) struct RateRipple(pub [Factor; 2]);
+
+impl RateRipple {
+    /// From the angles of the Cayley-Klein parameters' zeros, with their signs; `size` is the
+    /// value at w = 0.
+    pub fn new(nome: &Nome, [(sign_a, a), (sign_b, b)]: [(f64, Angle); 2], size: Dd) -> Self {
+        let sin = b.sin * a.cos * sign_b - b.cos * a.sin * sign_a;
+        let cos = b.cos * a.cos + b.sin * a.sin * (sign_a * sign_b);
+        // theta_3(d) = theta_4(d - pi/2).
+        let angle = Angle {
+            z: b.z * sign_b - a.z * sign_a - Dd::FRAC_PI_2,
+            sin: -cos,
+            cos: sin,
+        };
+        let ripple = Ripple::new(1.0, angle, nome);
+        let scale = size / ripple.at_zero;
+        let upper = ripple.h(scale * nome.q.sqrt().scaled(4.0));
+        Self([
+            ripple.h1(scale),
+            Factor {
+                re: upper.im,
+                im: upper.re.map(|c| -c),
+            },
+        ])
+    }
 }
 
 impl RateWave {

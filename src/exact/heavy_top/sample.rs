@@ -15,45 +15,82 @@ use super::motion::Motion;
 use super::rates::RateWave;
 use super::{Turns, series::Factor};
 use crate::attitude::Attitude;
-use crate::exact::batch::Branchless;
-use crate::math::lane::{Cubics, Pair, Phased, cubics, horner};
+use crate::exact::batch::{Branchless, Sampled};
+use crate::math::lane::{Constant, Cubics, Gathered, Pair, Phased, Row, WIDEST, cubics, horner};
 use crate::math::{Clock, Reduced, Time, sincos_of, unsigned_sincos_of};
 
 /// A motion ready to be sampled.
-#[derive(Debug, Clone)]
-pub(super) struct Sampler {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sampler<V = f64> {
     /// z and the phases of alpha and beta, in quarter turns.
-    nutation: Clock<f64>,
-    phases: Clock<[f64; 2]>,
+    nutation: Clock<V>,
+    phases: Clock<[V; 2]>,
     /// Polynomials in k = 2 cos 2z for alpha and beta: times sin z and cos z the real
     /// parts, times cos z and sin z the imaginary ones.
-    re: Cubics,
-    im: Cubics,
+    re: Cubics<V>,
+    im: Cubics<V>,
     /// The transverse rate: times cos z and sin z its real and imaginary part before it
     /// is turned by `sense` z.
-    rate: Cubics,
-    sense: f64,
-    spin: f64,
+    rate: Cubics<V>,
+    sense: V,
+    spin: V,
     /// The greatest |t|.
     until: f64,
 }
 
 /// alpha and beta, normalised, and what the rates need of them.
-struct Axis<L: Phased> {
+pub(super) struct Axis<L: Phased> {
     re: L::Pair,
     im: L::Pair,
-    wave: L::Pair,
-    k: L,
+    /// Sine and cosine of both phases.
     phase: [L::Pair; 2],
     scale: L,
+}
+
+impl<L: Phased> Axis<L> {
+    /// Of both series and phases; negative where the last bit but one of `whole` is set.
+    #[inline(always)]
+    pub fn new(re: L::Pair, im: L::Pair, phases: Reduced<L::Pair>, whole: L) -> Self {
+        let (first, second) = (re * re + im * im).parts();
+        let scale = L::of(1.0) / (first + second).sqrt();
+        let (sin, cos) = sincos_of(phases);
+        let signed = scale.negative_if_half(whole);
+        let both = L::Pair::new(signed, signed);
+        Self {
+            re: (re * cos - im * sin) * both,
+            im: (re * sin + im * cos) * both,
+            phase: [sin, cos],
+            scale,
+        }
+    }
+
+    /// The unit quaternion.
+    #[inline(always)]
+    pub fn quaternion(&self) -> [L; 4] {
+        let ((w, x), (z, y)) = (self.re.parts(), self.im.parts());
+        [w, x, y, z]
+    }
+
+    /// The transverse rate by its series, before it is turned by both phases.
+    #[inline(always)]
+    pub fn transverse(&self, re: L, im: L) -> [L; 2] {
+        // conj(e^{i psi_a}) e^{i psi_b}
+        let [phase_sin, phase_cos] = self.phase;
+        let ((sin_a, sin_b), (cos_a, cos_b)) = (phase_sin.parts(), phase_cos.parts());
+        let cos = cos_a * cos_b + sin_a * sin_b;
+        let sin = cos_a * sin_b - sin_a * cos_b;
+        [
+            (re * cos - im * sin) * self.scale,
+            (re * sin + im * cos) * self.scale,
+        ]
+    }
 }
 
 impl Sampler {
     /// For a motion whose gravity is turned if `flip` < 0, with the phases of alpha and
     /// beta in `turns` and omega_3 = `spin`.
-    pub fn new(motion: &Motion, turns: &[Turns; 2], flip: f64, spin: f64) -> Option<Self> {
-        let [a, b] = motion.trigonometric()?;
-        let wave = motion.rates.as_ref()?;
+    pub fn new(motion: &Motion, wave: &RateWave, turns: &[Turns; 2], flip: f64, spin: f64) -> Self {
+        let [a, b] = &motion.series.sides[0];
         let flipped = flip < 0.0;
         let per = motion.half_period.recip();
         let start = motion.offset * per + motion.first as f64 + f64::from(u8::from(flipped));
@@ -66,7 +103,7 @@ impl Sampler {
             .iter()
             .fold(nutation.until(), |until, phase| until.min(phase.until()));
         let (sides, sense, rate) = oriented(a, b, wave, flipped);
-        Some(Self {
+        Self {
             nutation,
             phases: phases[0].beside(&phases[1]),
             re: cubics(&sides[0].re, &sides[1].re),
@@ -75,69 +112,7 @@ impl Sampler {
             sense,
             spin,
             until,
-        })
-    }
-
-    /// z, and the phases of alpha and beta, while |t| is at most `until`.
-    #[inline(always)]
-    fn phases<L: Phased>(&self, t: L) -> (Reduced<L>, Reduced<L::Pair>) {
-        let time = Time::new(t);
-        let z = self.nutation.read(|v| L::of(*v), &time);
-        (z, self.phases.read(L::Pair::both, &time.twice()))
-    }
-
-    #[inline(always)]
-    fn axis<L: Phased>(&self, (z, phases): (Reduced<L>, Reduced<L::Pair>)) -> Axis<L> {
-        let wave = unsigned_sincos_of(z);
-        let (sin, _) = wave.parts();
-        let k = L::of(2.0) - sin * 4.0 * sin;
-        let re = wave * horner(&self.re, k);
-        let im = wave.swapped() * horner(&self.im, k);
-        let (first, second) = (re * re + im * im).parts();
-        let scale = L::of(1.0) / (first + second).sqrt();
-        let (sin, cos) = sincos_of(phases);
-        let signed = scale.negative_if_half(z.whole);
-        let both = L::Pair::new(signed, signed);
-        Axis {
-            re: (re * cos - im * sin) * both,
-            im: (re * sin + im * cos) * both,
-            wave,
-            k,
-            phase: [sin, cos],
-            scale,
         }
-    }
-
-    /// The unit quaternion.
-    #[inline(always)]
-    fn quaternion_of<L: Phased>(axis: &Axis<L>) -> [L; 4] {
-        let ((w, x), (z, y)) = (axis.re.parts(), axis.im.parts());
-        [w, x, y, z]
-    }
-
-    #[inline(always)]
-    fn rates_of<L: Phased>(&self, axis: &Axis<L>) -> [L; 3] {
-        let wave = axis.wave;
-        let (re, im) = (wave.swapped() * horner(&self.rate, axis.k)).parts();
-        let (sin, cos) = wave.parts();
-        let sin = sin * self.sense;
-        let (re, im) = (re * cos - im * sin, re * sin + im * cos);
-        // conj(e^{i psi_a}) e^{i psi_b}
-        let [phase_sin, phase_cos] = axis.phase;
-        let ((sin_a, sin_b), (cos_a, cos_b)) = (phase_sin.parts(), phase_cos.parts());
-        let cos = cos_a * cos_b + sin_a * sin_b;
-        let sin = cos_a * sin_b - sin_a * cos_b;
-        [
-            (re * cos - im * sin) * axis.scale,
-            (re * sin + im * cos) * axis.scale,
-            L::of(self.spin),
-        ]
-    }
-
-    /// The unit quaternion at time `t`.
-    #[inline(always)]
-    pub fn quaternion<L: Phased>(&self, t: L) -> [L; 4] {
-        Self::quaternion_of(&self.axis(self.phases(t)))
     }
 
     pub fn attitude(&self, t: f64) -> Attitude {
@@ -147,24 +122,89 @@ impl Sampler {
             self.far(t).0
         })
     }
+
+    /// The unit quaternion at time `t`.
+    #[inline(always)]
+    pub fn quaternion<L: Phased>(&self, t: L) -> [L; 4] {
+        self.axis(self.phases(t, 0), 0).0.quaternion()
+    }
 }
 
-impl Branchless for Sampler {
+impl<V: Constant> Sampler<V> {
+    /// z, and the phases of alpha and beta, while |t| is at most `until`.
+    #[inline(always)]
+    fn phases<L: Phased>(&self, t: L, first: usize) -> (Reduced<L>, Reduced<L::Pair>) {
+        let time = Time::new(t);
+        (
+            self.nutation.at(&time, first),
+            self.phases.both_at(&time, first),
+        )
+    }
+
+    /// The axis, sine and cosine of z, and k.
+    #[inline(always)]
+    fn axis<L: Phased>(
+        &self,
+        (z, phases): (Reduced<L>, Reduced<L::Pair>),
+        first: usize,
+    ) -> (Axis<L>, L::Pair, L) {
+        let wave = unsigned_sincos_of(z);
+        let (sin, _) = wave.parts();
+        let k = L::of(2.0) - sin * 4.0 * sin;
+        let re = wave * horner(&self.re, k, first);
+        let im = wave.swapped() * horner(&self.im, k, first);
+        (Axis::new(re, im, phases, z.whole), wave, k)
+    }
+
+    #[inline(always)]
+    fn all_of<L: Phased>(
+        &self,
+        phases: (Reduced<L>, Reduced<L::Pair>),
+        first: usize,
+    ) -> ([L; 4], [L; 3]) {
+        let (axis, wave, k) = self.axis(phases, first);
+        let (re, im) = (wave.swapped() * horner(&self.rate, k, first)).parts();
+        let (sin, cos) = wave.parts();
+        let sin = sin * self.sense.lane::<L>(first);
+        let (re, im) = (re * cos - im * sin, re * sin + im * cos);
+        let [p, q] = axis.transverse(re, im);
+        (axis.quaternion(), [p, q, self.spin.lane(first)])
+    }
+}
+
+impl<V: Constant> Branchless<V> for Sampler<V> {
     fn until(&self) -> f64 {
         self.until
     }
 
     #[inline(always)]
-    fn all<L: Phased>(&self, t: L) -> ([L; 4], [L; 3]) {
-        let axis = self.axis(self.phases(t));
-        (Self::quaternion_of(&axis), self.rates_of(&axis))
+    fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]) {
+        self.all_of(self.phases(t, first), first)
     }
+}
 
+impl Sampled for Sampler {
     #[cold]
     fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        let phases = (self.nutation.read_far(t), self.phases.both_far(t));
-        let axis = self.axis::<f64>(phases);
-        (Self::quaternion_of(&axis), self.rates_of(&axis))
+        self.all_of::<f64>((self.nutation.read_far(t), self.phases.both_far(t)), 0)
+    }
+}
+
+impl Gathered for Sampler {
+    type Rows = Sampler<Row>;
+    fn gathered(each: [Self; WIDEST]) -> Sampler<Row> {
+        Sampler {
+            nutation: Gathered::gathered(each.map(|of| of.nutation)),
+            phases: Gathered::gathered(each.map(|of| of.phases)),
+            re: Gathered::gathered(each.map(|of| of.re)),
+            im: Gathered::gathered(each.map(|of| of.im)),
+            rate: Gathered::gathered(each.map(|of| of.rate)),
+            sense: each.map(|of| of.sense),
+            spin: each.map(|of| of.spin),
+            until: each
+                .iter()
+                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+        }
     }
 }
 

@@ -12,8 +12,8 @@
 //!
 //! For m <= 0.8 the series runs in q, for m > 0.8, after Jacobi's imaginary
 //! transformation, in q' = exp(-pi K/K') with hyperbolic functions of w = pi x/2K';
-//! q' = 0 is the homoclinic motion. Either nome is below 0.1: four terms do. In q
-//! attitude and rates have a form of their own (`super::sample`).
+//! q' = 0 is the homoclinic motion. Either nome is below 0.1: four terms do.
+//! Attitude and rates have forms of their own (`super::sample`, `super::hyperbolic`).
 //!
 //! Sources: DLMF 20.2, 20.7(viii); F. Klein, A. Sommerfeld, *Theorie des Kreisels*,
 //! VI.

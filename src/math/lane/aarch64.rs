@@ -2,7 +2,7 @@
 //!
 //! It fuses a product with a sum where it is asked to; here it is never asked.
 
-use super::{Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, Pair, Phased, SIGN, Sub};
+use super::{Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, ONE, Pair, Phased, SIGN, Sub};
 use core::arch::aarch64::*;
 
 /// Two numbers in a register: a pair of single ones.
@@ -88,6 +88,10 @@ impl Number for Two {
             vbslq_f64(mask, odd.0, self.0)
         })
     }
+    #[inline(always)]
+    fn two_to(whole: Self) -> Self {
+        Self::from_bits(unsafe { vaddq_u64(vshlq_n_u64::<52>(whole.bits()), Self::whole(ONE)) })
+    }
 }
 
 impl Lane for Two {
@@ -113,6 +117,11 @@ impl Lane for Two {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(unsafe { vabsq_f64(self.0) })
+    }
+    #[inline(always)]
+    fn within(self, bound: f64) -> Self {
+        let (least, most) = (Self::same(-bound), Self::same(bound));
+        Self(unsafe { vminq_f64(vmaxq_f64(self.0, least.0), most.0) })
     }
     #[inline(always)]
     fn sum(self) -> f64 {

@@ -1,13 +1,13 @@
 //! Every kind of registers gives the bits of one number at a time.
 
 use super::*;
-use crate::math::sincos_turns;
+use crate::math::{sincos_turns, sinh_cosh_of};
 
 /// Every operation of a lane, and those of its pairs.
 struct Probe;
 
-impl Sampler<5> for Probe {
-    fn sample<L: Phased>(&self, t: L) -> [L; 5] {
+impl Sampler<6> for Probe {
+    fn sample<L: Phased>(&self, t: L, _: usize) -> [L; 6] {
         let (sin, cos) = sincos_turns(t);
         let pair = L::Pair::new(t, sin) * L::Pair::both(&[0.3, -1.7]);
         let (first, second) = (pair.swapped() - pair).parts();
@@ -17,19 +17,28 @@ impl Sampler<5> for Probe {
             (t * t + 0.1).sqrt() / (t - 0.3),
             t.leading() * first,
             second,
+            sinh_cosh_of(t.within(7.0)).0,
         ]
     }
 }
 
-type Bits = [u64; 5];
+type Bits = [u64; 6];
 
-fn bits(sample: [f64; 5]) -> Bits {
+fn bits(sample: [f64; 6]) -> Bits {
     sample.map(f64::to_bits)
+}
+
+fn probed(times: &[f64], found: &mut Vec<Bits>) -> impl Work {
+    EachTime::<_, _, 6> {
+        sampler: &Probe,
+        times,
+        put: |sample| found.push(bits(sample)),
+    }
 }
 
 fn in_lanes<L: Phased>(times: &[f64]) -> Vec<Bits> {
     let mut found = Vec::new();
-    run::<L, 5>(&Probe, times, |sample| found.push(bits(sample)));
+    probed(times, &mut found).run::<L>();
     found
 }
 
@@ -53,13 +62,13 @@ fn in_wider_registers(times: &[f64]) -> Vec<Vec<Bits>> {
     if std::is_x86_feature_detected!("avx2") {
         let mut wide = Vec::new();
         // SAFETY: just detected.
-        unsafe { x86::avx2(&Probe, times, |sample| wide.push(bits(sample))) };
+        unsafe { x86::avx2(probed(times, &mut wide)) };
         found.push(wide);
     }
     if std::is_x86_feature_detected!("avx512f") {
         let mut wide = Vec::new();
         // SAFETY: just detected.
-        unsafe { x86::avx512(&Probe, times, |sample| wide.push(bits(sample))) };
+        unsafe { x86::avx512(probed(times, &mut wide)) };
         found.push(wide);
     }
     found
@@ -76,7 +85,7 @@ fn every_width_gives_the_scalar_bits() {
     let mut compared = 0;
     for length in 0..300 {
         let times: Vec<f64> = (0..length).map(|k| f64::from(k) * 0.37 - 20.0).collect();
-        let expected: Vec<Bits> = times.iter().map(|t| bits(Probe.sample(*t))).collect();
+        let expected: Vec<Bits> = times.iter().map(|t| bits(Probe.sample(*t, 0))).collect();
         for found in in_each_width(&times) {
             assert_eq!(found, expected);
             compared += found.len();
@@ -90,7 +99,7 @@ fn every_width_gives_the_scalar_bits() {
 fn a_fused_product_would_be_seen() {
     let fused = |t: f64| libm::sqrt(libm::fma(t, t, 0.1)) / (t - 0.3);
     let times = (0..300).map(|k| f64::from(k) * 0.37 - 20.0);
-    let differ = times.filter(|t| fused(*t).to_bits() != bits(Probe.sample(*t))[2]);
+    let differ = times.filter(|t| fused(*t).to_bits() != bits(Probe.sample(*t, 0))[2]);
     assert_eq!(differ.count(), 25);
 }
 

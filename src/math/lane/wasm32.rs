@@ -1,6 +1,6 @@
 //! The vector registers of WebAssembly.
 
-use super::{Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, Pair, Phased, Sub};
+use super::{Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, ONE, Pair, Phased, Sub};
 use core::arch::wasm32::*;
 
 /// Two numbers in a register: a pair of single ones.
@@ -70,6 +70,10 @@ impl Number for Two {
         let mask = i64x2_neg(v128_and(whole.0, Self::whole(1)));
         Self(v128_bitselect(odd.0, self.0, mask))
     }
+    #[inline(always)]
+    fn two_to(whole: Self) -> Self {
+        Self(i64x2_add(i64x2_shl(whole.0, 52), Self::whole(ONE)))
+    }
 }
 
 impl Lane for Two {
@@ -93,6 +97,11 @@ impl Lane for Two {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(f64x2_abs(self.0))
+    }
+    #[inline(always)]
+    fn within(self, bound: f64) -> Self {
+        let least = f64x2_max(self.0, f64x2_splat(-bound));
+        Self(f64x2_min(least, f64x2_splat(bound)))
     }
     #[inline(always)]
     fn sum(self) -> f64 {

@@ -1,28 +1,18 @@
 //! The vector registers of x86-64.
 
-use super::{
-    Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, Pair, Phased, Sampler, Sub, run,
-};
+use super::{Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, ONE, Pair, Phased, Sub, Work};
 use core::arch::x86_64::*;
 
 /// Only for a processor that has AVX-512F.
 #[target_feature(enable = "avx512f")]
-pub(super) fn avx512<const N: usize>(
-    sampler: &impl Sampler<N>,
-    times: &[f64],
-    put: impl FnMut([f64; N]),
-) {
-    run::<Eight, N>(sampler, times, put);
+pub(super) fn avx512(work: impl Work) {
+    work.run::<Eight>();
 }
 
 /// Only for a processor that has AVX2.
 #[target_feature(enable = "avx2")]
-pub(super) fn avx2<const N: usize>(
-    sampler: &impl Sampler<N>,
-    times: &[f64],
-    put: impl FnMut([f64; N]),
-) {
-    run::<Four, N>(sampler, times, put);
+pub(super) fn avx2(work: impl Work) {
+    work.run::<Four>();
 }
 
 // SAFETY of every block below: `Two` needs SSE2, which every x86-64 has. Values of `Four` and
@@ -31,7 +21,7 @@ pub(super) fn avx2<const N: usize>(
 // the lists they are given.
 macro_rules! register {
     ($name:ident($register:ty), $width:literal, $set:ident, $load:ident, $store:ident,
-     $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident,
+     $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident,
      $integer:ident, $from_integer:ident, $whole:ident, $plus:ident, $and:ident, $xor:ident, $shift:ident,
      $or_if_odd:expr, $halves:expr) => {
         impl Number for $name {
@@ -63,6 +53,13 @@ macro_rules! register {
             fn or_if_odd(self, odd: Self, whole: Self) -> Self {
                 Self(unsafe { $or_if_odd(self.0, odd.0, $integer(whole.0)) })
             }
+            #[inline(always)]
+            fn two_to(whole: Self) -> Self {
+                Self(unsafe {
+                    let exponent = $shift::<52>($integer(whole.0));
+                    $from_integer($plus(exponent, $whole(ONE as i64)))
+                })
+            }
         }
 
         impl Lane for $name {
@@ -88,6 +85,10 @@ macro_rules! register {
             #[inline(always)]
             fn abs(self) -> Self {
                 Self(unsafe { $from_integer($and($integer(self.0), $whole(!i64::MIN))) })
+            }
+            #[inline(always)]
+            fn within(self, bound: f64) -> Self {
+                Self(unsafe { $min($max(self.0, $set(-bound)), $set(bound)) })
             }
             #[inline(always)]
             fn sum(self) -> f64 {
@@ -147,6 +148,8 @@ register!(
     _mm512_mul_pd,
     _mm512_div_pd,
     _mm512_sqrt_pd,
+    _mm512_min_pd,
+    _mm512_max_pd,
     _mm512_castpd_si512,
     _mm512_castsi512_pd,
     _mm512_set1_epi64,
@@ -179,6 +182,8 @@ register!(
     _mm256_mul_pd,
     _mm256_div_pd,
     _mm256_sqrt_pd,
+    _mm256_min_pd,
+    _mm256_max_pd,
     _mm256_castpd_si256,
     _mm256_castsi256_pd,
     _mm256_set1_epi64x,
@@ -215,6 +220,8 @@ register!(
     _mm_mul_pd,
     _mm_div_pd,
     _mm_sqrt_pd,
+    _mm_min_pd,
+    _mm_max_pd,
     _mm_castpd_si128,
     _mm_castsi128_pd,
     _mm_set1_epi64x,

@@ -80,8 +80,8 @@ fn rates_of_any_size_make_a_motion() {
         late.push((now - momentum).norm() / momentum.norm());
     }
     let ran = 6 * 3 * (64 + 14) * 5;
-    starts.attain(2.2..=2.3, ran);
-    drifts.attain(22.0..=22.1, 4 * ran);
+    starts.attain(1.4..=1.5, ran);
+    drifts.attain(19.0..=19.1, 4 * ran);
     lengths.attain(10.0..=10.0, 4 * ran);
     late.exceed(1e5, 6);
 }

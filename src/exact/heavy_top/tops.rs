@@ -1,0 +1,79 @@
+//! Many tops at one time.
+
+use super::hyperbolic::Late;
+use super::sample::Sampler;
+use super::{Course, Form, HeavyTop};
+use crate::body::Kinematics;
+use crate::error::Result;
+use crate::exact::batch::{Blocks, stated};
+use crate::exact::check_time;
+use crate::math::lane::Row;
+
+/// Tops that are asked for their states at one time after the other: side by side in vector
+/// registers, each form of the motion with its own. An axis that stays goes by itself.
+///
+/// ```
+/// # use rotation_dynamics::body::Kinematics;
+/// # use rotation_dynamics::exact::heavy_top::{HeavyTop, HeavyTops, ReducedTop, Start};
+/// let top = ReducedTop::new(2.0, 1.2, 0.2)?;
+/// let motion = |k| HeavyTop::from_energy(top, 0.5 + 1e-4 * f64::from(k), Start::ThetaMin, 0.0, 0.0);
+/// let tops = (0..1000).map(motion).collect::<Result<Vec<_>, _>>()?;
+/// let together = HeavyTops::new(&tops);
+/// let mut states = vec![Kinematics::REST; tops.len()];
+/// together.kinematics(12.0, &mut states)?;
+/// assert_eq!(states[999], tops[999].kinematics(12.0));
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct HeavyTops<'a> {
+    tops: &'a [HeavyTop],
+    nodding: Blocks<Sampler<Row>>,
+    late: Blocks<Late<Row>>,
+    /// The numbers of those whose axis stays.
+    fixed: Vec<usize>,
+}
+
+impl<'a> HeavyTops<'a> {
+    /// Puts the motions side by side; allocates some 8 numbers for each that a motion has.
+    pub fn new(tops: &'a [HeavyTop]) -> Self {
+        let (mut nodding, mut late, mut fixed) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, top) in tops.iter().enumerate() {
+            match &top.course {
+                Course::Fixed { .. } => fixed.push(number),
+                Course::Moving { form, .. } => match form {
+                    Form::Trigonometric(sampler) => nodding.push((number, **sampler)),
+                    Form::Hyperbolic(motion) => late.push((number, **motion)),
+                },
+            }
+        }
+        Self {
+            tops,
+            nodding: Blocks::new(&nodding),
+            late: Blocks::new(&late),
+            fixed,
+        }
+    }
+
+    /// The tops.
+    pub const fn tops(&self) -> &'a [HeavyTop] {
+        self.tops
+    }
+
+    /// Attitude and body rates of each top at time `t`, in their order: the bits of
+    /// [`HeavyTop::kinematics`]. Nothing is allocated.
+    ///
+    /// # Errors
+    /// `Lengths` if there are not as many states as tops; `NotFinite` for a time that is not
+    /// finite. No state is touched then.
+    pub fn kinematics(&self, t: f64, states: &mut [Kinematics]) -> Result<()> {
+        check_time(states.len(), self.tops.len(), t)?;
+        let near = |_, sample| stated(sample);
+        let far = |number: usize| self.tops[number].kinematics(t);
+        self.nodding.fill(t, states, near, far);
+        self.late.fill(t, states, near, far);
+        for &number in &self.fixed {
+            states[number] = far(number);
+        }
+        Ok(())
+    }
+}
