@@ -154,8 +154,8 @@ fn main() -> Outcome<()> {
         set_ups.push([
             motion.name.to_owned(),
             format!("{pairs:.0}"),
-            short(1e6 * seconds),
-            short(1e9 * pair),
+            short(1e6 * seconds, 2),
+            short(1e9 * pair, 2),
         ])?;
     }
     report.add_table(table)?;
