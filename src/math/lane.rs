@@ -16,7 +16,8 @@
 //! What a sample does twice alike, as for alpha and beta, it does on a [`Phased::Pair`]:
 //! two registers, or for one number both halves of one.
 //!
-//! Not for: elementary functions of `libm`, or anything with a branch.
+//! Not for: elementary functions of `libm`, or anything with a branch (what samples need of them
+//! is in `turns` and `hyperbolic`).
 
 #[cfg(all(target_arch = "x86_64", registers))]
 use asked::widest;
