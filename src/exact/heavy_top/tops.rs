@@ -20,8 +20,10 @@ use crate::math::lane::Row;
 /// # use rotation_dynamics::body::Kinematics;
 /// # use rotation_dynamics::exact::heavy_top::{HeavyTop, HeavyTops, ReducedTop, Start};
 /// let top = ReducedTop::new(2.0, 1.2, 0.2)?;
-/// let motion = |k| HeavyTop::from_energy(top, 0.5 + 1e-4 * f64::from(k), Start::ThetaMin, 0.0, 0.0);
-/// let tops = (0..1000).map(motion).collect::<Result<Vec<_>, _>>()?;
+/// let tops = (0..1000)
+///     .map(|k| 0.5 + 1e-4 * f64::from(k))
+///     .map(|energy| HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0))
+///     .collect::<Result<Vec<_>, _>>()?;
 /// let together = HeavyTops::new(&tops);
 /// let mut states = vec![Kinematics::REST; tops.len()];
 /// together.kinematics(12.0, &mut states)?;
