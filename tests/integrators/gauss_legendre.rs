@@ -300,7 +300,7 @@ fn what_sweeps_leave() {
         let run = |precision: f64| {
             let method = GaussLegendre::with_precision(u64::from(steps), precision)
                 .expect("valid")
-                .paced();
+                .steady();
             let (tumbled, _) = method.advance(&free, 0.0, &start, 90.0).expect("smooth");
             let (spun, _) = method
                 .advance(&without_spin, 0.0, &start_of_top, 60.0)
@@ -468,7 +468,7 @@ fn the_same_bits_on_every_route() {
             for precision in [0.0, 1e-9] {
                 let method = GaussLegendre::with_precision(500, precision)
                     .expect("valid")
-                    .paced();
+                    .steady();
                 let widest = method
                     .advance($problem, 0.0, $start, 700.0)
                     .expect("smooth");

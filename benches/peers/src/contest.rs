@@ -184,7 +184,7 @@ pub(crate) fn gauss(
         ladder: Ladder::Stages,
         run: Box::new(move |setting| match setting {
             Setting::Stages(steps, precision) => GaussLegendre::with_precision(steps, precision)
-                .map(GaussLegendre::paced)
+                .map(GaussLegendre::steady)
                 .and_then(|method| run(&method))
                 .map_err(in_words),
             _ => Err(wrong(setting)),

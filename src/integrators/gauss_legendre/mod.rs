@@ -128,7 +128,7 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
 /// not be solved better than that: as [`precision`](Self::with_precision) take the error
 /// allowed for a step, on the free body a thirtieth of it. Over a thousand periods that
 /// saves two fifths of the sweeps for 1e-6 and a quarter for 1e-9 on the top, a third
-/// and an eighth on the free body. [`paced`](Self::paced), sweeps are cheaper, and so is what a
+/// and an eighth on the free body. [`steady`](Self::steady), sweeps are cheaper, and so is what a
 /// step takes besides: with seven components 27 ns and 29 ns instead of 33 ns and 57 ns in registers
 /// of AVX-512, 32 ns and 44 ns instead of 53 ns and 71 ns in those of AVX2 (Zen 4 at 3.7 GHz).
 /// On the four motions of `benches/peers/src/open.rs` what is left after n steps stays below n
@@ -142,7 +142,7 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
 pub struct GaussLegendre {
     steps: u64,
     precision: f64,
-    paced: bool,
+    steady: bool,
     registers: Registers,
 }
 
@@ -173,17 +173,17 @@ impl GaussLegendre {
         Ok(Self {
             steps,
             precision: precision.max(0.5 * EPS),
-            paced: false,
+            steady: false,
             registers: Registers::Avx512,
         })
     }
 
-    /// The same with the sweeps of a step paced by those of the step before, where the
-    /// precision is above 1e-15: cheaper ones, and 0 to 2 in a hundred more of them on long
+    /// The same where each step needs about as many sweeps as the one before, to a precision
+    /// above 1e-15: cheaper sweeps, and 0 to 2 in a hundred more of them on long
     /// steps, up to 15 in a hundred more on short ones.
-    pub const fn paced(self) -> Self {
+    pub const fn steady(self) -> Self {
         Self {
-            paced: true,
+            steady: true,
             ..self
         }
     }
