@@ -293,7 +293,7 @@ pub struct Both<L>(L, L);
 
 /// Eight numbers in registers of AVX-512, and in those of AVX2: only where they are.
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Eight, Four, FourTwice};
+pub(crate) use x86::{Eight, FourTwice};
 /// Two numbers in what every processor of its kind has.
 #[cfg(target_arch = "x86_64")]
 pub(crate) type Two = x86::Two;
@@ -582,28 +582,20 @@ fn hand_over<L: Lane, const N: usize>(
     }
 }
 
-/// Writes a row of numbers by registers of `L`, one of two and one number, as compiled loops over
-/// a row read it: a load that takes from two stores waits for both. True if all are finite.
+/// Writes a row of numbers two by two, as compiled loops over a row read it: a load that takes from
+/// two stores waits for both. True if all are finite.
 #[inline(always)]
-pub(crate) fn write_finite<L: Lane, const N: usize>(values: &[f64; N], row: &mut [f64; N]) -> bool {
-    let (mut wide, mut two, mut one) = (L::of(0.0), Two::of(0.0), 0.0);
-    let mut i = 0;
-    while i + L::WIDTH <= N {
-        let x = L::load(&values[i..]);
-        x.store(&mut row[i..]);
-        wide = wide + x * 0.0;
-        i += L::WIDTH;
-    }
-    if i + 2 <= N {
+pub(crate) fn write_finite<const N: usize>(values: &[f64; N], row: &mut [f64; N]) -> bool {
+    let (mut pairs, mut one) = (Two::of(0.0), 0.0);
+    for i in (0..N - N % 2).step_by(2) {
         let x = Two::load(&values[i..]);
         x.store(&mut row[i..]);
-        two = x * 0.0;
-        i += 2;
+        pairs = pairs + x * 0.0;
     }
-    if i < N {
-        row[i] = values[i];
-        one = values[i] * 0.0;
+    if N % 2 == 1 {
+        row[N - 1] = values[N - 1];
+        one = values[N - 1] * 0.0;
     }
     // 0 of all that is finite, no number of anything else.
-    wide.sum() + two.sum() + one == 0.0
+    pairs.sum() + one == 0.0
 }

@@ -65,7 +65,7 @@ fn what_is_no_body_is_refused() {
         ("--tilt=2", "tilt = 2 is not allowed"),
         ("--radius=-0.1", "radius = -0.1 is not allowed"),
         ("--gravity=-1", "gravity = -1 is not allowed"),
-        ("--runner-shaft=1e6", "runner_shaft/runner_radius = 3333333.33"),
+        ("--runner-shaft=1e6", "runner_shaft/runner_radius = 3333330"),
         ("--runner-rate=1e-12", "runner_rate = 1e-12 is not allowed"),
         ("--tolerance=0", "tolerance = 0"),
         ("--height=1e200", "not a finite number"),

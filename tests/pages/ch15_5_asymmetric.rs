@@ -83,7 +83,7 @@ fn three_routes_give_one_motion() {
             damaged.push(apart(tumble.rates(t + flips).unwrap()));
         }
     }
-    library.attain(1.5e-15..=1.6e-15, 96);
+    library.attain(1.4e-15..=1.5e-15, 96);
     steps.attain(1.1e-12..=1.2e-12, 96);
     damaged.exceed(1e-3, 96);
 }

@@ -175,7 +175,7 @@ pub(crate) fn own_adaptive(
 
 pub(crate) fn gauss(
     form: &'static str,
-    run: impl Fn(&GaussLegendre) -> rotation_dynamics::Result<Attitude> + 'static,
+    run: impl Fn(&GaussLegendre<true>) -> rotation_dynamics::Result<Attitude> + 'static,
 ) -> Contestant {
     Contestant {
         peer: OURS,

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::{check_span, finite_derivative};
 use crate::integrators::{Ode, Work};
-use crate::math::{EPS, Lane, lane, pow};
+use crate::math::{EPS, pow};
 use core::ops::ControlFlow;
 
 /// Aim at this part of the step that the error estimate allows.
@@ -29,38 +29,6 @@ impl Dop853 {
     /// with the derivative at its end and may stop the run. Its work, from
     /// none, is in `work` also if it fails.
     pub(super) fn drive<const N: usize, O: Ode<N> + ?Sized>(
-        &self,
-        ode: &O,
-        t: f64,
-        start: &[f64; N],
-        t_end: f64,
-        work: &mut Work,
-        accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
-    ) -> Result<[f64; N]> {
-        #[cfg(target_arch = "x86_64")]
-        if lane::has_avx2() {
-            // SAFETY: the processor has the feature, as just detected.
-            return unsafe { self.drive_avx2(ode, t, start, t_end, work, accepted) };
-        }
-        self.drive_in::<lane::Two, N, O>(ode, t, start, t_end, work, accepted)
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    fn drive_avx2<const N: usize, O: Ode<N> + ?Sized>(
-        &self,
-        ode: &O,
-        t: f64,
-        start: &[f64; N],
-        t_end: f64,
-        work: &mut Work,
-        accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
-    ) -> Result<[f64; N]> {
-        self.drive_in::<lane::Four, N, O>(ode, t, start, t_end, work, accepted)
-    }
-
-    #[inline(always)]
-    fn drive_in<L: Lane, const N: usize, O: Ode<N> + ?Sized>(
         &self,
         ode: &O,
         t: f64,
@@ -98,7 +66,7 @@ impl Dop853 {
             let to = if last { t_end } else { t + direction * h };
             // The step the clock really makes: t + h was rounded.
             let made = (to - t) * direction;
-            let tried = trial.step_to::<L>(ode, to, work);
+            let tried = trial.step_to(ode, to, work);
             let error = match &tried {
                 Ok(()) => trial.error(ode, self.tolerance)?,
                 Err(_) => f64::INFINITY,
@@ -112,7 +80,7 @@ impl Dop853 {
                 if last {
                     return Ok(trial.end.value);
                 }
-                trial.go_on::<L>(first);
+                trial.go_on(first);
                 let change = SAFETY * memory / pow(error, RESPONSE);
                 let change = change.clamp(SHRINK, if after_rejection { 1.0 } else { GROW });
                 h = made * change;

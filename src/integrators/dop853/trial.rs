@@ -7,8 +7,7 @@ use crate::integrators::compensated::Compensated;
 use crate::integrators::explicit::{combination, increment, mean_increment, stage};
 use crate::integrators::ode::{finite_derivative, not_finite};
 use crate::integrators::{Ode, Work};
-use crate::math::Lane;
-use crate::math::lane::{Two, write_finite};
+use crate::math::lane::write_finite;
 
 /// A step, tried again and again in one place.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +46,7 @@ impl<const N: usize> Trial<N> {
 
     /// The step to `t_end`. Eleven derivatives.
     #[inline(always)]
-    pub fn step_to<L: Lane>(
+    pub fn step_to(
         &mut self,
         ode: &(impl Ode<N> + ?Sized),
         t_end: f64,
@@ -69,7 +68,7 @@ impl<const N: usize> Trial<N> {
             }
             work.derivatives += 1;
             newest = ode.derivative(at, &y);
-            if !write_finite::<L, N>(&newest, &mut self.k[i]) {
+            if !write_finite(&newest, &mut self.k[i]) {
                 return Err(not_finite(at, &y, &self.k[i]));
             }
         }
@@ -86,10 +85,10 @@ impl<const N: usize> Trial<N> {
 
     /// Goes on from the end of the step, where the derivative is `first`.
     #[inline(always)]
-    pub fn go_on<L: Lane>(&mut self, first: [f64; N]) {
+    pub fn go_on(&mut self, first: [f64; N]) {
         self.t = self.t_end;
         self.start = self.end;
-        write_finite::<L, N>(&first, &mut self.k[0]);
+        write_finite(&first, &mut self.k[0]);
     }
 
     /// The step from the same start to an earlier end: where an event is.
@@ -100,7 +99,7 @@ impl<const N: usize> Trial<N> {
         work: &mut Work,
     ) -> Result<Self> {
         let mut shorter = *self;
-        shorter.step_to::<Two>(ode, t_end, work)?;
+        shorter.step_to(ode, t_end, work)?;
         Ok(shorter)
     }
 

@@ -18,7 +18,7 @@ use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
-impl<E: Effect> Integrator<Scene<E>, State> for GaussLegendre {
+impl<E: Effect, const STEADY: bool> Integrator<Scene<E>, State> for GaussLegendre<STEADY> {
     advance_by_counting!(Scene<E>, State);
 
     fn advance_counting(
@@ -51,7 +51,9 @@ impl<'s, E: Effect> SideBySide<'s, E> {
     }
 }
 
-impl<'s, E: Effect> Integrator<SideBySide<'s, E>, State> for GaussLegendre {
+impl<'s, E: Effect, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
+    for GaussLegendre<STEADY>
+{
     advance_by_counting!(SideBySide<'s, E>, State);
 
     fn advance_counting(
@@ -195,7 +197,9 @@ impl<E: Effect> StageOde<7> for Precession<'_, E> {
     }
 }
 
-impl<'s, E: Effect> Integrator<SpinFree<'s, E>, State> for GaussLegendre {
+impl<'s, E: Effect, const STEADY: bool> Integrator<SpinFree<'s, E>, State>
+    for GaussLegendre<STEADY>
+{
     advance_by_counting!(SpinFree<'s, E>, State);
 
     fn advance_counting(
@@ -356,7 +360,9 @@ impl<E: Effect> StageOde<7> for BodyAxes<'_, E> {
     }
 }
 
-impl<'s, E: Effect> Integrator<BodyAxes<'s, E>, State> for GaussLegendre {
+impl<'s, E: Effect, const STEADY: bool> Integrator<BodyAxes<'s, E>, State>
+    for GaussLegendre<STEADY>
+{
     advance_by_counting!(BodyAxes<'s, E>, State);
 
     fn advance_counting(

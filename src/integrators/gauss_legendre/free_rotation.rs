@@ -256,9 +256,9 @@ impl Units {
         BodyVector::from_array(body)
     }
 
-    fn carry(
+    fn carry<const STEADY: bool>(
         &self,
-        method: &GaussLegendre,
+        method: &GaussLegendre<STEADY>,
         span: f64,
         work: &mut Work,
     ) -> Result<([f64; 3], Quaternion)> {
@@ -392,7 +392,7 @@ fn unit_quaternion([w, x, y, z]: Quaternion) -> Quaternion {
 }
 
 /// The attitude moves; the momentum in space is that of the start.
-impl Integrator<FreeRotation, State> for GaussLegendre {
+impl<const STEADY: bool> Integrator<FreeRotation, State> for GaussLegendre<STEADY> {
     advance_by_counting!(FreeRotation, State);
 
     fn advance_counting(

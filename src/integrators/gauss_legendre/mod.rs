@@ -139,10 +139,9 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
 ///
 /// [`SpinFree`]: crate::integrators::SpinFree
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GaussLegendre {
+pub struct GaussLegendre<const STEADY: bool = false> {
     steps: u64,
     precision: f64,
-    steady: bool,
     registers: Registers,
 }
 
@@ -173,7 +172,6 @@ impl GaussLegendre {
         Ok(Self {
             steps,
             precision: precision.max(0.5 * EPS),
-            steady: false,
             registers: Registers::Avx512,
         })
     }
@@ -181,13 +179,21 @@ impl GaussLegendre {
     /// The same where each step needs about as many sweeps as the one before, to a precision
     /// above 1e-15: cheaper sweeps, and 0 to 2 in a hundred more of them on long
     /// steps, up to 15 in a hundred more on short ones.
-    pub const fn steady(self) -> Self {
-        Self {
-            steady: true,
-            ..self
+    pub const fn steady(self) -> GaussLegendre<true> {
+        let Self {
+            steps,
+            precision,
+            registers,
+        } = self;
+        GaussLegendre {
+            steps,
+            precision,
+            registers,
         }
     }
+}
 
+impl<const STEADY: bool> GaussLegendre<STEADY> {
     /// The same in no better registers than these: the same bits, for those who want
     /// to see what the registers are worth.
     pub const fn limited_to(self, registers: Registers) -> Self {
@@ -195,7 +201,9 @@ impl GaussLegendre {
     }
 }
 
-impl<const N: usize, O: StageOde<N>> Integrator<O, [f64; N]> for GaussLegendre {
+impl<const N: usize, O: StageOde<N>, const STEADY: bool> Integrator<O, [f64; N]>
+    for GaussLegendre<STEADY>
+{
     advance_by_counting!(O, [f64; N]);
 
     fn advance_counting(

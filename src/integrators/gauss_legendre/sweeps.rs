@@ -80,7 +80,7 @@ impl Tableau {
     }
 }
 
-impl GaussLegendre {
+impl<const STEADY: bool> GaussLegendre<STEADY> {
     /// Every step, with its work added, in the widest registers that the processor has and the method may use.
     pub(super) fn run<const N: usize, O: StageOde<N>, C: Companion<N>>(
         &self,
@@ -176,7 +176,7 @@ impl GaussLegendre {
         for step in 0..self.steps {
             let here = node(t, t_end, step, self.steps);
             let times = L::load(&NODES) * h + here;
-            let solved = if self.steady && self.precision > LOOSE {
+            let solved = if STEADY && self.precision > LOOSE {
                 equations.solve_loosely(ode, times, &y.value, &mut slopes, &mut stages, &mut pace)
             } else {
                 equations.solve(ode, times, &y, step > 0, &mut slopes, &mut stages)

@@ -17,8 +17,8 @@ pub(super) fn avx2(work: impl Work) {
 
 // SAFETY of every block below: `Two` needs SSE2, which every x86-64 has. Values of `Four` and
 // `Eight` exist only inside functions that run where the instructions exist: `avx2` and `avx512`
-// here, and those of the same kind in `integrators`, `gauss_legendre` and `dop853`. Loads and stores
-// stay within the lists they are given.
+// here, and those of the same kind in `integrators::gauss_legendre`. Loads and stores stay within
+// the lists they are given.
 macro_rules! register {
     ($name:ident($register:ty), $width:literal, $set:ident, $load:ident, $store:ident,
      $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident,

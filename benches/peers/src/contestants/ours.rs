@@ -55,7 +55,7 @@ where
 }
 
 /// A top by quaternion and momentum on the body axes, by Gauss-Legendre.
-pub fn top_on_its_axes(problem: &Problem, method: &GaussLegendre) -> Result<Attitude> {
+pub fn top_on_its_axes(problem: &Problem, method: &GaussLegendre<true>) -> Result<Attitude> {
     let (scene, start) = problem.top_scene()?;
     let (end, _) = method.advance(&BodyAxes::new(&scene)?, 0.0, &start, problem.end)?;
     Ok(end.attitude)
@@ -89,7 +89,7 @@ pub fn angles_at_pace(form: TopAngles, end: f64, method: &Dop853) -> Result<Atti
 pub fn form_on_lanes<const N: usize, F: Form<N>>(
     form: F,
     end: f64,
-    method: &GaussLegendre,
+    method: &GaussLegendre<true>,
 ) -> Result<Attitude> {
     let (y, _) = method.advance(&LaneByLane(Own(form)), 0.0, &form.start(), end)?;
     Attitude::from_quaternion(form.quaternion(end, &y))
@@ -99,14 +99,14 @@ pub fn form_on_lanes<const N: usize, F: Form<N>>(
 pub fn form_of_lanes<const N: usize, F: Form<N> + StageOde<N>>(
     form: F,
     end: f64,
-    method: &GaussLegendre,
+    method: &GaussLegendre<true>,
 ) -> Result<Attitude> {
     let (y, _) = method.advance(&form, 0.0, &form.start(), end)?;
     Attitude::from_quaternion(form.quaternion(end, &y))
 }
 
 /// A free body by quaternion and momentum on the body axes, by Gauss-Legendre.
-pub fn free_on_lanes(problem: &Problem, method: &GaussLegendre) -> Result<Attitude> {
+pub fn free_on_lanes(problem: &Problem, method: &GaussLegendre<true>) -> Result<Attitude> {
     let (scene, start) = problem.free_scene()?;
     let (end, _) = method.advance(&FreeRotation::new(&scene), 0.0, &start, problem.end)?;
     Ok(end.attitude)
