@@ -8,7 +8,9 @@
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob |
-//! | `stepping` | choose, refine, verify |
+//! | `choice` | what each does on the first turns |
+//! | `probes` | the condition felt on runs of the motion |
+//! | `stepping` | refine, verify |
 //!
 //! What is verified, and why what is delivered is better: `book/src/how_dial.md`.
 //!
@@ -16,10 +18,12 @@
 //! ([`simulate_within`](crate::planar::simulate_within)).
 
 mod along;
+mod choice;
 mod exact_motion;
 mod given;
 mod limits;
 mod method;
+mod probes;
 mod problem;
 mod stepping;
 mod verdict;
@@ -49,6 +53,10 @@ pub struct Solved {
     /// What all runs together cost: those that chose, those that verified, those that
     /// felt the condition, and those that came to no end.
     pub work: Work,
+    /// What of that went into the choice of the method.
+    pub choice: Work,
+    /// What of that went into the condition.
+    pub probes: Work,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
     /// The same of the angular momentum, as a part of its scale
@@ -68,7 +76,7 @@ impl<E: Effect> Scene<E> {
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
     /// Where the scene has a closed form, that is taken: which one is settled when its
-    /// type is. Every other scene is stepped. Each method that applies is tried on the
+    /// type is. Every other scene is stepped. Methods that may pay are tried on the
     /// first turns of the motion; the one predicted cheapest for the error asked for
     /// carries the whole span, coarser and finer, until the runs differ as their order
     /// says they must and what that leaves is within the tolerance. Nothing is returned
@@ -84,11 +92,9 @@ impl<E: Effect> Scene<E> {
     ///
     /// Of a resistance that is not smooth, as the drag on a disc, Gauss-Legendre is not tried;
     /// and on a body with three different moments, whose spin about e3 passes through 0, only
-    /// a linear resistance is known. Evaluations of the run that is returned, and of all runs,
-    /// for 1e-6 rad after ten seconds of a gyroscope: in oil 5124 and 19 314 instead of 116 160
-    /// and 829 132, if nothing were said of the resistance; in air 5124 and 17 610 instead of
-    /// 84 674 and 735 326. Of 12 000 requests on 6000 random scenes that resist 11 866 were
-    /// granted, 8682 of them by such a splitting; the largest error was 0.44 of its request.
+    /// a linear resistance is known. The run that is returned takes a small part of what it would
+    /// if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
+    /// `tests/accuracy/dial`).
     ///
     /// The *condition* is the change of the attitude at the end (rad) per relative
     /// change of the inputs: the root of the sum of squares over three turns of the
@@ -117,35 +123,25 @@ impl<E: Effect> Scene<E> {
     /// # }
     /// ```
     ///
-    /// Accuracy, as measured on 6000 random scenes at eleven tolerances (`tests/accuracy/dial` runs
-    /// 600): bodies with and without gravity, needles, separatrices, poles, upright and
-    /// hanging tops, a torque that damps and drives. Delivered over requested, when
-    /// everything is stepped:
+    /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/dial`):
+    /// bodies with and without gravity, needles, separatrices, poles, upright and
+    /// hanging tops, a torque that damps and drives. The median of delivered over requested, when
+    /// everything is stepped, is 1e-4 to 3e-4 from 1e-3 to 1e-9, 6e-4 at 1e-10, 2e-3 at 1e-11,
+    /// 7e-3 at 1e-12 and 2e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1 % at
+    /// 1e-9, 13 % at 1e-12 and 48 % at 1e-13.
     ///
-    /// | requested | median | quartiles | largest | refused |
-    /// |---|---|---|---|---|
-    /// | 1e-3 | 1e-4 | 2e-5 to 4e-4 | 0.12 | 0.1 % |
-    /// | 1e-4 | 2e-4 | 5e-5 to 6e-4 | 0.15 | 0.2 % |
-    /// | 1e-5 | 2e-4 | 6e-5 to 7e-4 | 0.10 | 0.3 % |
-    /// | 1e-6 | 2e-4 | 6e-5 to 7e-4 | 0.20 | 0.5 % |
-    /// | 1e-7 | 2e-4 | 5e-5 to 6e-4 | 0.10 | 0.7 % |
-    /// | 1e-8 | 3e-4 | 7e-5 to 7e-4 | 0.09 | 1.1 % |
-    /// | 1e-9 | 3e-4 | 1e-4 to 8e-4 | 0.07 | 1.5 % |
-    /// | 1e-10 | 4e-4 | 1e-4 to 1e-3 | 0.64 | 2.6 % |
-    /// | 1e-11 | 7e-4 | 3e-4 to 2e-3 | 0.52 | 6.5 % |
-    /// | 1e-12 | 3e-3 | 1e-3 to 9e-3 | 0.63 | 14.0 % |
-    /// | 1e-13 | 1e-2 | 7e-3 to 3e-2 | 0.36 | 47.3 % |
-    ///
-    /// [`Solved::estimate`] was too small in 2 of these 61 518 answers, and then never by
-    /// more than the tolerance left room for. All runs together cost 10 times the one
-    /// that is returned at 1e-3, 5.5 times at 1e-9 (medians). Of 20 000 requests on 10 000
-    /// scenes made to break it none that was granted was missed (`benches/record/attack.txt`).
+    /// Price: all runs together cost 3.5 times the one that is returned at 1e-3, 3.1 times at
+    /// 1e-9 (medians), and 4 to 6 times the cheapest that the same method could have done with
+    /// (`benches/record/price.txt`). Where a motion passes near a separatrix, or the floor comes
+    /// near to what is asked, the condition is felt with more care, and that is dearer: 11 times
+    /// the run that is returned at 1e-12.
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
-    /// two places looked at. The condition is felt on a motion whose own error, times that
-    /// condition, is small; runs that differ ten times more than their errors on the first
-    /// turns and the condition predict are not believed (unless the torque depends on the time
-    /// and may have come later), and it is felt again on the finest motion there is.
+    /// two places looked at. The condition is felt on the first run of the span, or where that is
+    /// not enough on a motion whose own error, times that condition, is small; runs that differ
+    /// ten times more than their errors on the first turns and the condition predict are not
+    /// believed (unless the torque depends on the time and may have come later), and it is felt
+    /// again on the finest motion there is.
     ///
     /// *What is promised of features of the torque.* Its jumps at times that are named
     /// ([`Effect::break_points`], [`Limits::break_points`]) are met exactly, and no step is
@@ -214,6 +210,8 @@ impl Solved {
             method: delivered.method.name(),
             run: delivered.run,
             work: delivered.work,
+            choice: delivered.choice,
+            probes: delivered.probes,
             estimate,
             momentum_estimate,
             rates_estimate,

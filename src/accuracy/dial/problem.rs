@@ -337,6 +337,12 @@ impl<'e> Problem<'e> {
         ((2.0 * energy + 4.0 * self.torque) / i1.min(i2).min(i3)).sqrt()
     }
 
+    /// True if the torque may come and go between two steps: a feature of it is narrow, or
+    /// nothing is said of how smooth it is.
+    pub fn is_abrupt(&self) -> bool {
+        self.longest_step < f64::INFINITY || matches!(self.acting, Acting::Anything(_))
+    }
+
     /// True if the torque changes little of the momentum in the time of a turn: then
     /// splittings for weak kicks are worth a try.
     pub fn is_fast(&self) -> bool {
@@ -515,7 +521,11 @@ impl<'e> Problem<'e> {
 
     /// By how much the places move per change of the inputs, and how far (rad) the attitude
     /// moved farthest.
-    fn slopes(&self, by: f64, (places, changed): (Vec<State>, Vec<Vec<State>>)) -> (Apart, f64) {
+    pub fn slopes(
+        &self,
+        by: f64,
+        (places, changed): (Vec<State>, Vec<Vec<State>>),
+    ) -> (Apart, f64) {
         let mut slopes = [0.0; 3];
         let mut farthest: f64 = 0.0;
         for (n, place) in places.iter().enumerate() {
