@@ -6,14 +6,11 @@ use super::verdict::APART;
 use crate::error::{Error, Result};
 use crate::math::{EPS, exp, log};
 
-/// The angle (rad) turned at the slowest candidate's rate on which the candidates are compared.
-const STRETCH: f64 = core::f64::consts::TAU;
-
 /// All runs of the span together cost about so many times the one that delivers.
 const RUNS: f64 = 2.5;
 
 /// The error aimed at, as a part of the tolerance: what the last run is predicted to deliver.
-const AIM: f64 = 0.02;
+pub(super) const AIM: f64 = 0.02;
 
 /// The methods of a motion, and what is wanted of them.
 pub(super) struct Candidates {
@@ -33,9 +30,9 @@ pub(super) struct Candidates {
 pub(super) struct Candidate {
     pub method: Method,
     /// At this level it made this error (rad) at this cost.
-    level: f64,
-    error: f64,
-    cost: f64,
+    pub level: f64,
+    pub error: f64,
+    pub cost: f64,
 }
 
 impl Candidate {
@@ -64,11 +61,7 @@ impl Stepping<'_> {
     /// Why the last of them failed, if all did.
     pub(super) fn candidates(&mut self) -> Result<Candidates> {
         let methods = Method::candidates(self.problem);
-        let slowest = (methods.iter())
-            .map(|method| method.rate(self.problem))
-            .fold(f64::INFINITY, f64::min);
-        let whole = self.problem.span();
-        let part = (STRETCH / (slowest * whole.abs())).min(1.0);
+        let (part, whole) = (self.part, self.problem.span());
         // Errors grow with the time at least.
         let wanted = AIM * self.tolerance * part;
         let lowest = (methods.iter())

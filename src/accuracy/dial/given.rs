@@ -219,6 +219,7 @@ fn nothing_to_do(problem: &Problem) -> Result<Solved> {
         work: Work::default(),
         choice: Work::default(),
         probes: Work::default(),
+        price: 1.0,
         estimate: 0.0,
         momentum_estimate: 0.0,
         rates_estimate: 0.0,
@@ -283,6 +284,7 @@ fn by_closed_form(
             samples: work.samples - 1,
             ..Work::default()
         },
+        price: work.samples as f64,
         estimate,
         momentum_estimate,
         rates_estimate,

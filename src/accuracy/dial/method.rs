@@ -170,7 +170,7 @@ impl Method {
     }
 
     /// The angle (rad) that the fastest rotation makes in a step at level 0.
-    const fn angle(self) -> f64 {
+    pub const fn angle(self) -> f64 {
         match self {
             FreeGauss | Gauss | BodyGauss => 1.6,
             SpinFreeGauss => 2.5,
@@ -215,7 +215,8 @@ impl Method {
 
     /// The least that a run with this error over a stretch may cost, and what a trial there
     /// would, beside a method that has been tried. The first splitting tells what others may
-    /// do: on 1500 random scenes their errors were never below a thousandth of its.
+    /// do: of 450 trials on random motions their errors at the same level were below a thousandth
+    /// of its in 7 %, where a method that would have been cheaper may stay untried.
     pub fn prospect(
         self,
         problem: &Problem,

@@ -8,7 +8,8 @@
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob |
-//! | `choice` | what each does on the first turns |
+//! | `two_runs` | two runs that mostly suffice, by what methods did on many motions |
+//! | `choice` | what each method does on the first turns |
 //! | `probes` | the condition felt on runs of the motion |
 //! | `stepping` | refine, verify |
 //!
@@ -26,6 +27,7 @@ mod method;
 mod probes;
 mod problem;
 mod stepping;
+mod two_runs;
 mod verdict;
 
 pub use along::SolvedMotion;
@@ -55,8 +57,11 @@ pub struct Solved {
     pub work: Work,
     /// What of that went into the choice of the method.
     pub choice: Work,
-    /// What of that went into the condition.
+    /// What of that went into the condition alone: nothing where two runs suffice.
     pub probes: Work,
+    /// What all runs cost over what the one cost that is returned, by the time that their
+    /// torques take.
+    pub price: f64,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
     /// The same of the angular momentum, as a part of its scale
@@ -64,7 +69,8 @@ pub struct Solved {
     pub momentum_estimate: f64,
     /// The same of the angular velocity.
     pub rates_estimate: f64,
-    /// The angle (rad) by which the end changes per relative change of the inputs.
+    /// The angle (rad) by which the end changes per relative change of the inputs; an upper
+    /// estimate where two runs suffice, which need not know it well.
     pub condition: f64,
     /// No step was longer (s; 0 for a closed form). A feature of the torque that is
     /// narrower, and that nothing names, may have been stepped over by every run.
@@ -76,11 +82,14 @@ impl<E: Effect> Scene<E> {
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
     /// Where the scene has a closed form, that is taken: which one is settled when its
-    /// type is. Every other scene is stepped. Methods that may pay are tried on the
-    /// first turns of the motion; the one predicted cheapest for the error asked for
-    /// carries the whole span, coarser and finer, until the runs differ as their order
-    /// says they must and what that leaves is within the tolerance. Nothing is returned
-    /// unverified.
+    /// type is. Every other scene is stepped. Mostly two runs of the span suffice, by the method
+    /// that is expected to be cheapest: the coarser has all its inputs a little changed, so that
+    /// the distance of the two bounds the error of the finer and the condition at once. Both
+    /// show on the first turn of the motion whether they are fine enough, and go on from there.
+    /// Where that does not suffice, methods are tried on the first turn; the one predicted cheapest
+    /// for the error asked for carries the whole span, coarser and finer, until the runs differ as
+    /// their order says they must and what that leaves is within the tolerance. Nothing is
+    /// returned unverified.
     ///
     /// | what acts | methods that are tried |
     /// |---|---|
@@ -130,18 +139,19 @@ impl<E: Effect> Scene<E> {
     /// 7e-3 at 1e-12 and 2e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1 % at
     /// 1e-9, 13 % at 1e-12 and 48 % at 1e-13.
     ///
-    /// Price: all runs together cost 3.5 times the one that is returned at 1e-3, 3.1 times at
-    /// 1e-9 (medians), and 4 to 6 times the cheapest that the same method could have done with
-    /// (`benches/record/price.txt`). Where a motion passes near a separatrix, or the floor comes
-    /// near to what is asked, the condition is felt with more care, and that is dearer: 11 times
-    /// the run that is returned at 1e-12.
+    /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
+    /// returned, and 2.4 to 6.5 times the cheapest that would have done, as hindsight knows it
+    /// (medians by kind of scene; `benches/record/price.txt`). Where a motion passes near a
+    /// separatrix, the torque is not known to be smooth, or the floor comes near to what is asked,
+    /// the condition is felt with more care, and that is dearer.
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
-    /// two places looked at. The condition is felt on the first run of the span, or where that is
-    /// not enough on a motion whose own error, times that condition, is small; runs that differ
-    /// ten times more than their errors on the first turns and the condition predict are not
-    /// believed (unless the torque depends on the time and may have come later), and it is felt
-    /// again on the finest motion there is.
+    /// two places looked at. Two runs that suffice part nowhere on the way. Otherwise the condition
+    /// is felt by one more run in the steps of the first, or where that is not enough on a motion
+    /// whose own error, times that condition, is small; runs that differ ten times more than their
+    /// errors on the first turns and the condition predict are not believed (unless the torque
+    /// depends on the time and may have come later), and it is felt again on the finest motion there
+    /// is.
     ///
     /// *What is promised of features of the torque.* Its jumps at times that are named
     /// ([`Effect::break_points`], [`Limits::break_points`]) are met exactly, and no step is
@@ -212,6 +222,7 @@ impl Solved {
             work: delivered.work,
             choice: delivered.choice,
             probes: delivered.probes,
+            price: delivered.price,
             estimate,
             momentum_estimate,
             rates_estimate,

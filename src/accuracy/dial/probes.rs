@@ -1,7 +1,7 @@
 //! The condition: what the motion makes of inputs that are a little changed.
 
 use super::choice::Candidate;
-use super::method::{Fine, Runs, Steps};
+use super::method::{Fine, Method, Runs, Steps};
 use super::problem::{Apart, Feeler};
 use super::stepping::{Run, SWEEPS, Stepping, is_final, stops};
 use crate::accuracy::larger;
@@ -55,8 +55,9 @@ const ROUGH: f64 = 0.03;
 /// The same of an adaptive method, which answers a small change with a jump of a part of it.
 const ROUGH_ADAPTIVE: f64 = 3e-3;
 
-/// How far the end may move when the condition is felt roughly (rad).
-const MOVED: f64 = 0.03;
+/// How far the end, and what is passed on the way, may move when the condition is felt
+/// roughly (rad).
+pub(super) const MOVED: f64 = 0.03;
 
 /// A motion whose condition is no more than so many times that of one which is only late passes
 /// no saddle.
@@ -66,46 +67,25 @@ const TAME: f64 = 6.0;
 const FAR_BELOW: f64 = 100.0;
 
 impl Stepping<'_> {
-    /// The first run of the span by a candidate, and the condition as one other run in the same
-    /// steps tells it, with all inputs changed: enough where the floor is far below the
-    /// tolerance. `None` where it is not, or no such run comes to its end.
-    pub(super) fn begin(
+    /// The condition of a motion that is only late.
+    pub(super) fn late(&self) -> f64 {
+        self.problem.fastest() * self.problem.span().abs()
+    }
+
+    /// The condition as a run in the same steps as one of the span tells it, with all inputs
+    /// changed: enough where the floor is far below the tolerance. `None` where it is not, or no
+    /// such run comes to its end.
+    pub(super) fn roughly(
         &mut self,
-        candidate: &Candidate,
-        wanted: f64,
+        method: Method,
+        begun: &Begun,
         part: f64,
         lowest: f64,
-    ) -> Result<Option<(Felt, Begun)>> {
-        // There a change may carry the motion past its own steepness, and a body that waits on its
-        // axis, or on the upright, waits there after another number of turns as well.
-        let exact = self.problem.exact_motion();
-        if exact.is_some_and(|motion| motion.is_near_separatrix()) {
-            return Ok(None);
-        }
-        let (method, level) = (candidate.method, candidate.level(wanted));
-        let (rough, by) = if method.is_adaptive() {
-            (ROUGH_ADAPTIVE, 1e-4)
-        } else {
-            (ROUGH, 1e-5)
-        };
-        let coarse = (level - method.behind()).max(candidate.level(rough * part));
-        let coarse = coarse.clamp(method.coarsest(), method.finest() - 2.0);
-        let precision = if method.sweeps() {
-            // The condition, as that of a motion that is only late.
-            let late = 2.0 * self.problem.fastest() * self.problem.span().abs();
-            let kept = self.swept(method, level) * (1.0 + late);
-            (SWEEPS * self.tolerance / kept).min(0.1 * by)
-        } else {
-            0.0
-        };
-        // Enough for what a change makes.
+    ) -> Result<Option<Felt>> {
+        let run = &begun.run;
+        let by = if method.is_adaptive() { 1e-4 } else { 1e-5 };
         let loosely = if method.sweeps() { 0.1 * by } else { 0.0 };
         let times = self.times.clone();
-        let run = match self.first(method, coarse, precision) {
-            Err(error) if is_final(&error) => return Err(error),
-            Err(_) => return Ok(None),
-            Ok(run) => run,
-        };
         let changed = self.problem.changed(0, by)?;
         let again = |leg: &Vec<_>| {
             leg.iter()
@@ -137,8 +117,7 @@ impl Stepping<'_> {
             larger(most, self.problem.apart(&a.1, &b.1)[0])
         });
         let floor = lowest * EPS * (1.0 + condition[0]);
-        let late = self.problem.fastest() * self.problem.span().abs();
-        let tame = condition[0] <= TAME * (1.0 + late);
+        let tame = condition[0] <= TAME * (1.0 + self.late());
         let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance && tame;
         let felt = Felt {
             condition,
@@ -146,7 +125,40 @@ impl Stepping<'_> {
             finely: false,
             roughly: true,
         };
-        Ok(enough.then_some((felt, Begun { run, precision })))
+        Ok(enough.then_some(felt))
+    }
+
+    /// The first run of the span by a candidate, on which the condition may be felt roughly.
+    pub(super) fn begin(
+        &mut self,
+        candidate: &Candidate,
+        wanted: f64,
+        part: f64,
+    ) -> Result<Option<Begun>> {
+        let exact = self.problem.exact_motion();
+        if exact.is_some_and(|motion| motion.is_near_separatrix()) {
+            return Ok(None);
+        }
+        let (method, level) = (candidate.method, candidate.level(wanted));
+        let (rough, by) = if method.is_adaptive() {
+            (ROUGH_ADAPTIVE, 1e-4)
+        } else {
+            (ROUGH, 1e-5)
+        };
+        let coarse = (level - method.behind()).max(candidate.level(rough * part));
+        let coarse = coarse.clamp(method.coarsest(), method.finest() - 2.0);
+        let precision = if method.sweeps() {
+            // The condition, as that of a motion that is only late.
+            let kept = self.swept(method, level) * (1.0 + 2.0 * self.late());
+            (SWEEPS * self.tolerance / kept).min(0.1 * by)
+        } else {
+            0.0
+        };
+        match self.first(method, coarse, precision) {
+            Err(error) if is_final(&error) => Err(error),
+            Err(_) => Ok(None),
+            Ok(run) => Ok(Some(Begun { run, precision })),
+        }
     }
 
     /// The condition, felt on a motion that is good enough for it.
@@ -236,7 +248,7 @@ impl Stepping<'_> {
         let legs = 0.5 * method.turned(problem, problem.span());
         let legs = legs.clamp(1.0, most_legs as f64) as usize;
         // Where the motion is looked at all along, the condition is the largest of all.
-        let everywhere = self.times.len() > 2;
+        let everywhere = self.everywhere;
         let mut all = Runs::default();
         let this = &*self;
         let condition = problem.condition(&Feeler::STEPPED, |by| {
@@ -279,6 +291,7 @@ impl Stepping<'_> {
         });
         self.work += all.work;
         self.probes += all.work;
+        self.cost += method.cost(problem, &all.work);
         condition
     }
 }

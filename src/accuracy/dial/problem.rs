@@ -436,19 +436,30 @@ impl<'e> Problem<'e> {
     ) -> Result<State> {
         let problem = self.changed(row, by)?;
         let mut state = problem.start;
-        // So much less that on a regular motion all of them together count as much as
-        // the change of the start.
-        let on_the_way = 2.0 * by / (legs as f64).sqrt();
         for k in 0..legs {
             if k > 0 {
-                // Other signs every time, so that nothing is undone by the next.
-                let [a, b, c, x, y, z, ..] = signs((row + 5 * k) % ALL_ROWS);
-                state = problem.moved(&state, [a, b, c, x, y, z], on_the_way)?;
+                state = problem.moved_before(&state, [k, legs], row, by)?;
             }
             let [from, to] = [k, k + 1].map(|k| self.at_leg(k, legs));
             state = leg(&problem, from, &state, to)?;
         }
         Ok(state)
+    }
+
+    /// A state moved before a leg, by its number and that of all.
+    pub fn moved_before(
+        &self,
+        state: &State,
+        [leg, legs]: [usize; 2],
+        row: usize,
+        by: f64,
+    ) -> Result<State> {
+        // So much less that on a regular motion all of them together count as much as
+        // the change of the start.
+        let on_the_way = 2.0 * by / (legs as f64).sqrt();
+        // Other signs every time, so that nothing is undone by the next.
+        let [a, b, c, x, y, z, ..] = signs((row + 5 * leg) % ALL_ROWS);
+        self.moved(state, [a, b, c, x, y, z], on_the_way)
     }
 
     /// The time at which the leg of this number begins.

@@ -1,10 +1,11 @@
 //! The dial of what must be stepped: choose, refine, verify.
 
-use super::choice::{Candidate, Candidates};
+use super::choice::{AIM, Candidate, Candidates};
 use super::limits::Limits;
 use super::method::{Fine, Method, Runs, Steps};
 use super::probes::{Begun, Felt};
 use super::problem::{Apart, Problem};
+use super::two_runs::TwoRuns;
 use super::verdict::{Gap, Verdict};
 use crate::accuracy::larger;
 use crate::body::State;
@@ -12,6 +13,16 @@ use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, sort_by_number};
 use core::sync::atomic::Ordering;
+
+/// The angle (rad) turned at the slowest candidate's rate on which a method shows what it does.
+const STRETCH: f64 = core::f64::consts::TAU;
+
+/// What follows is cut into so many legs at most, so that runs are compared on the way and the
+/// coarser can be moved there.
+const LEGS: f64 = 4.0;
+
+/// A larger part of the span is all of it.
+const SHORT: f64 = 0.6;
 
 /// Runs whose predicted errors (rad) are larger than this may agree by chance.
 const LINEAR: f64 = 0.5;
@@ -32,7 +43,7 @@ const SWEPT: f64 = 0.25;
 
 /// What rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
 /// runs of up to a million steps: 0.15.
-const ROUNDED: f64 = 0.5;
+pub(super) const ROUNDED: f64 = 0.5;
 
 /// An error that is reached, and no more than so many times the floor, is round-off.
 const ROUND_OFF: f64 = 16.0;
@@ -49,6 +60,20 @@ pub(super) struct Run {
     pub passed: Vec<(f64, State)>,
 }
 
+impl Default for Run {
+    /// None yet.
+    fn default() -> Self {
+        Self {
+            level: f64::INFINITY,
+            places: Vec::new(),
+            steps: Vec::new(),
+            work: Work::default(),
+            longest_step: 0.0,
+            passed: Vec::new(),
+        }
+    }
+}
+
 /// What a run delivers.
 pub(super) struct Delivered {
     pub method: Method,
@@ -60,6 +85,7 @@ pub(super) struct Delivered {
     pub work: Work,
     pub choice: Work,
     pub probes: Work,
+    pub price: f64,
     /// Upper estimates of the three errors, at the place where each is largest.
     pub estimate: Apart,
     pub condition: Apart,
@@ -80,10 +106,18 @@ pub(super) struct Stepping<'p> {
     limits: &'p Limits<'p>,
     /// Where the motion is looked at, from the start to the end.
     pub times: Vec<f64>,
+    /// On so many legs between these a method shows what it does, and they are this part of
+    /// the span.
+    pub stretch: usize,
+    pub part: f64,
+    /// The motion is looked at all along, not at its end alone.
+    pub everywhere: bool,
     pub work: Work,
     /// What of that went into the choice of the method, and into the condition.
-    choice: Work,
+    pub choice: Work,
     pub probes: Work,
+    /// What all of it cost, in units of one derivative of DOP853.
+    pub cost: f64,
 }
 
 impl<'p> Stepping<'p> {
@@ -94,19 +128,65 @@ impl<'p> Stepping<'p> {
         limits: &'p Limits<'p>,
         places: usize,
     ) -> Self {
+        let slowest = (Method::candidates(problem).iter())
+            .map(|method| method.rate(problem))
+            .fold(f64::INFINITY, f64::min);
+        let part = (STRETCH / (slowest * problem.span().abs())).min(1.0);
+        let mut times: Vec<f64> = (0..=places).map(|n| problem.at_leg(n, places)).collect();
+        let everywhere = places > 1;
+        let (stretch, part) = if everywhere {
+            let legs = (part * places as f64).ceil().clamp(1.0, places as f64);
+            (legs as usize, legs / places as f64)
+        } else if part < SHORT {
+            let rest = (0.5 * (1.0 - part) / part).clamp(1.0, LEGS) as usize;
+            times = vec![problem.t_start];
+            for leg in 0..rest {
+                let part = part + (1.0 - part) * leg as f64 / rest as f64;
+                times.push(problem.t_start + part * problem.span());
+            }
+            times.push(problem.t_end);
+            (1, part)
+        } else {
+            (1, 1.0)
+        };
         Self {
             problem,
             tolerance,
             limits,
-            times: (0..=places).map(|n| problem.at_leg(n, places)).collect(),
+            times,
+            stretch,
+            part,
+            everywhere,
             work: Work::default(),
             choice: Work::default(),
             probes: Work::default(),
+            cost: 0.0,
         }
     }
 
-    /// Solves by the cheapest candidate that can be verified.
+    /// Solves by two runs if they do, and else by the cheapest candidate that can be verified.
     pub fn solve(mut self) -> Result<Delivered> {
+        match self.two_runs()? {
+            TwoRuns::Delivered(delivered) => return Ok(self.paid(*delivered)),
+            TwoRuns::Begun {
+                candidate,
+                begun,
+                ahead,
+            } => {
+                let lowest = candidate.method.floor();
+                let felt = self.roughly(candidate.method, &begun, self.part, lowest)?;
+                if let Some(felt) = felt {
+                    let wanted = AIM * self.tolerance * self.part;
+                    match self.deliver(&candidate, wanted, &felt, Some(begun), Some(ahead)) {
+                        Ok(Outcome::Delivered(delivered)) => return Ok(self.paid(*delivered)),
+                        Err(error) if is_final(&error) => return Err(error),
+                        _ => {}
+                    }
+                }
+            }
+            TwoRuns::Unknown => {}
+        }
+        let before = self.work;
         let Candidates {
             all: mut candidates,
             mut untried,
@@ -114,11 +194,20 @@ impl<'p> Stepping<'p> {
             wanted,
             lowest,
         } = self.candidates()?;
-        self.choice = self.work;
+        self.choice += self.work.since(&before);
         sort_by_number(&mut candidates, |candidate| candidate.cost(wanted));
-        let (mut felt, mut begun) = match self.begin(&candidates[0], wanted, part, lowest)? {
-            Some((felt, begun)) => (felt, Some(begun)),
-            None => (self.feel(&candidates, part, lowest)?, None),
+        let best = candidates[0];
+        let mut begun = self.begin(&best, wanted, part)?;
+        let roughly = match &begun {
+            Some(begun) => self.roughly(best.method, begun, part, lowest)?,
+            None => None,
+        };
+        if roughly.is_none() {
+            begun = None;
+        }
+        let mut felt = match roughly {
+            Some(felt) => felt,
+            None => self.feel(&candidates, part, lowest)?,
         };
         let (mut reached, mut last) = (f64::INFINITY, None);
         let mut now = 0;
@@ -138,13 +227,9 @@ impl<'p> Stepping<'p> {
             if floor.is_nan() || floor >= self.tolerance {
                 return Err(self.beyond(floor, felt.condition[0]));
             }
-            match self.deliver(candidate, wanted, &felt, begun.take()) {
+            match self.deliver(candidate, wanted, &felt, begun.take(), None) {
                 Ok(Outcome::Delivered(delivered)) => {
-                    return Ok(Delivered {
-                        work: self.work,
-                        probes: self.probes,
-                        ..*delivered
-                    });
+                    return Ok(self.paid(*delivered));
                 }
                 Ok(Outcome::Unlike) => {
                     felt = self.feel_finely(&candidates, part)?;
@@ -174,6 +259,43 @@ impl<'p> Stepping<'p> {
                 requested: self.tolerance,
                 reached,
             }),
+        }
+    }
+
+    /// With what all runs cost.
+    fn paid(&self, delivered: Delivered) -> Delivered {
+        Delivered {
+            work: self.work,
+            choice: self.choice,
+            probes: self.probes,
+            price: self.cost / delivered.method.cost(self.problem, &delivered.run),
+            ..delivered
+        }
+    }
+
+    /// What a run delivers.
+    pub fn delivered(
+        &self,
+        method: Method,
+        precision: f64,
+        run: Run,
+        estimate: Apart,
+        condition: Apart,
+    ) -> Delivered {
+        Delivered {
+            method,
+            level: run.level,
+            precision,
+            places: run.places,
+            steps: run.steps,
+            run: run.work,
+            work: self.work,
+            choice: self.choice,
+            probes: self.probes,
+            price: 1.0,
+            estimate,
+            condition,
+            longest_step: run.longest_step,
         }
     }
 
@@ -218,17 +340,35 @@ impl<'p> Stepping<'p> {
         fewest: &[Vec<Steps>],
         precision: f64,
     ) -> Result<Run> {
-        let legs = times.len() - 1;
-        let mut run = Run {
-            level: f64::INFINITY,
-            places: Vec::with_capacity(legs),
-            steps: Vec::with_capacity(legs),
-            work: Work::default(),
-            longest_step: 0.0,
-            passed: Vec::new(),
-        };
-        let mut state = problem.start;
+        let mut run = Run::default();
+        self.go_on(
+            problem, method, &mut run, times, level, fewest, precision, None,
+        )?;
+        Ok(run)
+    }
+
+    /// The same from where a run has come to, through the times after the first; `moved` before
+    /// every leg by so much.
+    #[allow(clippy::too_many_arguments, reason = "a run and all that it is to be")]
+    pub fn go_on(
+        &mut self,
+        problem: &Problem,
+        method: Method,
+        run: &mut Run,
+        times: &[f64],
+        level: f64,
+        fewest: &[Vec<Steps>],
+        precision: f64,
+        moved: Option<f64>,
+    ) -> Result<()> {
+        let mut state = *run.places.last().unwrap_or(&problem.start);
         for (n, leg) in times.windows(2).enumerate() {
+            let gone = run.places.len();
+            if let Some(by) = moved
+                && gone > 0
+            {
+                state = problem.moved_before(&state, [gone, self.times.len() - 1], 0, by)?;
+            }
             let fine = Fine {
                 level,
                 fewest: fewest.get(n).map_or(&[], Vec::as_slice),
@@ -238,6 +378,7 @@ impl<'p> Stepping<'p> {
             let mut runs = Runs::default();
             let passed = method.run(problem, [leg[0], leg[1]], &state, fine, &mut runs);
             self.work += runs.work;
+            self.cost += method.cost(problem, &runs.work);
             let passed = passed.map_err(|error| self.over_budget(error))?;
             run.steps.push(runs.pieces);
             run.passed.append(&mut runs.passed);
@@ -247,7 +388,7 @@ impl<'p> Stepping<'p> {
             state = passed.state;
             run.places.push(state);
         }
-        Ok(run)
+        Ok(())
     }
 
     /// A budget that is used up is told as it was given, for the whole span.
@@ -265,9 +406,20 @@ impl<'p> Stepping<'p> {
     /// The first run of the whole span, at this level or at the first finer one that
     /// comes to its end.
     pub fn first(&mut self, method: Method, level: f64, precision: f64) -> Result<Run> {
+        self.first_of(self.problem, method, level, precision)
+    }
+
+    /// The same of a problem that is a little changed.
+    pub fn first_of(
+        &mut self,
+        problem: &Problem,
+        method: Method,
+        level: f64,
+        precision: f64,
+    ) -> Result<Run> {
         let mut level = level;
         loop {
-            match self.run(method, &self.times.clone(), level, &[], precision) {
+            match self.run_of(problem, method, &self.times.clone(), level, &[], precision) {
                 Ok(run) => return Ok(run),
                 Err(error) if stops(&error) => return Err(error),
                 Err(error) if level + 1.0 > method.finest() => return Err(error),
@@ -295,6 +447,7 @@ impl<'p> Stepping<'p> {
         wanted: f64,
         felt: &Felt,
         begun: Option<Begun>,
+        next: Option<f64>,
     ) -> Result<Outcome> {
         let (method, level) = (candidate.method, candidate.level(wanted));
         let highest = method.finest();
@@ -318,20 +471,25 @@ impl<'p> Stepping<'p> {
         let linear = candidate.level(LINEAR / (1.0 + condition));
         let coarse = (level - method.behind()).max(linear);
         let coarse = coarse.clamp(method.coarsest(), highest - 2.0);
+        let mut next = next.filter(|_| begun.is_some());
         let first = match begun {
             Some(begun) if begun.run.level >= linear && begun.precision <= 2.0 * precision => {
                 precision = begun.precision;
                 budget = self.tolerance - left(precision);
                 begun.run
             }
-            _ => self.first(method, coarse, precision)?,
+            _ => {
+                next = None;
+                self.first(method, coarse, precision)?
+            }
         };
         let mut runs = vec![first];
         // Two runs may do, of what is smooth and does not wait for its time.
         let expected =
             (!self.problem.is_abrupt()).then(|| candidate.error(runs[0].level) / felt.part);
         let two = if expected.is_some() { 0.0 } else { 1.0 };
-        let mut ahead = (level - two - runs[0].level).clamp(0.5, 2.0);
+        let ahead = (level - two - runs[0].level).clamp(0.5, 2.0);
+        let mut ahead = next.unwrap_or(ahead);
         let mut gaps = [const { Vec::new() }; 3];
         let (mut best, mut stuck) = (f64::INFINITY, 0);
         loop {
@@ -371,20 +529,9 @@ impl<'p> Stepping<'p> {
                         + floors[n]
                         + precision * swept * (1.0 + conditions[n])
                 });
-                return Ok(Outcome::Delivered(Box::new(Delivered {
-                    method,
-                    level: run.level,
-                    precision,
-                    places: run.places,
-                    steps: run.steps,
-                    run: run.work,
-                    work: self.work,
-                    choice: self.choice,
-                    probes: self.probes,
-                    estimate: [verdict.estimate + left(precision), momentum, rates],
-                    condition: conditions,
-                    longest_step: run.longest_step,
-                })));
+                let estimate = [verdict.estimate + left(precision), momentum, rates];
+                let delivered = self.delivered(method, precision, run, estimate, conditions);
+                return Ok(Outcome::Delivered(Box::new(delivered)));
             }
             stuck = if verdict.estimate < 0.5 * best {
                 0

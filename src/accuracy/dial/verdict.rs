@@ -91,6 +91,16 @@ impl Verdict {
         verdict
     }
 
+    /// What the distance of two runs is multiplied with if they are as expected.
+    pub(super) fn factor(trust: f64, step: f64) -> f64 {
+        let left = exp(-trust.max(TWO) * LEVEL * step);
+        if left <= 0.5 {
+            2.0 * left / (1.0 - left)
+        } else {
+            9.0
+        }
+    }
+
     /// The refinement with which the trusted part of the order is worth more than the distance.
     fn least(&self) -> f64 {
         (1.01 * core::f64::consts::LN_2 / (self.trust * LEVEL)).max(0.5)

@@ -35,6 +35,28 @@ impl Way {
             Self::Plain(method, _) | Self::Resisted(method) => method,
         }
     }
+
+    /// What a torque takes, in units of one derivative of DOP853: the times of `Method::cost` in
+    /// the dial, by which it chooses.
+    pub fn weight<E: Effect>(self, scene: &Scene<E>) -> f64 {
+        let symmetric = scene.body().moments().is_symmetric();
+        let of = |round: f64, other: f64| if symmetric { round } else { other };
+        match self {
+            Self::Plain(Method::Dop853, Variables::SpinFree) => 0.62,
+            Self::Plain(Method::Dop853, _) => 1.0,
+            Self::Plain(Method::GaussLegendre16, Variables::SpinFree) => 0.07,
+            Self::Plain(Method::GaussLegendre16, Variables::Body) => {
+                if E::NATURE.torque_free {
+                    0.09
+                } else {
+                    0.12
+                }
+            }
+            Self::Plain(Method::GaussLegendre16, _) => 0.84,
+            Self::Plain(..) => of(0.57, 1.50),
+            Self::Resisted(_) => of(1.2, 2.2),
+        }
+    }
 }
 
 /// The splittings that the dial chooses from.
@@ -161,22 +183,22 @@ pub fn run<E: Effect + Clone>(
     Ok((state.attitude, torques))
 }
 
-/// The torques of the cheapest run of a way whose error is `tolerance` at most on this rung and
-/// the next, if it is cheaper than `most`.
+/// The cost of the cheapest run of a way whose error is `tolerance` at most on this rung and
+/// the next, if it is cheaper than `most`; `error` tells error and cost of a run.
 pub fn cheapest(
     way: Way,
     turned: f64,
     tolerance: f64,
-    most: u64,
-    mut error: impl FnMut(Fineness) -> Option<(f64, u64)>,
-) -> Option<u64> {
+    most: f64,
+    mut error: impl FnMut(Fineness) -> Option<(f64, f64)>,
+) -> Option<f64> {
     let precisions: &[f64] = match way.method() {
         Method::GaussLegendre16 => &[1e-2, 1e-4],
         _ => &[1.0],
     };
-    let mut best: Option<u64> = None;
+    let mut best: Option<f64> = None;
     for part in precisions {
-        let mut before: Option<u64> = None;
+        let mut before: Option<f64> = None;
         let mut last = 0;
         for rung in 0..160 {
             let fineness = match way.method() {
@@ -201,22 +223,22 @@ pub fn cheapest(
                     }
                 }
             };
-            let Some((error, torques)) = error(fineness) else {
+            let Some((error, cost)) = error(fineness) else {
                 before = None;
                 continue;
             };
             if error > tolerance {
                 before = None;
-                if torques > best.unwrap_or(most) {
+                if cost > best.unwrap_or(most) {
                     break;
                 }
-            } else if let Some(torques) = before {
-                best = Some(best.map_or(torques, |b| b.min(torques)));
+            } else if let Some(cost) = before {
+                best = Some(best.map_or(cost, |b| b.min(cost)));
                 break;
             } else {
-                before = Some(torques);
+                before = Some(cost);
             }
         }
     }
-    best.filter(|torques| *torques <= most)
+    best.filter(|cost| *cost <= most)
 }

@@ -1,19 +1,20 @@
-//! The price of the dial: all its torques over those of the cheapest single run that would have
+//! The price of the dial: what all its runs cost over the cheapest single run that would have
 //! reached the error, as hindsight knows it; `benches/record/price.txt`.
 
 mod ladder;
 mod scenes;
 
 use rotation_dynamics::integrators::Work;
-use scenes::{KINDS, case};
+use scenes::{Counted, KINDS, case};
 
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 /// What became of the requests of a kind at a tolerance.
 #[derive(Default)]
 struct Tally {
-    /// All torques over the least of all methods, and over the least of the one chosen.
-    prices: [Vec<f64>; 2],
+    /// All runs over the least of all methods, and over the least of the one chosen, by the time
+    /// that torques take; and over the least of all methods by the number of torques.
+    prices: [Vec<f64>; 3],
     /// Delivered over requested.
     ratios: Vec<f64>,
     /// The parts of the work: choice, probes, other runs, the run returned.
@@ -60,11 +61,12 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
             for (shares, part) in tally.shares.iter_mut().zip(parts) {
                 shares.push(part / all);
             }
-            let least = (case.least)(tolerance, solved.method);
-            for (prices, least) in tally.prices.iter_mut().zip(least) {
-                if let Some(least) = least {
-                    prices.push(all / least as f64);
-                }
+            let [least, own] = (case.least)(tolerance, solved.method, Counted::Time);
+            let [fewest, _] = (case.least)(tolerance, solved.method, Counted::Torques);
+            let taken = solved.price * torques(solved.run);
+            let prices = [(taken, least), (taken, own), (all, fewest)];
+            for (prices, (taken, least)) in tally.prices.iter_mut().zip(prices) {
+                prices.extend(least.map(|least| taken / least));
             }
         }
     }
@@ -78,7 +80,7 @@ pub fn first_prices() -> [Vec<f64>; 2] {
     for kind in 0..KINDS.len() {
         for tally in tally(kind, 0..2) {
             assert_eq!(tally.above, 0, "{}", KINDS[kind]);
-            let [all, own] = tally.prices;
+            let [all, own, _] = tally.prices;
             prices[0].extend(own);
             prices[1].extend(all);
         }
@@ -119,18 +121,24 @@ fn prices_of_random_scenes() {
 /// Prints the record.
 pub fn prices(scenes: u64) {
     println!(
-        "kind                  asked  price       of its method  delivered/requested  refused above  choice probes other run"
+        "kind                  asked  price       of its method  in torques   delivered/requested  refused above  choice probes other run"
     );
+    let only = std::env::var("PRICE_KINDS").unwrap_or_default();
     for (kind, name) in KINDS.iter().enumerate() {
+        if !only.is_empty() && !only.split(',').any(|k| k == kind.to_string()) {
+            continue;
+        }
         for (tally, tolerance) in tally(kind, 0..scenes).iter().zip(TOLERANCES) {
             let q = |values: &[f64], part| quantile(values, part);
-            let [all, own] = &tally.prices;
+            let [all, own, torques] = &tally.prices;
             println!(
-                "{name:<22}{tolerance:<6e} {:>5.1} {:>5.1} {:>5.1} {:>5.1}   {:.1e} {:.1e} {:>4} {:>3}   {:.2} {:.2} {:.2} {:.2}",
+                "{name:<22}{tolerance:<6e} {:>5.1} {:>5.1} {:>5.1} {:>5.1}  {:>6.1} {:>6.1}   {:.1e} {:.1e} {:>4} {:>3}   {:.2} {:.2} {:.2} {:.2}",
                 q(all, 0.5),
                 q(all, 0.9),
                 q(own, 0.5),
                 q(own, 0.9),
+                q(torques, 0.5),
+                q(torques, 0.9),
                 q(&tally.ratios, 0.5),
                 q(&tally.ratios, 1.0),
                 tally.refused,

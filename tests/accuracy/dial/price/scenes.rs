@@ -26,9 +26,17 @@ pub struct Case {
     pub solve: Box<dyn Fn(f64) -> Result<Solved>>,
     /// None if two routes to the end do not agree.
     pub exact: Option<Attitude>,
-    /// The torques of the cheapest run that errs by a tolerance at most: of all methods, and of
-    /// that with this name.
-    pub least: Box<dyn Fn(f64, &str) -> [Option<u64>; 2]>,
+    /// The cost of the cheapest run that errs by a tolerance at most: of all methods, and of
+    /// that with this name; by the time its torques take, in units of one of the method named, or
+    /// by their number.
+    pub least: Box<dyn Fn(f64, &str, Counted) -> [Option<f64>; 2]>,
+}
+
+/// How the cost of a run is counted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Counted {
+    Time,
+    Torques,
 }
 
 pub const KINDS: [&str; 10] = [
@@ -103,29 +111,37 @@ fn known<E: Effect + Clone + 'static>(
         exact => exact,
     };
     let again = Scene::new(body).with(scene.effects().clone());
-    let least = move |tolerance: f64, name: &str| {
+    let least = move |tolerance: f64, name: &str, counted: Counted| {
         let Some(exact) = exact else { return [None; 2] };
-        let mut best = [None; 2];
+        let mut best: [Option<f64>; 2] = [None; 2];
+        let mut unit = f64::NAN;
         for way in ways(&again) {
             // What the dial chose is known to the end, the others while they may win.
             let chosen = way.name() == name;
             let most = if chosen {
-                u64::MAX
+                f64::INFINITY
             } else {
-                best[0].unwrap_or(u64::MAX)
+                best[0].unwrap_or(f64::INFINITY)
             };
+            let weight = match counted {
+                Counted::Time => way.weight(&again),
+                Counted::Torques => 1.0,
+            };
+            if chosen {
+                unit = weight;
+            }
             let found = cheapest(way, turned, tolerance, most, |fineness| {
                 let (end, torques) = run(&again, &start, &times, way, fineness).ok()?;
-                Some((exact.angle_to(&end), torques))
+                Some((exact.angle_to(&end), weight * torques as f64))
             });
             if let Some(found) = found {
-                best[0] = Some(best[0].map_or(found, |least: u64| least.min(found)));
+                best[0] = Some(best[0].map_or(found, |least| least.min(found)));
                 if chosen {
                     best[1] = Some(found);
                 }
             }
         }
-        best
+        best.map(|cost| cost.map(|cost| cost / unit))
     };
     Ok(Case {
         kind: KINDS[kind],
