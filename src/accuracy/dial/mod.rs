@@ -140,10 +140,12 @@ impl<E: Effect> Scene<E> {
     /// 1e-9, 13 % at 1e-12 and 48 % at 1e-13.
     ///
     /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
-    /// returned, and 2.4 to 6.5 times the cheapest that would have done, as hindsight knows it
-    /// (medians by kind of scene; `benches/record/price.txt`). Where a motion passes near a
-    /// separatrix, the torque is not known to be smooth, or the floor comes near to what is asked,
-    /// the condition is felt with more care, and that is dearer.
+    /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.4 to
+    /// 3.6 times where Gauss-Legendre is chosen, 4 to 6 times elsewhere, and up to 9 times under
+    /// drag that is not known to be smooth (medians by kind of scene;
+    /// `benches/record/price.txt`). Where a motion passes near a separatrix, the torque is not
+    /// known to be smooth, or the floor comes near to what is asked, the condition is felt with
+    /// more care, and that is dearer.
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. Two runs that suffice part nowhere on the way. Otherwise the condition
