@@ -4,7 +4,7 @@ use super::method::{LEVEL, Method};
 use super::stepping::{SWEEPS, Stepping, is_final, stops};
 use super::verdict::APART;
 use crate::error::{Error, Result};
-use crate::math::{EPS, exp, log};
+use crate::math::{EPS, exp, log, sort_by_number};
 
 /// All runs of the span together cost about so many times the one that delivers.
 const RUNS: f64 = 2.5;
@@ -12,7 +12,7 @@ const RUNS: f64 = 2.5;
 /// The error aimed at, as a part of the tolerance: what the last run is predicted to deliver.
 pub(super) const AIM: f64 = 0.02;
 
-/// The methods of a motion, and what is wanted of them.
+/// The methods of a motion, the cheapest first, and what is wanted of them.
 pub(super) struct Candidates {
     pub all: Vec<Candidate>,
     /// Those whose trial could not have paid.
@@ -92,7 +92,10 @@ impl Stepping<'_> {
         }
         match why {
             Some(error) if found.all.is_empty() => Err(error),
-            _ => Ok(found),
+            _ => {
+                sort_by_number(&mut found.all, |candidate| candidate.cost(wanted));
+                Ok(found)
+            }
         }
     }
 

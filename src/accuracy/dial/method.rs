@@ -19,6 +19,9 @@ pub(super) const LEVEL: f64 = 3.688_879_454_113_936;
 /// By so much may the error of another splitting be smaller than that of the first, at a level.
 const BETTER: f64 = 1e-3;
 
+/// The fastest rotation turns by no more in a step (rad) of which two runs are believed.
+const RESOLVED: f64 = 4.0;
+
 /// A method, and the variables it steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
@@ -159,6 +162,17 @@ impl Method {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => -2.0,
             _ => -0.5,
         }
+    }
+
+    /// The coarsest level of which two runs are believed. A splitting takes its steps by the rate
+    /// of the axis; of a body with three moments it follows the spin as well, and steps of about a
+    /// turn of that would all err alike.
+    pub fn coarsest_resolved(self, problem: &Problem) -> f64 {
+        if self.is_adaptive() || self.sweeps() || problem.body.moments().is_symmetric() {
+            return self.coarsest();
+        }
+        let angle = self.angle() * problem.fastest() / self.rate(problem);
+        (log(angle / RESOLVED) * self.order() / LEVEL).max(self.coarsest())
     }
 
     /// The level beyond which there is nothing but round-off, whatever the scene.

@@ -50,6 +50,11 @@ pub(super) struct Begun {
     pub precision: f64,
 }
 
+/// The change with which it is felt roughly: ten times what the sweeps leave, between these.
+const ROUGH_CHANGE: [f64; 2] = [1e-8, 1e-5];
+/// The same of an adaptive method.
+const ROUGH_CHANGE_ADAPTIVE: f64 = 1e-4;
+
 /// The error (rad) that a run on which the condition is felt roughly may make.
 const ROUGH: f64 = 0.03;
 /// The same of an adaptive method, which answers a small change with a jump of a part of it.
@@ -80,13 +85,17 @@ impl Stepping<'_> {
         method: Method,
         begun: &Begun,
         part: f64,
-        lowest: f64,
     ) -> Result<Option<Felt>> {
         let run = &begun.run;
-        let by = if method.is_adaptive() { 1e-4 } else { 1e-5 };
+        // The smaller the change, the less likely is a motion that goes far and is back by chance.
+        let by = if method.is_adaptive() {
+            ROUGH_CHANGE_ADAPTIVE
+        } else {
+            let [least, most] = ROUGH_CHANGE;
+            (10.0 * begun.precision).clamp(least, most)
+        };
         let loosely = if method.sweeps() { 0.1 * by } else { 0.0 };
         let times = self.times.clone();
-        let changed = self.problem.changed(0, by)?;
         let again = |leg: &Vec<_>| {
             leg.iter()
                 .map(|steps: &Steps| steps.again(method))
@@ -100,23 +109,43 @@ impl Stepping<'_> {
             run.level - 0.1
         };
         let before = self.work;
-        let moved = self.run_of(&changed, method, &times, level, &fewest, loosely);
+        let mut moved = Vec::new();
+        let telling = self.problem.telling_row()?;
+        for row in telling..telling + ROWS {
+            let changed = self.problem.changed(row, by)?;
+            let mut run = Run::default();
+            let gone = self.go_on(
+                &changed,
+                method,
+                &mut run,
+                &times,
+                level,
+                &fewest,
+                loosely,
+                Some((row, by)),
+            );
+            match gone {
+                Err(error) if is_final(&error) => return Err(error),
+                Err(_) => break,
+                Ok(()) => moved.push(run),
+            }
+        }
         self.probes += self.work.since(&before);
-        let moved = match moved {
-            Err(error) if is_final(&error) => return Err(error),
-            Err(_) => return Ok(None),
-            Ok(moved) => moved,
-        };
+        if moved.len() < ROWS {
+            return Ok(None);
+        }
         for (t, state) in &run.passed {
             self.problem.checked.at(*t, state)?;
         }
-        let (condition, farthest) =
-            (self.problem).slopes(by, (run.places.clone(), vec![moved.places]));
         // Nor may they part on the way and meet again.
-        let farthest = (run.passed.iter().zip(&moved.passed)).fold(farthest, |most, (a, b)| {
-            larger(most, self.problem.apart(&a.1, &b.1)[0])
-        });
-        let floor = lowest * EPS * (1.0 + condition[0]);
+        let farthest = (moved.iter())
+            .flat_map(|moved| run.passed.iter().zip(&moved.passed))
+            .map(|(a, b)| self.problem.apart(&a.1, &b.1)[0])
+            .fold(0.0, larger);
+        let places = moved.into_iter().map(|moved| moved.places).collect();
+        let (condition, moved) = self.problem.slopes(by, (run.places.clone(), places));
+        let farthest = larger(farthest, moved);
+        let floor = method.floor() * EPS * (1.0 + condition[0]);
         let tame = condition[0] <= TAME * (1.0 + self.late());
         let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance && tame;
         let felt = Felt {
@@ -140,17 +169,21 @@ impl Stepping<'_> {
             return Ok(None);
         }
         let (method, level) = (candidate.method, candidate.level(wanted));
-        let (rough, by) = if method.is_adaptive() {
-            (ROUGH_ADAPTIVE, 1e-4)
+        let rough = if method.is_adaptive() {
+            ROUGH_ADAPTIVE
         } else {
-            (ROUGH, 1e-5)
+            ROUGH
         };
         let coarse = (level - method.behind()).max(candidate.level(rough * part));
-        let coarse = coarse.clamp(method.coarsest(), method.finest() - 2.0);
+        let coarsest = method.coarsest_resolved(self.problem);
+        if coarsest > method.finest() - 2.0 {
+            return Ok(None);
+        }
+        let coarse = coarse.clamp(coarsest, method.finest() - 2.0);
         let precision = if method.sweeps() {
             // The condition, as that of a motion that is only late.
             let kept = self.swept(method, level) * (1.0 + 2.0 * self.late());
-            (SWEEPS * self.tolerance / kept).min(0.1 * by)
+            (SWEEPS * self.tolerance / kept).min(0.1 * ROUGH_CHANGE[1])
         } else {
             0.0
         };

@@ -157,12 +157,9 @@ const INPUTS: usize = 10;
 /// Hutchinson, Commun. Stat. Simul. Comput. 19, 433 (1990).
 fn signs(row: usize) -> [f64; INPUTS] {
     const FIRST: [f64; 11] = [1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, -1.0];
-    core::array::from_fn(|column| {
-        if row == 11 {
-            -1.0
-        } else {
-            FIRST[(column + 11 - row) % 11]
-        }
+    core::array::from_fn(|column| match row % ALL_ROWS {
+        11 => -1.0,
+        row => FIRST[(column + 11 - row) % 11],
     })
 }
 
@@ -377,6 +374,21 @@ impl<'e> Problem<'e> {
             ratio(momentum, self.momentum_scale(a)),
             ratio((rates - others).norm(), rates.norm().max(built_up)),
         ]
+    }
+
+    /// The row of the design whose push turns the body fastest: of a single change of all inputs,
+    /// what a small moment of inertia makes of the three pushes must not cancel.
+    pub fn telling_row(&self) -> Result<usize> {
+        let mut most = (0, 0.0);
+        for row in 0..ALL_ROWS {
+            let [_, _, _, x, y, z, ..] = signs(row);
+            let pushed = State::new(self.start.attitude, SpaceVector::new(x, y, z))?;
+            let rate = self.body.angular_velocity(&pushed).norm();
+            if rate > most.1 {
+                most = (row, rate);
+            }
+        }
+        Ok(most.0)
     }
 
     /// Every input changed by `by`, up or down.

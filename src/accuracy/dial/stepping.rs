@@ -164,73 +164,89 @@ impl<'p> Stepping<'p> {
         }
     }
 
-    /// Solves by two runs if they do, and else by the cheapest candidate that can be verified.
+    /// Solves by two runs if they do, else by the cheapest candidate with the condition felt
+    /// roughly, and else with all care: nothing is refused because less was tried.
     pub fn solve(mut self) -> Result<Delivered> {
-        match self.two_runs()? {
-            TwoRuns::Delivered(delivered) => return Ok(self.paid(*delivered)),
+        let delivered = match self.two_runs()? {
+            TwoRuns::Delivered(delivered) => Some(*delivered),
             TwoRuns::Begun {
                 candidate,
                 begun,
                 ahead,
-            } => {
-                let lowest = candidate.method.floor();
-                let felt = self.roughly(candidate.method, &begun, self.part, lowest)?;
-                if let Some(felt) = felt {
-                    let wanted = AIM * self.tolerance * self.part;
-                    match self.deliver(&candidate, wanted, &felt, Some(begun), Some(ahead)) {
-                        Ok(Outcome::Delivered(delivered)) => return Ok(self.paid(*delivered)),
-                        Err(error) if is_final(&error) => return Err(error),
-                        _ => {}
-                    }
-                }
-            }
-            TwoRuns::Unknown => {}
+            } => self.roughly_delivered(&candidate, begun, self.part, Some(ahead))?,
+            TwoRuns::Unknown => None,
+        };
+        if let Some(delivered) = delivered {
+            return Ok(self.paid(delivered));
+        }
+        let before = self.work;
+        let candidates = self.candidates()?;
+        self.choice += self.work.since(&before);
+        let best = candidates.all[0];
+        if let Some(begun) = self.begin(&best, candidates.wanted, candidates.part)?
+            && let Some(delivered) = self.roughly_delivered(&best, begun, candidates.part, None)?
+        {
+            return Ok(self.paid(delivered));
+        }
+        self.carefully(candidates)
+    }
+
+    /// What a candidate delivers by few runs from the first on, with the condition felt on that;
+    /// `None` if more has to be known.
+    fn roughly_delivered(
+        &mut self,
+        candidate: &Candidate,
+        begun: Begun,
+        part: f64,
+        ahead: Option<f64>,
+    ) -> Result<Option<Delivered>> {
+        let Some(felt) = self.roughly(candidate.method, &begun, part)? else {
+            return Ok(None);
+        };
+        let wanted = AIM * self.tolerance * part;
+        match self.deliver(candidate, wanted, &felt, Some(begun), ahead) {
+            Ok(Outcome::Delivered(delivered)) => Ok(Some(*delivered)),
+            Err(error) if is_final(&error) => Err(error),
+            _ => Ok(None),
+        }
+    }
+
+    /// All candidates in turn, with the condition felt in many legs, each verified by three runs
+    /// or more.
+    fn carefully(&mut self, candidates: Candidates) -> Result<Delivered> {
+        if !self.everywhere {
+            // Where runs are near again at the end, how far they part on the way is known by the
+            // condition.
+            self.times = vec![self.problem.t_start, self.problem.t_end];
         }
         let before = self.work;
         let Candidates {
             all: mut candidates,
-            mut untried,
+            untried,
             part,
             wanted,
             lowest,
-        } = self.candidates()?;
+        } = candidates;
+        for method in untried {
+            match self.tried(method, part) {
+                Ok(candidate) => candidates.push(candidate),
+                Err(error) if is_final(&error) => return Err(error),
+                Err(_) => {}
+            }
+        }
         self.choice += self.work.since(&before);
         sort_by_number(&mut candidates, |candidate| candidate.cost(wanted));
-        let best = candidates[0];
-        let mut begun = self.begin(&best, wanted, part)?;
-        let roughly = match &begun {
-            Some(begun) => self.roughly(best.method, begun, part, lowest)?,
-            None => None,
-        };
-        if roughly.is_none() {
-            begun = None;
-        }
-        let mut felt = match roughly {
-            Some(felt) => felt,
-            None => self.feel(&candidates, part, lowest)?,
-        };
+        let mut felt = self.feel(&candidates, part, lowest)?;
         let (mut reached, mut last) = (f64::INFINITY, None);
-        let mut now = 0;
-        loop {
-            if now == candidates.len() {
-                // None of those that were tried delivers.
-                let Some(method) = untried.pop() else { break };
-                match self.tried(method, part) {
-                    Ok(candidate) => candidates.push(candidate),
-                    Err(error) if is_final(&error) => return Err(error),
-                    Err(error) => last = Some(error),
-                }
-                continue;
-            }
-            let candidate = &candidates[now];
+        let mut untried = candidates.iter();
+        let mut next = untried.next();
+        while let Some(candidate) = next {
             let floor = lowest * EPS * (1.0 + felt.condition[0]);
             if floor.is_nan() || floor >= self.tolerance {
                 return Err(self.beyond(floor, felt.condition[0]));
             }
-            match self.deliver(candidate, wanted, &felt, begun.take(), None) {
-                Ok(Outcome::Delivered(delivered)) => {
-                    return Ok(self.paid(*delivered));
-                }
+            match self.deliver(candidate, wanted, &felt, None, None) {
+                Ok(Outcome::Delivered(delivered)) => return Ok(self.paid(*delivered)),
                 Ok(Outcome::Unlike) => {
                     felt = self.feel_finely(&candidates, part)?;
                     continue;
@@ -245,7 +261,7 @@ impl<'p> Stepping<'p> {
                 Err(error) if is_final(&error) => return Err(error),
                 Err(error) => last = Some(error),
             }
-            now += 1;
+            next = untried.next();
         }
         let floor = lowest * EPS * (1.0 + felt.condition[0]);
         if floor.is_nan() || floor >= self.tolerance {
@@ -348,7 +364,7 @@ impl<'p> Stepping<'p> {
     }
 
     /// The same from where a run has come to, through the times after the first; `moved` before
-    /// every leg by so much.
+    /// every leg, by a row of the design and so much.
     #[allow(clippy::too_many_arguments, reason = "a run and all that it is to be")]
     pub fn go_on(
         &mut self,
@@ -359,15 +375,15 @@ impl<'p> Stepping<'p> {
         level: f64,
         fewest: &[Vec<Steps>],
         precision: f64,
-        moved: Option<f64>,
+        moved: Option<(usize, f64)>,
     ) -> Result<()> {
         let mut state = *run.places.last().unwrap_or(&problem.start);
         for (n, leg) in times.windows(2).enumerate() {
             let gone = run.places.len();
-            if let Some(by) = moved
+            if let Some((row, by)) = moved
                 && gone > 0
             {
-                state = problem.moved_before(&state, [gone, self.times.len() - 1], 0, by)?;
+                state = problem.moved_before(&state, [gone, self.times.len() - 1], row, by)?;
             }
             let fine = Fine {
                 level,
@@ -469,7 +485,9 @@ impl<'p> Stepping<'p> {
         let left = |precision: f64| floor + precision * swept * (1.0 + condition);
         let mut budget = self.tolerance - left(precision);
         let linear = candidate.level(LINEAR / (1.0 + condition));
-        let coarse = (level - method.behind()).max(linear);
+        // Three runs, unless the condition is felt on the first of two.
+        let behind = if felt.roughly { method.behind() } else { 2.0 };
+        let coarse = (level - behind).max(linear);
         let coarse = coarse.clamp(method.coarsest(), highest - 2.0);
         let mut next = next.filter(|_| begun.is_some());
         let first = match begun {
@@ -485,10 +503,10 @@ impl<'p> Stepping<'p> {
         };
         let mut runs = vec![first];
         // Two runs may do, of what is smooth and does not wait for its time.
-        let expected =
-            (!self.problem.is_abrupt()).then(|| candidate.error(runs[0].level) / felt.part);
-        let two = if expected.is_some() { 0.0 } else { 1.0 };
-        let ahead = (level - two - runs[0].level).clamp(0.5, 2.0);
+        let two = felt.roughly && !self.problem.is_abrupt();
+        let expected = two.then(|| candidate.error(runs[0].level) / felt.part);
+        let more = if two { 0.0 } else { 1.0 };
+        let ahead = (level - more - runs[0].level).clamp(0.5, 2.0);
         let mut ahead = next.unwrap_or(ahead);
         let mut gaps = [const { Vec::new() }; 3];
         let (mut best, mut stuck) = (f64::INFINITY, 0);

@@ -115,7 +115,7 @@ impl Stepping<'_> {
             let predicted = pair.apart.max(EPS) / (self.part * method.grown(self.part));
             let aimed = AIMED * self.allowed(method, behind);
             let off = log(predicted / aimed) / (LEVEL * method.falls());
-            let wanted = (level + off).max(method.coarsest());
+            let wanted = (level + off).max(method.coarsest_resolved(self.problem));
             let by = wanted - level;
             // As measured.
             let rest = (1.0 - self.part) / self.part * (self.cost - before.1);
@@ -149,19 +149,24 @@ impl Stepping<'_> {
         let guess = |method: Method| {
             let (mut behind, mut level, mut aimed);
             behind = method.behind();
+            let coarsest = method.coarsest_resolved(self.problem);
             loop {
                 aimed = AIMED * self.allowed(method, behind) * self.part * method.grown(self.part);
                 level = method.expected_level(self.problem, aimed);
                 // The coarsest may do, and then the finer one need not be much finer.
-                if level >= method.coarsest() || behind - 0.1 < method.least_behind() {
+                if level >= coarsest || behind - 0.1 < method.least_behind() {
                     break;
                 }
                 behind -= 0.1;
             }
-            let level = level.clamp(method.coarsest(), method.finest() - 2.0);
+            let level = level.min(method.finest() - 2.0).max(coarsest);
             let digits = log(1.0 / (1e-2 * aimed)) / core::f64::consts::LN_10;
             let per_turned = |level| method.expected_cost(self.problem, level, digits);
-            let cost = turned(method) * (per_turned(level) + per_turned(level + behind));
+            let cost = if coarsest > method.finest() - 2.0 {
+                f64::INFINITY
+            } else {
+                turned(method) * (per_turned(level) + per_turned(level + behind))
+            };
             Guess {
                 method,
                 level,
@@ -185,7 +190,8 @@ impl Stepping<'_> {
         };
         let times = self.times[..=self.stretch].to_vec();
         let by = self.change(method, behind);
-        let changed = self.problem.changed(0, by)?;
+        let row = self.problem.telling_row()?;
+        let changed = self.problem.changed(row, by)?;
         let mut coarse = Run::default();
         let loosely = LOOSELY * precision;
         self.go_on(
@@ -196,7 +202,7 @@ impl Stepping<'_> {
             level,
             &[],
             loosely,
-            Some(by),
+            Some((row, by)),
         )?;
         let finer = |leg: &Vec<Steps>| -> Vec<Steps> {
             leg.iter()
@@ -243,7 +249,8 @@ impl Stepping<'_> {
             error: on_stretch.max(EPS) / method.grown(self.part),
             cost: method.cost(self.problem, &coarse.work),
         };
-        let changed = self.problem.changed(0, by)?;
+        let row = self.problem.telling_row()?;
+        let changed = self.problem.changed(row, by)?;
         let times = self.times.clone();
         let rest = &times[self.stretch..];
         let both = || {
@@ -257,7 +264,7 @@ impl Stepping<'_> {
                 level,
                 &[],
                 loosely,
-                Some(by),
+                Some((row, by)),
             )?;
             let finer = |leg: &Vec<Steps>| -> Vec<Steps> {
                 leg.iter()
