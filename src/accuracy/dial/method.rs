@@ -125,9 +125,9 @@ impl Method {
         }
     }
 
-    /// By how many levels the first run of the span is coarser than the one that is to deliver.
-    /// What is trusted of an order then leaves two thirds of the error asked for, or with order
-    /// 16, whose levels cost little, much less.
+    /// By how many levels the first run of the span is coarser than the one that is to deliver,
+    /// where two may do. What is trusted of an order then leaves two thirds of the error asked for,
+    /// or with order 16, whose levels cost little, much less.
     pub const fn behind(self) -> f64 {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 1.0,

@@ -40,7 +40,7 @@ pub(super) struct Felt {
     pub part: f64,
     /// Nothing is gained by a finer motion.
     pub finely: bool,
-    /// By one changed motion, without legs: it bounds the floor only if that is far away.
+    /// By two changed motions in the steps of a run: enough only if the floor is far away.
     pub roughly: bool,
 }
 
@@ -77,9 +77,9 @@ impl Stepping<'_> {
         self.problem.fastest() * self.problem.span().abs()
     }
 
-    /// The condition as a run in the same steps as one of the span tells it, with all inputs
-    /// changed: enough where the floor is far below the tolerance. `None` where it is not, or no
-    /// such run comes to its end.
+    /// The condition as two runs in the same steps as one of the span tell it, with all inputs
+    /// changed and moved on the way: enough where the floor is far below the tolerance. `None`
+    /// where it is not, or no such run comes to its end.
     pub(super) fn roughly(
         &mut self,
         method: Method,

@@ -1,5 +1,5 @@
-//! Two runs that say everything: a coarse one with all inputs a little changed, and the one
-//! that is returned.
+//! Two runs that mostly say everything: a coarse one with all inputs a little changed, and the
+//! one that is returned.
 
 use super::choice::Candidate;
 use super::method::{LEVEL, Method, Steps};
