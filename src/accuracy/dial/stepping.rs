@@ -517,9 +517,17 @@ impl<'p> Stepping<'p> {
                 (precision, stuck) = (0.0, 0);
                 budget = self.tolerance - left(precision);
             } else if last.level + 0.1 >= highest || stuck > 2 {
-                return Ok(Outcome::Reached(best + floor));
+                // What the sweeps left of the best may be gone now; what was not verified is not
+                // said to be reached.
+                return Ok(Outcome::Reached((best + floor).max(self.tolerance)));
             }
-            ahead = ahead.min(highest - last.level);
+            // Two runs may be near by chance, however far their distance is below what is asked.
+            let (enough, room) = if two || !gaps[0].is_empty() {
+                (true, highest - last.level)
+            } else {
+                (false, 0.5 * (highest - last.level))
+            };
+            ahead = ahead.min(room);
             let next = self.next(method, &self.times.clone(), last, ahead, precision)?;
             let step = next.level - last.level;
             let apart = self.distance(last, &next);
@@ -540,7 +548,7 @@ impl<'p> Stepping<'p> {
             if method.is_adaptive() {
                 verdict.estimate += ROUNDED * EPS * steps;
             }
-            if verdict.estimate <= budget {
+            if enough && verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
                 let [_, momentum, rates] = [0, 1, 2].map(|n| {
                     Verdict::of(method.trust(), &gaps[n], expected).estimate
@@ -551,12 +559,14 @@ impl<'p> Stepping<'p> {
                 let delivered = self.delivered(method, precision, run, estimate, conditions);
                 return Ok(Outcome::Delivered(Box::new(delivered)));
             }
-            stuck = if verdict.estimate < 0.5 * best {
-                0
-            } else {
-                stuck + 1
-            };
-            best = best.min(verdict.estimate);
+            if enough {
+                stuck = if verdict.estimate < 0.5 * best {
+                    0
+                } else {
+                    stuck + 1
+                };
+                best = best.min(verdict.estimate);
+            }
             ahead = verdict.ahead(budget);
         }
     }

@@ -46,7 +46,7 @@ impl Verdict {
     /// Without a fall by half, or with two runs only, nothing is trusted but the
     /// distances themselves: nine times the largest, which is right for x <= 0.9.
     /// Where an error of the first run is `expected`, two runs are trusted like three, if they
-    /// are apart as that says.
+    /// are apart as that says; nearer than a part of that they count as apart by that part.
     pub(super) fn of(trust: f64, gaps: &[Gap], expected: Option<f64>) -> Self {
         let Some(&Gap { apart, step }) = gaps.last() else {
             return Self {
@@ -69,6 +69,7 @@ impl Verdict {
             let left = exp(-trust.max(TWO) * LEVEL * step);
             // Runs that are nearer than that by more are near by chance.
             let apart = apart.max(CHANCE * expected);
+            verdict.estimate = 9.0 * apart;
             if left <= 0.5 {
                 verdict.estimate = verdict.estimate.min(2.0 * apart * left / (1.0 - left));
             }
@@ -210,7 +211,9 @@ mod tests {
             ..gaps[0]
         }];
         let mistrusted = estimate(&chance, Some(1e-3));
-        assert_error!(mistrusted, 9.0 * chance[0].apart, 0.0);
+        let counted = CHANCE * 1e-3;
+        assert_error!(mistrusted, 2.0 * counted * left / (1.0 - left), 0.0);
+        assert!(mistrusted > 2.0 * 9.0 * chance[0].apart);
         assert!(estimate(&chance, Some(1e-4)) > estimate(&chance, Some(1e-5)));
         // Less of an order than that is not believed.
         let slow = Verdict::of(0.12, &gaps, Some(1e-3)).estimate;
