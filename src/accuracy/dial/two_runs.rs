@@ -132,7 +132,7 @@ impl Stepping<'_> {
                 self.choice += self.work.since(&before.0);
                 continue;
             }
-            return self.to_the_end(method, [level, behind], pair);
+            return self.both_to_the_end(method, [level, behind], pair);
         }
         Ok(TwoRuns::Unknown)
     }
@@ -226,7 +226,7 @@ impl Stepping<'_> {
     }
 
     /// Both runs through the whole span.
-    fn to_the_end(
+    fn both_to_the_end(
         &mut self,
         method: Method,
         [level, behind]: [f64; 2],

@@ -213,7 +213,7 @@ mod tests {
         let mistrusted = estimate(&chance, Some(1e-3));
         let counted = CHANCE * 1e-3;
         assert_error!(mistrusted, 2.0 * counted * left / (1.0 - left), 0.0);
-        assert!(mistrusted > 2.0 * 9.0 * chance[0].apart);
+        assert!(mistrusted > 9.0 * chance[0].apart);
         assert!(estimate(&chance, Some(1e-4)) > estimate(&chance, Some(1e-5)));
         // Less of an order than that is not believed.
         let slow = Verdict::of(0.12, &gaps, Some(1e-3)).estimate;
