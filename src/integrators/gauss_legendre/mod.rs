@@ -131,8 +131,8 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
 /// and an eighth on the free body. [`steady`](Self::steady), sweeps are cheaper, and so is what a
 /// step takes besides: with seven components 27 ns and 29 ns instead of 33 ns and 57 ns in registers
 /// of AVX-512, 32 ns and 44 ns instead of 53 ns and 71 ns in those of AVX2 (Zen 4 at 3.7 GHz).
-/// On the four motions of `benches/peers/src/open.rs` what is left after n steps stays below n
-/// times the precision, and is no more than if every change were looked at.
+/// On the four motions of `benches/peers/src/open.rs` what is left after n steps stays below
+/// 1.7 sqrt(n) times the precision.
 ///
 /// Longer steps than 4 a period do not pay: the sweeps gain too little, and at 3 a
 /// period they diverge ([`Error::NoConvergence`]).
