@@ -62,10 +62,9 @@ impl<const N: usize> Trial<N> {
             let [earlier @ .., (_, weight)] = A[i] else {
                 unreachable!("every stage but the first has weights");
             };
-            let mut y = combination(earlier, &self.k);
-            for n in 0..N {
-                y[n] = start[n] + h * (y[n] + weight * newest[n]);
-            }
+            // The sum is no part of y, which the system sees: it stays in registers, term by term.
+            let sum = combination(earlier, &self.k);
+            let y = core::array::from_fn(|n| start[n] + h * (sum[n] + weight * newest[n]));
             work.derivatives += 1;
             newest = ode.derivative(at, &y);
             if !write_finite(&newest, &mut self.k[i]) {
