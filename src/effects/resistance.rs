@@ -95,6 +95,13 @@ impl Resistance {
         self.rates[0] == self.rates[1]
     }
 
+    /// The fastest rate (1/s) at which it takes momentum of itself: that of its linear part.
+    pub(crate) fn fastest(&self) -> f64 {
+        self.rates
+            .iter()
+            .fold(0.0, |most, rate| rate.abs().max(most))
+    }
+
     /// True if it has no law along e3 beside the linear one.
     pub fn is_linear(&self) -> bool {
         self.law == Law::None

@@ -129,8 +129,8 @@ fn a_symmetric_body_relaxes_exponentially() {
             .sum();
         power.add(sum * h / 3.0, t, t);
     }
-    law.attain(2.1e-13..=2.2e-13, 3);
-    power.attain(2.6e-13..=2.7e-13, 3);
+    law.attain(7.4e-13..=7.5e-13, 3);
+    power.attain(1.2e-12..=1.3e-12, 3);
     turned_round.exceed(0.5, 3);
 }
 
@@ -200,7 +200,7 @@ fn a_heavy_body_loses_what_its_power_says() {
     // Without the way through the potential.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-3, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 1.10e-11);
+    assert_error!(scene.power(t, &state), slope, 1.79e-11);
 }
 
 /// Errors of four methods that carry attitude and L (rad), after 10 s against the dial.
@@ -228,7 +228,7 @@ fn every_method_carries_it_or_refuses() {
     let (body, start) = rod();
     let scene = Scene::new(body).with(loss(0.02));
     let errors = by_four_methods(&scene, &start);
-    errors.attain(3.3e-13..=3.4e-13, 4);
+    errors.attain(3.4e-13..=3.5e-13, 4);
     for method in [Method::EulerOnAngles, Method::SemiImplicitEuler] {
         let carrier = Carrier::new(method, Fineness::Steps(10)).expect("a method");
         let refused = carrier.advance(&scene, Variables::Space, [0.0, 1.0], &start);

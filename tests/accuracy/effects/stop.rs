@@ -150,7 +150,7 @@ fn a_braked_top_stops_spinning() {
             }
         }
     }
-    momentum.attain(3.8e-6..=3.9e-6, 30);
+    momentum.attain(4.4e-6..=4.5e-6, 30);
     twin.exceed(3e-4, 12);
 }
 

@@ -204,9 +204,26 @@ fn nothing_that_resists_breaks_the_promise() {
         }
     }
     let [granted, refused, resisted] = counted(&tallies, &chosen);
-    assert_eq!([granted, refused, resisted], [235, 5, 181]);
+    assert_eq!([granted, refused, resisted], [235, 5, 182]);
     // The promise is 1.
-    ratios.attain(0.24..=0.25, 235);
+    ratios.attain(0.16..=0.17, 235);
+}
+
+/// Bricks that lost most of their momentum in each of four to six steps, which agreed by chance: 1.3
+/// and 1.7 times the request.
+#[test]
+fn a_brick_in_thick_oil_holds() {
+    let mut ratios = Errors::of("delivered over requested");
+    for n in [4418, 5264] {
+        let chosen = Chosen::default();
+        let scene = |n| case(n, &chosen);
+        let (tallies, failures) = attacked(n..n + 1, KINDS, scene).expect("a sound scene");
+        assert!(failures.is_empty(), "{}", failures.join("\n"));
+        for ratio in &tallies["a brick in oil"].ratios {
+            ratios.push_at(*ratio, n);
+        }
+    }
+    ratios.attain(3.7e-6..=3.8e-6, 4);
 }
 
 /// Six thousand: `cargo test -p checks --test accuracy -- --ignored six_thousand --nocapture`.
