@@ -25,6 +25,18 @@ impl Work {
     pub const fn torques(&self) -> u64 {
         self.derivatives + self.kicks
     }
+
+    /// What was done beyond `before`.
+    pub(crate) const fn since(&self, before: &Self) -> Self {
+        Self {
+            derivatives: self.derivatives - before.derivatives,
+            steps: self.steps - before.steps,
+            rejected: self.rejected - before.rejected,
+            flows: self.flows - before.flows,
+            kicks: self.kicks - before.kicks,
+            samples: self.samples - before.samples,
+        }
+    }
 }
 
 impl Add for Work {

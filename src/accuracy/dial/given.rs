@@ -19,6 +19,11 @@ use crate::math::EPS;
 /// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
 const CLOSED_FORM: f64 = 8.0;
 
+/// The angle (rad) that a body turns at most between two places where its effects are tried, of
+/// which there are no more than so many.
+const CUT: f64 = 30.0;
+const MOST_CUTS: f64 = 8.0;
+
 /// Where the promise is to hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Places {
@@ -94,6 +99,13 @@ impl<'s> Given<'s> {
             given.breaks = limits.sorted(known.iter().copied().chain(new).collect(), t_end);
         }
         given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
+        if given.problem().exact_motion().is_none() {
+            // Runs are cut there too, and what effects say of themselves is tried.
+            let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
+            let problem = given.problem();
+            let cuts: Vec<f64> = (1..cuts).map(|n| problem.at_leg(n, cuts)).collect();
+            given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
+        }
         Ok(given)
     }
 
@@ -205,6 +217,9 @@ fn nothing_to_do(problem: &Problem) -> Result<Solved> {
         method: "nothing to do",
         run: Work::default(),
         work: Work::default(),
+        choice: Work::default(),
+        probes: Work::default(),
+        price: 1.0,
         estimate: 0.0,
         momentum_estimate: 0.0,
         rates_estimate: 0.0,
@@ -264,6 +279,12 @@ fn by_closed_form(
         method: motion.name(),
         run,
         work,
+        choice: Work::default(),
+        probes: Work {
+            samples: work.samples - 1,
+            ..Work::default()
+        },
+        price: work.samples as f64,
         estimate,
         momentum_estimate,
         rates_estimate,

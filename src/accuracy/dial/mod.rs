@@ -8,7 +8,10 @@
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob |
-//! | `stepping` | choose, refine, verify |
+//! | `two_runs` | two runs that mostly suffice, by what methods did on many motions |
+//! | `choice` | what each method does on the first turns |
+//! | `probes` | the condition felt on runs of the motion |
+//! | `stepping` | refine, verify |
 //!
 //! What is verified, and why what is delivered is better: `book/src/how_dial.md`.
 //!
@@ -16,12 +19,15 @@
 //! ([`simulate_within`](crate::planar::simulate_within)).
 
 mod along;
+mod choice;
 mod exact_motion;
 mod given;
 mod limits;
 mod method;
+mod probes;
 mod problem;
 mod stepping;
+mod two_runs;
 mod verdict;
 
 pub use along::SolvedMotion;
@@ -49,6 +55,13 @@ pub struct Solved {
     /// What all runs together cost: those that chose, those that verified, those that
     /// felt the condition, and those that came to no end.
     pub work: Work,
+    /// What of that went into the choice of the method.
+    pub choice: Work,
+    /// What of that went into the condition alone: nothing where two runs suffice.
+    pub probes: Work,
+    /// What all runs cost over what the one cost that is returned, by the time that their
+    /// torques take.
+    pub price: f64,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
     /// The same of the angular momentum, as a part of its scale
@@ -56,7 +69,10 @@ pub struct Solved {
     pub momentum_estimate: f64,
     /// The same of the angular velocity.
     pub rates_estimate: f64,
-    /// The angle (rad) by which the end changes per relative change of the inputs.
+    /// The angle (rad) by which the end changes per relative change of the inputs. Where two runs
+    /// suffice it is felt by one change of all inputs, with the error of the coarser run in it, and
+    /// mostly too large; at most 2.3 times too small, as measured
+    /// (`a_stepped_condition_covers_that_of_the_closed_form` in `tests/accuracy/dial`).
     pub condition: f64,
     /// No step was longer (s; 0 for a closed form). A feature of the torque that is
     /// narrower, and that nothing names, may have been stepped over by every run.
@@ -68,11 +84,15 @@ impl<E: Effect> Scene<E> {
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
     /// Where the scene has a closed form, that is taken: which one is settled when its
-    /// type is. Every other scene is stepped. Each method that applies is tried on the
-    /// first turns of the motion; the one predicted cheapest for the error asked for
-    /// carries the whole span, coarser and finer, until the runs differ as their order
-    /// says they must and what that leaves is within the tolerance. Nothing is returned
-    /// unverified.
+    /// type is. Every other scene is stepped. Mostly two runs of the span suffice, by the method
+    /// that is expected to be cheapest: the coarser has all its inputs a little changed, so that
+    /// the distance of the two bounds the error of the finer and the condition at once. Both
+    /// show on the first turn of the motion whether they are fine enough, and go on from there.
+    /// Where that does not suffice, methods are tried on the first turn; the one predicted cheapest
+    /// for the error asked for carries the whole span, coarser and finer, until the runs differ as
+    /// their order says they must and what that leaves is within the tolerance. Where that does not
+    /// either, all of them do in turn, by three runs or more and with the condition felt in many legs,
+    /// before anything is refused. Nothing is returned unverified.
     ///
     /// | what acts | methods that are tried |
     /// |---|---|
@@ -84,11 +104,9 @@ impl<E: Effect> Scene<E> {
     ///
     /// Of a resistance that is not smooth, as the drag on a disc, Gauss-Legendre is not tried;
     /// and on a body with three different moments, whose spin about e3 passes through 0, only
-    /// a linear resistance is known. Evaluations of the run that is returned, and of all runs,
-    /// for 1e-6 rad after ten seconds of a gyroscope: in oil 5124 and 19 314 instead of 116 160
-    /// and 829 132, if nothing were said of the resistance; in air 5124 and 17 610 instead of
-    /// 84 674 and 735 326. Of 12 000 requests on 6000 random scenes that resist 11 866 were
-    /// granted, 8682 of them by such a splitting; the largest error was 0.44 of its request.
+    /// a linear resistance is known. The run that is returned takes a small part of what it would
+    /// if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
+    /// `tests/accuracy/dial`).
     ///
     /// The *condition* is the change of the attitude at the end (rad) per relative
     /// change of the inputs: the root of the sum of squares over three turns of the
@@ -117,35 +135,28 @@ impl<E: Effect> Scene<E> {
     /// # }
     /// ```
     ///
-    /// Accuracy, as measured on 6000 random scenes at eleven tolerances (`tests/accuracy/dial` runs
-    /// 600): bodies with and without gravity, needles, separatrices, poles, upright and
-    /// hanging tops, a torque that damps and drives. Delivered over requested, when
-    /// everything is stepped:
+    /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/dial`):
+    /// bodies with and without gravity, needles, separatrices, poles, upright and
+    /// hanging tops, a torque that damps and drives. The median of delivered over requested, when
+    /// everything is stepped, is 2e-4 to 4e-4 from 1e-3 to 1e-9, 6e-4 at 1e-10, 1e-3 at 1e-11,
+    /// 4e-3 at 1e-12 and 1.4e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at
+    /// 1e-9, 14 % at 1e-12 and 48 % at 1e-13.
     ///
-    /// | requested | median | quartiles | largest | refused |
-    /// |---|---|---|---|---|
-    /// | 1e-3 | 1e-4 | 2e-5 to 4e-4 | 0.12 | 0.1 % |
-    /// | 1e-4 | 2e-4 | 5e-5 to 6e-4 | 0.15 | 0.2 % |
-    /// | 1e-5 | 2e-4 | 6e-5 to 7e-4 | 0.10 | 0.3 % |
-    /// | 1e-6 | 2e-4 | 6e-5 to 7e-4 | 0.20 | 0.5 % |
-    /// | 1e-7 | 2e-4 | 5e-5 to 6e-4 | 0.10 | 0.7 % |
-    /// | 1e-8 | 3e-4 | 7e-5 to 7e-4 | 0.09 | 1.1 % |
-    /// | 1e-9 | 3e-4 | 1e-4 to 8e-4 | 0.07 | 1.5 % |
-    /// | 1e-10 | 4e-4 | 1e-4 to 1e-3 | 0.64 | 2.6 % |
-    /// | 1e-11 | 7e-4 | 3e-4 to 2e-3 | 0.52 | 6.5 % |
-    /// | 1e-12 | 3e-3 | 1e-3 to 9e-3 | 0.63 | 14.0 % |
-    /// | 1e-13 | 1e-2 | 7e-3 to 3e-2 | 0.36 | 47.3 % |
-    ///
-    /// [`Solved::estimate`] was too small in 2 of these 61 518 answers, and then never by
-    /// more than the tolerance left room for. All runs together cost 10 times the one
-    /// that is returned at 1e-3, 5.5 times at 1e-9 (medians). Of 20 000 requests on 10 000
-    /// scenes made to break it none that was granted was missed (`benches/record/attack.txt`).
+    /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
+    /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.4 to
+    /// 3.6 times where Gauss-Legendre is chosen, 4 to 6 times elsewhere, and up to 9 times under
+    /// drag that is not known to be smooth (medians by kind of scene;
+    /// `benches/record/price.txt`). Where a motion passes near a separatrix, the torque is not
+    /// known to be smooth, or the floor comes near to what is asked, the condition is felt with
+    /// more care, and that is dearer.
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
-    /// two places looked at. The condition is felt on a motion whose own error, times that
-    /// condition, is small; runs that differ ten times more than their errors on the first
-    /// turns and the condition predict are not believed (unless the torque depends on the time
-    /// and may have come later), and it is felt again on the finest motion there is.
+    /// two places looked at. Two runs that suffice part nowhere on the way, and their steps resolve
+    /// the fastest rotation. Otherwise the condition is felt by two more runs in the steps of the
+    /// first, or where that is not enough on a motion whose own error, times that condition, is small;
+    /// runs that differ ten times more than their errors on the first turns and the condition predict
+    /// are not believed (unless the torque depends on the time and may have come later), and it is
+    /// felt again on the finest motion there is.
     ///
     /// *What is promised of features of the torque.* Its jumps at times that are named
     /// ([`Effect::break_points`], [`Limits::break_points`]) are met exactly, and no step is
@@ -214,6 +225,9 @@ impl Solved {
             method: delivered.method.name(),
             run: delivered.run,
             work: delivered.work,
+            choice: delivered.choice,
+            probes: delivered.probes,
+            price: delivered.price,
             estimate,
             momentum_estimate,
             rates_estimate,

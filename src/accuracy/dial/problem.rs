@@ -157,12 +157,9 @@ const INPUTS: usize = 10;
 /// Hutchinson, Commun. Stat. Simul. Comput. 19, 433 (1990).
 fn signs(row: usize) -> [f64; INPUTS] {
     const FIRST: [f64; 11] = [1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, -1.0];
-    core::array::from_fn(|column| {
-        if row == 11 {
-            -1.0
-        } else {
-            FIRST[(column + 11 - row) % 11]
-        }
+    core::array::from_fn(|column| match row % ALL_ROWS {
+        11 => -1.0,
+        row => FIRST[(column + 11 - row) % 11],
     })
 }
 
@@ -337,6 +334,12 @@ impl<'e> Problem<'e> {
         ((2.0 * energy + 4.0 * self.torque) / i1.min(i2).min(i3)).sqrt()
     }
 
+    /// True if the torque may come and go between two steps: a feature of it is narrow, or
+    /// nothing is said of how smooth it is.
+    pub fn is_abrupt(&self) -> bool {
+        self.longest_step < f64::INFINITY || matches!(self.acting, Acting::Anything(_))
+    }
+
     /// True if the torque changes little of the momentum in the time of a turn: then
     /// splittings for weak kicks are worth a try.
     pub fn is_fast(&self) -> bool {
@@ -371,6 +374,21 @@ impl<'e> Problem<'e> {
             ratio(momentum, self.momentum_scale(a)),
             ratio((rates - others).norm(), rates.norm().max(built_up)),
         ]
+    }
+
+    /// The row of the design whose push turns the body fastest: of a single change of all inputs,
+    /// what a small moment of inertia makes of the three pushes must not cancel.
+    pub fn telling_row(&self) -> Result<usize> {
+        let mut most = (0, 0.0);
+        for row in 0..ALL_ROWS {
+            let [_, _, _, x, y, z, ..] = signs(row);
+            let pushed = State::new(self.start.attitude, SpaceVector::new(x, y, z))?;
+            let rate = self.body.angular_velocity(&pushed).norm();
+            if rate > most.1 {
+                most = (row, rate);
+            }
+        }
+        Ok(most.0)
     }
 
     /// Every input changed by `by`, up or down.
@@ -430,19 +448,30 @@ impl<'e> Problem<'e> {
     ) -> Result<State> {
         let problem = self.changed(row, by)?;
         let mut state = problem.start;
-        // So much less that on a regular motion all of them together count as much as
-        // the change of the start.
-        let on_the_way = 2.0 * by / (legs as f64).sqrt();
         for k in 0..legs {
             if k > 0 {
-                // Other signs every time, so that nothing is undone by the next.
-                let [a, b, c, x, y, z, ..] = signs((row + 5 * k) % ALL_ROWS);
-                state = problem.moved(&state, [a, b, c, x, y, z], on_the_way)?;
+                state = problem.moved_before(&state, [k, legs], row, by)?;
             }
             let [from, to] = [k, k + 1].map(|k| self.at_leg(k, legs));
             state = leg(&problem, from, &state, to)?;
         }
         Ok(state)
+    }
+
+    /// A state moved before a leg, by its number and that of all.
+    pub fn moved_before(
+        &self,
+        state: &State,
+        [leg, legs]: [usize; 2],
+        row: usize,
+        by: f64,
+    ) -> Result<State> {
+        // So much less that on a regular motion all of them together count as much as
+        // the change of the start.
+        let on_the_way = 2.0 * by / (legs as f64).sqrt();
+        // Other signs every time, so that nothing is undone by the next.
+        let [a, b, c, x, y, z, ..] = signs((row + 5 * leg) % ALL_ROWS);
+        self.moved(state, [a, b, c, x, y, z], on_the_way)
     }
 
     /// The time at which the leg of this number begins.
@@ -515,7 +544,11 @@ impl<'e> Problem<'e> {
 
     /// By how much the places move per change of the inputs, and how far (rad) the attitude
     /// moved farthest.
-    fn slopes(&self, by: f64, (places, changed): (Vec<State>, Vec<Vec<State>>)) -> (Apart, f64) {
+    pub fn slopes(
+        &self,
+        by: f64,
+        (places, changed): (Vec<State>, Vec<Vec<State>>),
+    ) -> (Apart, f64) {
         let mut slopes = [0.0; 3];
         let mut farthest: f64 = 0.0;
         for (n, place) in places.iter().enumerate() {

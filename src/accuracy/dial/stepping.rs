@@ -1,43 +1,28 @@
 //! The dial of what must be stepped: choose, refine, verify.
 
+use super::choice::{AIM, Candidate, Candidates};
 use super::limits::Limits;
-use super::method::{Fine, LEVEL, Method, Runs, Steps};
-use super::problem::{Apart, Feeler, Problem};
-use super::verdict::{APART, Gap, Verdict};
+use super::method::{Fine, Method, Runs, Steps};
+use super::probes::{Begun, Felt};
+use super::problem::{Apart, Problem};
+use super::two_runs::TwoRuns;
+use super::verdict::{Gap, Verdict};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
-use crate::math::{EPS, exp, log, sort_by_number};
+use crate::math::{EPS, sort_by_number};
 use core::sync::atomic::Ordering;
 
-/// The angle (rad) turned at the slowest candidate's rate on which the candidates are compared.
+/// The angle (rad) turned at the slowest candidate's rate on which a method shows what it does.
 const STRETCH: f64 = core::f64::consts::TAU;
 
-/// Rows of the design for the condition: so few estimate what all twelve give.
-const ROWS: usize = 2;
+/// What follows is cut into so many legs at most, so that runs are compared on the way and the
+/// coarser can be moved there.
+const LEGS: f64 = 4.0;
 
-/// Legs, at most, before each of which the state is moved.
-const LEGS: usize = 64;
-
-/// And so many of both where the floor comes near to the tolerance.
-const MORE_ROWS: usize = 5;
-const MORE_LEGS: usize = 512;
-
-/// Nearer than by this factor.
-const NEAR: f64 = 1e3;
-
-/// The error at which the condition is felt: nothing is gained by a finer run.
-const FELT: f64 = 1e-3;
-
-/// And where the floor comes near: a coarse run may pass a saddle at another distance.
-const FELT_WELL: f64 = 1e-6;
-
-/// A condition felt on a motion that is itself off by more than this (rad) is that of
-/// another motion: it is felt again where the error is smaller by so much, down to the last.
-const ELSEWHERE: f64 = 1.5;
-const FINER: f64 = 1e-3;
-const FELT_FINELY: f64 = 1e-12;
+/// A larger part of the span is all of it.
+const SHORT: f64 = 0.6;
 
 /// Runs whose predicted errors (rad) are larger than this may agree by chance.
 const LINEAR: f64 = 0.5;
@@ -46,8 +31,11 @@ const LINEAR: f64 = 0.5;
 /// condition of the motion predict are no runs of that motion.
 const UNLIKE: f64 = 10.0;
 
+/// Runs further apart than this (rad) are none on which a condition may be felt.
+const ELSEWHERE: f64 = 0.2;
+
 /// The part of the error asked for that the sweeps of Gauss-Legendre may leave.
-const SWEEPS: f64 = 0.1;
+pub(super) const SWEEPS: f64 = 0.1;
 
 /// What the sweeps leave of n steps is the condition times this times sqrt(n) times what
 /// they leave of one. Measured on free bodies over up to 2e4 steps: 0.22.
@@ -55,19 +43,35 @@ const SWEPT: f64 = 0.25;
 
 /// What rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
 /// runs of up to a million steps: 0.15.
-const ROUNDED: f64 = 0.5;
+pub(super) const ROUNDED: f64 = 0.5;
 
 /// An error that is reached, and no more than so many times the floor, is round-off.
 const ROUND_OFF: f64 = 16.0;
 
 /// Where a run was at the places looked at, at which level, and what it cost.
-struct Run {
-    level: f64,
-    places: Vec<State>,
+pub(super) struct Run {
+    pub level: f64,
+    pub places: Vec<State>,
     /// What it took on the pieces of the way to each place.
-    steps: Vec<Vec<Steps>>,
-    work: Work,
+    pub steps: Vec<Vec<Steps>>,
+    pub work: Work,
     longest_step: f64,
+    /// Where it was between two pieces, and at the end.
+    pub passed: Vec<(f64, State)>,
+}
+
+impl Default for Run {
+    /// None yet.
+    fn default() -> Self {
+        Self {
+            level: f64::INFINITY,
+            places: Vec::new(),
+            steps: Vec::new(),
+            work: Work::default(),
+            longest_step: 0.0,
+            passed: Vec::new(),
+        }
+    }
 }
 
 /// What a run delivers.
@@ -79,46 +83,13 @@ pub(super) struct Delivered {
     pub steps: Vec<Vec<Steps>>,
     pub run: Work,
     pub work: Work,
+    pub choice: Work,
+    pub probes: Work,
+    pub price: f64,
     /// Upper estimates of the three errors, at the place where each is largest.
     pub estimate: Apart,
     pub condition: Apart,
     pub longest_step: f64,
-}
-
-/// A method, and what it did on the first stretch.
-#[derive(Debug, Clone, Copy)]
-struct Candidate {
-    method: Method,
-    /// At this level it made this error (rad) at this cost.
-    level: f64,
-    error: f64,
-    cost: f64,
-}
-
-impl Candidate {
-    /// The level at which it makes this error on the stretch.
-    fn level(&self, error: f64) -> f64 {
-        self.level + log(self.error / error) / LEVEL
-    }
-
-    /// The error that it makes on the stretch at this level.
-    fn error(&self, level: f64) -> f64 {
-        self.error * exp(LEVEL * (self.level - level))
-    }
-
-    /// What that costs.
-    fn cost(&self, error: f64) -> f64 {
-        self.cost * self.method.dearer(self.level(error) - self.level)
-    }
-}
-
-/// A condition as it was felt.
-struct Felt {
-    condition: Apart,
-    /// The part of the span on which the candidates were compared.
-    part: f64,
-    /// Nothing is gained by a finer motion.
-    finely: bool,
 }
 
 /// A run that delivered, or the least error that was reached; or runs that differ more than
@@ -130,12 +101,23 @@ enum Outcome {
 }
 
 pub(super) struct Stepping<'p> {
-    problem: &'p Problem<'p>,
-    tolerance: f64,
+    pub problem: &'p Problem<'p>,
+    pub tolerance: f64,
     limits: &'p Limits<'p>,
     /// Where the motion is looked at, from the start to the end.
-    times: Vec<f64>,
-    work: Work,
+    pub times: Vec<f64>,
+    /// On so many legs between these a method shows what it does, and they are this part of
+    /// the span.
+    pub stretch: usize,
+    pub part: f64,
+    /// The motion is looked at all along, not at its end alone.
+    pub everywhere: bool,
+    pub work: Work,
+    /// What of that went into the choice of the method, and into the condition.
+    pub choice: Work,
+    pub probes: Work,
+    /// What all of it cost, in units of one derivative of DOP853.
+    pub cost: f64,
 }
 
 impl<'p> Stepping<'p> {
@@ -146,25 +128,115 @@ impl<'p> Stepping<'p> {
         limits: &'p Limits<'p>,
         places: usize,
     ) -> Self {
+        let slowest = (Method::candidates(problem).iter())
+            .map(|method| method.rate(problem))
+            .fold(f64::INFINITY, f64::min);
+        let part = (STRETCH / (slowest * problem.span().abs())).min(1.0);
+        let mut times: Vec<f64> = (0..=places).map(|n| problem.at_leg(n, places)).collect();
+        let everywhere = places > 1;
+        let (stretch, part) = if everywhere {
+            let legs = (part * places as f64).ceil().clamp(1.0, places as f64);
+            (legs as usize, legs / places as f64)
+        } else if part < SHORT {
+            let rest = (0.5 * (1.0 - part) / part).clamp(1.0, LEGS) as usize;
+            times = vec![problem.t_start];
+            for leg in 0..rest {
+                let part = part + (1.0 - part) * leg as f64 / rest as f64;
+                times.push(problem.t_start + part * problem.span());
+            }
+            times.push(problem.t_end);
+            (1, part)
+        } else {
+            (1, 1.0)
+        };
         Self {
             problem,
             tolerance,
             limits,
-            times: (0..=places).map(|n| problem.at_leg(n, places)).collect(),
+            times,
+            stretch,
+            part,
+            everywhere,
             work: Work::default(),
+            choice: Work::default(),
+            probes: Work::default(),
+            cost: 0.0,
         }
     }
 
-    /// Solves by the cheapest candidate that can be verified.
+    /// Solves by two runs if they do, else by the cheapest candidate with the condition felt
+    /// roughly, and else with all care: nothing is refused because less was tried.
     pub fn solve(mut self) -> Result<Delivered> {
-        let (mut candidates, part) = self.candidates()?;
-        // Errors grow with the time at least.
+        let delivered = match self.two_runs()? {
+            TwoRuns::Delivered(delivered) => Some(*delivered),
+            TwoRuns::Begun {
+                candidate,
+                begun,
+                ahead,
+            } => self.roughly_delivered(&candidate, begun, self.part, Some(ahead))?,
+            TwoRuns::Unknown => None,
+        };
+        if let Some(delivered) = delivered {
+            return Ok(self.paid(delivered));
+        }
+        let before = self.work;
+        let candidates = self.candidates()?;
+        self.choice += self.work.since(&before);
+        let best = candidates.all[0];
+        if let Some(begun) = self.begin(&best, candidates.wanted, candidates.part)?
+            && let Some(delivered) = self.roughly_delivered(&best, begun, candidates.part, None)?
+        {
+            return Ok(self.paid(delivered));
+        }
+        self.carefully(candidates)
+    }
+
+    /// What a candidate delivers by few runs from the first on, with the condition felt on that;
+    /// `None` if more has to be known.
+    fn roughly_delivered(
+        &mut self,
+        candidate: &Candidate,
+        begun: Begun,
+        part: f64,
+        ahead: Option<f64>,
+    ) -> Result<Option<Delivered>> {
+        let Some(felt) = self.roughly(candidate.method, &begun, part)? else {
+            return Ok(None);
+        };
         let wanted = AIM * self.tolerance * part;
+        match self.deliver(candidate, wanted, &felt, Some(begun), ahead) {
+            Ok(Outcome::Delivered(delivered)) => Ok(Some(*delivered)),
+            Err(error) if is_final(&error) => Err(error),
+            _ => Ok(None),
+        }
+    }
+
+    /// All candidates in turn, with the condition felt in many legs, each verified by three runs
+    /// or more.
+    fn carefully(&mut self, candidates: Candidates) -> Result<Delivered> {
+        if !self.everywhere {
+            // Where runs are near again at the end, how far they part on the way is known by the
+            // condition.
+            self.times = vec![self.problem.t_start, self.problem.t_end];
+        }
+        let before = self.work;
+        let Candidates {
+            all: mut candidates,
+            untried,
+            part,
+            wanted,
+            lowest,
+        } = candidates;
+        for method in untried {
+            match self.tried(method, part) {
+                Ok(candidate) => candidates.push(candidate),
+                Err(error) if is_final(&error) => return Err(error),
+                Err(_) => {}
+            }
+        }
+        self.choice += self.work.since(&before);
         sort_by_number(&mut candidates, |candidate| candidate.cost(wanted));
-        let lowest = (candidates.iter())
-            .map(|candidate| candidate.method.floor())
-            .fold(f64::INFINITY, f64::min);
-        let mut felt = self.feel(&candidates, part)?;
+        let mut felt = self.feel(&candidates, part, lowest)?;
         let (mut reached, mut last) = (f64::INFINITY, None);
         let mut untried = candidates.iter();
         let mut next = untried.next();
@@ -173,13 +245,8 @@ impl<'p> Stepping<'p> {
             if floor.is_nan() || floor >= self.tolerance {
                 return Err(self.beyond(floor, felt.condition[0]));
             }
-            match self.deliver(candidate, wanted, &felt) {
-                Ok(Outcome::Delivered(delivered)) => {
-                    return Ok(Delivered {
-                        work: self.work,
-                        ..*delivered
-                    });
-                }
+            match self.deliver(candidate, wanted, &felt, None, None) {
+                Ok(Outcome::Delivered(delivered)) => return Ok(self.paid(*delivered)),
                 Ok(Outcome::Unlike) => {
                     felt = self.feel_finely(&candidates, part)?;
                     continue;
@@ -211,40 +278,41 @@ impl<'p> Stepping<'p> {
         }
     }
 
-    /// The condition, felt on a motion that is good enough for it.
-    fn feel(&mut self, candidates: &[Candidate], part: f64) -> Result<Felt> {
-        // Adaptive methods feel it finely at once.
-        let mut felt = Felt {
-            condition: self.condition(candidates, FELT * part, ROWS, LEGS)?,
-            part,
-            finely: candidates.iter().all(|c| c.method.is_adaptive()),
-        };
-        let mut error = FELT;
-        // The motion that was felt is off by its own error, as much as the condition makes
-        // of that: on another side of a saddle, say.
-        while !felt.finely && (1.0 + felt.condition[0]) * error * part > ELSEWHERE {
-            error = (error * FINER).max(FELT_FINELY);
-            felt.finely = error == FELT_FINELY;
-            felt.condition = self.condition(candidates, error * part, ROWS, LEGS)?;
+    /// With what all runs cost.
+    fn paid(&self, delivered: Delivered) -> Delivered {
+        Delivered {
+            work: self.work,
+            choice: self.choice,
+            probes: self.probes,
+            price: self.cost / delivered.method.cost(self.problem, &delivered.run),
+            ..delivered
         }
-        let lowest = candidates
-            .iter()
-            .map(|c| c.method.floor())
-            .fold(f64::INFINITY, f64::min);
-        if NEAR * lowest * EPS * (1.0 + felt.condition[0]) > self.tolerance {
-            let error = error.min(FELT_WELL);
-            felt.condition = self.condition(candidates, error * part, MORE_ROWS, MORE_LEGS)?;
-        }
-        Ok(felt)
     }
 
-    /// The same where runs have shown that the motion is not the one that was felt.
-    fn feel_finely(&mut self, candidates: &[Candidate], part: f64) -> Result<Felt> {
-        Ok(Felt {
-            condition: self.condition(candidates, FELT_FINELY * part, MORE_ROWS, MORE_LEGS)?,
-            part,
-            finely: true,
-        })
+    /// What a run delivers.
+    pub fn delivered(
+        &self,
+        method: Method,
+        precision: f64,
+        run: Run,
+        estimate: Apart,
+        condition: Apart,
+    ) -> Delivered {
+        Delivered {
+            method,
+            level: run.level,
+            precision,
+            places: run.places,
+            steps: run.steps,
+            run: run.work,
+            work: self.work,
+            choice: self.choice,
+            probes: self.probes,
+            price: 1.0,
+            estimate,
+            condition,
+            longest_step: run.longest_step,
+        }
     }
 
     fn beyond(&self, attainable: f64, condition: f64) -> Error {
@@ -257,7 +325,7 @@ impl<'p> Stepping<'p> {
 
     /// What is left of the budget after all runs so far and this work, if the solution may go
     /// on.
-    fn left(&self, more: &Work) -> Result<u64> {
+    pub fn left(&self, more: &Work) -> Result<u64> {
         let torques = self.work.torques() + more.torques();
         if (self.limits.cancel).is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
             return Err(Error::Cancelled { torques });
@@ -267,7 +335,7 @@ impl<'p> Stepping<'p> {
 
     /// One run through these times, with so many steps on each leg at least; its work is
     /// counted.
-    fn run(
+    pub fn run(
         &mut self,
         method: Method,
         times: &[f64],
@@ -275,16 +343,48 @@ impl<'p> Stepping<'p> {
         fewest: &[Vec<Steps>],
         precision: f64,
     ) -> Result<Run> {
-        let legs = times.len() - 1;
-        let mut run = Run {
-            level: f64::INFINITY,
-            places: Vec::with_capacity(legs),
-            steps: Vec::with_capacity(legs),
-            work: Work::default(),
-            longest_step: 0.0,
-        };
-        let mut state = self.problem.start;
+        self.run_of(self.problem, method, times, level, fewest, precision)
+    }
+
+    /// The same of a problem that is a little changed.
+    pub fn run_of(
+        &mut self,
+        problem: &Problem,
+        method: Method,
+        times: &[f64],
+        level: f64,
+        fewest: &[Vec<Steps>],
+        precision: f64,
+    ) -> Result<Run> {
+        let mut run = Run::default();
+        self.go_on(
+            problem, method, &mut run, times, level, fewest, precision, None,
+        )?;
+        Ok(run)
+    }
+
+    /// The same from where a run has come to, through the times after the first; `moved` before
+    /// every leg, by a row of the design and so much.
+    #[allow(clippy::too_many_arguments, reason = "a run and all that it is to be")]
+    pub fn go_on(
+        &mut self,
+        problem: &Problem,
+        method: Method,
+        run: &mut Run,
+        times: &[f64],
+        level: f64,
+        fewest: &[Vec<Steps>],
+        precision: f64,
+        moved: Option<(usize, f64)>,
+    ) -> Result<()> {
+        let mut state = *run.places.last().unwrap_or(&problem.start);
         for (n, leg) in times.windows(2).enumerate() {
+            let gone = run.places.len();
+            if let Some((row, by)) = moved
+                && gone > 0
+            {
+                state = problem.moved_before(&state, [gone, self.times.len() - 1], row, by)?;
+            }
             let fine = Fine {
                 level,
                 fewest: fewest.get(n).map_or(&[], Vec::as_slice),
@@ -292,21 +392,23 @@ impl<'p> Stepping<'p> {
                 budget: self.left(&Work::default())?,
             };
             let mut runs = Runs::default();
-            let passed = method.run(self.problem, [leg[0], leg[1]], &state, fine, &mut runs);
+            let passed = method.run(problem, [leg[0], leg[1]], &state, fine, &mut runs);
             self.work += runs.work;
+            self.cost += method.cost(problem, &runs.work);
             let passed = passed.map_err(|error| self.over_budget(error))?;
             run.steps.push(runs.pieces);
+            run.passed.append(&mut runs.passed);
             run.work += passed.work;
             run.level = run.level.min(passed.level);
             run.longest_step = run.longest_step.max(passed.longest_step);
             state = passed.state;
             run.places.push(state);
         }
-        Ok(run)
+        Ok(())
     }
 
     /// A budget that is used up is told as it was given, for the whole span.
-    fn over_budget(&self, error: Error) -> Error {
+    pub fn over_budget(&self, error: Error) -> Error {
         match error {
             Error::OverBudget { .. } => Error::OverBudget {
                 t: self.problem.t_start,
@@ -319,10 +421,21 @@ impl<'p> Stepping<'p> {
 
     /// The first run of the whole span, at this level or at the first finer one that
     /// comes to its end.
-    fn first(&mut self, method: Method, level: f64, precision: f64) -> Result<Run> {
+    pub fn first(&mut self, method: Method, level: f64, precision: f64) -> Result<Run> {
+        self.first_of(self.problem, method, level, precision)
+    }
+
+    /// The same of a problem that is a little changed.
+    pub fn first_of(
+        &mut self,
+        problem: &Problem,
+        method: Method,
+        level: f64,
+        precision: f64,
+    ) -> Result<Run> {
         let mut level = level;
         loop {
-            match self.run(method, &self.times.clone(), level, &[], precision) {
+            match self.run_of(problem, method, &self.times.clone(), level, &[], precision) {
                 Ok(run) => return Ok(run),
                 Err(error) if stops(&error) => return Err(error),
                 Err(error) if level + 1.0 > method.finest() => return Err(error),
@@ -331,73 +444,8 @@ impl<'p> Stepping<'p> {
         }
     }
 
-    /// The candidates: each runs twice on the first stretch of the motion, and the
-    /// distance of its two ends is its error constant. Also the part of the span that
-    /// the stretch is.
-    ///
-    /// # Errors
-    /// Why the last of them failed, if all did.
-    fn candidates(&mut self) -> Result<(Vec<Candidate>, f64)> {
-        let methods = Method::candidates(self.problem);
-        let slowest = (methods.iter())
-            .map(|method| method.rate(self.problem))
-            .fold(f64::INFINITY, f64::min);
-        let whole = self.problem.span();
-        let part = (STRETCH / (slowest * whole.abs())).min(1.0);
-        let (mut all, mut why) = (Vec::new(), None);
-        for method in methods {
-            match self.tried(method, part * whole, part) {
-                Ok(candidate) => all.push(candidate),
-                Err(error) if is_final(&error) => return Err(error),
-                Err(error) => why = Some(error),
-            }
-        }
-        match why {
-            Some(error) if all.is_empty() => Err(error),
-            _ => Ok((all, part)),
-        }
-    }
-
-    /// What the method does on the stretch.
-    fn tried(&mut self, method: Method, stretch: f64, part: f64) -> Result<Candidate> {
-        let precision = (SWEEPS * self.tolerance * part).min(1e-6);
-        let t = self.problem.t_start;
-        let times = [t, t + stretch];
-        let mut level = method.coarsest().max(0.0);
-        let mut why = Error::NotDelivered {
-            requested: self.tolerance,
-            reached: f64::INFINITY,
-        };
-        while level + 1.0 <= method.finest() {
-            let two = self
-                .run(method, &times, level, &[], precision)
-                .and_then(|coarse| {
-                    let fine = self.next(method, &times, &coarse, 1.0, precision)?;
-                    Ok((coarse, fine))
-                });
-            match two {
-                Ok((coarse, fine)) => {
-                    let error = self.distance(&coarse, &fine)[0];
-                    // Not so for a NaN.
-                    if error < APART {
-                        return Ok(Candidate {
-                            method,
-                            level: coarse.level,
-                            error: error.max(EPS),
-                            cost: method.cost(self.problem, &coarse.work),
-                        });
-                    }
-                }
-                Err(error) if stops(&error) => return Err(error),
-                Err(error) => why = error,
-            }
-            level += 2.0;
-        }
-        Err(why)
-    }
-
     /// How far two runs are apart, each measure at the place where it is largest.
-    fn distance(&self, a: &Run, b: &Run) -> Apart {
+    pub fn distance(&self, a: &Run, b: &Run) -> Apart {
         let mut most = [0.0; 3];
         for (a, b) in a.places.iter().zip(&b.places) {
             for (most, apart) in most.iter_mut().zip(self.problem.apart(a, b)) {
@@ -409,7 +457,14 @@ impl<'p> Stepping<'p> {
 
     /// Refines until the runs agree as they must, or as they can. The error `wanted` on the
     /// stretch is predicted to deliver.
-    fn deliver(&mut self, candidate: &Candidate, wanted: f64, felt: &Felt) -> Result<Outcome> {
+    fn deliver(
+        &mut self,
+        candidate: &Candidate,
+        wanted: f64,
+        felt: &Felt,
+        begun: Option<Begun>,
+        next: Option<f64>,
+    ) -> Result<Outcome> {
         let (method, level) = (candidate.method, candidate.level(wanted));
         let highest = method.finest();
         let conditions = felt.condition;
@@ -421,8 +476,7 @@ impl<'p> Stepping<'p> {
         }
         // What the sweeps leave of a step grows like any error, and those of many steps add
         // up as what is thrown at random does: it must stay far below.
-        let steps = method.steps(self.problem, self.problem.span(), level);
-        let swept = 1.0 + SWEPT * steps.sqrt();
+        let swept = self.swept(method, level);
         let mut precision = if method.sweeps() {
             (SWEEPS * (self.tolerance - floor) / (swept * (1.0 + condition))).min(1e-6)
         } else {
@@ -431,10 +485,29 @@ impl<'p> Stepping<'p> {
         let left = |precision: f64| floor + precision * swept * (1.0 + condition);
         let mut budget = self.tolerance - left(precision);
         let linear = candidate.level(LINEAR / (1.0 + condition));
-        let coarse = (level - 2.0).max(linear);
+        // Three runs, unless the condition is felt on the first of two.
+        let behind = if felt.roughly { method.behind() } else { 2.0 };
+        let coarse = (level - behind).max(linear);
         let coarse = coarse.clamp(method.coarsest(), highest - 2.0);
-        let mut runs = vec![self.first(method, coarse, precision)?];
-        let mut ahead = (level - 1.0 - runs[0].level).clamp(0.5, 2.0);
+        let mut next = next.filter(|_| begun.is_some());
+        let first = match begun {
+            Some(begun) if begun.run.level >= linear && begun.precision <= 2.0 * precision => {
+                precision = begun.precision;
+                budget = self.tolerance - left(precision);
+                begun.run
+            }
+            _ => {
+                next = None;
+                self.first(method, coarse, precision)?
+            }
+        };
+        let mut runs = vec![first];
+        // Two runs may do, of what is smooth and does not wait for its time.
+        let two = felt.roughly && !self.problem.is_abrupt();
+        let expected = two.then(|| candidate.error(runs[0].level) / felt.part);
+        let more = if two { 0.0 } else { 1.0 };
+        let ahead = (level - more - runs[0].level).clamp(0.5, 2.0);
+        let mut ahead = next.unwrap_or(ahead);
         let mut gaps = [const { Vec::new() }; 3];
         let (mut best, mut stuck) = (f64::INFINITY, 0);
         loop {
@@ -444,9 +517,17 @@ impl<'p> Stepping<'p> {
                 (precision, stuck) = (0.0, 0);
                 budget = self.tolerance - left(precision);
             } else if last.level + 0.1 >= highest || stuck > 2 {
-                return Ok(Outcome::Reached(best + floor));
+                // What the sweeps left of the best may be gone now; what was not verified is not
+                // said to be reached.
+                return Ok(Outcome::Reached((best + floor).max(self.tolerance)));
             }
-            ahead = ahead.min(highest - last.level);
+            // Two runs may be near by chance, however far their distance is below what is asked.
+            let (enough, room) = if two || !gaps[0].is_empty() {
+                (true, highest - last.level)
+            } else {
+                (false, 0.5 * (highest - last.level))
+            };
+            ahead = ahead.min(room);
             let next = self.next(method, &self.times.clone(), last, ahead, precision)?;
             let step = next.level - last.level;
             let apart = self.distance(last, &next);
@@ -454,50 +535,52 @@ impl<'p> Stepping<'p> {
             let predicted = left(precision) + stretches * (1.0 + condition);
             // A torque that depends on the time may not have been there on the stretch.
             let told = !felt.finely && !self.problem.acting.on_time();
-            if told && apart[0] > UNLIKE * predicted {
+            let elsewhere = felt.roughly && apart[0] > ELSEWHERE;
+            if elsewhere || told && apart[0] > UNLIKE * predicted {
                 return Ok(Outcome::Unlike);
             }
             for (gaps, apart) in gaps.iter_mut().zip(apart) {
                 gaps.push(Gap { apart, step });
             }
             runs.push(next);
-            let mut verdict = Verdict::of(method.trust(), &gaps[0]);
+            let mut verdict = Verdict::of(method.trust(), &gaps[0], expected);
             let steps = runs[runs.len() - 1].work.steps as f64;
             if method.is_adaptive() {
                 verdict.estimate += ROUNDED * EPS * steps;
             }
-            if verdict.estimate <= budget {
+            if enough && verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
                 let [_, momentum, rates] = [0, 1, 2].map(|n| {
-                    Verdict::of(method.trust(), &gaps[n]).estimate
+                    Verdict::of(method.trust(), &gaps[n], expected).estimate
                         + floors[n]
                         + precision * swept * (1.0 + conditions[n])
                 });
-                return Ok(Outcome::Delivered(Box::new(Delivered {
-                    method,
-                    level: run.level,
-                    precision,
-                    places: run.places,
-                    steps: run.steps,
-                    run: run.work,
-                    work: self.work,
-                    estimate: [verdict.estimate + left(precision), momentum, rates],
-                    condition: conditions,
-                    longest_step: run.longest_step,
-                })));
+                let estimate = [verdict.estimate + left(precision), momentum, rates];
+                let delivered = self.delivered(method, precision, run, estimate, conditions);
+                return Ok(Outcome::Delivered(Box::new(delivered)));
             }
-            stuck = if verdict.estimate < 0.5 * best {
-                0
-            } else {
-                stuck + 1
-            };
-            best = best.min(verdict.estimate);
+            if enough {
+                stuck = if verdict.estimate < 0.5 * best {
+                    0
+                } else {
+                    stuck + 1
+                };
+                best = best.min(verdict.estimate);
+            }
             ahead = verdict.ahead(budget);
         }
     }
 
+    /// What the sweeps of a run of this level leave, in units of what they leave of a step.
+    pub fn swept(&self, method: Method, level: f64) -> f64 {
+        1.0 + SWEPT
+            * method
+                .steps(self.problem, self.problem.span(), level)
+                .sqrt()
+    }
+
     /// A run finer by so many levels, and by one step at least on every piece.
-    fn next(
+    pub fn next(
         &mut self,
         method: Method,
         times: &[f64],
@@ -509,111 +592,14 @@ impl<'p> Stepping<'p> {
         let fewest: Vec<Vec<Steps>> = last.steps.iter().map(finer).collect();
         self.run(method, times, last.level + ahead, &fewest, precision)
     }
-
-    /// The condition, felt by the method that is cheapest where it is felt, or if that
-    /// fails by another.
-    fn condition(
-        &mut self,
-        candidates: &[Candidate],
-        felt: f64,
-        rows: usize,
-        most_legs: usize,
-    ) -> Result<Apart> {
-        let mut order = candidates.to_vec();
-        sort_by_number(&mut order, |candidate| candidate.cost(felt));
-        // Adaptive methods last.
-        sort_by_number(&mut order, |candidate| {
-            f64::from(candidate.method.is_adaptive())
-        });
-        let mut why = Error::NotDelivered {
-            requested: self.tolerance,
-            reached: f64::INFINITY,
-        };
-        for candidate in order {
-            match self.felt(&candidate, felt, rows, most_legs) {
-                Err(error) if is_final(&error) => return Err(error),
-                Err(error) => why = error,
-                found => return found,
-            }
-        }
-        Err(why)
-    }
-
-    fn felt(
-        &mut self,
-        candidate: &Candidate,
-        felt: f64,
-        rows: usize,
-        most_legs: usize,
-    ) -> Result<Apart> {
-        let problem = self.problem;
-        let method = candidate.method;
-        let mut level = if method.is_adaptive() {
-            // It answers a small change with a small jump, of its error.
-            5.0
-        } else {
-            candidate.level(felt).max(method.coarsest())
-        };
-        // Every two radians at most: what passes a saddle must be moved on its way there.
-        let legs = 0.5 * method.turned(problem, problem.span());
-        let legs = legs.clamp(1.0, most_legs as f64) as usize;
-        // Where the motion is looked at all along, the condition is the largest of all.
-        let everywhere = self.times.len() > 2;
-        let mut all = Runs::default();
-        let this = &*self;
-        let condition = problem.condition(&Feeler::STEPPED, |by| {
-            // What the sweeps leave must not be mistaken for a change.
-            let precision = 1e-3 * by;
-            let mut run = |row, by, level| {
-                let mut places = Vec::new();
-                let end = problem.in_legs(row, by, legs, |changed, t, state, t_end| {
-                    if by == 0.0 {
-                        problem.checked.at(t, state)?;
-                    }
-                    let fine = Fine {
-                        level,
-                        fewest: &[],
-                        precision,
-                        budget: this.left(&all.work)?,
-                    };
-                    let passed = method.run(changed, [t, t_end], state, fine, &mut all);
-                    let passed = passed.map_err(|error| this.over_budget(error))?;
-                    if everywhere {
-                        places.push(passed.state);
-                    }
-                    Ok(passed.state)
-                })?;
-                if !everywhere {
-                    places.push(end);
-                }
-                Ok(places)
-            };
-            let places = loop {
-                match run(0, 0.0, level) {
-                    Err(error) if !stops(&error) && level + 1.0 <= method.finest() => {
-                        level += 1.0;
-                    }
-                    places => break places?,
-                }
-            };
-            let changed = (0..rows).map(|row| run(row, by, level));
-            Ok((places, changed.collect::<Result<_>>()?))
-        });
-        self.work += all.work;
-        condition
-    }
 }
 
 /// True of errors that no other method would mend.
-const fn is_final(error: &Error) -> bool {
+pub(super) const fn is_final(error: &Error) -> bool {
     matches!(error, Error::Cancelled { .. } | Error::Contradiction { .. })
 }
 
 /// True of errors that no finer run would mend.
-const fn stops(error: &Error) -> bool {
+pub(super) const fn stops(error: &Error) -> bool {
     is_final(error) || matches!(error, Error::OverBudget { .. })
 }
-
-/// The error aimed at, as a part of the tolerance: what the last run is predicted to
-/// deliver. Half of what can be verified, and that is a part of 1/sqrt(40).
-const AIM: f64 = 0.02;

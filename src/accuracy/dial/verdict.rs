@@ -6,6 +6,12 @@ use crate::math::{exp, log};
 /// Attitudes further apart than this (rad) say nothing about an error yet.
 pub(super) const APART: f64 = 0.5;
 
+/// The part of the order that is trusted at least where the distance is as expected.
+const TWO: f64 = 0.3;
+
+/// Two runs nearer than this part of the error that is expected of the first are near by chance.
+const CHANCE: f64 = 1.0 / 32.0;
+
 /// Two runs, one after the other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Gap {
@@ -39,7 +45,9 @@ impl Verdict {
     /// ([`Method::trust`](super::method::Method::trust)); twice that is the estimate.
     /// Without a fall by half, or with two runs only, nothing is trusted but the
     /// distances themselves: nine times the largest, which is right for x <= 0.9.
-    pub(super) fn of(trust: f64, gaps: &[Gap]) -> Self {
+    /// Where an error of the first run is `expected`, two runs are trusted like three, if they
+    /// are apart as that says; nearer than a part of that they count as apart by that part.
+    pub(super) fn of(trust: f64, gaps: &[Gap], expected: Option<f64>) -> Self {
         let Some(&Gap { apart, step }) = gaps.last() else {
             return Self {
                 estimate: f64::INFINITY,
@@ -57,6 +65,15 @@ impl Verdict {
             trust,
         };
         let mut sound = apart <= APART;
+        if let ([_], Some(expected)) = (gaps, expected) {
+            let left = exp(-trust.max(TWO) * LEVEL * step);
+            // Runs that are nearer than that by more are near by chance.
+            let apart = apart.max(CHANCE * expected);
+            verdict.estimate = 9.0 * apart;
+            if left <= 0.5 {
+                verdict.estimate = verdict.estimate.min(2.0 * apart * left / (1.0 - left));
+            }
+        }
         if let [.., before, _] = gaps {
             let earlier = before.apart;
             sound &= !earlier.is_nan();
@@ -75,13 +92,28 @@ impl Verdict {
         verdict
     }
 
+    /// What the distance of two runs is multiplied with if they are as expected.
+    pub(super) fn factor(trust: f64, step: f64) -> f64 {
+        let left = exp(-trust.max(TWO) * LEVEL * step);
+        if left <= 0.5 {
+            2.0 * left / (1.0 - left)
+        } else {
+            9.0
+        }
+    }
+
+    /// The refinement with which the trusted part of the order is worth more than the distance.
+    fn least(&self) -> f64 {
+        (1.01 * core::f64::consts::LN_2 / (self.trust * LEVEL)).max(0.5)
+    }
+
     /// How much finer the next run should be to be verified within `budget`.
     pub(super) fn ahead(&self, budget: f64) -> f64 {
         // The next distance if the next step is like this one, and what it must leave.
         let next = self.apart * exp(-self.decay * self.step);
         let left = 0.35 * budget / next;
         let trusted = self.trust * self.decay;
-        (log((1.0 + left) / left) / trusted).clamp(0.5, 2.0)
+        (log((1.0 + left) / left) / trusted).clamp(self.least(), 2.0)
     }
 }
 
@@ -110,7 +142,7 @@ mod tests {
             for runs in 2..=5 {
                 for trust in [0.12, 0.33, 0.5] {
                     let (gaps, error) = falling(1e-3, x, runs);
-                    let estimate = Verdict::of(trust, &gaps).estimate;
+                    let estimate = Verdict::of(trust, &gaps, None).estimate;
                     assert!(
                         error <= estimate * (1.0 + 1e-12),
                         "{x} {runs}: {estimate:e}"
@@ -135,7 +167,7 @@ mod tests {
                 gaps.iter_mut().for_each(|gap| gap.step = levels);
                 let left = exp(-damage * trust * LEVEL * levels);
                 let want = 2.0 * (exp(LEVEL * levels) - 1.0) * left / (1.0 - left);
-                over.add(Verdict::of(trust, &gaps).estimate / error, want, want);
+                over.add(Verdict::of(trust, &gaps, None).estimate / error, want, want);
             }
             over
         };
@@ -148,15 +180,45 @@ mod tests {
     fn two_runs_are_trusted_least() {
         let (gaps, _) = falling(1e-3, 0.1, 3);
         assert_error!(
-            Verdict::of(0.5, &gaps[..1]).estimate,
+            Verdict::of(0.5, &gaps[..1], None).estimate,
             9.0 * gaps[0].apart,
             0.0
         );
-        let three = Verdict::of(0.5, &gaps).estimate;
+        let three = Verdict::of(0.5, &gaps, None).estimate;
         assert!(three < 0.5 * 9.0 * gaps[1].apart, "{three:e}");
         // A fall that has not begun: the larger distance counts.
         let rising = [gaps[1], gaps[0]];
-        assert_error!(Verdict::of(0.5, &rising).estimate, 9.0 * gaps[0].apart, 0.0);
+        assert_error!(
+            Verdict::of(0.5, &rising, None).estimate,
+            9.0 * gaps[0].apart,
+            0.0
+        );
+    }
+
+    /// Two runs as far apart as is expected are trusted; nearer ones count as a part of that,
+    /// and without an expectation nothing but the distance does.
+    #[test]
+    fn two_runs_are_trusted_where_they_are_as_expected() {
+        let (gaps, error) = falling(1e-3, exp(-LEVEL), 2);
+        let estimate = |gaps: &[Gap], expected| Verdict::of(0.5, gaps, expected).estimate;
+        let trusted = estimate(&gaps, Some(1e-3));
+        let left = exp(-0.5 * LEVEL);
+        assert_error!(trusted, 2.0 * gaps[0].apart * left / (1.0 - left), 0.0);
+        assert!(error < 0.1 * trusted && trusted < 0.1 * estimate(&gaps, None));
+        // The twin: they agree by chance, a thousand times too well.
+        let chance = [Gap {
+            apart: 1e-3 * gaps[0].apart,
+            ..gaps[0]
+        }];
+        let mistrusted = estimate(&chance, Some(1e-3));
+        let counted = CHANCE * 1e-3;
+        assert_error!(mistrusted, 2.0 * counted * left / (1.0 - left), 0.0);
+        assert!(mistrusted > 9.0 * chance[0].apart);
+        assert!(estimate(&chance, Some(1e-4)) > estimate(&chance, Some(1e-5)));
+        // Less of an order than that is not believed.
+        let slow = Verdict::of(0.12, &gaps, Some(1e-3)).estimate;
+        let least = Verdict::of(TWO, &gaps, Some(1e-3)).estimate;
+        assert_error!(slow, least, 0.0);
     }
 
     /// A run as fine as is asked, by an error that falls as trusted, leaves seven tenths of
@@ -168,7 +230,7 @@ mod tests {
             for x in [0.05, 0.1, 0.2] {
                 for trust in [0.33, 0.5] {
                     let (gaps, _) = falling(1e-3, x, 3);
-                    let verdict = Verdict::of(trust, &gaps);
+                    let verdict = Verdict::of(trust, &gaps, None);
                     // Two thirds of the way between the least and the most it may ask for.
                     let decay = -trust * log(x);
                     let budget = 2.0 * x * gaps[1].apart / (exp(1.5 * decay) - 1.0) / 0.7;
@@ -196,7 +258,11 @@ mod tests {
             &[gap(0.6)],
             &[gap(1e-9), gap(0.6)],
         ] {
-            assert_eq!(Verdict::of(0.5, gaps).estimate, f64::INFINITY, "{gaps:?}");
+            assert_eq!(
+                Verdict::of(0.5, gaps, None).estimate,
+                f64::INFINITY,
+                "{gaps:?}"
+            );
             ran += 1;
         }
         assert_eq!(ran, 6);

@@ -100,8 +100,8 @@ fn jumps_without_a_name_are_found() -> Result<()> {
         let apart = named?.state.attitude.angle_to(&unseen?.state.attitude);
         assert!(apart > 1e-4, "{apart:e}");
     }
-    over.attain(3.0e-3..=3.1e-3, 6);
-    price.attain(3.4..=3.5, 6);
+    over.attain(1.6e-2..=1.7e-2, 6);
+    price.attain(5.2..=5.3, 6);
     Ok(())
 }
 
@@ -249,7 +249,7 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
             price(&Problem::new(scene, start, 20.0, end), spin)?;
         }
     }
-    loose.attain(71.0..=72.0, 6);
-    tight.attain(26.0..=27.0, 6);
+    loose.attain(31.0..=32.0, 6);
+    tight.attain(9.6..=9.7, 6);
     Ok(())
 }

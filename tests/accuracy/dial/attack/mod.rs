@@ -117,7 +117,7 @@ fn nothing_is_granted_that_does_not_hold() {
     }
     assert_eq!([granted, refused], [280, 120]);
     // The promise is 1.
-    ratios.attain(0.054..=0.055, 280);
+    ratios.attain(0.047..=0.048, 280);
 }
 
 /// Those that were above their request once, by up to 1e8 times: a jump between two steps

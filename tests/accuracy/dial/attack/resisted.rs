@@ -204,9 +204,9 @@ fn nothing_that_resists_breaks_the_promise() {
         }
     }
     let [granted, refused, resisted] = counted(&tallies, &chosen);
-    assert_eq!([granted, refused, resisted], [235, 5, 181]);
+    assert_eq!([granted, refused, resisted], [235, 5, 184]);
     // The promise is 1.
-    ratios.attain(0.24..=0.25, 235);
+    ratios.attain(0.16..=0.17, 235);
 }
 
 /// Six thousand: `cargo test -p checks --test accuracy -- --ignored six_thousand --nocapture`.
