@@ -268,10 +268,10 @@ fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
 }
 
 /// What became of one request.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub enum Outcome {
     /// Solved: the error delivered (rad), and what the dial said of itself.
-    Delivered { error: f64, solved: Solved },
+    Delivered { error: f64, solved: Box<Solved> },
     /// Refused: the smallest error that the condition allows.
     Refused { attainable: f64, condition: f64 },
 }
@@ -284,7 +284,7 @@ pub fn judge(case: &Case, tolerance: f64) -> Result<Outcome> {
     match (case.solve)(tolerance) {
         Ok(solved) => Ok(Outcome::Delivered {
             error: case.exact.angle_to(&solved.state.attitude),
-            solved,
+            solved: Box::new(solved),
         }),
         Err(Error::BeyondCondition {
             attainable,

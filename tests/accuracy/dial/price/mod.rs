@@ -77,9 +77,9 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
 /// and over the cheapest of all methods.
 pub fn first_prices() -> [Vec<f64>; 2] {
     let mut prices = [Vec::new(), Vec::new()];
-    for kind in 0..KINDS.len() {
+    for (kind, name) in KINDS.iter().enumerate() {
         for tally in tally(kind, 0..2) {
-            assert_eq!(tally.above, 0, "{}", KINDS[kind]);
+            assert_eq!(tally.above, 0, "{name}");
             let [all, own, _] = tally.prices;
             prices[0].extend(own);
             prices[1].extend(all);

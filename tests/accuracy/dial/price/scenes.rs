@@ -29,8 +29,11 @@ pub struct Case {
     /// The cost of the cheapest run that errs by a tolerance at most: of all methods, and of
     /// that with this name; by the time its torques take, in units of one of the method named, or
     /// by their number.
-    pub least: Box<dyn Fn(f64, &str, Counted) -> [Option<f64>; 2]>,
+    pub least: Box<Least>,
 }
+
+/// What the cheapest run of a tolerance costs, of all methods and of the one with this name.
+pub type Least = dyn Fn(f64, &str, Counted) -> [Option<f64>; 2];
 
 /// How the cost of a run is counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
