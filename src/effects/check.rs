@@ -36,8 +36,8 @@ const SETTLED: f64 = 1.0 / 16.0;
 /// be a jump.
 const ALONE: f64 = 8.0;
 
-/// A pulse is over after so many looks, and as high as this part of the longest torque.
-const SHORT: usize = 32;
+/// A pulse comes in so many looks, and is as high as this part of the longest torque.
+const SHORT: [usize; 6] = [1, 2, 4, 8, 16, 32];
 const PULSE: f64 = 0.1;
 
 /// Holds everything that `effect` says of itself against its torque: what it depends on
@@ -409,17 +409,25 @@ impl<'e> Checked<'e> {
         ((high - low).norm() > 0.5 * first).then_some(b)
     }
 
-    /// True if the torque that was [looked at](Self::looked) has a pulse: a change that is
-    /// gone again a few looks later.
-    pub fn has_pulse(&self, seen: &[SpaceVector]) -> bool {
-        let looks = seen.len() - 1;
+    /// How many looks a step may pass over, of the torque that was [looked at](Self::looked).
+    /// `None` if nothing comes and goes in less than 64.
+    ///
+    /// Let a change come and be gone again in s looks each at the least. Where such changes are few,
+    /// a step passes 2 s. Where the torque goes to and fro all along, no run takes long steps in
+    /// quiet and meets a pulse in one of them: 8 s, about as many as the stages of a step.
+    pub fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
         let largest = seen
             .iter()
             .map(SpaceVector::norm)
             .fold(self.largest, f64::max);
         let far = |a: SpaceVector, b: SpaceVector| (a - b).norm() > PULSE * largest;
-        let short = |n: usize| far(seen[n], seen[n - SHORT]) && far(seen[n], seen[n + SHORT]);
-        (SHORT..=looks - SHORT).any(short)
+        let changes = |s: usize| {
+            (s..seen.len().saturating_sub(s))
+                .filter(move |&n| far(seen[n], seen[n - s]) && far(seen[n], seen[n + s]))
+        };
+        let s = SHORT.into_iter().find(|&s| changes(s).next().is_some())?;
+        let all_along = 2 * changes(4 * s).count() >= seen.len();
+        Some(if all_along { 8 * s } else { 2 * s })
     }
 
     /// Every claim, here and now.

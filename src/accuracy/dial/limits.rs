@@ -43,7 +43,7 @@ impl Default for Limits<'_> {
 /// The part of the span that a pulse must last to be seen if nothing names it.
 pub(super) const LOOKS: f64 = 4096.0;
 
-/// Such a pulse is taken in so many steps at least.
+/// A pulse whose width is named is taken in so many steps at least.
 const STEPS_IN_PULSE: f64 = 2.0;
 
 /// A jump that nothing names is met by a step that is not too long: two steps over a whole
@@ -121,9 +121,10 @@ impl Limits<'_> {
             }
             None if effects.nature().on_time => {
                 let span = (t_end - self.t_start).abs();
-                if checked.has_pulse(seen) {
-                    longest = longest.min(span / LOOKS * STEPS_IN_PULSE);
-                } else if !effects.nature().smooth {
+                if let Some(looks) = checked.looks_in_step(seen) {
+                    longest = longest.min(span / LOOKS * looks as f64);
+                }
+                if !effects.nature().smooth {
                     longest = longest.min(span / STEPS_OVER_JUMPS);
                 }
             }

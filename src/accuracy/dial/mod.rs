@@ -164,8 +164,8 @@ impl<E: Effect> Scene<E> {
     /// the time and names no width, the torque on the body as it starts is looked at at 4097
     /// times: a jump between two of them, of an effect that does not claim to be smooth, is
     /// found to the last bit and met as if it were named; a pulse that lasts longer than the
-    /// time between two of them is seen, and taken in steps of two such times. A narrower
-    /// one, a jump that the torque has only on a body that moves otherwise, or a bump in space
+    /// time between two of them is seen, and taken in steps of twice the time in which it comes, or
+    /// of eight times that where the torque goes to and fro all along. A narrower one, a jump that the torque has only on a body that moves otherwise, or a bump in space
     /// that is narrower than a step may be missed by all runs alike;
     /// [`Solved::longest_step`] says how long the steps were.
     ///

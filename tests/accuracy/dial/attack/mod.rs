@@ -6,7 +6,7 @@ mod scenes;
 pub mod truth;
 
 use rotation_dynamics::{Error, Result};
-use scenes::{Case, KINDS, case};
+use scenes::{Case, KINDS, case, unnamed_pulse};
 use std::collections::BTreeMap;
 use support::Errors;
 
@@ -120,6 +120,23 @@ fn nothing_is_granted_that_does_not_hold() {
     ratios.attain(0.047..=0.048, 280);
 }
 
+/// Pulses and bursts that nothing names are seen where the dial says that it sees them, and no
+/// answer on them is above its request.
+#[test]
+fn pulses_without_a_name_are_seen() {
+    let [granted, refused] = unnamed(0..100);
+    assert_eq!([granted, refused], [193, 7]);
+}
+
+/// How many requests are granted, and refused; the promise is 1.
+fn unnamed(scenes: std::ops::Range<u64>) -> [usize; 2] {
+    let (tallies, failures) = attacked(scenes, 1, unnamed_pulse).expect("sound scenes");
+    println!("{}", table(&tallies));
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    let tally = &tallies["pulse"];
+    [tally.ratios.len(), tally.refused.values().sum()]
+}
+
 /// Those that were above their request once, by up to 1e8 times: a jump between two steps
 /// over the whole span, millions of steps, what sweeps leave of long runs; a piece between
 /// two jumps that all runs crossed in the same steps; tops near the upright, whose condition
@@ -159,4 +176,5 @@ fn ten_thousand_scenes() {
         failures.join("\n")
     );
     assert!(failures.is_empty());
+    unnamed(0..2000);
 }

@@ -38,7 +38,7 @@ pub fn case(n: u64) -> Result<Case> {
         3 => jumps(&mut dice, Named::Jumps),
         4 => jumps(&mut dice, Named::Nothing),
         5 => jumps(&mut dice, Named::Falsely),
-        6 => pulses(&mut dice),
+        6 => pulses(&mut dice, true),
         7 => damped(&mut dice),
         8 => misreported(&mut dice),
         _ => long(&mut dice),
@@ -232,30 +232,49 @@ fn solver<E: Effect + Clone + 'static>(
     }
 }
 
-/// Smooth pulses of 0.1 to 1e-5 of the span, whose width is named.
-fn pulses(dice: &mut Dice) -> Result<Case> {
+/// The n-th pulse, or burst of a wave, whose width nothing names.
+pub fn unnamed_pulse(n: u64) -> Result<Case> {
+    let mut dice = Dice(n + 2_000_000);
+    dice.part();
+    pulses(&mut dice, false)
+}
+
+/// Smooth pulses of 0.1 to 1e-5 of the span, whose width is named; or without a name, down to
+/// the time between two of the dial's looks, three quarters of them with up to four waves in the
+/// width.
+fn pulses(dice: &mut Dice, named: bool) -> Result<Case> {
     let t_end = dice.scale(1.0, 20.0);
-    let width = dice.scale(1e-5, 0.1) * t_end;
+    let waves = if named {
+        0.0
+    } else {
+        (dice.between(-8.0, 24.0)).max(0.0)
+    };
+    let narrowest = if named { 1e-5 } else { (1.0 + waves) / 4096.0 };
+    let width = dice.scale(narrowest, 0.1) * t_end;
     let middle = dice.between(0.2, 0.8) * t_end;
     let height = dice.between(-1.0, 1.0) / width;
     let pulse = move |t: f64| {
         let x = (t - middle) / width;
-        height * exp(-x * x)
+        height * exp(-x * x) * cos(waves * x)
     };
     let torque = Torque::on_space("pulse", move |t, _body: &RigidBody, state: &State| {
         state.angular_momentum * pulse(t)
     })
-    .smooth()
-    .with_narrowest(Feature {
-        time: width,
-        angle: f64::INFINITY,
-    })?;
+    .smooth();
+    let torque = if named {
+        torque.with_narrowest(Feature {
+            time: width,
+            angle: f64::INFINITY,
+        })?
+    } else {
+        torque
+    };
     // exp(P) is 1 before, and constant after; between, quadrature upon quadrature.
     let inner = move |t: f64| {
         let (from, to) = (middle - 7.0 * width, (middle + 7.0 * width).min(t));
         let (mut sum, mut grown) = (from.max(0.0), 0.0);
         let start = from.max(0.0);
-        const PIECES: usize = 64;
+        const PIECES: usize = 256;
         let h = (to - start) / PIECES as f64;
         for piece in 0..PIECES {
             let a = start + piece as f64 * h;
@@ -271,7 +290,7 @@ fn pulses(dice: &mut Dice) -> Result<Case> {
         }
         sum + (t - to).max(0.0) * exp(grown)
     };
-    let text = format!("pulse of {width:e} at {middle}, {height}");
+    let text = format!("pulse of {width:e} at {middle}, {height}, {waves}");
     along("pulse", dice, inner, t_end, solver(torque, t_end), text)
 }
 

@@ -89,7 +89,7 @@ fn by_two_routes<E: Effect + Clone>(
     let steps = Fineness::Steps((2.0 * turned).ceil() as u64 + 8);
     let (exact, _) = run(scene, start, times, gauss, steps)?;
     let adaptive = Way::Plain(Method::Dop853, Variables::Space);
-    let (other, _) = run(scene, start, times, adaptive, Fineness::Tolerance(1e-14))?;
+    let (other, _) = run(scene, start, times, adaptive, Fineness::Tolerance(1e-15))?;
     Ok((exact.angle_to(&other) < 1e-10).then_some(exact))
 }
 
