@@ -62,25 +62,30 @@ impl<const N: usize> Trial<N> {
             let [earlier @ .., (_, weight)] = A[i] else {
                 unreachable!("every stage but the first has weights");
             };
-            let mut y = combination(earlier, &self.k);
-            for n in 0..N {
-                y[n] = start[n] + h * (y[n] + weight * newest[n]);
-            }
+            // The sum is no part of y, which the system sees: it stays in registers, term by term.
+            let sum = combination(earlier, &self.k);
+            let y = core::array::from_fn(|n| start[n] + h * (sum[n] + weight * newest[n]));
             work.derivatives += 1;
             newest = ode.derivative(at, &y);
             if !write_finite(&newest, &mut self.k[i]) {
                 return Err(not_finite(at, &y, &self.k[i]));
             }
         }
-        self.made = mean_increment(h, A[STAGES], &self.k);
-        self.end = self.start.plus(&self.made);
-        self.t_end = t_end;
+        self.end_at(t_end);
         let drift = ode.drift(t_end, &self.end.value, self.within);
         self.back = drift.map(|drift| drift.map(|d| -d));
         if let Some(back) = &self.back {
             self.end = self.end.plus(back);
         }
         Ok(())
+    }
+
+    /// The end of the step, from its stages.
+    #[inline(never)] // Of no system: one for all of this size.
+    fn end_at(&mut self, t_end: f64) {
+        self.made = mean_increment(t_end - self.t, A[STAGES], &self.k);
+        self.end = self.start.plus(&self.made);
+        self.t_end = t_end;
     }
 
     /// Goes on from the end of the step, where the derivative is `first`.
@@ -117,11 +122,16 @@ impl<const N: usize> Trial<N> {
     /// e5^2 / sqrt(e5^2 + e3^2 / 100), in the mean over the components.
     #[inline(always)]
     pub fn error(&self, ode: &(impl Ode<N> + ?Sized), tolerance: f64) -> Result<f64> {
+        let size = sizes(ode, &self.start.value)?;
+        let size_end = sizes(ode, &self.end.value)?;
+        Ok(self.error_by(&size, &size_end, tolerance))
+    }
+
+    #[inline(never)] // As `end_at`.
+    fn error_by(&self, size: &[f64; N], size_end: &[f64; N], tolerance: f64) -> f64 {
         let h = self.t_end - self.t;
         let e5 = increment(h, ERROR_5, &self.k);
         let b3 = mean_increment(h, ORDER_3, &self.k);
-        let size = sizes(ode, &self.start.value)?;
-        let size_end = sizes(ode, &self.end.value)?;
         let (mut sum_5, mut sum_3) = (0.0, 0.0);
         for i in 0..N {
             let allowed = tolerance * size[i].max(size_end[i]);
@@ -130,9 +140,9 @@ impl<const N: usize> Trial<N> {
             sum_3 += r3 * r3;
         }
         if sum_5 == 0.0 {
-            return Ok(0.0);
+            return 0.0;
         }
-        Ok(sum_5 / ((sum_5 + 0.01 * sum_3) * N as f64).sqrt())
+        sum_5 / ((sum_5 + 0.01 * sum_3) * N as f64).sqrt()
     }
 
     /// The interpolant over this step. Three derivatives and the one at the end,
