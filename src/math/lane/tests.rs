@@ -1,7 +1,7 @@
 //! Every kind of registers gives the bits of one number at a time.
 
 use super::*;
-use crate::math::{sincos_turns, sinh_cosh_of};
+use crate::math::{STEEPEST, sincos_turns, sinh_cosh_of};
 
 /// Every operation of a lane, and those of its pairs.
 struct Probe;
@@ -17,7 +17,7 @@ impl Sampler<6> for Probe {
             (t * t + 0.1).sqrt() / (t - 0.3),
             t.leading() * first,
             second,
-            sinh_cosh_of(t.within(7.0)).0,
+            sinh_cosh_of((t * 20.0).within(STEEPEST)).0,
         ]
     }
 }
