@@ -5,8 +5,8 @@
 //! (gaps between roots, the complement of a modulus) and where a phase is
 //! multiplied by a long time; the samples themselves are plain `f64`.
 //!
-//! Not for: full IEEE semantics. Intermediate products must stay between about
-//! 1e-290 and 1e299, the range in which Dekker's product is exact.
+//! Not for: full IEEE semantics. Intermediate products must stay above about 1e-290: of
+//! smaller ones the error is no double.
 //!
 //! Why each step is exact, and what the set-ups make of it: `book/src/how_double_double.md`.
 //!
@@ -14,11 +14,12 @@
 //! V. Popescu, ACM TOMS 44, 15res (2017), whose error bounds hold for `+`, `*`
 //! and `/`; Y. Hida, X. Li, D. Bailey, ARITH-15 (2001).
 
-use super::lane::Lane;
+use super::lane::{Lane, Pair, Two};
+use super::product::Exact;
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// An unevaluated sum `hi + lo` of two doubles, 106 bits.
+/// An unevaluated sum `hi + lo` of two doubles, 106 bits; or several side by side.
 ///
 /// Largest relative errors measured in `tests/exact/double_double.rs`, in units of
 /// 2^-106: `+ * /` and `sqrt` 1.0, `exp` 0.9, `exp_m1` 4, `ln` 7, `ln_1p` 5,
@@ -31,9 +32,9 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// assert!(rest.abs().to_f64() <= 1e-32);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DoubleDouble {
-    hi: f64,
-    lo: f64,
+pub struct DoubleDouble<L = f64> {
+    hi: L,
+    lo: L,
 }
 
 /// `a + b` exactly, as rounded sum and error; any order of magnitudes (Knuth).
@@ -56,10 +57,22 @@ pub fn quick_two_sum<L: Lane>(a: L, b: L) -> (L, L) {
 #[inline(always)]
 pub fn two_product<L: Lane>(a: L, b: L) -> (L, L) {
     let product = a * b;
+    (product, error_by_halves(a, b, product))
+}
+
+/// What the product of two numbers is more than `product`, where no half leaves the range.
+#[inline(always)]
+pub(super) fn error_by_halves<L: Lane>(a: L, b: L, product: L) -> L {
     let (a_hi, a_lo) = split(a);
     let (b_hi, b_lo) = split(b);
-    let error = ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
-    (product, error)
+    ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo
+}
+
+/// The same as [`two_product`] by the fastest way that the processor has.
+#[inline(always)]
+fn exact_product<L: Exact>(a: L, b: L) -> (L, L) {
+    let product = a * b;
+    (product, a.product_error(b, product))
 }
 
 /// Two halves of 26 bits each, whose products are exact.
@@ -89,9 +102,86 @@ pub(crate) fn pair_plus<L: Lane>(a: (L, L), b: L) -> (L, L) {
 
 /// A pair times a number.
 #[inline(always)]
-pub(crate) fn pair_times<L: Lane>(a: (L, L), b: L) -> (L, L) {
-    let (product, error) = two_product(a.0, b);
+fn pair_times<L: Exact>(a: (L, L), b: L) -> (L, L) {
+    let (product, error) = exact_product(a.0, b);
     quick_two_sum(product, error + a.1 * b)
+}
+
+impl<L: Copy> DoubleDouble<L> {
+    /// The leading part: the nearest double.
+    #[inline]
+    pub const fn hi(self) -> L {
+        self.hi
+    }
+
+    /// The trailing part.
+    #[inline]
+    pub const fn lo(self) -> L {
+        self.lo
+    }
+}
+
+impl<L: Exact> DoubleDouble<L> {
+    /// The square.
+    #[inline]
+    pub fn square(self) -> Self {
+        let (hi, lo) = exact_product(self.hi, self.hi);
+        let (hi, lo) = quick_two_sum(hi, lo + self.hi * 2.0 * self.lo);
+        Self { hi, lo }
+    }
+
+    /// The product with a power of two, exactly.
+    #[inline]
+    pub fn scaled(self, power_of_two: f64) -> Self {
+        Self {
+            hi: self.hi * power_of_two,
+            lo: self.lo * power_of_two,
+        }
+    }
+
+    /// The same pair in every lane.
+    #[inline]
+    pub(crate) fn same(value: DoubleDouble) -> Self {
+        Self {
+            hi: L::of(value.hi),
+            lo: L::of(value.lo),
+        }
+    }
+
+    /// The sum with a number, or with one in each lane.
+    #[inline]
+    pub(crate) fn plus(self, other: L) -> Self {
+        let (hi, lo) = pair_plus((self.hi, self.lo), other);
+        Self { hi, lo }
+    }
+
+    /// The product with a number, or with one in each lane.
+    #[inline]
+    pub(crate) fn times(self, other: L) -> Self {
+        let (hi, lo) = pair_times((self.hi, self.lo), other);
+        Self { hi, lo }
+    }
+}
+
+impl DoubleDouble<Two> {
+    /// Two side by side.
+    #[inline]
+    pub(crate) fn both([first, second]: [DoubleDouble; 2]) -> Self {
+        Self {
+            hi: Two::new(first.hi, second.hi),
+            lo: Two::new(first.lo, second.lo),
+        }
+    }
+
+    /// Either of them.
+    #[inline]
+    pub(crate) fn parts(self) -> [DoubleDouble; 2] {
+        let ((first, second), (first_low, second_low)) = (self.hi.parts(), self.lo.parts());
+        [
+            DoubleDouble::from_parts(first, first_low),
+            DoubleDouble::from_parts(second, second_low),
+        ]
+    }
 }
 
 impl From<f64> for DoubleDouble {
@@ -126,20 +216,8 @@ impl DoubleDouble {
     /// The product of two doubles, exactly.
     #[inline]
     pub fn product(a: f64, b: f64) -> Self {
-        let (hi, lo) = two_product(a, b);
+        let (hi, lo) = exact_product(a, b);
         Self { hi, lo }
-    }
-
-    /// The leading part: the nearest double.
-    #[inline]
-    pub const fn hi(self) -> f64 {
-        self.hi
-    }
-
-    /// The trailing part.
-    #[inline]
-    pub const fn lo(self) -> f64 {
-        self.lo
     }
 
     /// The nearest double.
@@ -176,23 +254,6 @@ impl DoubleDouble {
         if other < self { other } else { self }
     }
 
-    /// The square.
-    #[inline]
-    pub fn square(self) -> Self {
-        let (hi, lo) = two_product(self.hi, self.hi);
-        let (hi, lo) = quick_two_sum(hi, lo + 2.0 * self.hi * self.lo);
-        Self { hi, lo }
-    }
-
-    /// The product with a power of two, exactly.
-    #[inline]
-    pub fn scaled(self, power_of_two: f64) -> Self {
-        Self {
-            hi: self.hi * power_of_two,
-            lo: self.lo * power_of_two,
-        }
-    }
-
     /// One over the value.
     #[inline]
     pub fn recip(self) -> Self {
@@ -207,7 +268,7 @@ impl DoubleDouble {
         // One Newton step; what the root's square leaves of `self` is a double but for
         // its own rounding, since the leading parts agree.
         let root = self.hi.sqrt();
-        let (square, error) = two_product(root, root);
+        let (square, error) = exact_product(root, root);
         let rest = ((self.hi - square) - error) + self.lo;
         let (hi, lo) = quick_two_sum(root, rest / (2.0 * root));
         Self { hi, lo }
@@ -438,7 +499,7 @@ const COS_TAIL: [f64; 7] = [
     3.7699876288159054e-33,
 ];
 
-impl Add for DoubleDouble {
+impl<L: Exact> Add for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -447,42 +508,40 @@ impl Add for DoubleDouble {
     }
 }
 
-impl Add<f64> for DoubleDouble {
+impl<L: Exact> Add<f64> for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn add(self, other: f64) -> Self {
-        let (hi, lo) = pair_plus((self.hi, self.lo), other);
-        Self { hi, lo }
+        self.plus(L::of(other))
     }
 }
 
-impl Mul for DoubleDouble {
+impl<L: Exact> Mul for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let (product, error) = two_product(self.hi, other.hi);
+        let (product, error) = exact_product(self.hi, other.hi);
         let (hi, lo) = quick_two_sum(product, error + (self.hi * other.lo + self.lo * other.hi));
         Self { hi, lo }
     }
 }
 
-impl Mul<f64> for DoubleDouble {
+impl<L: Exact> Mul<f64> for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn mul(self, other: f64) -> Self {
-        let (hi, lo) = pair_times((self.hi, self.lo), other);
-        Self { hi, lo }
+        self.times(L::of(other))
     }
 }
 
-impl Div for DoubleDouble {
+impl<L: Exact> Div for DoubleDouble<L> {
     type Output = Self;
     /// One Newton step: what the leading quotient leaves of `self` is a double but for
     /// its own rounding, since the leading parts agree.
     #[inline]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;
-        let (product, error) = two_product(quotient, other.hi);
+        let (product, error) = exact_product(quotient, other.hi);
         let rest = ((self.hi - product) - error) + (self.lo - quotient * other.lo);
         let (hi, lo) = quick_two_sum(quotient, rest / other.hi);
         Self { hi, lo }
@@ -497,7 +556,7 @@ impl Div<f64> for DoubleDouble {
     }
 }
 
-impl Neg for DoubleDouble {
+impl<L: Exact> Neg for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -508,7 +567,7 @@ impl Neg for DoubleDouble {
     }
 }
 
-impl Sub for DoubleDouble {
+impl<L: Exact> Sub for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -516,7 +575,7 @@ impl Sub for DoubleDouble {
     }
 }
 
-impl Sub<f64> for DoubleDouble {
+impl<L: Exact> Sub<f64> for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn sub(self, other: f64) -> Self {
@@ -524,26 +583,26 @@ impl Sub<f64> for DoubleDouble {
     }
 }
 
-impl Add<DoubleDouble> for f64 {
-    type Output = DoubleDouble;
+impl<L: Exact> Add<DoubleDouble<L>> for f64 {
+    type Output = DoubleDouble<L>;
     #[inline]
-    fn add(self, other: DoubleDouble) -> DoubleDouble {
+    fn add(self, other: DoubleDouble<L>) -> DoubleDouble<L> {
         other + self
     }
 }
 
-impl Sub<DoubleDouble> for f64 {
-    type Output = DoubleDouble;
+impl<L: Exact> Sub<DoubleDouble<L>> for f64 {
+    type Output = DoubleDouble<L>;
     #[inline]
-    fn sub(self, other: DoubleDouble) -> DoubleDouble {
+    fn sub(self, other: DoubleDouble<L>) -> DoubleDouble<L> {
         -other + self
     }
 }
 
-impl Mul<DoubleDouble> for f64 {
-    type Output = DoubleDouble;
+impl<L: Exact> Mul<DoubleDouble<L>> for f64 {
+    type Output = DoubleDouble<L>;
     #[inline]
-    fn mul(self, other: DoubleDouble) -> DoubleDouble {
+    fn mul(self, other: DoubleDouble<L>) -> DoubleDouble<L> {
         other * self
     }
 }

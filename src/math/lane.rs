@@ -291,6 +291,8 @@ impl Phased for f64 {
 #[derive(Debug, Clone, Copy)]
 pub struct Both<L>(L, L);
 
+#[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
+pub(crate) use x86::fused;
 /// Eight numbers in registers of AVX-512, and in those of AVX2: only where they are.
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{Eight, FourTwice};
@@ -315,6 +317,10 @@ impl<L: Copy> Both<L> {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(L, L) -> L) -> Self {
         Self(f(self.0, other.0), f(self.1, other.1))
+    }
+    #[inline(always)]
+    pub(crate) fn zip3(self, b: Self, c: Self, f: impl Fn(L, L, L) -> L) -> Self {
+        Self(f(self.0, b.0, c.0), f(self.1, b.1, c.1))
     }
 }
 
@@ -458,6 +464,12 @@ pub(crate) fn has_avx512() -> bool {
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn has_avx2() -> bool {
     widest() >= 4 && std::is_x86_feature_detected!("avx2")
+}
+
+/// True if the processor multiplies and adds with one rounding and this run may use it.
+#[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
+pub(crate) fn has_fma() -> bool {
+    widest() >= 4 && std::is_x86_feature_detected!("fma")
 }
 
 /// Something to be done in registers.

@@ -10,6 +10,7 @@ mod hyperbolic;
 mod hypot;
 pub mod lane;
 mod order;
+mod product;
 mod turns;
 mod versine;
 
@@ -24,6 +25,7 @@ pub use libm::{
 #[cfg(feature = "report")]
 pub(crate) use order::order_of;
 pub(crate) use order::{order_of_three, sort_by_number};
+pub(crate) use product::Exact;
 pub(crate) use turns::{Clock, Reduced, Time, known, sincos_of, unsigned_sincos_of};
 pub use turns::{round_even, sincos_turns};
 pub(crate) use versine::sinc_versine;

@@ -370,6 +370,9 @@ impl HeavyTop {
         let course = if let Some(theta) = fixed {
             Course::Fixed { theta }
         } else {
+            if conserved.largest_square() > MOST {
+                return Err(far_apart());
+            }
             let roots = Roots::new(&conserved, &origin);
             let homoclinic = roots.x2 == 0.0 && roots.outer == 0.0;
             let at_pole = roots.x1 <= 0.0 || roots.y2 <= 0.0;
@@ -497,6 +500,10 @@ struct HalfAngle {
 }
 
 const UP: f64 = 2.037_035_976_334_486e90; // 2^300
+
+/// The largest square of a rate whose products with the others are looked into: not far above,
+/// some are infinite and others are not, and what comes of it may look like a motion.
+const MOST: f64 = 1e299;
 
 /// An angle of no more turns than leave its last bit a meaning: at 1e15 rad that is 1/8 rad.
 fn known_turn(name: &'static str, angle: f64) -> Result<f64> {

@@ -35,6 +35,17 @@ pub(super) struct Conserved {
     pub gravity: Dd,
 }
 
+impl Conserved {
+    /// The largest of the squares of rates, to a double's digits.
+    pub fn largest_square(&self) -> f64 {
+        [self.spin, self.difference, self.sum]
+            .map(|rate| rate.hi() * rate.hi())
+            .into_iter()
+            .chain([self.excess, self.total, self.gravity].map(|square| square.hi().abs()))
+            .fold(0.0, f64::max)
+    }
+}
+
 /// Where the motion starts.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Origin {

@@ -1,6 +1,8 @@
 //! The vector registers of x86-64.
 
 use super::{Add, Both, Div, HALF, LEADING, Lane, Mul, Neg, Number, ONE, Pair, Phased, Sub, Work};
+#[cfg(not(target_feature = "fma"))]
+use core::arch::asm;
 use core::arch::x86_64::*;
 
 /// Only for a processor that has AVX-512F.
@@ -256,5 +258,46 @@ impl Pair<f64> for Two {
     #[inline(always)]
     fn swapped(self) -> Self {
         Self(unsafe { _mm_shuffle_pd::<1>(self.0, self.0) })
+    }
+}
+
+// Not by `mul_add`, which is an instruction only inside functions that are compiled for such
+// processors alone, and cannot be inlined into others.
+#[cfg(not(target_feature = "fma"))]
+macro_rules! fused {
+    ($instruction:literal, $a:expr, $b:expr, $product:expr) => {{
+        let mut error = $a;
+        asm!(
+            concat!($instruction, " {error}, {b}, {product}"),
+            error = inout(xmm_reg) error,
+            b = in(xmm_reg) $b,
+            product = in(xmm_reg) $product,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+        error
+    }};
+}
+
+/// `a b - product`, rounded once.
+///
+/// # Safety
+/// Only for a processor that has FMA.
+#[cfg(not(target_feature = "fma"))]
+#[inline(always)]
+pub(crate) unsafe fn fused(a: f64, b: f64, product: f64) -> f64 {
+    // SAFETY: the instruction touches nothing but these registers.
+    unsafe { fused!("vfmsub213sd", a, b, product) }
+}
+
+#[cfg(not(target_feature = "fma"))]
+impl Two {
+    /// `self b - product`, rounded once.
+    ///
+    /// # Safety
+    /// Only for a processor that has FMA.
+    #[inline(always)]
+    pub(crate) unsafe fn fused(self, b: Self, product: Self) -> Self {
+        // SAFETY: the instruction touches nothing but these registers.
+        Self(unsafe { fused!("vfmsub213pd", self.0, b.0, product.0) })
     }
 }

@@ -192,3 +192,15 @@ fn rates_that_would_be_lost_are_refused() {
     let momentum = slow.expect("slow").angular_momentum(0.0).to_array();
     assert!((momentum[0] / 4.5e-100 - 1.0).abs() < 4e-16, "{momentum:?}");
 }
+
+/// Squares of its rates are the last that doubles hold, and what is multiplied by gravity is
+/// small again: it would start 0.07 rad from where it is put.
+#[test]
+fn rates_whose_powers_come_back_are_refused() {
+    let top = ReducedTop::formal(8.6e98, -5.5e103, 7.9e-87).expect("a top");
+    let made = HeavyTop::from_angles(top, 1.1, 1.3e80, 0.1, 0.2);
+    assert!(
+        matches!(made, Err(Error::RatesTooFarApart { .. })),
+        "{made:?}"
+    );
+}
