@@ -3,7 +3,7 @@
 //!
 //! Derived in `book/src/how_heavy_top.md` and `book/src/how_free_body.md`.
 
-use crate::exact::nome::{Angle, Nome};
+use crate::exact::nome::{Angle, Depth, Nome};
 use crate::math::{DoubleDouble as Dd, exp, expm1};
 
 /// Periods and nome of a parameter m.
@@ -41,7 +41,7 @@ impl Periods {
     /// The argument u <= K/2 with sc^2(u|m) = `num`/`den`.
     pub fn argument(&self, num: Dd, den: Dd) -> Dd {
         self.nome.argument(if self.hyperbolic {
-            self.nome.depth(num, den).y
+            self.nome.depth(num, den).y()
         } else {
             self.nome.angle(num, den).z
         })
@@ -63,14 +63,38 @@ impl Periods {
     /// The zero i eta, 0 <= eta <= K', from sc^2(eta|m1) and sc^2(K' - eta|m1), each as a
     /// quotient.
     pub fn zero(&self, eta: (Dd, Dd), rest: (Dd, Dd)) -> Zero {
-        let nome = &self.nome;
-        let nearer = eta.0 * rest.1 <= rest.0 * eta.1;
-        let (num, den) = if nearer { eta } else { rest };
+        let (nearer, (num, den)) = nearer_zero(eta, rest);
         if self.hyperbolic {
-            let angle = nome.angle(num, den);
-            return Zero::Along(if nearer { angle } else { angle.complement() });
+            self.along(nearer, self.nome.angle(num, den))
+        } else {
+            self.across(nearer, self.nome.depth(num, den))
         }
-        let depth = nome.depth(num, den);
+    }
+
+    /// Two of them.
+    pub fn zeros(&self, zeros: [[(Dd, Dd); 2]; 2]) -> [Zero; 2] {
+        let [(first, of_first), (second, of_second)] =
+            zeros.map(|[eta, rest]| nearer_zero(eta, rest));
+        if self.hyperbolic {
+            let angle = |(num, den)| self.nome.angle(num, den);
+            [
+                self.along(first, angle(of_first)),
+                self.along(second, angle(of_second)),
+            ]
+        } else {
+            let [one, other] = self.nome.depths([of_first, of_second]);
+            [self.across(first, one), self.across(second, other)]
+        }
+    }
+
+    /// From the angle of eta, or of K' - eta.
+    fn along(&self, nearer: bool, angle: Angle) -> Zero {
+        Zero::Along(if nearer { angle } else { angle.complement() })
+    }
+
+    /// From the depth of eta, or of K' - eta.
+    fn across(&self, nearer: bool, depth: Depth) -> Zero {
+        let nome = &self.nome;
         // No q -> 0 times e^y -> infinity.
         let other = if nome.q == 0.0 {
             Dd::ZERO
@@ -93,6 +117,12 @@ impl Periods {
     }
 }
 
+/// Which of the two quotients belongs to the zero's nearer end, true if to eta, and that one.
+fn nearer_zero(eta: (Dd, Dd), rest: (Dd, Dd)) -> (bool, (Dd, Dd)) {
+    let nearer = eta.0 * rest.1 <= rest.0 * eta.1;
+    (nearer, if nearer { eta } else { rest })
+}
+
 /// A zero off the real axis, in the terms of the series that converges.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Zero {
@@ -104,13 +134,13 @@ pub(super) enum Zero {
 
 /// A zero by y = pi eta/2K.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Across {
+pub(super) struct Across<L = f64> {
     /// e^{-2y}.
-    pub decay: Dd,
+    pub decay: Dd<L>,
     /// 1 - e^{-2y}.
-    pub fall: Dd,
+    pub fall: Dd<L>,
     /// q e^{2y}.
-    pub rest: Dd,
+    pub rest: Dd<L>,
 }
 
 /// Waves of w >= 0 times 2 e^{-w}, so that nothing overflows, and the n-th times the n-th power of

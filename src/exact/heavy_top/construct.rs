@@ -460,7 +460,7 @@ impl HeavyTop {
         regular && phases && periodic && apart
     }
 
-    fn moving(problem: &Problem, flip: f64, motion: Motion) -> Course {
+    fn moving(problem: &Problem, flip: f64, motion: Box<Motion>) -> Course {
         // alpha turns with (phi + zeta)/2, beta with (phi - zeta)/2; the free spin goes
         // to zeta. In v the two are exchanged for a flipped top.
         let turns = [1.0, -1.0].map(|sense| {
@@ -485,7 +485,7 @@ impl HeavyTop {
             }
         };
         Course::Moving {
-            motion: Box::new(motion),
+            motion,
             turns,
             form,
         }

@@ -76,15 +76,16 @@ pub(super) struct Place {
 
 impl Motion {
     /// The motion through `origin` with these roots, neither at rest nor upright.
-    pub fn new(conserved: &Conserved, origin: &Origin, roots: Roots) -> Self {
+    pub fn new(conserved: &Conserved, origin: &Origin, roots: Roots) -> Box<Self> {
         let span = roots.span();
         let p = span.sqrt().scaled(0.5);
-        let (m, m1) = (roots.parameter(), roots.complementary_parameter());
+        let [m, m1] = roots.parameters(span);
         let periods = Periods::new(m, m1, 0.8);
         let quarter = periods.quarter;
         let homoclinic = !quarter.is_finite();
-        let [a, b] = zeros(conserved, &roots, &periods);
-        let matched = Series::matched(&periods.nome, &a, &b, roots.y2.sqrt(), roots.x1.sqrt());
+        let [a, b] = zeros(conserved, &roots, span, &periods);
+        let sizes = [roots.y2.sqrt(), roots.x1.sqrt()];
+        let matched = Series::matched(&periods.nome, &a, &b, sizes);
         let step = [&a, &b].map(|zero| match zero.place {
             theta::Zero::Along(angle) => angle.z * zero.sign,
             theta::Zero::Across(_) => Dd::ZERO,
@@ -92,37 +93,26 @@ impl Motion {
         let rate = Dd::FRAC_PI_2 * p / periods.nome.quarter;
         // The phase rates are matched where they do not cancel: that of a at the upper
         // turning point, (A+B)/2(1+v2), that of b at the lower one, (A-B)/2(1-v1).
-        let channel = |zero: &Zero, turning: Dd, slope: Dd, step: Dd, reached: bool| Channel {
-            rate: turning.scaled(0.5) - rate * slope,
-            step,
-            sign: zero.sign,
-            reached,
+        let turning = [conserved.sum / roots.y2, conserved.difference / roots.x1];
+        let reached = [
+            conserved.sum == 0.0,
+            conserved.difference == 0.0 && roots.x2 == 0.0,
+        ];
+        let channels = [0, 1].map(|i| Channel {
+            rate: turning[i].scaled(0.5) - rate * matched.slopes[i],
+            step: step[i],
+            sign: [a.sign, b.sign][i],
+            reached: reached[i],
             initial: 0.0,
             initial_half_turns: 0.0,
-        };
-        let channels = [
-            channel(
-                &a,
-                conserved.sum / roots.y2,
-                matched.slope_a,
-                step[0],
-                conserved.sum == 0.0,
-            ),
-            channel(
-                &b,
-                conserved.difference / roots.x1,
-                matched.slope_b,
-                step[1],
-                conserved.difference == 0.0 && roots.x2 == 0.0,
-            ),
-        ];
+        });
         let (first, offset) = time_from_turning_point(origin, &roots, &periods, p);
         let half_period = if homoclinic { quarter } else { quarter / p };
         // The transverse rate at the lower turning point, +-(A - B v1)/sin(theta), times the
         // size that both series together have there.
         let far = roots.outer + roots.gravity.scaled(2.0);
         let spin = conserved.spin * roots.y1.sqrt() * a.sign;
-        let turning = (spin - (far * roots.y2).sqrt()) / roots.x1.sqrt();
+        let turning = (spin - (far * roots.y2).sqrt()) / sizes[1];
         let nome = &periods.nome;
         let rates = match [a.place, b.place] {
             [theta::Zero::Along(of_a), theta::Zero::Along(of_b)] => {
@@ -135,7 +125,7 @@ impl Motion {
                 Rates::Trigonometric(RateWave::new(nome, &a, &b, turning * size))
             }
         };
-        let mut motion = Self {
+        let mut motion = Box::new(Self {
             roots,
             m,
             m1,
@@ -150,7 +140,7 @@ impl Motion {
             rate,
             channels,
             start: 0.0,
-        };
+        });
         motion.set_start();
         motion
     }
@@ -257,20 +247,23 @@ pub(super) fn nearest(x: f64) -> f64 {
 /// The zeros of both parameters: sc^2(eta_a|m1) = (1+v1)/(v2-v1) and
 /// sc^2(eta_b|m1) = (1-v2)(v3-v1)/((v2-v1)(v3-1)); from the other side, K' - eta, they are
 /// 1/(m sc^2(eta|m1)), in which the gap v2 - v1 cancels.
-fn zeros(conserved: &Conserved, roots: &Roots, periods: &Periods) -> [Zero; 2] {
-    let span = roots.span();
+fn zeros(conserved: &Conserved, roots: &Roots, span: Dd, periods: &Periods) -> [Zero; 2] {
     let kappa = roots.gravity / span;
     let near = roots.outer / span;
     let Roots { x2, y1, gap, .. } = *roots;
     let sign = |value: Dd| if value < 0.0 { -1.0 } else { 1.0 };
+    let [of_a, of_b] = periods.zeros([
+        [(y1, gap), (Dd::ONE, kappa * y1)],
+        [(x2, gap * near), (near, kappa * x2)],
+    ]);
     [
         Zero {
             sign: sign(conserved.sum),
-            place: periods.zero((y1, gap), (Dd::ONE, kappa * y1)),
+            place: of_a,
         },
         Zero {
             sign: sign(conserved.difference),
-            place: periods.zero((x2, gap * near), (near, kappa * x2)),
+            place: of_b,
         },
     ]
 }

@@ -51,10 +51,11 @@ impl RateWave {
     /// From the zeros of the Cayley-Klein parameters; `size` is the value at z = 0.
     pub fn new(nome: &Nome, a: &Zero, b: &Zero, size: Dd) -> Self {
         let (sense, zero) = zero(a, b);
-        let wave = Wave::new(&zero, nome);
+        let wave = Wave::new(&zero.across(), nome);
+        let terms = wave.times(size / wave.at_zero);
         Self {
             sense,
-            factor: wave.h1(size / wave.at_zero),
+            factor: terms.h1(zero.sign),
         }
     }
 }
@@ -65,9 +66,9 @@ impl RateWave {
 /// The sense is that of y_b - y_a, so |y| <= pi K'/2K. The quotients may be 0/0 where
 /// q = 0; then q beside them drops them.
 fn zero(a: &Zero, b: &Zero) -> (f64, Zero) {
-    let [(decay_a, rest_a), (decay_b, rest_b)] = [a, b].map(|zero| match zero.place {
-        theta::Zero::Across(Across { decay, rest, .. }) => (decay, rest),
-        theta::Zero::Along(_) => (Dd::ZERO, Dd::ZERO),
+    let [(decay_a, rest_a), (decay_b, rest_b)] = [a, b].map(|zero| {
+        let Across { decay, rest, .. } = zero.across();
+        (decay, rest)
     });
     let quotient = |part: Dd, whole: Dd| {
         if whole == 0.0 { Dd::ZERO } else { part / whole }

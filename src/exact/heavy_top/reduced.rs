@@ -164,19 +164,22 @@ impl ReducedTop {
         };
         let (p, q) = (eighth * left * left, eighth * right * right);
         let r = 2.0 * self.c.abs();
-        let place = convex_minimum_guess(p, q, r);
-        // U at any place is at least U_min.
-        let t = place.sqrt();
-        let (left, right) = (left / t, right * t);
-        let rotational = eighth * (left + right) * (left + right);
-        let fall = place * r / (place + 1.0);
-        let here = if self.c >= 0.0 {
-            rotational - fall
-        } else {
-            rotational + (r - fall)
+        // U at any place is at least U_min: where its slope begins to be sought is often enough.
+        let above = |place: f64| {
+            let t = place.sqrt();
+            let (left, right) = (left / t, right * t);
+            let rotational = eighth * (left + right) * (left + right);
+            let fall = place * r / (place + 1.0);
+            let here = if self.c >= 0.0 {
+                rotational - fall
+            } else {
+                rotational + (r - fall)
+            };
+            let size = eighth * (left.abs() + right.abs()) * (left.abs() + right.abs()) + r;
+            energy - here > 64.0 * EPS * size
         };
-        let size = eighth * (left.abs() + right.abs()) * (left.abs() + right.abs()) + r;
-        energy - here > 64.0 * EPS * size
+        let start = (p / q).sqrt().max((r / q).sqrt() - 1.0);
+        above(start) || (p != 0.0 && r != 0.0 && above(newton_from_left(p, q, r, start)))
     }
 
     /// Angle and value of the minimum, and the size of the terms that make the value.
@@ -263,15 +266,6 @@ fn convex_minimum(p: Dd, q: Dd, r: f64) -> Option<Dd> {
         t = t - f / slope(p.hi(), r, t.hi());
     }
     Some(t)
-}
-
-/// The same in plain `f64`, and no worse than that: 0 or infinite where it has no minimum.
-fn convex_minimum_guess(p: f64, q: f64, r: f64) -> f64 {
-    let start = (p / q).sqrt().max((r / q).sqrt() - 1.0);
-    if p == 0.0 || r == 0.0 {
-        return start;
-    }
-    newton_from_left(p, q, r, start)
 }
 
 /// f = q - p/T^2 - r/(1+T)^2 is increasing and concave, f(start) <= 0: Newton's steps

@@ -118,12 +118,14 @@ impl Roots {
         };
         let product_y = sum.square() / far;
 
-        let (x1, y2, gap, start) = match origin {
+        let other = |product: Dd, root: Dd| if root > 0.0 { product / root } else { Dd::ZERO };
+        let (x1, x2, y1, y2, gap, start) = match origin {
             Origin::State(state) => {
                 let (below, above) = turning_points_around(state, outer, gravity);
                 let x1 = state.to_one + below;
                 let y2 = state.from_minus_one + above;
-                (x1, y2, below + above, (below, above))
+                let (x2, y1) = (other(product_x, x1), other(product_y, y2));
+                (x1, x2, y1, y2, below + above, (below, above))
             }
             Origin::Lower | Origin::Upper => {
                 // X1 + X2 from either of two identities, whichever cancels less.
@@ -134,29 +136,29 @@ impl Roots {
                 } else {
                     (product_x * gravity + c1) / outer
                 };
-                let (x1, y2, gap) = if sum_x <= 2.0 {
+                let (x1, x2, y1, y2, gap) = if sum_x <= 2.0 {
                     let root = distance(sum_x, product_x);
                     let x1 = (sum_x + root).scaled(0.5);
-                    let x2 = if x1 > 0.0 { product_x / x1 } else { Dd::ZERO };
-                    (x1, 2.0 - x2, root)
+                    let x2 = other(product_x, x1);
+                    let y2 = 2.0 - x2;
+                    (x1, x2, other(product_y, y2), y2, root)
                 } else {
                     let slope = (total + sum * spin).scaled(2.0);
                     let sum_y = (slope - product_y * gravity) / far;
                     let root = distance(sum_y, product_y);
                     let y2 = (sum_y + root).scaled(0.5);
-                    let y1 = if y2 > 0.0 { product_y / y2 } else { Dd::ZERO };
-                    (2.0 - y1, y2, root)
+                    let y1 = other(product_y, y2);
+                    let x1 = 2.0 - y1;
+                    (x1, other(product_x, x1), y1, y2, root)
                 };
                 let start = if matches!(origin, Origin::Lower) {
                     (Dd::ZERO, gap)
                 } else {
                     (gap, Dd::ZERO)
                 };
-                (x1, y2, gap, start)
+                (x1, x2, y1, y2, gap, start)
             }
         };
-        let x2 = if x1 > 0.0 { product_x / x1 } else { Dd::ZERO };
-        let y1 = if y2 > 0.0 { product_y / y2 } else { Dd::ZERO };
         Self {
             x1,
             x2: x2.max(Dd::ZERO),
@@ -174,14 +176,13 @@ impl Roots {
         self.outer + self.gravity * self.x1
     }
 
-    /// The parameter m = (v2 - v1)/(v3 - v1).
-    pub fn parameter(&self) -> Dd {
-        self.gravity * self.gap / self.span()
-    }
-
-    /// 1 - m = (v3 - v2)/(v3 - v1): a sum of gaps, nothing cancels.
-    pub fn complementary_parameter(&self) -> Dd {
-        (self.outer + self.gravity * self.x2) / self.span()
+    /// The parameter m = (v2 - v1)/(v3 - v1), and 1 - m = (v3 - v2)/(v3 - v1): a sum of gaps,
+    /// nothing cancels. `span` is that of the roots.
+    pub fn parameters(&self, span: Dd) -> [Dd; 2] {
+        [
+            self.gravity * self.gap / span,
+            (self.outer + self.gravity * self.x2) / span,
+        ]
     }
 }
 
