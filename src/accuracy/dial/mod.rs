@@ -143,8 +143,8 @@ impl<E: Effect> Scene<E> {
     /// 1e-9, 14 % at 1e-12 and 48 % at 1e-13.
     ///
     /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
-    /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.4 to
-    /// 3.6 times where Gauss-Legendre is chosen, 4 to 6 times elsewhere, and up to 9 times under
+    /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.5 to
+    /// 3.3 times where Gauss-Legendre is chosen, 4 to 7 times elsewhere, and 8 to 10 times under
     /// drag that is not known to be smooth (medians by kind of scene;
     /// `benches/record/price.txt`). Where a motion passes near a separatrix, the torque is not
     /// known to be smooth, or the floor comes near to what is asked, the condition is felt with

@@ -16,9 +16,10 @@ use crate::math::lane::Row;
 /// Bodies that are asked for their states at one time after the other: side by side in vector
 /// registers, each kind of motion with its own.
 ///
-/// Cost of a state of 512 tumbling bodies, one by one over that: 2.7 with AVX-512, 2.1 with
-/// AVX2, beside their middle axes 2.9 and 2.4 (`benches`, binary `batch`). Where they are more
-/// than a cache holds, some 400 bytes each, they take the time that memory does.
+/// Of 512 tumbling bodies one by one, a state takes 2.7 times as long as together with AVX-512 and
+/// 2.1 times as long as with AVX2; beside their middle axes it is 2.9 and 2.4 times (`benches`,
+/// binary `batch`). Bodies that a cache does not hold, some 400 bytes each, take the time in which
+/// memory brings them.
 ///
 /// ```
 /// # use rotation_dynamics::{attitude::Attitude, body::Kinematics};
