@@ -87,12 +87,8 @@ fn distance<const N: usize, S: Phased<N>>(
     b: &Run<S::Phase, N>,
 ) -> f64 {
     let (events_a, events_b) = (a.transitions(), b.transitions());
-    // Of conditions that fail together either may be met first: what counts is what follows.
-    let same = events_a.len() == events_b.len()
-        && events_a.iter().zip(events_b).all(|(x, y)| {
-            let changes = x.to.is_some_and(|to| to != x.from);
-            x.to == y.to && (changes || x.name == y.name)
-        });
+    let pairs = || events_a.iter().zip(events_b);
+    let same = events_a.len() == events_b.len() && pairs().all(|(x, y)| x.to == y.to);
     if !same {
         return f64::INFINITY;
     }
@@ -102,9 +98,13 @@ fn distance<const N: usize, S: Phased<N>>(
         (0..N).fold(0.0, |most, i| larger(most, (x[i] - y[i]).abs() / size[i]))
     };
     let mut most = (a.end_time() - span).abs() / span;
-    for (x, y) in events_a.iter().zip(events_b) {
+    for (x, y) in pairs() {
         most = larger(most, (x.t - y.t).abs() / span);
         most = larger(most, apart(&x.before, &y.before));
+        // Of conditions that fail together either may be met first: what counts is what follows.
+        if x.name != y.name {
+            most = larger(most, apart(&x.after, &y.after));
+        }
     }
     match (a.end_state(), b.end_state()) {
         (Some(x), Some(y)) => larger(most, apart(x, y)),

@@ -149,3 +149,59 @@ fn phases_are_compared() {
     let done = simulate_within(&scene, tolerance, Growth::Grows, [0.0, 1.0], 2.0).unwrap();
     assert_eq!(done.step_error, tolerance / 32.0);
 }
+
+/// A clock, and a coordinate that grows as e^(8 t). At t = 1 two conditions fail nearly at once:
+/// which is first depends on how large the coordinate is. Each puts the clock to 4 and leaves of
+/// the coordinate what is said, which decays as e^(-40 t).
+struct Tied {
+    threshold: f64,
+    leaves: [f64; 2],
+}
+
+impl Phased<2> for Tied {
+    type Phase = ();
+    fn derivative(&self, (): (), [clock, x]: &[f64; 2]) -> [f64; 2] {
+        [1.0, if *clock < 2.0 { 8.0 * x } else { -40.0 * x }]
+    }
+    fn conditions(&self, (): ()) -> Vec<Condition<'_, (), 2>> {
+        let left = |[clock, _]: &[f64; 2]| (clock - 2.0).abs() - 1.0;
+        let [one, other] = self
+            .leaves
+            .map(|x| Next::jump((), move |_: &[f64; 2]| [4.0, x]));
+        vec![
+            Condition::gap("one", left, one),
+            Condition::gap(
+                "other",
+                move |y| left(y) + 1e-7 * (self.threshold - y[1]),
+                other,
+            ),
+        ]
+    }
+}
+
+/// Of two conditions that fail together one run meets the one first, the next run the other:
+/// they agree if the same follows.
+#[test]
+fn what_follows_is_compared_and_not_which_came_first() {
+    let tolerance = 1e-3;
+    let runs = |scene: &Tied| two_runs(scene, (), [0.0, 1.0], 2.0, tolerance);
+    let before = |run: Run<(), 2>| run.transitions()[0].before[1];
+    let [first, second] = runs(&Tied {
+        threshold: 1e4,
+        leaves: [0.0; 2],
+    })
+    .map(before);
+    let tied = |leaves| Tied {
+        threshold: 0.5 * (first + second),
+        leaves,
+    };
+    let names = runs(&tied([0.0; 2])).map(|run| run.transitions()[0].name);
+    assert_ne!(names[0], names[1]);
+    let step_error = |leaves| {
+        let done = simulate_within(&tied(leaves), tolerance, (), [0.0, 1.0], 2.0);
+        done.unwrap().step_error
+    };
+    assert_eq!(step_error([0.0; 2]), tolerance / 32.0);
+    // The damaged twin: something else follows, which is forgotten by the end.
+    assert_eq!(step_error([0.0, 1.0]), tolerance / 32.0 / 32.0);
+}
