@@ -42,7 +42,7 @@ fn smooth(damage: f64) -> Errors {
         let rate = (1.5 * G / LENGTH).sqrt();
         let end = landing.min(motion.end_time());
         for i in 0..=40 {
-            let t = end * f64::from(i) / 40.0;
+            let t = end * (f64::from(i) / 40.0);
             let (got, want) = (motion.at(t).unwrap(), exact.at(t).unwrap());
             let [wall, floor] = motion.forces(t).unwrap();
             for (got, want, size) in [
