@@ -138,9 +138,9 @@ impl<E: Effect> Scene<E> {
     /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/dial`):
     /// bodies with and without gravity, needles, separatrices, poles, upright and
     /// hanging tops, a torque that damps and drives. The median of delivered over requested, when
-    /// everything is stepped, is 2e-4 to 4e-4 from 1e-3 to 1e-9, 6e-4 at 1e-10, 1e-3 at 1e-11,
-    /// 4e-3 at 1e-12 and 1.4e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at
-    /// 1e-9, 14 % at 1e-12 and 48 % at 1e-13.
+    /// everything is stepped, is 2e-4 to 4e-4 from 1e-3 to 1e-9, 6e-4 at 1e-10, 9e-4 at 1e-11,
+    /// 3e-3 at 1e-12 and 1.4e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at
+    /// 1e-9, 13 % at 1e-12 and 47 % at 1e-13.
     ///
     /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
     /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.5 to

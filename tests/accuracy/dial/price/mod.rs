@@ -88,7 +88,7 @@ pub fn first_prices() -> [Vec<f64>; 2] {
     prices
 }
 
-/// The medians over two scenes of each kind; those of the record are over two hundred.
+/// The medians over two scenes of each kind; those of the record are over a hundred.
 #[test]
 fn the_price_is_that_of_the_record() {
     let medians = first_prices().map(|prices| (quantile(&prices, 0.5), prices.len()));
