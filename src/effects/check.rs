@@ -414,7 +414,7 @@ impl<'e> Checked<'e> {
     ///
     /// Let a change come and be gone again in s looks each at the least. Where such changes are few,
     /// a step passes 2 s. Where the torque goes to and fro all along, no run takes long steps in
-    /// quiet and meets a pulse in one of them: 8 s, about as many as the stages of a step.
+    /// quiet and meets a pulse in one of them: 8 s, about as many s as a step has stages.
     pub fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
         let largest = seen
             .iter()

@@ -92,7 +92,7 @@ impl<E: Effect> Scene<E> {
     /// for the error asked for carries the whole span, coarser and finer, until the runs differ as
     /// their order says they must and what that leaves is within the tolerance. Where that does not
     /// either, all of them do in turn, by three runs or more and with the condition felt in many legs,
-    /// before anything is refused. Nothing is returned unverified.
+    /// before anything is refused as not delivered. Nothing is returned unverified.
     ///
     /// | what acts | methods that are tried |
     /// |---|---|
@@ -144,8 +144,8 @@ impl<E: Effect> Scene<E> {
     ///
     /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
     /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.5 to
-    /// 3.3 times where Gauss-Legendre is chosen, 4 to 7 times elsewhere, and 8 to 10 times under
-    /// drag that is not known to be smooth (medians by kind of scene;
+    /// 3.3 times under a weight or without a torque, 3.9 to 6.9 times elsewhere, and 8 to 10 times
+    /// under drag that is not known to be smooth (medians by kind of scene;
     /// `benches/record/price.txt`). Where a motion passes near a separatrix, the torque is not
     /// known to be smooth, or the floor comes near to what is asked, the condition is felt with
     /// more care, and that is dearer.
