@@ -35,7 +35,7 @@ fn the_interpolant_has_the_slopes_of_the_motion_at_both_ends() {
     };
     let found = errors(1.0);
     let steps = swings(1e-6, 20.0, &[]).step_times().count();
-    found.attain(4.7e-11..=4.8e-11, 2 * steps);
+    found.attain(4.6e-11..=4.7e-11, 2 * steps);
     assert!(errors(1.001).largest() > 1e-4);
 }
 
@@ -99,7 +99,7 @@ fn a_graze_is_as_hard_as_the_root_of_its_depth() {
             bare.push_at(off / EPS, depth);
         }
     }
-    errors.attain(3.9..=4.0, 8);
+    errors.attain(3.7..=3.8, 8);
     assert!(bare.largest() > 1e3);
 }
 
@@ -130,6 +130,6 @@ fn an_event_costs_a_few_real_steps() {
         assert_eq!(more % 11, 0);
         dear.push_at(more as f64 / run.events().len() as f64, tolerance);
     }
-    dear.attain(38.0..=39.0, 5);
+    dear.attain(35.0..=36.0, 5);
     assert!(dear.smallest() > 19.0);
 }

@@ -132,7 +132,7 @@ fn with_gimbals_a_nod_is_that_of_the_equations() {
         }
     }
     assert!(ways.iter().all(|&count| count > 0), "{ways:?}");
-    errors.attain(8.96e-14..=8.98e-14, 3 * 18);
+    errors.attain(9.94e-14..=9.96e-14, 3 * 18);
     damaged.exceed(1e-3, 18);
 }
 
@@ -227,7 +227,7 @@ fn without_friction_energy_and_momentum_stay() {
             g.vertical_momentum(&at),
         );
     }
-    errors.attain(1.79e-14..=1.8e-14, 4);
+    errors.attain(1.69e-14..=1.7e-14, 4);
     damaged.exceed(1e-3, 2);
 }
 
@@ -247,7 +247,7 @@ fn small_nods_have_the_frequency_of_the_formula() {
             damaged.push(fast / measured - 1.0);
         }
     }
-    errors.attain(1.06e-12..=1.07e-12, 6);
+    errors.attain(1.3e-12..=1.31e-12, 6);
     damaged.exceed(1e-3, 6);
 }
 
@@ -292,7 +292,7 @@ fn energy_lost_is_heat() {
         }
         errors
     };
-    off(1e-12, 1.0).attain(1.25e-13..=1.26e-13, 30);
+    off(1e-12, 1.0).attain(5.87e-13..=5.88e-13, 30);
     off(1e-12, 0.9).exceed(1e-5, 30);
 }
 
@@ -376,7 +376,7 @@ fn a_locking_axle_leaves_the_vertical_momentum() {
         errors.add(g.vertical_momentum(&at), g.vertical_momentum(&start), 9e-2);
         damaged.add(at.axial_momentum, start.axial_momentum, 9e-2);
     }
-    errors.attain(4.77e-14..=4.79e-14, 3);
+    errors.attain(4.84e-14..=4.86e-14, 3);
     damaged.exceed(0.1, 3);
     let at = course.at(1.0).unwrap();
     assert!(g.spin_in_ring(&at).abs() < 1e-9 && course.holds(1.0).unwrap()[2] == Hold::Sticks);

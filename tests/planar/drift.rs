@@ -68,10 +68,10 @@ fn silence_does_not_drift() {
     let start = State::rest([OFF, 0.0, 0.0]);
     let kept = motion(&SWINGS, &tightest(), start, 1000.0).unwrap();
     assert!(kept.events().is_empty());
-    silence(|t| kept.at(t).unwrap().q[0]).attain(1.2..=1.3, 500);
+    silence(|t| kept.at(t).unwrap().q[0]).attain(1.3..=1.4, 500);
     let lost = adrift(&SWINGS, &tightest(), start, 1000.0);
     // The damaged twin.
-    silence(|t| lost.at(t).unwrap().1[0]).attain(291.0..=292.0, 500);
+    silence(|t| lost.at(t).unwrap().1[0]).attain(324.0..=325.0, 500);
 }
 
 /// How much energy a bead on a rod has gained at most in 200 s, 100 swings, and how much it has
@@ -104,8 +104,8 @@ fn no_energy_is_gained() {
         [kept, energy(|t| lost.at(t).unwrap().1)]
     };
     let [[gained, lost], [adrift, _]] = energies(1e-15);
-    assert_error!(gained, 2.9e-15);
-    assert_error!(lost, 3.2e-14);
+    assert_error!(gained, 3.6e-15);
+    assert_error!(lost, 2.8e-14);
     assert!(adrift > 1e3 * gained);
     let [[gained, lost], [adrift, _]] = energies(1e-9);
     assert_error!(gained, 1.1e-9);

@@ -144,7 +144,7 @@ fn in_the_air_it_resists_nothing() {
     let motion = motion_within(&body, 1e-12, start, 2.0).unwrap();
     assert_eq!(motion.modes(0.5).unwrap(), [Mode::Open; 2]);
     let lands = motion.event("floor touches").unwrap();
-    support::assert_error!(lands.t, 1.0, 1.0 eps);
+    support::assert_error!(lands.t, 1.0, 0.0 eps);
     assert_eq!(lands.before.v[2], -3.0);
     assert!(motion.at(2.0).unwrap().v[2].abs() < 1e-12, "it has stopped");
 }
@@ -291,7 +291,7 @@ fn what_is_driven_through_air_ends_as_the_law_of_the_time_says() {
 
 #[test]
 fn drags_follow_their_closed_forms() {
-    drags(0.0).attain(368.0..=369.0, 36);
+    drags(0.0).attain(370.0..=371.0, 36);
     assert!(drags(1e-9).largest() > 1e5);
 }
 

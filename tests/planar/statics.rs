@@ -209,7 +209,7 @@ fn a_disc_unwinds_from_its_string() {
     };
     let motion = motion_within(&disc, 1e-12, spun, 0.5).unwrap();
     let jerk = motion.event("string touches").unwrap();
-    assert_error!(jerk.t, 4.0 / G, 0.0 eps);
+    assert_error!(jerk.t, 4.0 / G, 1.2 eps);
     assert_error!(jerk.after.v[0], 10.0 / 3.0, 0.0 eps);
     // The damaged twin of a string: it pushes, and has no free fall.
     let error = motion_within(&Unwinding { glued: true }, 1e-9, spun, 0.5).unwrap_err();

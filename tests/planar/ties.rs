@@ -64,6 +64,6 @@ fn a_stop_and_a_release_in_one_instant() {
             damaged.add(y, height(since - 1e-6 * end), size);
         }
     }
-    errors.attain(8.2..=8.3, 5 * 9 * 4);
+    errors.attain(8.3..=8.4, 5 * 9 * 4);
     damaged.exceed(1e6, 5 * 9);
 }

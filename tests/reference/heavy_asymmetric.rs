@@ -44,7 +44,7 @@ const METHODS: [Method; 4] = [
     },
     Method {
         name: "DOP853",
-        bound: 72.0..=73.0,
+        bound: 108.0..=109.0,
         promised: 1000.0,
         angle: 0.1,
         run: |scene, start, t, _| Ok(Dop853::new(1e-15)?.advance(scene, 0.0, start, t)?.0),

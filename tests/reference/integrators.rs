@@ -80,7 +80,7 @@ const METHODS: [Method; 6] = [
     },
     Method {
         name: "DOP853",
-        bound: 13.0..=13.1,
+        bound: 17.8..=17.9,
         promised: 1000.0,
         angle: 0.1,
         reach: 2e3,
@@ -89,7 +89,7 @@ const METHODS: [Method; 6] = [
     },
     Method {
         name: "DOP853 spin-free",
-        bound: 16.5..=16.6,
+        bound: 13.8..=13.9,
         promised: 1000.0,
         angle: 0.1,
         reach: 2e3,

@@ -141,7 +141,7 @@ fn the_tolerance_is_obeyed() {
     // Ten orbits: the error at the end against the tolerance per step.
     let t_end = 20.0 * core::f64::consts::PI;
     let mut ratios = Errors::of("error between the steps over that at the end");
-    // Error at the end over the tolerance: from 440 (1e-12 would do) to 59000.
+    // Error at the end over the tolerance: from 1600 at 1e-4 to 6500 at 1e-6.
     for (tolerance, printed) in [
         (1e-4, "0.16"),
         (1e-6, "6.5e-3"),
@@ -149,7 +149,7 @@ fn the_tolerance_is_obeyed() {
         (1e-10, "4.7e-7"),
         (1e-12, "3.7e-9"),
         (1e-14, "2.2e-11"),
-        (1e-15, "2.9e-12"),
+        (1e-15, "3.3e-12"),
     ] {
         let method = Dop853::new(tolerance).expect("a valid tolerance");
         let (end, work) = method
@@ -193,7 +193,7 @@ fn backwards_is_the_way_back() {
         let (a, b) = (back.at(t), there.at(t));
         errors.push_at(distance(&a.expect("within"), &b.expect("within")), t);
     }
-    errors.attain(7.9e-13..=8.0e-13, 71);
+    errors.attain(7.5e-13..=7.6e-13, 71);
 }
 
 struct Growth;

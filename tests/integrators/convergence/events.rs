@@ -13,8 +13,8 @@ fn crossings_of_the_axis() {
     for (tolerance, latest, at_end) in [
         (1e-6, "1.3e-4", "1.2e-4"),
         (1e-9, "7.9e-8", "8.1e-8"),
-        (1e-12, "6.3e-11", "6.7e-11"),
-        (1e-15, "4.6e-14", "4.8e-14"),
+        (1e-12, "6.2e-11", "6.7e-11"),
+        (1e-15, "6.4e-14", "7.0e-14"),
     ] {
         let method = Dop853::new(tolerance).expect("valid");
         let axis = Event::crossing("axis", |_t, y: &[f64; 4]| y[1]);
@@ -45,7 +45,7 @@ fn crossings_of_the_axis() {
     }
     damaged.exceed(4e-13, 6);
     // The speed times the rounding of the time.
-    residues.attain(3.0e-15..=3.1e-15, 4 * 6);
+    residues.attain(2.9e-15..=3.0e-15, 4 * 6);
 }
 
 struct Clock;
@@ -87,7 +87,7 @@ fn directions_order_and_terminal() {
         late.push_at(t - when, name);
     }
     // At t = 6.3, with a tolerance of 1e-12.
-    late.attain(1.6e-14..=1.7e-14, 8);
+    late.attain(1.5e-14..=1.6e-14, 8);
     // Terminal: nothing after it, and the run ends there.
     let mut stopping = Vec::from(events());
     let zero = stopping.remove(2).terminal();
@@ -99,15 +99,15 @@ fn directions_order_and_terminal() {
     let last = run.stopped_by().expect("stopped");
     assert_eq!((last.name, last.t), ("zero", run.end_time()));
     assert_eq!(run.at(run.end_time()).expect("the end"), *run.end_state());
-    assert_error!(run.end_time() - PI, 1.8e-15);
-    assert_error!(run.at(3.0).expect("within")[0] - sin(3.0), 5.9e-15);
+    assert_error!(run.end_time() - PI, 2.7e-15);
+    assert_error!(run.at(3.0).expect("within")[0] - sin(3.0), 6.9e-15);
     // Backwards, rising is what the run meets as rising.
     let run = method
         .solve(&Clock, 0.0, &[0.0], -10.0, &events())
         .expect("smooth");
     let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
     assert_eq!(met[0].0, "zero");
-    assert_error!(met[0].1 + PI, 1.8e-15);
+    assert_error!(met[0].1 + PI, 2.7e-15);
 }
 
 #[test]

@@ -75,10 +75,10 @@ fn exactly_what_is_kept() {
     // Over 20 time units, round-off but for the energy of the splittings, which swings
     // with the step, and RK4.
     let rows = [
-        ("free, DOP853", changes(&free, &start, &dop853), "1.7e-15"),
+        ("free, DOP853", changes(&free, &start, &dop853), "8.4e-16"),
         ("free, RK4", changes(&free, &start, &rk4), "2.1e-14"),
         ("free, Strang", changes(&free, &start, &strang), "4.2e-16"),
-        ("heavy, DOP853", changes(&heavy, &start, &dop853), "1.3e-15"),
+        ("heavy, DOP853", changes(&heavy, &start, &dop853), "8.8e-16"),
         ("heavy, RK4", changes(&heavy, &start, &rk4), "2.1e-14"),
         ("heavy, Strang", changes(&heavy, &start, &strang), "4.2e-8"),
         (
@@ -94,13 +94,13 @@ fn exactly_what_is_kept() {
         (
             "brick, DOP853",
             changes(&free_brick, &start, &dop853),
-            "6.5e-16",
+            "4.9e-16",
         ),
         ("brick, RK4", changes(&free_brick, &start, &rk4), "3.8e-14"),
         (
             "heavy brick, DOP853",
             changes(&heavy_brick, &start, &dop853),
-            "5.0e-16",
+            "2.5e-16",
         ),
         (
             "heavy brick, RK4",
@@ -145,6 +145,6 @@ fn a_wrong_kick_is_seen() {
     let wrong = Scene::new(*heavy.body()).with(OffAxis(heavy.effects().1));
     let method = Dop853::new(1e-15).expect("valid");
     let (kept, _) = changes(&wrong, &start, &method);
-    // Measured: 1.8e-7, against 1.3e-15.
+    // Measured: 1.8e-7, against 8.8e-16.
     assert!(kept > 1e-8, "{kept:e}");
 }
