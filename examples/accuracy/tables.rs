@@ -5,7 +5,7 @@ use super::lines::{FLOW, Line, Measured, SIZE, power};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{DigitPrice, Measure};
 use rotation_dynamics::integrators::Method;
-use rotation_dynamics::math::{EPS, exp2, log10, pow};
+use rotation_dynamics::math::{EPS, exp2, log, log10, pow};
 use rotation_dynamics::report::draw::Method as Look;
 use rotation_dynamics::report::{Report, Table, claim, rounded_up, short};
 
@@ -266,7 +266,15 @@ pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
         let (Some(dear), Some(cheap)) = (line(motion, dear), line(motion, cheap)) else {
             continue;
         };
-        let least = |line: &Line| line.attitude.least_work(1e-9).map(|p| p.work);
+        // Between two runs, as if the error went by a power of the work.
+        let least = |line: &Line| {
+            let reached = line.attitude.least_work(1e-9)?;
+            let runs = line.attitude.points();
+            let at = runs.iter().position(|run| *run == reached)?;
+            let before = runs.get(at.checked_sub(1)?)?;
+            let part = log(before.error / 1e-9) / log(before.error / reached.error);
+            Some(before.work * pow(reached.work / before.work, part))
+        };
         let (Some(a), Some(b), Some(c), Some(d)) =
             (least(dear), least(cheap), price(dear), price(cheap))
         else {

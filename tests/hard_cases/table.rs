@@ -163,7 +163,7 @@ fn the_bounds_are_attained_to_some_part() {
         }
     }
     let due = [
-        ("DOP853", 0.29..=0.30),
+        ("DOP853", 0.32..=0.33),
         ("DOP853 with located events", 0.33..=0.35),
         ("Gauss-Legendre 16", 0.34..=0.35),
         ("Gauss-Legendre 16, piece by piece", 0.45..=0.46),

@@ -84,7 +84,7 @@ fn three_routes_give_one_motion() {
         }
     }
     library.attain(1.4e-15..=1.5e-15, 96);
-    steps.attain(1.1e-12..=1.2e-12, 96);
+    steps.attain(5.7e-13..=5.8e-13, 96);
     damaged.exceed(1e-3, 96);
 }
 

@@ -106,7 +106,7 @@ fn eq_15_5_1_one_plane() {
         let normal = seen.z.cross(&seen.momentum);
         errors.push(normal.dot(&seen.omega) / (normal.norm() * seen.omega.norm()));
     }
-    errors.attain(1.9e-13..=2.0e-13, 15);
+    errors.attain(2.1e-13..=2.2e-13, 15);
     let damaged = |w: [f64; 3]| {
         let [l, m] = [w, [1.1 * w[0], w[1], 0.5 * w[2]]].map(SpaceVector::from_array);
         let normal = SpaceVector::new(0.0, 0.0, 1.0).cross(&m);
@@ -125,13 +125,13 @@ fn eq_15_5_2_two_turns_not_at_right_angles() {
         wrong.push((along - up - seen.omega).norm() / seen.omega.norm());
         assert!(along.dot(&up).abs() / (along.norm() * up.norm()) > 0.03);
     }
-    right.attain(4.7e-13..=4.8e-13, 15);
+    right.attain(6.1e-13..=6.2e-13, 15);
     wrong.exceed(0.5, 15);
 }
 
 #[test]
 fn eq_15_5_3_along_the_axis() {
-    equation(5.6e-13..=5.7e-13, 5e-4, |s| {
+    equation(6.0e-13..=6.1e-13, 5e-4, |s| {
         let [p, spin, _] = s.rates;
         [s.along(), spin + p * cos(s.theta()), spin + p]
     });
@@ -151,7 +151,7 @@ fn eq_15_5_5_momentum_across() {
 
 #[test]
 fn eq_15_5_6_momentum_along() {
-    equation(2.4e-15..=2.5e-15, 0.3, |s| [s.l() * cos(s.theta()), s.i3 * s.along(), s.i1 * s.along()]);
+    equation(2.9e-15..=3.0e-15, 0.3, |s| [s.l() * cos(s.theta()), s.i3 * s.along(), s.i1 * s.along()]);
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn eq_15_5_7_rate_across() {
 
 #[test]
 fn eq_15_5_8_rate_along() {
-    equation(2.5e-15..=2.6e-15, 0.3, |s| {
+    equation(2.8e-15..=2.9e-15, 0.3, |s| {
         let l = s.l() * cos(s.theta());
         [s.along(), l / s.i3, l / s.i1]
     });
@@ -177,7 +177,7 @@ fn eq_15_5_9_precession() {
 
 #[test]
 fn eq_15_5_10_spin() {
-    equation(1.4e-12..=1.5e-12, 0.3, |s| {
+    equation(1.3e-12..=1.4e-12, 0.3, |s| {
         let part = 1.0 - s.i3 / s.i1;
         [s.rates[1], s.along() * part, s.along() * -part]
     });
@@ -185,7 +185,7 @@ fn eq_15_5_10_spin() {
 
 #[test]
 fn eq_15_5_11_spin_by_precession() {
-    equation(7.4e-13..=7.5e-13, 1e-4, |s| {
+    equation(6.0e-13..=6.1e-13, 1e-4, |s| {
         let along = s.rates[0] * (s.i1 / s.i3 - 1.0);
         [s.rates[1], along * cos(s.theta()), along]
     });
@@ -281,7 +281,7 @@ fn the_cones_roll_on_each_other() {
     }
     rest.attain(3.5e-17..=3.6e-17, 15);
     moves.exceed(0.05, 15);
-    arcs.attain(3.3e-12..=3.4e-12, 15);
+    arcs.attain(3.2e-12..=3.3e-12, 15);
 }
 
 /// In space Omega goes round L, in the body round the axis, at -Omega_S: there the notes'
@@ -293,7 +293,7 @@ fn e23_in_the_body_omega_goes_round_the_axis() {
         right.add(seen.rates[2], -top.spin(), top.spin().abs());
         printed.add(seen.rates[2], 0.0, top.spin().abs());
     }
-    right.attain(3.4e-13..=3.5e-13, 15);
+    right.attain(3.3e-13..=3.4e-13, 15);
     printed.exceed(0.9, 15);
 }
 
@@ -330,7 +330,7 @@ fn three_routes_give_one_motion() {
         }
     }
     closed.attain(3.9e-15..=4.0e-15, 15);
-    steps.attain(3.2e-14..=3.3e-14, 15);
+    steps.attain(3.1e-14..=3.2e-14, 15);
     damaged.exceed(0.01, 15);
 }
 

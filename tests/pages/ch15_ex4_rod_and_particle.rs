@@ -77,7 +77,7 @@ fn points_of_the_rod_run_on_trochoids() {
         let (right, up) = a.at(t, 0.6);
         damaged.push(hypot(right - a.velocity * t, up - 0.6));
     }
-    errors.attain(4.8e-15..=4.9e-15, 240);
+    errors.attain(3.2e-15..=3.3e-15, 240);
     damaged.exceed(0.2, 24);
 }
 
@@ -113,7 +113,7 @@ fn e40_about_the_centre_of_mass() {
         errors.push(s.angular_momentum(&state, [0.0, 0.0]) / unit - 0.5);
         errors.push(carried / unit - 0.25);
     }
-    errors.attain(4.0..=4.1, 9);
+    errors.attain(6.0..=6.1, 9);
     assert_error!(value(&EXAMPLE, "about_centre"), 0.25 * unit, 1.6667 eps);
     assert_error!(value(&EXAMPLE, "about_middle"), 0.5 * unit, 0.0 eps);
 }
@@ -157,7 +157,7 @@ fn what_the_card_measures() {
     errors.push((ball[1] - w + turning(0.6, (0.4 * m + reduced) * radius * radius)) / w);
     errors.push((missed[1] - w + turning(0.599, 0.0)) / w);
     errors.push(contact[1] / (1e-3 * w) - 2.0 / PI);
-    errors.attain(3.33e-16..=3.34e-16, 4);
+    errors.attain(2.22e-16..=2.23e-16, 4);
     let [x, ..] = after(1.0 / w, &on_table(&p), &[a.velocity, 0.0, 0.0, w], 1e-10).expect("a motion");
     let mut errors = Errors::of("what the table takes, over V");
     errors.push((table[1] - a.velocity + x) / a.velocity);

@@ -150,8 +150,8 @@ fn what_is_kept() {
         driven.push(momentum(motor.at(t).unwrap()) / body.vertical_momentum() - 1.0);
         tilts.push(all.at(t).unwrap()[0] - free.attitude(t).euler_angles().theta);
     }
-    fork.attain(1.77e-15..=1.78e-15, 40);
-    tilts.attain(8.88e-16..=8.89e-16, 40);
+    fork.attain(1.55e-15..=1.56e-15, 40);
+    tilts.attain(6.66e-16..=6.67e-16, 40);
     assert!(driven.largest() > 0.5);
 }
 

@@ -113,7 +113,7 @@ fn eq_2_what_core_and_mantle_keep() {
         let end = told(&after(TAU * turns, &wrong, &start, 1e-10).unwrap());
         twin.push(end[2] / first[2] - 1.0);
     }
-    kept.attain(1.25e-14..=1.26e-14, 9);
+    kept.attain(1.02e-14..=1.03e-14, 9);
     twin.exceed(5e-5, 3);
     strained.exceed(3e-7, 3);
 }
@@ -137,8 +137,8 @@ fn eq_3_rates_of_core_and_mantle() {
             twin.push(stepped / (1.0 + stiff.rates()[1]) - 1.0);
         }
     }
-    slow.attain(8.0e-14..=8.1e-14, 6);
-    daily.attain(1.94e-12..=1.95e-12, 6);
+    slow.attain(2.6e-14..=2.7e-14, 6);
+    daily.attain(1.22e-12..=1.23e-12, 6);
     twin.exceed(0.02, 6);
 }
 
@@ -196,11 +196,13 @@ fn the_dice_are_fair() {
 }
 
 /// The card of effects: six lines from circuits, with the effect and without it. The loss and the
-/// two moments in closed form; a mantle that does not yield is worth nothing, and all the rest less.
+/// two moments in closed form; a mantle that does not yield is worth nothing but the round-off of
+/// two runs, and all the rest less.
 #[test]
 fn the_card_is_measured_in_circuits() {
     let (card, stiff) = (ledger(&EXAMPLE, ""), ledger(&EXAMPLE, "--love=0"));
-    assert!(card.len() == 6 && stiff[0] == [0.0, 0.0]);
+    assert!(card.len() == 6 && stiff[0][0] == 0.0);
+    assert_error!(stiff[0][1], 9.7e-12);
     let (mut errors, mut damaged) = (Errors::of("measured"), Errors::of("with a stiff mantle"));
     for (i, [told, measured]) in card.iter().enumerate().take(4) {
         errors.push(measured / told - 1.0);
