@@ -363,7 +363,7 @@ impl HeavyTop {
             }
             _ => None,
         };
-        // Sixth powers of the rates are formed, in pairs of doubles.
+        // Squares of the rates are formed, in pairs of doubles.
         let far_apart = || Error::RatesTooFarApart {
             fastest: (strength + spin.square() + excess.abs()).to_f64().sqrt(),
         };
