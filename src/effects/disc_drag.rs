@@ -30,8 +30,8 @@ pub enum Regime {
 /// of 2 h/R), and so is the axis's own motion.
 ///
 /// Neither power of omega is analytic at omega = 0, so the effect does not call itself
-/// smooth, and solutions are stepped by DOP853, or on a symmetric body, whose spin the drag
-/// never brings to 0, by a splitting that has the drag in its kick. Number:
+/// smooth, and solutions are stepped by DOP853 alone; but for a symmetric body, whose spin the
+/// drag never brings to 0. Number:
 /// [`number`](Self::number).
 ///
 /// ```

@@ -107,6 +107,11 @@ impl Resistance {
         self.law == Law::None
     }
 
+    /// True if dry friction acts along e3.
+    pub fn is_dry(&self) -> bool {
+        matches!(self.law, Law::Dry(_))
+    }
+
     /// The same with its torque multiplied by `strength`.
     #[must_use]
     pub fn times(self, strength: f64) -> Self {

@@ -110,7 +110,7 @@ impl<'s> Given<'s> {
     }
 
     fn problem(&self) -> Problem<'_> {
-        Problem {
+        let problem = Problem {
             body: self.body,
             acting: Acting::of(self.effects),
             strength: 1.0,
@@ -122,6 +122,13 @@ impl<'s> Given<'s> {
             longest_step: self.longest_step,
             checked: &self.checked,
             known: self.effects.known(),
+        };
+        match problem.acting {
+            Acting::Anything(effects) if problem.stays_smooth() => Problem {
+                acting: Acting::Smooth(effects),
+                ..problem
+            },
+            _ => problem,
         }
     }
 

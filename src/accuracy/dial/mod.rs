@@ -88,7 +88,8 @@ impl<E: Effect> Scene<E> {
     /// that is expected to be cheapest: the coarser has all its inputs a little changed, so that
     /// the distance of the two bounds the error of the finer and the condition at once. Both
     /// show on the first turn of the motion whether they are fine enough, and go on from there.
-    /// Where that does not suffice, methods are tried on the first turn; the one predicted cheapest
+    /// Where that does not suffice, finer runs go on from these, with the condition felt on them;
+    /// or methods are tried on the first turn, and the one predicted cheapest
     /// for the error asked for carries the whole span, coarser and finer, until the runs differ as
     /// their order says they must and what that leaves is within the tolerance. Where that does not
     /// either, all of them do in turn, by three runs or more and with the condition felt in many legs,
@@ -102,10 +103,11 @@ impl<E: Effect> Scene<E> {
     /// | whatever is smooth between its break points | Gauss-Legendre 16, DOP853 |
     /// | whatever else | DOP853 |
     ///
-    /// Of a resistance that is not smooth, as the drag on a disc, Gauss-Legendre is not tried;
-    /// and on a body with three different moments, whose spin about e3 passes through 0, only
-    /// a linear resistance is known. The run that is returned takes a small part of what it would
-    /// if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
+    /// What resists in a known way counts as smooth where it is smooth along the motion: the drag
+    /// on a disc has a kink where the body does not spin about e3, and never brings the spin of a
+    /// symmetric body there. On a body with three different moments, whose spin about e3 passes
+    /// through 0, only a linear resistance is known. The run that is returned takes a small part of
+    /// what it would if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
     /// `tests/accuracy/dial`).
     ///
     /// The *condition* is the change of the attitude at the end (rad) per relative
@@ -144,11 +146,10 @@ impl<E: Effect> Scene<E> {
     ///
     /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
     /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.5 to
-    /// 3.3 times under a weight or without a torque, 3.9 to 6.9 times elsewhere, and 8 to 10 times
-    /// under drag that is not known to be smooth (medians by kind of scene;
-    /// `benches/record/price.txt`). Where a motion passes near a separatrix, the torque is not
-    /// known to be smooth, or the floor comes near to what is asked, the condition is felt with
-    /// more care, and that is dearer.
+    /// 3.3 times under a weight or without a torque, and 3.9 to 6.8 times elsewhere (medians by
+    /// kind of scene; `benches/record/price.txt`): the most where the torque has kinks, of which
+    /// nothing says where, or depends on the time. Where a motion passes near a separatrix, or the
+    /// floor comes near to what is asked, the condition is felt with more care, and that is dearer.
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. Two runs that suffice part nowhere on the way, and their steps resolve

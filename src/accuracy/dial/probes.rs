@@ -4,6 +4,7 @@ use super::choice::Candidate;
 use super::method::{Fine, Method, Runs, Steps};
 use super::problem::{Apart, Feeler};
 use super::stepping::{Run, SWEEPS, Stepping, is_final, stops};
+use super::verdict::Gap;
 use crate::accuracy::larger;
 use crate::error::{Error, Result};
 use crate::math::{EPS, sort_by_number};
@@ -48,6 +49,8 @@ pub(super) struct Felt {
 pub(super) struct Begun {
     pub run: Run,
     pub precision: f64,
+    /// Its distances from a coarser one, where the two bound the condition.
+    pub apart: Option<[Gap; 3]>,
 }
 
 /// The change with which it is felt roughly: ten times what the sweeps leave, between these.
@@ -190,7 +193,11 @@ impl Stepping<'_> {
         match self.first(method, coarse, precision) {
             Err(error) if is_final(&error) => Err(error),
             Err(_) => Ok(None),
-            Ok(run) => Ok(Some(Begun { run, precision })),
+            Ok(run) => Ok(Some(Begun {
+                run,
+                precision,
+                apart: None,
+            })),
         }
     }
 

@@ -23,7 +23,7 @@ pub(super) enum Acting<'e> {
     Weight(GravityAtLever),
     /// Effects that see the body's axis only, and are smooth.
     OnAxis(&'e dyn AnyEffect),
-    /// Any that are smooth.
+    /// Any that are smooth, if only along the motion.
     Smooth(&'e dyn AnyEffect),
     /// Any.
     Anything(&'e dyn AnyEffect),
@@ -304,14 +304,26 @@ impl<'e> Problem<'e> {
     /// True if something resists the rotation whose effect at a fixed attitude is known on
     /// every piece, and nothing acts beside it but what sees the axis only.
     pub fn is_resisted(&self) -> bool {
+        // Without symmetry l_3 passes through 0, where the other laws have a kink.
+        let symmetric = self.body.moments().is_symmetric();
+        self.resists(|resistance| symmetric || resistance.is_linear())
+    }
+
+    /// True if the torque is smooth all along the motion, whatever it does elsewhere: what
+    /// resists has its kink where l_3 = 0, and never brings l_3 of a symmetric body there.
+    pub fn stays_smooth(&self) -> bool {
+        let symmetric = self.body.moments().is_symmetric();
+        self.resists(|resistance| resistance.is_linear() || symmetric && !resistance.is_dry())
+    }
+
+    /// True if what resists is known on every piece, and of this kind.
+    fn resists(&self, kind: impl Fn(&Resistance) -> bool) -> bool {
         let (Acting::Smooth(effects) | Acting::Anything(effects)) = self.acting else {
             return false;
         };
-        let symmetric = self.body.moments().is_symmetric();
         let known = |piece: &[f64]| {
             let scene = self.scene::<false, false>(effects, [piece[0], piece[1]]);
-            // Without symmetry l_3 passes through 0, where the other laws have a kink.
-            Resisted::new(&scene, 0.0).is_ok_and(|r| symmetric || r.resistance().is_linear())
+            Resisted::new(&scene, 0.0).is_ok_and(|resisted| kind(resisted.resistance()))
         };
         let pieces = self.pieces([self.t_start, self.t_end]);
         !effects.nature().slips && pieces.windows(2).all(known)

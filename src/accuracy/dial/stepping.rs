@@ -173,7 +173,8 @@ impl<'p> Stepping<'p> {
                 candidate,
                 begun,
                 ahead,
-            } => self.roughly_delivered(&candidate, begun, self.part, Some(ahead))?,
+                felt,
+            } => self.roughly_delivered(&candidate, begun, self.part, Some(ahead), felt)?,
             TwoRuns::Unknown => None,
         };
         if let Some(delivered) = delivered {
@@ -184,23 +185,29 @@ impl<'p> Stepping<'p> {
         self.choice += self.work.since(&before);
         let best = candidates.all[0];
         if let Some(begun) = self.begin(&best, candidates.wanted, candidates.part)?
-            && let Some(delivered) = self.roughly_delivered(&best, begun, candidates.part, None)?
+            && let Some(delivered) =
+                self.roughly_delivered(&best, begun, candidates.part, None, None)?
         {
             return Ok(self.paid(delivered));
         }
         self.carefully(candidates)
     }
 
-    /// What a candidate delivers by few runs from the first on, with the condition felt on that;
-    /// `None` if more has to be known.
+    /// What a candidate delivers by few runs from the first on, with the condition felt on that
+    /// unless it is known; `None` if more has to be known.
     fn roughly_delivered(
         &mut self,
         candidate: &Candidate,
         begun: Begun,
         part: f64,
         ahead: Option<f64>,
+        felt: Option<Felt>,
     ) -> Result<Option<Delivered>> {
-        let Some(felt) = self.roughly(candidate.method, &begun, part)? else {
+        let felt = match felt {
+            None => self.roughly(candidate.method, &begun, part)?,
+            felt => felt,
+        };
+        let Some(felt) = felt else {
             return Ok(None);
         };
         let wanted = AIM * self.tolerance * part;
@@ -490,10 +497,17 @@ impl<'p> Stepping<'p> {
         let coarse = (level - behind).max(linear);
         let coarse = coarse.clamp(method.coarsest(), highest - 2.0);
         let mut next = next.filter(|_| begun.is_some());
+        let mut gaps = [const { Vec::new() }; 3];
         let first = match begun {
-            Some(begun) if begun.run.level >= linear && begun.precision <= 2.0 * precision => {
+            Some(begun)
+                if (begun.apart.is_some() || begun.run.level >= linear)
+                    && begun.precision <= 2.0 * precision =>
+            {
                 precision = begun.precision;
                 budget = self.tolerance - left(precision);
+                if let Some(apart) = begun.apart {
+                    gaps = apart.map(|gap| vec![gap]);
+                }
                 begun.run
             }
             _ => {
@@ -508,7 +522,6 @@ impl<'p> Stepping<'p> {
         let more = if two { 0.0 } else { 1.0 };
         let ahead = (level - more - runs[0].level).clamp(0.5, 2.0);
         let mut ahead = next.unwrap_or(ahead);
-        let mut gaps = [const { Vec::new() }; 3];
         let (mut best, mut stuck) = (f64::INFINITY, 0);
         loop {
             let last = &runs[runs.len() - 1];

@@ -3,7 +3,7 @@
 
 use super::choice::Candidate;
 use super::method::{LEVEL, Method, Steps};
-use super::probes::{Begun, MOVED};
+use super::probes::{Begun, Felt, MOVED};
 use super::problem::Problem;
 use super::stepping::{Delivered, ROUNDED, Run, Stepping, is_final};
 use super::verdict::{Gap, Verdict};
@@ -32,6 +32,10 @@ const FARTHER: f64 = 300.0;
 /// units of what a change makes of a motion that is only late: such a motion passes no saddle.
 const BOUNDED: f64 = 1.2;
 
+/// A change of the inputs makes no more on the stretch than so many times what it makes of a
+/// motion that is only late.
+const CHANGED: f64 = 2.0;
+
 /// So many pairs are begun.
 const TRIES: usize = 4;
 
@@ -50,6 +54,8 @@ pub(super) enum TwoRuns {
         candidate: Candidate,
         begun: Begun,
         ahead: f64,
+        /// The condition, if these two bound it.
+        felt: Option<Felt>,
     },
     /// More has to be known.
     Unknown,
@@ -85,7 +91,7 @@ impl Stepping<'_> {
         // There a change may carry the motion past its own steepness, and a body that waits on its
         // axis, or on the upright, waits there after another number of turns as well.
         let exact = self.problem.exact_motion();
-        if exact.is_some_and(|motion| motion.is_near_separatrix()) || self.problem.is_abrupt() {
+        if exact.is_some_and(|motion| motion.is_near_separatrix()) {
             return Ok(TwoRuns::Unknown);
         }
         let mut guesses = self.guesses();
@@ -112,7 +118,7 @@ impl Stepping<'_> {
                 Ok(pair) => pair,
             };
             // What the runs are predicted to be apart at the end, and may be.
-            let predicted = pair.apart.max(EPS) / (self.part * method.grown(self.part));
+            let predicted = self.predicted(method, [level, behind], pair.apart.max(EPS));
             let aimed = AIMED * self.allowed(method, behind);
             let off = log(predicted / aimed) / (LEVEL * method.falls());
             let wanted = (level + off).max(method.coarsest_resolved(self.problem));
@@ -137,10 +143,32 @@ impl Stepping<'_> {
         Ok(TwoRuns::Unknown)
     }
 
-    /// How far two runs may be apart.
+    /// How far two runs may be apart: where a third has to follow, by as much more as that is
+    /// nearer.
     fn allowed(&self, method: Method, behind: f64) -> f64 {
         let factor = Verdict::factor(method.trust(), behind);
-        (0.9 * self.tolerance / factor).min(MOVED)
+        let third = if self.problem.is_abrupt() {
+            exp(method.falls() * LEVEL * behind)
+        } else {
+            1.0
+        };
+        (0.9 * self.tolerance / factor * third).min(MOVED)
+    }
+
+    /// How far two runs will be apart at the end that are so far apart on the stretch. What the
+    /// change of the inputs makes grows with the time, whatever the method does; an error that it
+    /// hides is what is expected, or less.
+    fn predicted(&self, method: Method, [level, behind]: [f64; 2], apart: f64) -> f64 {
+        if !method.is_adaptive() {
+            return apart / self.part;
+        }
+        let late = 1.0 + self.part * self.late();
+        let changed = apart.min(CHANGED * self.change(method, behind) * late);
+        let mut error = apart - changed;
+        if error < changed {
+            error = method.expected_error(self.problem, level).min(changed);
+        }
+        (changed + error / method.grown(self.part)) / self.part
     }
 
     /// What the methods are predicted to cost.
@@ -297,13 +325,8 @@ impl Stepping<'_> {
         let step = fine.level - coarse.level;
         let apart = self.distance(&coarse, &fine);
         let expected = Some(on_stretch / self.part);
-        let verdict = |n: usize| {
-            let gap = Gap {
-                apart: apart[n],
-                step,
-            };
-            Verdict::of(method.trust(), &[gap], expected)
-        };
+        let gaps = apart.map(|apart| Gap { apart, step });
+        let verdict = |n: usize| Verdict::of(method.trust(), &gaps[n..=n], expected);
         let (conditions, farthest) =
             (self.problem).slopes(by, (fine.places.clone(), vec![coarse.places]));
         // Nor may they part on the way and meet again.
@@ -320,7 +343,8 @@ impl Stepping<'_> {
         let one_motion = farthest <= MOVED;
         let tame = conditions[0] * method.change() <= BOUNDED * (1.0 + late)
             && FAR_FROM * floor <= self.tolerance;
-        if one_motion && tame && estimate[0] <= self.tolerance {
+        let three = self.problem.is_abrupt();
+        if one_motion && tame && !three && estimate[0] <= self.tolerance {
             let delivered = self.delivered(method, precision, fine, estimate, conditions);
             return Ok(TwoRuns::Delivered(Box::new(delivered)));
         }
@@ -328,14 +352,22 @@ impl Stepping<'_> {
             return Ok(TwoRuns::Unknown);
         }
         let ahead = verdict(0).ahead(self.tolerance);
+        let felt = (three && tame).then_some(Felt {
+            condition: conditions,
+            part: self.part,
+            finely: false,
+            roughly: true,
+        });
         let begun = Begun {
             run: fine,
             precision,
+            apart: felt.is_some().then_some(gaps),
         };
         Ok(TwoRuns::Begun {
             candidate,
             begun,
             ahead,
+            felt,
         })
     }
 }
@@ -404,6 +436,12 @@ impl Method {
         } else {
             level
         }
+    }
+
+    /// The error (rad) that is expected of an adaptive method on the first turn at this level.
+    fn expected_error(self, problem: &Problem, level: f64) -> f64 {
+        let [at, _] = self.expected(problem);
+        exp(LEVEL * (at - self.falls() * level))
     }
 
     /// What a run is expected to cost per angle turned.

@@ -50,7 +50,7 @@ impl Late {
         (local, winding): (Dd, Dd),
         rates: Rates,
     ) -> Self {
-        let quarters = |angle: Dd| angle.scaled(4.0) / Dd::TWO_PI;
+        let quarters = |angle: Dd| angle.turns().scaled(4.0);
         let (per, width) = match half_period {
             Some(half) => (half.recip(), (series.rate * half).to_f64()),
             None => (series.rate.scaled(1.0 / ENDLESS), ENDLESS),

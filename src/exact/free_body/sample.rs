@@ -124,10 +124,7 @@ impl Sampler {
         rates: Rates,
     ) -> Self {
         let clock = |rate: Dd| Clock::new(rate, reduced(rate * start));
-        let clocks = [
-            clock(quarter.recip()),
-            clock(local.scaled(4.0) / Dd::TWO_PI),
-        ];
+        let clocks = [clock(quarter.recip()), clock(local.turns().scaled(4.0))];
         let [alpha, beta] = [&series.alpha, &series.beta];
         let signed = |p: &[f64; 4], sign: f64| p.map(|c| sign * c);
         Self {

@@ -86,10 +86,11 @@ impl Series {
             let (order, i) = (f64::from(n), n as usize);
             let (grown, decayed) = (grown[i - 1], decayed[i - 1]);
             let sign = alternating(i);
-            sums[0] += (grown + decayed) * sign;
-            sums[1] += (grown - decayed) * (-2.0 * sign * order);
-            a[i] = sign * (grown + decayed).to_f64();
-            b[i] = -sign * (grown - decayed).to_f64();
+            let [sum, difference] = [grown.corrected(decayed), grown - decayed];
+            sums[0] = sums[0].corrected(sum.scaled(sign));
+            sums[1] = sums[1].corrected(difference * (-2.0 * sign * order));
+            a[i] = sign * sum.to_f64();
+            b[i] = -sign * difference.to_f64();
         }
         sums[0] = sums[0] + small;
         sums[1] = sums[1] + small_slope;

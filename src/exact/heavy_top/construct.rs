@@ -363,7 +363,7 @@ impl HeavyTop {
             }
             _ => None,
         };
-        // Sixth powers of the rates are formed, in pairs of doubles.
+        // Squares of the rates are formed, in pairs of doubles.
         let far_apart = || Error::RatesTooFarApart {
             fastest: (strength + spin.square() + excess.abs()).to_f64().sqrt(),
         };
@@ -440,7 +440,7 @@ impl HeavyTop {
         let start = self.state(0.0);
         let regular = start.attitude.quaternion().iter().all(|c| c.is_finite())
             && start.angular_momentum.is_finite()
-            && self.theta_rate(0.0).is_finite()
+            && motion.rate.is_finite()
             && [
                 motion.roots.x1,
                 motion.roots.x2,
@@ -470,9 +470,9 @@ impl HeavyTop {
             let phase = start - channel.initial - Dd::PI * channel.initial_half_turns;
             let rate = channel.rate + problem.free_spin.scaled(0.5) * sense;
             Turns {
-                rate: rate / Dd::TWO_PI,
-                lag: channel.step / Dd::TWO_PI,
-                start: phase / Dd::TWO_PI,
+                rate: rate.turns(),
+                lag: channel.step.turns(),
+                start: phase.turns(),
             }
         });
         let spin = problem.omega3.to_f64();

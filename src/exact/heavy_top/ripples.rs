@@ -36,10 +36,12 @@ impl Ripple {
         let (s8, c8) = (2.0 * s4 * c4, 2.0 * c4 * c4 - 1.0);
         let q9 = nome.q9.hi();
         let second = nome.q4 * cos4;
-        let sum = nome.q * cos2 - second + (q9 * c6 - nome.q16 * c8);
-        let at_zero = 1.0 - sum.scaled(2.0);
-        let slopes =
-            nome.q * sin2 - (nome.q4 * sin4).scaled(2.0) + (3.0 * q9 * s6 - 4.0 * nome.q16 * s8);
+        let at_zero = Dd::ONE
+            .corrected((nome.q * cos2).scaled(-2.0))
+            .corrected(second.scaled(2.0))
+            - 2.0 * (q9 * c6 - nome.q16 * c8);
+        let slopes = (nome.q * sin2).corrected((nome.q4 * sin4).scaled(-2.0))
+            + (3.0 * q9 * s6 - 4.0 * nome.q16 * s8);
         let (s, c) = (y.sin.hi(), y.cos.hi());
         let x = s * s;
         let odd = |n: usize| (s * horner(&ODD_SINES[n], x), c * horner(&ODD_COSINES[n], x));

@@ -16,7 +16,7 @@
 //!
 //! Source: the notes, 16.2 (4)-(6); E. T. Whittaker, *Analytical Dynamics*, 71.
 
-use crate::math::DoubleDouble as Dd;
+use crate::math::{DoubleDouble as Dd, ilogb, ldexp};
 
 /// What the motion conserves, in the variable v.
 #[derive(Debug, Clone, Copy)]
@@ -219,6 +219,22 @@ fn outer_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
     if gravity == 0.0 {
         return (-c2).max(Dd::ZERO);
     }
+    // Sixth powers of rates are formed: in a unit of time, a power of two, that brings the largest
+    // near 1.
+    let largest = gravity.hi().max(c2.hi().abs()).max(f64::MIN_POSITIVE);
+    let unit = ldexp(1.0, -(ilogb(largest) / 2));
+    let squared = |x: Dd| x.scaled(unit).scaled(unit);
+    let root = cubic_root(
+        squared(gravity),
+        difference.scaled(unit),
+        squared(c1),
+        squared(c2),
+    );
+    root.scaled(1.0 / unit).scaled(1.0 / unit)
+}
+
+/// The same where sixth powers are numbers.
+fn cubic_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
     let linear = c1 * gravity;
     if difference == 0.0 {
         return if c1 > 0.0 {
@@ -232,15 +248,18 @@ fn outer_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
     let constant = (difference * gravity).square();
     let mut s = Dd::from(outer_root_guess(c2.hi(), linear.hi(), constant.hi()));
     for _ in 0..12 {
-        let value = ((s + c2) * s - linear) * s - constant;
-        let slope = (s * 3.0 + c2.scaled(2.0)) * s - linear;
+        let value = (((s + c2) * s - linear) * s - constant).hi();
+        let (x, c2) = (s.hi(), c2.hi());
+        let slope = (3.0 * x + 2.0 * c2) * x - linear.hi();
+        // To its second power: the third of a guess's error is none.
         let step = value / slope;
+        let step = step * (1.0 + step * (3.0 * x + c2) / slope);
         let next = s - step;
         if !next.is_finite() || next <= 0.0 {
             break;
         }
         s = next;
-        if step.hi().abs() <= 1e-30 * s.hi() {
+        if step.abs() <= 1e-14 * x {
             break;
         }
     }
@@ -253,24 +272,31 @@ fn outer_root_guess(c2: f64, linear: f64, constant: f64) -> f64 {
         .abs()
         .max(linear.abs().sqrt())
         .max(crate::math::cbrt(constant));
-    let mut s = 2.0 * size;
-    if c2 > 0.0 {
+    let bound = if c2 > 0.0 {
         // Without s^3 >= 0 the root only grows: an upper bound, near if s is small.
         let root = (linear * linear + 4.0 * c2 * constant).sqrt();
-        let bound = if linear >= 0.0 {
+        if linear >= 0.0 {
             (linear + root) / (2.0 * c2)
         } else {
             2.0 * constant / (root - linear)
-        };
-        s = s.min(bound);
-    }
+        }
+    } else {
+        // s^2 + c2 s - linear = constant/s, and s is at least the root for a constant of none.
+        let root = |linear: f64| 0.5 * ((c2 * c2 + 4.0 * linear).sqrt() - c2);
+        root(linear + constant / root(linear))
+    };
+    let mut s = (2.0 * size).min(bound);
     for _ in 0..200 {
         let value = ((s + c2) * s - linear) * s - constant;
         let slope = (3.0 * s + 2.0 * c2) * s - linear;
-        let next = s - value / slope;
-        if next > 0.0 && next < s {
-            s = next;
-        } else {
+        let step = value / slope;
+        let next = s - step;
+        if !(next > 0.0 && next < s) {
+            break;
+        }
+        s = next;
+        // The next one would be about its square.
+        if step < 1e-9 * s {
             break;
         }
     }

@@ -123,14 +123,15 @@ pub(super) struct Wave<L = f64> {
 }
 
 impl<L: Exact> Wave<L> {
+    #[inline]
     pub fn new(zero: &Across<L>, nome: &Nome) -> Self {
         let Across { decay, fall, rest } = *zero;
         // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}), E = e^{-2y}.
         let (square, rest2) = (decay.square(), rest.square());
-        let pair = decay + square;
-        let third = pair + 1.0;
-        let fifth = third + square * pair;
-        let seventh = fifth + square.square() * pair;
+        let pair = decay.corrected(square);
+        let third = (decay + 1.0).corrected(square);
+        let fifth = third.corrected(square * pair);
+        let seventh = fifth.corrected(square.square() * pair);
         let falls = [fall * third, fall * fifth, fall * seventh];
         let [q, q4, q9] = [nome.q, nome.q4, nome.q9].map(Dd::same);
         let weights = [q * rest, q4 * rest2, q9 * (rest2 * rest)];
@@ -147,19 +148,21 @@ impl<L: Exact> Wave<L> {
         Self {
             cosh,
             sinh,
-            at_zero: a + b + (c + d.plus(tail)),
+            at_zero: a.corrected(b).corrected(c.corrected(d.plus(tail))),
             more_slope: fourth * 9.0 * (-ninth + 1.0) + fifth * 11.0 * (-(ninth * two) + 1.0),
         }
     }
 
     /// d arg H1(x - i eta)/dz at x = 0, for a phase that runs past eta in the sense +1.
+    #[inline]
     fn slope(&self) -> Dd<L> {
         let [a, b, c, d] = self.sinh;
-        let sum = a + b * 3.0 + (c * 5.0 + (d * 7.0).plus(self.more_slope));
-        sum / self.at_zero
+        let small = (c * 5.0).corrected((d * 7.0).plus(self.more_slope));
+        a.corrected(b * 3.0).corrected(small) / self.at_zero
     }
 
     /// The terms times `scale`, the first of each as a pair.
+    #[inline]
     pub fn times(&self, scale: Dd<L>) -> Terms<L> {
         let factor = scale.hi();
         let terms = |[first, b, c, d]: [Dd<L>; LEADING]| Leading {
@@ -188,12 +191,16 @@ pub(super) struct Terms<L = f64> {
 
 impl Terms<Two> {
     /// One after the other.
+    #[inline]
     fn parts(self) -> [Terms; 2] {
-        let [cosh, sinh] = [self.cosh, self.sinh].map(Leading::parts);
-        [0, 1].map(|i| Terms {
-            cosh: cosh[i],
-            sinh: sinh[i],
-        })
+        let ([cosh, other_cosh], [sinh, other_sinh]) = (self.cosh.parts(), self.sinh.parts());
+        [
+            Terms { cosh, sinh },
+            Terms {
+                cosh: other_cosh,
+                sinh: other_sinh,
+            },
+        ]
     }
 }
 
@@ -201,6 +208,7 @@ impl Terms<Two> {
 impl Terms {
     /// `side` H(x - i eta),
     /// H = sum (-1)^n [sin(2n+1)z cosh(2n+1)y - i cos(2n+1)z sinh(2n+1)y].
+    #[inline]
     fn h(&self, sign: f64, side: f64) -> Factor {
         Factor {
             re: self.cosh.polynomial(side, -1.0, odd_polynomial),
@@ -209,6 +217,7 @@ impl Terms {
     }
 
     /// H1(x - i eta) = sum [cos(2n+1)z cosh(2n+1)y + i sin(2n+1)z sinh(2n+1)y].
+    #[inline]
     pub fn h1(&self, sign: f64) -> Factor {
         Factor {
             re: self.cosh.polynomial(1.0, 1.0, even_polynomial),
@@ -220,6 +229,7 @@ impl Terms {
 impl Leading {
     /// The polynomial of the four terms, with this sign and times the powers of `alternate`, its
     /// constant rounded once.
+    #[inline]
     fn polynomial(
         &self,
         sign: f64,
@@ -235,6 +245,7 @@ impl Leading {
 }
 
 impl Leading<Two> {
+    #[inline]
     fn parts(self) -> [Leading; 2] {
         let first = self.first.parts();
         let rest = self.rest.map(Pair::parts);
@@ -252,6 +263,7 @@ impl Leading<Two> {
 }
 
 /// sum c_n sin((2n+1)z)/sin z in powers of k = 2 cos 2z.
+#[inline]
 fn odd_polynomial(c: [f64; 4]) -> [f64; 4] {
     [
         c[0] + c[1] - c[2] - c[3],
@@ -262,6 +274,7 @@ fn odd_polynomial(c: [f64; 4]) -> [f64; 4] {
 }
 
 /// sum c_n cos((2n+1)z)/cos z in powers of k = 2 cos 2z.
+#[inline]
 fn even_polynomial(c: [f64; 4]) -> [f64; 4] {
     [
         c[0] - c[1] - c[2] + c[3],

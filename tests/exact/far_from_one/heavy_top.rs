@@ -176,3 +176,47 @@ fn late_angles_grow_with_their_mean_rates() {
     assert!(error.to_string().contains("zeta = inf"), "{error}");
     assert!(motion.try_angles(f64::NAN).is_err());
 }
+
+/// How many states of motions in other units of time do not have the bits that they have in
+/// seconds; gravity is larger by the part `damage` there.
+fn moved_by_the_unit(damage: f64) -> [usize; 2] {
+    let starts = [
+        (0.9, 1.1, [0.5, -0.8, 3.1]),
+        (-0.9, 0.02, [2.0, 1.0, 0.1]),
+        (0.9, 2.9, [1e-3, -2.0, -7.0]),
+        (-0.9, PI, [0.3, 0.1, 11.0]),
+        (0.9, 0.0, [1e-4, 0.0, 1.0]),
+    ];
+    let motion = |(lever, theta, rates): (f64, f64, [f64; 3]), unit: f64, weight: f64| {
+        let top = SymmetricTop::new(1.3, 0.7, weight * unit, lever * unit).expect("a top");
+        let (phi, zeta) = (0.3, -0.4);
+        let start = EulerAngles { phi, theta, zeta };
+        let rates = BodyVector::from_array(rates.map(|rate| rate * unit));
+        HeavyTop::from_body(top, start, rates).expect("a motion")
+    };
+    let (mut moved, mut states) = (0, 0);
+    for start in starts {
+        let own = motion(start, 1.0, 2.0);
+        for power in [-400, -200, -100, 100, 170, 200, 480] {
+            let unit = 2.0_f64.powi(power);
+            let other = motion(start, unit, 2.0 * (1.0 + damage));
+            for t in [0.0, 1.3, 77.7, -1e6] {
+                let (want, got) = (own.kinematics(t), other.kinematics(t / unit));
+                let rates = want.angular_velocity.to_array().map(|rate| rate * unit);
+                let same = got.attitude.quaternion() == want.attitude.quaternion()
+                    && got.angular_velocity.to_array() == rates;
+                moved += usize::from(!same);
+                states += 1;
+            }
+        }
+    }
+    [moved, states]
+}
+
+/// Rates down to 4e-125 and up to 3e145 rad/s: their sixth powers are far beyond doubles.
+#[test]
+fn no_bit_depends_on_the_unit_of_time() {
+    assert_eq!(moved_by_the_unit(0.0), [0, 140]);
+    let [moved, _] = moved_by_the_unit(1e-14);
+    assert!(moved > 90, "{moved}");
+}

@@ -84,10 +84,13 @@ pub fn ways<E: Effect>(scene: &Scene<E>) -> Vec<Way> {
             all.push(Way::Plain(Method::GaussLegendre16, Variables::Body));
         }
     } else {
-        if nature.smooth {
+        // On a symmetric body what resists is smooth along the motion.
+        let resisted =
+            Resisted::new(scene, 0.0).is_ok_and(|r| symmetric || r.resistance().is_linear());
+        if nature.smooth || resisted {
             all.push(Way::Plain(Method::GaussLegendre16, Variables::Space));
         }
-        if Resisted::new(scene, 0.0).is_ok_and(|r| symmetric || r.resistance().is_linear()) {
+        if resisted {
             all.extend(SPLITTINGS.map(Way::Resisted));
         }
     }

@@ -94,16 +94,18 @@ fn the_price_is_that_of_the_record() {
     let medians = first_prices().map(|prices| (quantile(&prices, 0.5), prices.len()));
     println!("{medians:?}");
     let [(own, of_own), (all, of_all)] = medians;
-    assert_eq!([of_own, of_all], [60, 60]);
+    // Two routes to the end of one tumbling body in air differ by more than its truth may.
+    assert_eq!([of_own, of_all], [63, 63]);
+    // Measured: 3.04 and 3.42.
     assert!((3.03..3.04).contains(&own), "{own}");
-    assert!((3.49..3.50).contains(&all), "{all}");
+    assert!((3.41..3.42).contains(&all), "{all}");
     let rows: Vec<Vec<&str>> = include_str!("../../../../benches/record/price.txt")
         .lines()
         .filter(|line| KINDS.iter().any(|kind| line.starts_with(kind)))
         .map(|line| line[22..].split_whitespace().collect())
         .collect();
-    // Before and after.
-    assert_eq!(rows.len(), 2 * KINDS.len() * TOLERANCES.len());
+    // After, and of ten kinds before.
+    assert_eq!(rows.len(), (KINDS.len() + 10) * TOLERANCES.len());
     for row in &rows {
         // Before, torques alone were counted.
         assert!([13, 15].contains(&row.len()), "{row:?}");

@@ -1,4 +1,4 @@
-//! Scenes of ten kinds, each with its end and the cheapest runs as hindsight knows them.
+//! Scenes of eleven kinds, each with its end and the cheapest runs as hindsight knows them.
 
 use super::ladder::{Way, cheapest, run, ways};
 use crate::dial::attack::truth::{self, Law, Resisting};
@@ -42,7 +42,7 @@ pub enum Counted {
     Torques,
 }
 
-pub const KINDS: [&str; 10] = [
+pub const KINDS: [&str; 11] = [
     "heavy, three moments",
     "top, stepped",
     "free, stepped",
@@ -53,6 +53,7 @@ pub const KINDS: [&str; 10] = [
     "driven, resonant",
     "own drag",
     "jumps",
+    "air, three moments",
 ];
 
 /// The n-th scene of a kind.
@@ -69,7 +70,8 @@ pub fn case(kind: usize, n: u64) -> Result<Case> {
         6 => to_the_stop(&mut dice),
         7 => driven(&mut dice),
         8 => own_drag(&mut dice),
-        _ => jumps(&mut dice),
+        9 => jumps(&mut dice),
+        _ => in_air_tumbling(&mut dice),
     }
 }
 
@@ -243,6 +245,24 @@ fn in_air(dice: &mut Dice) -> Result<Case> {
     known(5, scene, start, t_end, Some(exact))
 }
 
+/// The drag of the air on the disc of a body with three moments, whose spin goes to and fro: the
+/// torque has a kink wherever it passes through 0.
+fn in_air_tumbling(dice: &mut Dice) -> Result<Case> {
+    let body = RigidBody::new(dice.moments()?);
+    let rates = dice.vector() * dice.scale(0.3, 3.0);
+    let start = body.state(Attitude::from_euler(dice.attitude())?, rates)?;
+    let t_end = dice.scale(1.0, 15.0) * TAU / rates.norm();
+    let (radius, spin) = (0.3, rates.norm());
+    let viscosity = dice.scale(1e-7, 1e-3);
+    let lost = dice.scale(1e-3, 3.0) / t_end;
+    let of_unit = DiscDrag::new(radius, 1.0, viscosity, spin)?.axial_torque(spin);
+    let density = lost * body.moments().i3() * (spin / of_unit).abs();
+    let drag = DiscDrag::new(radius, density, viscosity, spin)?;
+    let gravity = GravityAtLever::new(body.kinetic_energy(&start) * dice.scale(0.01, 1.0), 1.0)?;
+    let scene = Scene::new(body).with(drag).with(gravity);
+    known(10, scene, start, t_end, None)
+}
+
 /// Dry friction about the axis, to between a third of the way to the stop and three times beyond.
 fn to_the_stop(dice: &mut Dice) -> Result<Case> {
     let (body, gravity, start, turning) = throw(dice)?;
@@ -284,7 +304,7 @@ fn driven(dice: &mut Dice) -> Result<Case> {
     )
 }
 
-/// A drag of one's own that grows with the square of the rate, of which nothing is said.
+/// A drag of one's own that grows with the square of the rate.
 fn own_drag(dice: &mut Dice) -> Result<Case> {
     let body = RigidBody::new(dice.moments()?);
     let rates = dice.vector() * dice.scale(0.3, 3.0);
