@@ -270,8 +270,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
-    // What wakes it is what the steps leave: it comes a little later when they leave less.
-    let close = 5e-3 * pow(p.tolerance / 1e-10, 0.2).max(1.0);
+    // What wakes it is what the steps leave, of which a tenth of the tolerance leaves a tenth, give
+    // or take a factor of two: it takes so much longer (s) to grow.
+    let grown = log(life.stance(wakes)?.tilt() / life.stance(wakes - 1.0)?.tilt());
+    let later = log(20.0) / grown;
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
     let grip = |step: f64| -> Result<[f64; 2]> {
         let point = p
@@ -314,13 +316,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             p.rolling_spin() => "that is for a tip that rolls",
             2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL => "that is for a sharp tip that does not slip";
         /// it wakes
-        wakes: wakes, "s", "finer steps" => wakes_again, within close * wakes;
+        wakes: wakes, "s", "finer steps" => wakes_again, within later;
         /// its rim touches the floor
-        falls: falls, "s", "finer steps" => falls_again, within close * falls;
+        falls: falls, "s", "finer steps" => falls_again, within later;
         /// tilt at the fall
         fallen: touches, "rad", "simulated" => fallen.tilt(), within 1e-10, in "The fall";
         /// spin at the fall
-        last_spin: fallen.spin(), "rad/s", "finer steps" => fallen_again.spin(), within close * least;
+        last_spin: fallen.spin(), "rad/s", "finer steps" => fallen_again.spin(), within 5e-3 * least;
     }
 }
 

@@ -307,7 +307,7 @@ impl Method {
     }
 
     /// Torques that a step takes, at most.
-    const fn torques(self) -> f64 {
+    pub const fn torques(self) -> f64 {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 8.0 * 12.0,
             Split(_) | Resisted(_) => 14.0,

@@ -144,7 +144,7 @@ impl<E: Effect> Scene<E> {
     /// 3e-3 at 1e-12 and 1.4e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at
     /// 1e-9, 13 % at 1e-12 and 47 % at 1e-13.
     ///
-    /// Price: where two runs suffice, all runs together cost 1.5 to 2 times the one that is
+    /// Price: where two runs suffice, all runs together cost 1.3 to 2 times the one that is
     /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.5 to
     /// 3.3 times under a weight or without a torque, and 3.9 to 6.8 times elsewhere (medians by
     /// kind of scene; `benches/record/price.txt`): the most where the torque has kinks, of which
@@ -153,7 +153,8 @@ impl<E: Effect> Scene<E> {
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. Two runs that suffice part nowhere on the way, and their steps resolve
-    /// the fastest rotation. Otherwise the condition is felt by two more runs in the steps of the
+    /// the fastest rotation. The same holds of the first two where a third follows at once, since the torque
+    /// may jump or is narrow. Otherwise the condition is felt by two more runs in the steps of the
     /// first, or where that is not enough on a motion whose own error, times that condition, is small;
     /// runs that differ ten times more than their errors on the first turns and the condition predict
     /// are not believed (unless the torque depends on the time and may have come later), and it is

@@ -36,6 +36,10 @@ const BOUNDED: f64 = 1.2;
 /// motion that is only late.
 const CHANGED: f64 = 2.0;
 
+/// So many runs in the longest steps allowed must be affordable: what is done with all care, if a
+/// pair says too little, is not to be refused for the sake of the pair.
+const DEAR: f64 = 10.0;
+
 /// So many pairs are begun.
 const TRIES: usize = 4;
 
@@ -104,7 +108,9 @@ impl Stepping<'_> {
                 cost,
             } = guesses[0];
             let floor = method.floor() * EPS * (1.0 + self.late());
-            if FARTHER * floor > self.tolerance || !cost.is_finite() {
+            let least = method.torques() * (self.problem.span() / self.problem.longest_step).abs();
+            let dear = DEAR * least > self.left(&Work::default())? as f64;
+            if FARTHER * floor > self.tolerance || !cost.is_finite() || dear {
                 return Ok(TwoRuns::Unknown);
             }
             let before = (self.work, self.cost);

@@ -34,8 +34,8 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 /// function that is zero at the very start of a run has no event there.
 ///
 /// Accuracy: the state at the located time satisfies the event to its rounding
-/// (3.1e-15 measured on speeds of order 1), and the time is as good as the run:
-/// 6.3e-11 at tolerance 1e-12 where the run itself is off by 6.7e-11, 4.7e-14 at
+/// (3.0e-15 measured on speeds of order 1), and the time is as good as the run:
+/// 6.2e-11 at tolerance 1e-12 where the run itself is off by 6.7e-11, 6.4e-14 at
 /// 1e-15 (`tests/integrators/convergence/events.rs`).
 pub struct Event<'f, const N: usize> {
     name: &'static str,

@@ -42,12 +42,12 @@ use core::ops::ControlFlow;
 /// | 1e-8 | 4.9e-5 | 3681 | 1.4e-7 | 446 |
 /// | 1e-10 | 4.7e-7 | 5590 | 1.1e-9 | 758 |
 /// | 1e-12 | 3.7e-9 | 8416 | 8.2e-12 | 1310 |
-/// | 1e-14 | 2.2e-11 | 14750 | 6.8e-14 | 2306 |
-/// | 1e-15 | 2.9e-12 | 19694 | 3.4e-15 | 3062 |
+/// | 1e-14 | 2.2e-11 | 14750 | 7.3e-14 | 2306 |
+/// | 1e-15 | 3.3e-12 | 19694 | 5.7e-15 | 3062 |
 ///
 /// One more digit costs about 1.3 times the work. Sums are compensated and formed
 /// about the first derivative of the step, so that tolerances down to 1e-15 mean
-/// something. Over the reference cases of the tops at 1e-15: K <= 14 in units of
+/// something. Over the reference cases of the tops at 1e-15: K <= 18 in units of
 /// eps (|value| + condition).
 ///
 /// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential
