@@ -174,7 +174,7 @@ impl<'p> Stepping<'p> {
                 begun,
                 ahead,
                 felt,
-            } => self.roughly_delivered(&candidate, begun, self.part, Some(ahead), felt)?,
+            } => self.roughly_delivered(&candidate, *begun, self.part, Some(ahead), felt)?,
             TwoRuns::Unknown => None,
         };
         if let Some(delivered) = delivered {

@@ -56,7 +56,7 @@ pub(super) enum TwoRuns {
     /// The finer one, from which to go on by so many levels.
     Begun {
         candidate: Candidate,
-        begun: Begun,
+        begun: Box<Begun>,
         ahead: f64,
         /// The condition, if these two bound it.
         felt: Option<Felt>,
@@ -364,11 +364,11 @@ impl Stepping<'_> {
             finely: false,
             roughly: true,
         });
-        let begun = Begun {
+        let begun = Box::new(Begun {
             run: fine,
             precision,
             apart: felt.is_some().then_some(gaps),
-        };
+        });
         Ok(TwoRuns::Begun {
             candidate,
             begun,
