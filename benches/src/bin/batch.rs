@@ -138,7 +138,7 @@ fn main() -> Outcome<()> {
             "side by side",
         ],
     )?;
-    let mut set_ups = Table::new("set_up", ["motion", "pairs", "time / us", "pair / ns"])?;
+    let mut set_ups = Table::new("set_up", ["motion", "pairs", "time / µs", "pair / ns"])?;
     for motion in motions()? {
         let ([one, batch], [of_many, together]) = (samples(&motion)?, side_by_side(&motion)?);
         let two = |x: f64| format!("{x:.2}");
