@@ -35,6 +35,7 @@ const FINER: f64 = 1e-3;
 const FELT_FINELY: f64 = 1e-12;
 
 /// A condition as it was felt.
+#[derive(Clone, Copy)]
 pub(super) struct Felt {
     pub condition: Apart,
     /// The part of the span on which the candidates were compared.
@@ -49,8 +50,8 @@ pub(super) struct Felt {
 pub(super) struct Begun {
     pub run: Run,
     pub precision: f64,
-    /// Its distances from a coarser one, where the two bound the condition.
-    pub apart: Option<[Gap; 3]>,
+    /// The condition as bounded by its distances from a coarser one, if it is.
+    pub bounded: Option<(Felt, [Gap; 3])>,
 }
 
 /// The change with which it is felt roughly: ten times what the sweeps leave, between these.
@@ -196,7 +197,7 @@ impl Stepping<'_> {
             Ok(run) => Ok(Some(Begun {
                 run,
                 precision,
-                apart: None,
+                bounded: None,
             })),
         }
     }

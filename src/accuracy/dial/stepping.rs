@@ -173,8 +173,7 @@ impl<'p> Stepping<'p> {
                 candidate,
                 begun,
                 ahead,
-                felt,
-            } => self.roughly_delivered(&candidate, *begun, self.part, Some(ahead), felt)?,
+            } => self.roughly_delivered(&candidate, *begun, self.part, Some(ahead))?,
             TwoRuns::Unknown => None,
         };
         if let Some(delivered) = delivered {
@@ -185,8 +184,7 @@ impl<'p> Stepping<'p> {
         self.choice += self.work.since(&before);
         let best = candidates.all[0];
         if let Some(begun) = self.begin(&best, candidates.wanted, candidates.part)?
-            && let Some(delivered) =
-                self.roughly_delivered(&best, begun, candidates.part, None, None)?
+            && let Some(delivered) = self.roughly_delivered(&best, begun, candidates.part, None)?
         {
             return Ok(self.paid(delivered));
         }
@@ -201,11 +199,10 @@ impl<'p> Stepping<'p> {
         begun: Begun,
         part: f64,
         ahead: Option<f64>,
-        felt: Option<Felt>,
     ) -> Result<Option<Delivered>> {
-        let felt = match felt {
+        let felt = match begun.bounded {
+            Some((felt, _)) => Some(felt),
             None => self.roughly(candidate.method, &begun, part)?,
-            felt => felt,
         };
         let Some(felt) = felt else {
             return Ok(None);
@@ -500,12 +497,12 @@ impl<'p> Stepping<'p> {
         let mut gaps = [const { Vec::new() }; 3];
         let first = match begun {
             Some(begun)
-                if (begun.apart.is_some() || begun.run.level >= linear)
+                if (begun.bounded.is_some() || begun.run.level >= linear)
                     && begun.precision <= 2.0 * precision =>
             {
                 precision = begun.precision;
                 budget = self.tolerance - left(precision);
-                if let Some(apart) = begun.apart {
+                if let Some((_, apart)) = begun.bounded {
                     gaps = apart.map(|gap| vec![gap]);
                 }
                 begun.run

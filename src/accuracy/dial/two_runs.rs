@@ -58,8 +58,6 @@ pub(super) enum TwoRuns {
         candidate: Candidate,
         begun: Box<Begun>,
         ahead: f64,
-        /// The condition, if these two bound it.
-        felt: Option<Felt>,
     },
     /// More has to be known.
     Unknown,
@@ -358,22 +356,21 @@ impl Stepping<'_> {
             return Ok(TwoRuns::Unknown);
         }
         let ahead = verdict(0).ahead(self.tolerance);
-        let felt = (three && tame).then_some(Felt {
+        let felt = Felt {
             condition: conditions,
             part: self.part,
             finely: false,
             roughly: true,
-        });
+        };
         let begun = Box::new(Begun {
             run: fine,
             precision,
-            apart: felt.is_some().then_some(gaps),
+            bounded: (three && tame).then_some((felt, gaps)),
         });
         Ok(TwoRuns::Begun {
             candidate,
             begun,
             ahead,
-            felt,
         })
     }
 }

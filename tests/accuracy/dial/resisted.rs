@@ -18,12 +18,25 @@ use rotation_dynamics::{Error, Result};
 use std::sync::atomic::AtomicBool;
 use support::Errors;
 
-/// The same effects, which say nothing of what resists.
+/// The same effects, which may say nothing of what resists, or not that they are smooth.
 #[derive(Clone, Copy)]
-struct Silent<E>(E);
+struct Said<E, const RESISTS: bool, const SMOOTH: bool>(E);
 
-impl<E: Effect> Effect for Silent<E> {
-    const NATURE: Nature = E::NATURE;
+/// They say nothing of what resists.
+const fn silent<E>(effects: E) -> Said<E, false, true> {
+    Said(effects)
+}
+
+/// They do not say that they are smooth.
+const fn unsaid<E>(effects: E) -> Said<E, true, false> {
+    Said(effects)
+}
+
+impl<E: Effect, const RESISTS: bool, const SMOOTH: bool> Effect for Said<E, RESISTS, SMOOTH> {
+    const NATURE: Nature = Nature {
+        smooth: E::NATURE.smooth && SMOOTH,
+        ..E::NATURE
+    };
 
     fn name(&self) -> &'static str {
         self.0.name()
@@ -33,8 +46,12 @@ impl<E: Effect> Effect for Silent<E> {
         self.0.torque(t, body, state)
     }
 
-    fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
-        None
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        self.0.torques_on_axis(body, axis)
+    }
+
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        self.0.resistance(t, body).filter(|_| RESISTS)
     }
 
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
@@ -104,7 +121,7 @@ struct Prices {
 
 impl Prices {
     fn of<E: Effect + Copy>(&mut self, name: &str, scene: &Scene<E>, start: &State, end: f64) {
-        let silent = Scene::new(*scene.body()).with(Silent(*scene.effects()));
+        let silent = Scene::new(*scene.body()).with(silent(*scene.effects()));
         for tolerance in [1e-3, 1e-6, 1e-9] {
             let now = scene.solve(start, end, tolerance).expect("solved");
             let was = silent.solve(start, end, tolerance).expect("solved");
@@ -223,42 +240,11 @@ fn a_splitting_takes_what_it_can() {
         by(&round, (beside, oil)),
         // l_3 passes through 0.
         by(&brick, air),
-        by(&round, Silent((lever, oil))),
+        by(&round, silent((lever, oil))),
         // The closed form.
         by(&round, (lever, None::<ViscousFriction>)),
     ];
     assert_eq!(left, [false; 5]);
-}
-
-/// The same resistance, of which it is not said that it is smooth.
-#[derive(Clone, Copy)]
-struct Unsaid<E>(E);
-
-impl<E: Effect> Effect for Unsaid<E> {
-    const NATURE: Nature = Nature {
-        smooth: false,
-        ..E::NATURE
-    };
-
-    fn name(&self) -> &'static str {
-        self.0.name()
-    }
-
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state)
-    }
-
-    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
-        self.0.torques_on_axis(body, axis)
-    }
-
-    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
-        self.0.resistance(t, body)
-    }
-
-    fn narrowest(&self) -> Option<Feature> {
-        self.0.narrowest()
-    }
 }
 
 /// Drag has its kink where the body does not spin, and never brings the spin of a symmetric body
@@ -279,16 +265,16 @@ fn drag_is_smooth_where_it_stops_no_spin() -> Result<()> {
     let smooth = [
         price(&round, oil)?,
         price(&round, air)?,
-        price(&round, Unsaid(oil))?,
-        price(&brick, Unsaid(oil))?,
+        price(&round, unsaid(oil))?,
+        price(&brick, unsaid(oil))?,
     ];
     let dry = CoulombBearing::new(0.1, &round, &tilted(&round, [0.3, -0.2, 20.0]), 0.0)?;
     let not_known = [
         // Its spin passes through 0.
         price(&brick, air)?,
-        // Dry friction comes to its stop, which nothing names.
-        price(&round, Unsaid(dry))?,
-        price(&round, Silent(air))?,
+        // Dry friction has its kink at the stop.
+        price(&round, unsaid(dry))?,
+        price(&round, silent(air))?,
     ];
     // Measured: 1.48 to 1.67, and 1.93 to 2.31.
     assert!(smooth.iter().all(|price| *price < 1.7), "{smooth:?}");
@@ -326,7 +312,7 @@ fn what_is_not_the_same_in_all_directions_is_stepped_otherwise() -> Result<()> {
         Resisted::new(&scene, 0.0),
         Err(Error::SeesMore { .. })
     ));
-    let silent = Scene::new(*scene.body()).with(Silent(Uneven));
+    let silent = Scene::new(*scene.body()).with(silent(Uneven));
     let [told, untold] = [
         scene.solve(&start, 10.0, 1e-8)?,
         silent.solve(&start, 10.0, 1e-8)?,
@@ -474,7 +460,7 @@ fn all_along_the_way_to_the_stop() -> Result<()> {
     let scene = Scene::new(body)
         .with(GravityAtLever::new(4.9, 0.1)?)
         .with(bearing);
-    let silent = Scene::new(body).with(Silent(*scene.effects()));
+    let silent = Scene::new(body).with(silent(*scene.effects()));
     let end = 4.0;
     let best = silent.solve_along(&start, end, 1e-11, &Limits::default())?;
     let mut over = Errors::of("error over tolerance");
