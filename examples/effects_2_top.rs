@@ -270,8 +270,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
-    // What wakes it is what the steps leave, of which a tenth of the tolerance leaves a tenth, give
-    // or take a factor of two: it takes so much longer (s) to grow.
+    // What wakes it is a tiny deviation, to which the steps add. A tenth of the tolerance leaves no
+    // less than a twentieth of it: that takes at most so much longer (s) to grow.
     let grown = log(life.stance(wakes)?.tilt() / life.stance(wakes - 1.0)?.tilt());
     let later = log(20.0) / grown;
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
