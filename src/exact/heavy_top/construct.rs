@@ -6,6 +6,7 @@ use super::roots::{Conserved, Origin, Roots, State};
 use super::sample::Sampler;
 use super::{Course, Form, Given, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
+use crate::body::Kinematics;
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
 use crate::math::DoubleDouble as Dd;
@@ -408,7 +409,8 @@ impl HeavyTop {
             given: problem.given,
             course,
         };
-        if motion.is_representable() && motion.starts_as_given(strength.to_f64().sqrt()) {
+        let start = motion.kinematics(0.0);
+        if motion.is_representable(start) && motion.starts_as_given(&start, strength) {
             Ok(motion)
         } else {
             Err(far_apart())
@@ -416,28 +418,30 @@ impl HeavyTop {
     }
 
     /// True if the motion has at t = 0 the rates that it was made from: it has lost them where
-    /// their powers leave the range of doubles. `swing` is the rate of gravity.
-    fn starts_as_given(&self, swing: f64) -> bool {
+    /// their powers leave the range of doubles. `gravity` is the square of its rate.
+    fn starts_as_given(&self, start: &Kinematics, gravity: Dd) -> bool {
         const LOST: f64 = 1e-8;
         let Given::Body { omega_body, .. } = &self.given else {
             return true;
         };
+        let swing = gravity.to_f64().sqrt();
         let fastest = omega_body
             .to_array()
             .map(f64::abs)
             .into_iter()
             .fold(swing, f64::max);
-        let off = (self.angular_velocity(0.0) - *omega_body).to_array();
+        let off = (start.angular_velocity - *omega_body).to_array();
         off.into_iter().all(|off| off.abs() <= LOST * fastest)
     }
 
-    /// True if the set-up stayed within the range of double-double arithmetic.
-    fn is_representable(&self) -> bool {
+    /// True if the set-up stayed within the range of double-double arithmetic, with this at
+    /// t = 0.
+    fn is_representable(&self, start: Kinematics) -> bool {
         let Course::Moving { motion, turns, .. } = &self.course else {
             return self.omega3.is_finite();
         };
         let period = motion.half_period.hi();
-        let start = self.state(0.0);
+        let start = self.with_momentum(start);
         let regular = start.attitude.quaternion().iter().all(|c| c.is_finite())
             && start.angular_momentum.is_finite()
             && motion.rate.is_finite()
