@@ -17,7 +17,7 @@ use crate::math::lane::Row;
 /// registers, each kind of motion with its own.
 ///
 /// Of 512 tumbling bodies one by one, a state takes 2.7 times as long as together with AVX-512 and
-/// 2.1 times as long as with AVX2; beside their middle axes it is 2.9 and 2.4 times (`benches`,
+/// 2.1 times as long as with AVX2; beside their middle axes it is 2.9 and 2.3 times (`benches`,
 /// binary `batch`). Bodies that a cache does not hold, some 400 bytes each, take the time in which
 /// memory brings them.
 ///

@@ -99,7 +99,7 @@ pub enum Start {
 /// Cost: about 85 sine-cosine pairs of `libm` for the set-up, 120 for m > 0.8, where the
 /// processor has a fused multiplication, half as much again where not; 2.1 for attitude and angular
 /// velocity, whatever the time, in a batch ([`HeavyTop::kinematics_at`]) 0.5 with AVX-512 and
-/// 0.6 with AVX2; for m > 0.8 2.4, 0.6 and 0.8. Many tops at one time: [`HeavyTops`].
+/// 0.6 with AVX2; for m > 0.8 2.5 to 2.7, 0.6 and 0.9. Many tops at one time: [`HeavyTops`].
 /// (`benches`, binary `batch`.)
 #[derive(Debug, Clone)]
 pub struct HeavyTop {
