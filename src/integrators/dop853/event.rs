@@ -28,13 +28,14 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 ///
 /// What counts is a change of sign between two of nine equidistant times in a
 /// step, or between one of them and the point where the function comes nearest to zero:
-/// a graze that is deeper than round-off is met. One that only touches zero is met or
-/// missed as round-off has it, and of three zeros within an eighth of a step two hide each
+/// a graze of the interpolant that is deeper than round-off is met. One that goes beyond zero
+/// by less than the interpolant errs, or only touches it, is met or missed as interpolant and
+/// round-off have it, and of three zeros within an eighth of a step two hide each
 /// other: [`Dop853::with_longest_step`](super::Dop853::with_longest_step). A
 /// function that is zero at the very start of a run has no event there.
 ///
-/// Accuracy: the state at the located time satisfies the event to its rounding
-/// (3.0e-15 measured on speeds of order 1), and the time is as good as the run:
+/// Accuracy: but for such a graze the state at the located time satisfies the event to its
+/// rounding (3.0e-15 measured on speeds of order 1), and the time is as good as the run:
 /// 6.2e-11 at tolerance 1e-12 where the run itself is off by 6.7e-11, 6.4e-14 at
 /// 1e-15 (`tests/integrators/convergence/events.rs`).
 pub struct Event<'f, const N: usize> {
