@@ -1,8 +1,8 @@
 //! The nome of an elliptic function and, by it, arguments from values, in
 //! double-double arithmetic: what the set-ups of the closed forms need.
 //!
-//! An integral of the first kind by duplication takes eight rounds of three square roots
-//! each. Here `f64` finds the argument, and one Newton step on the theta functions, whose
+//! An integral of the first kind by duplication takes up to eight rounds of three square
+//! roots each. Here `f64` finds the argument, and one Newton step on the theta functions, whose
 //! series has three or four terms that count, doubles its digits.
 //!
 //! Not for: single values ([`super::legendre`] has F, rounded once), m above 4/5 (give
@@ -499,7 +499,7 @@ mod tests {
         angles.attain(6.7..=6.8, 3 * 49);
         depths.attain(9.2..=9.3, 3 * 49);
         let [angles, depths] = of_arguments(0.8, 0.0);
-        // The term of theta_2 with q^12, formed in `f64`, weighs 4e-12 there: 4.9e-28. An angle
+        // The term of theta_2 with q^12, formed in `f64`, weighs 1e-12 there: 4.9e-28. An angle
         // is a time from a turning point, and does not grow.
         angles.attain(3.9e4..=4.0e4, 3 * 63);
         depths.attain(173.0..=174.0, 3 * 63);

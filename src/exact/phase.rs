@@ -1,5 +1,5 @@
 //! sn, cn and dn of an argument that grows steadily in time, fast: a set-up in
-//! double-double arithmetic, samples in plain `f64`.
+//! double-double arithmetic, samples in plain `f64` once the phase is reduced in pairs.
 //!
 //! Not for: a single value ([`super::jacobi`] has it, rounded once).
 //!

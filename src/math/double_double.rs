@@ -3,7 +3,8 @@
 //! A number is the unevaluated sum `hi + lo` with `|lo| <= ulp(hi)/2`. Set-ups
 //! of closed forms use it where a difference of nearly equal numbers decides
 //! (gaps between roots, the complement of a modulus) and where a phase is
-//! multiplied by a long time; the samples themselves are plain `f64`.
+//! multiplied by a long time; the samples themselves are plain `f64`, but for how far
+//! a phase has come.
 //!
 //! Not for: full IEEE semantics. Intermediate products must stay above about 1e-290: of
 //! smaller ones the error is no double.
@@ -11,8 +12,8 @@
 //! Why each step is exact, and what the set-ups make of it: `book/src/how_double_double.md`.
 //!
 //! Sources: T. J. Dekker, Numer. Math. 18, 224 (1971); M. Joldes, J.-M. Muller,
-//! V. Popescu, ACM TOMS 44, 15res (2017), whose error bounds hold for `+`, `*`
-//! and `/`; Y. Hida, X. Li, D. Bailey, ARITH-15 (2001).
+//! V. Popescu, ACM TOMS 44, 15res (2017), whose error bounds hold for `+` and `*`;
+//! Y. Hida, X. Li, D. Bailey, ARITH-15 (2001).
 
 use super::lane::{Lane, Pair, Two};
 use super::product::Exact;
@@ -148,8 +149,8 @@ impl<L: Exact> DoubleDouble<L> {
         }
     }
 
-    /// The sum with a smaller pair, of either sign: less than half the work of `+`, and within 2
-    /// units of 2^-106 of it, up to half of this one (Dekker).
+    /// The sum with a pair that is no larger: less than half the work of `+`, and within a few
+    /// units of 2^-106 of it while no more than half of this one is taken away (Dekker).
     #[inline]
     pub(crate) fn corrected(self, by: Self) -> Self {
         let (sum, error) = quick_two_sum(self.hi, by.hi);

@@ -12,7 +12,8 @@
 //! z = pi tau/2K, because 1 -+ L_3/L = 1 -+ c dn(tau) has one pair of zeros in a
 //! cell 2K by 4iK'. Both are regular where the axis passes L, so nothing is
 //! special there, and no third-kind integral is formed. The set-up is done in
-//! double-double arithmetic; a sample takes two sine-cosine pairs.
+//! double-double arithmetic; a sample takes two sine-cosine pairs,
+//! the first of them hyperbolic near the middle axis.
 //!
 //! How it is derived, and which differences are not formed: `book/src/how_free_body.md`.
 //!
@@ -234,8 +235,8 @@ impl FreeBody {
     /// in vector registers where the processor has them. Many bodies at one time:
     /// [`FreeBodies`].
     ///
-    /// Nothing is allocated. Cost of a sample in sine-cosine pairs of `libm`: 0.5 with AVX-512,
-    /// 0.9 with AVX2, 2.0 one by one; next to the separatrix 0.5, 1.0 and 2.4 (`benches`, binary
+    /// Nothing is allocated. Cost of a sample in sine-cosine pairs of `libm`: 0.4 with AVX-512,
+    /// 0.8 with AVX2, 1.8 one by one; next to the separatrix 0.5, 0.9 and 2.2 (`benches`, binary
     /// `batch`).
     ///
     /// ```
