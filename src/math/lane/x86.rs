@@ -90,7 +90,8 @@ macro_rules! register {
             }
             #[inline(always)]
             fn within(self, bound: f64) -> Self {
-                Self(unsafe { $min($max(self.0, $set(-bound)), $set(bound)) })
+                // Of a number and none, these instructions give the second.
+                Self(unsafe { $min($set(bound), $max($set(-bound), self.0)) })
             }
             #[inline(always)]
             fn sum(self) -> f64 {
