@@ -430,7 +430,7 @@ fn asked(p: &Parameters, report: &mut Report) -> Result<()> {
         ["motion", "name()", "try_state(t)", "kept()", "condition(t)"],
     )?;
     for (name, motion, t) in motions {
-        let axis = motion.try_state(t)?.attitude.axis();
+        let tilt = motion.try_state(t)?.attitude.euler_angles().theta;
         let kept: Vec<&str> = motion.kept().iter().map(|kept| kept.name).collect();
         table.push([
             name.to_owned(),
@@ -438,7 +438,7 @@ fn asked(p: &Parameters, report: &mut Report) -> Result<()> {
             format!(
                 "t = {} s: e3 at {} rad from Z",
                 short(t, 3),
-                supported_digits(acos(axis.z()), 1e-6)
+                supported_digits(tilt, 1e-6)
             ),
             if kept.is_empty() {
                 "-".to_owned()
