@@ -123,7 +123,7 @@ fn what_is_measured_is_what_was_predicted() {
         assert!(without == 0 && with > 100, "{without} {with}");
         assert!(measured.within <= 0.1 * predicted);
     }
-    errors.attain(2.71e-5..=2.72e-5, 3);
+    errors.attain(2.68e-5..=2.69e-5, 3);
     damaged.exceed(0.9, 3);
 }
 

@@ -129,7 +129,7 @@ fn a_symmetric_body_relaxes_exponentially() {
             .sum();
         power.add(sum * h / 3.0, t, t);
     }
-    law.attain(7.4e-13..=7.5e-13, 3);
+    law.attain(8.0e-13..=8.1e-13, 3);
     power.attain(1.2e-12..=1.3e-12, 3);
     turned_round.exceed(0.5, 3);
 }
@@ -200,7 +200,7 @@ fn a_heavy_body_loses_what_its_power_says() {
     // Without the way through the potential.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-3, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 1.79e-11);
+    assert_error!(scene.power(t, &state), slope, 1.99e-11);
 }
 
 /// Errors of four methods that carry attitude and L (rad), after 10 s against the dial.

@@ -126,15 +126,8 @@ impl Method {
     }
 
     /// By how many levels the first run of the span is coarser than the one that is to deliver,
-    /// where two may do. What is trusted of an order then leaves two thirds of the error asked for,
-    /// or with order 16, whose levels cost little, much less.
-    pub const fn behind(self) -> f64 {
-        match self {
-            FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 1.0,
-            Adaptive | SpinFreeAdaptive => 1.0,
-            Split(_) | Resisted(_) => 1.5,
-        }
-    }
+    /// where two may do.
+    pub const BEHIND: f64 = 1.0;
 
     /// The smallest error that it reaches, in units of eps (1 + condition).
     pub const fn floor(self) -> f64 {

@@ -57,7 +57,8 @@ pub struct Solved {
     pub work: Work,
     /// What of that went into the choice of the method.
     pub choice: Work,
-    /// What of that went into the condition alone: nothing where two runs suffice.
+    /// What of that went into the condition alone: nothing where two runs suffice, or a third that
+    /// follows them at once.
     pub probes: Work,
     /// What all runs cost over what the one cost that is returned, by the time that their
     /// torques take.
@@ -70,8 +71,9 @@ pub struct Solved {
     /// The same of the angular velocity.
     pub rates_estimate: f64,
     /// The angle (rad) by which the end changes per relative change of the inputs. Where two runs
-    /// suffice it is felt by one change of all inputs, with the error of the coarser run in it, and
-    /// mostly too large; at most 2.3 times too small, as measured
+    /// suffice, or a third that follows them at once, it is felt by one change of all inputs, with
+    /// the error of the coarser run in it, and mostly too large, with three runs up to some thousand
+    /// times; at most 2.3 times too small, as measured
     /// (`a_stepped_condition_covers_that_of_the_closed_form` in `tests/accuracy/dial`).
     pub condition: f64,
     /// No step was longer (s; 0 for a closed form). A feature of the torque that is
@@ -88,8 +90,8 @@ impl<E: Effect> Scene<E> {
     /// that is expected to be cheapest: the coarser has all its inputs a little changed, so that
     /// the distance of the two bounds the error of the finer and the condition at once. Both
     /// show on the first turn of the motion whether they are fine enough, and go on from there.
-    /// Where that does not suffice, finer runs go on from these, with the condition felt on them;
-    /// or methods are tried on the first turn, and the one predicted cheapest
+    /// Where that does not suffice, finer runs go on from these, with the condition as they bound it
+    /// or felt on them; or methods are tried on the first turn, and the one predicted cheapest
     /// for the error asked for carries the whole span, coarser and finer, until the runs differ as
     /// their order says they must and what that leaves is within the tolerance. Where that does not
     /// either, all of them do in turn, by three runs or more and with the condition felt in many legs,
@@ -140,21 +142,22 @@ impl<E: Effect> Scene<E> {
     /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/dial`):
     /// bodies with and without gravity, needles, separatrices, poles, upright and
     /// hanging tops, a torque that damps and drives. The median of delivered over requested, when
-    /// everything is stepped, is 2e-4 to 4e-4 from 1e-3 to 1e-9, 6e-4 at 1e-10, 9e-4 at 1e-11,
+    /// everything is stepped, is 4e-4 to 8e-4 from 1e-3 to 1e-9, 9e-4 at 1e-10, 1.2e-3 at 1e-11,
     /// 3e-3 at 1e-12 and 1.4e-2 at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at
     /// 1e-9, 13 % at 1e-12 and 47 % at 1e-13.
     ///
-    /// Price: where two runs suffice, all runs together cost 1.3 to 2 times the one that is
-    /// returned. Over the cheapest run that would have done, as hindsight knows it, that is 2.5 to
-    /// 3.3 times under a weight or without a torque, and 3.9 to 6.8 times elsewhere (medians by
-    /// kind of scene; `benches/record/price.txt`): the most where the torque has kinks, of which
+    /// Price: where two runs suffice, all runs together cost 1.4 to 2 times the one that is
+    /// returned. That is 1.7 to 2.7 times the cheapest run that is as good, as hindsight knows it.
+    /// Over the cheapest that would have sufficed it is 2.4 to 3.3 times under a weight or without a
+    /// torque, and 3.8 to 6.1 times elsewhere (medians by kind of scene;
+    /// `benches/record/price.txt`): the most where the torque has kinks, of which
     /// nothing says where, or depends on the time. Where a motion passes near a separatrix, or the
     /// floor comes near to what is asked, the condition is felt with more care, and that is dearer.
     ///
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. Two runs that suffice part nowhere on the way, and their steps resolve
     /// the fastest rotation. The same holds of the first two where a third follows at once, since
-    /// the torque may jump or is narrow. Otherwise the condition is felt by two more runs in the
+    /// the torque may jump or is narrow, or since they are a little too far apart. Otherwise the condition is felt by two more runs in the
     /// steps of the first, or where that is not enough on a motion whose own error, times that condition, is small;
     /// runs that differ ten times more than their errors on the first turns and the condition predict
     /// are not believed (unless the torque depends on the time and may have come later), and it is

@@ -42,7 +42,7 @@ pub(super) struct Felt {
     pub part: f64,
     /// Nothing is gained by a finer motion.
     pub finely: bool,
-    /// By two changed motions in the steps of a run: enough only if the floor is far away.
+    /// By two changed motions in the steps of a run, or by a pair: enough only if the floor is far away.
     pub roughly: bool,
 }
 
@@ -178,7 +178,7 @@ impl Stepping<'_> {
         } else {
             ROUGH
         };
-        let coarse = (level - method.behind()).max(candidate.level(rough * part));
+        let coarse = (level - Method::BEHIND).max(candidate.level(rough * part));
         let coarsest = method.coarsest_resolved(self.problem);
         if coarsest > method.finest() - 2.0 {
             return Ok(None);

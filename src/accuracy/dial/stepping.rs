@@ -37,9 +37,10 @@ const ELSEWHERE: f64 = 0.2;
 /// The part of the error asked for that the sweeps of Gauss-Legendre may leave.
 pub(super) const SWEEPS: f64 = 0.1;
 
-/// What the sweeps leave of n steps is the condition times this times sqrt(n) times what
-/// they leave of one. Measured on free bodies over up to 2e4 steps: 0.22.
-const SWEPT: f64 = 0.25;
+/// What the sweeps leave of n steps is the condition times n times this, in units of the
+/// precision: it is mostly on one side. Measured on 600 free bodies and tops over 30 to 30 000
+/// steps: 0.0038 at most, whatever their number.
+const SWEPT: f64 = 0.004;
 
 /// What rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
 /// runs of up to a million steps: 0.15.
@@ -479,7 +480,7 @@ impl<'p> Stepping<'p> {
             return Ok(Outcome::Reached(floor));
         }
         // What the sweeps leave of a step grows like any error, and those of many steps add
-        // up as what is thrown at random does: it must stay far below.
+        // up: it must stay far below.
         let swept = self.swept(method, level);
         let mut precision = if method.sweeps() {
             (SWEEPS * (self.tolerance - floor) / (swept * (1.0 + condition))).min(1e-6)
@@ -490,7 +491,7 @@ impl<'p> Stepping<'p> {
         let mut budget = self.tolerance - left(precision);
         let linear = candidate.level(LINEAR / (1.0 + condition));
         // Three runs, unless the condition is felt on the first of two.
-        let behind = if felt.roughly { method.behind() } else { 2.0 };
+        let behind = if felt.roughly { Method::BEHIND } else { 2.0 };
         let coarse = (level - behind).max(linear);
         let coarse = coarse.clamp(method.coarsest(), highest - 2.0);
         let mut next = next.filter(|_| begun.is_some());
@@ -581,12 +582,9 @@ impl<'p> Stepping<'p> {
         }
     }
 
-    /// What the sweeps of a run of this level leave, in units of what they leave of a step.
+    /// What the sweeps of a run of this level leave, in units of the precision.
     pub fn swept(&self, method: Method, level: f64) -> f64 {
-        1.0 + SWEPT
-            * method
-                .steps(self.problem, self.problem.span(), level)
-                .sqrt()
+        1.0 + SWEPT * method.steps(self.problem, self.problem.span(), level)
     }
 
     /// A run finer by so many levels, and by one step at least on every piece.

@@ -12,12 +12,8 @@ use crate::error::Result;
 use crate::integrators::{Method as Named, Work};
 use crate::math::{EPS, exp, log};
 
-/// The part of the distance of two runs that is allowed, which the error of the coarser is to
-/// take.
-const AIMED: f64 = 0.4;
-
 /// The sweeps of the coarser may leave so many times as much.
-const LOOSELY: f64 = 30.0;
+const LOOSELY: f64 = 15.0;
 
 /// The part of the error asked for that the sweeps of the finer may leave.
 const LEFT: f64 = 0.1;
@@ -31,6 +27,11 @@ const FARTHER: f64 = 300.0;
 /// Two runs that are allowed may be apart by little more than this part of what is allowed, in
 /// units of what a change makes of a motion that is only late: such a motion passes no saddle.
 const BOUNDED: f64 = 1.2;
+
+/// By so many times that where finer runs follow: three say by themselves how the error falls, and
+/// the condition need only leave the floor far below. (Gauss-Legendre begins again, in smaller
+/// sweeps.)
+const WIDER: f64 = 30.0;
 
 /// A change of the inputs makes no more on the stretch than so many times what it makes of a
 /// motion that is only late.
@@ -123,7 +124,7 @@ impl Stepping<'_> {
             };
             // What the runs are predicted to be apart at the end, and may be.
             let predicted = self.predicted(method, [level, behind], pair.apart.max(EPS));
-            let aimed = AIMED * self.allowed(method, behind);
+            let aimed = method.aimed() * self.allowed(method, behind);
             let off = log(predicted / aimed) / (LEVEL * method.falls());
             let wanted = (level + off).max(method.coarsest_resolved(self.problem));
             let by = wanted - level;
@@ -180,10 +181,13 @@ impl Stepping<'_> {
         let turned = |method: Method| method.turned(self.problem, self.problem.span());
         let guess = |method: Method| {
             let (mut behind, mut level, mut aimed);
-            behind = method.behind();
+            behind = Method::BEHIND;
             let coarsest = method.coarsest_resolved(self.problem);
             loop {
-                aimed = AIMED * self.allowed(method, behind) * self.part * method.grown(self.part);
+                aimed = method.aimed()
+                    * self.allowed(method, behind)
+                    * self.part
+                    * method.grown(self.part);
                 level = method.expected_level(self.problem, aimed);
                 // The coarsest may do, and then the finer one need not be much finer.
                 if level >= coarsest || behind - 0.1 < method.least_behind() {
@@ -345,10 +349,12 @@ impl Stepping<'_> {
         }
         let floor = method.floor() * EPS * (1.0 + conditions[0]);
         let one_motion = farthest <= MOVED;
-        let tame = conditions[0] * method.change() <= BOUNDED * (1.0 + late)
-            && FAR_FROM * floor <= self.tolerance;
+        let tame = |most: f64| {
+            conditions[0] * method.change() <= most * (1.0 + late)
+                && FAR_FROM * floor <= self.tolerance
+        };
         let three = self.problem.is_abrupt();
-        if one_motion && tame && !three && estimate[0] <= self.tolerance {
+        if one_motion && tame(BOUNDED) && !three && estimate[0] <= self.tolerance {
             let delivered = self.delivered(method, precision, fine, estimate, conditions);
             return Ok(TwoRuns::Delivered(Box::new(delivered)));
         }
@@ -365,7 +371,7 @@ impl Stepping<'_> {
         let begun = Box::new(Begun {
             run: fine,
             precision,
-            bounded: (three && tame).then_some((felt, gaps)),
+            bounded: tame(WIDER).then_some((felt, gaps)),
         });
         Ok(TwoRuns::Begun {
             candidate,
@@ -381,16 +387,25 @@ impl Method {
         if self.is_adaptive() { 0.7 } else { 1.0 }
     }
 
+    /// The part of the distance of two runs that is allowed, which the error of the coarser is to
+    /// take: what a splitting does on the first turn tells best what it will do.
+    const fn aimed(self) -> f64 {
+        match self {
+            Self::Split(_) | Self::Resisted(_) => 0.5,
+            _ => 0.4,
+        }
+    }
+
     /// The part of the distance of two runs that a change of the inputs is to make, on a motion
     /// that is only late. The other part must not be as large, or the two may cancel: the error of
-    /// Gauss-Legendre is mostly nothing, that of others is [`AIMED`].
+    /// Gauss-Legendre is mostly nothing, that of others is [`Method::aimed`].
     const fn change(self) -> f64 {
         if self.sweeps() { 0.1 } else { 0.01 }
     }
 
     /// By so many levels two runs are apart at least: more than what leaves half of the distance,
     /// since errors may pass through zero where the method comes into its order. (From level 1.0
-    /// to 1.6 the error of SRKN 6b fell by 1.8 on one random top, where its order has 9.5.)
+    /// to 1.6 the error of SRKN 6b fell by 1.8 on one random top, where its order has 9.1.)
     const fn least_behind(self) -> f64 {
         match self {
             Self::Split(_) | Self::Resisted(_) => 0.9,

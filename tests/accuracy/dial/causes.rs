@@ -6,7 +6,6 @@ use rotation_dynamics::accuracy::{Limits, Problem};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{GravityAtLever, Torque};
-use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -14,7 +13,7 @@ use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, Method, Scheme, Splitting, Work,
 };
-use rotation_dynamics::math::{cos, exp, sin};
+use rotation_dynamics::math::{cos, exp, log, sin};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 use support::Errors;
@@ -146,35 +145,42 @@ fn runs_agree_by_chance_beside_the_upright() -> Result<()> {
     Ok(())
 }
 
-/// What the sweeps leave of the steps adds up as what is thrown at random does: with the
-/// condition alone the estimate of a long run is too small, with sqrt(steps) it covers.
+/// What the sweeps leave of the steps is mostly on one side: with the condition it grows with their
+/// number. A law of what is thrown at random, by which the dial once went, is too small for long
+/// runs.
 #[test]
 fn what_sweeps_leave_adds_up() -> Result<()> {
-    let moments = PrincipalMoments::new(0.89, 0.6155, 0.4896)?;
-    let rates = BodyVector::new(-0.57, -0.359, 0.342);
-    let (attitude, t_end) = (Attitude::IDENTITY, 20_000.0);
+    let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+    let rates = BodyVector::new(0.3, 1.0, -0.8);
     let scene = Scene::new(RigidBody::new(moments));
-    let start = scene.body().state(attitude, rates)?;
-    let exact = FreeBody::new(moments, attitude, rates)?.attitude(t_end);
-    let condition = scene.solve(&start, t_end, 1e-6)?.condition;
-    let mut covered = Errors::of("error over what the sweeps are said to leave");
-    let mut twin = Errors::of("twin: without the number of steps");
-    for steps in [9000_u64, 11_000, 13_000, 16_000] {
-        for precision in [1e-8, 1e-9, 1e-10] {
-            let method = GaussLegendre::with_precision(steps, precision)?;
-            let free = FreeRotation::new(&scene);
-            let (end, _) = method.advance(&free, 0.0, &start, t_end)?;
-            let one = precision * (1.0 + condition);
-            let error = exact.angle_to(&end.attitude);
-            covered.push_at(
-                error / (one * (1.0 + 0.25 * (steps as f64).sqrt())),
-                (steps, precision),
-            );
-            twin.push(error / one);
+    let start = scene.body().state(Attitude::IDENTITY, rates)?;
+    let free = FreeRotation::new(&scene);
+    let mut covered = Errors::of("what the sweeps leave over what they are said to");
+    let mut twin = Errors::of("twin: as if thrown at random");
+    let mut power = Errors::of("power of the number of steps");
+    for precision in [1e-7, 1e-9, 1e-11] {
+        let mut left = Vec::new();
+        for steps in [100_u64, 1000, 10_000, 100_000] {
+            let t_end = steps as f64 / rates.norm();
+            let condition = scene.solve(&start, t_end, 1e-2)?.condition;
+            let end = |method: GaussLegendre| method.advance(&free, 0.0, &start, t_end);
+            let (solved, _) = end(GaussLegendre::new(steps)?)?;
+            let (loose, _) = end(GaussLegendre::with_precision(steps, precision)?)?;
+            let apart = loose.attitude.angle_to(&solved.attitude);
+            let apart = apart / (precision * (1.0 + condition));
+            covered.push_at(apart / (1.0 + 0.004 * steps as f64), (precision, steps));
+            if (steps, precision) == (100_000, 1e-11) {
+                twin.push(apart / (1.0 + 0.25 * (steps as f64).sqrt()));
+            }
+            left.push(apart);
         }
+        // From a thousand steps to a hundred thousand.
+        power.push_at(log(left[3] / left[1]) / log(100.0), precision);
     }
-    covered.attain(0.81..=0.82, 12);
-    twin.exceed(1.0, 12);
+    covered.attain(0.66..=0.67, 12);
+    power.attain(1.0..=1.1, 3);
+    assert!(power.smallest() > 0.9, "{}", power.smallest());
+    twin.exceed(3.3, 1);
     Ok(())
 }
 
@@ -249,7 +255,7 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
             price(&Problem::new(scene, start, 20.0, end), spin)?;
         }
     }
-    loose.attain(31.0..=32.0, 6);
-    tight.attain(9.6..=9.7, 6);
+    loose.attain(30.0..=31.0, 6);
+    tight.attain(9.5..=9.6, 6);
     Ok(())
 }

@@ -68,8 +68,8 @@ fn all_along_the_way() -> Result<()> {
             others.push_at(errors.rates / solved.rates_estimate, t);
         }
     }
-    over.attain(6.3e-4..=6.4e-4, 202);
-    others.attain(1.6e-3..=1.7e-3, 404);
+    over.attain(1.2e-3..=1.3e-3, 202);
+    others.attain(3.4e-3..=3.5e-3, 404);
     // The same times as a list, forwards and backwards.
     let times: Vec<f64> = (1..=20).map(|n| 1.5 * f64::from(n)).collect();
     let states = scene.solve_at(&start, &times, 1e-8, &Limits::default())?;

@@ -46,17 +46,17 @@ fn no_error_exceeds_its_request() {
             ratios_of_all.push_at(*ratio, tolerance);
         }
         assert!(most <= 1.0, "{spread:?}");
-        // Not needlessly small. Measured: from 2e-4 at 1e-3, where the coarsest steps
+        // Not needlessly small. Measured: from 4e-4 at 1e-3, where the coarsest steps
         // are better than that already, to 1.4e-2 at 1e-13.
         assert!(median >= 1e-4, "{tolerance:e}: {median:e}");
-        // Measured: 1.8 from 1e-3 to 1e-9, 12 at 1e-12.
+        // Measured: 1.9 from 1e-3 to 1e-10, 12 at 1e-12.
         assert!(*price <= 15.0, "{tolerance:e}: {price}");
         // Measured: 0.2 % at 1e-3, 47 % at 1e-13, where doubles end.
         let allowed = if *tolerance >= 1e-9 { 0.02 } else { 0.6 };
         assert!((*refused as f64) <= allowed * SCENES as f64, "{spread:?}");
     }
     // The promise is 1.
-    ratios_of_all.attain(0.64..=0.65, 6154);
+    ratios_of_all.attain(0.64..=0.65, 6155);
     assert_eq!(asked, 11 * SCENES as usize);
     assert_eq!(
         cases

@@ -178,30 +178,30 @@ fn what_resists_weakly_is_cheap() {
     );
     println!("{}\n{:?}", prices.lines.join("\n"), prices.run);
     let expected = [
-        "gyroscope in oil 1e-3: SRKN 6b, resisted 3948/5083; Gauss-Legendre 16 82232/149096",
-        "gyroscope in oil 1e-6: SRKN 14a, resisted 6062/8826; Gauss-Legendre 16 114568/210360",
-        "gyroscope in oil 1e-9: SRKN 14a, resisted 27272/95550; Gauss-Legendre 16 163584/2912932",
-        "gyroscope in air 1e-3: SRKN 6b, resisted 3948/5083; DOP853 57456/129612",
-        "gyroscope in air 1e-6: SRKN 14a, resisted 6062/8826; DOP853 195372/440076",
-        "gyroscope in air 1e-9: SRKN 14a, resisted 27272/95550; DOP853 143152/2299216",
-        "gyroscope, dry 1e-3: SRKN 6b, resisted 3948/5083; Gauss-Legendre 16 88176/158792",
-        "gyroscope, dry 1e-6: SRKN 14a, resisted 5950/8596; Gauss-Legendre 16 114568/215208",
-        "gyroscope, dry 1e-9: SRKN 14a, resisted 20090/28098; Gauss-Legendre 16 163584/2923628",
-        "gyroscope, to the stop 1e-3: SRKN 14a, resisted 924/1414; Gauss-Legendre 16 5056/9096",
-        "gyroscope, to the stop 1e-6: SRKN 14a, resisted 2156/3402; Gauss-Legendre 16 8880/15936",
-        "gyroscope, to the stop 1e-9: SRKN 14a, resisted 5446/19460; Gauss-Legendre 16 12696/24632",
-        "toy top in oil 1e-3: SRKN 6b, resisted 619/940; DOP853 1022/1624",
-        "toy top in oil 1e-6: SRKN 14a, resisted 756/1162; Gauss-Legendre 16 3128/5672",
-        "toy top in oil 1e-9: SRKN 14a, resisted 2394/3640; Gauss-Legendre 16 4328/7888",
-        "brick in oil 1e-3: SRKN 6b, resisted 189/264; DOP853 342/528",
-        "brick in oil 1e-6: ABA(10,6,4), resisted 248/344; DOP853 510/1084",
-        "brick in oil 1e-9: Gauss-Legendre 16 1608/2960; Gauss-Legendre 16 1624/2960",
-        "brick in honey 1e-3: DOP853 1548/4125; DOP853 1548/4125",
-        "brick in honey 1e-6: DOP853 1714/5101; DOP853 1714/5101",
-        "brick in honey 1e-9: DOP853 2062/6666; DOP853 2062/6666",
+        "gyroscope in oil 1e-3: SRKN 6b, resisted 2820/4049; Gauss-Legendre 16 76528/147352",
+        "gyroscope in oil 1e-6: SRKN 14a, resisted 5432/8372; Gauss-Legendre 16 114552/215360",
+        "gyroscope in oil 1e-9: SRKN 14a, resisted 19082/30198; Gauss-Legendre 16 163584/2907612",
+        "gyroscope in air 1e-3: SRKN 6b, resisted 2820/4049; DOP853 57456/129612",
+        "gyroscope in air 1e-6: SRKN 14a, resisted 5432/8372; DOP853 195372/440076",
+        "gyroscope in air 1e-9: SRKN 14a, resisted 19082/30198; DOP853 143152/2299216",
+        "gyroscope, dry 1e-3: SRKN 6b, resisted 2820/4049; Gauss-Legendre 16 76528/147368",
+        "gyroscope, dry 1e-6: SRKN 14a, resisted 5432/8372; Gauss-Legendre 16 114560/215496",
+        "gyroscope, dry 1e-9: SRKN 14a, resisted 19082/30198; Gauss-Legendre 16 163584/2923596",
+        "gyroscope, to the stop 1e-3: SRKN 14a, resisted 1036/4122; Gauss-Legendre 16 4736/8720",
+        "gyroscope, to the stop 1e-6: SRKN 14a, resisted 2100/4760; Gauss-Legendre 16 8360/15272",
+        "gyroscope, to the stop 1e-9: SRKN 14a, resisted 3542/5796; Gauss-Legendre 16 12160/24016",
+        "toy top in oil 1e-3: SRKN 14a, resisted 546/956; DOP853 1022/1624",
+        "toy top in oil 1e-6: SRKN 14a, resisted 574/1106; Gauss-Legendre 16 3008/5544",
+        "toy top in oil 1e-9: SRKN 14a, resisted 2394/3710; Gauss-Legendre 16 4192/7704",
+        "brick in oil 1e-3: SRKN 6b, resisted 171/246; DOP853 342/528",
+        "brick in oil 1e-6: ABA(10,6,4), resisted 224/320; DOP853 510/1084",
+        "brick in oil 1e-9: Gauss-Legendre 16 1592/2944; Gauss-Legendre 16 1600/2944",
+        "brick in honey 1e-3: DOP853 1548/4101; DOP853 1548/4101",
+        "brick in honey 1e-6: DOP853 1714/5069; DOP853 1714/5069",
+        "brick in honey 1e-9: DOP853 2062/6618; DOP853 2062/6618",
     ];
     assert_eq!(prices.lines, expected);
-    prices.apart.attain(1.9e-2..=2.0e-2, 21);
+    prices.apart.attain(4.8e-2..=4.9e-2, 21);
 }
 
 /// What is solved by a splitting that takes what resists, and by which method otherwise.
@@ -276,8 +276,8 @@ fn drag_is_smooth_where_it_stops_no_spin() -> Result<()> {
         price(&round, unsaid(dry))?,
         price(&round, silent(air))?,
     ];
-    // Measured: 1.48 to 1.67, and 1.93 to 2.31.
-    assert!(smooth.iter().all(|price| *price < 1.7), "{smooth:?}");
+    // Measured: 1.52 to 1.75, and 1.96 to 2.31.
+    assert!(smooth.iter().all(|price| *price < 1.8), "{smooth:?}");
     assert!(not_known.iter().all(|price| *price > 1.9), "{not_known:?}");
     Ok(())
 }
@@ -397,7 +397,7 @@ fn limits_are_kept() -> Result<()> {
     let (scene, start) = in_air();
     let limits = Limits::default();
     let free = scene.solve(&start, 2.0, 1e-6)?;
-    assert_eq!(free.method, "SRKN 14a, resisted");
+    assert_eq!(free.method, "ABA(10,6,4), resisted");
     // No step is longer than the longest.
     let short = Limits {
         longest_step: 1e-3,
@@ -479,7 +479,7 @@ fn all_along_the_way_to_the_stop() -> Result<()> {
             }
         }
     }
-    over.attain(2.4e-2..=2.5e-2, 303);
+    over.attain(1.7e-2..=1.8e-2, 303);
     twin.exceed(1.0, 300);
     Ok(())
 }

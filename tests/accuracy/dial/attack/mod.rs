@@ -117,7 +117,7 @@ fn nothing_is_granted_that_does_not_hold() {
     }
     assert_eq!([granted, refused], [280, 120]);
     // The promise is 1.
-    ratios.attain(0.047..=0.048, 280);
+    ratios.attain(0.036..=0.037, 280);
 }
 
 /// Pulses and bursts that nothing names are seen where the dial says that it sees them, and no

@@ -204,9 +204,9 @@ fn nothing_that_resists_breaks_the_promise() {
         }
     }
     let [granted, refused, resisted] = counted(&tallies, &chosen);
-    assert_eq!([granted, refused, resisted], [235, 5, 182]);
+    assert_eq!([granted, refused, resisted], [235, 5, 183]);
     // The promise is 1.
-    ratios.attain(0.16..=0.17, 235);
+    ratios.attain(0.35..=0.36, 235);
 }
 
 /// Bricks that lost most of their momentum in each of four to six steps, which agreed by chance: 1.3

@@ -120,8 +120,10 @@ fn known<E: Effect + Clone + 'static>(
         let Some(exact) = exact else { return [None; 2] };
         let mut best: [Option<f64>; 2] = [None; 2];
         let mut unit = f64::NAN;
-        for way in ways(&again) {
-            // What the dial chose is known to the end, the others while they may win.
+        let mut all = ways(&again);
+        all.sort_by_key(|way| way.name() != name);
+        for way in all {
+            // What the dial chose is known to the end, the others after it while they may win.
             let chosen = way.name() == name;
             let most = if chosen {
                 f64::INFINITY
