@@ -157,11 +157,12 @@ impl<E: Effect> Scene<E> {
     /// *What the verdict rests on.* A finer run is finer on every piece between two jumps and
     /// two places looked at. Two runs that suffice part nowhere on the way, and their steps resolve
     /// the fastest rotation. The same holds of the first two where a third follows at once, since
-    /// the torque may jump or is narrow, or since they are a little too far apart. Otherwise the condition is felt by two more runs in the
-    /// steps of the first, or where that is not enough on a motion whose own error, times that condition, is small;
-    /// runs that differ ten times more than their errors on the first turns and the condition predict
-    /// are not believed (unless the torque depends on the time and may have come later), and it is
-    /// felt again on the finest motion there is.
+    /// the torque may jump or is narrow, or since they are a little too far apart. Otherwise the
+    /// condition is felt by two more runs in the steps of the first, or where that is not enough on
+    /// a motion whose own error, times that condition, is small; runs that differ ten times more
+    /// than their errors on the first turns and the condition predict are not believed (unless the
+    /// torque depends on the time and may have come later), and it is felt again on the finest
+    /// motion there is.
     ///
     /// *What is promised of features of the torque.* Its jumps at times that are named
     /// ([`Effect::break_points`], [`Limits::break_points`]) are met exactly, and no step is

@@ -42,7 +42,8 @@ pub(super) struct Felt {
     pub part: f64,
     /// Nothing is gained by a finer motion.
     pub finely: bool,
-    /// By two changed motions in the steps of a run, or by a pair: enough only if the floor is far away.
+    /// By two changed motions in the steps of a run, or by a pair: enough only if the floor is far
+    /// away.
     pub roughly: bool,
 }
 

@@ -204,6 +204,35 @@ fn what_resists_weakly_is_cheap() {
     prices.apart.attain(4.8e-2..=4.9e-2, 21);
 }
 
+/// Two runs that are too far apart are followed by a third, which goes on from them: nothing is
+/// spent on the condition alone.
+#[test]
+fn a_third_run_goes_on_from_two_that_are_too_far_apart() -> Result<()> {
+    let body = symmetric(5.45e-3, 9e-4);
+    let gravity = GravityAtLever::new(4.9, 0.1)?;
+    let [fast, slow] = [314.16, 60.0].map(|spin| tilted(&body, [0.0, 0.0, spin]));
+    let oil = Scene::new(body)
+        .with(gravity)
+        .with(ViscousFriction::new(2e-5, 2e-6)?);
+    let two = oil.solve(&fast, 10.0, 1e-6)?;
+    let stopped = CoulombBearing::new(2e-2, &body, &slow, 0.0)?;
+    let dry = Scene::new(body).with(gravity).with(stopped);
+    let three = dry.solve(&slow, 5.0, 1e-6)?;
+    // Two runs of order six cost one and a half times the second: 1.54 here. Three: 2.27.
+    assert!((1.5..1.6).contains(&two.price), "{two:?}");
+    assert!((2.2..2.3).contains(&three.price), "{three:?}");
+    assert_eq!([two, three].map(|s| s.probes.torques()), [0, 0]);
+    // By another method, of which nothing is said of what resists.
+    let other = Scene::new(body)
+        .with(silent(*dry.effects()))
+        .solve(&slow, 5.0, 1e-9)?;
+    assert_ne!(other.method, three.method);
+    let mut off = Errors::of("distance of the two answers over the tolerance");
+    off.push(other.state.attitude.angle_to(&three.state.attitude) / 1e-6);
+    off.attain(1.7e-3..=1.8e-3, 1);
+    Ok(())
+}
+
 /// What is solved by a splitting that takes what resists, and by which method otherwise.
 #[test]
 fn a_splitting_takes_what_it_can() {
