@@ -7,7 +7,7 @@ import { BOUNDS } from "./still.mjs";
 export const LOCKED = new URL("../snapshots/", import.meta.url);
 
 /** Waits in the page until `told(argument)` is true; false if it does not come to it. */
-const comes = (page, told, argument, timeout = PATIENCE) =>
+export const comes = (page, told, argument, timeout = PATIENCE) =>
     page.waitForFunction(told, argument, { timeout, polling: 50 }).then(() => true, () => false);
 
 /** Opens the folds, and keeps what each canvas shows: the list of its shapes and texts. */
@@ -35,11 +35,11 @@ export async function paints(page, n) {
     }, n);
     return await page.evaluate(pixels, n) !== null;
 }
-/** Whether the canvas shows something else than `then`. */
+/** Whether the canvas shows something else than `then`, which it comes to if it is given time. */
 const differs = ({ n, then, pixels }) => ![null, then].includes(eval(pixels)(n));
-const differ = (page, n, then, patience = 15_000) => comes(page, differs, { n, then, pixels: `(${pixels})` }, patience);
+export const differ = (page, n, then, patience = 15_000) => comes(page, differs, { n, then, pixels: `(${pixels})` }, patience);
 /** The picture once nothing is under way. */
-async function settled(page, n) {
+export async function settled(page, n) {
     let last;
     for (;;) {
         await page.waitForTimeout(150);

@@ -32,6 +32,19 @@ const watch = (theme) => {
 };
 
 /**
+ * Waits until the letters are there, what was asked for has come or failed, and what followed has
+ * been drawn: by events, since a machine that does much else may need any time for them.
+ */
+async function settled(page) {
+    await Promise.all([
+        page.evaluate(() => document.fonts.ready.then(() => new Promise((done) => setTimeout(done, 300)))),
+        page.waitForLoadState("networkidle"),
+    ]);
+    const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))));
+    await page.evaluate(drawn);
+}
+
+/**
  * Opens `address` and hands `use(page, faults)` the page as it is once its letters are there and what
  * follows them;
  * `faults` names what happened that must not: `{ console, failed, away }`. `before(page)` comes
@@ -60,7 +73,7 @@ export async function opened(browser, address, { width = DESK, theme = "light", 
         await before(page);
         await page.goto(address, { waitUntil: "load" });
         if (more.javaScriptEnabled === false) await page.waitForTimeout(500);
-        else await page.evaluate(() => document.fonts.ready.then(() => new Promise((done) => setTimeout(done, 300))));
+        else await settled(page);
         return await use(page, faults);
     } finally {
         await context.close();

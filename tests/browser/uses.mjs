@@ -2,7 +2,7 @@
 // brings what moves, other numbers redraw the figures and are judged, an address is shared, files
 // are taken along, a method is tried, the picture is turned.
 import { readFileSync, readdirSync } from "node:fs";
-import { LOCKED, paints, pixels, tap, text } from "./live.mjs";
+import { LOCKED, differ, paints, pixels, settled, tap, text } from "./live.mjs";
 import { opened } from "./opened.mjs";
 import { changed, instead } from "./served.mjs";
 import { BOUNDS } from "./still.mjs";
@@ -37,7 +37,7 @@ const touch = (browser, address, how) => opened(browser, address, how, async (pa
     if (brought.length > 0) faults.push(`a look brings ${brought}`);
     await play.hover();
     await page.mouse.down();
-    await page.waitForTimeout(1000);
+    for (let n = 0; n < 100 && brought.length < 3; n += 1) await page.waitForTimeout(100);
     if (brought.length < 3) faults.push(`while the finger is down ${brought.length} files come`);
     await page.mouse.up();
     await tap(page);
@@ -204,21 +204,22 @@ const turns = (browser, address, how) => opened(browser, address, how, async (pa
     await page.locator(".player .bar").first().evaluate((bar) => bar.scrollIntoView({ block: "end", behavior: "instant" }));
     await page.locator(".player .step").first().click();
     await paints(page, 0);
-    const still = async () => { await page.waitForTimeout(400); return page.evaluate(pixels, 0); };
-    const before = await still();
+    const before = await settled(page, 0);
     const box = await page.locator("figure.moving .panel").first().boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height / 2 - 30, { steps: 4 });
     await page.mouse.up();
-    if (await still() === before) faults.push("a hand does not turn it");
+    if (!await differ(page, 0, before)) faults.push("a hand does not turn it");
+    const turned = await settled(page, 0);
     // The keys come to it by Tab, from the control before.
     await page.evaluate(() => document.querySelector("main a[href]").focus());
     if (!await tabTo(page, "figure.moving .panel", faults)) return faults;
     await page.keyboard.press("Home");
-    if (await still() !== before) faults.push("Home does not turn it back");
+    await differ(page, 0, turned);
+    if (await settled(page, 0) !== before) faults.push("Home does not turn it back");
     await page.keyboard.press("ArrowLeft");
-    if (await still() === before) faults.push("the arrows do not turn it");
+    if (!await differ(page, 0, before)) faults.push("the arrows do not turn it");
     return faults;
 });
 

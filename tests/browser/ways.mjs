@@ -1,6 +1,6 @@
 // The ways to read a page that are not the usual one: with the keyboard alone, on paper, where
 // motion is not wanted, as a file, without scripts, and where a module is missing.
-import { moves, opens, paints, pixels, prints, tap } from "./live.mjs";
+import { comes, moves, opens, paints, pixels, prints, tap } from "./live.mjs";
 import { opened } from "./opened.mjs";
 import { changed, instead } from "./served.mjs";
 
@@ -40,8 +40,8 @@ const keyboard = (browser, address, how) => opened(browser, address, how, async 
     const now = () => page.evaluate(() => document.querySelector(".player .now").textContent);
     const before = await now();
     for (let n = 0; n < 9; n += 1) await page.keyboard.press("ArrowRight");
-    await page.waitForTimeout(500);
-    if (await now() === before) faults.push(`the arrows leave the time at ${before}`);
+    const leaves = (before) => document.querySelector(".player .now").textContent !== before;
+    if (!await comes(page, leaves, before, 15_000)) faults.push(`the arrows leave the time at ${before}`);
     if (await page.locator("button.run").count() === 0) return faults;
     if (!await tabTo(page, "button.run", faults)) return faults;
     const { stem, arguments: words, predict } = await page.evaluate(() => ({ ...document.activeElement.dataset }));
