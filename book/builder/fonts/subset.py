@@ -13,6 +13,7 @@ from pathlib import Path
 
 from fontTools import subset
 from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables import otTables
 
 HERE = Path(__file__).parent
 TARGET = HERE.parent.parent / "theme" / "fonts"
@@ -68,6 +69,43 @@ FONTS = [
 ]
 
 
+# Where accents stand that the family gives no place to, in units of the font: on letters, whose dot
+# would lie inside of them, and under the circumflex of slanted capitals.
+ON_LETTERS = {
+    "serif": {"θ": (245, 885), "ζ": (232, 885), "ψ": (315, 842)},
+    "serif-italic": {"θ": (365, 885), "ζ": (407, 885), "ψ": (450, 885)},
+}
+UNDER_MARKS = {"serif-italic": {"circumflex.cap": (-6, 684)}}
+
+
+def anchored(font, name):
+    """Gives these letters and marks their places, in the table that has the dot above."""
+    cmap, order = font.getBestCmap(), font.getReverseGlyphMap()
+
+    def anchor(x, y):
+        place = otTables.Anchor()
+        place.Format, place.XCoordinate, place.YCoordinate = 1, x, y
+        return place
+
+    tables = [table for lookup in font["GPOS"].table.LookupList.Lookup for table in lookup.SubTable]
+    [table] = [t for t in tables if t.LookupType == 4 and cmap[0x307] in t.MarkCoverage.glyphs]
+    marks = dict(zip(table.MarkCoverage.glyphs, table.MarkArray.MarkRecord))
+    bases = dict(zip(table.BaseCoverage.glyphs, table.BaseArray.BaseRecord))
+    kind = marks[cmap[0x307]].Class
+    for letter, place in ON_LETTERS.get(name, {}).items():
+        record = otTables.BaseRecord()
+        record.BaseAnchor = [anchor(*place) if c == kind else None for c in range(table.ClassCount)]
+        bases[cmap[ord(letter)]] = record
+    for glyph, place in UNDER_MARKS.get(name, {}).items():
+        record = otTables.MarkRecord()
+        record.Class, record.MarkAnchor = kind, anchor(*place)
+        marks[glyph] = record
+    table.MarkCoverage.glyphs = sorted(marks, key=order.get)
+    table.MarkArray.MarkRecord = [marks[glyph] for glyph in table.MarkCoverage.glyphs]
+    table.BaseCoverage.glyphs = sorted(bases, key=order.get)
+    table.BaseArray.BaseRecord = [bases[glyph] for glyph in table.BaseCoverage.glyphs]
+
+
 def named(font, family, style):
     """Gives the subset a name of its own; copyright and the licence's address stay as they are.
     (LICENSES.txt has its text.)"""
@@ -110,6 +148,8 @@ def main(sources):
         subsetter.populate(unicodes=[c for first, last in repertoire for c in range(first, last + 1)])
         subsetter.subset(font)
         named(font, family, style)
+        if name in ON_LETTERS:
+            anchored(font, name)
         font.flavor = "woff2"
         file = TARGET / f"{name}.woff2"
         font.save(file)
