@@ -130,11 +130,12 @@ fn solve(p: &Parameters) -> Result<Solved> {
     let ladder = Ladder::smooth(p);
     let start = ladder.at_rest(p.angle);
     let end = 2.0 * exact.landing_time();
+    let tolerance = rounding(p).clamp(p.tolerance, 0.1);
     Ok(Solved {
         exact,
         ladder,
-        run: motion_within(ladder, p.tolerance, start, end)?,
-        naive: kept_within(ladder, p.tolerance, start, end)?,
+        run: motion_within(ladder, tolerance, start, end)?,
+        naive: kept_within(ladder, tolerance, start, end)?,
     })
 }
 // ANCHOR_END: solve
@@ -212,7 +213,13 @@ fn claims(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
 
 /// The relative error to expect: the one asked for, and that of rounding theta.
 fn attainable(p: &Parameters) -> f64 {
-    p.tolerance + 2.0 * EPS * tan(p.angle)
+    p.tolerance + rounding(p)
+}
+
+/// The relative error that the rounding of theta makes: nearly flat the elevation is what is
+/// left of it.
+fn rounding(p: &Parameters) -> f64 {
+    2.0 * EPS * tan(p.angle)
 }
 
 fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {

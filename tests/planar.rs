@@ -30,6 +30,8 @@ mod rolling;
 mod statics;
 #[path = "planar/ties.rs"]
 mod ties;
+#[path = "planar/units.rs"]
+mod units;
 
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
@@ -108,6 +110,18 @@ fn a_phase_must_be_entered_in_its_own_conditions() {
     assert_eq!(error, broken);
     assert!(simulate(&ball, &method(), (), [f64::NAN, 0.0], 1.0).is_err());
     assert!(simulate(&ball, &method(), (), [1.0, 0.0], f64::INFINITY).is_err());
+    let back = simulate(&ball, &method(), (), [1.0, 0.0], -0.25).unwrap_err();
+    assert!(
+        matches!(
+            back,
+            Error::OutOfRange {
+                name: "t_end",
+                value: -0.25,
+                ..
+            }
+        ),
+        "{back}"
+    );
 }
 
 #[test]
@@ -190,6 +204,9 @@ fn the_dial_delivers() {
     }
     estimates.attain(0.19..=0.20, 4);
     errors.attain(1.1e-5..=1.2e-5, 4);
+    let none = simulate_within(&ball, 1e-10, (), [5.0, 0.0], 0.0).unwrap();
+    assert_eq!((none.estimate, none.run.end_time()), (0.0, 0.0));
+    assert_eq!(none.run.at(0.0).unwrap().1, [5.0, 0.0]);
     for tolerance in [0.0, -1.0, 1e-15, 0.2, f64::NAN, f64::INFINITY] {
         assert!(simulate_within(&ball, tolerance, (), [5.0, 0.0], 2.9).is_err());
     }

@@ -92,14 +92,16 @@ fn distance<const N: usize, S: Phased<N>>(
     if !same {
         return f64::INFINITY;
     }
-    let span = b.end_time();
+    let span = b.end_time().abs();
+    // A run of no length has no times that could differ.
+    let late = |x: f64, y: f64| if x == y { 0.0 } else { (x - y).abs() / span };
     let apart = |x: &[f64; N], y: &[f64; N]| {
         let size = scene.scale(y);
         (0..N).fold(0.0, |most, i| larger(most, (x[i] - y[i]).abs() / size[i]))
     };
-    let mut most = (a.end_time() - span).abs() / span;
+    let mut most = late(a.end_time(), b.end_time());
     for (x, y) in pairs() {
-        most = larger(most, (x.t - y.t).abs() / span);
+        most = larger(most, late(x.t, y.t));
         most = larger(most, apart(&x.before, &y.before));
         // Of conditions that fail together either may be met first: what counts is what follows.
         if x.name != y.name {

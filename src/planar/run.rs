@@ -63,7 +63,7 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
 }
 
 /// The motion of `scene` from `start` in `phase`, from time 0 to `t_end` or to the end
-/// of the scene.
+/// of the scene. `t_end` may be negative where `phase` has no conditions.
 ///
 /// Accuracy: that of `method`; events are located by real steps, as accurately as the
 /// motion itself.
@@ -71,7 +71,8 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
 /// # Errors
 /// [`Error::ConditionBroken`] if a phase begins although one of its conditions does
 /// not hold, or fails at once (of a [`contact`](super::contact) whose force or slip is a
-/// round-off there, that is an event), [`Error::TooManyPhases`] after a thousand changes of phase, and those of
+/// round-off there, that is an event), [`Error::TooManyPhases`] after a thousand changes of phase,
+/// [`Error::OutOfRange`] for a negative `t_end` of a phase with conditions, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
     scene: &S,
@@ -80,6 +81,14 @@ pub fn simulate<const N: usize, S: Phased<N>>(
     start: [f64; N],
     t_end: f64,
 ) -> Result<Run<S::Phase, N>> {
+    if t_end < 0.0 && !scene.conditions(phase).is_empty() {
+        return Err(Error::OutOfRange {
+            name: "t_end",
+            value: t_end,
+            allowed: "contacts, and whatever else ends a phase, cannot be run backward: it must \
+                      not be negative",
+        });
+    }
     let mut run = Run {
         legs: Vec::new(),
         transitions: Vec::new(),

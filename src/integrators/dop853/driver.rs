@@ -68,6 +68,10 @@ impl Dop853 {
             // A rest of less than 1 % of a step is not left over.
             let last = 1.01 * h >= (t_end - t) * direction;
             let to = if last { t_end } else { t + direction * h };
+            // In a step of no length an event would divide by it.
+            if to == t {
+                return Err(underflow(t, h, &trial.start));
+            }
             // The step the clock really makes: t + h was rounded.
             let made = (to - t) * direction;
             let tried = trial.step_to(ode, to, work);

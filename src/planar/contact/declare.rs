@@ -267,7 +267,7 @@ impl Contact<3> {
     ///
     /// A mechanism without it has one contact less: there is nothing to be called.
     ///
-    /// Accuracy: time and place of the stop to 8 eps at a tolerance of 1e-12
+    /// Accuracy: time and place of the stop to 3 eps at a tolerance of 1e-12
     /// (`tests/planar/resistance.rs`).
     ///
     /// ```

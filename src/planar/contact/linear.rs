@@ -29,11 +29,12 @@ impl Equations {
         }
     }
 
-    /// The solution by Gauss-Jordan elimination with complete pivoting after scaling;
-    /// unknowns that are not determined are 0. `None` if the equations contradict each other.
-    pub fn solve(mut self) -> Option<Root> {
+    /// The solution by Gauss-Jordan elimination with complete pivoting after scaling, which
+    /// begins with these `units` of the unknowns; unknowns that are not determined are 0. `None`
+    /// if the equations contradict each other.
+    pub fn solve(mut self, units: &[f64; SIZE]) -> Option<Root> {
         let n = self.n;
-        let scale = self.scale();
+        let scale = self.scale(units);
         let mut columns: [usize; SIZE] = core::array::from_fn(|j| j);
         // What each right side is made of: the measure of its round-off.
         let mut made_of = self.right.map(f64::abs);
@@ -84,10 +85,13 @@ impl Equations {
         })
     }
 
-    /// Brings the largest coefficient of each row, then of each column, between 1 and 2; returns the
-    /// scales of the unknowns.
-    fn scale(&mut self) -> [f64; SIZE] {
+    /// Puts the unknowns in `units`, then brings the largest coefficient of each row, then of each
+    /// column, between 1 and 2; returns the scales of the unknowns.
+    fn scale(&mut self, units: &[f64; SIZE]) -> [f64; SIZE] {
         let n = self.n;
+        for row in &mut self.rows[..n] {
+            row.iter_mut().zip(units).for_each(|(a, unit)| *a *= unit);
+        }
         for (row, right) in self.rows[..n].iter_mut().zip(&mut self.right) {
             let factor = reciprocal(row.iter().fold(0.0, |m: f64, a| m.max(a.abs())));
             row.iter_mut().for_each(|a| *a *= factor);
@@ -96,7 +100,7 @@ impl Equations {
         core::array::from_fn(|j| {
             let factor = reciprocal(self.rows.iter().fold(0.0, |m: f64, r| m.max(r[j].abs())));
             self.rows.iter_mut().for_each(|r| r[j] *= factor);
-            factor
+            units[j] * factor
         })
     }
 
@@ -113,6 +117,17 @@ impl Equations {
         }
         found
     }
+}
+
+/// The power of 2^32 nearest to `size`, within doubles: 1 for what is of ordinary size, from
+/// 2^-16 to 2^16, and for what is 0, subnormal or infinite.
+pub(super) fn unit(size: f64) -> f64 {
+    let exponent = (size.to_bits() >> 52) as i64;
+    if exponent == 0 || exponent >= 2047 {
+        return 1.0;
+    }
+    let steps = (exponent - 1023 + 16).div_euclid(32).clamp(-31, 31);
+    f64::from_bits(((1023 + 32 * steps) as u64) << 52)
 }
 
 /// The power of 2 that brings `size` between 1 and 2: scaling by it rounds nothing. 1 for

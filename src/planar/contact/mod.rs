@@ -83,7 +83,8 @@ pub type Modes<const C: usize> = [Mode; C];
 /// # }
 /// ```
 pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
-    /// The mass matrix M(q), symmetric and positive definite.
+    /// The mass matrix M(q), symmetric and positive definite: what is not is refused at the start
+    /// and wherever the modes change.
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
 
     /// The generalized forces f in M(q) q'' = f + contacts, with the velocity terms of the
@@ -108,7 +109,11 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
 
     /// The size against which errors count, as [`super::Phased::scale`]: coordinates first.
     ///
-    /// A gap or a slip smaller than 1e-12 of what this makes of it is none.
+    /// A gap or a speed smaller than 1e-12 of what this makes of it is none. What is written here
+    /// takes 1 for the least size of each. A mechanism whose lengths or speeds are far from 1 in
+    /// its units says its own sizes: with these, gaps of 1e-13 all count as shut and speeds of
+    /// 1e-13 as 0, and no error tells; what is 1e5 long cannot be held to 1e-12 of 1. The
+    /// equations want lengths from 1e-6 to 1e6 in any case; of masses only ratios count.
     fn scale(&self, state: &State<N>) -> State<N> {
         let size = |c: f64| c.abs().max(1.0);
         State {

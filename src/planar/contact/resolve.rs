@@ -43,6 +43,7 @@ pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const
     } else {
         check_start(scene, t, &state)?;
     }
+    check_masses(scene, t, &state)?;
     let shut = shut(scene, &before, &state);
     let hit = impact(scene, t, &shut, &mut state)?;
     let contacts = scene.0.contacts(&state);
@@ -255,6 +256,56 @@ pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
         correct(state, true);
     }
     correct(state, false);
+}
+
+/// Refuses masses and forces that no motion follows from.
+fn check_masses<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+    scene: &Modal<M, N, S, C>,
+    t: f64,
+    state: &State<N>,
+) -> Result<()> {
+    let mass = scene.0.mass(&state.q);
+    if !is_positive(&mass) {
+        return Err(Error::MassNotPositive {
+            t,
+            coordinates: state.q.to_vec(),
+            mass: mass.concat(),
+        });
+    }
+    let force = scene.0.force(state);
+    if !force.iter().all(|f| f.is_finite()) {
+        return Err(Error::ForceNotFinite {
+            t,
+            state: [state.q, state.v].concat(),
+            force: force.to_vec(),
+        });
+    }
+    Ok(())
+}
+
+/// Whether a matrix is symmetric and positive definite, but for round-off: whether Gauss
+/// elimination leaves a positive part of each element of the diagonal.
+fn is_positive<const N: usize>(mass: &[[f64; N]; N]) -> bool {
+    let mut left = *mass;
+    for k in 0..N {
+        let pivot = left[k];
+        // Written so that NaN is not positive.
+        if !(pivot[k] > EPS * mass[k][k] && pivot[k].is_finite()) {
+            return false;
+        }
+        for i in k + 1..N {
+            let round_off = ZERO * mass[i][i].sqrt() * mass[k][k].sqrt();
+            let symmetric = (mass[i][k] - mass[k][i]).abs() <= round_off;
+            if !symmetric {
+                return false;
+            }
+            let factor = left[i][k] / pivot[k];
+            for j in k..N {
+                left[i][j] -= factor * pivot[j];
+            }
+        }
+    }
+    true
 }
 
 /// Refuses contacts that cannot hold at the start, and coefficients that mean nothing.

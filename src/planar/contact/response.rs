@@ -3,7 +3,7 @@
 
 use super::Modes;
 use super::declare::{Contact, Mode, Press, Sense, dot};
-use super::linear::{Equations, Root, SIZE};
+use super::linear::{Equations, Root, SIZE, unit};
 
 /// What is smaller than this part of its size is none: the round-off that equations of
 /// sixteen unknowns may leave.
@@ -93,7 +93,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
             rows[2 * C + j][..N].copy_from_slice(&self.mass[j]);
             right[2 * C + j] = self.load[j];
         }
-        let root = equations.solve()?;
+        let root = equations.solve(&self.units())?;
         let x = match &root.freedom {
             Some(freedom) => self.most_relaxed(modes, &root, freedom),
             None => root.x,
@@ -105,6 +105,17 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                 tangential: x[N + 2 * i + 1],
             }),
         })
+    }
+
+    /// Units of the unknowns: those of the forces go with the mass that is nearest to ordinary, so
+    /// that masses may be given in any unit.
+    fn units(&self) -> [f64; SIZE] {
+        let masses = (0..N).map(|j| unit(self.mass[j][j]));
+        let far = |unit: f64| unit.max(1.0 / unit);
+        let nearest = masses.min_by(|a, b| far(*a).total_cmp(&far(*b)));
+        let mut units = [1.0; SIZE];
+        units[N..N + 2 * C].fill(nearest.unwrap_or(1.0));
+        units
     }
 
     /// Of forces that are not determined, those in the middle of what the contacts allow.
