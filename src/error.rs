@@ -41,6 +41,14 @@ pub enum Error {
         state: [f64; 7],
         torque: [f64; 3],
     },
+    /// A torque that is finite, but whose power is not, at the rate (rad/s) that it may give the
+    /// body.
+    TorqueTooLarge {
+        effect: String,
+        t: f64,
+        torque: f64,
+        rate: f64,
+    },
     /// An effect says something of itself that its torque contradicts.
     Contradiction {
         effect: String,
@@ -136,6 +144,18 @@ pub enum Error {
         gap: f64,
         speed: f64,
     },
+    /// A mass matrix, row after row, that is not symmetric and positive definite.
+    MassNotPositive {
+        t: f64,
+        coordinates: Vec<f64>,
+        mass: Vec<f64>,
+    },
+    /// The forces on a mechanism are NaN or infinite at this time and state.
+    ForceNotFinite {
+        t: f64,
+        state: Vec<f64>,
+        force: Vec<f64>,
+    },
     /// Dry friction and one-sided contacts allow no motion from here (Painlevé).
     NoContactForces {
         t: f64,
@@ -219,11 +239,17 @@ impl fmt::Display for Error {
                 let short = format!("{minimum:.6}");
                 let rounded = short.parse::<f64>().unwrap_or(f64::NAN);
                 let seen = (rounded - minimum).abs() < 0.1 * (minimum - energy);
-                let minimum = if seen { short } else { plain(*minimum) };
+                let minimum = match seen && minimum.abs() < MANY {
+                    true => short,
+                    false => plain(*minimum),
+                };
                 // Two places at least: the notes write 0.40.
                 let places = format!("{energy:.2}");
                 let exact = places.parse::<f64>().is_ok_and(|e| e == *energy);
-                let energy = if exact { places } else { plain(*energy) };
+                let energy = match exact && energy.abs() < MANY {
+                    true => places,
+                    false => plain(*energy),
+                };
                 write!(f, "no motion: E~ = {energy} is below U_min = {minimum}")
             }
             Self::Lengths {
@@ -243,7 +269,8 @@ impl fmt::Display for Error {
             Self::RatesTooFarApart { fastest } => write!(
                 f,
                 "the rates of this motion are too large, too small or too far apart (the fastest \
-                 is {}): from 1e-20 to 1e20, and no two further apart than that, is allowed",
+                 is {}): their squares, and the products and quotients that are formed of these, \
+                 must stay within doubles, from 1e-308 to 1e299",
                 if fastest.is_finite() {
                     plain(*fastest)
                 } else {
@@ -267,6 +294,28 @@ impl fmt::Display for Error {
                 f,
                 "the torque of \"{effect}\" at t = {t}, quaternion and momentum {state:?}, is \
                  {torque:?}; it must be finite"
+            ),
+            Self::TorqueTooLarge {
+                effect,
+                t,
+                torque,
+                rate,
+            } => write!(
+                f,
+                "the torque of \"{effect}\" at t = {} is {torque:.3e} N m, on a body that may turn at \
+                 {rate:.3e} rad/s: its power must be a finite number, at most 1.8e308 W",
+                plain(*t)
+            ),
+            Self::Contradiction {
+                effect,
+                claim,
+                t,
+                off,
+                ..
+            } if off.is_nan() => write!(
+                f,
+                "\"{effect}\" says {claim}, and at t = {} what it says is no number",
+                plain(*t)
             ),
             Self::Contradiction {
                 effect,
@@ -327,7 +376,7 @@ impl fmt::Display for Error {
             Self::OverBudget { t, t_end, budget } => write!(
                 f,
                 "from t = {} to {} this takes more than the {budget} torques that are allowed: \
-                 allow more of them, a larger error or a shorter time",
+                 allow more of them, a larger error, longer steps or a shorter time",
                 plain(*t),
                 plain(*t_end)
             ),
@@ -430,10 +479,25 @@ impl fmt::Display for Error {
                 plain(*gap),
                 plain(*speed)
             ),
+            Self::MassNotPositive {
+                t,
+                coordinates,
+                mass,
+            } => write!(
+                f,
+                "the mass matrix at t = {t}, coordinates {coordinates:?}, is {mass:?}, row after row; \
+                 it must be symmetric and positive definite"
+            ),
+            Self::ForceNotFinite { t, state, force } => write!(
+                f,
+                "the forces at t = {t}, coordinates and velocities {state:?}, are {force:?}; they \
+                 must be finite"
+            ),
             Self::NoContactForces { t, state, tried } => write!(
                 f,
                 "at t = {t}, coordinates and velocities {state:?}, no contact forces obey the laws \
-                 of dry friction (Painlev\u{e9}): {tried} sets of modes were tried; less friction helps"
+                 of dry friction (Painlev\u{e9}): {tried} sets of modes were tried; less friction helps, \
+                 or a unit of length in which lengths are near 1"
             ),
             Self::SeveralMotions {
                 t,
@@ -495,17 +559,20 @@ impl fmt::Display for Error {
             ),
             Self::NotDelivered { requested, reached } => write!(
                 f,
-                "an error of {requested:e} is asked for, and {reached:.1e} is the smallest that \
-                 shows in doubles"
+                "an error of {requested:e} is asked for, and the runs that were made bear out none \
+                 below {reached:.1e}"
             ),
         }
     }
 }
 
+/// A number from here on is written with an exponent.
+const MANY: f64 = 1e15;
+
 /// `value` as people write it: 0.25 and 45, but 1e308 and not three hundred zeros.
 fn plain(value: f64) -> String {
     let size = value.abs();
-    if size == 0.0 || (1e-4..1e15).contains(&size) || !value.is_finite() {
+    if size == 0.0 || (1e-4..MANY).contains(&size) || !value.is_finite() {
         value.to_string()
     } else {
         format!("{value:e}")

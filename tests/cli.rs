@@ -246,7 +246,11 @@ fn json_holds_the_same_bits() {
 fn an_answer_is_judged() {
     let cases = [
         ("inertia=0.75", 0, "right: inertia = 0.750000000000 m^2"),
-        ("inertia=0.7507", 0, "right"),
+        (
+            "inertia=0.7507",
+            1,
+            "nearly: your inertia is right to 2 digits; give 4",
+        ),
         (
             "inertia=0.7508",
             1,

@@ -190,7 +190,8 @@ fn answers_are_judged_by_the_stated_rules() {
         .slip(0.2501, "nearly a slip");
     for (answer, verdict) in [
         (0.25, Verdict::Right),
-        (0.250_024, Verdict::Right),
+        (0.250_004, Verdict::Right),
+        (0.250_024, Verdict::RightTo(4, 5)),
         (0.2501, Verdict::Slip("nearly a slip".into())),
         (0.250_3, Verdict::RightTo(3, 5)),
         (0.2512, Verdict::RightTo(2, 5)),
@@ -319,6 +320,41 @@ fn parameters_are_declared_once_and_checked() {
     assert!(sound.check().is_ok() && rows(&sound) == 3);
 }
 
+/// Whoever gives the digits that are asked for, correctly rounded, is right, and whoever is one off
+/// in the last of them is not.
+#[test]
+fn the_digits_that_are_asked_for_decide() {
+    use rotation_dynamics::math::{pow, sin};
+    let (mut right, mut wrong, mut forgiven) = (0, 0, 0);
+    for i in 0..2000 {
+        let x = f64::from(i);
+        let value = pow(10.0, 12.0 * sin(1.7 * x)) * if i % 2 == 0 { 1.0 } else { -1.0 };
+        for (relative, digits) in [(0.02, 3), (1e-3, 4), (1e-6, 7)] {
+            let judged = claim(value, value, 0.0)
+                .expect("sound")
+                .judged_within(relative);
+            let text = format!("{value:.*e}", digits - 1);
+            let (mantissa, exponent) = text.split_once('e').expect("an exponent");
+            let plain: i64 = mantissa.replace('.', "").parse().expect("digits");
+            let last = exponent.parse::<i32>().expect("whole") + 1 - digits as i32;
+            let verdict = |digits: i64| {
+                let answer = Answer::read(&format!("{digits}e{last}")).expect("a number");
+                let near = (answer.value - value).abs() <= relative * value.abs();
+                (judged.verdict(answer) == Verdict::Right, near)
+            };
+            right += usize::from(verdict(plain).0);
+            for off in [plain - 1, plain + 1] {
+                let (told_right, near) = verdict(off);
+                wrong += usize::from(!told_right);
+                forgiven += usize::from(near);
+            }
+        }
+    }
+    assert_eq!((right, wrong), (6000, 12_000));
+    // The twin takes the relative error alone, and lets 11 536 pass.
+    assert!(forgiven > 11_500, "{forgiven}");
+}
+
 /// The shared cases of the command line and of the page's answer box.
 #[test]
 fn the_cases_of_the_answer_box_are_judged_alike() {
@@ -351,7 +387,7 @@ fn the_cases_of_the_answer_box_are_judged_alike() {
         assert_eq!(said(text, None), words, "'{text}'");
         judged += 1;
     }
-    assert_eq!(judged, 81);
+    assert_eq!(judged, 103);
 
     // The rules that the script gets are those of the library.
     let rules: Value = serde_json::from_str(include_str!("data/answer_rules.json")).expect("JSON");

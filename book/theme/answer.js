@@ -183,6 +183,15 @@ const Answer = (() => {
         return { value, unit, typed: typed(plain.slice(0, plain.length - reader.rest.length)) };
     }
 
+    /**
+     * How far from `value` its rounding to so many significant digits may lie: half of what the
+     * last of them is worth. A rounding of doubles is allowed for.
+     */
+    function halfOfLast(value, digits) {
+        const last = Math.floor(Math.log10(Math.abs(value))) + 1 - digits;
+        return 0.5 * Number(`1e${last}`) * (1 + 1e-9);
+    }
+
     /** What became of an answer: its class, and what to say. The words come with the page. */
     function judge(answer, check, rules) {
         const { value: v, unit } = check;
@@ -199,11 +208,13 @@ const Answer = (() => {
         }
         const within = (target) => Math.abs(x - target) <=
             Math.max(check.within * (target === 0 ? 1 : Math.abs(target)), check.bound);
-        if (within(v)) return ["right", "right"];
+        const asked = Math.ceil(-Math.log10(check.within) - 1e-9) + 1;
+        const right = v === 0 ? within(v)
+            : Math.abs(x - v) <= Math.max(halfOfLast(v, asked), check.bound);
+        if (right) return ["right", "right"];
         const slip = check.slips.find((s) => within(s.value));
         if (slip) return ["slip", slip.hint];
         if (v === 0) return ["wrong", "not this"];
-        const asked = Math.ceil(-Math.log10(check.within) - 1e-9) + 1;
         const given = answer.typed?.digits ?? 0;
         if (given >= 1 && Math.abs(x - v) <= 0.5 * answer.typed.worth) {
             return given < asked

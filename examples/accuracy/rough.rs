@@ -86,7 +86,7 @@ impl Effect for Push {
     }
     // ANCHOR_END: push
 
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.torque
     }
 }
@@ -110,7 +110,7 @@ impl Effect for Steady {
         SpaceVector::new(0.0, 0.0, self.0.torque)
     }
 
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.0.torque
     }
 }

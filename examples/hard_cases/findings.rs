@@ -335,7 +335,7 @@ impl Effect for Pushes<'_> {
         self.asked.set(self.asked.get() + 1);
         state.angular_momentum * PUSH
     }
-    fn torque_scale(&self, _: &RigidBody, state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _: &RigidBody, state: &State) -> f64 {
         self.scale * state.angular_momentum.norm()
     }
 }

@@ -97,7 +97,7 @@ impl Errors {
         let body = scene.body();
         let [i1, i2, i3] = body.moments().to_array();
         let largest = i1.max(i2).max(i3);
-        let torque = scene.effects().torque_scale(scene.body(), exact);
+        let torque = scene.effects().torque_scale(0.0, scene.body(), exact);
         let momentum_scale = (exact.angular_momentum.norm()).max((largest * torque).sqrt());
         let momentum = reached.angular_momentum - exact.angular_momentum;
         let omega = body.angular_velocity(exact);

@@ -1,10 +1,12 @@
 //! What an effect claims, held against its torque.
 
+mod kinks;
+
 use super::gravity::GRAVITY;
 use super::{AnyEffect, Effect, Feature, Known, Nature};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::SpaceVector;
 use crate::math::EPS;
 
@@ -21,6 +23,9 @@ const STEP: f64 = 1e-6;
 /// A power may be off by this part of torque times rate: the remainder of the difference,
 /// for features down to a thousandth of a radian.
 const POWER: f64 = 1e-5;
+
+/// A feature that nothing names is seen if it comes no more often than this in the span.
+const UNNAMED: f64 = 4096.0;
 
 /// The scale of the torque may be so many times too small, and so many too large.
 const SCALE_BELOW: f64 = 1e3;
@@ -51,8 +56,8 @@ const PULSE: f64 = 0.1;
 ///
 /// # Errors
 /// [`Error::Contradiction`] with the name of the effect, the claim, and by how much the
-/// torque differs from it; [`Error::TwoGravities`]; a scale, a break point or a width that
-/// is not finite, or negative.
+/// torque differs from it; [`Error::TwoGravities`]; [`Error::TorqueNotFinite`];
+/// [`Error::TorqueTooLarge`]; a scale, a break point or a width that is not finite, or negative.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -114,8 +119,9 @@ impl<'e> Checked<'e> {
             });
         }
         effect.holds_from(span[0], body, state)?;
-        declared(effect, body, state)?;
         let mut checked = Self::unlooked(effect, body, span, state);
+        checked.finite_torque(span[0], state)?;
+        checked.declared()?;
         if checked.nature.torque_free && names.is_empty() {
             return Ok(checked);
         }
@@ -125,7 +131,7 @@ impl<'e> Checked<'e> {
             checked.largest = checked.largest.max(torque.norm());
             checked.size = checked.size.max(effect.torque_size(*t, body, state));
         }
-        checked.scale(state)?;
+        checked.scale(&places)?;
         for (t, state) in &places {
             checked.at(*t, state)?;
         }
@@ -224,16 +230,19 @@ impl<'e> Checked<'e> {
         })
     }
 
-    /// The scale of the torque against the largest that was seen.
-    fn scale(&self, state: &State) -> Result<()> {
-        let scale = self.effect.torque_scale(&self.body, state);
-        if scale == self.effect.torque(0.0, &self.body, state).norm() {
-            // Read off the torque: it claims nothing.
-            return Ok(());
+    /// The scale of the torque against its length, both at the same time and in the same state.
+    /// So what states no scale, whose length then is its scale, counts on both sides, and nothing
+    /// is claimed of it.
+    fn scale(&self, places: &[(f64, State)]) -> Result<()> {
+        let (effect, body) = (self.effect, &self.body);
+        let below = "that its torque is not a thousand times longer than torque_scale";
+        for (t, state) in places {
+            let length = effect.torque(*t, body, state).norm();
+            let scale = effect.torque_scale(*t, body, state);
+            self.held(below, *t, length, SCALE_BELOW * scale)?;
         }
         let t = self.span[0];
-        let below = "that its torque is not a thousand times longer than torque_scale";
-        self.held(below, t, self.largest, SCALE_BELOW * scale)?;
+        let scale = effect.torque_scale(t, body, &self.start);
         let named = !self.effect.break_points().is_empty()
             || (self.effect.narrowest()).is_some_and(|width| width != Feature::WIDE);
         if named {
@@ -330,8 +339,10 @@ impl<'e> Checked<'e> {
             let rate = self.body.angular_velocity(&self.start).norm();
             size = size.max(self.start.angular_momentum.norm() * rate);
         }
-        // A smooth torque comes 2^40 times nearer; rounding leaves a little.
-        let allowed = (1e-3 * first).max(ROUNDING * size);
+        // A smooth torque comes 2^40 times nearer; rounding leaves a little, and so does that of a
+        // late time, which is no nearer to another than its last digit.
+        let last_digits = 4.0 * EPS * from.abs().max(to.abs()) / (at(1) - at(0)).abs();
+        let allowed = (last_digits.max(1e-3) * first).max(ROUNDING * size);
         let mut left = first;
         for _ in 0..40 {
             if left < SETTLED * allowed {
@@ -568,7 +579,10 @@ impl<'e> Checked<'e> {
     }
 
     /// Torque . omega, with (L x slip) . omega, changes the kinetic energy: with the change
-    /// of the potential as the body turns by omega it must give the power.
+    /// of the potential as the body turns by omega, and as time goes on, it must give the power.
+    ///
+    /// The turn and the time are differentiated apart. Late, a time is known to its last digit
+    /// only, and the step in time must be long against that.
     fn power(&self, t: f64, state: &State, torque: SpaceVector) -> Result<()> {
         let (effect, body) = (self.effect, &self.body);
         let omega = state.attitude.to_space(body.angular_velocity(state));
@@ -576,32 +590,59 @@ impl<'e> Checked<'e> {
         if rate == 0.0 {
             return Ok(());
         }
+        if !(torque.norm() * rate).is_finite() {
+            return Err(Error::TorqueTooLarge {
+                effect: self.name(),
+                t,
+                torque: torque.norm(),
+                rate,
+            });
+        }
         let acting = self.acting(t, state);
+        let size = self.size.max(torque.norm()).max(acting.norm());
+        let potential = |t: f64, attitude: Attitude| {
+            effect.potential_energy(t, body, &State { attitude, ..*state })
+        };
+        // What rounding leaves is a part of the terms of a potential, which are as large as torques.
+        let difference = |[before, after]: [f64; 2], step: f64| {
+            let terms = before.abs().max(after.abs()).max(size);
+            ((after - before) / (2.0 * step), 4.0 * EPS * terms / step)
+        };
+        let turn = Attitude::from_rotation_vector(omega * (STEP / rate))?;
+        let turned = [turn.inverse(), turn].map(|turn| potential(t, turn * state.attitude));
+        let (turning, turning_rounding) = difference(turned, STEP / rate);
+
         // The body may be nearly at rest while the effect goes on: an attracting body, round
         // a satellite that does not turn.
-        let own = (effect.narrowest()).map_or(0.0, |width| 1.0 / width.time);
-        let rate = if self.nature.on_time {
-            rate.max(own)
+        let named = (effect.narrowest()).map_or(0.0, |width| 1.0 / width.time);
+        let span = (self.span[1] - self.span[0]).abs();
+        let seen = UNNAMED / span;
+        let seen = if seen.is_finite() { seen } else { 0.0 };
+        let (own, pace) = if named > 0.0 {
+            (named, named)
         } else {
-            rate
+            (rate, rate.max(seen))
         };
-        let dt = STEP / rate;
-        let turn = Attitude::from_rotation_vector(omega * dt)?;
-        let moved = |turn: Attitude, by: f64| {
-            let attitude = turn * state.attitude;
-            effect.potential_energy(t + by, body, &State { attitude, ..*state })
-        };
-        let (before, after) = (moved(turn.inverse(), -dt), moved(turn, dt));
-        let found = acting.dot(&omega) + (after - before) / (2.0 * dt);
+        let step = step_in_time(t, (STEP / pace).max(ROUNDING * t.abs()));
+        let moved = [t - step, t + step].map(|t| potential(t, state.attitude));
+        let (moving, moving_rounding) = difference(moved, step);
+        // The effect rounds what it makes of the time, as a phase.
+        let late = 4.0 * EPS * t.abs() / step * moving.abs();
+
+        let found = acting.dot(&omega) + turning + moving;
         let power = if self.nature.keeps.energy {
             0.0
         } else {
             effect.power(t, body, state)
         };
         let off = (found - power).abs();
-        let rounding = 4.0 * EPS * before.abs().max(after.abs()) / dt;
-        let size = self.size.max(torque.norm()).max(acting.norm());
-        let allowed = POWER * size * rate + rounding;
+        // The phases of torque and power are rounded too, by less than goes on in a step.
+        let (part, fastest) = if self.nature.on_time {
+            (POWER.max(step * own), rate.max(own))
+        } else {
+            (POWER, rate)
+        };
+        let allowed = part * size * fastest + turning_rounding + moving_rounding + late;
         let claim = if self.nature.keeps.energy {
             "that it keeps the energy"
         } else {
@@ -609,33 +650,32 @@ impl<'e> Checked<'e> {
         };
         self.held(claim, t, off, allowed)
     }
+
+    /// Numbers that an effect declares must be numbers.
+    fn declared(&self) -> Result<()> {
+        let scale = (self.effect).torque_scale(self.span[0], &self.body, &self.start);
+        not_negative("torque_scale", scale)?;
+        for t in self.effect.break_points() {
+            finite("break point", t)?;
+        }
+        let Some(width) = self.effect.narrowest() else {
+            return Ok(());
+        };
+        for (name, value) in [
+            ("narrowest time", width.time),
+            ("narrowest angle", width.angle),
+        ] {
+            if value != f64::INFINITY {
+                positive(name, value)?;
+            }
+        }
+        Ok(())
+    }
 }
 
-/// Numbers that an effect declares must be numbers.
-fn declared(effect: &dyn AnyEffect, body: &RigidBody, state: &State) -> Result<()> {
-    let scale = finite("torque_scale", effect.torque_scale(body, state))?;
-    if scale < 0.0 {
-        return Err(Error::OutOfRange {
-            name: "torque_scale",
-            value: scale,
-            allowed: "it must not be negative",
-        });
-    }
-    for t in effect.break_points() {
-        finite("break point", t)?;
-    }
-    let Some(width) = effect.narrowest() else {
-        return Ok(());
-    };
-    for (name, value) in [
-        ("narrowest time", width.time),
-        ("narrowest angle", width.angle),
-    ] {
-        if value != f64::INFINITY {
-            positive(name, value)?;
-        }
-    }
-    Ok(())
+/// About this step (s), such that `t` with it and without it are doubles.
+fn step_in_time(t: f64, step: f64) -> f64 {
+    (t.abs() + step) - t.abs()
 }
 
 fn largest_moment(body: &RigidBody) -> f64 {

@@ -93,7 +93,10 @@ impl<F> Torque<F> {
     }
 
     /// The same, known to be an analytic function of time and state between its break
-    /// points: it has no other jump and no kink.
+    /// points ([`with_break_points`](Self::with_break_points)): it has no other jump and no kink.
+    ///
+    /// A jump that contradicts this is looked for and refused. A kink is not looked for: it may
+    /// cost steps, accuracy or the answer. Name it as a break point, or leave `smooth` out.
     pub fn smooth(self) -> Torque<F, true> {
         Torque {
             name: self.name,

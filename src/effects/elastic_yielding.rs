@@ -273,7 +273,7 @@ impl Effect for ElasticYielding {
     }
 
     #[inline]
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }
 

@@ -14,7 +14,7 @@ pub(crate) trait AnyEffect {
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64;
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64;
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64;
     fn break_points(&self) -> Vec<f64>;
     fn narrowest(&self) -> Option<Feature>;
@@ -45,8 +45,8 @@ impl<E: Effect> AnyEffect for E {
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         Effect::power(self, t, body, state)
     }
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        Effect::torque_scale(self, body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        Effect::torque_scale(self, t, body, state)
     }
     fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         Effect::torque_size(self, t, body, state)

@@ -108,7 +108,7 @@ impl Effect for GravityAtLever {
     }
 
     #[inline]
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.moment().abs()
     }
 

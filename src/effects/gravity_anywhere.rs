@@ -115,7 +115,7 @@ impl Effect for Gravity {
         self.weight * state.attitude.to_space(self.centre_of_mass).z()
     }
 
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.moment()
     }
 

@@ -222,7 +222,7 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
     }
 
     /// The largest torque, (3/2) n0^2 (I_max - I_min).
-    fn torque_scale(&self, body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, body: &RigidBody, _state: &State) -> f64 {
         let [least, largest] = extremes(body);
         1.5 * self.mean_motion * self.mean_motion * (largest - least)
     }

@@ -175,9 +175,10 @@ pub trait Effect {
     }
 
     /// A bound on the length of the torque (N m), or an estimate of its usual size: the
-    /// scale against which errors of the momentum count. If not given, its length now.
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.torque(0.0, body, state).norm()
+    /// scale against which errors of the momentum count. If not given, its length at the time
+    /// `t` (s) and in this state, and then it claims nothing.
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.torque(t, body, state).norm()
     }
 
     /// The size that its rounding is a part of (N m): the length of the torque; of several

@@ -60,6 +60,7 @@ pub struct Nature {
     /// Between its [`break_points`](super::Effect::break_points) the torque is an analytic
     /// function of time and state. Then methods of high order with equal steps apply;
     /// otherwise DOP853 alone is trusted, which shortens its steps where something jumps.
+    /// Of this claim only jumps are looked for, not kinks.
     pub smooth: bool,
     /// The effect turns the body beyond I^-1 L, by its [`slip`](super::Effect::slip). Without
     /// this the slip is not asked for; an effect that has one and does not say so is refused.

@@ -78,8 +78,8 @@ impl<E: Effect> Effect for Option<E> {
             .map_or(0.0, |effect| effect.power(t, body, state))
     }
 
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        let scale = |effect: &E| effect.torque_scale(body, state);
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        let scale = |effect: &E| effect.torque_scale(t, body, state);
         self.as_ref().map_or(0.0, scale)
     }
 

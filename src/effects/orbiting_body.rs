@@ -189,7 +189,7 @@ impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
     }
 
     /// The largest torque, (3/2) |g| (I_max - I_min) at the pericentre.
-    fn torque_scale(&self, body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, body: &RigidBody, _state: &State) -> f64 {
         let [least, largest] = extremes(body);
         1.5 * self.strongest().abs() * (largest - least)
     }

@@ -25,7 +25,7 @@ impl Effect for () {
     }
 
     #[inline]
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }
 
@@ -87,8 +87,8 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
     }
 
     #[inline]
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_scale(body, state) + self.1.torque_scale(body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(t, body, state) + self.1.torque_scale(t, body, state)
     }
 
     fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {

@@ -207,7 +207,7 @@ impl Effect for PrescribedTorque {
         }
     }
 
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.largest()
     }
 

@@ -60,7 +60,8 @@ impl<E: Effect> Ode<7> for Scene<E> {
     }
 
     /// The length of the quaternion; the length of the momentum, or the momentum
-    /// that the torques build up in the body's own time if that is more.
+    /// that the torques build up in the body's own time if that is more. A torque of which no
+    /// scale is stated counts as at the time 0.
     fn scale(&self, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
         let q = (w * w + x * x + y * y + z * z).sqrt();
         let state = State {
@@ -68,7 +69,7 @@ impl<E: Effect> Ode<7> for Scene<E> {
             angular_momentum: SpaceVector::new(lx, ly, lz),
         };
         let [i1, i2, i3] = self.body().moments().to_array();
-        let torque = self.effects().torque_scale(self.body(), &state);
+        let torque = self.effects().torque_scale(0.0, self.body(), &state);
         let built_up = (i1.max(i2).max(i3) * torque).sqrt();
         let l = SpaceVector::new(lx, ly, lz).norm();
         let l = l.max(built_up).max(f64::MIN_POSITIVE);

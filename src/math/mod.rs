@@ -26,7 +26,7 @@ pub use libm::{
 pub(crate) use order::order_of;
 pub(crate) use order::{order_of_three, sort_by_number};
 pub(crate) use product::Exact;
-pub(crate) use turns::{Clock, Reduced, Time, known, sincos_of, unsigned_sincos_of};
+pub(crate) use turns::{Clock, Reduced, Time, is_known, known, sincos_of, unsigned_sincos_of};
 pub use turns::{round_even, sincos_turns};
 pub(crate) use versine::sinc_versine;
 

@@ -136,12 +136,14 @@ impl<L: Phased> Time<L> {
 /// as good as any, zero.
 #[inline]
 pub(crate) fn known(t: f64, rate: f64) -> f64 {
+    if is_known(t, rate) { t } else { 0.0 * t }
+}
+
+/// True if pairs hold the phase of a time at this rate; false for a NaN.
+#[inline]
+pub(crate) fn is_known(t: f64, rate: f64) -> bool {
     // Beyond 1e290 a product of pairs leaves the range of doubles.
-    if t.abs() > 1e290 || (t * rate).abs() > 1e150 {
-        0.0 * t
-    } else {
-        t
-    }
+    t.abs() <= 1e290 && (t * rate).abs() <= 1e150
 }
 
 /// A phase that grows steadily, `rate t + start`, in quarter turns: read at a time, less

@@ -364,7 +364,7 @@ pub const RECIPROCAL: &str = "that is one over the value";
 /// What became of a reader's answer; see [`Claim::verdict`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
-    /// Within the tolerance.
+    /// It has the digits that are asked for.
     Right,
     /// All digits given are right, but too few: how many, and how many are asked for.
     AsFarAsItGoes(u32, u32),
@@ -396,10 +396,18 @@ impl Verdict {
     }
 }
 
-/// The significant digits that a relative tolerance asks for: 4 for 0.001.
+/// The significant digits that a relative tolerance asks for: 4 for 0.001, so that what is rounded
+/// to them is always within half of it.
 pub fn digits_asked(tolerance: f64) -> u32 {
     // A tolerance of 1e-3 has a logarithm a rounding above or below -3.
     ceil(-log10(tolerance) - 1e-9) as u32 + 1
+}
+
+/// How far from `value` its rounding to so many significant digits may lie: half of what the last
+/// of them is worth. A rounding of doubles is allowed for.
+fn half_of_last(value: f64, digits: u32) -> f64 {
+    let last = floor(log10(value.abs())) + 1.0 - f64::from(digits);
+    0.5 * raised(10.0, last) * (1.0 + 1e-9)
 }
 
 /// Judges `answer`; the rules are those of [`Claim::verdict`].
@@ -419,7 +427,12 @@ pub(super) fn judge(claim: &Claim, answer: &Answer) -> Verdict {
         let scale = if target == 0.0 { 1.0 } else { target.abs() };
         (x - target).abs() <= (claim.tolerance() * scale).max(claim.bound())
     };
-    if within(v) {
+    let asked = digits_asked(claim.tolerance());
+    let right = match v == 0.0 {
+        true => within(v),
+        false => (x - v).abs() <= half_of_last(v, asked).max(claim.bound()),
+    };
+    if right {
         return Verdict::Right;
     }
     if let Some(slip) = claim.slips().iter().find(|slip| within(slip.value)) {
@@ -428,7 +441,6 @@ pub(super) fn judge(claim: &Claim, answer: &Answer) -> Verdict {
     if v == 0.0 {
         return Verdict::Wrong;
     }
-    let asked = digits_asked(claim.tolerance());
     if let Some((given, worth)) = answer.typed
         && given >= 1
         && (x - v).abs() <= 0.5 * worth

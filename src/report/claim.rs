@@ -127,8 +127,8 @@ impl Claim {
         self
     }
 
-    /// Sets the relative error within which a reader's answer counts as right
-    /// (0.001 if never set).
+    /// Sets the relative error that says how many digits a reader's answer must have, as
+    /// [`digits_asked`](super::digits_asked) counts them (0.001 if never set, and so 4 digits).
     #[must_use]
     pub fn judged_within(mut self, relative: f64) -> Self {
         self.judged_within = relative;
@@ -170,7 +170,7 @@ impl Claim {
     pub fn difference(&self) -> f64 {
         (self.value - self.oracle.value).abs()
     }
-    /// The relative error within which an answer counts as right.
+    /// The relative error that says how many digits an answer must have.
     pub fn tolerance(&self) -> f64 {
         self.judged_within
     }
@@ -206,12 +206,13 @@ impl Claim {
     /// Judges a reader's answer `x` against the value `v`, by these rules in this order:
     ///
     /// 1. another unit, if one is given and it is not the claim's (radians count as 1);
-    /// 2. right, if `|x - v| <= max(r |v|, bound)` with `r` the claim's tolerance
-    ///    (`max(r, bound)` if `v = 0`);
-    /// 3. a slip listed by the claim, if `x` is that close to the slip's value;
-    /// 4. right as far as it goes, if `x` was typed with fewer digits than `r` asks for
-    ///    ([`digits_asked`](super::digits_asked)) and is `v` rounded to them;
-    /// 5. right to `n >= 2` digits, if `|x - v| <= 10^(e+1-n) / 2`, `10^e <= |v| < 10^(e+1)`;
+    /// 2. right, if `x` has the `N` digits that the claim's tolerance `r` asks for
+    ///    ([`digits_asked`](super::digits_asked)): `|x - v| <= max(10^(e+1-N) / 2, bound)` with
+    ///    `10^e <= |v| < 10^(e+1)` (`max(r, bound)` if `v = 0`);
+    /// 3. a slip listed by the claim, if `x` is within `r` of the slip's value;
+    /// 4. right as far as it goes, if `x` was typed with fewer than `N` digits and is `v`
+    ///    rounded to them;
+    /// 5. right to `n >= 2` digits, if `|x - v| <= 10^(e+1-n) / 2`;
     /// 6. one of [`USUAL_SLIPS`](super::USUAL_SLIPS) for the claim's unit (or the
     ///    reciprocal), if `x` is that close to it;
     /// 7. wrong.

@@ -76,7 +76,8 @@ impl ClaimEntry {
         self.slips.push(Slip { value, hint });
         self
     }
-    /// The relative error within which a reader's answer counts as right (0.001 if never set).
+    /// The relative error that says how many digits a reader's answer must have (0.001 if never
+    /// set, and so 4 digits).
     pub fn judged_within(mut self, relative: f64) -> Self {
         self.judged_within = Some(relative);
         self

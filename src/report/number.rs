@@ -68,6 +68,18 @@ pub(super) fn exactly(value: f64) -> String {
     }
 }
 
+/// `value` with so many decimals: after an exponent where it is large, or where they would show
+/// nothing of it.
+pub(super) fn decimals(value: f64, places: usize) -> String {
+    let plain = format!("{value:.places$}");
+    let seen = value == 0.0 || plain.parse::<f64>() != Ok(0.0);
+    if seen && value.abs() < 1e15 {
+        plain
+    } else {
+        format!("{value:.places$e}")
+    }
+}
+
 /// `value`, of decimal exponent `top`, rounded to a multiple of `10^last`, `last <= top`.
 fn rounded(value: f64, top: i32, last: i32) -> String {
     let scientific = |x: f64, digits: i32| format!("{x:.*e}", digits.max(0) as usize);
@@ -237,6 +249,25 @@ mod tests {
             count += 1;
         }
         assert_eq!(count, 1999);
+    }
+
+    #[test]
+    fn decimals_do_not_run_on_nor_hide_a_number() {
+        for (value, text) in [
+            (1.2, "1.200000"),
+            (-0.08, "-0.080000"),
+            (0.0, "0.000000"),
+            (1e-6, "0.000001"),
+            (1e-7, "1.000000e-7"),
+            (-2.5e-30, "-2.500000e-30"),
+            (123_456_789.25, "123456789.250000"),
+            (1e30, "1.000000e30"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(decimals(value, 6), text, "{value:e}");
+        }
+        // The twin writes 31 digits.
+        assert_eq!(format!("{:.6}", 1e30).len(), 38);
     }
 
     #[test]

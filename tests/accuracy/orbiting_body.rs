@@ -158,8 +158,8 @@ fn a_circle_is_the_gravity_gradient() {
     let known = GravityGradient::on_orbit(n, normal, orbit.place(0.0)).expect("an orbit");
     let body = body();
     let state = tilted(&body, [0.3, 0.1, 2.0]);
-    let scale = known.torque_scale(&body, &state);
-    assert_error!(ours.torque_scale(&body, &state), scale, 1.7 eps);
+    let scale = known.torque_scale(0.0, &body, &state);
+    assert_error!(ours.torque_scale(0.0, &body, &state), scale, 1.7 eps);
     let [width, known_width] =
         [ours.narrowest(), known.narrowest()].map(|w| w.expect("named").time);
     assert_error!(width, known_width, 0.0 eps);
@@ -217,8 +217,8 @@ impl<const SQUARED: bool> Effect for Erring<SQUARED> {
     fn narrowest(&self) -> Option<Feature> {
         self.0.narrowest()
     }
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_scale(body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(t, body, state)
     }
 }
 

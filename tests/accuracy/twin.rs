@@ -85,13 +85,13 @@ impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
         }
     }
 
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         let factor = match LIE {
             11 => 1e-5,
             12 => 1e8,
             _ => 1.0,
         };
-        factor * self.0.torque_scale(body, state)
+        factor * self.0.torque_scale(t, body, state)
     }
 
     fn break_points(&self) -> Vec<f64> {

@@ -249,8 +249,8 @@ impl Effect for Counted<'_> {
         self.gravity.potential_energy(t, body, state)
     }
 
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.gravity.torque_scale(body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.gravity.torque_scale(t, body, state)
     }
 }
 

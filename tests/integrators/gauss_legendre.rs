@@ -521,8 +521,8 @@ fn torques_side_by_side() {
         fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
             self.0.potential_energy(t, body, state)
         }
-        fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-            self.0.torque_scale(body, state)
+        fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+            self.0.torque_scale(t, body, state)
         }
     }
     let gravity = GravityAtLever::new(0.7, 0.3).expect("gravity");

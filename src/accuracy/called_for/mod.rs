@@ -352,6 +352,7 @@ impl Asked<'_> {
                 effect,
                 least: 1e-4 * self.tolerance,
                 slowest: 1.0 / span.abs(),
+                t_start: self.limits.t_start,
                 piece: [from.min(to).next_up(), from.max(to).next_down()],
             };
             let mut method = Dop853::new(PRECISION)?.with_step_limit(steps.max(1))?;

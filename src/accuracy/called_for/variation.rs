@@ -55,6 +55,8 @@ pub(super) struct Variation<'s> {
     pub least: f64,
     /// A rate (rad/s) that is slow: a radian in the whole span.
     pub slowest: f64,
+    /// The time (s) of the start, at which an effect says how large it is.
+    pub t_start: f64,
     /// The first time and the last between two jumps.
     pub piece: [f64; 2],
 }
@@ -127,7 +129,7 @@ impl Ode<14> for Variation<'_> {
             return [f64::NAN; 14];
         };
         let rate = self.scene.body.angular_velocity(&at).norm();
-        let torque = self.effect.torque_scale(self.scene.body, &at);
+        let torque = self.effect.torque_scale(self.t_start, self.scene.body, &at);
         let slip = if self.effect.nature().slips {
             self.effect.slip(self.piece[0], self.scene.body, &at).norm()
         } else {

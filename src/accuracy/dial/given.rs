@@ -81,12 +81,16 @@ impl<'s> Given<'s> {
             t_end,
             tolerance,
             limits,
-            torque: effects.torque_scale(body, start).max(checked.at_start()),
+            torque: effects
+                .torque_scale(limits.t_start, body, start)
+                .max(checked.at_start()),
             breaks: limits.breaks(effects, t_end),
             longest_step: limits.longest_step,
             checked,
         };
+        finite("kinetic energy of the start", body.kinetic_energy(start))?;
         let (rate, nature) = (given.problem().fastest(), effects.nature());
+        finite("the fastest rate that the energy allows", rate)?;
         let seen = if nature.on_time && t_end != limits.t_start {
             given.checked.looked(LOOKS as usize)
         } else {
@@ -94,8 +98,8 @@ impl<'s> Given<'s> {
         };
         if !nature.smooth && !seen.is_empty() {
             let known = &given.breaks;
-            let jumps = given.checked.jumps(&seen).into_iter();
-            let new: Vec<f64> = jumps.filter(|t| !known.contains(t)).collect();
+            let found = [given.checked.jumps(&seen), given.checked.kinks(&seen)].concat();
+            let new = found.into_iter().filter(|t| !known.contains(t));
             given.breaks = limits.sorted(known.iter().copied().chain(new).collect(), t_end);
         }
         given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
@@ -152,6 +156,14 @@ impl<'s> Given<'s> {
             return Ok(Answer {
                 solved: nothing_to_do(&problem)?,
                 form: Form::Still(problem.start),
+            });
+        }
+        let span = problem.span();
+        if span.abs() < f64::MIN_POSITIVE {
+            return Err(Error::OutOfRange {
+                name: "end time - start time",
+                value: span,
+                allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
             });
         }
         let delivered = Stepping::new(&problem, self.tolerance, self.limits, places).solve()?;

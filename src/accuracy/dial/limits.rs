@@ -17,7 +17,8 @@ pub struct Limits<'a> {
     /// The time of the start (s): 0.
     pub t_start: f64,
     /// Times (s, rising, inside the span) at which the torque jumps, beside those that the
-    /// effects name: none.
+    /// effects name: none. Runs are cut there. They do not help an effect that is called smooth
+    /// and jumps: smooth is what it is between the break points that it names itself.
     pub break_points: &'a [f64],
     /// No step is longer than this (s): infinite.
     pub longest_step: f64,

@@ -169,14 +169,19 @@ impl<E: Effect> Scene<E> {
     /// longer than half of what [`Effect::narrowest`] names. Of an effect that depends on
     /// the time and names no width, the torque on the body as it starts is looked at at 4097
     /// times: a jump between two of them, of an effect that does not claim to be smooth, is
-    /// found to the last bit and met as if it were named; a pulse that lasts longer than the
+    /// found to the last bit and met as if it were named, and so is a kink, to what rounding
+    /// leaves of it; a pulse that lasts longer than the
     /// time between two of them is seen, and taken in steps of twice the time in which it comes, or
-    /// of eight times that where the torque goes to and fro all along. A narrower one, a jump that the torque has only on a body that moves otherwise, or a bump in space
-    /// that is narrower than a step may be missed by all runs alike;
+    /// of eight times that where the torque goes to and fro all along. A narrower one, a jump or a
+    /// kink that the torque has only on a body that moves otherwise, or a bump in space
+    /// that is narrower than a step may be missed by all runs alike. (Of kinks that were so hidden
+    /// 7 answers in 199 were above their request, by 4.9 at most; of torques with dozens of cusps as
+    /// steep as a root's, found or not, 4 in 421, by 3.2.)
     /// [`Solved::longest_step`] says how long the steps were.
     ///
     /// # Errors
-    /// A tolerance outside its range, anything not finite; [`Error::Contradiction`](crate::Error::Contradiction) if an
+    /// A tolerance outside its range, anything not finite, an energy at the start beyond `f64`; a
+    /// span below 2.3e-308 s (but 0) where it is stepped; [`Error::Contradiction`](crate::Error::Contradiction) if an
     /// effect says of itself what its torque does not bear out, at the start or along the
     /// way; [`Error::BeyondCondition`](crate::Error::BeyondCondition) if the inputs, as doubles, do not determine the end
     /// so closely; [`Error::NotDelivered`](crate::Error::NotDelivered) if no method converges to it;

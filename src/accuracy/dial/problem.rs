@@ -139,7 +139,7 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_
     }
 
     #[inline]
-    fn torque_scale(&self, _body: &RigidBody, _state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.torque * self.strength
     }
 }

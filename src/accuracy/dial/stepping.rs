@@ -168,6 +168,7 @@ impl<'p> Stepping<'p> {
     /// Solves by two runs if they do, else by the cheapest candidate with the condition felt
     /// roughly, and else with all care: nothing is refused because less was tried.
     pub fn solve(mut self) -> Result<Delivered> {
+        self.affordable()?;
         let delivered = match self.two_runs()? {
             TwoRuns::Delivered(delivered) => Some(*delivered),
             TwoRuns::Begun {
@@ -190,6 +191,26 @@ impl<'p> Stepping<'p> {
             return Ok(self.paid(delivered));
         }
         self.carefully(candidates)
+    }
+
+    /// Refuses before any run what takes more torques than are allowed even in the longest steps
+    /// that are.
+    fn affordable(&self) -> Result<()> {
+        let Problem {
+            t_start: t,
+            t_end,
+            longest_step,
+            ..
+        } = *self.problem;
+        let steps = (self.problem.span() / longest_step).abs();
+        let cheapest = (Method::candidates(self.problem).iter())
+            .map(|method| method.torques())
+            .fold(f64::INFINITY, f64::min);
+        let budget = self.limits.budget;
+        if steps * cheapest > budget as f64 {
+            return Err(Error::OverBudget { t, t_end, budget });
+        }
+        Ok(())
     }
 
     /// What a candidate delivers by few runs from the first on, with the condition felt on that
@@ -498,11 +519,15 @@ impl<'p> Stepping<'p> {
         let mut gaps = [const { Vec::new() }; 3];
         let first = match begun {
             Some(begun)
-                if (begun.bounded.is_some() || begun.run.level >= linear)
-                    && begun.precision <= 2.0 * precision =>
+                if begun.bounded.is_some()
+                    || begun.run.level >= linear && begun.precision <= 2.0 * precision =>
             {
-                precision = begun.precision;
-                budget = self.tolerance - left(precision);
+                // Of two that are followed at once the distance holds what their sweeps left, and
+                // the third has smaller ones where these were too large.
+                if begun.precision <= 2.0 * precision {
+                    precision = begun.precision;
+                    budget = self.tolerance - left(precision);
+                }
                 if let Some((_, apart)) = begun.bounded {
                     gaps = apart.map(|gap| vec![gap]);
                 }

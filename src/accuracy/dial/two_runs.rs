@@ -29,8 +29,7 @@ const FARTHER: f64 = 300.0;
 const BOUNDED: f64 = 1.2;
 
 /// By so many times that where finer runs follow: three say by themselves how the error falls, and
-/// the condition need only leave the floor far below. (Gauss-Legendre begins again, in smaller
-/// sweeps.)
+/// the condition need only leave the floor far below.
 const WIDER: f64 = 30.0;
 
 /// A change of the inputs makes no more on the stretch than so many times what it makes of a

@@ -503,7 +503,7 @@ struct HalfAngle {
     cos: Dd,
 }
 
-const UP: f64 = 2.037_035_976_334_486e90; // 2^300
+pub(super) const UP: f64 = 2.037_035_976_334_486e90; // 2^300
 
 /// The largest square of a rate whose products with the others are looked into: not far above,
 /// some are infinite and others are not, and what comes of it may look like a motion.

@@ -164,7 +164,7 @@ impl Motion {
     /// Where the time `t` falls.
     #[inline]
     pub fn place(&self, t: f64) -> Place {
-        let since = self.offset + math::known(t, 1.0);
+        let since = self.offset + math::known(t, self.rate.hi());
         let (count, rest) = if self.homoclinic {
             (0.0, since.hi())
         } else {
@@ -181,10 +181,11 @@ impl Motion {
         }
     }
 
-    /// True if the last bit of the time is a half-period: their number is not known.
+    /// True if the last bit of the time is a half-period: their number is not known. The
+    /// homoclinic motion has none, and its phase is not known so late that no pair holds it.
     pub fn is_uncounted(&self, t: f64) -> bool {
         const MOST: f64 = 4_503_599_627_370_496.0; // 2^52
-        t.abs() > 1e150 || t.abs() * self.per_half_period > MOST
+        t.abs() * self.per_half_period > MOST || !math::is_known(t, self.rate.hi())
     }
 
     /// Both series there.

@@ -1,5 +1,6 @@
 //! What can be asked of a motion at a time: angles, attitude, rates.
 
+use super::construct::UP;
 use super::motion::{Motion, Place};
 use super::series::Pair;
 use super::{Course, Form, HeavyTop};
@@ -54,11 +55,16 @@ impl HeavyTop {
         });
         let phi = (a.0 + b.0) + (a.1 + b.1) + self.phi0;
         let difference = ((a.0 - b.0) + (a.1 - b.1)) * self.flip;
-        let zeta = difference + self.free_spin * t + self.zeta0;
+        let zeta = if math::is_known(t, self.free_spin.hi()) {
+            (difference + self.free_spin * t + self.zeta0).to_f64()
+        } else {
+            // All else is below its last bit.
+            late(self.free_spin, t)
+        };
         EulerAngles {
             phi: phi.to_f64(),
             theta,
-            zeta: zeta.to_f64(),
+            zeta,
         }
     }
 
@@ -75,8 +81,8 @@ impl HeavyTop {
 
     /// The attitude at time `t`; the quaternion is continuous in time.
     ///
-    /// A time that is not finite gives NaN; [`HeavyTop::try_attitude`] refuses it. Beyond
-    /// some 1e150 rad no phase is known, and the attitude is that of the start.
+    /// A time that is not finite gives NaN; [`HeavyTop::try_attitude`] refuses it. A phase beyond
+    /// some 1e150 rad is not known, and counts as that of the start.
     ///
     /// Accuracy: K = 1.5 for the elements of the matrix; see [`HeavyTop`].
     pub fn attitude(&self, t: f64) -> Attitude {
@@ -227,7 +233,13 @@ impl HeavyTop {
 
     fn fixed_attitude(&self, t: f64) -> Attitude {
         let EulerAngles { phi, theta, .. } = self.angles(0.0);
-        let turn = self.omega3 * math::known(t, 1.0) / Dd::TWO_PI;
+        // So late a time leaves the range of pairs, however slow the spin.
+        let (spin, t) = if t.abs() > 1e250 {
+            (self.omega3.scaled(UP), t / UP)
+        } else {
+            (self.omega3, t)
+        };
+        let turn = spin * math::known(t, spin.hi()) / Dd::TWO_PI;
         // Twice: beyond 2^53 turns the first leaves the trailing part.
         let turn = turn - turn.round();
         let turn = turn - turn.round();
@@ -301,11 +313,11 @@ impl HeavyTop {
     }
 }
 
-/// `rate` t, at a time at which a product of pairs may leave the range of doubles, too.
+/// `rate` t, also where a product of pairs leaves the range of doubles.
 fn late(rate: Dd, t: f64) -> f64 {
-    if t.abs() > 1e150 {
-        rate.to_f64() * t
-    } else {
+    if math::is_known(t, rate.hi()) {
         (rate * t).to_f64()
+    } else {
+        rate.to_f64() * t
     }
 }

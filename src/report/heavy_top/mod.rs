@@ -17,6 +17,7 @@ pub use steady::Steady;
 pub use stepped::{Added, Stepped};
 pub use strip::Gravity;
 
+use super::number::decimals;
 use super::{Trajectory, times};
 use crate::error::{Error, Result};
 use crate::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
@@ -114,11 +115,11 @@ impl Motion {
 
     /// The regime in a word, and the numbers that fix the motion.
     pub fn description(&self) -> String {
-        let (a, b, c) = (self.top.a(), self.top.b(), self.top.c());
+        let numbers = [self.top.a(), self.top.b(), self.top.c(), self.energy];
+        let [a, b, c, energy] = numbers.map(|number| decimals(number, 6));
         format!(
-            "a symmetric rotor about a fixed point: {}; a = {a:.6}, b = {b:.6}, c = {c:.6}, E~ = {:.6}",
-            self.regime(),
-            self.energy
+            "a symmetric rotor about a fixed point: {}; a = {a}, b = {b}, c = {c}, E~ = {energy}",
+            self.regime()
         )
     }
 

@@ -74,7 +74,7 @@ impl Effect for Nodes {
     }
 
     /// No nod is faster than |L|/I1; at a turning point the torque itself is 0.
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, body: &RigidBody, state: &State) -> f64 {
         self.friction * state.angular_momentum.norm() / body.moments().i1()
     }
 

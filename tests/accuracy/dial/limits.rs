@@ -204,3 +204,73 @@ fn a_longest_step() -> Result<()> {
     assert!(free.longest_step > 0.01 && free.run.steps < 500, "{free:?}");
     Ok(())
 }
+
+/// What no run could do within its limits is told before any run: steps so short that they take
+/// more torques than are allowed, a span that no step can be a part of, an energy that no double
+/// holds.
+#[test]
+fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
+    let (scene, start) = heavy()?;
+    let torques = core::cell::Cell::new(0_u64);
+    let counted = Scene::new(*scene.body()).with(
+        Torque::on_space("counted", |_, _: &RigidBody, _: &State| {
+            torques.set(torques.get() + 1);
+            SpaceVector::new(0.1, 0.0, 0.0)
+        })
+        .smooth(),
+    );
+    let of = |longest_step: f64, budget: u64| Limits {
+        longest_step,
+        budget,
+        ..Limits::default()
+    };
+    // 12 torques a step: one more step than the budget has room for, and as many as it has.
+    let mut taken = Vec::new();
+    for steps in [1001.0, 1000.0] {
+        torques.set(0);
+        let refused = counted.solve_with(&start, 20.0, 1e-8, &of(20.0 / steps, 12_000));
+        assert!(
+            matches!(refused, Err(Error::OverBudget { .. })),
+            "{refused:?}"
+        );
+        taken.push(torques.get());
+    }
+    // What looks at the torque before any run took 5096, and the twin went on to runs: 17 109.
+    assert!(taken[0] < 5100 && taken[1] > 17_000, "{taken:?}");
+    let text = |solved: Result<rotation_dynamics::accuracy::Solved>| match solved {
+        Ok(solved) => format!("{:e}", solved.estimate),
+        Err(error) => error.to_string(),
+    };
+    let endless = text(scene.solve_with(&start, 5000.0, 1e-8, &of(1e-10, 50_000_000)));
+    assert_eq!(
+        endless,
+        "from t = 0 to 5000 this takes more than the 50000000 torques that are allowed: allow more \
+         of them, a larger error, longer steps or a shorter time"
+    );
+    for span in [5e-324, -5e-324, 2e-308] {
+        assert_eq!(
+            text(scene.solve(&start, span, 1e-8)),
+            format!(
+                "end time - start time = {span:e} is not allowed: 0, or 2.3e-308 s at least, of \
+                 which a step can be a part"
+            )
+        );
+    }
+    assert!(scene.solve(&start, 2.3e-308, 1e-8)?.estimate <= 1e-8);
+    let body = *scene.body();
+    for free in [true, false] {
+        let fast = |rate: f64| {
+            let start = body.state(Attitude::IDENTITY, BodyVector::new(0.1 * rate, 0.0, rate))?;
+            match free {
+                true => Scene::new(body).solve(&start, 1.0 / rate, 1e-8),
+                false => scene.solve(&start, 1.0 / rate, 1e-8),
+            }
+        };
+        assert_eq!(
+            text(fast(1e159)),
+            "kinetic energy of the start = inf is not a finite number"
+        );
+        assert!(fast(1e150)?.estimate <= 1e-8);
+    }
+    Ok(())
+}

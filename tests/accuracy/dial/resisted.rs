@@ -62,8 +62,8 @@ impl<E: Effect, const RESISTS: bool, const SMOOTH: bool> Effect for Said<E, RESI
         self.0.power(t, body, state)
     }
 
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_scale(body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(t, body, state)
     }
 
     fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {

@@ -5,8 +5,9 @@ use crate::twin::{LIES, Twin, damaged};
 use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, KeplerOrbit, Nature,
-    OrbitingBody, PrescribedTorque, Profile, Resistance, Torque, ViscousFriction, check,
+    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, GravityGradient,
+    KeplerOrbit, Nature, OrbitingBody, PrescribedTorque, Profile, Resistance, Torque,
+    ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::Lane;
@@ -246,4 +247,139 @@ fn nothing_is_claimed_of_nothing() {
         ran += 7;
     }
     assert_eq!(ran, 14);
+}
+
+/// An effect whose power is so many times what it says.
+struct Powered<E>(E, f64);
+
+impl<E: Effect> Effect for Powered<E> {
+    const NATURE: Nature = E::NATURE;
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.potential_energy(t, body, state)
+    }
+
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.power(t, body, state) * self.1
+    }
+
+    fn narrowest(&self) -> Option<Feature> {
+        self.0.narrowest()
+    }
+}
+
+/// Seconds since the year 2000, or since 1970: a time is known to a ten-millionth of a second
+/// only. What is true is believed there, in long spans and in short ones, and of a power a
+/// small part that is false is still found.
+#[test]
+fn late_claims_are_judged_as_early_ones() {
+    let body = body(20.0, 90.0, 100.0);
+    let (normal, towards) = (
+        SpaceVector::new(0.0, 0.0, 1.0),
+        SpaceVector::new(-1.0, 0.0, 0.0),
+    );
+    let gradient = GravityGradient::on_orbit(1.1e-3, normal, towards).expect("an orbit");
+    let planet = KeplerOrbit::about(4e14, 7e6, 0.1)
+        .and_then(|orbit| orbit.oriented(0.3, 0.8, 1.9)?.turning(-2e-7, 3e-7))
+        .and_then(|orbit| OrbitingBody::new(4e14, orbit))
+        .expect("a body");
+    let silent = || Torque::on_space("silent", |_, _: &RigidBody, _: &State| SpaceVector::zero());
+    let (mut believed, mut refused) = (0, 0);
+    for from in [0.0, 3e8, 8.4e8, 1e9, 1.76e9, -1.76e9] {
+        for length in [1e-3, 0.01, 1.0, 17_000.0] {
+            // Measured: refused from 1.5e-5 at the time 0 and 3.8e-4 at 1.76e9 on the first
+            // three, and from 0.17 on the fast one.
+            for (rates, lie) in [
+                ([1e-9, 0.0, 0.0], 1e-3),
+                ([0.0, 1e-5, 2e-6], 1e-3),
+                ([0.0, 0.0, 1.1e-3], 1e-3),
+                ([0.1, 0.2, 6.0], 0.3),
+            ] {
+                let start = tilted(&body, rates);
+                let span = [from, from + length];
+                for truth in [
+                    check(&gradient, &body, span, &start),
+                    check(&planet, &body, span, &start),
+                    check(&(gradient, silent()), &body, span, &start),
+                    check(&(planet, silent()), &body, span, &start),
+                ] {
+                    truth.expect("the truth");
+                    believed += 1;
+                }
+                for false_power in [
+                    check(&Powered(gradient, 1.0 + lie), &body, span, &start),
+                    check(&Powered(planet, 1.0 - lie), &body, span, &start),
+                ] {
+                    let told = false_power.expect_err("a lie").to_string();
+                    assert!(
+                        told.contains("at what power it changes the energy"),
+                        "{told}"
+                    );
+                    refused += 1;
+                }
+            }
+        }
+    }
+    assert_eq!((believed, refused), (384, 192));
+}
+
+/// A scale is a claim of the effect that states it, and of no other beside it.
+#[test]
+fn a_scale_that_is_not_stated_claims_nothing() {
+    let body = body(20.0, 90.0, 100.0);
+    let start = tilted(&body, [0.01, 0.02, 0.03]);
+    let (normal, towards) = (
+        SpaceVector::new(0.0, 0.0, 1.0),
+        SpaceVector::new(-1.0, 0.0, 0.0),
+    );
+    let gradient = GravityGradient::on_orbit(1.1e-3, normal, towards).expect("an orbit");
+    // Strong late, strong early, and strong at the time 0, which is no part of the span.
+    let shapes: [fn(f64) -> f64; 3] = [
+        |t| t * t,
+        |t| 1.0 / (t * t),
+        |t| if t < 0.5 { 1e9 } else { 1.0 },
+    ];
+    let span = [1.0, 1e4];
+    let mut ran = 0;
+    for length in [1e-9, 1e-3, 0.2, 100.0] {
+        for shape in shapes {
+            let closure = Torque::on_body("closure", move |t, _: &RigidBody, _: &State| {
+                BodyVector::new(length * shape(t), 0.0, 0.0)
+            });
+            for truth in [
+                check(&closure, &body, span, &start),
+                check(&(gradient, closure.clone()), &body, span, &start),
+                check(&((gradient, Some(closure)), ()), &body, span, &start),
+            ] {
+                truth.expect("the truth");
+                ran += 1;
+            }
+        }
+    }
+    assert_eq!(ran, 36);
+    // The damaged twins: beside a closure that is strong for an hour, a gradient that states a
+    // scale a hundred thousand times too small.
+    let thruster = Torque::on_body("thruster", |t, _: &RigidBody, _: &State| {
+        let on = (2000.0..5600.0).contains(&t);
+        BodyVector::new(if on { 100.0 } else { 0.0 }, 0.0, 0.0)
+    });
+    let told = [
+        check(&Twin::<_, 11>(&gradient), &body, span, &start),
+        check(&(Twin::<_, 11>(&gradient), thruster), &body, span, &start),
+    ]
+    .map(|verdict| verdict.expect_err("a lie").to_string());
+    for told in told {
+        assert!(
+            told.contains("a thousand times longer than torque_scale"),
+            "{told}"
+        );
+    }
 }

@@ -294,8 +294,8 @@ impl Effect for Unnamed {
         self.0.torque(t, body, state)
     }
 
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_scale(body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(t, body, state)
     }
 
     fn narrowest(&self) -> Option<Feature> {

@@ -220,3 +220,78 @@ fn no_bit_depends_on_the_unit_of_time() {
     let [moved, _] = moved_by_the_unit(1e-14);
     assert!(moved > 90, "{moved}");
 }
+
+/// How far a fast top, one near its separatrix and a sleeping one are after 60 units of time from
+/// where they are after 60 s, for units up to 2e152 s; what is asked is later by the part `damage`.
+fn moved_by_late_units(damage: f64) -> Errors {
+    let starts = [
+        (1.0, [0.0, 0.0, 314.0]),
+        (0.02, [30.0, 0.1, 0.0]),
+        (0.0, [0.0, 0.0, 31.0]),
+    ];
+    let motion = |(theta, rates): (f64, [f64; 3]), unit: f64| {
+        let top = SymmetricTop::new(5.45e-3, 9e-4, 4.9 / unit, 0.1 / unit).expect("a top");
+        let (phi, zeta) = (0.3, -0.4);
+        let start = EulerAngles { phi, theta, zeta };
+        let rates = BodyVector::from_array(rates.map(|rate| rate / unit));
+        HeavyTop::from_body(top, start, rates).expect("a motion")
+    };
+    let mut errors = Errors::in_units_of(EPS, "angles, rates and attitude");
+    for start in starts {
+        let own = motion(start, 1.0);
+        for power in [400, 480, 489, 491, 494, 498, 502, 506] {
+            let unit = 2.0_f64.powi(power);
+            let other = motion(start, unit);
+            let t = 60.0 * unit * (1.0 + damage);
+            let (want, got) = (own.angles(60.0), other.try_angles(t).expect("angles"));
+            for (got, want) in [
+                (got.theta, want.theta),
+                (got.phi, want.phi),
+                (got.zeta, want.zeta),
+                (other.cos_theta(t), own.cos_theta(60.0)),
+            ] {
+                errors.add(got, want, 1.0 + want.abs());
+            }
+            let now = other.try_kinematics(t).expect("a time");
+            let attitude = other.try_attitude(t).expect("a time");
+            errors.push(own.attitude(60.0).angle_to(&attitude));
+            assert_eq!(now.attitude, attitude);
+            let mut batch = [Kinematics::REST];
+            other.kinematics_at(&[t], &mut batch).expect("a time");
+            assert_eq!(batch, [now]);
+            let (want, rates) = (own.kinematics(60.0).angular_velocity, now.angular_velocity);
+            let [rate, phi_rate] = [want.norm(), own.phi_rate(60.0)];
+            let off = (rates * unit - want).norm();
+            errors.add(off, 0.0, rate);
+            errors.add(other.theta_rate(t) * unit, own.theta_rate(60.0), rate);
+            errors.add(other.phi_rate(t) * unit, phi_rate, rate + phi_rate.abs());
+            errors.add(
+                other.zeta_rate(t) * unit,
+                own.zeta_rate(60.0),
+                rate + phi_rate.abs(),
+            );
+        }
+    }
+    errors
+}
+
+/// A top that turns slowly is known at times beyond 1e150 s as one that turns fast is at early
+/// ones: radians count, not seconds.
+#[test]
+fn slow_tops_are_known_at_times_beyond_1e150() {
+    moved_by_late_units(0.0).attain(0.0..=0.0, 216);
+    // 1.7e11.
+    let damaged = moved_by_late_units(1e-9).largest();
+    assert!(damaged > 1e9, "{damaged:e}");
+    // A sleeping one that turns so slowly that no pair holds its time.
+    let motion = |unit: f64| {
+        let top = SymmetricTop::new(5.45e-3, 9e-4, 0.0, 0.1).expect("a top");
+        let rates = BodyVector::new(0.0, 0.0, 31.0 / unit);
+        HeavyTop::new(top, Attitude::IDENTITY, rates).expect("a motion")
+    };
+    let unit = 2.0_f64.powi(1000);
+    let want = motion(1.0).attitude(60.0);
+    assert_eq!(motion(unit).attitude(60.0 * unit), want);
+    let later = motion(unit).attitude(60.0 * unit * (1.0 + 1e-9));
+    assert!(later.angle_to(&want) > 1e-7);
+}

@@ -193,6 +193,68 @@ fn rates_that_would_be_lost_are_refused() {
     assert!((momentum[0] / 4.5e-100 - 1.0).abs() < 4e-16, "{momentum:?}");
 }
 
+/// What the refusal says of the rates that are allowed is so: how far apart they are is no reason.
+#[test]
+fn rates_far_apart_whose_squares_are_doubles_are_taken() {
+    let start = EulerAngles {
+        phi: 0.1,
+        theta: 1.0,
+        zeta: 0.2,
+    };
+    let made = |fall: f64, rates: [f64; 3]| {
+        let top = SymmetricTop::new(1.0, 0.6, fall, fall).expect("a top");
+        HeavyTop::from_body(top, start, BodyVector::from_array(rates))
+    };
+    let mut taken = 0;
+    for slow in [3e-146, 1e-100, 1e-20, 1e-3] {
+        for fast in [1e3, 1e20, 3e102, 1e147] {
+            for (fall, rates) in [
+                (0.0, [slow, 0.0, fast]),
+                (0.0, [fast, 0.0, slow]),
+                (slow, [fast, 0.0, slow]),
+                (fast, [slow, slow, 0.0]),
+            ] {
+                let motion = made(fall, rates).expect("a motion");
+                let off = motion.angular_velocity(0.0) - BodyVector::from_array(rates);
+                assert!(off.norm() <= 1e-14 * fast.max(fall), "{fall} {rates:?}");
+                taken += 1;
+            }
+        }
+    }
+    assert_eq!(taken, 64);
+    let refused = made(0.0, [1e150, 0.0, 1.0]).expect_err("its square is beyond 1e299");
+    let text = refused.to_string();
+    assert!(
+        text.contains("must stay within doubles, from 1e-308 to 1e299"),
+        "{text}"
+    );
+}
+
+/// U_min and the energy of a refusal are written short however large they are.
+#[test]
+fn a_refused_energy_is_written_short() {
+    let mut said = Vec::new();
+    for (b, c, energy) in [
+        (1.2, 0.2, 0.1),
+        (1e30, 0.2, -0.08),
+        (1.2, 1e30, -1e40),
+        (1e-30, 0.2, -5.0),
+    ] {
+        let top = ReducedTop::new(2.0, b, c).expect("a top");
+        let refused = HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0);
+        said.push(refused.expect_err("no motion").to_string());
+    }
+    let expected = [
+        "no motion: E~ = 0.10 is below U_min = 0.404262",
+        "no motion: E~ = -0.08 is below U_min = 1.0000000000000001e60",
+        "no motion: E~ = -1e40 is below U_min = -1.999999999999997e30",
+        "no motion: E~ = -5.00 is below U_min = -0.209903",
+    ];
+    assert_eq!(said, expected);
+    // The twin with six places.
+    assert!(format!("{:.6}", 1e60).len() > 60);
+}
+
 /// Squares of its rates are the last that doubles hold, and what is multiplied by gravity is
 /// small again: it would start 0.07 rad from where it is put.
 #[test]

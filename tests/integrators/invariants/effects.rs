@@ -66,8 +66,8 @@ fn torque_is_the_slope_of_the_potential() {
         fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
             self.0.potential_energy(t, body, state)
         }
-        fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-            self.0.torque_scale(body, state)
+        fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+            self.0.torque_scale(t, body, state)
         }
     }
     assert!(slope_errors(&Wrong(up)).largest() > 1.0);

@@ -27,7 +27,7 @@ fn changes<E: Effect>(
     let kept: Vec<Invariant> = scene.invariants().collect();
     let momentum = start.angular_momentum.norm();
     let energy =
-        scene.body().kinetic_energy(start) + scene.effects().torque_scale(scene.body(), start);
+        scene.body().kinetic_energy(start) + scene.effects().torque_scale(0.0, scene.body(), start);
     let mut changes = ALL.map(|quantity| Errors::of(format!("{quantity:?}")));
     let mut state = *start;
     for i in 0..40 {
@@ -137,8 +137,8 @@ fn a_wrong_kick_is_seen() {
         fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
             self.0.potential_energy(t, body, state)
         }
-        fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-            self.0.torque_scale(body, state)
+        fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+            self.0.torque_scale(t, body, state)
         }
     }
     let (heavy, start) = figure_3();

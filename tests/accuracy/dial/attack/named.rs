@@ -281,7 +281,7 @@ fn contradictions_are_named() -> Result<()> {
         fn torque(&self, _: f64, _: &RigidBody, _: &State) -> SpaceVector {
             SpaceVector::new(0.1, 0.0, 0.0)
         }
-        fn torque_scale(&self, _: &RigidBody, _: &State) -> f64 {
+        fn torque_scale(&self, _t: f64, _: &RigidBody, _: &State) -> f64 {
             self.0
         }
     }

@@ -329,7 +329,7 @@ impl Effect for Misreported {
         state.angular_momentum * self.rate
     }
 
-    fn torque_scale(&self, _body: &RigidBody, state: &State) -> f64 {
+    fn torque_scale(&self, _t: f64, _body: &RigidBody, state: &State) -> f64 {
         self.rate.abs() * state.angular_momentum.norm() * self.factor
     }
 }

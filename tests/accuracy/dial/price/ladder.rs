@@ -133,8 +133,8 @@ impl<E: Effect> Effect for Within<E> {
         self.effect.resistance(self.time(t), body)
     }
 
-    fn torque_scale(&self, body: &RigidBody, state: &State) -> f64 {
-        self.effect.torque_scale(body, state)
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.effect.torque_scale(t, body, state)
     }
 }
 

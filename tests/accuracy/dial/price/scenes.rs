@@ -108,7 +108,7 @@ fn known<E: Effect + Clone + 'static>(
     times.push(t_end);
     let body = *scene.body();
     let [i1, i2, i3] = body.moments().to_array();
-    let torque = scene.effects().torque_scale(&body, &start);
+    let torque = scene.effects().torque_scale(0.0, &body, &start);
     let energy = body.kinetic_energy(&start);
     let turned = ((2.0 * energy + 4.0 * torque) / i1.min(i2).min(i3)).sqrt() * t_end;
     let exact = match exact {
