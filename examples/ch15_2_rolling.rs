@@ -500,8 +500,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             measured other.end_time() - like.end_time(), within 1e-11,
             at_cost format!("{}, {}", counted(like.work()), counted(other.work()));
         "width of the tyre on the circle":
-            "b/(2 a)" = width, costs p.rate * 0.01, "m/s of slip at its edges",
-            measured slip_beside(p, spin, 0.01)?, within 1e-11 * (p.rate * p.shaft).max(speed), at_cost "none, 4 places";
+            "b/(2 a)" = width, costs width, "of the speed Omega a, as slip at its edges",
+            measured slip_beside(p, spin, 0.01)? / (p.rate * p.shaft),
+            within 1e-11 * (1.0 + p.radius / p.shaft) * (1.0 + p.shaft / p.radius), at_cost "none, 4 places";
     }
 }
 

@@ -430,7 +430,7 @@ fn limits(report: &mut Report) -> Result<()> {
         "aside = 1e-6: p/lambda": near.pace() / small_motions(book, 1.0)[1] => 1.0, within 1e-11;
         /// on the separatrix the flip is a hyperbolic tangent
         "aside = 1e-6: Omega_2 at 1/lambda after a flip": -after[1] => tanh(1.0), within 1e-11;
-        /// a plate has I3 = I1 + I2
+        /// a plate has I3 = I1 + I2; this one is twice as long as wide
         "plate: lambda^2/Omega^2": small_motions(plate, 1.0)[1] * small_motions(plate, 1.0)[1]
             => (plate[1] - plate[0]) / (plate[1] + plate[0]), within 1e-15;
         /// two equal moments: the steady circuit of the symmetric top

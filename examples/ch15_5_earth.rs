@@ -242,7 +242,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let lunisolar = (SUN.rate(f)? + MOON.rate(f)?).abs();
     let yielded = (yielding::period(p)? - 1.0 / f) * p.day / 86_400.0;
     let day = 86_400.0 / ARCSEC;
-    // Two different moments: both off the mean by half of 0.007 (C - A).
+    // Two different moments: both off the mean by half of 0.0067 (C - A),
+    // as the gravity of the Earth has it (4 J22 = 7.26e-6 beside J2 = 1.083e-3).
     let apart = |part: f64| -> Result<f64> {
         let side = part * (p.c - p.a);
         let moments = PrincipalMoments::new(p.a - side, p.a + side, p.c)?;
@@ -250,7 +251,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         Ok(FreeBody::new(moments, Attitude::IDENTITY, rates)?.rate_period())
     };
     // None of what is no body.
-    let unequal = apart(0.0035).ok().zip(apart(0.0).ok());
+    let unequal = apart(0.00335).ok().zip(apart(0.0).ok());
     rotation_dynamics::effect_card! { report,
         "yielding of the mantle":
             "k_2/k_s" = kappa, costs yielded, "d of the period", included;
@@ -258,7 +259,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "tide of the pole in the oceans":
             "k_ocean/k_s" = 0.05, costs 30.0, "d of the period";
         "two different moments in the equator":
-            "(B - A)/(C - A)" = 0.007, costs 0.5 * 0.0035 * 0.0035 * rigid, "d of the period",
+            "(B - A)/(C - A)" = 0.0067, costs 0.5 * 0.00335 * 0.00335 * rigid, "d of the period",
             measured unequal.map(|(with, without)| (with / without - 1.0) * rigid), within 1e-9 * rigid;
         "torque of Sun and Moon":
             "psi'/(f Omega)" = lunisolar / (f * spin(p)),

@@ -228,7 +228,7 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
         /// a rod 3/5 M h^2 on end, and the spin, ever faster: 3/10 + 3/20
         "alpha = 0.001: T/(M h^2 Omega^2)": kinetic_energy(1e-3) => 0.45, within 1e-6;
         /// a rod that sweeps round
-        "alpha = 0.001: L_z/(M h^2 Omega)": angular_momentum(1e-3)[1] => 0.6, within 1e-6;
+        "alpha = 0.001: L_Z/(M h^2 Omega)": angular_momentum(1e-3)[1] => 0.6, within 1e-6;
         /// a wobbling plate of the radius R: 3/20 M R^2 about a diameter, at Omega h/R
         "alpha = pi/2 - 0.001: T/(M h^2 Omega^2)": kinetic_energy(TAU / 4.0 - 1e-3) => 0.075, within 1e-6;
         /// at rest the table bears it below its centre of mass

@@ -300,7 +300,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         "mu = 0.9999999 mu_min: (1 + k) m x''/(q E)":
             (1.0 + p.shape) * goes(Ball { mu: 0.999_999_9 * held, ..plain })? => 1.0, within 1e-6;
         /// a pull at the top of the ball: friction helps, by 1 - k
-        "charge at the top: (1 + k) F/(q E)": (1.0 + p.shape) * top / plain.pull => 1.0 - p.shape, within 1e-9;
+        "charge at the top: -(1 + k) F/(q E)": (1.0 + p.shape) * top / plain.pull => 1.0 - p.shape, within 1e-9;
     }
 }
 

@@ -429,7 +429,11 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// What the smooth law makes of the cycle, unless that takes too long.
 fn smooth(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = ["w / V", "period too long by", "evaluations in a period"];
+    let columns = [
+        "w / V",
+        "too long, as a part of the period",
+        "evaluations in a period",
+    ];
     let (mut table, round) = (Table::new("smooth", columns)?, cycle(p).1);
     for part in [1e-1, 1e-2, 1e-3] {
         let width = part * p.speed;

@@ -345,7 +345,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let [e, f, i] = [p.sun_eccentricity, p.moon_eccentricity, p.moon_inclination];
     let ratio = 27.321_661 / 365.256_363_f64;
     let node = nutation::first_order(p)?[0];
-    let triaxial = 0.007;
+    let triaxial = 0.0067;
     let quick = 0.5 * triaxial * rate(p).abs() * sin(p.obliquity) / (2.0 * spin(p)) / ARCSEC;
     effect_card! { report, asked 1e-3;
         "the Moon": "part of both" = moon_part / both, costs moon_part, "arcsec a year", beside "both", included;

@@ -216,7 +216,7 @@ fn damped_angles() -> Result<Figure> {
                 .label("$e^{-\\delta t'/2}$"),
         )
         .curve(Curve::new(envelope(-1.0), Ink::Frame).thin().dashed())
-        .level(bottom, Ink::Frame, "bottom of the valley")
+        .level(bottom, Ink::Frame, "bottom")
         .curve(Curve::new(line, Ink::Body).label("$\\theta$"))
         .figure()
 }

@@ -104,7 +104,8 @@ impl TipFriction for Smoothed {
 
 /// The same throw with one thing left out; and the card of effects.
 pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = "left out, tilt after 1 s / rad, after 5 s, after 20 s, what becomes of it";
+    let columns =
+        "left out, mean tilt before 1 s / rad, before 5 s, before 20 s, what becomes of it";
     let mut table = Table::new("without", columns.split(", "))?;
     let (point, patch) = (Dry::new(p.friction)?, p.rubbing()?);
     let smoothed = |epsilon| {
@@ -147,7 +148,8 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     card(p, [all, point, smooth], report)
 }
 
-/// A run of 20 s: tilts after 1 s, 5 s and 20 s, what becomes of it, and its work.
+/// A run of 20 s: mean tilts in the half second before 1 s, 5 s and 20 s, what becomes of it, and
+/// its work.
 struct Run {
     tilts: [f64; 3],
     fate: String,
@@ -159,7 +161,7 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
     p: &Parameters,
 ) -> Result<Run> {
     let run = top.simulate(&p.throw(), 20.0, 10.0 * p.tolerance)?;
-    // Over a turn of the precession, so that nods do not count.
+    // Over half a second, so that nods count little.
     let tilt = |t: f64| -> Result<f64> {
         let tilts = sampled(times(t - 0.5, t, 100), |t| Ok(run.stance(t)?.tilt()))?;
         Ok(tilts.iter().sum::<f64>() / 101.0)
@@ -242,7 +244,7 @@ fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
         .toy(Dry::new(p.friction)?)?
         .simulate(&p.throw(), 5.0, p.tolerance)?;
     let grips = point.stance_at(point.event("grips")?).tilt();
-    let upright = AXIAL * p.spin * p.tilt / (p.friction * WEIGHT * LEVER);
+    let upright = p.tilt / p.rise_rate();
     let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let when = |name| -> Result<f64> { Ok(life.event(name)?.t) };

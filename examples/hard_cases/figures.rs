@@ -256,8 +256,8 @@ figures! { p: &Parameters;
         ["wrong: $1-\\cos x$", r"$2\sin^2(x/2)$"])?;
 
     /// The error after 20 s against the distance from the pole at the start, both logarithmic.
-    /// The one of RK4 on Euler angles jumps about and rises towards the pole; that of the closed
-    /// form is a rounding everywhere.
+    /// The one of RK4 on Euler angles jumps about, up to a thousandth of a radian, and is a rounding
+    /// only next to the pole; that of the closed form is one everywhere.
     poles: pair(errors_over(r"$\theta_0$ / rad"), decades(-10, -1, 4), beside_the_pole,
         ["wrong: Euler angles", "closed form"])?;
 
@@ -279,7 +279,7 @@ figures! { p: &Parameters;
     /// The error of a turning point against how far the energy is above the least, both logarithmic.
     /// By the formula for the roots of a cubic it grows to 1e-8; by the library it stays small.
     tops: pair(errors_over("energy over its least, less one"), decades(-15, -1, 4), turning_points,
-        ["wrong: by the cubic", "as a distance"])?;
+        ["wrong: a cubic", "as a distance"])?;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.

@@ -115,7 +115,7 @@ fn only_wide_swings_end_in_the_cycle() {
 #[test]
 fn a_smooth_law_is_late_and_dear() {
     let cell = |width, column| crate::told::cell(&EXAMPLE, "", ["table smooth", width, column]);
-    let late = ["1e-1", "1e-2", "1e-3"].map(|width| cell(width, "period too long by"));
+    let late = ["1e-1", "1e-2", "1e-3"].map(|width| cell(width, "too long, as a part of the period"));
     let work = ["1e-1", "1e-2", "1e-3"].map(|width| cell(width, "evaluations in a period"));
     assert!(late.windows(2).all(|pair| pair[0] / pair[1] < 5.0 && pair[0] / pair[1] > 3.0), "{late:?}");
     assert!(work[2] / work[1] > 5.0 && work[2] > 5e4, "{work:?}");

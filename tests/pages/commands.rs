@@ -94,7 +94,7 @@ fn a_command_that_has_grown_old_is_seen() {
     let told = |arguments| told("ch16_ex6_ladder", arguments).expect("there is a ladder");
     assert_eq!(told("--angel 0.5").0, 2);
     assert_ne!(told("--angle 0.5"), told("--angle 0.25"));
-    assert_eq!(told("--check t_release=0.876").0, 0);
+    assert_eq!(told("--check t_release=0.8761").0, 0);
     let text = "`cargo run --example a -- --b 1` and\ncargo run --example c   # d\n";
     assert_eq!(commands(text).collect::<Vec<_>>(), ["a -- --b 1", "c"]);
 }

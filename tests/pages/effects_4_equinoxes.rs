@@ -63,7 +63,7 @@ fn eq_1_the_torque() {
         let t = 43_210.0 * f64::from(k);
         let (n, g) = moon.pull(t);
         let torque = moon.torque(t, &body, &state);
-        let scale = moon.torque_scale(&body, &state);
+        let scale = moon.torque_scale(t, &body, &state);
         errors.push((torque - n.cross(&s) * (3.0 * g * p.ellipticity * n.dot(&s))).norm() / scale);
         damaged.push((torque - n * (3.0 * g * p.ellipticity * n.dot(&s))).norm() / torque.norm());
     }
