@@ -94,7 +94,7 @@ fn units(damage: f64) -> Errors {
     errors
 }
 
-/// The laws know no unit: a rod of 1e-30 kg falls as one of 1 kg does, one of 10 km as one of 1 m.
+/// The laws know no unit: a rod of 1e-30 kg falls as one of 1 kg does, one of 1e6 m as one of 1 m.
 #[test]
 fn a_rod_falls_alike_in_all_units() {
     units(0.0).attain(2.0e2..=2.1e2, 120);
