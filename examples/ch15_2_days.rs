@@ -337,7 +337,7 @@ fn elsewhere() -> Result<Table> {
 /// What the page asks its reader to try, one flag changed at a time.
 fn variations(p: &Parameters) -> Result<Table> {
     let opposite = Parameters {
-        perigee: p.perigee - PI,
+        perigee: 1.7966,
         ..p.clone()
     };
     let mut table = Table::new("variations", ["flag", "key", "value / s", "on"])?;

@@ -38,8 +38,8 @@ rotation_dynamics::parameters! {
         look: number(0.5, "rad", from_to(1e-3, 1.57).usually(0.1, 1.5));
         /// angle from which the time to the floor is asked for, on the same way
         from: number(0.1, "rad", from_to(1e-6, 1.5).usually(0.01, 1.0));
-        /// relative error asked for, at every event: from 1e-13 to 0.1
-        tolerance: number(1e-12, "-", from_to(1e-13, 0.1));
+        /// relative error asked for, at every event: from 1e-13 to 0.01
+        tolerance: number(1e-12, "-", from_to(1e-13, 0.01));
     }
 }
 

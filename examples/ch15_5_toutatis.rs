@@ -550,7 +550,7 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
     let bound = 10.0 * p.tolerance;
     rotation_dynamics::claims! { report,
         /// number of the tide at the closest
-        tide_number: number, "-", "3 (n/Omega)^2 (I_y - I_z)/I_y" => by_hand, within 1e-12 * number, in "The tide":
+        tide_number: number, "-", "3 (n/Omega)^2 (1 - I_z/I_max)" => by_hand, within 1e-12 * number, in "The tide":
             number / 3.0 => "a factor 3",
             number.sqrt() => "it is a square";
         /// eccentricity of the path
@@ -628,11 +628,11 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     let told = |predicted: f64, [moved, ..]: [f64; 3]| (predicted < 60.0).then_some(moved);
     let [by_sun, by_first, by_own] = moved.work;
     rotation_dynamics::effect_card! { report,
-        "tide of the Earth, 2004": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &flyby(p))?, costs own, "deg in 2008, at most, to first order",
+        "tide of the Earth, 2004": "3 (n/Omega)^2 (1 - I_z/I_max)" = number(&start, &flyby(p))?, costs own, "deg in 2008, at most, to first order",
             measured told(own, moved.own), within 1e-5, at_work by_own, included;
-        "tide of the Earth, 1992": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &first_flyby(p))?, costs first, "deg in 2008, at most, to first order",
+        "tide of the Earth, 1992": "3 (n/Omega)^2 (1 - I_z/I_max)" = number(&start, &first_flyby(p))?, costs first, "deg in 2008, at most, to first order",
             measured told(first, moved.first), within 1e-5, at_work by_first;
-        "tide of the Sun": "3 (n/Omega)^2 (I_y - I_z)/I_y" = number(&start, &Path::orbit())?, costs sun, "deg in 2008, to first order",
+        "tide of the Sun": "3 (n/Omega)^2 (1 - I_z/I_max)" = number(&start, &Path::orbit())?, costs sun, "deg in 2008, to first order",
             measured told(sun, moved.sun), within 1e-5, at_work by_sun;
         "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w, costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about",
             measured lit.angle_to(&start.motion()?.attitude(end)).to_degrees(), at_work by_light;

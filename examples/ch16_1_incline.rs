@@ -37,8 +37,8 @@ parameters! {
         rolling: effect(2e-4, "m", above_to(0.0, 1.0));
         /// drag coefficient of a cylinder of wood in air, for the claims about it
         air: effect(1.0, "-", above_to(0.0, 1e3));
-        /// relative error asked for, at every event: from 1e-13 to 0.1
-        tolerance: number(1e-12, "-", from_to(1e-13, 0.1));
+        /// relative error asked for, at every event: from 1e-13 to 0.01
+        tolerance: number(1e-12, "-", from_to(1e-13, 0.01));
     }
 }
 

@@ -107,13 +107,6 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (plain, work) = orbit::noons(p, 1e-13)?;
     let counted = |with: Work| format!("{}, {} derivatives", work.derivatives, with.derivatives);
     let (light, circled) = (by_light(lag), simulated(p, by_the_moon)?);
-    // In a day of a few hours light takes too large a part of the year.
-    let slow = TAU * lag / p.year;
-    let delayed = if slow < 0.1 {
-        Some(simulated(p, light)?)
-    } else {
-        None
-    };
     // The perihelion moves against the equinox by 61.9 arcsec a year (Simon et al. 1994).
     let perihelion = 61.9 / TURN * TAU;
     let moved = Parameters {
@@ -130,9 +123,17 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             measured spread(&circled.0), within near, at_cost counted(circled.1);
         "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E, by its largest term", beside "earliest",
             measured pulled * second, at_cost format!("none, {} derivatives", rounds.derivatives);
-        "aberration of light": "v/c" = slow, costs spread(&later(p, light)?), "s of E, to first order", beside "earliest",
-            measured delayed.as_ref().map(|run| spread(&run.0)), within near,
-            at_cost delayed.map_or("-".into(), |run| counted(run.1));
+    }?;
+    // In a year of nine hours the Earth would have a tenth of the speed of light.
+    let speed = TAU * lag / p.year;
+    if speed < 0.1 {
+        let delayed = simulated(p, light)?;
+        rotation_dynamics::effect_card! { report,
+            "aberration of light": "v/c" = speed, costs spread(&later(p, light)?), "s of E, to first order", beside "earliest",
+                measured spread(&delayed.0), within near, at_cost counted(delayed.1);
+        }?;
+    }
+    rotation_dynamics::effect_card! { report,
         "motion of the perihelion": "angle a year" = perihelion, costs spread(&by_turn), "s of E a year, to first order", beside "earliest",
             measured spread(&compared(p, &turned.0, &plain)), within near, at_cost counted(turned.1);
         "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day", beside "mean_sidereal";

@@ -1,8 +1,9 @@
 //! Other starts, a rough floor, and what the scene leaves out.
 
 use super::*;
+use rotation_dynamics::math::atan2;
 use rotation_dynamics::planar::contact::{Mode, Sense};
-use rotation_dynamics::report::{Table, short};
+use rotation_dynamics::report::{Table, effect, short};
 
 /// The angle at which the simulated force of the floor is least, from 1e-9 rad.
 pub fn lowest(plank: &Plank) -> Result<f64> {
@@ -38,40 +39,52 @@ pub fn starts(p: &Parameters) -> Result<Table> {
     Ok(table)
 }
 
-/// The fall on a rough floor. A start below 1e-4 rad is taken as 1e-4: what holds the foot is
-/// in proportion to the angle, and is lost beside the weight if that is much smaller.
+/// Where a plank on a rough floor is let go. A start below 1e-4 rad is taken as 1e-4: what holds
+/// the foot is in proportion to the angle, and is lost beside the weight if that is much smaller.
+fn rough_start(p: &Parameters) -> f64 {
+    p.angle.max(1e-4)
+}
+
+/// The fall on a rough floor from there.
 pub fn rubbing(p: &Parameters, mu: f64) -> Result<Fall> {
     let plank = Plank {
         mu,
         ..Plank::smooth(p)
     };
-    plank.fall(1e-8, p.angle.max(1e-4), 0.0)
+    plank.fall(1e-8, rough_start(p), 0.0)
 }
 
 /// Coefficients of friction, and how the plank falls.
 pub fn rough(p: &Parameters) -> Result<Table> {
-    let columns = "mu, first slips at / rad, which way, t_floor / s, omega_floor / (rad/s)";
-    let mut table = Table::new("rough", columns.split(", "))?;
+    let columns = [
+        format!("mu, from {} rad", rough_start(p)),
+        "first slips at / rad".into(),
+        "which way".into(),
+        "t_floor / s".into(),
+        "omega_floor / (rad/s)".into(),
+    ];
+    let mut table = Table::new("rough", columns)?;
+    let sense = |mode: Mode| match mode {
+        Mode::Slip(Sense::Backward) => "forwards",
+        _ => "backwards",
+    };
     for mu in [0.0, 0.01, 0.1, 0.3, 0.37, 0.38, 0.6, 1.0] {
         let run = rubbing(p, mu)?;
         let slips = run.events().iter().find(|event| event.name == "foot slips");
-        let [at, way] = match slips {
-            None => ["-".into(), if mu == 0.0 { "backwards" } else { "-" }.into()],
-            Some(event) => {
+        // What slips from the release on is no event.
+        let (at, way) = match (run.modes(0.0)?[0], slips) {
+            (Mode::Stick, None) => (String::from("-"), "never"),
+            (Mode::Stick, Some(event)) => {
                 let after = run.modes(event.t * (1.0 + 1e-9))?[0];
-                let way = if after == Mode::Slip(Sense::Forward) {
-                    "backwards"
-                } else {
-                    "forwards"
-                };
-                [short(event.before.q[2], 4), way.into()]
+                (short(event.before.q[2], 4), sense(after))
             }
+            (slides, _) => ("at once".into(), sense(slides)),
         };
         let lands = run.event("arrives")?;
         table.push([
             mu.to_string(),
             at,
-            way,
+            way.into(),
             short(lands.t, 4),
             short(lands.before.v[2], 4),
         ])?;
@@ -107,9 +120,23 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     let slides = time(0.0)?;
     let rubbed = time(0.01)? / slides - 1.0;
     let response = 10.0 * (time(0.001)? / slides - 1.0);
+    let start = rough_start(p);
+    let of = if start > p.angle {
+        "of t_floor from 1e-4 rad"
+    } else {
+        "of t_floor"
+    };
     rotation_dynamics::effect_card! { report,
-        "square-cut foot of a wooden plank": "h/l" = thickness / l, costs thickness / l, "rad to tip over";
-        "friction, mu = 0.01": "4 mu/(3 theta0)" = 0.04 / (3.0 * p.angle), costs response, "of t_floor", measured rubbed, within 1e-6;
+        "square-cut foot of a wooden plank": "h/l" = thickness / l, costs atan2(thickness, l), "rad to tip over";
+    }?;
+    report.add(
+        effect("friction, mu = 0.01")
+            .number("4 mu/(3 theta0)", 0.04 / (3.0 * start))
+            .costs(response, of)
+            .measured(rubbed)
+            .within(1e-6),
+    )?;
+    rotation_dynamics::effect_card! { report,
         "air drag": "3 rho C w l^2/(4 m)" = number, costs blown, "of omega_floor", measured slower, within 1e-6;
         "one-sided contact of the foot": "least N/(m g)" = least_force()[1], costs 0.0, "of omega_floor", included;
     }

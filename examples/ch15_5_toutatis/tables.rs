@@ -1,7 +1,7 @@
 //! The tables: day by day, the fit, what moves the attitude of 2008, and a flyby in any phase.
 
 use super::*;
-use rotation_dynamics::report::{Table, supported_digits};
+use rotation_dynamics::report::{Table, short, supported_digits};
 
 /// The Earth at the closest in six directions, at each of four moments of the tumbling.
 pub fn phases(path: Path) -> impl Iterator<Item = Path> {
@@ -102,7 +102,7 @@ fn by_rounding(p: &Parameters, end: f64) -> Result<[Attitude; 8]> {
 pub fn add(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> Result<()> {
     report.add(days(study)?)?;
     report.add(unknowns_table(study)?)?;
-    report.add(ledger(study, moved)?)?;
+    report.add(ledger(p, study, moved)?)?;
     report.add(flybys(p, study)?)
 }
 
@@ -168,7 +168,7 @@ fn unknowns_table(study: &Study) -> Result<Table> {
 }
 
 /// What moves the attitude of 2008, in degrees, beside what it was off by.
-fn ledger(study: &Study, moved: &Moved) -> Result<Table> {
+fn ledger(p: &Parameters, study: &Study, moved: &Moved) -> Result<Table> {
     let columns = [
         "not known or left out",
         "how large",
@@ -219,7 +219,7 @@ fn ledger(study: &Study, moved: &Moved) -> Result<Table> {
     )?;
     row(
         "tide of the Earth, September 2004",
-        "0.0104 au, worst phase",
+        &format!("{} au, worst phase", short(p.closest / AU, 3)),
         [moved.own[1], moved.own[2]],
     )?;
     row(

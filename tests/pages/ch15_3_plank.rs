@@ -1,13 +1,13 @@
 //! Section 15.3, example 3: the falling plank.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{answer, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
 use pages::ch15_3_plank::*;
 use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::plank::Plank as Exact;
 use rotation_dynamics::math::{cos, sin, sincos};
 use rotation_dynamics::planar::contact::{Mode, Sense, State, misdeclared};
-use rotation_dynamics::report::times;
+use rotation_dynamics::report::{parse, times};
 use support::{Errors, assert_error};
 
 const STARTS: [f64; 6] = [1e-12, 1e-6, 0.01, 0.3, 1.0, 1.5];
@@ -188,6 +188,27 @@ fn which_way_a_rough_foot_slips() {
         assert_eq!(turns, mu < limit, "mu = {mu}");
     }
     errors.attain(3.8e-11..=3.9e-11, 7);
+}
+
+/// Let go at rest, the plank needs the part 3/4 s c/(1 - 3/4 s^2) of the push to turn about its
+/// foot: with less friction the foot slips at once, and the table says so.
+#[test]
+fn a_foot_that_slips_at_once_is_told() {
+    let mut told = [0; 3];
+    for angle in [0.02, 0.5, 1.5] {
+        let parsed = parse(&answer(&EXAMPLE, &format!("--angle {angle}")).stdout).unwrap();
+        let (s, c) = sincos(angle);
+        let needed = 0.75 * s * c / (1.0 - 0.75 * s * s);
+        for row in parsed.table("table rough").unwrap().rows() {
+            let (mu, at, way) = (row[0].parse::<f64>().unwrap(), row[1].as_str(), row[2].as_str());
+            assert_eq!(at == "at once", mu < needed, "{angle} rad, mu = {mu}");
+            assert_eq!(at == "-", way == "never", "{angle} rad, mu = {mu}");
+            assert!(at != "at once" || way == "backwards", "{angle} rad, mu = {mu}");
+            told[["at once", "-"].iter().position(|word| *word == at).unwrap_or(2)] += 1;
+        }
+    }
+    assert_eq!(told.iter().sum::<i32>(), 24);
+    assert!(told.iter().all(|rows| *rows > 0), "{told:?}");
 }
 
 /// The air takes what its push along the exact fall does, to first order.
