@@ -200,6 +200,7 @@ pub fn left_over(slips: &[(f64, f64)]) -> f64 {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, size) = (Answer::new(p), rate(p));
+    above(0.0).check("the larger of the two rates", size)?;
     from_to(1e-3, 2.0).check("|O1 - O2| over the larger rate,", a.relative.abs() / size)?;
     let longest = 0.45 * p.gravity * a.time * a.time;
     from_to(0.0, longest).check("drop, with time left to slip,", p.drop)?;

@@ -116,11 +116,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [w, middle] = [after.v[2], after.v[0]];
     let way = scene.centre(&end)[0] - scene.centre(&after)[0];
     let (rest, half) = (a.velocity / a.angular_velocity, 0.5 * m * v * l);
+    // With a hinge the rod turns at this rate.
+    let hinged = half / ((p.mass / 12.0 + 0.25 * m) * l * l);
     claims! { report,
         /// velocity of the centre of mass, before and after
         velocity: a.velocity, "m/s", "contacts simulated, after" => push / whole, within bound * v,
         in "(a) The centre of mass":
-            0.75 * v => "that is with the hinge",
+            0.5 * l * hinged => "that is the particle, with a hinge",
+            -a.centre * hinged => "that is with the hinge",
             v => "the rod has to be carried along";
         /// angular momentum about the centre of mass, before and after
         about_centre: a.momentum, "kg m^2/s", "contacts simulated, after" => scene.angular_momentum(&after, scene.centre(&after)),
@@ -133,7 +136,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// angular velocity after
         angular_velocity: a.angular_velocity, "rad/s", "contacts simulated" => w, within bound * v / l,
         in "(c) The angular velocity":
-            m * v * 0.5 * l / ((p.mass / 12.0 + 0.25 * m) * l * l) => "that is with the hinge",
+            hinged => "that is with the hinge",
             a.momentum / (p.mass * l * l / 12.0) => "the particle turns with the rod",
             half / ((p.mass / 12.0 + 0.25 * m) * l * l - whole * a.centre * a.centre) => "moment and angular momentum about the same point";
         /// distance of the point at rest from the centre of mass, just after
@@ -163,7 +166,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// part of it that is lost
         lost: lost, "-", "contacts simulated" => lost_there, within bound,
         in "(d) The motion":
-            0.5 => "the rod also turns";
+            p.mass / whole => "the rod also turns";
     }
 }
 

@@ -275,7 +275,7 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
         return Err(rotation_dynamics::Error::OutOfRange {
             name: "the acceleration of a rope that slips, with air",
             value: held.acceleration,
-            allowed: "the claims about the air are for a rope that holds: more friction, or lighter masses",
+            allowed: "the claims about the air are for a rope that holds: more friction, or a lighter pulley",
         });
     }
     let drag = QuadraticDrag::in_air(1.204, 1.0, area)?;

@@ -20,7 +20,7 @@ parameters! {
         rate: number(5.0, "rad/s", above(0.0).usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
-        /// angle of the wide swing, released at rest in the turning plane
+        /// angle of the wide swing, from rest in the turning plane; of a rod if a string goes slack
         release: number(0.5, "rad", between(0.0, PI).usually(0.1, 1.5));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));

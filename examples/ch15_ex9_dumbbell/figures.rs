@@ -185,7 +185,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (s, c) = sincos(p.slant);
     let far = to * run.after.v[0].max(run.after.v[1]);
     let (ball_radius, knob) = (p.ball / l, p.knob / l);
-    let stills = [-0.5, 0.31 * to, 0.5 * to].map(|t| t * unit);
+    let stills = [-0.5, 0.337 * to, 0.5 * to].map(|t| t * unit);
+    let told = match p.slant == 0.0 && run.later().next().is_none() {
+        true => {
+            " Those of the masses rise and fall in turn, each down to zero; that of the ball stays."
+        }
+        false => "",
+    };
     MovingPicture::above(graph, from * unit..=to * unit, stills, move |t| {
         let now = (t / unit).clamp(from, to);
         let q = run.at(now)?.q;
@@ -197,8 +203,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let when = if now < 0.0 { "before" } else { "after" };
         let alt = format!(
             "Ball and dumbbell {:.2} s {when} the hit, with the paths of the two masses; below, the \
-             speeds of the three against time. Those of the masses rise and fall in turn, each \
-             down to zero; that of the ball stays.",
+             speeds of the three against time.{told}",
             t.abs()
         );
         let (x, y) = (

@@ -143,6 +143,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     // So that a force also fits above a mass that has come up to the axle.
     let usual = 0.45 / (m.masses[0] * m.gravity);
     let force = fitting.into_iter().fold(usual, f64::min);
+    let told = match run.transition("catches").is_ok() && !Answer::new(&m).slips {
+        true => ": they approach each other and then rise as one line",
+        false => "",
+    };
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (grip, [way, _, rim, _]) = run.at(t)?;
         let forces = m.forces(grip, way);
@@ -152,7 +156,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         };
         let alt = format!(
             "After {t:.2} s the heavier mass has gone down by {way:.2} m and the rope {does}. Below, the speeds of \
-             rope and rim against time: they approach each other and then rise as one line."
+             rope and rim against time{told}."
         );
         let hang = [h + way, h - way].map(|y| 0.5 * scale * y);
         let radius = 0.16;

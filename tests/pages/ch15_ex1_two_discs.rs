@@ -33,6 +33,7 @@ fn other_discs_are_confirmed() {
 fn what_does_not_slip_is_refused() {
     let runs = [
         ("--upper=0", "upper = 0 is not allowed"),
+        ("--upper-rate=0 --lower-rate=0", "the larger of the two rates = 0 is not allowed"),
         ("--lower-rate=40", "over the larger rate, = 0 is not allowed"),
         ("--friction=-1", "friction = -1 is not allowed"),
         ("--drop=-0.1", "drop = -0.1 is not allowed"),

@@ -2,9 +2,10 @@
 //! `sqrt(a)`, is set as a formula on the page.
 //!
 //! A symbol is a Greek letter by its name (`theta`), a letter that stands alone (but not the
-//! article `a` nor `s`, the second), either with an index (`I1`, `t_release`), primes or a tilde
-//! (`E~`), a differential (`dphi`), or a function (`sin`, `sqrt`). A formula is the longest row of
-//! symbols, numbers, signs and closed brackets that holds a symbol; the rest is prose.
+//! article, `a` or at the beginning `A`, nor `s`, the second), either with an index (`I1`,
+//! `t_release`), primes or a tilde (`E~`), a differential (`dphi`), or a function (`sin`, `sqrt`).
+//! A formula is the longest row of symbols, numbers, signs and closed brackets that holds a symbol;
+//! the rest is prose.
 
 use crate::maths;
 use crate::text::without_tags;
@@ -131,6 +132,12 @@ mod tests {
                 "|c/a=10^-6|: over |c/\\sqrta|",
             ),
             ("a thin disc, a = 2: a nod", "a thin disc, |a=2|: a nod"),
+            (
+                "A disc: rate of gear A, if A: a disc at A",
+                "A disc: rate of gear |A|, if |A|: a disc at |A|",
+            ),
+            ("C = 2 A: E A of a", "|C=2A|: |EA| of a"),
+            ("C - A of both", "|C-A| of both"),
             ("theta0 -> 0, a < b^2", "|\\theta_0\\to0|, |a<b^2|"),
             ("b to -b, one-sided, U''", "|b| to |-b|, one-sided, |U''|"),
             ("(b - cos(theta))/c", "|(b-\\cos(\\theta))/c|"),

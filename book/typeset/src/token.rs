@@ -90,7 +90,9 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
         } else if c.is_ascii_digit() {
             number(rest)
         } else if c.is_alphabetic() {
-            name(rest, before)
+            let said = cell[..cell.len() - rest.len()].trim_end();
+            let inside = said.ends_with(|c: char| c.is_alphanumeric() || c == '-');
+            name(rest, before, inside)
         } else {
             let opens = matches!(before, Kind::Space | Kind::Open | Kind::Sign);
             let (kind, html) = match c {
@@ -178,8 +180,9 @@ fn number(text: &str) -> (Token, usize) {
     (token(Kind::Number, &number_tex(word), html), end)
 }
 
-/// The word with which `text` begins, and what belongs to it.
-fn name(text: &str, before: Kind) -> (Token, usize) {
+/// The word with which `text` begins, and what belongs to it; `inside` a sentence, as it stands
+/// after a word or a minus.
+fn name(text: &str, before: Kind, inside: bool) -> (Token, usize) {
     let letters = text
         .find(|c: char| !c.is_alphabetic())
         .unwrap_or(text.len());
@@ -187,7 +190,7 @@ fn name(text: &str, before: Kind) -> (Token, usize) {
     if FUNCTIONS.contains(&word) {
         return function(word, after);
     }
-    let Some(letter) = letter(word, after, before) else {
+    let Some(letter) = letter(word, after, before, inside) else {
         // A word keeps its hyphens, digits and strokes: `spin-free`, `RK4`, `heavy_top`, `kg/m`.
         let joined = |(n, c): (usize, char)| {
             let more = after[n + c.len_utf8()..].starts_with(char::is_alphabetic);
@@ -241,7 +244,7 @@ pub fn is_greek(word: &str) -> bool {
 }
 
 /// The TeX of a word that is a letter: Greek, a differential, or one that stands alone.
-fn letter(word: &str, after: &str, before: Kind) -> Option<String> {
+fn letter(word: &str, after: &str, before: Kind, inside: bool) -> Option<String> {
     let greek = |word: &str| {
         let is = |(name, c): &&(&str, char)| *name == word || c.to_string() == word;
         GREEK.iter().find(is).map(|(name, _)| format!("\\{name}"))
@@ -260,9 +263,10 @@ fn letter(word: &str, after: &str, before: Kind) -> Option<String> {
     let initial = next.is_some_and(|next| next.starts_with(|c: char| c.is_ascii_uppercase()));
     let alone = match word {
         _ if initial => false,
-        // The second, and the article.
+        // The second, and the article, of which a capital one begins a sentence.
         "s" => false,
-        "a" | "A" => beside,
+        "a" => beside,
+        "A" => beside || inside,
         _ => letters == 1 && word.is_ascii(),
     };
     greek(word)
