@@ -385,7 +385,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "loss in the mantle":
             "Im k/(k_s - k)" = p.loss / left, costs 2.0 * PI * p.loss / left, "of the wobble in a circuit, to first order",
             measured 1.0 - lasting, within 1e-6, included;
-        "pushes by weather and water":
+        "yearly wobble, by weather and water":
             "yearly/free wobble" = p.annual / p.wobble, costs p.annual, "arcsec of the pole", included;
         "oceans that lie unevenly":
             "half difference of k_ocean/(k_s - k)" = uneven / left, costs 0.5 * (uneven / left) * (uneven / left) * whole, "d of the period";

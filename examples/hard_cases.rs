@@ -16,8 +16,6 @@ pub mod forms;
 mod impacts;
 #[path = "hard_cases/ladder.rs"]
 mod ladder;
-#[path = "hard_cases/limits.rs"]
-mod limits;
 #[path = "hard_cases/long.rs"]
 mod long;
 #[path = "hard_cases/motions.rs"]
@@ -36,6 +34,8 @@ mod sections;
 mod separatrix;
 #[path = "hard_cases/shapes.rs"]
 mod shapes;
+#[path = "hard_cases/stability.rs"]
+mod stability;
 #[path = "hard_cases/stepped.rs"]
 mod stepped;
 #[path = "hard_cases/table.rs"]
@@ -60,7 +60,7 @@ rotation_dynamics::parameters! {
     /// Which family is computed.
     pub struct Parameters {
         /// family of cases
-        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "limits");
+        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "stability");
         /// error asked for in the accuracy strip; three of them if none is given
         tolerance: optional("rad", from_to(1e-14, 1.0));
     }
@@ -81,7 +81,7 @@ pub const FAMILIES: &[Family] = &[
     findings::FAMILY,
     events::FAMILY,
     impacts::FAMILY,
-    limits::FAMILY,
+    stability::FAMILY,
 ];
 
 /// The families asked for, each computed once and kept.

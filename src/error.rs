@@ -389,8 +389,9 @@ impl fmt::Display for Error {
             ),
             Self::StepUnderflow { t, step, state } => write!(
                 f,
-                "at t = {t}, y = {state:?} even a step of {step:e} misses the tolerance: \
-                 the system is singular there, or the tolerance too small"
+                "at t = {t}, y = {state:?} even a step of {} misses the tolerance: \
+                 the system is singular there, or the tolerance too small",
+                plain(*step)
             ),
             Self::NoConvergence { t, h, change } => write!(
                 f,

@@ -110,7 +110,12 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
             of: "rad a turn, in θ",
         },
         Line {
-            what: "axle bearings: it rises",
+            // The axis goes towards the vertical on its side, up or down.
+            what: if axle > 0.0 {
+                "axle bearings: it sinks"
+            } else {
+                "axle bearings: it rises"
+            },
             number: "2 pi tau/(m g l tan(theta))",
             value: TAU * p.axle_dry / y.pull() * cos(p.theta),
             predicted: axle,
@@ -178,7 +183,7 @@ fn card(p: &Parameters, y: &Gyroscope, lines: &[Line], report: &mut Report) -> R
     let seen = |line: &Line| Some(line.measured).filter(|measured| measured.is_finite());
     effect_card! { report,
         "inertia of ring and fork": "N/(I1 sin(theta)^2) - 1" = b, costs b, "of the dip", measured seen(dip), within 1e-12, included;
-        "dry friction of the tilt": "pi tau/(m g l sin(theta))" = halves, costs 1.0, "of the nods", included;
+        "dry friction of the tilt": "pi tau/(m g l sin(theta))" = halves, costs f64::from(halves > 0.0), "of the nods", included;
         "viscous friction of the tilt": "decay x nod" = f.decay * TAU / f.frequency,
             costs 1.0 - exp(-f.decay * turn), "of the nods, in a turn", included;
         "friction of the vertical pivot": "2 pi tau/(m g l sin(theta))" = TAU * p.pivot_dry / pull,

@@ -331,7 +331,7 @@ figures! { p: &Parameters;
 
     /// What a step multiplies a braked spin by, against rate times step. The exact factor falls to
     /// zero; that of RK4 follows it to about one, turns, and crosses one at 2.785.
-    limits: factor(Panel::over_axes(r"$\lambda h$", "factor of a step"));
+    stability: factor(Panel::over_axes(r"$\lambda h$", "factor of a step"));
 
     /// For each family the errors over their bounds, logarithmic: all methods in all
     /// representations left of one, the naive method of each case right of it.

@@ -33,7 +33,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         "findings" => stepped::risen(),
         "events" => stepped::bounces(),
         "impacts" => stepped::pushed(),
-        "limits" => stepped::braked(),
+        "stability" => stepped::braked(),
         _ => book(),
     }
 }

@@ -90,7 +90,7 @@ fn broken(report: &mut Report) -> Result<()> {
         let exact = motion.reached(By::ClosedForm, Form::Quaternion, 0.0)?;
         let again = reached.map_or(f64::NAN, |reached| exact.angle_to(&reached));
         report.add(claim(key, meaning, motion.off(reached), "rad").agrees_with(
-            "against the closed form",
+            "the closed form",
             again,
             1e-10,
         ))?;

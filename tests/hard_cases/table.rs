@@ -27,7 +27,7 @@ const COUNTS: [(&str, [usize; 4]); 14] = [
     ("findings", [17, 85, 23, 62]),
     ("events", [17, 34, 28, 6]),
     ("impacts", [7, 14, 14, 0]),
-    ("limits", [6, 6, 6, 0]),
+    ("stability", [6, 6, 6, 0]),
 ];
 
 #[test]

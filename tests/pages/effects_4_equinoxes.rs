@@ -149,7 +149,7 @@ fn eq_5_the_nutation_of_the_node() {
 /// Against theory and observation.
 #[test]
 fn the_nutation_is_that_of_a_rigid_earth() {
-    let (mut rigid, mut real) = (Errors::of("Woolard"), Errors::of("the fluid core"));
+    let (mut rigid, mut real) = (Errors::of("Woolard"), Errors::of("the figure axis and the fluid core"));
     let rows = ["the Moon’s node, in longitude", "the Moon’s node, in the tilt", "half a year, in longitude",
         "half a year, in the tilt", "half a month, in longitude", "half a month, in the tilt"];
     let printed = printed();

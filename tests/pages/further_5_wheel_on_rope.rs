@@ -24,7 +24,7 @@ fn what_is_no_wheel_on_a_rope_is_refused() {
         ("--spin=-20", "spin = -20 is not allowed"),
         ("--rise=1.5", "from -1.2 to 1.2"),
         ("--spin=2 --rise=0", "angle of the rope with a level axle"),
-        ("--spin=6", "no steady precession holds it up"),
+        ("--spin=6", "no slow precession holds the axle up"),
         ("--push=-3", "tension at the start over the weight"),
     ];
     refused(&EXAMPLE, runs);

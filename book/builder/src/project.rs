@@ -95,21 +95,24 @@ impl Project {
         parse(&self.output(stem)?).map_err(|e| format!("tests/snapshots/{stem}.snap: {e}"))
     }
 
-    /// A section of the locked output; `section` is `claims`, `limits`, … or the name of a table.
+    /// A section of the locked output; `section` is `claims`, `limits`, … or the name of a table,
+    /// not both.
     pub fn table(&self, stem: &str, section: &str) -> Result<Table, String> {
         let report = self.report(stem)?;
         let named = format!("table {section}");
-        report
-            .table(section)
-            .or_else(|| report.table(&named))
-            .cloned()
-            .ok_or_else(|| {
+        match (report.table(section), report.table(&named)) {
+            (Some(_), Some(_)) => Err(format!(
+                "'{section}' is a section of the output of {stem} and the name of a table in it"
+            )),
+            (Some(found), None) | (None, Some(found)) => Ok(found.clone()),
+            (None, None) => {
                 let known: Vec<&str> = report.tables.iter().map(Table::heading).collect();
-                format!(
+                Err(format!(
                     "the output of {stem} has no section '{section}'; it has: {}",
                     known.join(", ")
-                )
-            })
+                ))
+            }
+        }
     }
 
     /// A claim of an example: the cells of its row, by the names of the columns.

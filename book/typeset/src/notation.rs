@@ -4,6 +4,7 @@
 //! A symbol is a Greek letter by its name (`theta`), a letter that stands alone (but not the
 //! article, `a` or at the beginning `A`, nor `s`, the second), either with an index (`I1`,
 //! `t_release`), primes or a tilde (`E~`), a differential (`dphi`), or a function (`sin`, `sqrt`).
+//! The name of a test (`a_full_disk`) and a flag (`--csv`) are prose.
 //! A formula is the longest row of symbols, numbers, signs and closed brackets that holds a symbol;
 //! the rest is prose.
 
@@ -187,6 +188,11 @@ mod tests {
             ),
             ("at the end 2. Then (b", "at the end 2. Then (|b|"),
             ("heavy_top: x < 5", "heavy_top: |x<5|"),
+            ("a_full_disk of a_disk", "a_full_disk of |a_\\mathrmdisk|"),
+            (
+                "--csv put a file (--half-angle)",
+                "--csv put a file (--half-angle)",
+            ),
             ("b) + (c", "|b|) + (|c|"),
             ("4-5 to 6, a = 2. Then", "4-5 to 6, |a=2|. Then"),
         ];

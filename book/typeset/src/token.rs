@@ -87,6 +87,8 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
         });
         let (token, length) = if let Some((sign, html, tex)) = sign {
             (token(Kind::Sign, tex, (*html).into()), sign.len())
+        } else if let Some(flag) = flag(rest, before) {
+            (token(Kind::Prose, flag, escape(flag)), flag.len())
         } else if c.is_ascii_digit() {
             number(rest)
         } else if c.is_alphabetic() {
@@ -153,6 +155,15 @@ fn token(kind: Kind, tex: &str, html: String) -> Token {
     }
 }
 
+/// The flag of a program with which `text` begins: `--csv`.
+fn flag(text: &str, before: Kind) -> Option<&str> {
+    let name = text.strip_prefix("--")?;
+    let inside = |c: char| c.is_alphanumeric() || c == '-';
+    let end = name.find(|c: char| !inside(c)).unwrap_or(name.len());
+    let opens = matches!(before, Kind::Space | Kind::Open);
+    (opens && name.starts_with(char::is_alphabetic)).then(|| &text[..2 + end])
+}
+
 /// The number with which `text` begins: `0.25`, `1e-6`; not the `e` of `2 e`. With a letter behind
 /// it, it is a word: `14a`.
 fn number(text: &str) -> (Token, usize) {
@@ -187,10 +198,13 @@ fn name(text: &str, before: Kind, inside: bool) -> (Token, usize) {
         .find(|c: char| !c.is_alphabetic())
         .unwrap_or(text.len());
     let (word, after) = text.split_at(letters);
-    if FUNCTIONS.contains(&word) {
+    // What has two strokes is the name of a test: `a_full_disk`.
+    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_');
+    let named = text[..end.unwrap_or(text.len())].matches('_').count() > 1;
+    if FUNCTIONS.contains(&word) && !named {
         return function(word, after);
     }
-    let Some(letter) = letter(word, after, before, inside) else {
+    let Some(letter) = letter(word, after, before, inside).filter(|_| !named) else {
         // A word keeps its hyphens, digits and strokes: `spin-free`, `RK4`, `heavy_top`, `kg/m`.
         let joined = |(n, c): (usize, char)| {
             let more = after[n + c.len_utf8()..].starts_with(char::is_alphabetic);

@@ -37,6 +37,10 @@ key     within  meaning
 period  0.001   the period
 ";
 
+/// A table with the name of a section.
+const TWICE: &str =
+    "---\nsource: x\n---\nS\nA pendulum.\n\nlimits\nlimit\nx\n\ntable limits\ncase\ny\n";
+
 const FIGURE: &str = "<svg class=\"fig\" viewBox=\"0 0 340 260\" aria-label=\"It swings\"></svg>\n";
 
 const EXAMPLE: &str =
@@ -52,6 +56,7 @@ impl Sample {
         let root = std::env::temp_dir().join(format!("book-{name}-{}", std::process::id()));
         for (file, text) in [
             ("tests/snapshots/s.snap", SNAP),
+            ("tests/snapshots/twice.snap", TWICE),
             ("tests/snapshots/figures/s__swing.snap.svg", FIGURE),
             ("tests/snapshots/figures/s__frame_1.snap.svg", FIGURE),
             ("tests/snapshots/figures/s__frame_2.snap.svg", FIGURE),

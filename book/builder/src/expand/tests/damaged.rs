@@ -15,7 +15,7 @@ fn damage_is_named_with_its_line() {
     let caption = "a figure is followed by a paragraph, its caption";
     let bold = "a caption begins with what the figure shows, in bold: **…**";
     let known = "s claims no 'no'; its keys are: period, turns";
-    let cases: [Case; 39] = [
+    let cases: [Case; 40] = [
         // A number that is typed, whatever stands before it.
         ("3.1416", "3.1416", &[(5, typed)]),
         ("a\n\n3.1416\n", "a\n\n3.1416\n", &[(7, typed)]),
@@ -144,6 +144,14 @@ fn damage_is_named_with_its_line() {
             &[(
                 7,
                 "the output of s has no section 'no'; it has: parameters, claims, limits, accuracy, checks",
+            )],
+        ),
+        (
+            "a\n\n{{table twice:limits}}\nx",
+            "a\n\n\nx",
+            &[(
+                7,
+                "'limits' is a section of the output of twice and the name of a table in it",
             )],
         ),
         ("{{figure s:swing}}\n\n\nIt", "", &[(8, bold)]),

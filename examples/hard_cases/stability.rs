@@ -18,7 +18,7 @@ use rotation_dynamics::math::{exp, sincos};
 use rotation_dynamics::scene::Scene;
 
 pub const FAMILY: Family = Family {
-    key: "limits",
+    key: "stability",
     title: "Beyond the stability limit, and at resonance",
     cure: "the eigenvalue tells beforehand what a step does to it; a phase in the body's own frame is not accumulated",
     methods: &["foretold by the method's own polynomial or solution"],
