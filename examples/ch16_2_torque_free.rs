@@ -34,7 +34,7 @@ parameters! {
         /// angle between L and the axis, for the wide wobble
         cone: number(0.35, "rad", from_to(1e-3, 1.5).usually(0.05, 1.0));
         /// angle between L and Z
-        lean: number(0.6, "rad", from_to(0.0, 1.57).usually(0.0, 1.2));
+        lean: number(0.6, "rad", from_to(1e-3, 1.57).usually(0.01, 1.2));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -191,7 +191,6 @@ pub fn wide(p: &Parameters) -> Result<Top> {
         "|lean - cone|, 0 where the axis meets Z,",
         (p.lean - p.cone).abs(),
     )?;
-    from_to(1e-3, PI).check("lean, 0 where nothing nods,", p.lean)?;
     from_to(1e-3, 2.0).check("I3/I1", top.i3 / top.i1)?;
     Ok(top)
 }

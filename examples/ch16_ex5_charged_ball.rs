@@ -338,14 +338,20 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (time, speed) = ((2.0 * p.length / a).sqrt(), (2.0 * p.length * a).sqrt());
     let own = p.charge / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
     let spark = (own + 3.0 * p.field) / 3e6;
-    let slipping = ball.holding() / (p.friction.max(1e-300) * p.gravity);
+    let grip = p.friction * p.gravity / ball.holding();
+    // A ball that slips is faster than one that rolls.
+    let slipping = if grip < 1.0 {
+        1.0 - pull / ((1.0 + p.shape) * a)
+    } else {
+        0.0
+    };
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
     let arrives = |resisting: [f64; 2]| {
         let run = Ball { resisting, ..ball }.run(ball.start(0.0, 0.0), 4.0 * time, 1e-10)?;
         Ok::<_, rotation_dynamics::Error>(run.event("arrives")?.before.v[0])
     };
     let lost = |resisting: [f64; 2], predicted: f64| -> Result<Option<f64>> {
-        if slipping > 0.99 || predicted > 0.5 {
+        if grip < 1.01 || predicted > 0.5 {
             return Ok(None);
         }
         let part = arrives(resisting)? / arrives([0.0; 2])?;
@@ -356,7 +362,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let [rolled, dragged] = [lost([arm, 0.0], rolling)?, lost([0.0, drag], blown)?];
     let (magnetic, leaking) = (speed * 5e-5 / p.field, 1e-14 * time / EPSILON_0);
     effect_card! { report,
-        "slipping": "mu_min/mu" = slipping, costs f64::from(slipping > 1.0), "of x''", included;
+        "slipping": "mu/mu_min" = grip, costs slipping, "of x''", included;
         "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = spark, costs f64::from(spark >= 1.0), "of x'', nothing below 1";
         "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs image / (1.0 + image), "of mu_min";
         "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = rolling, costs rolling, "of x''",

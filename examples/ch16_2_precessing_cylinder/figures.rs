@@ -28,7 +28,7 @@ figures! { p: &Parameters;
     /// turns. y is square to both. The angular momentum leans to the left of Z. A bent arrow shows
     /// the torque of the clamp, which turns the axis back towards Z.
     setup: {
-        let (tilt, lean) = (0.5, 0.42);
+        let (tilt, lean) = (0.5, 0.796);
         let (s, c) = sincos(tilt);
         let (o, axis, across) = ((0.0, 0.0), |d: f64| (d * s, d * c), |d: f64| (-d * c, d * s));
         Sketch::within((-1.1, 1.1), (-0.85, 1.42))

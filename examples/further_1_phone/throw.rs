@@ -148,6 +148,12 @@ impl Throw {
             .0)
     }
 
+    /// The energy of these rates.
+    pub fn energy(&self, rates: [f64; 3]) -> f64 {
+        let parts = [0, 1, 2].map(|i| 0.5 * self.moments[i] * rates[i] * rates[i]);
+        parts.iter().sum()
+    }
+
     /// Axis `axis` against L, as a cosine, for these rates.
     pub fn along(&self, axis: usize, rates: [f64; 3]) -> f64 {
         let momentum = [0, 1, 2].map(|i| self.moments[i] * rates[i]);

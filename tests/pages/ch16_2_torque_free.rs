@@ -195,7 +195,8 @@ fn other_tops_are_confirmed() {
 fn what_has_no_nod_is_refused() {
     let runs = [
         ("--lean 0.35", "0 where the axis meets Z"),
-        ("--lean 0 --cone 0.2", "0 where nothing nods"),
+        ("--lean 0 --cone 0.2", "lean = 0 is not allowed: it must be from 0.001 to 1.57"),
+        ("--lean 2", "lean = 2 is not allowed: it must be from 0.001 to 1.57"),
         ("--cone 1.6", "cone = 1.6 is not allowed"),
         ("--radius=-1", "radius = -1 is not allowed"),
         ("--radius 0.001 --height 10", "I3/I1"),

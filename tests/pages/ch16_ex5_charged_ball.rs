@@ -1,7 +1,7 @@
 //! Exercise 16.5, the charged ball. The simulation knows masses, pull and one contact with dry
 //! friction; that it confirms the formulas is part of the report.
 
-use crate::told::{confirmed, errors_of, refused, value};
+use crate::told::{answer, confirmed, errors_of, refused, value};
 use pages::ch16_ex5_charged_ball::*;
 use rotation_dynamics::planar::contact::{Mode, misdeclared};
 use rotation_dynamics::report::prelude::*;
@@ -110,6 +110,23 @@ fn the_greatest_loss_is_a_twelfth() {
     damaged.push(lost(0.5) - (6.0 - root));
     errors.attain(0.0..=0.0, 1);
     damaged.exceed(0.01, 1);
+}
+
+/// A simulated ball that slips is faster than the formula of rolling by what the card says, and
+/// without any friction the card is still one of numbers.
+#[test]
+fn a_ball_that_slips_is_faster_than_one_that_rolls() {
+    let [rolls, _] = ball().accelerations();
+    for (mu, grip, missed) in [(0.04, "0.55", "0.15"), (0.0, "0", "0.29")] {
+        let slips = Ball { mu, ..ball() };
+        let ran = slips.run(slips.start(0.0, 0.0), 9.0, 1e-12).unwrap().event("arrives").unwrap().before.v[0];
+        let part = 1.0 - rolls * 2.0 * slips.length / (ran * ran);
+        assert_eq!(format!("{part:.2}"), missed);
+        let told = answer(&EXAMPLE, &format!("--friction={mu}")).stdout;
+        let card = told.lines().find(|line| line.starts_with("slipping")).unwrap();
+        let words: Vec<&str> = card.split_whitespace().collect();
+        assert_eq!(words[1..4], ["mu/mu_min", grip, missed], "{card}");
+    }
 }
 
 /// A charged spot on a slab that is not rough enough for it: it slips where the formula says.

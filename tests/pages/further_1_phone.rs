@@ -1,7 +1,7 @@
 //! The phone thrown up. That stepped motions confirm the formulas is part of the report; here for
 //! many throws, each numbered result with a twin that must fail.
 
-use crate::told::{confirmed, refused};
+use crate::told::{answer, confirmed, refused};
 use core::f64::consts::{PI, TAU};
 use pages::further_1_phone::throw::*;
 use pages::further_1_phone::*;
@@ -24,8 +24,14 @@ fn other_throws_are_confirmed() {
         "--turns=1", "--height=5", "--tilt=0.5", "--tilt=1e-8", "--toward=1.5", "--toward=-0.8",
         "--toward=0.8 --tilt=0.1", "--toward=-2.47", "--thickness=0.02", "--width=0.05",
         "--spread=0.2", "--spread=0.001", "--mass=30 --lump=1e-4", "--tolerance=1e-3",
+        // Counts that scatter as widely as any.
+        "--height=0.545", "--height=0.7", "--spread=0.06", "--gravity=8",
+        // Moments of which two are nearly equal.
+        "--thickness=0.0702", "--width=0.1455 --thickness=0.144", "--thickness=0.068 --tilt=0.29",
+        // Long after a flip from near the axis; the second is of the kind that no double decides.
+        "--tilt=1e-5 --height=20", "--tilt=1e-8 --height=20", "--spread=0.001 --height=6",
     ];
-    confirmed(&EXAMPLE, runs, 14);
+    confirmed(&EXAMPLE, runs, 24);
 }
 
 #[test]
@@ -36,11 +42,32 @@ fn what_cannot_be_thrown_is_refused() {
         ("--thickness=0.1", "thickness over width"),
         ("--tilt=0", "tilt = 0 is not allowed"),
         ("--turns=500", "turns in the flight"),
+        ("--height=50", "turns in the flight"),
         ("--mass=NaN", "mass"),
         ("--mass=1e-300", "mass times length squared"),
         ("--tilt=1e-10 --toward=0.6736", "distance of the start from the one that never turns over"),
     ];
     refused(&EXAMPLE, runs);
+}
+
+/// Sixty steps a second are too few for twenty turns a second: the table says so, and the rest of
+/// the page does not mind.
+#[test]
+fn a_clock_that_is_too_slow_loses_the_flips() {
+    for (flags, lost) in [("", false), ("--turns=30 --height=0.02", true), ("--turns=100 --height=0.001", true)] {
+        let told = answer(&EXAMPLE, flags);
+        assert_eq!((told.code, told.stdout.contains("lost")), (0, lost), "{flags}: {}", told.stderr);
+    }
+}
+
+/// A degree more, from however near to the axis: a logarithm, as the card says and measures.
+#[test]
+fn a_degree_more_brings_the_flip_forward_by_a_logarithm() {
+    for (flags, says) in [("", "0.020 s"), ("--tilt=0.0001", "0.35 s"), ("--tilt=1e-10", "1.3 s")] {
+        let told = answer(&EXAMPLE, flags).stdout;
+        let card = told.lines().find(|line| line.starts_with("a degree in the throw")).unwrap();
+        assert!(card.matches(says.trim_end_matches(" s")).count() == 2 && card.contains(says), "{card}");
+    }
 }
 
 /// Equation (1), from a small error in steps; the twin takes the rate of the sway about axis 1.
