@@ -54,6 +54,7 @@ pub fn simulate_within<const N: usize, S: Phased<N>>(
     let mut step_error = tolerance;
     let mut coarse = run(step_error)?;
     let mut work = coarse.work();
+    // The tolerance that the runs so far would have borne out.
     let mut reached = f64::INFINITY;
     loop {
         step_error /= STRIDE;
@@ -74,7 +75,7 @@ pub fn simulate_within<const N: usize, S: Phased<N>>(
                 work,
             });
         }
-        reached = reached.min(estimate);
+        reached = reached.min(2.0 * estimate);
         coarse = fine;
     }
 }

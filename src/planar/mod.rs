@@ -110,6 +110,8 @@ pub struct Condition<'s, P, const N: usize> {
     next: Next<'s, P, N>,
     /// The round-off of the margin, where the scene itself decides whether it holds at entry.
     noise: Option<Margin<'s, N>>,
+    /// Whether a change of sign within a few times that is none.
+    flickers: bool,
 }
 
 /// A function of the state.
@@ -169,6 +171,7 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
             margin: Box::new(margin),
             next,
             noise: None,
+            flickers: false,
         }
     }
 
@@ -178,6 +181,14 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
         Self {
             noise: Some(Box::new(noise)),
             ..self
+        }
+    }
+
+    /// The same of a margin that may leave zero so slowly that its sign is round-off for a while.
+    fn flickering(self, noise: impl Fn(&[f64; N]) -> f64 + 's) -> Self {
+        Self {
+            flickers: true,
+            ..self.decided(noise)
         }
     }
 

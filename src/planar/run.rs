@@ -10,6 +10,8 @@ const PHASE_LIMIT: usize = 1000;
 
 /// How often a phase is solved again with shorter steps.
 const SHORTENINGS: u32 = 30;
+/// Within so many times its round-off a margin that leaves zero slowly has no sign.
+const FLICKER: f64 = 4.0;
 /// A margin this much below zero, relative to its largest value, is round-off.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -119,7 +121,13 @@ pub fn simulate<const N: usize, S: Phased<N>>(
         check_entry(&conditions, t, &state)?;
         let events: Vec<_> = conditions
             .iter()
-            .map(|c| Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal())
+            .map(|c| {
+                let fails = Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal();
+                match c.noise.as_ref().filter(|_| c.flickers) {
+                    Some(noise) => fails.beyond(move |_t, y| FLICKER * noise(y)),
+                    None => fails,
+                }
+            })
             .collect();
         let lasts = within_conditions(&conditions, method, t_end, |method, t_end| {
             method.solve(&InPhase(scene, phase), t, &state, t_end, &events)

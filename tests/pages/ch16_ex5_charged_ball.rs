@@ -14,9 +14,9 @@ fn ball() -> Ball {
 #[test]
 fn other_balls_are_confirmed() {
     let balls = ["", "--shape 0.6666666666666666 --radius 0.02", "--shape 1 --mass 0.05"];
-    let slabs = ["--friction 0", "--friction 0.05", "--friction 0.6 --field 2e5", "--field 1.5e6 --shot 0.4", "--spot=0 --shot=0"];
+    let slabs = ["--friction 0", "--friction 0.05", "--friction 0.6 --field 2e5", "--field 1.5e6 --shot 0.4", "--spot=0 --shot=0", "--length 5", "--length 0.396"];
     let runs = balls.iter().flat_map(|ball| slabs.iter().map(move |slab| format!("{ball} {slab}")));
-    confirmed(&EXAMPLE, runs, 15);
+    confirmed(&EXAMPLE, runs, 21);
 }
 
 /// The numbers of the inventory, from its 15 digits.

@@ -341,6 +341,17 @@ fn friction_agrees_with_an_elimination_by_hand() {
     errors.attain(3.6e-16..=3.7e-16, 51 * 4);
 }
 
+/// Nor does the length matter: round-off of the opening gap once made these meet the wall again.
+#[test]
+fn every_length_has_a_report() {
+    let lengths = [1.11, 4.37, 4.44, 5.03].map(|length| format!("--length {length}"));
+    let angles = [0.015, 0.543].map(|angle| format!("--angle {angle}"));
+    for flag in lengths.iter().chain(&angles) {
+        let told = Page::answer(&example::EXAMPLE, flag);
+        assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flag}");
+    }
+}
+
 /// From a picoradian off the wall to a nanoradian above the floor there is a report, and what its
 /// card says of friction is what a simulation measures, wherever one can tell.
 #[test]

@@ -105,6 +105,11 @@ impl<E: Effect> Scene<E> {
     /// | whatever is smooth between its break points | Gauss-Legendre 16, DOP853 |
     /// | whatever else | DOP853 |
     ///
+    /// Over a torque that is not known to be smooth runs may agree by chance, for each errs at a kink
+    /// by what its steps happen to be off: what three runs say counts three times there, and a
+    /// distance no less than those before it fallen as they should. A torque that is smooth and says so
+    /// ([`Torque::smooth`](crate::effects::Torque::smooth)) is solved by less work.
+    ///
     /// What resists in a known way counts as smooth where it is smooth along the motion: the drag
     /// on a disc has a kink where the body does not spin about e3, and never brings the spin of a
     /// symmetric body there. On a body with three different moments, whose spin about e3 passes

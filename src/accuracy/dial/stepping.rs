@@ -4,7 +4,7 @@ use super::choice::{AIM, Candidate, Candidates};
 use super::limits::Limits;
 use super::method::{Fine, Method, Runs, Steps};
 use super::probes::{Begun, Felt};
-use super::problem::{Apart, Problem};
+use super::problem::{Acting, Apart, Problem};
 use super::two_runs::TwoRuns;
 use super::verdict::{Gap, Verdict};
 use crate::accuracy::larger;
@@ -579,7 +579,12 @@ impl<'p> Stepping<'p> {
                 gaps.push(Gap { apart, step });
             }
             runs.push(next);
-            let mut verdict = Verdict::of(method.trust(), &gaps[0], expected);
+            let verdict_on = if self.may_have_kinks(method) {
+                Verdict::over_kinks
+            } else {
+                Verdict::of
+            };
+            let mut verdict = verdict_on(method.trust(), &gaps[0], expected);
             let steps = runs[runs.len() - 1].work.steps as f64;
             if method.is_adaptive() {
                 verdict.estimate += ROUNDED * EPS * steps;
@@ -587,7 +592,7 @@ impl<'p> Stepping<'p> {
             if enough && verdict.estimate <= budget {
                 let run = runs.swap_remove(runs.len() - 1);
                 let [_, momentum, rates] = [0, 1, 2].map(|n| {
-                    Verdict::of(method.trust(), &gaps[n], expected).estimate
+                    verdict_on(method.trust(), &gaps[n], expected).estimate
                         + floors[n]
                         + precision * swept * (1.0 + conditions[n])
                 });
@@ -605,6 +610,12 @@ impl<'p> Stepping<'p> {
             }
             ahead = verdict.ahead(budget);
         }
+    }
+
+    /// True if steps of this method may pass over kinks of the torque: others are taken only where it
+    /// is smooth between break points.
+    pub fn may_have_kinks(&self, method: Method) -> bool {
+        matches!(self.problem.acting, Acting::Anything(_)) && method.is_adaptive()
     }
 
     /// What the sweeps of a run of this level leave, in units of the precision.

@@ -6,7 +6,7 @@ use super::method::{LEVEL, Method, Steps};
 use super::probes::{Begun, Felt, MOVED};
 use super::problem::Problem;
 use super::stepping::{Delivered, ROUNDED, Run, Stepping, is_final};
-use super::verdict::{Gap, Verdict};
+use super::verdict::{Gap, KINKED, OVER_KINKS, Verdict};
 use crate::accuracy::larger;
 use crate::error::Result;
 use crate::integrators::{Method as Named, Work};
@@ -151,7 +151,9 @@ impl Stepping<'_> {
     /// nearer.
     fn allowed(&self, method: Method, behind: f64) -> f64 {
         let factor = Verdict::factor(method.trust(), behind);
-        let third = if self.problem.is_abrupt() {
+        let third = if self.may_have_kinks(method) {
+            exp(OVER_KINKS * LEVEL * behind) / KINKED
+        } else if self.problem.is_abrupt() {
             exp(method.falls() * LEVEL * behind)
         } else {
             1.0

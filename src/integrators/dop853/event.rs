@@ -43,6 +43,7 @@ pub struct Event<'f, const N: usize> {
     function: Box<Function<'f, N>>,
     direction: Direction,
     terminal: bool,
+    round_off: Option<Box<Function<'f, N>>>,
 }
 
 impl<'f, const N: usize> Event<'f, N> {
@@ -57,6 +58,7 @@ impl<'f, const N: usize> Event<'f, N> {
             function: Box::new(function),
             direction,
             terminal: false,
+            round_off: None,
         }
     }
 
@@ -84,6 +86,19 @@ impl<'f, const N: usize> Event<'f, N> {
         }
     }
 
+    /// The same event of a function whose values err by up to `round_off(t, y)`: a change of sign
+    /// within that is none, until the function is beyond it.
+    ///
+    /// Where a function leaves zero slowly, as the gap of a contact does whose force has faded, its
+    /// sign is round-off for a while.
+    #[must_use]
+    pub fn beyond(self, round_off: impl Fn(f64, &[f64; N]) -> f64 + 'f) -> Self {
+        Self {
+            round_off: Some(Box::new(round_off)),
+            ..self
+        }
+    }
+
     fn value(&self, t: f64, y: &[f64; N]) -> Result<f64> {
         let value = (self.function)(t, y);
         if value.is_finite() {
@@ -95,6 +110,12 @@ impl<'f, const N: usize> Event<'f, N> {
                 value,
             })
         }
+    }
+
+    /// True if a change of sign from `a` to `b`, near this place, says nothing.
+    fn is_round_off(&self, a: f64, b: f64, t: f64, y: &[f64; N]) -> bool {
+        let within = |round_off: &Function<'f, N>| a.abs().max(b.abs()) <= round_off(t, y);
+        a * b <= 0.0 && self.round_off.as_deref().is_some_and(within)
     }
 
     /// Some(rising) if the step from value `a` to value `b` counts.
@@ -170,9 +191,14 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
             }
             let last = event.value(step.t_end, &step.end.value)?;
             seen.push((step.t_end, last));
-            let seen = with_grazes(event, segment, &seen)?;
-            for pair in seen.windows(2) {
-                let ((t_a, a), (t_b, b)) = (pair[0], pair[1]);
+            let mut seen = with_grazes(event, segment, &seen)?;
+            for n in 1..seen.len() {
+                let ((t_a, a), (t_b, b)) = (seen[n - 1], seen[n]);
+                if event.is_round_off(a, b, t_b, &segment.at(t_b)) {
+                    // On the side where it was, until it is beyond.
+                    seen[n].1 = a;
+                    continue;
+                }
                 if let Some(rising) = event.counts(a, b) {
                     let guess = root(event, segment, (t_a, a), (t_b, b))?;
                     let there = polish(ode, event, step, segment, guess, work)?;
@@ -186,7 +212,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
                     found.push((located, there));
                 }
             }
-            self.values[index] = last;
+            self.values[index] = seen[seen.len() - 1].1;
         }
         let since_start = |e: &LocatedEvent<N>| (e.t - step.t).abs();
         sort_by_number(&mut found, |(e, _)| since_start(e));

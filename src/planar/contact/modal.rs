@@ -166,7 +166,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
                 let gap = move |y: &[f64; S]| self.contact(i, y).gap;
                 let size = move |y: &[f64; S]| NOISE * self.gap_size(i, &split(y));
                 let next = decide(Trigger::Gap(i));
-                conditions.push(Condition::gap(contact.name, gap, next).decided(size));
+                conditions.push(Condition::gap(contact.name, gap, next).flickering(size));
             }
             let all = move |y: &[f64; S]| FORCE_DRIFT * total(&self.forces(&modes, y));
             if one_sided && modes[i] != Mode::Open {
@@ -198,7 +198,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
                 };
                 let size = move |y: &[f64; S]| NOISE * self.slip_size(i, &split(y));
                 let next = decide(Trigger::Slip(i));
-                conditions.push(Condition::gap(contact.name, slip, next).decided(size));
+                conditions.push(Condition::gap(contact.name, slip, next).flickering(size));
             }
         }
         conditions

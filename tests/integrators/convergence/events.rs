@@ -227,3 +227,34 @@ fn a_graze_within_a_step_is_met() {
         assert_eq!(run.events().len(), 0);
     }
 }
+
+/// A function that leaves zero as t^3, with a round-off of its own.
+struct Slowly;
+impl Ode<1> for Slowly {
+    fn derivative(&self, t: f64, _y: &[f64; 1]) -> [f64; 1] {
+        [3.0 * t * t - 4.0 * t * t * t]
+    }
+}
+
+/// A sign that is round-off is no event; the fall that comes later is met where it is.
+#[test]
+fn round_off_is_no_event() {
+    const ROUND_OFF: f64 = 1e-9;
+    let falls = |beyond: f64| {
+        let noisy = |t: f64, y: &[f64; 1]| y[0] + ROUND_OFF * sin(3e5 * t);
+        let event = Event::falling("falls", noisy).beyond(move |_, _| beyond);
+        Dop853::new(1e-12)
+            .and_then(|method| method.with_longest_step(1e-4))
+            .and_then(|method| method.solve(&Slowly, 0.0, &[0.0], 1.5, &[event]))
+            .expect("smooth")
+    };
+    let found = falls(2.0 * ROUND_OFF);
+    let [event] = found.events() else {
+        panic!("{:?}", found.events());
+    };
+    // Of a function that falls by one in a second.
+    assert_error!(event.t - 1.0, 1.1e-10);
+    // The damaged twin: of a round-off that is not told, most of what is seen is none.
+    let twin = falls(0.0);
+    assert_eq!(twin.events().len(), 30);
+}

@@ -1,5 +1,6 @@
 //! An attack on the dial: scenes chosen to break it. What it grants must hold.
 
+mod kinked;
 mod named;
 mod resisted;
 mod scenes;

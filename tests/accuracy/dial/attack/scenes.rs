@@ -120,7 +120,7 @@ fn near_the_upright(dice: &mut Dice) -> Result<Case> {
 
 /// A torque p(t) L makes L grow as exp(P), with P the integral of p, and moves the body as
 /// a free one in the time that exp(P) integrates to.
-fn along(
+pub fn along(
     kind: &'static str,
     dice: &mut Dice,
     inner: impl Fn(f64) -> f64,
@@ -218,7 +218,7 @@ fn jumps(dice: &mut Dice, named: Named) -> Result<Case> {
     }
 }
 
-fn solver<E: Effect + Clone + 'static>(
+pub fn solver<E: Effect + Clone + 'static>(
     effect: E,
     t_end: f64,
 ) -> impl Fn(&RigidBody, &State, f64) -> Result<Solved> + 'static {

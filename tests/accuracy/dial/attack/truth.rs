@@ -59,14 +59,8 @@ pub fn attitude(body: &RigidBody, moment: f64, start: &State, t: f64) -> Attitud
     resisted(body, moment, &Resisting::NOTHING, start, t)
 }
 
-/// The same of a body that something resists; dry friction not backwards through its stop.
-pub fn resisted(
-    body: &RigidBody,
-    moment: f64,
-    resisting: &Resisting,
-    start: &State,
-    t: f64,
-) -> Attitude {
+/// Quaternion, momentum and vertical on the body's axes, and twice the energy of the rotation.
+fn began(body: &RigidBody, start: &State) -> (Vec<Dd>, f64) {
     let inertia = body.moments().to_array();
     let [w, x, y, z] = start.attitude.quaternion().map(Dd::from);
     let square = w * w + x * x + y * y + z * z;
@@ -86,8 +80,21 @@ pub fn resisted(
         .zip(inertia)
         .map(|(l, i)| l.hi() * l.hi() / i)
         .sum();
+    let now = [[w, x, y, z].to_vec(), momentum.to_vec(), vertical.to_vec()].concat();
+    (now, energy)
+}
+
+/// The same of a body that something resists; dry friction not backwards through its stop.
+pub fn resisted(
+    body: &RigidBody,
+    moment: f64,
+    resisting: &Resisting,
+    start: &State,
+    t: f64,
+) -> Attitude {
+    let (mut now, energy) = began(body, start);
+    let inertia = body.moments().to_array();
     let least = inertia.iter().copied().fold(f64::INFINITY, f64::min);
-    let mut now = [[w, x, y, z].to_vec(), momentum.to_vec(), vertical.to_vec()].concat();
     let spin = now[6].hi();
     let damping = match resisting.law {
         Law::Power(factor, power) => factor * pow((spin / inertia[2]).abs(), power) / inertia[2],
@@ -108,14 +115,83 @@ pub fn resisted(
     for (span, resisting) in [(stop, resisting), (t - stop, &rolling)] {
         let steps = (rate * span.abs() / ANGLE).ceil();
         for _ in 0..steps as u64 {
-            now = step(&now, inertia, moment, resisting, span / steps);
+            let series = series(&now, inertia, [moment, 0.0], resisting);
+            now = ended(&series, span / steps);
         }
     }
     Attitude::from_quaternion([0, 1, 2, 3].map(|i| now[i].to_f64())).expect("a rotation")
 }
 
-/// Quaternion, momentum and vertical on the body's axes, one step later.
-fn step(now: &[Dd], inertia: [f64; 3], moment: f64, resisting: &Resisting, h: f64) -> Vec<Dd> {
+/// A torque like gravity's, whose size depends on the cosine g of the axis with the vertical in
+/// another way on the two sides of one value.
+#[derive(Debug, Clone, Copy)]
+pub struct Switched {
+    pub at: f64,
+    /// The torque as g comes to `at`, and its slope there, from below and from above.
+    pub sides: [[f64; 2]; 2],
+}
+
+impl Switched {
+    fn side(&self, g: f64) -> usize {
+        usize::from(g > self.at)
+    }
+
+    /// The torque over the sine of the tilt.
+    pub fn moment(&self, g: f64) -> f64 {
+        let [value, slope] = self.sides[self.side(g)];
+        value + slope * (g - self.at)
+    }
+}
+
+/// The attitude at the time `t` under a torque that is switched; steps end where it is.
+pub fn switched(body: &RigidBody, torque: &Switched, start: &State, t: f64) -> Attitude {
+    const LOOKS: usize = 32;
+    let (mut now, energy) = began(body, start);
+    let inertia = body.moments().to_array();
+    let least = inertia.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = (torque.sides.iter()).fold(0.0_f64, |most, [value, slope]| {
+        most.max(value.abs() + 2.0 * slope.abs())
+    });
+    let whole = ANGLE / ((energy + 4.0 * largest) / least).sqrt();
+    let (mut left, mut side) = (t, torque.side(now[9].hi()));
+    while left > 0.0 {
+        let h = whole.min(left);
+        let [value, slope] = torque.sides[side];
+        let affine = [value - slope * torque.at, slope];
+        let series = series(&now, inertia, affine, &Resisting::NOTHING);
+        let beyond = |h: f64| torque.side(sum(&series[9], h).hi()) != side;
+        let look = |k: usize| h * k as f64 / LOOKS as f64;
+        let taken = match (1..=LOOKS).find(|k| beyond(look(*k))) {
+            None => h,
+            Some(k) => {
+                let (mut low, mut high) = (look(k - 1), look(k));
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    *(if beyond(middle) { &mut high } else { &mut low }) = middle;
+                }
+                side = 1 - side;
+                high
+            }
+        };
+        now = ended(&series, taken);
+        left -= taken;
+    }
+    Attitude::from_quaternion([0, 1, 2, 3].map(|i| now[i].to_f64())).expect("a rotation")
+}
+
+/// What a step later follows from its series.
+fn ended(series: &[Series; 10], h: f64) -> Vec<Dd> {
+    series.iter().map(|series| sum(series, h)).collect()
+}
+
+/// The series of quaternion, momentum and vertical on the body's axes, under a torque of the size
+/// m + n g_3.
+fn series(
+    now: &[Dd],
+    inertia: [f64; 3],
+    [moment, slope]: [f64; 2],
+    resisting: &Resisting,
+) -> [Series; 10] {
     let sign = now[6].hi().signum();
     let mut y = [NONE; 10];
     for (series, value) in y.iter_mut().zip(now) {
@@ -142,13 +218,22 @@ fn step(now: &[Dd], inertia: [f64; 3], moment: f64, resisting: &Resisting, h: f6
         let [p, q, r] = &omega;
         let [w, x, yy, z, l1, l2, l3, g1, g2, g3] = &y;
         let of = |a: &Series, b: &Series| product(a, b, n);
+        // m g, and where the size depends on it n g_3 g.
+        let weight = |g: &Series| {
+            let steady = g[n] * moment;
+            if slope == 0.0 {
+                steady
+            } else {
+                steady + of(g3, g) * slope
+            }
+        };
         let slopes = [
             (of(x, p) + of(yy, q) + of(z, r)) * -0.5,
             (of(w, p) + of(yy, r) - of(z, q)) * 0.5,
             (of(w, q) + of(z, p) - of(x, r)) * 0.5,
             (of(w, r) + of(x, q) - of(yy, p)) * 0.5,
-            of(l2, r) - of(l3, q) + g2[n] * moment - l1[n] * ka,
-            of(l3, p) - of(l1, r) - g1[n] * moment - l2[n] * kb,
+            of(l2, r) - of(l3, q) + weight(g2) - l1[n] * ka,
+            of(l3, p) - of(l1, r) - weight(g1) - l2[n] * kb,
             of(l1, q) - of(l2, p) - l3[n] * kc + along,
             of(g2, r) - of(g3, q),
             of(g3, p) - of(g1, r),
@@ -158,7 +243,7 @@ fn step(now: &[Dd], inertia: [f64; 3], moment: f64, resisting: &Resisting, h: f6
             series[n + 1] = slope / (n + 1) as f64;
         }
     }
-    y.iter().map(|series| sum(series, h)).collect()
+    y
 }
 
 /// The n-th coefficient of |l|^e with the sign of l, from those before it: l y' = e l' y.
