@@ -139,8 +139,9 @@ fn the_price_is_that_of_the_record() {
     // resists, jumps or depends on the time, and beside a kink; and over the cheapest as good.
     assert_eq!(range(1, 0..=3), [2.4, 3.3]);
     assert_eq!(range(1, 4..=9), [3.8, 5.6]);
-    assert_eq!(range(1, 10..=10), [4.5, 6.1]);
-    assert_eq!(range(7, 0..=10), [1.7, 2.7]);
+    assert_eq!(range(1, 10..=10), [5.6, 7.4]);
+    assert_eq!(range(7, 0..=9), [1.7, 2.6]);
+    assert_eq!(range(7, 10..=10), [2.7, 3.3]);
 }
 
 #[test]
