@@ -42,13 +42,15 @@ fn reason(error: &Error) -> Option<&'static str> {
     })
 }
 
-/// Scenes first to last, of so many kinds; what exceeds its request, or is refused for no good
-/// reason.
+/// What became of each kind, and what exceeds its request or is refused for no good reason.
+type Attacked = (BTreeMap<&'static str, Tally>, Vec<String>);
+
+/// Scenes first to last, of so many kinds.
 fn attacked(
     scenes: std::ops::Range<u64>,
     kinds: u64,
     case: impl Fn(u64) -> Result<Case>,
-) -> Result<(BTreeMap<&'static str, Tally>, Vec<String>)> {
+) -> Result<Attacked> {
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
     let mut failures = Vec::new();
     for n in scenes {
@@ -101,24 +103,44 @@ fn table(tallies: &BTreeMap<&str, Tally>) -> String {
     lines.join("\n")
 }
 
-/// A share of the scenes: none that is granted exceeds its request.
-#[test]
-fn nothing_is_granted_that_does_not_hold() {
-    let (tallies, failures) = attacked(0..200, KINDS, case).expect("sound scenes");
-    println!("{}", table(&tallies));
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+/// Prints what came of an attack.
+fn told((tallies, failures): &Attacked) {
+    println!("{}", table(tallies));
+    println!(
+        "{} above the request\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
+}
+
+/// How many were granted, and refused; none may be above its request.
+fn held(attacked: &Attacked) -> [usize; 2] {
+    told(attacked);
+    let (tallies, failures) = attacked;
+    assert!(failures.is_empty());
+    let sum = |count: fn(&Tally) -> usize| tallies.values().map(count).sum();
+    let refused = |tally: &Tally| tally.refused.values().sum();
+    [sum(|tally| tally.ratios.len()), sum(refused)]
+}
+
+/// The errors of what was granted, as parts of the request.
+fn ratios((tallies, _): &Attacked) -> Errors {
     let mut ratios = Errors::of("delivered over requested");
-    let (mut granted, mut refused) = (0, 0);
-    for (kind, tally) in &tallies {
+    for (kind, tally) in tallies {
         for ratio in &tally.ratios {
             ratios.push_at(*ratio, kind);
         }
-        granted += tally.ratios.len();
-        refused += tally.refused.values().sum::<usize>();
     }
-    assert_eq!([granted, refused], [280, 120]);
+    ratios
+}
+
+/// A share of the scenes: none that is granted exceeds its request.
+#[test]
+fn nothing_is_granted_that_does_not_hold() {
+    let attacked = attacked(0..200, KINDS, case).expect("sound scenes");
+    assert_eq!(held(&attacked), [280, 120]);
     // The promise is 1.
-    ratios.attain(0.036..=0.037, 280);
+    ratios(&attacked).attain(0.036..=0.037, 280);
 }
 
 /// Pulses and bursts that nothing names are seen where the dial says that it sees them, and no
@@ -131,11 +153,7 @@ fn pulses_without_a_name_are_seen() {
 
 /// How many requests are granted, and refused; the promise is 1.
 fn unnamed(scenes: std::ops::Range<u64>) -> [usize; 2] {
-    let (tallies, failures) = attacked(scenes, 1, unnamed_pulse).expect("sound scenes");
-    println!("{}", table(&tallies));
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-    let tally = &tallies["pulse"];
-    [tally.ratios.len(), tally.refused.values().sum()]
+    held(&attacked(scenes, 1, unnamed_pulse).expect("sound scenes"))
 }
 
 /// Those that were above their request once, by up to 1e8 times: a jump between two steps
@@ -150,18 +168,12 @@ fn what_was_caught_once_holds() {
         7286, 7736, 8156, 8964, 9329, 9596, 512, 4862, 6462, 7382, 1479, 2063, 2723, 5093, 9103,
         9203, 10_742, 20_102, 24_872, 1124, 1994, 2074, 2594, 3344, 8674,
     ];
-    let mut failures = Vec::new();
-    let (mut granted, mut refused) = (0, 0);
+    let mut counts = [0; 2];
     for n in CAUGHT {
-        let (tallies, more) = attacked(n..n + 1, KINDS, case).expect("a sound scene");
-        failures.extend(more);
-        for tally in tallies.values() {
-            granted += tally.ratios.len();
-            refused += tally.refused.values().sum::<usize>();
-        }
+        let more = held(&attacked(n..n + 1, KINDS, case).expect("a sound scene"));
+        counts = [0, 1].map(|i| counts[i] + more[i]);
     }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert_eq!([granted, refused], [55, 25]);
+    assert_eq!(counts, [55, 25]);
 }
 
 /// Ten thousand scenes, for `benches/record/attack.txt`: `cargo test -p checks --test accuracy
@@ -169,13 +181,6 @@ fn what_was_caught_once_holds() {
 #[test]
 #[ignore = "seventeen minutes"]
 fn ten_thousand_scenes() {
-    let (tallies, failures) = attacked(0..10_000, KINDS, case).expect("sound scenes");
-    println!("{}", table(&tallies));
-    println!(
-        "{} above the request\n{}",
-        failures.len(),
-        failures.join("\n")
-    );
-    assert!(failures.is_empty());
+    held(&attacked(0..10_000, KINDS, case).expect("sound scenes"));
     unnamed(0..2000);
 }
