@@ -26,6 +26,7 @@ pub struct SolvedMotion<'s> {
     form: Form,
     onward: Onward<'s>,
     breaks: Vec<f64>,
+    singular: Vec<f64>,
     kept: Vec<Kept>,
 }
 
@@ -88,6 +89,7 @@ impl<E: Effect> Scene<E> {
                 span: [limits.t_start, t_end],
             },
             breaks: given.breaks,
+            singular: given.singular,
             kept: (self.invariants())
                 .map(|invariant| {
                     let (name, unit) = invariant.name_and_unit();
@@ -213,8 +215,13 @@ impl SolvedMotion<'_> {
                     precision: *precision,
                     budget: u64::MAX,
                 };
-                self.onward
-                    .state(&self.breaks, *method, fine, [before, t], place)
+                self.onward.state(
+                    [&self.breaks, &self.singular],
+                    *method,
+                    fine,
+                    [before, t],
+                    place,
+                )
             }
         }
     }

@@ -51,6 +51,8 @@ pub(super) struct Given<'s> {
     /// What the torque may be as large as, and where it jumps.
     pub torque: f64,
     pub breaks: Vec<f64>,
+    /// Those of them, and of the ends, beside which it goes like a root of the time.
+    pub singular: Vec<f64>,
     pub longest_step: f64,
 }
 
@@ -85,6 +87,7 @@ impl<'s> Given<'s> {
                 .torque_scale(limits.t_start, body, start)
                 .max(checked.at_start()),
             breaks: limits.breaks(effects, t_end),
+            singular: Vec::new(),
             longest_step: limits.longest_step,
             checked,
         };
@@ -97,10 +100,12 @@ impl<'s> Given<'s> {
             Vec::new()
         };
         if !nature.smooth && !seen.is_empty() {
-            let known = &given.breaks;
-            let found = [given.checked.jumps(&seen), given.checked.kinks(&seen)].concat();
-            let new = found.into_iter().filter(|t| !known.contains(t));
-            given.breaks = limits.sorted(known.iter().copied().chain(new).collect(), t_end);
+            let (jumps, kinks) = (given.checked.jumps(&seen), given.checked.kinks(&seen));
+            let singular = kinks.iter().filter(|kink| kink.is_singular);
+            given.singular = singular.map(|kink| kink.at).collect();
+            let found = jumps.into_iter().chain(kinks.iter().map(|kink| kink.at));
+            given.breaks.extend(found);
+            given.breaks = limits.sorted(given.breaks, t_end);
         }
         given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
         if given.problem().exact_motion().is_none() {
@@ -123,6 +128,7 @@ impl<'s> Given<'s> {
             t_start: self.limits.t_start,
             t_end: self.t_end,
             breaks: &self.breaks,
+            singular: &self.singular,
             longest_step: self.longest_step,
             checked: &self.checked,
             known: self.effects.known(),
@@ -196,7 +202,7 @@ pub(super) struct Onward<'s> {
 impl Onward<'_> {
     pub fn state(
         &self,
-        breaks: &[f64],
+        [breaks, singular]: [&[f64]; 2],
         method: Method,
         fine: Fine,
         [from, to]: [f64; 2],
@@ -216,6 +222,7 @@ impl Onward<'_> {
             limits: &limits,
             torque: self.torque,
             breaks: breaks.to_vec(),
+            singular: singular.to_vec(),
             longest_step: self.longest_step,
             checked,
         };

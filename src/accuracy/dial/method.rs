@@ -356,12 +356,17 @@ impl Method {
         spent: &mut Work,
     ) -> Result<Passed> {
         let span = (t_end - t).abs();
+        let fastest = if self.is_adaptive() {
+            problem.regularized([t, t_end]).fastest()
+        } else {
+            1.0
+        };
         let over = Error::OverBudget {
             t,
             t_end,
             budget: fine.budget,
         };
-        let mut fewest = span / problem.longest_step;
+        let mut fewest = fastest * span / problem.longest_step;
         if self.is_adaptive() {
             // Finer runs take shorter steps also where none may be longer: runs that took
             // the same steps would agree, and say nothing.
@@ -393,7 +398,7 @@ impl Method {
         };
         // Steps are whole: the level is that of the steps taken.
         let (level, longest_step) = if self.is_adaptive() {
-            (fine.level, span / fewest as f64)
+            (fine.level, fastest * span / fewest as f64)
         } else {
             let steps = work.steps as f64;
             (self.level_of(problem, t_end - t, steps), span / steps)

@@ -26,6 +26,7 @@ mod limits;
 mod method;
 mod probes;
 mod problem;
+mod regularized;
 mod stepping;
 mod two_runs;
 mod verdict;

@@ -1,6 +1,7 @@
 //! What is to be solved, as given and with every input a little changed.
 
 use super::exact_motion::ExactMotion;
+use super::regularized::Regularized;
 use crate::accuracy::{Carrier, Variables, larger};
 use crate::body::{RigidBody, State};
 use crate::effects::{
@@ -66,6 +67,8 @@ pub(super) struct Problem<'e> {
     pub t_end: f64,
     /// Where the torque jumps on the way, in the order of the motion.
     pub breaks: &'e [f64],
+    /// Those of them, and of the ends, beside which it goes like a root of the time.
+    pub singular: &'e [f64],
     /// No step may be longer.
     pub longest_step: f64,
     pub checked: &'e Checked<'e>,
@@ -242,12 +245,13 @@ impl<'e> Problem<'e> {
                 Carrier::Dop853(m),
                 Variables::Space,
             ) => {
+                let piece = self.regularized([from, to]);
                 if effects.nature().slips {
                     let scene = self.scene::<false, true>(effects, [from, to]);
-                    m.advance_counting(&scene, 0.0, start, to - from, work)
+                    piece.advance(m, &scene, start, work)
                 } else {
                     let scene = self.scene::<false, false>(effects, [from, to]);
-                    m.advance_counting(&scene, 0.0, start, to - from, work)
+                    piece.advance(m, &scene, start, work)
                 }
             }
             (
@@ -289,6 +293,14 @@ impl<'e> Problem<'e> {
             origin: from,
             piece: [first.next_up(), last.next_down()],
         })
+    }
+
+    /// A piece in the time in which it is stepped.
+    pub fn regularized(&self, [from, to]: [f64; 2]) -> Regularized {
+        Regularized {
+            span: to - from,
+            singular: [from, to].map(|end| self.singular.contains(&end)),
+        }
     }
 
     /// The times that cut the motion from `t` to `t_end` where the torque jumps, with

@@ -1,18 +1,42 @@
-//! Where the torque on the body as it starts has a kink in time.
+//! Where the torque on the body as it starts has a kink in time, and how sharp a one.
 
 use super::{Checked, ROUNDING};
 use crate::frame::SpaceVector;
 
-/// After so many halvings of the time between two looks, by so many more it shows what bends the
-/// torque: a kink is then bent less by 2^8, a power 3/2 by 2^12, what is smooth by 2^16, and what
-/// jumps by no factor.
-const BEFORE: usize = 2;
+/// So many halvings of the time between two looks show what bends the torque, after some that come
+/// before: a kink is then bent less by 2^8, a root by 2^4, a power 3/2 by 2^12, what is smooth by 2^16,
+/// and what jumps, or rounding, by no factor.
 const HALVINGS: usize = 8;
+const BEFORE: usize = 2;
 
 /// What is bent less by so much, at the least and at the most, is a kink or a cusp. (In the middle of
 /// a piece it is bent twice as much as at its quarter.)
-const LEAST: f64 = 2.0;
+const LEAST: f64 = 4.0;
 const MOST: f64 = 16_384.0;
+
+/// Where halving ends because doubles hold no times between, rounding of the times is what bends the
+/// last pieces, of so many; what is bent by no more than so many times that does not count.
+const LAST: usize = 8;
+const ROUNDED: f64 = 16.0;
+
+/// The first half of the halvings, and the second, by which it is bent less, are to each other within
+/// this: else it is smooth down to rounding.
+const ALIKE: f64 = 3.0;
+
+/// Within these it is a kink whose sides may be smooth; else it goes like a power of the time that is
+/// no whole one.
+const KINKED: [f64; 2] = [90.0, 724.0];
+
+/// Nearer to an end than this part of the time between two looks a kink is that end.
+const NEAR: f64 = 1e-3;
+
+/// A time at which the torque has a kink.
+#[derive(Debug, Clone, Copy)]
+pub struct Kink {
+    pub at: f64,
+    /// Beside it the torque goes like a power of the time that is no whole one, as a root does.
+    pub is_singular: bool,
+}
 
 /// A piece of time that is halved, with the torque at both ends and in the middle.
 #[derive(Clone, Copy)]
@@ -28,73 +52,182 @@ impl Piece {
         (low - middle * 2.0 + high).norm()
     }
 
+    /// Its first half; none where doubles hold no time between.
+    fn first_half(&self, torque: impl Fn(f64) -> SpaceVector) -> Option<Self> {
+        let ([a, m, _], [low, middle, _]) = (self.times, self.torques);
+        let before = 0.5 * (a + m);
+        (before != a && before != m).then(|| Self {
+            times: [a, before, m],
+            torques: [low, torque(before), middle],
+        })
+    }
+
     /// Of its two halves, and the one in its middle, that which is bent most; none where doubles
     /// hold no times between.
-    fn halved(&self, torque: impl Fn(f64) -> SpaceVector) -> Option<Self> {
-        let [a, m, b] = self.times;
-        let [low, middle, high] = self.torques;
-        let (before, after) = (0.5 * (a + m), 0.5 * (m + b));
-        if before == a || before == m || after == m || after == b {
-            return None;
-        }
-        let (below, above) = (torque(before), torque(after));
-        let halves = [
-            ([a, before, m], [low, below, middle]),
-            ([before, m, after], [below, middle, above]),
-            ([m, after, b], [middle, above, high]),
-        ];
-        halves
-            .map(|(times, torques)| Self { times, torques })
+    fn most_bent(&self, torque: impl Fn(f64) -> SpaceVector) -> Option<Self> {
+        let backwards = |piece: &Self| {
+            let ([a, m, b], [low, middle, high]) = (piece.times, piece.torques);
+            Self {
+                times: [b, m, a],
+                torques: [high, middle, low],
+            }
+        };
+        let before = self.first_half(&torque)?;
+        let after = backwards(&backwards(self).first_half(&torque)?);
+        let between = Self {
+            times: [before.times[1], self.times[1], after.times[1]],
+            torques: [before.torques[1], self.torques[1], after.torques[1]],
+        };
+        [before, between, after]
             .into_iter()
             .max_by(|one, other| one.bend().total_cmp(&other.bend()))
+    }
+
+    /// What is left of it when it is halved until rounding is all that bends it: if it was bent less
+    /// by about half each time, many times, that is a kink.
+    fn kink(mut self, rounding: f64, halved: impl Fn(&Self) -> Option<Self>) -> Option<Kink> {
+        let mut bends = Vec::new();
+        let rounded = loop {
+            let Some(half) = halved(&self) else {
+                let last = bends.iter().rev().take(LAST);
+                break ROUNDED * last.copied().fold(0.0, f64::max);
+            };
+            if half.bend() <= rounding {
+                break rounding;
+            }
+            bends.push(half.bend());
+            self = half;
+        };
+        let less = |bends: &[f64]| [0, HALVINGS / 2].map(|n| bends[n] / bends[n + HALVINGS / 2]);
+        let kinked = |[before, after]: &[f64; 2]| {
+            let alike = *before < ALIKE * after && *after < ALIKE * before;
+            alike && (LEAST..=MOST).contains(&(before * after))
+        };
+        let windows = bends.get(BEFORE..)?.windows(HALVINGS + 1);
+        let above = windows.take_while(|bends| bends[HALVINGS] > rounded);
+        let [before, after] = above.map(less).filter(kinked).last()?;
+        let less = before * after;
+        let [least, most] = KINKED;
+        Some(Kink {
+            at: self.times[1],
+            is_singular: !(least..=most).contains(&less),
+        })
     }
 }
 
 impl Checked<'_> {
     /// The times at which the torque that was [looked at](Self::looked) has a kink, in the order of
-    /// the motion.
-    pub fn kinks(&self, seen: &[SpaceVector]) -> Vec<f64> {
+    /// the motion, with those of its ends beside which it is singular.
+    pub fn kinks(&self, seen: &[SpaceVector]) -> Vec<Kink> {
         let looks = seen.len() - 1;
         let size = seen.iter().map(SpaceVector::norm).fold(0.0, f64::max);
-        let piece = |n: usize| Piece {
-            times: [n - 1, n, n + 1].map(|n| self.look(n, looks)),
-            torques: [seen[n - 1], seen[n], seen[n + 1]],
+        let rounding = ROUNDING * size;
+        let piece = |looked: [usize; 3]| Piece {
+            times: looked.map(|n| self.look(n, looks)),
+            torques: looked.map(|n| seen[n]),
         };
-        let inside = 1..looks;
         let bend = |n: usize| {
-            if inside.contains(&n) {
-                piece(n).bend()
+            if (1..looks).contains(&n) {
+                piece([n - 1, n, n + 1]).bend()
             } else {
                 0.0
             }
         };
         let most = |n: &usize| {
             let here = bend(*n);
-            here > bend(n - 1) && here >= bend(n + 1) && here > ROUNDING * size
+            here > bend(n - 1) && here >= bend(n + 1) && here > rounding
         };
-        (1..looks)
-            .filter(most)
-            .filter_map(|n| self.kink(piece(n), ROUNDING * size))
-            .collect()
+        let torque = |t: f64| self.torque_at_start(t);
+        let inside = (1..looks).filter(most).filter_map(|n| {
+            piece([n - 1, n, n + 1]).kink(rounding, |piece| piece.most_bent(torque))
+        });
+        let end = |looked: [usize; 3]| {
+            let at = self.look(looked[0], looks);
+            let kink = piece(looked).kink(rounding, |piece| piece.first_half(torque))?;
+            kink.is_singular.then_some(Kink { at, ..kink })
+        };
+        let (first, last) = (end([0, 1, 2]), end([looks, looks - 1, looks - 2]));
+        // What halving finds beside a singular end is that end.
+        let near = NEAR * (self.look(1, looks) - self.look(0, looks)).abs();
+        let apart =
+            |kink: &Kink, end: Option<Kink>| end.is_none_or(|end| (kink.at - end.at).abs() > near);
+        let inside = inside.filter(|kink| apart(kink, first) && apart(kink, last));
+        first.into_iter().chain(inside).chain(last).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attitude::Attitude;
+    use crate::body::{RigidBody, State};
+    use crate::effects::Torque;
+    use crate::frame::BodyVector;
+    use crate::inertia::PrincipalMoments;
+    use crate::math::{exp, pow, sin};
+    use support::Errors;
+
+    const SPAN: f64 = 10.0;
+
+    /// The kinks of a torque of this size, on the way from 0 to the end of the span.
+    fn kinks(size: impl Fn(f64) -> f64) -> Vec<Kink> {
+        let moments = PrincipalMoments::new(1.0, 2.0, 2.5).expect("moments of a body");
+        let body = RigidBody::new(moments);
+        let start = body.state(Attitude::IDENTITY, BodyVector::new(0.1, 0.2, 0.3));
+        let torque = Torque::on_body("torque", |t: f64, _: &RigidBody, _: &State| {
+            BodyVector::new(0.3, -0.5, 0.8) * size(t)
+        });
+        let start = start.expect("a state");
+        let checked = Checked::unlooked(&torque, &body, [0.0, SPAN], &start);
+        checked.kinks(&checked.looked(4096))
     }
 
-    /// Halves the piece, towards what is bent most, until rounding is all that bends it: if it was
-    /// bent less by about half each time, that is a kink.
-    fn kink(&self, mut piece: Piece, rounding: f64) -> Option<f64> {
-        let (mut first, mut halvings) = (piece.bend(), 0);
-        while let Some(half) = piece.halved(|t| self.torque_at_start(t)) {
-            let bend = half.bend();
-            if bend <= rounding {
-                break;
+    /// At times from the start to the end, alone and in the middle of a wave: one is found, where it is,
+    /// and is singular but for the power 1, which no end shows.
+    #[test]
+    fn kinks_are_found_with_how_sharp_they_are() {
+        // The blunter, the less of it is left where rounding begins.
+        for (power, measured, cases) in [
+            (0.4, 0.0..=0.0, 82),
+            (0.5, 0.0..=0.0, 82),
+            (1.0, 2.8e-14..=2.9e-14, 78),
+            (1.5, 1.8e-9..=1.9e-9, 82),
+        ] {
+            let mut off = Errors::of("time of a kink");
+            for n in 0..=40 {
+                let t1 = SPAN * f64::from(n) / 40.0;
+                for wave in [0.0, 1.0] {
+                    let found = kinks(|t| pow((t - t1).abs(), power) + wave * sin(3.0 * t));
+                    if power == 1.0 && (n == 0 || n == 40) {
+                        assert!(found.is_empty(), "{t1}: {found:?}");
+                        continue;
+                    }
+                    let [kink] = found[..] else {
+                        panic!("{power} {t1} {wave}: {found:?}")
+                    };
+                    off.push_at(kink.at - t1, (power, t1));
+                    assert_eq!(kink.is_singular, power != 1.0, "{power} {t1} {wave}");
+                }
             }
-            (piece, halvings) = (half, halvings + 1);
-            if halvings == BEFORE {
-                first = bend;
-            }
-            if halvings == BEFORE + HALVINGS && !(LEAST..=MOST).contains(&(first / bend)) {
-                return None;
-            }
+            off.attain(measured, cases);
         }
-        (halvings >= BEFORE + HALVINGS).then_some(piece.times[1])
+    }
+
+    /// What is smooth has none, however its argument is rounded; nor has what jumps.
+    #[test]
+    fn what_is_smooth_or_jumps_has_no_kinks() {
+        let mut ran = 0;
+        for n in 1..=60 {
+            let rate = f64::from(n);
+            let smooth = [
+                kinks(|t| sin(rate * t)),
+                kinks(|t| sin(rate * t) + sin(100.0 * rate * t)),
+                kinks(|t| exp(-rate * (t - 3.0) * (t - 3.0))),
+                kinks(|t| (rate * t).floor()),
+            ];
+            assert!(smooth.iter().all(Vec::is_empty), "{rate}: {smooth:?}");
+            ran += 1;
+        }
+        assert_eq!(ran, 60);
     }
 }

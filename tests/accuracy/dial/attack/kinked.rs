@@ -172,25 +172,38 @@ fn at_an_attitude(dice: &mut Dice, kink: bool) -> Result<Case> {
 #[test]
 fn kinks_without_a_name_break_no_promise() {
     let attacked = attacked(0..240, KINDS, case).expect("sound scenes");
-    assert_eq!(held(&attacked), [436, 44]);
+    assert_eq!(held(&attacked), [457, 23]);
     // The promise is 1.
-    ratios(&attacked).attain(0.31..=0.32, 436);
+    ratios(&attacked).attain(0.056..=0.057, 457);
 }
 
-/// Six thousand: `cargo test -p checks --test accuracy -- --ignored kinked --nocapture`. Two are above
-/// their request, as the record says.
+/// Six thousand: `cargo test -p checks --test accuracy -- --ignored kinked --nocapture`.
 #[test]
 #[ignore = "6000 scenes: minutes"]
 fn six_thousand_scenes_that_are_kinked() {
-    const ABOVE: [&str; 2] = [
-        "3/2 in time 4784, 1e-12: 2.48",
-        "3/2 in time 5072, 1e-12: 3.65",
-    ];
-    let attacked = attacked(0..6000, KINDS, case).expect("sound scenes");
+    only(0..6000, &["3/2 in time 4532, 1e-12: 1.06"]);
+}
+
+/// Twelve thousand which none of this was made with.
+#[test]
+#[ignore = "12000 scenes: minutes"]
+fn twelve_thousand_other_scenes_that_are_kinked() {
+    only(
+        30_000..42_000,
+        &[
+            "3/2 in time 34772, 1e-12: 1.25",
+            "3/2 in time 41324, 1e-12: 1.38",
+        ],
+    );
+}
+
+/// These and no others are above their request, as the record says.
+fn only(scenes: std::ops::Range<u64>, known: &[&str]) {
+    let attacked = attacked(scenes, KINDS, case).expect("sound scenes");
     told(&attacked);
     let (_, above) = attacked;
-    assert_eq!(above.len(), ABOVE.len());
-    for (found, known) in above.iter().zip(ABOVE) {
+    assert_eq!(above.len(), known.len());
+    for (found, known) in above.iter().zip(known) {
         assert!(found.starts_with(known), "{found}");
     }
 }
