@@ -215,7 +215,8 @@ fn help_names_every_flag_with_its_default() {
     assert_eq!((help.code, help.stderr.as_str()), (0, ""));
     for part in [
         "--length <NUMBER>",
-        "length of the rod [3 m]",
+        "length of the rod [3 m; greater than 0]",
+        "pivot from the middle [0 m]",
         "--mass <NUMBER>",
         "mass, if it matters, in kg",
         "--start <WORD>",
@@ -633,8 +634,8 @@ fn help_lists_the_effects_with_unit_range_and_strength() {
     for part in [
         "Effects:",
         "--with <NAME[=VALUE]>",
-        "friction: friction of the hinge [0.02 N m s; it must be greater than 0]",
-        "air-drag: density of the air [1.2 kg/m^3; it must be from 0 to 2]",
+        "friction: friction of the hinge [0.02 N m s; greater than 0]",
+        "air-drag: density of the air [1.2 kg/m^3; from 0 to 2]",
         "--without <NAME>",
         "in without this: gravity",
     ] {

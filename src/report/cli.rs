@@ -92,16 +92,35 @@ impl<P: ParameterSet> Run for Running<'_, P> {
     }
 }
 
-fn arg(flag: &Told) -> Arg {
-    let unit = match (flag.unit, &flag.default) {
-        ("-", None) => String::new(),
-        ("-", Some(default)) => format!(" [{default}]"),
-        (unit, None) => format!(", in {unit}"),
-        (unit, Some(default)) => format!(" [{default} {unit}]"),
+/// What a flag may be, in brackets: its default, its unit and its range, as far as it has them and its
+/// meaning does not tell.
+fn brackets(flag: &Told, default: Option<&str>) -> String {
+    let unit = match flag.unit {
+        "-" => String::new(),
+        unit => format!(" {unit}"),
     };
+    let range = flag.allowed.map(|allowed| allowed.to_string());
+    let range =
+        range.filter(|range| range != "it must be finite" && !flag.meaning.contains(": from "));
+    let range = range.map(|range| {
+        let short = range.strip_prefix("it must be ").map(str::to_owned);
+        short.unwrap_or(range)
+    });
+    match (default, range) {
+        (Some(default), Some(range)) => format!(" [{default}{unit}; {range}]"),
+        (Some(default), None) => format!(" [{default}{unit}]"),
+        (None, Some(range)) if unit.is_empty() => format!(" [{range}]"),
+        (None, Some(range)) => format!(", in{unit} [{range}]"),
+        (None, None) if unit.is_empty() => unit,
+        (None, None) => format!(", in{unit}"),
+    }
+}
+
+fn arg(flag: &Told) -> Arg {
+    let brackets = brackets(flag, flag.default.as_deref());
     let arg = Arg::new(flag.name.clone())
         .long(flag.name.clone())
-        .help(format!("{}{unit}", flag.meaning));
+        .help(format!("{}{brackets}", flag.meaning));
     if flag.words.is_empty() {
         arg.value_name("NUMBER").value_parser(number)
     } else {
@@ -126,13 +145,8 @@ fn effect_args(flags: &[Told]) -> [Arg; 2] {
     let (mut list, mut present) = (String::new(), Vec::new());
     for (_, flag) in effects(flags) {
         let usual = exactly(flag.usual.unwrap_or_default());
-        let unit = match flag.unit {
-            "-" => String::new(),
-            unit => format!(" {unit}"),
-        };
-        let allowed = flag.allowed.map_or(String::new(), |a| format!("; {a}"));
-        let (name, meaning) = (&flag.name, flag.meaning);
-        list += &format!("\n  {name}: {meaning} [{usual}{unit}{allowed}]");
+        let (name, meaning, brackets) = (&flag.name, flag.meaning, brackets(flag, Some(&usual)));
+        list += &format!("\n  {name}: {meaning}{brackets}");
         if flag.default.is_some() {
             present.push(name.clone());
         }
