@@ -2,6 +2,8 @@
 
 mod kinks;
 
+pub(crate) use kinks::NEAR;
+
 use super::gravity::GRAVITY;
 use super::{AnyEffect, Effect, Feature, Known, Nature};
 use crate::attitude::Attitude;
@@ -373,6 +375,9 @@ impl<'e> Checked<'e> {
 
     fn look(&self, n: usize, looks: usize) -> f64 {
         let [from, to] = self.span;
+        if n == looks {
+            return to;
+        }
         from + (to - from) * (n as f64 / looks as f64)
     }
 

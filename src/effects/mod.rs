@@ -42,8 +42,8 @@ mod prescribed;
 mod resistance;
 mod viscous;
 
-pub(crate) use check::Checked;
 pub use check::check;
+pub(crate) use check::{Checked, NEAR};
 pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use coulomb::CoulombBearing;

@@ -204,13 +204,20 @@ impl SolvedMotion<'_> {
                 places,
                 steps,
             } => {
-                let (leg, before) = self.before(places.len() - 1, t);
+                let legs = places.len() - 1;
+                let (leg, before) = self.before(legs, t);
                 let place = &places[leg];
                 if t == before {
                     return Ok(*place);
                 }
+                // The run went on in a time that knew of what is ahead.
+                let level = if method.is_adaptive() && self.is_before_a_singular_time(t, legs) {
+                    method.finest()
+                } else {
+                    *level
+                };
                 let fine = Fine {
-                    level: *level,
+                    level,
                     fewest: &steps[leg],
                     precision: *precision,
                     budget: u64::MAX,
@@ -226,22 +233,40 @@ impl SolvedMotion<'_> {
         }
     }
 
+    /// The place after so many legs of all.
+    fn place(&self, leg: usize, legs: usize) -> f64 {
+        let [from, to] = self.span();
+        if leg == legs {
+            to
+        } else {
+            from + leg as f64 / legs as f64 * (to - from)
+        }
+    }
+
+    /// True if the piece of the run in which `t` is ends where the torque is singular.
+    fn is_before_a_singular_time(&self, t: f64, legs: usize) -> bool {
+        let [from, to] = self.span();
+        let ahead = |time: &f64| (time - t) * (to - from) > 0.0;
+        let (leg, _) = self.before(legs, t);
+        let place = self.place((leg + 1).min(legs), legs);
+        let next = self.breaks.iter().copied().find(ahead).unwrap_or(to);
+        let end = if ahead(&next) && (next - place) * (to - from) <= 0.0 {
+            next
+        } else {
+            place
+        };
+        self.singular.contains(&end)
+    }
+
     /// The last place that is not after `t`, by its number, and its time.
     fn before(&self, legs: usize, t: f64) -> (usize, f64) {
         let [from, to] = self.span();
-        let time = |leg: usize| {
-            if leg == legs {
-                to
-            } else {
-                from + leg as f64 / legs as f64 * (to - from)
-            }
-        };
         let part = (t - from) / (to - from);
         let mut leg = ((part * legs as f64) as usize).min(legs);
         // Rounding may have put it a leg too far.
-        if (t - time(leg)) * (to - from) < 0.0 && leg > 0 {
+        if (t - self.place(leg, legs)) * (to - from) < 0.0 && leg > 0 {
             leg -= 1;
         }
-        (leg, time(leg))
+        (leg, self.place(leg, legs))
     }
 }

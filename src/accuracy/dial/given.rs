@@ -10,7 +10,7 @@ use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Checked};
+use crate::effects::{AnyEffect, Checked, NEAR};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
@@ -100,7 +100,8 @@ impl<'s> Given<'s> {
             Vec::new()
         };
         if !nature.smooth && !seen.is_empty() {
-            let (jumps, kinks) = (given.checked.jumps(&seen), given.checked.kinks(&seen));
+            let jumps = given.checked.jumps(&seen);
+            let kinks = given.checked.kinks(&seen, &given.breaks);
             let singular = kinks.iter().filter(|kink| kink.is_singular);
             given.singular = singular.map(|kink| kink.at).collect();
             let found = jumps.into_iter().chain(kinks.iter().map(|kink| kink.at));
@@ -112,7 +113,12 @@ impl<'s> Given<'s> {
             // Runs are cut there too, and what effects say of themselves is tried.
             let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
             let problem = given.problem();
-            let cuts: Vec<f64> = (1..cuts).map(|n| problem.at_leg(n, cuts)).collect();
+            let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
+            let apart = |cut: &f64| given.breaks.iter().all(|t| (t - cut).abs() > near);
+            let cuts: Vec<f64> = (1..cuts)
+                .map(|n| problem.at_leg(n, cuts))
+                .filter(apart)
+                .collect();
             given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
         }
         Ok(given)

@@ -398,7 +398,7 @@ impl Method {
         };
         // Steps are whole: the level is that of the steps taken.
         let (level, longest_step) = if self.is_adaptive() {
-            (fine.level, fastest * span / fewest as f64)
+            (fine.level, (fastest * span / fewest as f64).min(span))
         } else {
             let steps = work.steps as f64;
             (self.level_of(problem, t_end - t, steps), span / steps)

@@ -180,9 +180,9 @@ impl<E: Effect> Scene<E> {
     /// time between two of them is seen, and taken in steps of twice the time in which it comes, or
     /// of eight times that where the torque goes to and fro all along. A narrower one, a jump or a
     /// kink that the torque has only on a body that moves otherwise, or a bump in space
-    /// that is narrower than a step may be missed by all runs alike. (Of kinks that were so hidden
-    /// 7 answers in 199 were above their request, by 4.9 at most; of torques with dozens of cusps as
-    /// steep as a root's, found or not, 4 in 421, by 3.2.)
+    /// that is narrower than a step may be missed by all runs alike; so may the weaker of two kinks
+    /// within some looks, and one whose sides are opposite, as of a signed root. (Of kinks that were so
+    /// hidden no answer of 195 was above its request.)
     /// [`Solved::longest_step`] says how long the steps were.
     ///
     /// # Errors

@@ -65,7 +65,7 @@ pub(super) struct Problem<'e> {
     pub start: State,
     pub t_start: f64,
     pub t_end: f64,
-    /// Where the torque jumps on the way, in the order of the motion.
+    /// Where the torque jumps or has a kink on the way, or runs are cut, in the order of the motion.
     pub breaks: &'e [f64],
     /// Those of them, and of the ends, beside which it goes like a root of the time.
     pub singular: &'e [f64],

@@ -23,12 +23,13 @@ const ROUNDED: f64 = 16.0;
 /// this: else it is smooth down to rounding.
 const ALIKE: f64 = 3.0;
 
-/// Within these it is a kink whose sides may be smooth; else it goes like a power of the time that is
-/// no whole one.
+/// Within these, powers from 0.81 to 1.19, it is a kink whose sides may be smooth; else it goes like a
+/// power of the time that is no whole one.
 const KINKED: [f64; 2] = [90.0, 724.0];
 
-/// Nearer to an end than this part of the time between two looks a kink is that end.
-const NEAR: f64 = 1e-3;
+/// Nearer to another, to an end or to a known time than this part of the time between two looks a kink
+/// is that.
+pub const NEAR: f64 = 1e-3;
 
 /// A time at which the torque has a kink.
 #[derive(Debug, Clone, Copy)]
@@ -83,8 +84,8 @@ impl Piece {
             .max_by(|one, other| one.bend().total_cmp(&other.bend()))
     }
 
-    /// What is left of it when it is halved until rounding is all that bends it: if it was bent less
-    /// by about half each time, many times, that is a kink.
+    /// What is left of it when it is halved until rounding is all that bends it: if each time it was
+    /// bent less by about the same, and by less than what is smooth, that is a kink.
     fn kink(mut self, rounding: f64, halved: impl Fn(&Self) -> Option<Self>) -> Option<Kink> {
         let mut bends = Vec::new();
         let rounded = loop {
@@ -116,9 +117,9 @@ impl Piece {
 }
 
 impl Checked<'_> {
-    /// The times at which the torque that was [looked at](Self::looked) has a kink, in the order of
-    /// the motion, with those of its ends beside which it is singular.
-    pub fn kinks(&self, seen: &[SpaceVector]) -> Vec<Kink> {
+    /// The times at which the torque that was [looked at](Self::looked) has a kink, with those of its ends beside which it is singular. One that is at a known time, as
+    /// far as halving can tell, is at that.
+    pub fn kinks(&self, seen: &[SpaceVector], known: &[f64]) -> Vec<Kink> {
         let looks = seen.len() - 1;
         let size = seen.iter().map(SpaceVector::norm).fold(0.0, f64::max);
         let rounding = ROUNDING * size;
@@ -133,12 +134,13 @@ impl Checked<'_> {
                 0.0
             }
         };
-        let most = |n: &usize| {
-            let here = bend(*n);
-            here > bend(n - 1) && here >= bend(n + 1) && here > rounding
+        // A kink is bent with what is around it, or against it.
+        let extreme = |n: &usize| {
+            let [before, here, after] = [n - 1, *n, n + 1].map(bend);
+            here > before && here >= after || here < before && here <= after
         };
         let torque = |t: f64| self.torque_at_start(t);
-        let inside = (1..looks).filter(most).filter_map(|n| {
+        let inside = (1..looks).filter(extreme).filter_map(|n| {
             piece([n - 1, n, n + 1]).kink(rounding, |piece| piece.most_bent(torque))
         });
         let end = |looked: [usize; 3]| {
@@ -147,12 +149,19 @@ impl Checked<'_> {
             kink.is_singular.then_some(Kink { at, ..kink })
         };
         let (first, last) = (end([0, 1, 2]), end([looks, looks - 1, looks - 2]));
-        // What halving finds beside a singular end is that end.
-        let near = NEAR * (self.look(1, looks) - self.look(0, looks)).abs();
-        let apart =
-            |kink: &Kink, end: Option<Kink>| end.is_none_or(|end| (kink.at - end.at).abs() > near);
-        let inside = inside.filter(|kink| apart(kink, first) && apart(kink, last));
-        first.into_iter().chain(inside).chain(last).collect()
+        let near = NEAR * ((self.span[1] - self.span[0]) / looks as f64).abs();
+        let mut found: Vec<Kink> = Vec::new();
+        for mut kink in first.into_iter().chain(last).chain(inside) {
+            let is_near = |t: &f64| (t - kink.at).abs() <= near;
+            if found.iter().any(|other| is_near(&other.at)) {
+                continue;
+            }
+            if let Some(at) = known.iter().copied().find(is_near) {
+                kink.at = at;
+            }
+            found.push(kink);
+        }
+        found
     }
 }
 
@@ -171,6 +180,10 @@ mod tests {
 
     /// The kinks of a torque of this size, on the way from 0 to the end of the span.
     fn kinks(size: impl Fn(f64) -> f64) -> Vec<Kink> {
+        on([0.0, SPAN], &[], size)
+    }
+
+    fn on(span: [f64; 2], known: &[f64], size: impl Fn(f64) -> f64) -> Vec<Kink> {
         let moments = PrincipalMoments::new(1.0, 2.0, 2.5).expect("moments of a body");
         let body = RigidBody::new(moments);
         let start = body.state(Attitude::IDENTITY, BodyVector::new(0.1, 0.2, 0.3));
@@ -178,8 +191,8 @@ mod tests {
             BodyVector::new(0.3, -0.5, 0.8) * size(t)
         });
         let start = start.expect("a state");
-        let checked = Checked::unlooked(&torque, &body, [0.0, SPAN], &start);
-        checked.kinks(&checked.looked(4096))
+        let checked = Checked::unlooked(&torque, &body, span, &start);
+        checked.kinks(&checked.looked(4096), known)
     }
 
     /// At times from the start to the end, alone and in the middle of a wave: one is found, where it is,
@@ -211,6 +224,63 @@ mod tests {
             }
             off.attain(measured, cases);
         }
+    }
+
+    /// A weak one that bends against a strong one is found as well as one that bends with it.
+    #[test]
+    fn kinks_that_bend_against_others_are_found() {
+        let mut found = 0;
+        for n in 0..40 {
+            let weak = 0.5 + 9.0 * (f64::from(n) * 0.618_033_988_749_894_9).fract();
+            for size in [0.07, -0.07] {
+                let both = kinks(|t| pow((t - 4.2).abs(), 1.5) + size * pow((t - weak).abs(), 1.5));
+                let at = |t1: f64| {
+                    both.iter()
+                        .any(|kink| (kink.at - t1).abs() < 1e-6 && kink.is_singular)
+                };
+                found += u32::from(at(4.2)) + u32::from(at(weak));
+            }
+        }
+        // One is 0.05 beside the strong one, against it, and is not.
+        assert_eq!(found, 40 * 2 * 2 - 1);
+    }
+
+    /// So many of sixty whose sides are opposite are found: in the middle of a piece they do not bend it.
+    #[test]
+    fn odd_kinks_are_found_less_often() {
+        let found = [0.5, 1.5].map(|power| {
+            (0..60)
+                .filter(|n| {
+                    let t1 = 0.5 + 9.0 * (f64::from(*n) * 0.618_033_988_749_894_9).fract();
+                    !kinks(|t| pow((t - t1).abs(), power).copysign(t - t1)).is_empty()
+                })
+                .count()
+        });
+        assert_eq!(found, [54, 19]);
+    }
+
+    /// A known time is that of the kink beside it.
+    #[test]
+    fn a_known_time_is_taken_as_it_is() {
+        let t1 = 3.7;
+        let powers = |known: &[f64]| {
+            let found = on([0.0, SPAN], known, |t| pow((t - t1).abs(), 1.5));
+            found.iter().map(|kink| kink.at).collect::<Vec<_>>()
+        };
+        assert_eq!(powers(&[t1]), [t1]);
+        assert_ne!(powers(&[]), [t1]);
+        // The last look is at the end, which these doubles would pass.
+        let found = on([0.7, 3.1], &[], |t| (3.1 - t).sqrt());
+        assert!(
+            matches!(
+                found[..],
+                [Kink {
+                    at: 3.1,
+                    is_singular: true
+                }]
+            ),
+            "{found:?}"
+        );
     }
 
     /// What is smooth has none, however its argument is rounded; nor has what jumps.

@@ -14,6 +14,7 @@ use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, Method, Scheme, Splitting, Work,
 };
 use rotation_dynamics::math::{cos, exp, log, pow, sin};
+use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 use support::Errors;
@@ -248,6 +249,37 @@ fn roots_of_the_time_are_found() -> Result<()> {
         }
     }
     over.attain(0.0162..=0.0163, 6);
+    Ok(())
+}
+
+/// A state between two places is as good as they are also just before a root of the time, where the run
+/// itself was in a time that knew of it.
+#[test]
+fn states_before_a_root_are_as_good_as_others() -> Result<()> {
+    let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 2.0)?);
+    let (t_end, spin, t1, tolerance) = (10.0, 0.8, 3.7, 1e-12);
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, spin))?;
+    let root = Torque::on_body("root", move |t: f64, _: &RigidBody, _: &State| {
+        BodyVector::new(0.0, 0.0, 0.1 * (t - t1).abs().sqrt())
+    });
+    let scene = Scene::new(body).with(root);
+    let motion = scene.solve_along(&start, t_end, tolerance, &Limits::default())?;
+    let mut over = Errors::of("delivered over requested");
+    for n in 0..=500 {
+        let t = if n < 250 {
+            t1 - pow(10.0, 0.5 - 0.05 * f64::from(n))
+        } else {
+            0.02 * f64::from(n)
+        };
+        let (past, after) = (t1.min(t), (t - t1).max(0.0));
+        let left = |to_go: f64| pow(to_go, 2.5) / 3.75;
+        let pushed = pow(t1, 1.5) / 1.5 * t - left(t1) + left(t1 - past) + left(after);
+        let angle = spin * t + 0.05 * pushed;
+        let exact = Attitude::about_body_axis(BodyVector::new(0.0, 0.0, 1.0), angle)?;
+        let state = motion.try_state(t)?;
+        over.push_at(exact.angle_to(&state.attitude) / tolerance, t);
+    }
+    over.attain(3.6e-3..=3.7e-3, 501);
     Ok(())
 }
 
