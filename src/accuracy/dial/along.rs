@@ -211,7 +211,8 @@ impl SolvedMotion<'_> {
                     return Ok(*place);
                 }
                 // The run went on in a time that knew of what is ahead.
-                let level = if method.is_adaptive() && self.is_before_a_singular_time(t, legs) {
+                let next = self.place(leg + 1, legs);
+                let level = if method.is_adaptive() && self.is_before_a_singular_time(t, next) {
                     method.finest()
                 } else {
                     *level
@@ -243,19 +244,14 @@ impl SolvedMotion<'_> {
         }
     }
 
-    /// True if the piece of the run in which `t` is ends where the torque is singular.
-    fn is_before_a_singular_time(&self, t: f64, legs: usize) -> bool {
+    /// True if the piece of the run in which `t` is, before this place, ends where the torque is
+    /// singular.
+    fn is_before_a_singular_time(&self, t: f64, place: f64) -> bool {
         let [from, to] = self.span();
-        let ahead = |time: &f64| (time - t) * (to - from) > 0.0;
-        let (leg, _) = self.before(legs, t);
-        let place = self.place((leg + 1).min(legs), legs);
-        let next = self.breaks.iter().copied().find(ahead).unwrap_or(to);
-        let end = if ahead(&next) && (next - place) * (to - from) <= 0.0 {
-            next
-        } else {
-            place
-        };
-        self.singular.contains(&end)
+        let between =
+            |time: &f64| (time - t) * (to - from) > 0.0 && (place - time) * (to - from) > 0.0;
+        let end = self.breaks.iter().find(|time| between(time));
+        self.singular.contains(end.unwrap_or(&place))
     }
 
     /// The last place that is not after `t`, by its number, and its time.

@@ -253,7 +253,8 @@ fn roots_of_the_time_are_found() -> Result<()> {
 }
 
 /// A state between two places is as good as they are also just before a root of the time, where the run
-/// itself was in a time that knew of it.
+/// itself was in a time that knew of it. (In steps of the run's level, but in plain time, it was off by
+/// 2900 requests at 4e-12 s before the root.)
 #[test]
 fn states_before_a_root_are_as_good_as_others() -> Result<()> {
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 2.0)?);
