@@ -20,7 +20,8 @@ const ALONG: Places = Places::Along {
 ///
 /// Runs are compared, and the condition is felt, at up to 128 places. A state between two
 /// of them is found by stepping on from the one before with the method and the fineness of
-/// the run that was verified, so it is as good as its neighbours; it costs a few steps.
+/// the run that was verified (before a singular time in the finest steps), so it is as good as its
+/// neighbours; it costs a few steps.
 pub struct SolvedMotion<'s> {
     solved: Solved,
     form: Form,

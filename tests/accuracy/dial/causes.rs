@@ -56,7 +56,7 @@ fn runs_that_take_the_same_step_say_nothing_of_it() -> Result<()> {
 }
 
 /// Jumps that nothing names are found, each to the last bit, and steps end there: the answer
-/// is that of the jumps with their names, for up to four times the work. Two that are nearer to each other
+/// is that of the jumps with their names, for up to four and a half times the work. Two that are nearer to each other
 /// than a 4096th of the span are not seen.
 #[test]
 fn jumps_without_a_name_are_found() -> Result<()> {
