@@ -1,0 +1,1 @@
+//! Refusals say what is wrong, in few digits.

@@ -1,0 +1,1 @@
+//! A time that is none gives no place.

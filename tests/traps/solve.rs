@@ -1,0 +1,1 @@
+//! Global error control: time without bound, reasons that are not the reason.
