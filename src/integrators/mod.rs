@@ -19,6 +19,7 @@
 //! Not for: closed forms (see [`crate::exact`]), and systems with jumps, which
 //! [`crate::planar`] cuts into smooth pieces at located events.
 
+mod body_fixed;
 mod compensated;
 pub mod dop853;
 mod explicit;
@@ -34,6 +35,7 @@ mod spin_free;
 pub mod splitting;
 mod work;
 
+pub(crate) use body_fixed::BodyFixed;
 pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution, after, small_frequency};
 pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};

@@ -18,9 +18,11 @@
 //! Damaged twins of all of this are in `tests/teeth/errors.rs`.
 
 mod collected;
+mod random;
 mod single;
 
 pub use collected::Errors;
+pub use random::Random;
 pub use single::attained;
 
 /// The unit round-off, 2^-53.

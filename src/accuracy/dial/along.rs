@@ -87,6 +87,7 @@ impl<E: Effect> Scene<E> {
                 body: *self.body(),
                 torque: given.torque,
                 longest_step: given.longest_step,
+                slender: given.slender,
                 span: [limits.t_start, t_end],
             },
             breaks: given.breaks,

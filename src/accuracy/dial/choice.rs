@@ -65,7 +65,7 @@ impl Stepping<'_> {
         // Errors grow with the time at least.
         let wanted = AIM * self.tolerance * part;
         let lowest = (methods.iter())
-            .map(|method| method.floor())
+            .map(|method| method.floor(self.problem))
             .fold(f64::INFINITY, f64::min);
         let mut found = Candidates {
             all: Vec::new(),

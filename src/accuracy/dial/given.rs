@@ -7,6 +7,7 @@ use super::along::Form;
 use super::limits::{LOOKS, Limits};
 use super::method::{Fine, Method, Runs};
 use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
+use super::slender::{Slender, TRIALS};
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
 use crate::body::{RigidBody, State};
@@ -54,6 +55,9 @@ pub(super) struct Given<'s> {
     /// Those of them, and of the ends, beside which it goes like a root of the time.
     pub singular: Vec<f64>,
     pub longest_step: f64,
+    /// What a trial run shows of a slender body, and what it took.
+    pub slender: Option<Slender>,
+    trial: Work,
 }
 
 impl<'s> Given<'s> {
@@ -90,10 +94,15 @@ impl<'s> Given<'s> {
             singular: Vec::new(),
             longest_step: limits.longest_step,
             checked,
+            slender: None,
+            trial: Work::default(),
         };
         finite("kinetic energy of the start", body.kinetic_energy(start))?;
-        let (rate, nature) = (given.problem().fastest(), effects.nature());
-        finite("the fastest rate that the energy allows", rate)?;
+        let nature = effects.nature();
+        finite(
+            "the fastest rate that the energy allows",
+            given.problem().fastest(),
+        )?;
         let seen = if nature.on_time && t_end != limits.t_start {
             given.checked.looked(LOOKS as usize)
         } else {
@@ -108,6 +117,10 @@ impl<'s> Given<'s> {
             given.breaks.extend(found);
             given.breaks = limits.sorted(given.breaks, t_end);
         }
+        if given.problem().exact_motion().is_none() {
+            (given.slender, given.trial) = given.slender()?;
+        }
+        let rate = given.problem().fastest();
         given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
         if given.problem().exact_motion().is_none() {
             // Runs are cut there too, and what effects say of themselves is tried.
@@ -124,6 +137,13 @@ impl<'s> Given<'s> {
         Ok(given)
     }
 
+    /// What trials show of a slender body, and what they took.
+    fn slender(&self) -> Result<(Option<Slender>, Work)> {
+        let mut trial = Work::default();
+        let slender = Slender::of(&self.problem(), TRIALS[0], self.limits.budget, &mut trial)?;
+        Ok((slender, trial))
+    }
+
     fn problem(&self) -> Problem<'_> {
         let problem = Problem {
             body: self.body,
@@ -138,6 +158,7 @@ impl<'s> Given<'s> {
             longest_step: self.longest_step,
             checked: &self.checked,
             known: self.effects.known(),
+            slender: self.slender,
         };
         match problem.acting {
             Acting::Anything(effects) if problem.stays_smooth() => Problem {
@@ -150,7 +171,13 @@ impl<'s> Given<'s> {
 
     /// What is asked for, in closed form unless it is to be stepped.
     pub fn answer(&self, places: Places, step: bool) -> Result<Answer> {
-        let problem = self.problem();
+        let (mut problem, mut trial) = (self.problem(), self.trial);
+        if step && problem.exact_motion().is_some() {
+            (problem.slender, trial) = self.slender()?;
+        }
+        if let (Places::End, Some(slender)) = (places, &mut problem.slender) {
+            slender.held = 0.0;
+        }
         let places = match places {
             Places::End => 1,
             Places::Along { most, apart } => {
@@ -178,7 +205,8 @@ impl<'s> Given<'s> {
                 allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
             });
         }
-        let delivered = Stepping::new(&problem, self.tolerance, self.limits, places).solve()?;
+        let delivered =
+            Stepping::new(&problem, self.tolerance, self.limits, places, trial).solve()?;
         let solved = Solved::of(&delivered, &problem);
         let mut states = vec![problem.start];
         states.extend(delivered.places);
@@ -202,6 +230,7 @@ pub(super) struct Onward<'s> {
     pub body: RigidBody,
     pub torque: f64,
     pub longest_step: f64,
+    pub slender: Option<Slender>,
     pub span: [f64; 2],
 }
 
@@ -231,9 +260,11 @@ impl Onward<'_> {
             singular: singular.to_vec(),
             longest_step: self.longest_step,
             checked,
+            slender: self.slender,
+            trial: Work::default(),
         };
         let mut runs = Runs::default();
-        let passed = method.run(&given.problem(), [from, to], start, fine, &mut runs);
+        let passed = method.run(&given.problem(), [from, to], start, None, fine, &mut runs);
         Ok(passed?.state)
     }
 }

@@ -7,6 +7,7 @@
 
 use super::choice::Candidate;
 use super::problem::{Acting, Problem};
+use super::slender;
 use crate::accuracy::{Carrier, Fineness, Variables};
 use crate::body::State;
 use crate::error::{Error, Result};
@@ -58,6 +59,10 @@ impl Method {
             all
         };
         let symmetric = problem.body.moments().is_symmetric();
+        let on_axis = matches!(problem.acting, Acting::Weight(_) | Acting::OnAxis(_));
+        if problem.slender.is_some() && !(symmetric && on_axis) {
+            return vec![Adaptive];
+        }
         let (mut all, others): (_, &[Self]) = match problem.acting {
             Acting::Nothing => (Vec::new(), &[FreeGauss, Adaptive]),
             Acting::Weight(_) | Acting::OnAxis(_) if symmetric => {
@@ -129,12 +134,17 @@ impl Method {
     /// where two may do.
     pub const BEHIND: f64 = 1.0;
 
-    /// The smallest error that it reaches, in units of eps (1 + condition).
-    pub const fn floor(self) -> f64 {
-        match self {
+    /// The smallest error that it reaches, in units of eps (1 + condition). The rates of a slender
+    /// body are blurred besides.
+    pub fn floor(self, problem: &Problem) -> f64 {
+        let stepped = match self {
             Gauss | Adaptive | SpinFreeAdaptive => 24.0,
             FreeGauss | SpinFreeGauss | BodyGauss | Split(_) | Resisted(_) => 8.0,
-        }
+        };
+        stepped
+            + problem
+                .slender
+                .map_or(0.0, |slender| slender.held + slender.brought)
     }
 
     /// True if its steps are solved by sweeps, which leave something.
@@ -315,12 +325,14 @@ impl Method {
         problem: &Problem,
         [t, t_end]: [f64; 2],
         start: &State,
+        on_body: Option<[f64; 7]>,
         fine: Fine,
         runs: &mut Runs,
     ) -> Result<Passed> {
         let times = problem.pieces([t, t_end]);
         let mut passed = Passed {
             state: *start,
+            on_body,
             work: Work::default(),
             level: f64::INFINITY,
             longest_step: 0.0,
@@ -332,13 +344,13 @@ impl Method {
             };
             let span = [piece[0], piece[1]];
             let fewest = fine.fewest.get(n).copied().unwrap_or(Steps::ONE);
-            let more = self.run_piece(problem, span, &passed.state, now, fewest, &mut runs.work)?;
+            let more = self.run_piece(problem, span, &passed, now, fewest, &mut runs.work)?;
             runs.pieces.push(Steps {
                 made: more.work.steps,
                 ..fewest
             });
             runs.passed.push((piece[1], more.state));
-            passed.state = more.state;
+            (passed.state, passed.on_body) = (more.state, more.on_body);
             passed.work += more.work;
             passed.level = passed.level.min(more.level);
             passed.longest_step = passed.longest_step.max(more.longest_step);
@@ -350,7 +362,7 @@ impl Method {
         self,
         problem: &Problem,
         [t, t_end]: [f64; 2],
-        start: &State,
+        start: &Passed,
         fine: Fine,
         steps: Steps,
         spent: &mut Work,
@@ -390,9 +402,23 @@ impl Method {
             Carrier::new(self.method(), Fineness::Stages(steps, fine.precision))?
         };
         let mut work = Work::default();
-        let run = problem.carried(&carrier, self.variables(), [t, t_end], start, &mut work);
+        let run = match (problem.slender, carrier) {
+            (Some(_), Carrier::Dop853(dop853)) if self == Adaptive => {
+                let (start, on_body) = (&start.state, start.on_body);
+                slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work)
+                    .map(|(state, on_body)| (state, Some(on_body)))
+            }
+            _ => (problem.carried(
+                &carrier,
+                self.variables(),
+                [t, t_end],
+                &start.state,
+                &mut work,
+            ))
+            .map(|state| (state, None)),
+        };
         *spent += work;
-        let state = match run {
+        let (state, on_body) = match run {
             Err(Error::TooManySteps { .. }) => return Err(over),
             run => run?,
         };
@@ -405,6 +431,7 @@ impl Method {
         };
         Ok(Passed {
             state,
+            on_body,
             work,
             level,
             longest_step,
@@ -490,6 +517,8 @@ pub(super) struct Runs {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passed {
     pub state: State,
+    /// The same as a slender body is stepped: a [`State`] would blur its rates.
+    pub on_body: Option<[f64; 7]>,
     pub work: Work,
     pub level: f64,
     /// No step was longer (s).

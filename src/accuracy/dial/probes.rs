@@ -150,7 +150,7 @@ impl Stepping<'_> {
         let places = moved.into_iter().map(|moved| moved.places).collect();
         let (condition, moved) = self.problem.slopes(by, (run.places.clone(), places));
         let farthest = larger(farthest, moved);
-        let floor = method.floor() * EPS * (1.0 + condition[0]);
+        let floor = method.floor(self.problem) * EPS * (1.0 + condition[0]);
         let tame = condition[0] <= TAME * (1.0 + self.late());
         let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance && tame;
         let felt = Felt {
@@ -308,7 +308,7 @@ impl Stepping<'_> {
                         precision,
                         budget: this.left(&all.work)?,
                     };
-                    let passed = method.run(changed, [t, t_end], state, fine, &mut all);
+                    let passed = method.run(changed, [t, t_end], state, None, fine, &mut all);
                     let passed = passed.map_err(|error| this.over_budget(error))?;
                     if everywhere {
                         places.push(passed.state);

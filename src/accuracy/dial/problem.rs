@@ -2,6 +2,7 @@
 
 use super::exact_motion::ExactMotion;
 use super::regularized::Regularized;
+use super::slender::Slender;
 use crate::accuracy::{Carrier, Variables, larger};
 use crate::body::{RigidBody, State};
 use crate::effects::{
@@ -11,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::integrators::gauss_legendre::SideBySide;
-use crate::integrators::{Integrator, Resisted, Work};
+use crate::integrators::{BodyFixed, Integrator, Resisted, Work};
 use crate::math::{EPS, Lane, hypot};
 use crate::scene::Scene;
 
@@ -73,11 +74,16 @@ pub(super) struct Problem<'e> {
     pub longest_step: f64,
     pub checked: &'e Checked<'e>,
     pub known: Known,
+    /// What a trial run shows of a slender body.
+    pub slender: Option<Slender>,
 }
+
+/// A scene as it is stepped on the axes of a slender body.
+pub(super) type OnBodyAxes<'s> = BodyFixed<'s, ((), Strengthened<'s, false, true>)>;
 
 /// An effect behind a pointer with its torque multiplied, between two times at which it may
 /// jump.
-struct Strengthened<'e, const AXIS_ONLY: bool, const SLIPS: bool> {
+pub(super) struct Strengthened<'e, const AXIS_ONLY: bool, const SLIPS: bool> {
     effects: &'e dyn AnyEffect,
     strength: f64,
     torque: f64,
@@ -158,7 +164,7 @@ const INPUTS: usize = 10;
 ///
 /// R. L. Plackett, J. P. Burman, Biometrika 33, 305 (1946); for the estimate M. F.
 /// Hutchinson, Commun. Stat. Simul. Comput. 19, 433 (1990).
-fn signs(row: usize) -> [f64; INPUTS] {
+pub(super) fn signs(row: usize) -> [f64; INPUTS] {
     const FIRST: [f64; 11] = [1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, -1.0];
     core::array::from_fn(|column| match row % ALL_ROWS {
         11 => -1.0,
@@ -295,6 +301,27 @@ impl<'e> Problem<'e> {
         })
     }
 
+    /// The state that `run` leads to between two times without a jump, by the scene on the body's
+    /// axes and the components of the start; and its own components.
+    pub fn on_body_axes(
+        &self,
+        [from, to]: [f64; 2],
+        (start, on_body): (&State, Option<[f64; 7]>),
+        run: impl FnOnce(&OnBodyAxes, [f64; 7]) -> Result<[f64; 7]>,
+    ) -> Result<(State, [f64; 7])> {
+        let effects: &dyn AnyEffect = match &self.acting {
+            Acting::Nothing => &(),
+            Acting::Weight(gravity) => gravity,
+            Acting::OnAxis(effects) | Acting::Smooth(effects) | Acting::Anything(effects) => {
+                *effects
+            }
+        };
+        let scene = self.scene::<false, true>(effects, [from, to]);
+        let fixed = BodyFixed::new(&scene, self.torque, effects.nature().slips);
+        let end = run(&fixed, on_body.unwrap_or_else(|| fixed.components(start)))?;
+        Ok((fixed.state(&end)?, end))
+    }
+
     /// A piece in the time in which it is stepped.
     pub fn regularized(&self, [from, to]: [f64; 2]) -> Regularized {
         Regularized {
@@ -364,8 +391,12 @@ impl<'e> Problem<'e> {
         ExactMotion::of(self.known, self.strength, &self.body, &self.start)
     }
 
-    /// A bound on the rates (rad/s) that the body reaches.
+    /// A bound on the rates (rad/s) that the body reaches: by its energy, or of a slender body as
+    /// a trial run shows it.
     pub fn fastest(&self) -> f64 {
+        if let Some(slender) = self.slender {
+            return slender.rate;
+        }
         let [i1, i2, i3] = self.body.moments().to_array();
         let energy = self.body.kinetic_energy(&self.start);
         ((2.0 * energy + 4.0 * self.torque) / i1.min(i2).min(i3)).sqrt()
@@ -450,10 +481,14 @@ impl<'e> Problem<'e> {
             )
         };
         // A flat body has no neighbours on one side, a thin one hardly any but larger and
-        // smaller ones.
-        let new = scaled(moments, by)
-            .or_else(|_| scaled(moments, -by))
-            .or_else(|_| scaled([moments[0]; 3], by))?;
+        // smaller ones. Those of a slender body count as exact: a change by eps of moments that
+        // are nearly equal turns it about the thin axis by I_max/I_min times as much.
+        let new = match self.slender {
+            Some(_) => old,
+            None => scaled(moments, by)
+                .or_else(|_| scaled(moments, -by))
+                .or_else(|_| scaled([moments[0]; 3], by))?,
+        };
         Ok(Self {
             body: RigidBody::new(new),
             strength: self.strength * (1.0 + strength * by),
@@ -463,10 +498,17 @@ impl<'e> Problem<'e> {
     }
 
     /// A state turned about the body's axes by `by` (rad), and its momentum pushed by as
-    /// much of its scale.
+    /// much of its scale; that of a slender body turns along, and its rates are pushed.
     fn moved(&self, state: &State, [a, b, c, x, y, z]: [f64; 6], by: f64) -> Result<State> {
+        let attitude = (state.attitude).turned_in_body(BodyVector::new(a, b, c) * by)?;
+        if let Some(slender) = self.slender {
+            let [i1, i2, i3] = self.body.moments().to_array();
+            let push = BodyVector::new(x * i1, y * i2, z * i3) * (by * slender.rate);
+            let momentum = self.body.angular_momentum(state) + push;
+            return State::new(attitude, attitude.to_space(momentum));
+        }
         State::new(
-            (state.attitude).turned_in_body(BodyVector::new(a, b, c) * by)?,
+            attitude,
             state.angular_momentum
                 + SpaceVector::new(x, y, z) * (by * self.momentum_scale(&self.start)),
         )

@@ -67,7 +67,11 @@ impl Regularized {
         state(&self.end(method, scene, &components(start), work)?)
     }
 
-    fn end<const N: usize>(
+    /// The same of any system by its components.
+    ///
+    /// # Errors
+    /// What the method refuses.
+    pub fn end<const N: usize>(
         self,
         method: &Dop853,
         ode: &impl Ode<N>,

@@ -5,6 +5,7 @@ use super::limits::Limits;
 use super::method::{Fine, Method, Runs, Steps};
 use super::probes::{Begun, Felt};
 use super::problem::{Acting, Apart, Problem};
+use super::slender::{Slender, TRIALS};
 use super::two_runs::TwoRuns;
 use super::verdict::{Gap, Verdict};
 use crate::accuracy::larger;
@@ -30,6 +31,9 @@ const LINEAR: f64 = 0.5;
 /// Runs that are so many times further apart than their errors on the stretch and the
 /// condition of the motion predict are no runs of that motion.
 const UNLIKE: f64 = 10.0;
+
+/// Where they are not, the runs of a slender body begin again with errors so many times smaller.
+const FINER_RUNS: f64 = 1e-3;
 
 /// Runs further apart than this (rad) are none on which a condition may be felt.
 const ELSEWHERE: f64 = 0.2;
@@ -59,6 +63,8 @@ pub(super) struct Run {
     longest_step: f64,
     /// Where it was between two pieces, and at the end.
     pub passed: Vec<(f64, State)>,
+    /// The end as a slender body is stepped.
+    on_body: Option<[f64; 7]>,
 }
 
 impl Default for Run {
@@ -71,6 +77,7 @@ impl Default for Run {
             work: Work::default(),
             longest_step: 0.0,
             passed: Vec::new(),
+            on_body: None,
         }
     }
 }
@@ -128,6 +135,7 @@ impl<'p> Stepping<'p> {
         tolerance: f64,
         limits: &'p Limits<'p>,
         places: usize,
+        trial: Work,
     ) -> Self {
         let slowest = (Method::candidates(problem).iter())
             .map(|method| method.rate(problem))
@@ -158,10 +166,10 @@ impl<'p> Stepping<'p> {
             stretch,
             part,
             everywhere,
-            work: Work::default(),
-            choice: Work::default(),
+            work: trial,
+            choice: trial,
             probes: Work::default(),
-            cost: 0.0,
+            cost: trial.torques() as f64,
         }
     }
 
@@ -169,6 +177,11 @@ impl<'p> Stepping<'p> {
     /// roughly, and else with all care: nothing is refused because less was tried.
     pub fn solve(mut self) -> Result<Delivered> {
         self.affordable()?;
+        if let Some(slender) = self.problem.slender
+            && let Some(delivered) = self.slender_delivered(&slender)?
+        {
+            return Ok(self.paid(delivered));
+        }
         let delivered = match self.two_runs()? {
             TwoRuns::Delivered(delivered) => Some(*delivered),
             TwoRuns::Begun {
@@ -191,6 +204,59 @@ impl<'p> Stepping<'p> {
             return Ok(self.paid(delivered));
         }
         self.carefully(candidates)
+    }
+
+    /// A slender body, whose condition trial runs have shown; `None` if even the finest showed that
+    /// of another motion.
+    fn slender_delivered(&mut self, first: &Slender) -> Result<Option<Delivered>> {
+        let method = Method::candidates(self.problem)[0];
+        if !method.is_adaptive() {
+            return Ok(None);
+        }
+        let before = self.work;
+        let candidate = self.tried(method, self.part)?;
+        self.choice += self.work.since(&before);
+        let (mut slender, mut wanted) = (*first, AIM * self.tolerance * self.part);
+        for finer in TRIALS[1..].iter().map(Some).chain([None]) {
+            let condition = slender.condition;
+            let floor = method.floor(self.problem) * EPS * (1.0 + condition[0]);
+            let felt = Felt {
+                condition,
+                part: self.part,
+                finely: false,
+                roughly: true,
+            };
+            match self.deliver(&candidate, wanted, &felt, None, None)? {
+                Outcome::Delivered(delivered) => {
+                    let end = delivered.places.last().unwrap_or(&self.problem.start);
+                    if end.attitude.angle_to(&slender.end.attitude) < ELSEWHERE {
+                        return Ok(Some(*delivered));
+                    }
+                }
+                Outcome::Unlike => {}
+                Outcome::Reached(reached) if reached < ROUND_OFF * floor => {
+                    return Err(self.beyond(reached, condition[0]));
+                }
+                Outcome::Reached(reached) => {
+                    return Err(Error::NotDelivered {
+                        requested: self.tolerance,
+                        reached,
+                    });
+                }
+            }
+            let Some(&finer) = finer else { break };
+            let mut trial = Work::default();
+            let shown = Slender::of(self.problem, finer, self.left(&trial)?, &mut trial)?;
+            self.work += trial;
+            self.probes += trial;
+            self.cost += trial.torques() as f64;
+            match shown {
+                Some(shown) => slender = shown,
+                None => break,
+            }
+            wanted *= FINER_RUNS;
+        }
+        Ok(None)
     }
 
     /// Refuses before any run what takes more torques than are allowed even in the longest steps
@@ -410,6 +476,7 @@ impl<'p> Stepping<'p> {
                 && gone > 0
             {
                 state = problem.moved_before(&state, [gone, self.times.len() - 1], row, by)?;
+                run.on_body = None;
             }
             let fine = Fine {
                 level,
@@ -418,7 +485,14 @@ impl<'p> Stepping<'p> {
                 budget: self.left(&Work::default())?,
             };
             let mut runs = Runs::default();
-            let passed = method.run(problem, [leg[0], leg[1]], &state, fine, &mut runs);
+            let passed = method.run(
+                problem,
+                [leg[0], leg[1]],
+                &state,
+                run.on_body,
+                fine,
+                &mut runs,
+            );
             self.work += runs.work;
             self.cost += method.cost(problem, &runs.work);
             let passed = passed.map_err(|error| self.over_budget(error))?;
@@ -427,7 +501,7 @@ impl<'p> Stepping<'p> {
             run.work += passed.work;
             run.level = run.level.min(passed.level);
             run.longest_step = run.longest_step.max(passed.longest_step);
-            state = passed.state;
+            (state, run.on_body) = (passed.state, passed.on_body);
             run.places.push(state);
         }
         Ok(())
@@ -495,7 +569,8 @@ impl<'p> Stepping<'p> {
         let highest = method.finest();
         let conditions = felt.condition;
         let condition = conditions[0];
-        let floors = conditions.map(|condition| method.floor() * EPS * (1.0 + condition));
+        let floors =
+            conditions.map(|condition| method.floor(self.problem) * EPS * (1.0 + condition));
         let floor = floors[0];
         if floor.is_nan() || floor >= self.tolerance {
             return Ok(Outcome::Reached(floor));

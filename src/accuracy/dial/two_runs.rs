@@ -105,7 +105,7 @@ impl Stepping<'_> {
                 behind,
                 cost,
             } = guesses[0];
-            let floor = method.floor() * EPS * (1.0 + self.late());
+            let floor = method.floor(self.problem) * EPS * (1.0 + self.late());
             let least = method.torques() * (self.problem.span() / self.problem.longest_step).abs();
             let dear = DEAR * least > self.left(&Work::default())? as f64;
             if FARTHER * floor > self.tolerance || !cost.is_finite() || dear {
@@ -343,12 +343,14 @@ impl Stepping<'_> {
             larger(most, self.problem.apart(&a.1, &b.1)[0])
         });
         let sweeps = precision * self.swept(method, fine.level);
-        let mut estimate = [0, 1, 2]
-            .map(|n| verdict(n).estimate + (method.floor() * EPS + sweeps) * (1.0 + conditions[n]));
+        let mut estimate = [0, 1, 2].map(|n| {
+            verdict(n).estimate
+                + (method.floor(self.problem) * EPS + sweeps) * (1.0 + conditions[n])
+        });
         if method.is_adaptive() {
             estimate[0] += ROUNDED * EPS * fine.work.steps as f64;
         }
-        let floor = method.floor() * EPS * (1.0 + conditions[0]);
+        let floor = method.floor(self.problem) * EPS * (1.0 + conditions[0]);
         let one_motion = farthest <= MOVED;
         let tame = |most: f64| {
             conditions[0] * method.change() <= most * (1.0 + late)

@@ -179,6 +179,26 @@ impl Dop853 {
     }
 }
 
+impl Dop853 {
+    /// [`Integrator::advance_counting`]; `seen` is shown the state at the end of every step.
+    pub(crate) fn advance_watched<const N: usize>(
+        &self,
+        ode: &dyn Ode<N>,
+        [t, t_end]: [f64; 2],
+        start: &[f64; N],
+        work: &mut Work,
+        mut seen: impl FnMut(&[f64; N]),
+    ) -> Result<[f64; N]> {
+        let mut done = Work::default();
+        let end = self.drive(ode, t, start, t_end, &mut done, |trial, _, _| {
+            seen(&trial.end.value);
+            Ok(ControlFlow::Continue(()))
+        });
+        *work += done;
+        end
+    }
+}
+
 impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
     advance_by_counting!(O, [f64; N]);
 

@@ -88,7 +88,7 @@ impl FreeRotation {
 }
 
 /// 1/I in two parts.
-pub(super) fn inverse_moments(body: &RigidBody) -> [[f64; 2]; 3] {
+pub(in crate::integrators) fn inverse_moments(body: &RigidBody) -> [[f64; 2]; 3] {
     body.moments()
         .to_array()
         .map(|i| parts(Dd::from(i).recip()))
@@ -100,7 +100,10 @@ fn parts(x: Dd) -> [f64; 2] {
 
 /// omega = I^-1 l.
 #[inline(always)]
-pub(super) fn rates_of<L: Lane>(inverse: &[[f64; 2]; 3], [l1, l2, l3]: [L; 3]) -> [L; 3] {
+pub(in crate::integrators) fn rates_of<L: Lane>(
+    inverse: &[[f64; 2]; 3],
+    [l1, l2, l3]: [L; 3],
+) -> [L; 3] {
     let [[a, a_rest], [b, b_rest], [c, c_rest]] = *inverse;
     [
         l1 * a + l1 * a_rest,
@@ -284,7 +287,7 @@ impl Units {
 }
 
 /// L on the body's axes in units of two to the `exponent`, to twice the digits.
-fn momentum_on_body(state: &State, exponent: i32) -> [Dd; 3] {
+pub(in crate::integrators) fn momentum_on_body(state: &State, exponent: i32) -> [Dd; 3] {
     let l = state
         .angular_momentum
         .to_array()

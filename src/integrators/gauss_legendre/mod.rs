@@ -24,6 +24,7 @@ mod sweeps;
 pub use bodies::BodyAxes;
 pub(crate) use bodies::SideBySide;
 pub use free_rotation::FreeRotation;
+pub(super) use free_rotation::{inverse_moments, momentum_on_body, rates_of};
 
 use super::compensated::Compensated;
 use super::explicit::no_steps;
