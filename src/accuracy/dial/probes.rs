@@ -152,12 +152,13 @@ impl Stepping<'_> {
         let farthest = larger(farthest, moved);
         let floor = method.floor(self.problem) * EPS * (1.0 + condition[0]);
         let tame = condition[0] <= TAME * (1.0 + self.late());
-        let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance && tame;
+        let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance;
         let felt = Felt {
             condition,
             part,
             finely: false,
-            roughly: true,
+            // A motion that may pass a saddle takes three runs.
+            roughly: tame,
         };
         Ok(enough.then_some(felt))
     }
