@@ -87,15 +87,12 @@ impl InertiaTensor {
         let moments = found.moments();
         possible(moments, known_within)?;
         if possible(moments, ROUNDING * moments[2].abs()).is_err() {
-            let nearest = found.nearest_possible();
-            for (k, axis) in found.axes().map(DesignVector::to_array).iter().enumerate() {
-                let by = nearest[k] - moments[k];
-                for (i, row) in matrix.iter_mut().enumerate() {
-                    for (j, element) in row.iter_mut().enumerate() {
-                        *element += by * (axis[i] * axis[j]);
-                    }
-                }
-            }
+            let (nearest, v) = (
+                found.nearest_possible(),
+                found.axes().map(DesignVector::to_array),
+            );
+            let element = |i, j| (0..3).map(|k| nearest[k] * (v[k][i] * v[k][j])).sum();
+            matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| element(i, j)));
         }
         Ok(Self {
             matrix,
