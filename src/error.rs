@@ -486,7 +486,11 @@ impl fmt::Display for Error {
                     moments.map(plain).join(", ")
                 )?;
                 if *known_within > 0.0 {
-                    write!(f, ", or none above rounding, {}", brief(*known_within))?;
+                    write!(
+                        f,
+                        ", or none above what rounding hides, {}",
+                        brief(*known_within)
+                    )?;
                 }
                 write!(f, "; a body that turns freely needs each greater than 0")
             }

@@ -78,8 +78,9 @@ impl DesignedBody {
     /// Errors: [`Error::OnALine`](crate::Error::OnALine) for a rod or a point mass, whose
     /// smallest moment is zero or not above [`InertiaTensor::known_within`].
     /// Tensors of no body are refused by [`InertiaTensor::new`].
-    /// Accuracy: moments within 15.9 eps of the largest (2.7 where none are made equal), and
-    /// R diag(I) R^T within 12.1 eps of the tensor; measured in `tests/bodies/inertia`.
+    /// Accuracy: moments of a tensor that is given within 15.9 eps of the largest (2.7 where
+    /// none are made equal), and R diag(I) R^T within 12.1 eps of the tensor; measured in
+    /// `tests/bodies/inertia`.
     pub fn new(tensor: &InertiaTensor) -> Result<Self> {
         let (moments, principal) = principal_frame(tensor)?;
         Ok(Self {

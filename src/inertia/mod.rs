@@ -50,10 +50,11 @@ pub struct PrincipalMoments {
 /// most that a sweep found is 1.6 eps (`tests/traps/cancellation`).
 pub(crate) const ROUNDING: f64 = 32.0 * EPS;
 
-/// Refuses moments that no body has: one exceeds the sum of the others by more than `slack`.
+/// The excess of the largest moment over the sum of the others, which no body has; refused
+/// beyond the `slack`.
 ///
 /// A negative moment is such a case, because a <= b <= c and c <= a + b leave a >= c - b >= 0.
-pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<()> {
+pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<f64> {
     let [low, middle, high] = order_of_three(moments).map(|i| moments[i]);
     // In this order nothing overflows.
     let excess = (high - middle) - low;
@@ -63,7 +64,7 @@ pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<()> {
             excess,
             slack,
         }),
-        false => Ok(()),
+        false => Ok(excess),
     }
 }
 

@@ -60,10 +60,12 @@ impl PrincipalAxes {
     pub(super) fn known_within(self, known_within: f64) -> Self {
         let [low, middle, high] = self.moments;
         let across = 0.5 * middle + 0.5 * high;
-        let moments = match () {
-            () if high <= known_within => [0.0; 3],
-            () if low <= known_within => [0.0, across, across],
-            () => self.moments,
+        let moments = if high <= known_within {
+            [0.0; 3]
+        } else if low <= known_within {
+            [0.0, across, across]
+        } else {
+            self.moments
         };
         Self {
             moments,
@@ -92,7 +94,10 @@ impl PrincipalAxes {
     }
 
     /// The principal moments, ascending (kg m^2): (0, I, I) of a rod, (0, 0, 0) of a point
-    /// mass, where rounding hides what is not zero ([`known_within`](super::InertiaTensor::known_within)).
+    /// mass.
+    ///
+    /// A moment is zero if it is not above
+    /// [`InertiaTensor::known_within`](super::InertiaTensor::known_within).
     pub const fn moments(&self) -> [f64; 3] {
         self.moments
     }

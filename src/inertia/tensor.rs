@@ -55,10 +55,10 @@ impl InertiaTensor {
         }
         let moments = diagonalised(symmetric)?.moments();
         let slack = ROUNDING * moments[2].abs();
-        possible(moments, slack)?;
+        let excess = possible(moments, slack)?;
         let [[_, xy, xz], [_, _, yz], _] = symmetric;
         let known_within = match [xy, xz, yz] == [0.0; 3] {
-            true => 0.0,
+            true => excess.max(0.0),
             false => slack,
         };
         Ok(Self {
@@ -100,7 +100,7 @@ impl InertiaTensor {
         })
     }
 
-    /// sum m r^2 (kg m^2): no moment is larger, and none that is the largest below 2/3 of it.
+    /// sum m r^2 (kg m^2), from the largest moment to 3/2 of it.
     pub(super) fn size(&self) -> f64 {
         let [[xx, ..], [_, yy, _], [.., zz]] = self.matrix;
         0.5 * xx + 0.5 * yy + 0.5 * zz
@@ -110,10 +110,26 @@ impl InertiaTensor {
     ///
     /// 32 eps of what was added and subtracted: of the tensors, and of m d (a + b) for a
     /// step d from a point at a distance a from the origin to one at b. A diagonal tensor that
-    /// is given says its moments exactly: zero.
+    /// is given says its moments exactly: zero, or by how much they miss those of a body.
     ///
-    /// A moment within it is none: the body is a rod. Moments that differ by no more are
+    /// A moment that is not above it is zero, that of a rod. Moments that differ by no more are
     /// made equal in a [`crate::body::DesignedBody`].
+    ///
+    /// ```
+    /// use rotation_dynamics::frame::DesignVector;
+    /// use rotation_dynamics::inertia::{MassProperties, solids};
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// let rod = solids::rod(1.0, 1.0)?;
+    /// let (centre, far) = (rod.centre_of_mass(), DesignVector::new(10.0, 0.0, 0.0));
+    /// let back = MassProperties::from_tensor_about(far, 1.0, centre, rod.about(far)?)?;
+    /// // Of 100 kg m^2 a twelfth is left, with the rounding of 100.
+    /// let tensor = back.about_centre_of_mass();
+    /// assert_eq!(format!("{:.1e}", tensor.known_within()), "1.1e-12");
+    /// let refused = tensor.principal_axes().principal_moments().unwrap_err();
+    /// assert!(refused.to_string().contains("those of a rod"));
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn known_within(&self) -> f64 {
         self.known_within
     }

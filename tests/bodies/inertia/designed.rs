@@ -188,7 +188,8 @@ fn bodies_that_cannot_turn_so_are_refused() {
         let error = DesignedBody::new(&rod.about_centre_of_mass()).unwrap_err();
         let said = error.to_string();
         assert!(
-            said.contains("are those of a rod") && said.contains("or none above rounding"),
+            said.contains("are those of a rod")
+                && said.contains("or none above what rounding hides"),
             "{said}"
         );
         refused += 1;
