@@ -51,6 +51,7 @@ impl MassProperties {
     /// Errors: as [`MassProperties::new`]; [`Error::TriangleInequality`](crate::Error) if no
     /// body has this tensor about that point: what is left about the centre of mass is not a
     /// body's, by more than rounding of what cancels, [`InertiaTensor::known_within`].
+    /// Accuracy: moments within a twentieth of that, measured in `tests/traps/cancellation`.
     pub fn from_tensor_about(
         reference: DesignVector,
         mass: f64,
