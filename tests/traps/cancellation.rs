@@ -276,7 +276,7 @@ fn bodies_of_every_kind_about_points_near_and_far_and_back() -> Result<()> {
     assert_eq!(cases, 2 * 400 * 8);
     off.attain(0.011..=0.012, 3 * cases / 2);
     off_typed.attain(0.0499..=0.05, 3 * cases / 2);
-    // Damaged: two in five are refused if nothing is known of what cancelled.
+    // Damaged: a third is refused if nothing is known of what cancelled.
     assert!(refused_by_what_is_left > 1000, "{refused_by_what_is_left}");
     Ok(())
 }
