@@ -2,7 +2,8 @@
 //!
 //! A vector is the list of its components, a tensor (and a body on the axes of its
 //! drawing) the list of its rows, all else a record of named fields in SI units and
-//! radians. The frame of a vector is not written: what it stands for says it. What is
+//! radians. The frame of a vector is not written: what it stands for says it. Nor is how
+//! well a computed tensor is known: rows that are read count as given. What is
 //! read goes through the constructors, so an invalid document is an error that names its
 //! numbers; so are a field that is unknown and one that comes twice.
 //!

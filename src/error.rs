@@ -125,8 +125,19 @@ pub enum Error {
         angle: f64,
         locked: &'static str,
     },
-    /// One moment of inertia exceeds the sum of the other two.
-    TriangleInequality { moments: [f64; 3] },
+    /// One moment of inertia exceeds the sum of the other two by this much, and by more than
+    /// rounding makes, the `slack` (kg m^2).
+    TriangleInequality {
+        moments: [f64; 3],
+        excess: f64,
+        slack: f64,
+    },
+    /// The moments of a rod, or of a point mass, where each must be greater than zero; rounding
+    /// hides what is not above `known_within` (kg m^2).
+    OnALine {
+        moments: [f64; 3],
+        known_within: f64,
+    },
     /// A tensor that must be symmetric is not: its largest |I_ij - I_ji|.
     NotSymmetric { difference: f64 },
     /// A phase is entered whose own condition does not hold.
@@ -449,12 +460,40 @@ impl fmt::Display for Error {
                  same line and their rates are not defined; it must not be {locked}",
                 plain(*angle)
             ),
-            Self::TriangleInequality { moments } => write!(
+            Self::TriangleInequality {
+                moments,
+                excess,
+                slack,
+            } => write!(
                 f,
                 "the moments of inertia ({}) belong to no body: none may exceed the sum \
-                 of the other two",
-                moments.map(plain).join(", ")
+                 of the other two, and the largest does by {} (rounding explains {})",
+                moments.map(plain).join(", "),
+                brief(*excess),
+                brief(*slack)
             ),
+            Self::OnALine {
+                moments,
+                known_within,
+            } => {
+                let (body, axis) = match moments.iter().any(|m| *m > 0.0) {
+                    true => ("rod", "its own axis"),
+                    false => ("point mass", "any axis"),
+                };
+                write!(
+                    f,
+                    "the moments of inertia ({}) are those of a {body}: it has no moment about {axis}",
+                    moments.map(plain).join(", ")
+                )?;
+                if *known_within > 0.0 {
+                    write!(
+                        f,
+                        ", or none above what rounding hides, {}",
+                        brief(*known_within)
+                    )?;
+                }
+                write!(f, "; a body that turns freely needs each greater than 0")
+            }
             Self::NotSymmetric { difference } => write!(
                 f,
                 "the tensor is not symmetric: elements across the diagonal differ by {difference:e}"
@@ -578,6 +617,11 @@ fn plain(value: f64) -> String {
     } else {
         format!("{value:e}")
     }
+}
+
+/// Three digits of a number whose size alone matters.
+fn brief(value: f64) -> String {
+    plain(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 impl std::error::Error for Error {}

@@ -99,11 +99,11 @@ fn an_invalid_document_is_refused_with_its_numbers() {
         ),
         (
             refusal::<InertiaTensor>("[[1, 2, 0], [2, 1, 0], [0, 0, 1]]"),
-            "= -1 is not allowed",
+            "(-1, 1, 3) belong to no body",
         ),
         (
             refusal::<DesignedBody>("[[1, 0, 0], [0, 1, 0], [0, 0, 0]]"),
-            "I3 = 0 is not allowed",
+            "(1, 1, 0) are those of a rod",
         ),
         (
             refusal::<State>(r#"{"attitude": {"w": 1, "x": 0, "y": 0, "z": 0}}"#),

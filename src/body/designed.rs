@@ -6,10 +6,9 @@
 
 use super::{RigidBody, State};
 use crate::attitude::Attitude;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::frame::{BodyVector, DesignVector, SpaceVector};
 use crate::inertia::{InertiaTensor, PrincipalMoments};
-use crate::math::EPS;
 
 /// A rigid body that is described on axes of the user's choice, those of its drawing.
 ///
@@ -21,10 +20,10 @@ use crate::math::EPS;
 /// [`State`] is that of the principal axes.
 ///
 /// The principal axes are those of six permutations and their signs that lie nearest to the
-/// axes of the drawing, right-handed. A diagonal tensor keeps its axes, their order and its
-/// moments to the bit. Of any other, moments that agree to 32 eps of the largest differ by
-/// rounding alone; they are made equal, and of all axes in their plane those nearest to
-/// the drawing's are taken.
+/// axes of the drawing, right-handed. A diagonal tensor that is given keeps its axes, their
+/// order and its moments to the bit. Of any other, moments that agree within
+/// [`InertiaTensor::known_within`] differ by rounding alone; they are made equal, and of all
+/// axes in their plane those nearest to the drawing's are taken.
 ///
 /// An angle of two cuboids, thrown so that it turns about its long leg:
 ///
@@ -69,10 +68,6 @@ pub struct DesignedBody {
     principal: Attitude,
 }
 
-/// What rounding of a tensor and its diagonalisation make of moments, relative to the
-/// largest.
-const KNOWN_WITHIN: f64 = 32.0 * EPS;
-
 impl DesignedBody {
     /// The body with this tensor of inertia, about its centre of mass or a fixed point.
     ///
@@ -80,16 +75,17 @@ impl DesignedBody {
     /// point. A lever on the principal axes, such as that of a weight, is
     /// [`DesignedBody::to_principal`] of the vector on the drawing.
     ///
-    /// Errors: a principal moment that is zero, or not above 32 eps of the largest unless
-    /// the tensor is diagonal, because rounding alone makes as much of a body on a line.
+    /// Errors: [`Error::OnALine`](crate::Error::OnALine) for a rod or a point mass, whose
+    /// smallest moment is zero or not above [`InertiaTensor::known_within`].
     /// Tensors of no body are refused by [`InertiaTensor::new`].
-    /// Accuracy: moments within 15.9 eps of the largest (2.7 where none are made equal), and
-    /// R diag(I) R^T within 12.1 eps of the tensor; measured in `tests/bodies/inertia`.
+    /// Accuracy: moments of a tensor that is given within 15.9 eps of the largest (2.7 where
+    /// none are made equal), and R diag(I) R^T within 12.1 eps of the tensor; measured in
+    /// `tests/bodies/inertia`.
     pub fn new(tensor: &InertiaTensor) -> Result<Self> {
-        let ([i1, i2, i3], principal) = principal_frame(tensor)?;
+        let (moments, principal) = principal_frame(tensor)?;
         Ok(Self {
             tensor: *tensor,
-            moments: PrincipalMoments::new(i1, i2, i3)?,
+            moments: PrincipalMoments::known_within(moments, tensor.known_within())?,
             principal,
         })
     }
@@ -171,21 +167,9 @@ impl DesignedBody {
 
 /// The moments, and the rotation principal axes -> axes of the tensor.
 fn principal_frame(tensor: &InertiaTensor) -> Result<([f64; 3], Attitude)> {
-    let [[a, xy, xz], [_, b, yz], [_, _, c]] = tensor.matrix();
-    if [xy, xz, yz] == [0.0; 3] {
-        return Ok(([a, b, c], Attitude::IDENTITY));
-    }
     let found = tensor.principal_axes();
     let [low, middle, high] = found.moments();
-    let slack = KNOWN_WITHIN * high;
-    if low <= slack {
-        return Err(Error::OutOfRange {
-            name: "smallest principal moment",
-            value: low,
-            allowed: "it must be above 3.6e-15 of the largest; a body on a line has none \
-                      about it, which only a tensor that is diagonal can say exactly",
-        });
-    }
+    let slack = tensor.known_within();
     let axes = found.axes().map(DesignVector::to_array);
     if high - low <= slack {
         Ok(([middle; 3], Attitude::IDENTITY))

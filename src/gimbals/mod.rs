@@ -35,9 +35,9 @@ pub use nod::Nod;
 
 use crate::error::{Error, Result, finite, not_negative};
 use crate::exact::heavy_top::SymmetricTop;
-use crate::inertia::is_triangle;
+use crate::inertia::{ROUNDING, possible};
 use crate::integrators::Ode;
-use crate::math::{EPS, cos, sincos};
+use crate::math::{cos, sincos};
 
 /// A heavy symmetric rotor in a ring, in a fork.
 ///
@@ -147,9 +147,7 @@ impl Gimbals {
         {
             not_negative(name, moment)?;
         }
-        if !is_triangle(ring, 32.0 * EPS) {
-            return Err(Error::TriangleInequality { moments: ring });
-        }
+        possible(ring, ROUNDING * ring.into_iter().fold(0.0, f64::max))?;
         not_negative("moment of the fork", fork)?;
         Ok(Self { rotor, ring, fork })
     }

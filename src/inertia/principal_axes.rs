@@ -19,6 +19,7 @@ use crate::math::{self, EPS};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
     moments: [f64; 3],
+    known_within: f64,
     /// The columns are the axes.
     axes: [[f64; 3]; 3],
 }
@@ -50,11 +51,53 @@ impl PrincipalAxes {
         }
         Self {
             moments: order.map(|i| moments[i]),
+            known_within: 0.0,
             axes,
         }
     }
 
-    /// The principal moments, ascending (kg m^2).
+    /// Where rounding hides the smallest moment it is zero: the body is a rod, or a point mass.
+    pub(super) fn known_within(self, known_within: f64) -> Self {
+        let [low, middle, high] = self.moments;
+        let across = 0.5 * middle + 0.5 * high;
+        let moments = if high <= known_within {
+            [0.0; 3]
+        } else if low <= known_within {
+            [0.0, across, across]
+        } else {
+            self.moments
+        };
+        Self {
+            moments,
+            known_within,
+            ..self
+        }
+    }
+
+    /// The moments of a body that are nearest to these, by the sum of squares of what changes.
+    ///
+    /// Moments a <= b <= c are a body's if c <= a + b. If they are not, the nearest lie on
+    /// the plane c = a + b, which is reached along its normal (1, 1, -1): a plate. A plate has
+    /// no negative moment; if that point has one, the nearest lie on the edge (0, t, t), at
+    /// t = (b + c)/2: a rod; and for negative t at the end of the edge, zero: a point mass.
+    pub(super) fn nearest_possible(&self) -> [f64; 3] {
+        let [a, b, c] = self.moments;
+        let part = ((c - b) - a) / 3.0;
+        if part <= 0.0 {
+            self.moments
+        } else if a + part >= 0.0 {
+            [a + part, b + part, c - part]
+        } else {
+            let across = (0.5 * b + 0.5 * c).max(0.0);
+            [0.0, across, across]
+        }
+    }
+
+    /// The principal moments, ascending (kg m^2): (0, I, I) of a rod, (0, 0, 0) of a point
+    /// mass.
+    ///
+    /// A moment is zero if it is not above
+    /// [`InertiaTensor::known_within`](super::InertiaTensor::known_within).
     pub const fn moments(&self) -> [f64; 3] {
         self.moments
     }
@@ -76,8 +119,7 @@ impl PrincipalAxes {
     ///
     /// Errors: as [`PrincipalMoments::new`]; a thin rod has a moment of zero.
     pub fn principal_moments(&self) -> Result<PrincipalMoments> {
-        let [a, b, c] = self.moments;
-        PrincipalMoments::new(a, b, c)
+        PrincipalMoments::known_within(self.moments, self.known_within)
     }
 }
 

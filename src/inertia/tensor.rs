@@ -1,6 +1,6 @@
 //! The tensor of inertia about a point.
 
-use super::{PrincipalAxes, is_triangle};
+use super::{PrincipalAxes, ROUNDING, possible};
 use crate::error::{Error, Result, finite};
 use crate::frame::DesignVector;
 use crate::math::EPS;
@@ -12,29 +12,31 @@ use crate::math::EPS;
 /// not negative and satisfy the triangle inequality. A thin rod has one moment
 /// equal to zero, which is allowed here (and not for a free body).
 ///
+/// A tensor knows how far rounding may have moved its moments, and tensors that are computed
+/// pass it on, [`InertiaTensor::known_within`]. Two are equal if their elements are.
+///
 /// Source: notes 15.3.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct InertiaTensor {
     matrix: [[f64; 3]; 3],
+    known_within: f64,
 }
 
-/// How far principal moments may violate what a body's moments satisfy, relative
-/// to the largest: what rounding of six elements and the diagonalisation make.
-const PHYSICAL_WITHIN: f64 = 32.0 * EPS;
+impl PartialEq for InertiaTensor {
+    fn eq(&self, other: &Self) -> bool {
+        self.matrix == other.matrix
+    }
+}
 
 impl InertiaTensor {
     /// The tensor with these elements, which must be those of some body.
     ///
     /// Errors: an element that is not finite; [`Error::NotSymmetric`] if
     /// elements across the diagonal differ by more than 4 eps of the largest
-    /// element; a principal moment below zero or [`Error::TriangleInequality`],
-    /// beyond 32 eps of the largest moment.
+    /// element; [`Error::TriangleInequality`] for principal moments of no body,
+    /// which exceed the sum of the others, or are negative, by more than 32 eps of
+    /// the largest.
     pub fn new(matrix: [[f64; 3]; 3]) -> Result<Self> {
-        for row in matrix {
-            for element in row {
-                finite("element of the inertia tensor", element)?;
-            }
-        }
         let largest = matrix
             .as_flattened()
             .iter()
@@ -51,23 +53,18 @@ impl InertiaTensor {
                 symmetric[j][i] = mean;
             }
         }
-        let tensor = Self { matrix: symmetric };
-        let moments = tensor.principal_axes().moments();
-        for moment in moments {
-            finite("principal moment of the inertia tensor", moment)?;
-        }
-        let slack = PHYSICAL_WITHIN * moments[2].abs();
-        if moments[0] < -slack {
-            return Err(Error::OutOfRange {
-                name: "smallest principal moment of the inertia tensor",
-                value: moments[0],
-                allowed: "it must not be negative",
-            });
-        }
-        if !is_triangle([moments[0] + slack, moments[1], moments[2]], 0.0) {
-            return Err(Error::TriangleInequality { moments });
-        }
-        Ok(tensor)
+        let moments = diagonalised(symmetric)?.moments();
+        let slack = ROUNDING * moments[2].abs();
+        let excess = possible(moments, slack)?;
+        let [[_, xy, xz], [_, _, yz], _] = symmetric;
+        let known_within = match [xy, xz, yz] == [0.0; 3] {
+            true => excess.max(0.0),
+            false => slack,
+        };
+        Ok(Self {
+            matrix: symmetric,
+            known_within,
+        })
     }
 
     /// The tensor of a body whose principal axes are those of the drawing.
@@ -78,21 +75,63 @@ impl InertiaTensor {
         Self::new([[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]])
     }
 
-    /// From elements that are those of a body by construction.
-    pub(super) const fn from_elements(matrix: [[f64; 3]; 3]) -> Self {
-        Self { matrix }
+    /// From computed elements, whose rounding moves the moments by at most `known_within`.
+    ///
+    /// Moments of no body that rounding explains are replaced by the nearest that a body has.
+    /// The matrix with these and with the same axes is the nearest of all bodies' in the norm
+    /// of Frobenius, which no turn changes. What the rounding of the elements themselves
+    /// explains is left.
+    pub(super) fn computed(mut matrix: [[f64; 3]; 3], known_within: f64) -> Result<Self> {
+        finite("rounding of the inertia tensor", known_within)?;
+        let found = diagonalised(matrix)?;
+        let moments = found.moments();
+        possible(moments, known_within)?;
+        if possible(moments, ROUNDING * moments[2].abs()).is_err() {
+            let (nearest, v) = (
+                found.nearest_possible(),
+                found.axes().map(DesignVector::to_array),
+            );
+            let element = |i, j| (0..3).map(|k| nearest[k] * (v[k][i] * v[k][j])).sum();
+            matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| element(i, j)));
+        }
+        Ok(Self {
+            matrix,
+            known_within,
+        })
     }
 
-    /// The sum of two tensors about the same point, on the same axes; what it may
-    /// overflow to is for the caller to check.
-    pub(super) fn plus(&self, other: &Self) -> Self {
-        let mut matrix = self.matrix;
-        for (row, other_row) in matrix.iter_mut().zip(other.matrix) {
-            for (element, other_element) in row.iter_mut().zip(other_row) {
-                *element += other_element;
-            }
-        }
-        Self { matrix }
+    /// sum m r^2 (kg m^2), from the largest moment to 3/2 of it.
+    pub(super) fn size(&self) -> f64 {
+        let [[xx, ..], [_, yy, _], [.., zz]] = self.matrix;
+        0.5 * xx + 0.5 * yy + 0.5 * zz
+    }
+
+    /// How far rounding may have moved the principal moments (kg m^2).
+    ///
+    /// 32 eps of what was added and subtracted: of the tensors, and of m d (a + b) for a
+    /// step d from a point at a distance a from the origin to one at b. A diagonal tensor that
+    /// is given says its moments exactly: zero, or by how much they miss those of a body.
+    ///
+    /// A moment that is not above it is zero, that of a rod. Moments that differ by no more are
+    /// made equal in a [`crate::body::DesignedBody`].
+    ///
+    /// ```
+    /// use rotation_dynamics::frame::DesignVector;
+    /// use rotation_dynamics::inertia::{MassProperties, solids};
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// let rod = solids::rod(1.0, 1.0)?;
+    /// let (centre, far) = (rod.centre_of_mass(), DesignVector::new(10.0, 0.0, 0.0));
+    /// let back = MassProperties::from_tensor_about(far, 1.0, centre, rod.about(far)?)?;
+    /// // Of 100 kg m^2 a twelfth is left, with the rounding of 100.
+    /// let tensor = back.about_centre_of_mass();
+    /// assert_eq!(format!("{:.1e}", tensor.known_within()), "1.1e-12");
+    /// let refused = tensor.principal_axes().principal_moments().unwrap_err();
+    /// assert!(refused.to_string().contains("those of a rod"));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub const fn known_within(&self) -> f64 {
+        self.known_within
     }
 
     /// The elements I_ij.
@@ -140,6 +179,18 @@ impl InertiaTensor {
 
     /// Principal moments and axes.
     pub fn principal_axes(&self) -> PrincipalAxes {
-        PrincipalAxes::of(self.matrix)
+        PrincipalAxes::of(self.matrix).known_within(self.known_within)
     }
+}
+
+/// Moments and axes of a symmetric matrix, all of them finite.
+fn diagonalised(matrix: [[f64; 3]; 3]) -> Result<PrincipalAxes> {
+    for element in matrix.as_flattened() {
+        finite("element of the inertia tensor", *element)?;
+    }
+    let found = PrincipalAxes::of(matrix);
+    for moment in found.moments() {
+        finite("principal moment of the inertia tensor", moment)?;
+    }
+    Ok(found)
 }

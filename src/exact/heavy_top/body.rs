@@ -1,6 +1,7 @@
 //! The dimensional body: a symmetric top that turns about a fixed point.
 
 use crate::error::{Error, Result, finite, positive};
+use crate::inertia::PrincipalMoments;
 use crate::math::DoubleDouble as Dd;
 
 /// A symmetric body on a fixed pivot, in SI units.
@@ -62,6 +63,10 @@ impl SymmetricTop {
 
     fn of(i1: f64, i3: f64, weight: f64, lever: f64, moment: Dd) -> Result<Self> {
         positive("I1", i1)?;
+        if i3 == 0.0 {
+            // Refuses a rod by its name.
+            PrincipalMoments::symmetric(i1, i3)?;
+        }
         positive("I3", i3)?;
         finite("m g", weight)?;
         finite("l", lever)?;

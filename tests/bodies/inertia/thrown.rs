@@ -122,7 +122,7 @@ fn thrown_it_moves_as_the_whole_tensor_says() {
             damaged.push(compare(&wrong).0);
         }
     }
-    attitude.attain(2.3e-14..=2.4e-14, 6);
-    rates.attain(1.0e-14..=1.1e-14, 6);
+    attitude.attain(1.1e-14..=1.2e-14, 6);
+    rates.attain(4.0e-15..=4.1e-15, 6);
     damaged.exceed(0.1, 6);
 }
