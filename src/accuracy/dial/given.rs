@@ -7,7 +7,7 @@ use super::along::Form;
 use super::limits::{LOOKS, Limits};
 use super::method::{Fine, Method, Runs};
 use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
-use super::slender::{Slender, TRIALS};
+use super::slender::Slender;
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
 use crate::body::{RigidBody, State};
@@ -137,10 +137,10 @@ impl<'s> Given<'s> {
         Ok(given)
     }
 
-    /// What trials show of a slender body, and what they took.
+    /// What a trial shows of a slender body, and what it took.
     fn slender(&self) -> Result<(Option<Slender>, Work)> {
         let mut trial = Work::default();
-        let slender = Slender::of(&self.problem(), TRIALS[0], self.limits.budget, &mut trial)?;
+        let slender = Slender::of(&self.problem(), self.limits.budget, &mut trial)?;
         Ok((slender, trial))
     }
 

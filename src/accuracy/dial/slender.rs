@@ -4,9 +4,9 @@
 //! that axis alone. Then L on the fixed axes blurs the rate about the thin axis
 //! ([`BodyFixed`](crate::integrators::BodyFixed)), and the energy allows a rate sqrt(2 E / I_min) that the body never reaches. So
 //! the momentum is stepped on the body's axes, by DOP853, and steps are chosen by the rates of a
-//! trial run. Two more with the start and the torque a little changed show the condition.
+//! trial run.
 
-use super::problem::{ALL_ROWS, Apart, Problem, signs};
+use super::problem::{ALL_ROWS, Problem, signs};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
@@ -23,18 +23,13 @@ const APART: f64 = 16.0;
 /// stepped with L on the fixed axes.
 const BLURRED: f64 = 4.0;
 
-/// The error of a step of a trial run: of the first, and of those that follow where a condition was
-/// that of another motion.
-pub(super) const TRIALS: [f64; 3] = [1e-3, 1e-6, 1e-9];
+/// The error of a step of the trial run: DOP853 at its coarsest level.
+const TRIAL: f64 = 6e-3;
 
-/// The part of the budget that a trial may take.
+/// The part of the budget that the trial may take.
 const TRIAL_PART: u64 = 10;
 
-/// By how much the inputs of two more trials are changed. Their steps are those of the first, so the
-/// error of the trial is in all.
-const CHANGE: f64 = 1e-8;
-
-/// What three trial runs show of the motion of a slender body.
+/// What a trial run shows of the motion of a slender body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Slender {
     /// The fastest rate (rad/s).
@@ -44,70 +39,57 @@ pub(super) struct Slender {
     pub held: f64,
     /// The same for the momentum that a torque on the fixed axes brings.
     pub brought: f64,
-    /// The condition: by how much the end changes per relative change of the inputs but the moments.
-    pub condition: Apart,
-    /// Where the trial ended.
-    pub end: State,
 }
 
 impl Slender {
-    /// What trials of this tolerance show, if the body is slender and its motion too. `None` also
-    /// where they come to no end within their part of this budget of torques.
-    pub fn of(
-        problem: &Problem,
-        tolerance: f64,
-        budget: u64,
-        work: &mut Work,
-    ) -> Result<Option<Self>> {
+    /// What the trial shows, if the body is slender and its motion too. `None` also where it comes to
+    /// no end within its part of this budget of torques.
+    pub fn of(problem: &Problem, budget: u64, work: &mut Work) -> Result<Option<Self>> {
         let moments = problem.body.moments().to_array();
         let [least, most] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
         if most <= APART * least || problem.span() == 0.0 {
             return Ok(None);
         }
         let steps = (budget / TRIAL_PART / 12).max(1);
-        let method = Dop853::new(tolerance)?.with_step_limit(steps)?;
-        let trial = |problem: &Problem, work: &mut Work| match Trial::run(problem, &method, work) {
-            Err(error @ Error::Contradiction { .. }) => Err(error),
-            trial => Ok(trial.ok()),
-        };
-        let Some(Trial {
-            rate,
-            momentum,
-            end,
-        }) = trial(problem, work)?
-        else {
-            return Ok(None);
+        let method = Dop853::new(TRIAL)?.with_step_limit(steps)?;
+        let [rate, momentum] = match fastest(problem, &method, work) {
+            Err(error @ Error::Contradiction { .. }) => return Err(error),
+            Err(_) => return Ok(None),
+            Ok(fastest) => fastest,
         };
         let natural = least * rate;
-        if !(momentum > BLURRED * natural && natural > 0.0) {
-            return Ok(None);
-        }
-        let mut slender = Self {
+        let slender = Self {
             rate,
             held: momentum / natural,
             brought: problem.torque * problem.span().abs() / natural,
-            condition: [f64::INFINITY; 3],
-            end,
         };
-        let known = Problem {
-            slender: Some(slender),
-            ..*problem
-        };
-        let mut changed = Vec::new();
-        for row in opposite_rows(moments) {
-            match trial(&known.changed(row, CHANGE)?, work)? {
-                Some(Trial { end, .. }) => changed.push(vec![end]),
-                None => return Ok(Some(slender)),
-            }
-        }
-        (slender.condition, _) = known.slopes(CHANGE, (vec![end], changed));
-        Ok(Some(slender))
+        Ok((momentum > BLURRED * natural && natural > 0.0).then_some(slender))
     }
+}
+
+/// The fastest rate and the largest momentum at the steps of a run.
+fn fastest(problem: &Problem, method: &Dop853, work: &mut Work) -> Result<[f64; 2]> {
+    let [mut rate, mut momentum] = [0.0; 2];
+    let (mut state, mut on_body) = (problem.start, None);
+    for piece in problem.pieces([problem.t_start, problem.t_end]).windows(2) {
+        let (end, components) =
+            problem.on_body_axes([piece[0], piece[1]], (&state, on_body), |fixed, start| {
+                let mut see = |y: &[f64; 7]| {
+                    let [.., a, b, c] = *y;
+                    rate = larger(rate, fixed.rates(y).norm());
+                    momentum = larger(momentum, BodyVector::new(a, b, c).norm());
+                };
+                see(&start);
+                method.advance_watched(fixed, [0.0, piece[1] - piece[0]], &start, work, see)
+            })?;
+        (state, on_body) = (end, Some(components));
+    }
+    Ok([rate, momentum])
 }
 
 /// Two rows of the design that push the rates about the outer axes with equal and with opposite
 /// signs: beside the middle axis of a plate one of the two dies away where the other grows.
-fn opposite_rows(moments: [f64; 3]) -> [usize; 2] {
+pub(super) fn opposite_rows(moments: [f64; 3]) -> [usize; 2] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|i, j| moments[*i].total_cmp(&moments[*j]));
     let with = |sign: f64| {
@@ -118,41 +100,6 @@ fn opposite_rows(moments: [f64; 3]) -> [usize; 2] {
         (0..ALL_ROWS).find(is).unwrap_or(0)
     };
     [with(1.0), with(-1.0)]
-}
-
-/// A trial run: the fastest rate, the largest momentum, and the end.
-struct Trial {
-    rate: f64,
-    momentum: f64,
-    end: State,
-}
-
-impl Trial {
-    fn run(problem: &Problem, method: &Dop853, work: &mut Work) -> Result<Self> {
-        let mut trial = Self {
-            rate: 0.0,
-            momentum: 0.0,
-            end: problem.start,
-        };
-        let mut on_body = None;
-        for piece in problem.pieces([problem.t_start, problem.t_end]).windows(2) {
-            let (end, components) = problem.on_body_axes(
-                [piece[0], piece[1]],
-                (&trial.end, on_body),
-                |fixed, start| {
-                    let mut see = |y: &[f64; 7]| {
-                        let [.., a, b, c] = *y;
-                        trial.rate = larger(trial.rate, fixed.rates(y).norm());
-                        trial.momentum = larger(trial.momentum, BodyVector::new(a, b, c).norm());
-                    };
-                    see(&start);
-                    method.advance_watched(fixed, [0.0, piece[1] - piece[0]], &start, work, see)
-                },
-            )?;
-            (trial.end, on_body) = (end, Some(components));
-        }
-        Ok(trial)
-    }
 }
 
 /// A run between two times without a jump, from a state or from its components on the body's axes;

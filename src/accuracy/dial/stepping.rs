@@ -2,17 +2,17 @@
 
 use super::choice::{AIM, Candidate, Candidates};
 use super::limits::Limits;
-use super::method::{Fine, Method, Runs, Steps};
+use super::method::{Fine, LEVEL, Method, Runs, Steps};
 use super::probes::{Begun, Felt};
 use super::problem::{Acting, Apart, Problem};
-use super::slender::{Slender, TRIALS};
+use super::slender::opposite_rows;
 use super::two_runs::TwoRuns;
 use super::verdict::{Gap, Verdict};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
-use crate::math::{EPS, sort_by_number};
+use crate::math::{EPS, log, sort_by_number};
 use core::sync::atomic::Ordering;
 
 /// The angle (rad) turned at the slowest candidate's rate on which a method shows what it does.
@@ -32,8 +32,17 @@ const LINEAR: f64 = 0.5;
 /// condition of the motion predict are no runs of that motion.
 const UNLIKE: f64 = 10.0;
 
-/// Where they are not, the runs of a slender body begin again with errors so many times smaller.
-const FINER_RUNS: f64 = 1e-3;
+/// By how much the inputs of two runs of a slender body are changed: by so little that an adaptive
+/// method takes the same steps, and its error is in both.
+const SLENDER_CHANGE: f64 = 1e-8;
+
+/// The part of its order by which DOP853 is expected to fall: from 1e-8 to 1e-14 for a step it fell by
+/// 1.0 to 1.1 of it on needles under a motor and the gravity gradient; a level too coarse costs a run.
+const SLENDER_FALLS: f64 = 0.9;
+
+/// The part of what is asked that the error of the coarser of two runs of a slender body is to be:
+/// a level further on it is a part of 40^(0.33 0.7) = 2.3 of that at most.
+const SLENDER_AIM: f64 = 0.5;
 
 /// Runs further apart than this (rad) are none on which a condition may be felt.
 const ELSEWHERE: f64 = 0.2;
@@ -177,8 +186,8 @@ impl<'p> Stepping<'p> {
     /// roughly, and else with all care: nothing is refused because less was tried.
     pub fn solve(mut self) -> Result<Delivered> {
         self.affordable()?;
-        if let Some(slender) = self.problem.slender
-            && let Some(delivered) = self.slender_delivered(&slender)?
+        if self.problem.slender.is_some()
+            && let Some(delivered) = self.slender_delivered()?
         {
             return Ok(self.paid(delivered));
         }
@@ -206,57 +215,103 @@ impl<'p> Stepping<'p> {
         self.carefully(candidates)
     }
 
-    /// A slender body, whose condition trial runs have shown; `None` if even the finest showed that
-    /// of another motion.
-    fn slender_delivered(&mut self, first: &Slender) -> Result<Option<Delivered>> {
+    /// A slender body: runs that are each a level finer until two are of one motion, two more in the
+    /// steps of the coarser with the start and the torque a little changed, which show the condition,
+    /// and from there as few runs as deliver.
+    fn slender_delivered(&mut self) -> Result<Option<Delivered>> {
         let method = Method::candidates(self.problem)[0];
         if !method.is_adaptive() {
             return Ok(None);
         }
+        let times = self.times.clone();
         let before = self.work;
-        let candidate = self.tried(method, self.part)?;
+        let mut last = self.first(method, 0.0, 0.0)?;
+        let (next, apart) = loop {
+            let next = self.next(method, &times, &last, 1.0, 0.0)?;
+            let apart = self.distance(&last, &next);
+            if apart[0] < ELSEWHERE {
+                break (next, apart);
+            }
+            if next.level + 1.0 > method.finest() {
+                return Ok(None);
+            }
+            last = next;
+        };
         self.choice += self.work.since(&before);
-        let (mut slender, mut wanted) = (*first, AIM * self.tolerance * self.part);
-        for finer in TRIALS[1..].iter().map(Some).chain([None]) {
-            let condition = slender.condition;
-            let floor = method.floor(self.problem) * EPS * (1.0 + condition[0]);
-            let felt = Felt {
-                condition,
-                part: self.part,
-                finely: false,
-                roughly: true,
-            };
-            match self.deliver(&candidate, wanted, &felt, None, None)? {
-                Outcome::Delivered(delivered) => {
-                    let end = delivered.places.last().unwrap_or(&self.problem.start);
-                    if end.attitude.angle_to(&slender.end.attitude) < ELSEWHERE {
-                        return Ok(Some(*delivered));
-                    }
-                }
-                Outcome::Unlike => {}
-                Outcome::Reached(reached) if reached < ROUND_OFF * floor => {
-                    return Err(self.beyond(reached, condition[0]));
-                }
-                Outcome::Reached(reached) => {
-                    return Err(Error::NotDelivered {
-                        requested: self.tolerance,
-                        reached,
-                    });
-                }
-            }
-            let Some(&finer) = finer else { break };
-            let mut trial = Work::default();
-            let shown = Slender::of(self.problem, finer, self.left(&trial)?, &mut trial)?;
-            self.work += trial;
-            self.probes += trial;
-            self.cost += trial.torques() as f64;
-            match shown {
-                Some(shown) => slender = shown,
-                None => break,
-            }
-            wanted *= FINER_RUNS;
+        let condition = self.slender_condition(method, &last)?;
+        let floor = method.floor(self.problem) * EPS * (1.0 + condition[0]);
+        if floor.is_nan() || floor >= self.tolerance {
+            return Err(self.beyond(floor, condition[0]));
         }
-        Ok(None)
+        // The error of the coarser is the distance; that of the first run from here is to be this.
+        let aim = SLENDER_AIM * (self.tolerance - floor);
+        let level = last.level + log(apart[0].max(EPS) / aim) / (LEVEL * SLENDER_FALLS);
+        let felt = Felt {
+            condition,
+            part: 1.0,
+            finely: false,
+            roughly: true,
+        };
+        let begin = |run, bounded| Begun {
+            run,
+            precision: 0.0,
+            bounded,
+        };
+        let (first, error, begun) = if level <= next.level {
+            let step = next.level - last.level;
+            let gaps = apart.map(|apart| Gap { apart, step });
+            let estimate = [0, 1, 2].map(|n| {
+                let left = method.floor(self.problem) * (1.0 + condition[n]);
+                let rounded = ROUNDED * next.work.steps as f64;
+                Verdict::of(method.trust(), &gaps[n..=n], None).estimate + EPS * (left + rounded)
+            });
+            if estimate[0] <= self.tolerance && !self.problem.is_abrupt() {
+                for (t, state) in &next.passed {
+                    self.problem.checked.at(*t, state)?;
+                }
+                let delivered = self.delivered(method, 0.0, next, estimate, condition);
+                return Ok(Some(delivered));
+            }
+            (last.level, apart[0], begin(next, Some((felt, gaps))))
+        } else {
+            let level = level.min(method.finest() - 1.0);
+            (level, aim, begin(self.first(method, level, 0.0)?, None))
+        };
+        let candidate = Candidate {
+            method,
+            level: first,
+            error: error.max(EPS),
+            cost: method.cost(self.problem, &begun.run.work),
+        };
+        match self.deliver(&candidate, aim, &felt, Some(begun), Some(1.0))? {
+            Outcome::Delivered(delivered) => Ok(Some(*delivered)),
+            Outcome::Reached(reached) if reached < ROUND_OFF * floor => {
+                Err(self.beyond(reached, condition[0]))
+            }
+            Outcome::Reached(reached) => Err(Error::NotDelivered {
+                requested: self.tolerance,
+                reached,
+            }),
+            Outcome::Unlike => Ok(None),
+        }
+    }
+
+    /// The condition of a slender body's motion, by two runs in the steps of this one.
+    fn slender_condition(&mut self, method: Method, run: &Run) -> Result<Apart> {
+        let again = |leg: &Vec<Steps>| leg.iter().map(|steps| steps.again(method)).collect();
+        let fewest: Vec<Vec<Steps>> = run.steps.iter().map(again).collect();
+        let before = self.work;
+        let mut changed = Vec::new();
+        for row in opposite_rows(self.problem.body.moments().to_array()) {
+            let problem = self.problem.changed(row, SLENDER_CHANGE)?;
+            let times = self.times.clone();
+            let run = self.run_of(&problem, method, &times, run.level, &fewest, 0.0)?;
+            changed.push(run.places);
+        }
+        self.probes += self.work.since(&before);
+        Ok((self.problem)
+            .slopes(SLENDER_CHANGE, (run.places.clone(), changed))
+            .0)
     }
 
     /// Refuses before any run what takes more torques than are allowed even in the longest steps
