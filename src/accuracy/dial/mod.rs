@@ -28,6 +28,8 @@ mod probes;
 mod problem;
 mod regularized;
 mod stepping;
+#[cfg(test)]
+mod tests;
 mod two_runs;
 mod verdict;
 
