@@ -2,7 +2,7 @@
 
 use crate::body::RigidBody;
 use crate::frame::BodyVector;
-use crate::math::{expm1, log1p, pow};
+use crate::math::{expm1, larger, log1p, pow};
 
 /// How a body that is held at its attitude loses its angular momentum, in closed form.
 ///
@@ -99,7 +99,7 @@ impl Resistance {
     pub(crate) fn fastest(&self) -> f64 {
         self.rates
             .iter()
-            .fold(0.0, |most, rate| rate.abs().max(most))
+            .fold(0.0, |most, rate| larger(most, rate.abs()))
     }
 
     /// True if it has no law along e3 beside the linear one.

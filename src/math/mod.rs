@@ -39,3 +39,8 @@ pub(crate) const fn larger(a: f64, b: f64) -> f64 {
 }
 
 const _: () = assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());
+
+/// Unlike `f64::min` it keeps a NaN, on either side.
+pub(crate) const fn smaller(a: f64, b: f64) -> f64 {
+    -larger(-a, -b)
+}

@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 use rotation_dynamics::accuracy::{ExactMotion, Limits};
-use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::attitude::{Attitude, Sequence};
 use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::*;
 use rotation_dynamics::exact::free_body::{FreeBodies, FreeBody, FreeFlow};
@@ -936,4 +936,89 @@ fn an_orbit_is_known_as_long() {
     }
     assert_eq!(refused, 1000);
     errors.attain(1.7..=1.8, 200);
+}
+
+/// What is asked of an attitude that is lost shows that it is.
+#[test]
+fn a_lost_attitude_reads_as_none() {
+    let mut read = 0;
+    for body in free_bodies().expect("bodies") {
+        for t in NONE {
+            let lost = body.attitude(t);
+            let (angles, turn) = (lost.euler_angles(), lost.yaw_pitch_roll());
+            let along = BodyVector::new(0.1, 0.2, 0.3);
+            let mut numbers = vec![
+                angles.phi,
+                angles.theta,
+                angles.zeta,
+                turn.yaw,
+                turn.pitch,
+                turn.roll,
+                lost.angle_to(&Attitude::IDENTITY),
+                Attitude::IDENTITY.angle_to(&lost),
+            ];
+            numbers.extend(lost.matrix().concat());
+            numbers.extend(lost.rotation_vector().to_array());
+            numbers.extend(lost.to_space(along).to_array());
+            numbers.extend(lost.axis().to_array());
+            numbers.extend(lost.vertical().to_array());
+            numbers.extend((lost * Attitude::IDENTITY).quaternion());
+            numbers.extend((Attitude::IDENTITY * lost.inverse()).quaternion());
+            let turned = lost.turned_in_space(SpaceVector::new(0.1, 0.2, 0.3));
+            numbers.extend(turned.expect("a turn").quaternion());
+            for sequence in Sequence::ALL {
+                numbers.extend(lost.angles(sequence));
+            }
+            assert!(numbers.iter().all(|x| x.is_nan()), "{numbers:?}");
+            read += numbers.len();
+        }
+    }
+    assert_eq!(read, 6 * 5 * 77);
+}
+
+/// It has no width, and says so in the middle of others.
+struct Widthless;
+
+impl Effect for Widthless {
+    const NATURE: Nature = Nature::ANYTHING;
+    fn name(&self) -> &'static str {
+        "widthless"
+    }
+    fn torque(&self, _: f64, _: &RigidBody, _: &State) -> SpaceVector {
+        SpaceVector::new(0.1, 0.2, 0.3)
+    }
+    fn narrowest(&self) -> Option<Feature> {
+        Some(Feature {
+            time: f64::NAN,
+            ..Feature::WIDE
+        })
+    }
+}
+
+/// A width that is NaN is not passed over for that of another effect, on either side of it.
+#[test]
+fn a_width_that_is_none_is_refused() {
+    let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"));
+    let start = body
+        .state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))
+        .expect("a state");
+    let wide = GravityAtLever::new(2.0, 0.4).expect("a weight");
+    let gradient = GravityGradient::fixed(0.1, SpaceVector::new(1.0, 0.0, 0.0)).expect("a rate");
+    let scene = Scene::new(body);
+    for error in [
+        scene.with(Widthless).solve(&start, 1.0, 1e-6),
+        scene
+            .with(Widthless)
+            .with(gradient)
+            .with(wide)
+            .solve(&start, 1.0, 1e-6),
+        scene
+            .with(wide)
+            .with(gradient)
+            .with(Widthless)
+            .solve(&start, 1.0, 1e-6),
+    ] {
+        let text = error.expect_err("no width").to_string();
+        assert_eq!(text, "narrowest time = NaN is not a finite number");
+    }
 }
