@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes the references near the latest times at which phases are known: `latest.py latest.txt`.
 
-The motions, the digits and the lines are those of late.py. The times are 2^46 turns, a quarter of what is known, of the
-fastest rate at the start, or of the fastest swing of a pendulum.
+The motions, the digits and the lines are those of late.py. The times are 2^46 turns of the fastest
+rate at the start, or of the fastest swing of a pendulum: a quarter of what is known.
 """
 
 import sys
