@@ -370,6 +370,9 @@ fn simple_forms() -> Result<Vec<Row<'static>>> {
             Ok(vec![other.condition(t)?])
         }),
     ]);
+    let flow = FreeFlow::new(PrincipalMoments::new(1.0, 2.0, 2.5)?);
+    let still = move |t| Ok(of_attitude(flow.turn(BodyVector::zero(), t)));
+    rows.push(row("exact/free_body/flow.rs turn", still).known(&[1.0, 0.0, 0.0, 0.0]));
     // What is at rest is known at all times.
     let rest = free([1.0, 2.0, 2.5], [0.0; 3])?;
     let start = of_kinematics(rest.kinematics(0.0));
@@ -588,7 +591,7 @@ fn a_time_that_is_none_gives_no_place() {
     rows.extend(of_effects(&body, &state).expect("effects"));
     rows.extend(of_runs().expect("runs"));
     let grown = of_any_size(&body, &state).expect("effects");
-    assert_eq!((rows.len(), grown.len()), (203, 6));
+    assert_eq!((rows.len(), grown.len()), (204, 6));
     assert_eq!(asked(&rows, &NONE), 5 * rows.len());
     assert_eq!(asked(&grown, &NONE[..3]), 18);
     // No function of a time is left out: the sources have these, and some inside.
@@ -866,6 +869,25 @@ fn near_the_last_time_the_phase_is_right_and_beyond_it_is_refused() {
     errors.attain(6.0..=6.1, near);
     lasts.attain(452.0..=453.0, near);
     damaged.exceed(1e12, near);
+}
+
+/// A sphere flows by one turn, and as long.
+#[test]
+fn a_flow_is_known_as_long() {
+    let mut random = Random(5);
+    let (mut known, mut lost) = (0, 0);
+    for _ in 0..400 {
+        let inertia = random.between(0.1, 10.0);
+        let sphere = PrincipalMoments::new(inertia, inertia, inertia).expect("a sphere");
+        let flow = FreeFlow::new(sphere);
+        let momentum = BodyVector::new(random.unit(), random.unit(), 0.1 + random.unit());
+        let last = 2.0_f64.powi(48) * TAU * inertia / momentum.norm();
+        let turned = |t: f64| of_attitude(flow.turn(momentum, t));
+        known += usize::from(turned(random.between(-0.999, 0.999) * last)[0].is_finite());
+        let late = turned(random.between(1.001, 1e3) * last);
+        lost += usize::from(late.iter().all(|x| x.is_nan()));
+    }
+    assert_eq!((known, lost), (400, 400));
 }
 
 /// Small swings are harmonic, and known as long.
