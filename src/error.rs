@@ -99,6 +99,8 @@ pub enum Error {
     TooManySteps { t: f64, t_end: f64, limit: u64 },
     /// The stage equations of an implicit step do not contract.
     NoConvergence { t: f64, h: f64, change: f64 },
+    /// A time so late or so early that its last bit leaves the phase of the motion open.
+    PhaseLost { t: f64, latest: f64 },
     /// A time at which a solution is not known.
     OutsideRun { t: f64, start: f64, end: f64 },
     /// A number and the independent route that should confirm it differ too much.
@@ -416,6 +418,12 @@ impl fmt::Display for Error {
                 "after {limit} steps the run has come to t = {t} of {t_end}: \
                  allow more steps or a larger tolerance"
             ),
+            Self::PhaseLost { t, latest } => write!(
+                f,
+                "at t = {} the phase of the motion is lost: beyond {latest:.3e} the last bit of the \
+                 time is a 32nd of a turn or more",
+                plain(*t)
+            ),
             Self::OutsideRun { t, start, end } => write!(
                 f,
                 "t = {t} is outside the run, which goes from {start} to {end}"
@@ -632,6 +640,15 @@ pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64> {
         Ok(value)
     } else {
         Err(Error::NotFinite { name, value })
+    }
+}
+
+/// Returns the time if it is finite and the phase is known there.
+pub(crate) fn known(t: f64, latest: f64) -> Result<f64> {
+    if finite("t", t)?.abs() <= latest {
+        Ok(t)
+    } else {
+        Err(Error::PhaseLost { t, latest })
     }
 }
 

@@ -5,12 +5,14 @@
 //! takes `impl Motion<State = State>` works with any rotation of a body.
 //!
 //! The names beside the trait's are the same everywhere: `state`, `attitude`,
-//! `angular_velocity` and `kinematics` are plain values and cost the least, `try_state` and
-//! its kin refuse a time that is not finite.
+//! `angular_velocity` and `kinematics` are plain values and cost the least: NaN where nothing is
+//! known. `try_state` and its kin refuse such a time, which is not finite or
+//! [so late](crate::exact#how-late) that the phase is lost.
 //!
 //! Not for: how a motion is found ([`crate::exact`], [`crate::scene`]).
 
 use crate::error::{Error, Result};
+use crate::math::larger;
 
 /// A number that a motion keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +57,7 @@ pub trait Motion {
     /// The state at time `t` (s, or the motion's own unit).
     ///
     /// # Errors
-    /// A time that is not finite, or outside the motion.
+    /// A time that is not finite, outside the motion, or so late that its phase is lost.
     fn try_state(&self, t: f64) -> Result<Self::State>;
 
     /// The states at many times, in any order.
@@ -102,7 +104,7 @@ pub(crate) fn felt(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
     while by > 1e-300 {
         // At the end of a range there may be one side only.
         let most = match (moved(by), moved(-by)) {
-            (Ok(Some(a)), Ok(Some(b))) => a.max(b),
+            (Ok(Some(a)), Ok(Some(b))) => larger(a, b),
             (Ok(Some(a)), _) | (_, Ok(Some(a))) => a,
             // A needle has no neighbours but near ones.
             (Err(error), Err(_)) => {
@@ -113,7 +115,7 @@ pub(crate) fn felt(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
             _ => break,
         };
         refused = None;
-        known = known.max(most / by);
+        known = larger(known, most / by);
         if most <= LINEAR {
             return Ok(most / by);
         }

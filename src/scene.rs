@@ -8,6 +8,7 @@
 use crate::body::{RigidBody, State};
 use crate::effects::{Effect, Keeps};
 use crate::frame::{BodyVector, SpaceVector};
+use crate::math::larger;
 
 /// The angle (rad) over which a potential is differentiated along a slip.
 const SLIPPED: f64 = 1e-5;
@@ -146,7 +147,7 @@ impl<E: Effect> Scene<E> {
         }
         let slip = self.effects.slip(t, &self.body, state);
         let torque = self.effects.torque(t, &self.body, state);
-        let rate = (slip.norm()).max(torque.norm() / state.angular_momentum.norm());
+        let rate = larger(slip.norm(), torque.norm() / state.angular_momentum.norm());
         if rate == 0.0 || !rate.is_finite() {
             return power;
         }

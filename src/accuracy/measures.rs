@@ -2,6 +2,7 @@
 
 use crate::body::State;
 use crate::effects::Effect;
+use crate::math::larger;
 use crate::scene::{Invariant, Scene};
 
 /// How far a state is from the exact state at the same time.
@@ -172,10 +173,3 @@ pub fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
         .into_iter()
         .fold(0.0, |most, e| larger(most, e.abs()))
 }
-
-/// Unlike `f64::max` it keeps a NaN, on either side.
-pub(crate) const fn larger(a: f64, b: f64) -> f64 {
-    if a > b || a.is_nan() { a } else { b }
-}
-
-const _: () = assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());

@@ -22,12 +22,12 @@ mod measures;
 mod problem;
 mod sweep;
 
+pub(crate) use crate::math::larger;
 #[cfg(feature = "report")]
 pub(crate) use called_for::MARGIN;
 pub use called_for::{CalledFor, Measured, Weighed};
 pub use carry::{Carrier, Fineness, Variables, applies};
 pub use dial::{ExactMotion, Limits, Solved, SolvedMotion};
-pub(crate) use measures::larger;
 pub use measures::{Errors, Measure, largest};
 pub use problem::Problem;
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};

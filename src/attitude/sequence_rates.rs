@@ -78,3 +78,30 @@ impl Sequence {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attitude::Attitude;
+
+    /// The angular velocity is how the attitude of the moving angles changes, and leads back.
+    #[test]
+    fn rates_turn_the_attitude() {
+        let (angles, rates, h) = ([0.4, 0.7, -1.1], [0.3, -0.5, 0.8], 1e-4);
+        for sequence in Sequence::ALL {
+            let at = |t: f64| {
+                let moved = [0, 1, 2].map(|i| angles[i] + rates[i] * t);
+                Attitude::from_sequence(sequence, moved).expect("finite angles")
+            };
+            let turn = (at(-h).inverse() * at(h)).rotation_vector();
+            let omega = sequence.angular_velocity(angles, rates).to_array();
+            let back = sequence.rates(angles, BodyVector::from_array(omega));
+            let back = back.expect("no lock");
+            for i in 0..3 {
+                let seen = turn.to_array()[i] / (2.0 * h);
+                assert!((seen - omega[i]).abs() < 1e-8, "{sequence:?}");
+                assert!((back[i] - rates[i]).abs() < 1e-15, "{sequence:?}");
+            }
+        }
+    }
+}

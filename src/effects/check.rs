@@ -1,6 +1,8 @@
 //! What an effect claims, held against its torque.
 
 mod kinks;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use kinks::NEAR;
 

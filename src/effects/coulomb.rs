@@ -97,9 +97,11 @@ impl CoulombBearing {
         self.stop.is_finite().then_some(self.stop)
     }
 
-    /// L_z at the time `t` (kg m^2/s).
+    /// L_z at the time `t` (kg m^2/s); NaN at a time that is not finite.
     pub fn axial_momentum(&self, t: f64) -> f64 {
-        if t < self.stop {
+        if !t.is_finite() {
+            f64::NAN
+        } else if t < self.stop {
             self.axial_momentum + self.torque * (t - self.t_start)
         } else {
             0.0
@@ -139,7 +141,9 @@ impl Effect for CoulombBearing {
 
     #[inline]
     fn torque(&self, t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
-        if t < self.stop {
+        if !t.is_finite() {
+            SpaceVector::new(f64::NAN, f64::NAN, f64::NAN)
+        } else if t < self.stop {
             state.attitude.axis() * self.torque
         } else {
             SpaceVector::zero()
@@ -153,10 +157,12 @@ impl Effect for CoulombBearing {
 
     /// Until the stop.
     fn resistance(&self, t: f64, _body: &RigidBody) -> Option<Resistance> {
-        Some(if t < self.stop {
-            Resistance::dry(self.torque)
-        } else {
-            Resistance::NONE
+        t.is_finite().then(|| {
+            if t < self.stop {
+                Resistance::dry(self.torque)
+            } else {
+                Resistance::NONE
+            }
         })
     }
 

@@ -4,7 +4,8 @@ use super::{Effect, Feature, Keeps, Nature};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
-use crate::math::sincos;
+use crate::math::{MOST_TURNS, sincos};
+use core::f64::consts::TAU;
 
 /// The torque about the centre of mass of a satellite whose near side is attracted more
 /// than its far side, on a circular orbit that is given.
@@ -122,13 +123,24 @@ fn unit(names: [&'static str; 3], direction: SpaceVector) -> Result<SpaceVector>
 }
 
 impl<const FIXED: bool> GravityGradient<FIXED> {
-    /// The direction n to the attracting body at the time `t` (s).
+    /// The direction n to the attracting body at the time `t` (s); NaN where the time is not
+    /// finite or [so late](crate::exact#how-late) that the phase of the orbit is lost.
     pub fn direction(&self, t: f64) -> SpaceVector {
         if FIXED {
-            return self.towards;
+            return self.towards + self.later * t;
         }
-        let (s, c) = sincos(self.mean_motion * t);
+        let (s, c) = sincos(self.phase(t));
         self.towards * c + self.later * s
+    }
+
+    /// n0 t, or NaN where it is lost.
+    fn phase(&self, t: f64) -> f64 {
+        let phase = self.mean_motion * t;
+        if phase.abs() <= MOST_TURNS * TAU {
+            phase
+        } else {
+            f64::NAN
+        }
     }
 
     /// The mean motion n0, or of a fixed direction sqrt(G M/r^3) (rad/s).
@@ -213,7 +225,7 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
             return 0.0;
         }
         let n0 = self.mean_motion;
-        let (s, c) = sincos(n0 * t);
+        let (s, c) = sincos(self.phase(t));
         let moving = (self.later * c - self.towards * s) * n0;
         let [x, y, z] = state.attitude.to_body(self.direction(t)).to_array();
         let [dx, dy, dz] = state.attitude.to_body(moving).to_array();

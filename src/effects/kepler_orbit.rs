@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
-use crate::math::{asinh, cbrt, fmod, sin, sincos, sinh};
+use crate::math::{asinh, cbrt, fmod, latest, sin, sincos, sinh};
 use core::f64::consts::{PI, TAU};
 
 /// A Kepler orbit of any eccentricity: a circle, an ellipse, a parabola or a hyperbola.
@@ -59,6 +59,8 @@ pub struct KeplerOrbit {
     argument: f64,
     /// Rates of node and argument, 1/s.
     turning: [f64; 2],
+    /// The greatest |t| and |t - passage| at which the place is known, s.
+    latest: [f64; 2],
     /// Unit vectors to the pericentre at t = 0, and along the motion there.
     axes: [SpaceVector; 2],
 }
@@ -140,8 +142,10 @@ impl KeplerOrbit {
             inclination: 0.0,
             argument: 0.0,
             turning: [0.0; 2],
+            latest: [f64::MAX; 2],
             axes: [x, y],
-        })
+        }
+        .known())
     }
 
     /// The same orbit with this node, inclination and argument of pericentre (rad), at t = 0:
@@ -183,10 +187,23 @@ impl KeplerOrbit {
     pub fn turning(self, node: f64, argument: f64) -> Result<Self> {
         finite("rate of the node", node)?;
         finite("rate of the argument of pericentre", argument)?;
-        Ok(Self {
-            turning: [node, argument],
+        let turning = [node, argument];
+        Ok(Self { turning, ..self }.known())
+    }
+
+    /// With the times up to which its phases are known ([how late](crate::exact#how-late)): that
+    /// of its turning, and on an orbit that closes that of the passages, if it is not the first.
+    fn known(self) -> Self {
+        let [node, argument] = self.turning.map(f64::abs);
+        let passages = latest(self.fastest()).max(0.5 * self.period);
+        Self {
+            latest: [latest(node + argument), passages.min(f64::MAX)],
             ..self
-        })
+        }
+    }
+
+    fn is_known(&self, t: f64) -> bool {
+        t.abs() <= self.latest[0] && (t - self.passage).abs() <= self.latest[1]
     }
 
     /// The eccentricity e.
@@ -204,7 +221,9 @@ impl KeplerOrbit {
         self.period
     }
 
-    /// Where the body is at the time `t` (s), on the fixed axes (m).
+    /// Where the body is at the time `t` (s), on the fixed axes (m). NaN, as its velocity, where
+    /// the time is not finite or [so late](crate::exact#how-late) that the phase of an orbit that
+    /// closes, or of its turning, is lost.
     ///
     /// Accuracy, as measured against 32 digits for eccentricities from 0 to 10, among them
     /// 1 - 1e-15 and 1 + 1e-15, and times to 1e6 q^3/2/(G M)^1/2: off by 8 eps of the distance
@@ -219,8 +238,11 @@ impl KeplerOrbit {
         self.at(t).velocity
     }
 
-    /// The normal of the plane at the time `t` (s): a unit vector.
+    /// The normal of the plane at the time `t` (s): a unit vector, or NaN where its turning is lost.
     pub fn normal(&self, t: f64) -> SpaceVector {
+        if !(t.abs() <= self.latest[0]) {
+            return NOWHERE;
+        }
         let (s, c) = sincos(self.node + self.turning[0] * t);
         let (si, ci) = sincos(self.inclination);
         SpaceVector::new(si * s, -si * c, ci)
@@ -247,6 +269,13 @@ impl KeplerOrbit {
 
     /// Place, distance and velocity together.
     pub(super) fn at(&self, t: f64) -> Place {
+        if !self.is_known(t) {
+            return Place {
+                direction: NOWHERE,
+                distance: f64::NAN,
+                velocity: NOWHERE,
+            };
+        }
         let (e, alpha) = (self.eccentricity, 1.0 - self.eccentricity);
         let mut since = t - self.passage;
         if self.period != f64::INFINITY {
@@ -286,6 +315,9 @@ impl KeplerOrbit {
     }
 }
 
+/// Where nothing is known.
+const NOWHERE: SpaceVector = SpaceVector::new(f64::NAN, f64::NAN, f64::NAN);
+
 fn eccentric(eccentricity: f64) -> Result<()> {
     finite("eccentricity", eccentricity)?;
     if eccentricity < 0.0 {
@@ -314,6 +346,7 @@ fn universal(alpha: f64, e: f64, tau: f64) -> [f64; 2] {
     // the half of an ellipse and s^3/6 on a hyperbola, where from x = 2 on sinh(x) - x is more
     // than 0.448 sinh(x).
     let root = alpha.abs().sqrt();
+    // (On a circle at its start 0/0 is passed over: the time is a number.)
     let mut s = if alpha > 0.0 {
         time.min(cbrt(PI * PI * (time / e))).min(PI / root)
     } else {

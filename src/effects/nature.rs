@@ -1,6 +1,7 @@
 //! What an effect says of itself beside its torque.
 
 use super::GravityAtLever;
+use crate::math::smaller;
 
 /// Which quantities of a motion an effect leaves alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -129,11 +130,11 @@ impl Feature {
         angle: f64::INFINITY,
     };
 
-    /// The narrower of both.
+    /// The narrower of both; NaN if either is, which a solution refuses.
     pub const fn and(self, other: Self) -> Self {
         Self {
-            time: self.time.min(other.time),
-            angle: self.angle.min(other.angle),
+            time: smaller(self.time, other.time),
+            angle: smaller(self.angle, other.angle),
         }
     }
 }

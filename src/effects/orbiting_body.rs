@@ -106,7 +106,7 @@ impl<const AVERAGED: bool> OrbitingBody<AVERAGED> {
     }
 
     /// The direction n, a unit vector, and the strength g (1/s^2) at the time `t` (s): the
-    /// torque is 3 g n x (I n).
+    /// torque is 3 g n x (I n). NaN where [`KeplerOrbit::place`] is, or the normal.
     pub fn pull(&self, t: f64) -> (SpaceVector, f64) {
         if AVERAGED {
             return (self.orbit.normal(t), self.strongest());

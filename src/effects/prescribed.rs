@@ -48,8 +48,12 @@ impl Profile {
         Ok(Self(Shape::Pulse { centre, width }))
     }
 
-    /// The factor at the time `t` (s); where it jumps, that which follows.
+    /// The factor at the time `t` (s); where it jumps, that which follows. NaN at a time that is
+    /// not finite.
     pub fn at(&self, t: f64) -> f64 {
+        if !t.is_finite() {
+            return f64::NAN;
+        }
         match &self.0 {
             Shape::Steps(times, values) => match times.partition_point(|begin| *begin <= t) {
                 0 => 0.0,

@@ -2,7 +2,7 @@
 
 use crate::body::RigidBody;
 use crate::frame::BodyVector;
-use crate::math::{expm1, log1p, pow};
+use crate::math::{expm1, larger, log1p, pow};
 
 /// How a body that is held at its attitude loses its angular momentum, in closed form.
 ///
@@ -99,7 +99,7 @@ impl Resistance {
     pub(crate) fn fastest(&self) -> f64 {
         self.rates
             .iter()
-            .fold(0.0, |most, rate| rate.abs().max(most))
+            .fold(0.0, |most, rate| larger(most, rate.abs()))
     }
 
     /// True if it has no law along e3 beside the linear one.
@@ -178,13 +178,20 @@ impl Resistance {
         }
     }
 
-    /// l_3 after the time `dt` (s), from `l` (kg m^2/s).
+    /// l_3 after the time `dt` (s), from `l` (kg m^2/s); NaN, as its integral, if that time is not
+    /// finite.
     pub fn axial_after(&self, l: f64, dt: f64) -> f64 {
+        if !dt.is_finite() {
+            return f64::NAN;
+        }
         l + self.gained([0.0, 0.0, l], [0.0; 3], dt)[2]
     }
 
     /// The integral (kg m^2) of l_3 over the time `dt` (s), from `l`.
     pub fn axial_integral(&self, l: f64, dt: f64) -> f64 {
+        if !dt.is_finite() {
+            return f64::NAN;
+        }
         match self.law {
             Law::None => {
                 let x = self.rates[2] * dt;

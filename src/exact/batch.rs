@@ -1,7 +1,7 @@
 //! Many samples at once: of one motion at many times, of many motions at one time.
 //!
-//! The lanes run the scalar sample's own code, which has no branch. Beyond a motion's reach,
-//! where a phase has more quarter turns than are counted in lanes, samples go one by one.
+//! The lanes run the scalar sample's own code, which has no branch. Beyond a motion's reach
+//! samples go one by one.
 
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
@@ -20,10 +20,16 @@ pub(super) trait Branchless<V: Constant = f64> {
     fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]);
 }
 
+/// Quaternion and rates where nothing is known.
+pub(super) const LOST: ([f64; 4], [f64; 3]) = ([f64::NAN; 4], [f64::NAN; 3]);
+
 /// One motion, at any time.
 pub(super) trait Sampled: Branchless + Sized {
-    /// Quaternion and rates beyond [`Branchless::until`].
-    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]);
+    /// Quaternion and rates beyond [`Branchless::until`]: as a rule the phase is lost there.
+    #[cold]
+    fn far(&self, _t: f64) -> ([f64; 4], [f64; 3]) {
+        LOST
+    }
 
     /// Attitude and rates at any time.
     #[inline]

@@ -22,8 +22,8 @@
 //! DLMF 22.19(i).
 
 use super::phase::Phase;
-use crate::error::{Error, Result, finite};
-use crate::math::{DoubleDouble as Dd, atan2, ldexp};
+use crate::error::{Error, Result, finite, known};
+use crate::math::{DoubleDouble as Dd, atan2, latest, ldexp};
 use crate::motion::{Kept, Motion, felt_of_each};
 
 /// A rigid body on a fixed horizontal axis.
@@ -295,8 +295,8 @@ impl Pendulum {
     /// The state `t` seconds after the start; negative times are before it.
     ///
     /// # Errors
-    /// `NotFinite`; `OutOfRange` for |t| > 4e15/W, or 4e15/(k W) when turning over:
-    /// there the spacing of the `f64` times is a radian of phase.
+    /// `NotFinite`; `PhaseLost` where W t, or k W t when turning over, is beyond 2^48 turns
+    /// ([how late](super#how-late)).
     ///
     /// # Accuracy
     /// Error over eps (|value| + sens), sens the change of the value when each input and
@@ -315,8 +315,7 @@ impl Pendulum {
     /// Cost: a sine-cosine pair or two exponentials, an arc tangent, short polynomials.
     pub fn at(&self, t: f64) -> Result<PendulumState> {
         let speed = self.rate.to_f64() * self.k2.to_f64().max(1.0).sqrt();
-        let allowed = "its size must not exceed 4e15/(W max(k, 1)): beyond, the phase is lost";
-        in_range("t", t, t.abs() <= 4e15 / speed, allowed)?;
+        known(t, latest(speed))?;
         let (turns, angle, omega) = match &self.motion {
             Course::Rest => (0.0, 0.0, 0.0),
             Course::Harmonic { half, swing, scale } => {

@@ -322,3 +322,20 @@ impl Ode<6> for Gimbals {
         self.sizes(y)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With the axis level the precession is m g l/L_z, whatever ring and fork weigh.
+    #[test]
+    fn a_level_axis_precesses_by_the_weight_moment() {
+        let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1).expect("a rotor");
+        for fork in [0.0, 2e-4] {
+            let gimbals = Gimbals::new(rotor, [1.5e-4, 1.5e-4, 2e-5], fork).expect("gimbals");
+            let level = core::f64::consts::FRAC_PI_2;
+            let rate = gimbals.steady_rate(level, 0.3, 0.0).expect("a precession");
+            assert!((rate / (4.9 * 0.1 / 0.3) - 1.0).abs() < 1e-14, "{rate}");
+        }
+    }
+}

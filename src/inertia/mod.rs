@@ -133,3 +133,6 @@ impl PrincipalMoments {
         self.moments[0] == self.moments[1]
     }
 }
+
+#[cfg(test)]
+mod tests;

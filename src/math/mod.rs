@@ -26,9 +26,21 @@ pub use libm::{
 pub(crate) use order::order_of;
 pub(crate) use order::{order_of_three, sort_by_number};
 pub(crate) use product::Exact;
-pub(crate) use turns::{Clock, Reduced, Time, is_known, known, sincos_of, unsigned_sincos_of};
+pub(crate) use turns::{Clock, MOST_TURNS, Reduced, Time, latest, sincos_of, unsigned_sincos_of};
 pub use turns::{round_even, sincos_turns};
 pub(crate) use versine::sinc_versine;
 
 /// The unit round-off of `f64`, 2^-53: half the distance from 1 to the next number.
 pub const EPS: f64 = 1.110_223_024_625_156_5e-16;
+
+/// Unlike `f64::max` it keeps a NaN, on either side.
+pub(crate) const fn larger(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
+const _: () = assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());
+
+/// Unlike `f64::min` it keeps a NaN, on either side.
+pub(crate) const fn smaller(a: f64, b: f64) -> f64 {
+    -larger(-a, -b)
+}

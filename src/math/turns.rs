@@ -5,7 +5,6 @@
 //! lanes becomes vector code, with the same bits as one call.
 
 use super::double_double::{DoubleDouble, two_sum};
-use super::fmod;
 use super::lane::{Constant, Gathered, Lane, Number, Pair, Phased, WIDEST};
 
 /// 3 * 2^51: adding and subtracting it rounds to a whole number, ties to even.
@@ -132,18 +131,14 @@ impl<L: Phased> Time<L> {
     }
 }
 
-/// The time itself, or, so many radians late at this rate that no phase is known and none is
-/// as good as any, zero.
-#[inline]
-pub(crate) fn known(t: f64, rate: f64) -> f64 {
-    if is_known(t, rate) { t } else { 0.0 * t }
-}
+/// A phase is read up to 2^48 turns: there the last bit of the time is from a 32nd to a 16th of a
+/// turn, and beyond it the phase is soon lost.
+pub(crate) const MOST_TURNS: f64 = 281_474_976_710_656.0;
 
-/// True if pairs hold the phase of a time at this rate; false for a NaN.
+/// The greatest |t| (s) at which a phase that grows by `rate` (rad/s) is read; a time is finite.
 #[inline]
-pub(crate) fn is_known(t: f64, rate: f64) -> bool {
-    // Beyond 1e290 a product of pairs leaves the range of doubles.
-    t.abs() <= 1e290 && (t * rate).abs() <= 1e150
+pub(crate) fn latest(rate: f64) -> f64 {
+    (MOST_TURNS * core::f64::consts::TAU / rate.abs()).min(f64::MAX)
 }
 
 /// A phase that grows steadily, `rate t + start`, in quarter turns: read at a time, less
@@ -172,47 +167,9 @@ impl Clock<f64> {
         }
     }
 
-    /// The greatest |t| at which it can be read.
+    /// The greatest |t| at which it can be read; infinite times are none.
     pub fn until(&self) -> f64 {
-        const MOST: f64 = 1_125_899_906_842_624.0; // 2^50
-        (MOST - self.start.abs()) / self.rate.abs()
-    }
-
-    /// The phase at a time later than [`Self::until`], as good as the time's last bit.
-    pub fn read_far(&self, t: f64) -> Reduced<f64> {
-        let product = DoubleDouble::from_parts(self.rate, self.low) * known(t, self.rate);
-        let quarters = |part: f64| fmod(part, 4.0);
-        let phase = quarters(product.hi()) + quarters(product.lo()) + self.start;
-        let whole = phase + ROUNDER;
-        Reduced {
-            rest: phase - (whole - ROUNDER),
-            whole,
-        }
-    }
-
-    /// Which of the whole numbers the phase is next to at any time, and what is beyond. A time
-    /// whose last bit is many of them falls anywhere: at most half-way.
-    pub fn counted_far(&self, t: f64) -> (f64, Reduced<f64>) {
-        let phase = self.far(t);
-        let count = phase.hi().round();
-        let rest = (phase - count).hi().clamp(-0.5, 0.5);
-        let whole = fmod(count, 4.0) + ROUNDER;
-        (count, Reduced { rest, whole })
-    }
-
-    /// The phase at any time.
-    pub fn far(&self, t: f64) -> DoubleDouble {
-        let rate = DoubleDouble::from_parts(self.rate, self.low);
-        rate * known(t, self.rate) + DoubleDouble::from_parts(self.start, self.start_low)
-    }
-
-    /// The phase at any time, before it passes its first whole number.
-    pub fn uncounted_far(&self, t: f64) -> Reduced<f64> {
-        let whole = self.start.round();
-        Reduced {
-            rest: (self.far(t) - whole).hi(),
-            whole: whole + ROUNDER,
-        }
+        ((4.0 * MOST_TURNS - self.start.abs()) / self.rate.abs()).min(f64::MAX)
     }
 
     /// Two clocks that are read together.
@@ -229,12 +186,6 @@ impl Clock<f64> {
 }
 
 impl Clock<[f64; 2]> {
-    /// Both at a time beyond [`Clock::until`].
-    #[cold]
-    pub fn both_far(&self, t: f64) -> Reduced<<f64 as Phased>::Pair> {
-        beside(self.one(0).read_far(t), self.one(1).read_far(t))
-    }
-
     /// Either of two.
     pub fn one(&self, i: usize) -> Clock<f64> {
         Clock {
@@ -276,15 +227,6 @@ impl<V: Constant> Clock<[V; 2]> {
     #[inline(always)]
     pub fn both_at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L::Pair> {
         self.read(|two| V::pair::<L>(two, first), &t.twice())
-    }
-}
-
-/// Two phases side by side.
-#[inline(always)]
-fn beside<L: Phased>(first: Reduced<L>, second: Reduced<L>) -> Reduced<L::Pair> {
-    Reduced {
-        rest: L::Pair::new(first.rest, second.rest),
-        whole: L::Pair::new(first.whole, second.whole),
     }
 }
 

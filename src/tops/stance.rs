@@ -238,3 +238,25 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         at.centre + self.attitude(coordinates).to_space(from_centre)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tops::{Shape, Top};
+
+    /// A tip that rolls does not slip; one that slides slips by v + omega x arm.
+    #[test]
+    fn what_rolls_does_not_slip() {
+        let shape = Shape::new(0.1, 1e-4, 5e-5, 0.02, 0.005).expect("a shape");
+        let top = Top::new(shape, 9.81).expect("a top");
+        let y = [
+            0.8, 0.36, 0.48, 0.0, 0.0, 2e-3, -1e-3, 5e-3, 0.1, 0.2, 0.02, 0.03, -0.01, 0.0,
+        ];
+        let at = |contact| top.stance(Phase { contact, passed: 0 }, &y);
+        assert_eq!(at(Contact::Rolling).slip, SpaceVector::zero());
+        let sliding = at(Contact::Sliding);
+        let want = sliding.velocity + sliding.angular_velocity.cross(&sliding.arm);
+        assert_eq!(sliding.slip, SpaceVector::new(want.x(), want.y(), 0.0));
+        assert!(want.z() == 0.0 && want.norm() > 0.1);
+    }
+}

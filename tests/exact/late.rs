@@ -1,9 +1,11 @@
 //! The closed forms after up to 10^12 periods, against values of 25 digits
-//! (tests/data/late.txt, written by late.py).
+//! (tests/data/late.txt, written by late.py), and near the latest times at which they are known
+//! (latest.txt, by latest.py).
 //!
 //! Inputs and times are taken as the doubles that they are, so a phase is owed to the last bit
 //! however late it is read: no error here is granted to the length of time.
 
+use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
@@ -22,8 +24,8 @@ struct Case {
     want: Vec<f64>,
 }
 
-fn cases() -> impl Iterator<Item = Case> {
-    include_str!("../data/late.txt").lines().map(|line| {
+fn cases(references: &'static str) -> impl Iterator<Item = Case> {
+    references.lines().map(|line| {
         let words: Vec<&str> = line.split(' ').collect();
         let inputs = if words[0] == "pendulum" { 6 } else { 9 };
         let numbers = |words: &[&str]| words.iter().map(|x| x.parse().unwrap()).collect();
@@ -40,8 +42,8 @@ fn cases() -> impl Iterator<Item = Case> {
 }
 
 impl Case {
-    /// Attitude and rates on the body axes, or angle and rate.
-    fn got(&self) -> Vec<f64> {
+    /// Attitude and rates on the body axes, or angle and rate, at the time `t`.
+    fn got(&self, t: f64) -> Result<Vec<f64>> {
         let v = self.inputs.as_slice();
         let angles = |v: &[f64]| EulerAngles {
             phi: v[0],
@@ -51,15 +53,13 @@ impl Case {
         let rates = |v: &[f64]| BodyVector::new(v[0], v[1], v[2]);
         let now = match self.kind {
             "free" => {
-                let moments = PrincipalMoments::new(v[0], v[1], v[2]).unwrap();
-                let start = Attitude::from_euler(angles(&v[6..])).unwrap();
-                let motion = FreeBody::new(moments, start, rates(&v[3..])).unwrap();
-                motion.kinematics(self.t)
+                let moments = PrincipalMoments::new(v[0], v[1], v[2])?;
+                let start = Attitude::from_euler(angles(&v[6..]))?;
+                FreeBody::new(moments, start, rates(&v[3..]))?.try_kinematics(t)?
             }
             "top" => {
-                let body = SymmetricTop::new(v[0], v[1], v[2].abs(), v[2].signum()).unwrap();
-                let motion = HeavyTop::from_body(body, angles(&v[3..]), rates(&v[6..])).unwrap();
-                motion.kinematics(self.t)
+                let body = SymmetricTop::new(v[0], v[1], v[2].abs(), v[2].signum())?;
+                HeavyTop::from_body(body, angles(&v[3..]), rates(&v[6..]))?.try_kinematics(t)?
             }
             _ => {
                 let suspension = Suspension {
@@ -68,21 +68,21 @@ impl Case {
                     gravity: v[2],
                     lever: v[3],
                 };
-                let motion = Pendulum::new(suspension, v[4], v[5]).unwrap();
-                let state = motion.at(self.t).unwrap();
-                return vec![state.theta, state.omega];
+                let state = Pendulum::new(suspension, v[4], v[5])?.at(t)?;
+                return Ok(vec![state.theta, state.omega]);
             }
         };
         let mut got = now.attitude.quaternion().to_vec();
         got.extend(now.angular_velocity.to_array());
-        got
+        Ok(got)
     }
 
     /// How far attitude (rad) and rates are off, the latter as a part of themselves; of a
     /// pendulum both are. The references are moved on as if every rate were off by `damage` of
     /// itself.
     fn off(&self, damage: f64) -> [f64; 2] {
-        let (got, late) = (self.got(), damage * self.t);
+        let got = self.got(self.t).expect("a time that is known");
+        let late = damage * self.t;
         if let [theta, omega] = *self.want {
             let [moment, mass, gravity, lever, ..] = *self.inputs else {
                 unreachable!("six inputs");
@@ -121,7 +121,7 @@ fn a_trillion_periods_cost_no_digit() {
         Errors::in_units_of(EPS, "rates"),
     );
     let mut damaged = Errors::in_units_of(EPS, "with rates that are off by 2^-80 of themselves");
-    let cases: Vec<Case> = cases().collect();
+    let cases: Vec<Case> = cases(include_str!("../data/late.txt")).collect();
     for motion in cases.chunks(5) {
         let name = format!("{}, {}", motion[0].kind, motion[0].name);
         let periods: Vec<&str> = motion.iter().map(|case| case.periods).collect();
@@ -148,4 +148,29 @@ fn a_trillion_periods_cost_no_digit() {
     places.attain(8.6..=8.7, 5 * 29);
     rates.attain(3.7..=3.8, 5 * 29);
     damaged.exceed(1e3, 29);
+}
+
+/// The last turns are owed as the first: a part of the way to where the phase is lost no digit is
+/// missing, and what is beyond is refused.
+#[test]
+fn the_last_turns_cost_no_digit() {
+    let (mut places, mut rates) = (
+        Errors::in_units_of(EPS, "attitude"),
+        Errors::in_units_of(EPS, "rates"),
+    );
+    let mut damaged = Errors::in_units_of(EPS, "with rates that are off by 2^-88 of themselves");
+    for case in cases(include_str!("../data/latest.txt")) {
+        let latest = crate::latest(case.got(1e300).err());
+        assert!(case.t > 0.05 * latest, "{}: {}", case.name, case.t / latest);
+        assert!(case.got(1.001 * latest).is_err() && case.got(-1.001 * latest).is_err());
+        assert!(case.got(latest).is_ok() && case.got(-latest).is_ok());
+        let [place, rate] = case.off(0.0);
+        places.push_at(place, &case.name);
+        rates.push_at(rate, &case.name);
+        let [place, rate] = case.off(2.0_f64.powi(-88));
+        damaged.push_at(place.max(rate), &case.name);
+    }
+    places.attain(4.2..=4.3, 29);
+    rates.attain(3.1..=3.2, 29);
+    damaged.exceed(100.0, 29);
 }

@@ -18,3 +18,13 @@ mod pendulum;
 mod plank;
 mod scene;
 mod turns;
+
+use rotation_dynamics::Error;
+
+/// The latest time at which a motion is known, as the refusal of a later one tells it.
+fn latest(refusal: Option<Error>) -> f64 {
+    match refusal {
+        Some(Error::PhaseLost { latest, .. }) => latest,
+        other => panic!("{other:?}"),
+    }
+}

@@ -68,8 +68,8 @@ fn homoclinic(part: f64) -> Result<HeavyTop> {
     HeavyTop::from_energy(top, 0.0, Start::ThetaMax, 0.0, 0.0)
 }
 
-/// Early and late, the last beyond what is done in lanes.
-const TIMES: [f64; 8] = [0.0, 0.37, -12.5, 77.7, 901.0, -1e6, 3e9, 1e17];
+/// Early and late; from the fifth on the homoclinic tops are beyond what is done in lanes.
+const TIMES: [f64; 8] = [0.0, 0.37, -12.5, 77.7, 901.0, -1e6, 3e9, 1e13];
 
 fn bits(states: &[Kinematics]) -> Vec<[u64; 7]> {
     let of = |state: &Kinematics| {
@@ -156,7 +156,14 @@ fn a_wrong_number_of_states_or_a_time_that_is_none_is_refused_untouched() {
             &|error| matches!(error, Error::NotFinite { name: "t", value } if value.to_bits() == bad.to_bits()),
         );
     }
-    assert_eq!(refused, 12);
+    for late in [1e17, -1e300] {
+        refuse(
+            11,
+            late,
+            &|error| matches!(error, Error::PhaseLost { t, .. } if t == late),
+        );
+    }
+    assert_eq!(refused, 16);
 }
 
 /// Teeth: one body of many that is another shows, and it alone.

@@ -148,7 +148,7 @@ fn bodies_and_effects_of_any_bits() {
                 solids::cone(x[0], x[1], x[2]).map(|solid| solid.mass().is_finite()),
                 GravityAtLever::new(x[0], x[1]).map(|gravity| gravity.moment().is_finite()),
                 GravityGradient::on_orbit(x[0], space(1), space(4))
-                    .map(|gradient| gradient.direction(1.0).is_finite()),
+                    .map(|gradient| gradient.direction(1.0 / (1.0 + x[0])).is_finite()),
                 InternalDissipation::new(x[0]).map(|loss| loss.coefficient().is_finite()),
                 DiscDrag::new(x[0], x[1], x[2], x[3])
                     .map(|drag| drag.axial_torque(1.0).is_finite()),

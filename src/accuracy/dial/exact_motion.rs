@@ -74,7 +74,7 @@ fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     Some(ExactMotion {
         name: "closed form of the free body",
         near_separatrix: off.abs() < NEAR * square,
-        at: Box::new(move |t| State::new(motion.attitude(t), momentum)),
+        at: Box::new(move |t| State::new(motion.try_attitude(t)?, momentum)),
     })
 }
 
@@ -97,7 +97,7 @@ fn heavy_top(
         name: "closed form of the heavy top",
         near_separatrix: motion.complementary_parameter() < NEAR,
         at: Box::new(move |t| {
-            let now = motion.kinematics(t);
+            let now = motion.try_kinematics(t)?;
             body.state(now.attitude, now.angular_velocity)
         }),
     })

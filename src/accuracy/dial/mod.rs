@@ -29,6 +29,8 @@ mod problem;
 mod regularized;
 mod slender;
 mod stepping;
+#[cfg(test)]
+mod tests;
 mod two_runs;
 mod verdict;
 

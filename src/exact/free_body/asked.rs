@@ -2,7 +2,7 @@
 
 use super::FreeBody;
 use crate::body::{Kinematics, State};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, known};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
 use crate::motion::{Kept, Motion, changed, felt, pushed};
@@ -23,7 +23,7 @@ impl Motion for FreeBody {
     fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
         let mut samples = vec![Kinematics::REST; times.len()];
         self.kinematics_at(times, &mut samples)
-            .map_err(|reason| first_bad(times, reason))?;
+            .map_err(|reason| first_bad(times, self.latest(), reason))?;
         let angular_momentum = self.angular_momentum();
         let state = |sample: Kinematics| State {
             attitude: sample.attitude,
@@ -50,7 +50,7 @@ impl Motion for FreeBody {
             let [i1, i2, i3] = moments;
             let moments = PrincipalMoments::new(i1, i2, i3)?;
             let other = Self::new(moments, self.attitude, BodyVector::from_array(rates))?;
-            Ok(Some(other.attitude(t).angle_to(&here)))
+            Ok(Some(other.try_attitude(t)?.angle_to(&here)))
         };
         // A turn of the start turns the whole motion.
         let mut square = 3.0;
@@ -78,9 +78,9 @@ fn with(mut numbers: [f64; 3], i: usize, value: f64) -> [f64; 3] {
     numbers
 }
 
-/// What is wrong with the first of the times that is not finite; else the reason as it is.
-pub(crate) fn first_bad(times: &[f64], reason: Error) -> Error {
-    let bad = |(index, t): (usize, &f64)| finite("t", *t).err().map(|error| (index, error));
+/// What is wrong with the first of the times that is not known; else the reason as it is.
+pub(crate) fn first_bad(times: &[f64], latest: f64, reason: Error) -> Error {
+    let bad = |(index, t): (usize, &f64)| known(*t, latest).err().map(|error| (index, error));
     match times.iter().enumerate().find_map(bad) {
         Some((index, error)) => Error::AtIndex {
             name: "times",
@@ -88,5 +88,28 @@ pub(crate) fn first_bad(times: &[f64], reason: Error) -> Error {
             reason: Box::new(error),
         },
         None => reason,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attitude::Attitude;
+
+    /// Soon after the start a turn moves it by itself, a push of a part of |L| on one axis by
+    /// |L| t/I, a moment by t^2 only.
+    #[test]
+    fn the_condition_begins_as_its_inputs_say() {
+        let inertia = [1.0, 2.0, 2.5];
+        let moments = PrincipalMoments::new(1.0, 2.0, 2.5).expect("a body");
+        let rates = BodyVector::new(0.8, 0.4, 0.3);
+        let motion = FreeBody::new(moments, Attitude::IDENTITY, rates).expect("a motion");
+        let momentum = motion.angular_momentum().norm();
+        for t in [1e-3, -1e-2] {
+            let pushes: f64 = inertia.iter().map(|i| (momentum / i * t).powi(2)).sum();
+            let want = 3.0 + (rates.norm() * t).powi(2) + pushes;
+            let got = motion.condition(t).expect("a time").powi(2);
+            assert!((got - want).abs() < 1e-3 * (want - 3.0), "{got} {want}");
+        }
     }
 }

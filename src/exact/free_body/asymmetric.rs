@@ -8,7 +8,7 @@ use super::{near_one, norm3};
 use crate::attitude::Attitude;
 use crate::attitude::product::product;
 use crate::body::Kinematics;
-use crate::exact::batch::Sampled;
+use crate::exact::batch::{Branchless, Sampled};
 use crate::exact::theta::Periods;
 use crate::math::{DoubleDouble as Dd, ilogb, order_of_three};
 
@@ -148,6 +148,14 @@ impl Asymmetric {
             half_period,
             precession,
             form,
+        }
+    }
+
+    /// The greatest |t| at which the phases are known.
+    pub(super) fn latest(&self) -> f64 {
+        match &self.form {
+            Form::Trigonometric(sampler) => sampler.until(),
+            Form::Hyperbolic(late) => late.until(),
         }
     }
 

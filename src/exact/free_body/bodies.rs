@@ -7,9 +7,9 @@ use super::symmetric::Symmetric;
 use super::{FreeBody, Motion};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
-use crate::error::Result;
+use crate::error::{Result, known};
 use crate::exact::batch::Blocks;
-use crate::exact::check_time;
+use crate::exact::check_length;
 use crate::frame::BodyVector;
 use crate::math::lane::Row;
 
@@ -45,6 +45,8 @@ pub struct FreeBodies<'a> {
     late: Blocks<Late<Row>>,
     /// Where each body's axes stand on the axes on which its rates are found.
     places: Vec<[usize; 3]>,
+    /// The greatest |t| at which the phases of all are known.
+    latest: f64,
 }
 
 impl<'a> FreeBodies<'a> {
@@ -76,6 +78,7 @@ impl<'a> FreeBodies<'a> {
             tumbling: Blocks::new(&tumbling),
             late: Blocks::new(&late),
             places,
+            latest: bodies.iter().fold(f64::MAX, |t, body| t.min(body.latest())),
         }
     }
 
@@ -88,10 +91,12 @@ impl<'a> FreeBodies<'a> {
     /// [`FreeBody::kinematics`]. Nothing is allocated.
     ///
     /// # Errors
-    /// `Lengths` if there are not as many states as bodies; `NotFinite` for a time that is not
-    /// finite. No state is touched then.
+    /// `Lengths` if there are not as many states as bodies; for a time as
+    /// [`FreeBody::try_kinematics`] of the body that is known for the shortest time. No state is
+    /// touched then.
     pub fn kinematics(&self, t: f64, states: &mut [Kinematics]) -> Result<()> {
-        check_time(states.len(), self.bodies.len(), t)?;
+        check_length("states", states.len(), self.bodies.len())?;
+        known(t, self.latest)?;
         let near = |number: usize, [w, x, y, z, p, q, r]: [f64; 7]| {
             let rates = placed(self.places[number], [p, q, r]);
             Kinematics::new(

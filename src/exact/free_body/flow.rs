@@ -27,9 +27,11 @@
 
 use super::FreeBody;
 use crate::attitude::Attitude;
+use crate::exact::batch::LOST;
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
-use crate::math::{DoubleDouble, sinc_versine};
+use crate::math::{DoubleDouble, MOST_TURNS, larger, sinc_versine};
+use core::f64::consts::TAU;
 
 /// The longest (a_max - a_min) dt for the series, which then end below eps. The
 /// functions of the step are doubled up to twice.
@@ -79,7 +81,8 @@ impl FreeFlow {
 
     /// The rotation during the time `dt` (s), on the body's axes before it:
     /// the attitude Q becomes `Q * turn`, and the momentum l on the body's axes
-    /// `turn.to_body(l)`. `dt` may be negative; a momentum below 1e-154 turns nothing.
+    /// `turn.to_body(l)`. `dt` may be negative; a momentum below 1e-154 turns nothing. NaN if that
+    /// time is not finite or [so long](crate::exact#how-late) that the phase is lost.
     ///
     /// Accuracy: up to a turn of a few rad the quaternion is off by at most 8.8 eps of
     /// its distance from 1 (78 cases of `tests/exact/free_flow.rs`, needles, discs, spheres,
@@ -88,6 +91,13 @@ impl FreeFlow {
     /// Cost: that of 1.3 derivatives of a [`Scene`](crate::scene::Scene) up to 0.6 rad of
     /// (1/I_min - 1/I_max) |L| dt, of 2 up to 2.4 rad.
     pub fn turn(&self, momentum: BodyVector, dt: f64) -> Attitude {
+        let fastest = self
+            .inverse
+            .iter()
+            .fold(0.0, |most, [rate, _]| larger(most, *rate));
+        if !((fastest * momentum.norm() * dt).abs() <= MOST_TURNS * TAU) {
+            return Attitude::from_unit(LOST.0);
+        }
         let [w, x, y, z] = self.increment(momentum.to_array(), dt);
         Attitude::from_unit([1.0 + w, x, y, z])
     }

@@ -9,7 +9,7 @@ use super::sample::{Columns, Rates, Sample, columns, reduced};
 use super::series::Hyperbolic;
 use crate::attitude::Attitude;
 use crate::attitude::product::product;
-use crate::exact::batch::{Branchless, Sampled};
+use crate::exact::batch::{Branchless, LOST, Sampled};
 use crate::math::lane::{Constant, Cubics, Gathered, Pair, Phased, Row, WIDEST, cubics, horner};
 use crate::math::{Clock, DoubleDouble as Dd, Reduced, STEEPEST, Time, sincos_of, sinh_cosh_of};
 
@@ -30,8 +30,6 @@ pub(super) struct Late<V = f64> {
     im: Cubics<V>,
     columns: Columns<V>,
     pub(super) rates: Rates<V>,
-    /// False on the separatrix, which has one turning point.
-    periodic: bool,
     /// The greatest |t|.
     until: f64,
 }
@@ -72,7 +70,6 @@ impl Late {
             im: cubics(&signed(&alpha[1], sense), &signed(&beta[1], -1.0)),
             columns: columns(|unit| unit),
             rates,
-            periodic: half_period.is_some(),
             until,
             clocks: clocks[0].beside(&clocks[1]),
         }
@@ -88,25 +85,11 @@ impl Late {
 
     /// The attitude alone costs less.
     pub fn attitude(&self, t: f64) -> Attitude {
-        let sample = if t.abs() <= self.until {
-            self.near(t, 0)
+        Attitude::from_unit(if t.abs() <= self.until {
+            self.near(t, 0).quaternion(&self.columns, 0)
         } else {
-            self.far_away(t)
-        };
-        Attitude::from_unit(sample.quaternion(&self.columns, 0))
-    }
-
-    #[cold]
-    fn far_away(&self, t: f64) -> Sample<f64> {
-        let halves = self.clocks.one(0);
-        let (count, half) = if self.periodic {
-            halves.counted_far(t)
-        } else {
-            (0.0, halves.uncounted_far(t))
-        };
-        let phase = self.clocks.one(1).read_far(t);
-        let lag = self.lag.read_far(count);
-        self.sample(half, phase.less(&lag), 0)
+            LOST.0
+        })
     }
 }
 
@@ -157,16 +140,7 @@ impl<V: Constant> Branchless<V> for Late<V> {
     }
 }
 
-impl Sampled for Late {
-    #[cold]
-    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        let sample = self.far_away(t);
-        (
-            sample.quaternion(&self.columns, 0),
-            sample.rates(&self.rates, 0),
-        )
-    }
-}
+impl Sampled for Late {}
 
 impl Gathered for Late {
     type Rows = Late<Row>;
@@ -180,7 +154,6 @@ impl Gathered for Late {
             im: Gathered::gathered(each.map(|of| of.im)),
             columns: Gathered::gathered(each.map(|of| of.columns)),
             rates: Gathered::gathered(each.map(|of| of.rates)),
-            periodic: each.iter().all(|of| of.periodic),
             until: each
                 .iter()
                 .fold(f64::INFINITY, |until, of| until.min(of.until)),

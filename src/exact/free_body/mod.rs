@@ -23,8 +23,8 @@
 
 use crate::attitude::Attitude;
 use crate::body::{Kinematics, State};
-use crate::error::{Error, Result, finite};
-use crate::exact::batch::Sampled;
+use crate::error::{Error, Result, finite, known};
+use crate::exact::batch::{Branchless, Sampled};
 use crate::exact::check_times;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
@@ -50,7 +50,7 @@ use symmetric::Symmetric;
 ///
 /// Accuracy: with inputs and time taken as the doubles that they are, the attitude stays within
 /// 8.7 eps rad up to 1e12 periods of the rates, the rates within 3.4 eps of themselves
-/// (`tests/exact/late.rs`).
+/// (`tests/exact/late.rs`); later than 2^48 turns [nothing is known](crate::exact#how-late).
 ///
 /// ```
 /// use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};
@@ -173,7 +173,15 @@ impl FreeBody {
         }
     }
 
-    /// Attitude at time `t` (s).
+    /// The greatest |t| (s) at which the phases are known.
+    fn latest(&self) -> f64 {
+        match &self.motion {
+            Motion::Steady(motion) | Motion::Symmetric(motion) => motion.until(),
+            Motion::Asymmetric(motion) => motion.latest(),
+        }
+    }
+
+    /// Attitude at time `t` (s); NaN at a time that [`FreeBody::try_attitude`] refuses.
     pub fn attitude(&self, t: f64) -> Attitude {
         match &self.motion {
             Motion::Steady(motion) | Motion::Symmetric(motion) => motion.kinematics(t).attitude,
@@ -184,9 +192,10 @@ impl FreeBody {
     /// The same as [`FreeBody::attitude`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite.
+    /// `NotFinite` for a time that is not finite; `PhaseLost` for one so late that the phase is
+    /// lost ([how late](crate::exact#how-late)).
     pub fn try_attitude(&self, t: f64) -> Result<Attitude> {
-        Ok(self.attitude(finite("t", t)?))
+        Ok(self.attitude(known(t, self.latest())?))
     }
 
     /// Angular velocity on the body axes at time `t` (rad/s).
@@ -196,7 +205,7 @@ impl FreeBody {
 
     /// Attitude and body rates at time `t` (s), for the price of one.
     ///
-    /// A time that is not finite gives NaN; [`FreeBody::try_kinematics`] refuses it.
+    /// NaN at a time that [`FreeBody::try_kinematics`] refuses.
     pub fn kinematics(&self, t: f64) -> Kinematics {
         match &self.motion {
             Motion::Steady(motion) | Motion::Symmetric(motion) => motion.kinematics(t),
@@ -207,15 +216,16 @@ impl FreeBody {
     /// The same as [`FreeBody::kinematics`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite.
+    /// `NotFinite` for a time that is not finite; `PhaseLost` for one so late that the phase is
+    /// lost ([how late](crate::exact#how-late)).
     pub fn try_kinematics(&self, t: f64) -> Result<Kinematics> {
-        Ok(self.kinematics(finite("t", t)?))
+        Ok(self.kinematics(known(t, self.latest())?))
     }
 
     /// Attitude and angular momentum at time `t` (s); the momentum has the same bits at
     /// all times.
     ///
-    /// A time that is not finite gives NaN; [`FreeBody::try_state`] refuses it.
+    /// The attitude is NaN at a time that [`FreeBody::try_state`] refuses.
     pub fn state(&self, t: f64) -> State {
         State {
             attitude: self.attitude(t),
@@ -226,9 +236,10 @@ impl FreeBody {
     /// The same as [`FreeBody::state`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite.
+    /// `NotFinite` for a time that is not finite; `PhaseLost` for one so late that the phase is
+    /// lost ([how late](crate::exact#how-late)).
     pub fn try_state(&self, t: f64) -> Result<State> {
-        Ok(self.state(finite("t", t)?))
+        Ok(self.state(known(t, self.latest())?))
     }
 
     /// Attitude and body rates at many times (s): the bits of [`FreeBody::kinematics`],
@@ -254,10 +265,10 @@ impl FreeBody {
     /// ```
     ///
     /// # Errors
-    /// `Lengths` if there are not as many samples as times; `NotFinite` for a time that is
-    /// not finite. No sample is touched then.
+    /// `Lengths` if there are not as many samples as times; for a time as
+    /// [`FreeBody::try_kinematics`]. No sample is touched then.
     pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
-        check_times("samples", samples.len(), times)?;
+        check_times("samples", samples.len(), times, self.latest())?;
         match &self.motion {
             Motion::Steady(motion) | Motion::Symmetric(motion) => motion.fill(times, samples),
             Motion::Asymmetric(motion) => motion.fill(times, samples),

@@ -5,7 +5,7 @@
 
 use super::series::Trigonometric;
 use crate::attitude::Attitude;
-use crate::exact::batch::{Branchless, Sampled};
+use crate::exact::batch::{Branchless, LOST, Sampled};
 use crate::math::lane::{Constant, Cubics, Gathered, Pair, Phased, Row, WIDEST, cubics, horner};
 use crate::math::{Clock, DoubleDouble as Dd, Reduced, Time, sincos_of};
 
@@ -148,12 +148,12 @@ impl Sampler {
 
     /// The attitude alone costs less.
     pub fn attitude(&self, t: f64) -> Attitude {
-        let clocks = if t.abs() <= self.until {
-            self.clocks.both_at(&Time::new(t), 0)
+        Attitude::from_unit(if t.abs() <= self.until {
+            let clocks = self.clocks.both_at(&Time::new(t), 0);
+            self.quaternion_of(&self.sample::<f64>(clocks, 0), 0)
         } else {
-            self.clocks.both_far(t)
-        };
-        Attitude::from_unit(self.quaternion_of(&self.sample::<f64>(clocks, 0), 0))
+            LOST.0
+        })
     }
 }
 
@@ -225,13 +225,7 @@ impl<V: Constant> Branchless<V> for Sampler<V> {
     }
 }
 
-impl Sampled for Sampler {
-    #[cold]
-    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        let sample = self.sample::<f64>(self.clocks.both_far(t), 0);
-        (self.quaternion_of(&sample, 0), sample.rates(&self.rates, 0))
-    }
-}
+impl Sampled for Sampler {}
 
 /// The columns, each times its part, added up.
 #[inline(always)]

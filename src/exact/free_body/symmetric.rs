@@ -118,12 +118,7 @@ impl<V: Constant> Branchless<V> for Symmetric<V> {
     }
 }
 
-impl Sampled for Symmetric {
-    #[cold]
-    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        self.sample::<f64>(self.clocks.both_far(t), 0)
-    }
-}
+impl Sampled for Symmetric {}
 
 /// The rates of several bodies are left on the three axes with the own one the last.
 impl Gathered for Symmetric {

@@ -26,7 +26,7 @@ impl Motion for HeavyTop {
     fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
         let mut samples = vec![Kinematics::REST; times.len()];
         self.kinematics_at(times, &mut samples)
-            .map_err(|reason| first_bad(times, reason))?;
+            .map_err(|reason| first_bad(times, self.latest, reason))?;
         Ok(samples
             .into_iter()
             .map(|now| self.with_momentum(now))
@@ -83,9 +83,9 @@ impl HeavyTop {
         t: f64,
         make: impl Fn([f64; N]) -> Result<Self>,
     ) -> Result<f64> {
-        let here = self.attitude(t);
+        let here = self.try_attitude(t)?;
         felt_of_each(0.0, inputs, |inputs| {
-            Ok(make(inputs)?.attitude(t).angle_to(&here))
+            Ok(make(inputs)?.try_attitude(t)?.angle_to(&here))
         })
     }
 
@@ -97,7 +97,7 @@ impl HeavyTop {
         };
         let omega = omega_body.to_array();
         let base = make(body, start, omega)?;
-        let here = base.attitude(t);
+        let here = base.try_attitude(t)?;
         let numbers = [body.i1(), body.i3(), body.weight()];
         let mut square = base.of_numbers(numbers, t, |[i1, i3, weight]| {
             let body = SymmetricTop::formal(i1, i3, weight, body.lever())?;
@@ -114,14 +114,18 @@ impl HeavyTop {
                 if (other.angle_to(&start) - by.abs()).abs() > 0.1 * by.abs() {
                     return Ok(None);
                 }
-                Ok(Some(make(body, other, omega)?.attitude(t).angle_to(&here)))
+                Ok(Some(
+                    make(body, other, omega)?.try_attitude(t)?.angle_to(&here),
+                ))
             })?;
             let size = momentum / if i == 2 { body.i3() } else { body.i1() };
             let by_push = felt(|by| match pushed(omega[i], by * size) {
                 Some(rate) if size > 0.0 => {
                     let mut omega = omega;
                     omega[i] = rate;
-                    Ok(Some(make(body, start, omega)?.attitude(t).angle_to(&here)))
+                    Ok(Some(
+                        make(body, start, omega)?.try_attitude(t)?.angle_to(&here),
+                    ))
                 }
                 _ => Ok(None),
             })?;

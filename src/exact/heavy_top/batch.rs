@@ -6,7 +6,7 @@ use super::{Course, Form, HeavyTop};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
 use crate::error::Result;
-use crate::exact::batch::{self, Sampled};
+use crate::exact::batch::{self, Branchless, Sampled};
 use crate::exact::check_times;
 use crate::math::lane::{self, Phased};
 
@@ -15,10 +15,10 @@ impl HeavyTop {
     /// registers where the processor has them. Nothing is allocated.
     ///
     /// # Errors
-    /// `Lengths` if there are not as many attitudes as times; `NotFinite` for a time
-    /// that is not finite. No attitude is touched then.
+    /// `Lengths` if there are not as many attitudes as times; for a time as
+    /// [`HeavyTop::try_attitude`]. No attitude is touched then.
     pub fn attitudes(&self, times: &[f64], attitudes: &mut [Attitude]) -> Result<()> {
-        check_times("attitudes", attitudes.len(), times)?;
+        check_times("attitudes", attitudes.len(), times, self.latest)?;
         match self.form() {
             Some(Form::Trigonometric(sampler)) => filled(&**sampler, times, attitudes),
             Some(Form::Hyperbolic(late)) => filled(&**late, times, attitudes),
@@ -49,7 +49,7 @@ impl HeavyTop {
     /// # Errors
     /// As [`HeavyTop::attitudes`].
     pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
-        check_times("samples", samples.len(), times)?;
+        check_times("samples", samples.len(), times, self.latest)?;
         match self.form() {
             Some(Form::Trigonometric(sampler)) => sampler.fill(times, samples),
             Some(Form::Hyperbolic(late)) => late.fill(times, samples),
@@ -67,6 +67,16 @@ impl HeavyTop {
         match &self.course {
             Course::Fixed { .. } => None,
             Course::Moving { form, .. } => Some(form),
+        }
+    }
+}
+
+impl Form {
+    /// The greatest |t| at which the phases are known.
+    pub(super) fn latest(&self) -> f64 {
+        match self {
+            Self::Trigonometric(sampler) => sampler.until(),
+            Self::Hyperbolic(late) => late.latest(),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::attitude::{Attitude, EulerAngles};
 use crate::body::Kinematics;
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
-use crate::math::DoubleDouble as Dd;
+use crate::math::{self, DoubleDouble as Dd};
 
 /// The problem in u = cos(theta), before the sign of gravity is taken out.
 struct Problem {
@@ -393,6 +393,11 @@ impl HeavyTop {
                 Self::moving(&problem, flip, Motion::new(&conserved, &origin, roots))
             }
         };
+        let latest = match &course {
+            Course::Fixed { .. } => math::latest(problem.omega3.to_f64()),
+            // Beyond 1e290 a product of pairs leaves the range of doubles.
+            Course::Moving { form, .. } => form.latest().min(1e290),
+        };
         let motion = Self {
             phi0: problem.phi0,
             zeta0: problem.zeta0,
@@ -408,6 +413,7 @@ impl HeavyTop {
             body: problem.body,
             given: problem.given,
             course,
+            latest,
         };
         let start = motion.kinematics(0.0);
         if motion.is_representable(start) && motion.starts_as_given(&start, strength) {

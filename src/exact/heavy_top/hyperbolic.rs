@@ -16,7 +16,7 @@ use super::motion::Motion;
 use super::rates::RateRipple;
 use super::sample::Axis;
 use crate::attitude::Attitude;
-use crate::exact::batch::{Branchless, Sampled};
+use crate::exact::batch::{Branchless, LOST, Sampled};
 use crate::math::lane::{
     Constant, Cubics, Gathered, Number, Pair, Phased, Row, WIDEST, cubics, either,
 };
@@ -65,6 +65,13 @@ struct Place<L: Phased> {
     phases: Reduced<L::Pair>,
 }
 
+/// sinh w, cosh w and 1, for |w| up to [`STEEPEST`].
+#[inline(always)]
+fn flat<L: Phased>(w: L) -> [L; 3] {
+    let (sinh, cosh) = sinh_cosh_of(w);
+    [sinh, cosh, L::of(1.0)]
+}
+
 impl Late {
     /// For a motion whose gravity is turned if `flip` < 0, with the phases of alpha and
     /// beta in `turns` and omega_3 = `spin`.
@@ -88,7 +95,7 @@ impl Late {
         let begin = motion.first as f64 + flipped;
         let halves = Clock::new(per, motion.offset * per + begin);
         let phases = turns.map(|turn| {
-            let start = turn.start + turn.lag * (begin + motion.start);
+            let start = turn.start + turn.lag * begin;
             let start = start - start.round();
             Clock::new(turn.rate.scaled(4.0), start.scaled(4.0))
         });
@@ -143,6 +150,14 @@ impl Late {
         }
     }
 
+    /// The greatest |t| at which the phases are known.
+    pub fn latest(&self) -> f64 {
+        if self.periodic {
+            return self.until;
+        }
+        self.phases.one(0).until().min(self.phases.one(1).until())
+    }
+
     pub fn attitude(&self, t: f64) -> Attitude {
         Attitude::from_unit(if t.abs() <= self.until {
             self.quaternion(t)
@@ -161,14 +176,20 @@ impl Late {
 impl<V: Constant> Late<V> {
     #[inline(always)]
     fn place<L: Phased>(&self, t: L, first: usize) -> Place<L> {
+        self.place_by(t, first, flat)
+    }
+
+    /// The place at time `t`, with sinh w, cosh w and 1, or all three times something, by `wave`.
+    #[inline(always)]
+    fn place_by<L: Phased>(&self, t: L, first: usize, wave: impl Fn(L) -> [L; 3]) -> Place<L> {
         let time = Time::new(t);
         let half = self.halves.at(&time, first);
         let lag = self.lags.both_at(&Time::new(half.count()), first);
-        let (sinh, cosh) = sinh_cosh_of(half.rest * self.width.lane::<L>(first));
+        let [sinh, cosh, one] = wave(half.rest * self.width.lane::<L>(first));
         Place {
             sinh,
             cosh,
-            one: L::of(1.0),
+            one,
             whole: half.whole,
             phases: self.phases.both_at(&time, first).less(&lag),
         }
@@ -223,29 +244,16 @@ impl<V: Constant> Branchless<V> for Late<V> {
 impl Sampled for Late {
     #[cold]
     fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        let (count, half) = if self.periodic {
-            self.halves.counted_far(t)
-        } else {
-            let half = self.halves.uncounted_far(t);
-            (half.count(), half)
-        };
-        let lag = self.lags.both_far(count);
-        let w = half.rest * self.width;
-        let (sinh, cosh, one) = if w.abs() > STEEPEST {
+        // Only the homoclinic motion is known where it is too steep for lanes.
+        if self.periodic || !(t.abs() <= self.latest()) {
+            return LOST;
+        }
+        let steep = |w: f64| match w.abs() > STEEPEST {
             // All three times e^-|w|.
-            (0.5_f64.copysign(w), 0.5, exp(-w.abs()))
-        } else {
-            let (sinh, cosh) = sinh_cosh_of(w);
-            (sinh, cosh, 1.0)
+            true => [0.5_f64.copysign(w), 0.5, exp(-w.abs())],
+            false => flat(w),
         };
-        let place = Place {
-            sinh,
-            cosh,
-            one,
-            whole: half.whole,
-            phases: self.phases.both_far(t).less(&lag),
-        };
-        self.all_of::<f64>(&place, 0)
+        self.all_of::<f64>(&self.place_by(t, 0, steep), 0)
     }
 }
 

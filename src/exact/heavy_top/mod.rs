@@ -73,7 +73,7 @@ pub enum Start {
 /// A motion of a heavy symmetric top, at any time.
 ///
 /// Time is the notes' t' for a motion made from a [`ReducedTop`], seconds for one made
-/// from a [`SymmetricTop`]. Times must be finite.
+/// from a [`SymmetricTop`]; [how late](crate::exact#how-late) it may be.
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
@@ -122,6 +122,8 @@ pub struct HeavyTop {
     body: Option<SymmetricTop>,
     given: Given,
     course: Course,
+    /// The greatest |t| at which the phases are known.
+    latest: f64,
 }
 
 /// What it was made from, beside phi0 and zeta0: what its condition changes.

@@ -24,8 +24,6 @@ pub(super) struct Motion {
     pub half_period: Dd,
     pub homoclinic: bool,
     per_half_period: f64,
-    /// The largest |x|: half-way between turning points, and a little for rounding.
-    reach: f64,
     /// Time from the turning point number `first` to the start.
     pub offset: Dd,
     pub first: i64,
@@ -34,8 +32,6 @@ pub(super) struct Motion {
     /// z or w per time.
     pub rate: Dd,
     pub channels: [Channel; 2],
-    /// The half-period of the start, counted from the turning point `first`.
-    pub start: f64,
 }
 
 /// The transverse rate's series.
@@ -64,7 +60,7 @@ pub(super) struct Channel {
 /// A place on the time axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
-    /// Half-periods since the start's.
+    /// Half-periods since the turning point `first`, the nearest one at the start.
     pub count: f64,
     /// Full periods, counted so that -1, 0 and 1 alternate in sign.
     pub period: i64,
@@ -106,6 +102,8 @@ impl Motion {
             initial: 0.0,
             initial_half_turns: 0.0,
         });
+        // From the nearer one: rounding may choose the other by 4.3e-17 of a half-period, half of
+        // what moves the quotient from 1/2, so the count at the start is 0.
         let (first, offset) = time_from_turning_point(origin, &roots, &periods, p);
         let half_period = if homoclinic { quarter } else { quarter / p };
         // The transverse rate at the lower turning point, +-(A - B v1)/sin(theta), times the
@@ -132,14 +130,12 @@ impl Motion {
             half_period,
             homoclinic,
             per_half_period: 1.0 / half_period.hi(),
-            reach: 0.5 * (1.0 + 1e-9) * half_period.hi() * rate.hi(),
             offset,
             first,
             series: matched.series,
             rates,
             rate,
             channels,
-            start: 0.0,
         });
         motion.set_start();
         motion
@@ -147,7 +143,6 @@ impl Motion {
 
     fn set_start(&mut self) {
         let place = self.place(0.0);
-        self.start = place.count;
         let pair = self.series.at(place.upper, place.x);
         let arguments = self.arguments(&place, &pair);
         let half_turns = self.half_turns(&place);
@@ -161,31 +156,26 @@ impl Motion {
         }
     }
 
-    /// Where the time `t` falls.
+    /// Where the time `t` falls, if the phases are known there.
     #[inline]
     pub fn place(&self, t: f64) -> Place {
-        let since = self.offset + math::known(t, self.rate.hi());
+        let since = self.offset + t;
         let (count, rest) = if self.homoclinic {
             (0.0, since.hi())
         } else {
             let count = nearest(since.hi() * self.per_half_period);
-            (count, (since - self.half_period * count).hi())
+            let rest = since - self.half_period * count;
+            // So late the quotient itself may be one off.
+            let more = nearest(rest.hi() * self.per_half_period);
+            (count + more, (rest - self.half_period * more).hi())
         };
         let index = (count as i64).saturating_add(self.first);
         Place {
-            count: count - self.start,
+            count,
             period: index >> 1,
             upper: index & 1 == 1,
-            // A time whose last bit is many periods falls anywhere: on this side.
-            x: (rest * self.rate.hi()).max(-self.reach).min(self.reach),
+            x: rest * self.rate.hi(),
         }
-    }
-
-    /// True if the last bit of the time is a half-period: their number is not known. The
-    /// homoclinic motion has none, and its phase is not known so late that no pair holds it.
-    pub fn is_uncounted(&self, t: f64) -> bool {
-        const MOST: f64 = 4_503_599_627_370_496.0; // 2^52
-        t.abs() * self.per_half_period > MOST || !math::is_known(t, self.rate.hi())
     }
 
     /// Both series there.
@@ -289,5 +279,84 @@ fn time_from_turning_point(origin: &Origin, roots: &Roots, periods: &Periods, p:
     match periods.nearer_end(below, above) {
         (false, since) => (0, since / p * rising),
         (true, until) => (1, -(until / p) * rising),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::attitude::Attitude;
+    use crate::exact::heavy_top::{Course, HeavyTop, ReducedTop};
+
+    fn made([a, b, c]: [f64; 3], theta: f64, rate: f64) -> HeavyTop {
+        ReducedTop::new(a, b, c)
+            .and_then(|top| HeavyTop::from_angles(top, theta, rate, 0.3, -0.4))
+            .expect("a motion")
+    }
+
+    /// Far from the homoclinic motion and beside it.
+    const TOPS: [[f64; 3]; 2] = [[2.0, 1.2, 0.2], [2.0, 1.0001, 1.3]];
+
+    /// Angles are made of the count of half-periods, attitudes of clocks: over many half-periods
+    /// both are one.
+    #[test]
+    fn angles_count_half_periods_as_clocks_do() {
+        for (top, theta, rate) in [
+            (TOPS[0], 0.7, 0.1),
+            (TOPS[0], 0.3, -0.2),
+            (TOPS[1], 0.02, 0.0),
+            (TOPS[1], 0.9, 0.4),
+        ] {
+            let motion = made(top, theta, rate);
+            for k in -40..=40 {
+                let t = 0.77 * f64::from(k);
+                let angles = Attitude::from_euler(motion.angles(t)).expect("finite");
+                let off = angles.angle_to(&motion.attitude(t));
+                assert!(off < 1e-13, "{off:e} at {t}");
+            }
+        }
+    }
+
+    /// A start half-way between two turning points may be counted from either: it is the start,
+    /// and no neighbour is elsewhere later.
+    #[test]
+    fn a_start_half_way_is_the_start() {
+        let mut starts = 0;
+        for (top, k) in TOPS
+            .into_iter()
+            .flat_map(|top| (1..=20).map(move |k| (top, k)))
+        {
+            let rate = 0.02 * f64::from(k);
+            let first = |theta: f64| match made(top, theta, rate).course {
+                Course::Moving { motion, .. } => {
+                    assert_eq!(motion.place(0.0).count, 0.0);
+                    motion.first
+                }
+                Course::Fixed { .. } => unreachable!("it moves"),
+            };
+            let (mut low, mut high) = (0.35_f64, 1.2_f64);
+            if first(low) == first(high) {
+                continue;
+            }
+            while high.to_bits() - low.to_bits() > 1 {
+                let middle = f64::from_bits(low.to_bits() + (high.to_bits() - low.to_bits()) / 2);
+                if first(middle) == first(low) {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            let later = made(top, low, rate).attitude(10.0);
+            for bits in low.to_bits() - 9..high.to_bits() + 9 {
+                let theta = f64::from_bits(bits);
+                first(theta);
+                let motion = made(top, theta, rate);
+                let start = motion.angles(0.0);
+                assert!((start.theta - theta).abs() < 1e-15);
+                assert_eq!((start.phi, start.zeta), (0.3, -0.4));
+                assert!(motion.attitude(10.0).angle_to(&later) < 1e-12);
+                starts += 1;
+            }
+        }
+        assert_eq!(starts, 380);
     }
 }

@@ -6,8 +6,8 @@ use super::series::Pair;
 use super::{Course, Form, HeavyTop};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::{Kinematics, State};
-use crate::error::{Result, finite};
-use crate::exact::batch::Sampled;
+use crate::error::{Result, known};
+use crate::exact::batch::{LOST, Sampled};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble as Dd};
 use nalgebra::Complex;
@@ -16,19 +16,25 @@ impl HeavyTop {
     /// The Euler angles at time `t`: phi and zeta continuous, not reduced modulo 2 pi.
     ///
     /// theta is in [0, pi]. Where the axis passes a pole exactly, phi jumps by pi
-    /// there and zeta with it; the attitude does not. `t`: finite, in t' or seconds.
+    /// there and zeta with it; the attitude does not. `t`: in t' or seconds. NaN at a time that
+    /// [`HeavyTop::try_angles`] refuses.
     ///
-    /// Accuracy: K = 1.9 for phi and zeta, 1.2 for theta; see [`HeavyTop`]. Beyond 2^52
-    /// half-periods, where the last bit of the time is one of them, phi and zeta are their
-    /// start and their mean rates; an angle beyond `f64` is infinite.
+    /// Accuracy: K = 1.9 for phi and zeta, 1.2 for theta; see [`HeavyTop`].
     /// Source: the notes, 16.2 (4)-(6), solved.
     pub fn angles(&self, t: f64) -> EulerAngles {
+        if !self.is_known(t) {
+            return EulerAngles {
+                phi: f64::NAN,
+                theta: f64::NAN,
+                zeta: f64::NAN,
+            };
+        }
         let motion = match &self.course {
             Course::Fixed { theta } => {
                 return EulerAngles {
                     phi: self.phi0,
                     theta: *theta,
-                    zeta: self.zeta0 + late(self.omega3, t),
+                    zeta: self.zeta0 + self.spun(t).to_f64(),
                 };
             }
             Course::Moving { motion, .. } => motion,
@@ -37,14 +43,6 @@ impl HeavyTop {
         let pair = motion.pair(&place);
         let (sin, cos) = self.half_angle(pair.a, pair.b);
         let theta = 2.0 * math::atan2(sin, cos);
-        if motion.is_uncounted(t) {
-            let [phi, zeta] = self.mean_rates().map(|rate| late(rate, t));
-            return EulerAngles {
-                phi: self.phi0 + phi,
-                theta,
-                zeta: self.zeta0 + zeta,
-            };
-        }
         let arguments = motion.arguments(&place, &pair);
         let half_turns = motion.half_turns(&place);
         let [a, b] = [0, 1].map(|i| {
@@ -55,39 +53,36 @@ impl HeavyTop {
         });
         let phi = (a.0 + b.0) + (a.1 + b.1) + self.phi0;
         let difference = ((a.0 - b.0) + (a.1 - b.1)) * self.flip;
-        let zeta = if math::is_known(t, self.free_spin.hi()) {
-            (difference + self.free_spin * t + self.zeta0).to_f64()
-        } else {
-            // All else is below its last bit.
-            late(self.free_spin, t)
-        };
+        let zeta = difference + self.free_spin * t + self.zeta0;
         EulerAngles {
             phi: phi.to_f64(),
             theta,
-            zeta,
+            zeta: zeta.to_f64(),
         }
     }
 
     /// The same as [`HeavyTop::angles`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite, or so late that phi or zeta is beyond `f64`.
+    /// As [`HeavyTop::try_attitude`].
     pub fn try_angles(&self, t: f64) -> Result<EulerAngles> {
-        let angles = self.angles(finite("t", t)?);
-        finite("phi", angles.phi)?;
-        finite("zeta", angles.zeta)?;
-        Ok(angles)
+        Ok(self.angles(known(t, self.latest)?))
+    }
+
+    /// True if the phases are known at this time.
+    #[inline]
+    fn is_known(&self, t: f64) -> bool {
+        t.abs() <= self.latest
     }
 
     /// The attitude at time `t`; the quaternion is continuous in time.
     ///
-    /// A time that is not finite gives NaN; [`HeavyTop::try_attitude`] refuses it. A phase beyond
-    /// some 1e150 rad is not known, and counts as that of the start.
+    /// NaN at a time that [`HeavyTop::try_attitude`] refuses.
     ///
     /// Accuracy: K = 1.5 for the elements of the matrix; see [`HeavyTop`].
     pub fn attitude(&self, t: f64) -> Attitude {
         match &self.course {
-            Course::Fixed { .. } => self.fixed_attitude(t),
+            Course::Fixed { .. } => self.kinematics(t).attitude,
             Course::Moving { form, .. } => match form {
                 Form::Trigonometric(sampler) => sampler.attitude(t),
                 Form::Hyperbolic(late) => late.attitude(t),
@@ -98,13 +93,17 @@ impl HeavyTop {
     /// The same as [`HeavyTop::attitude`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite.
+    /// `NotFinite` for a time that is not finite; `PhaseLost` for one so late that the phase is
+    /// lost ([how late](crate::exact#how-late)).
     pub fn try_attitude(&self, t: f64) -> Result<Attitude> {
-        Ok(self.attitude(finite("t", t)?))
+        Ok(self.attitude(known(t, self.latest)?))
     }
 
-    /// cos(theta) at time `t`.
+    /// cos(theta) at time `t`; NaN, as the rates that follow, where the phases are not known.
     pub fn cos_theta(&self, t: f64) -> f64 {
+        if !self.is_known(t) {
+            return f64::NAN;
+        }
         match &self.course {
             Course::Fixed { theta } => math::cos(*theta),
             Course::Moving { motion, .. } => {
@@ -123,6 +122,9 @@ impl HeavyTop {
     /// theta' at time `t`. At the instant of a passage through a pole it is the rate at
     /// which the axis leaves it.
     pub fn theta_rate(&self, t: f64) -> f64 {
+        if !self.is_known(t) {
+            return f64::NAN;
+        }
         match &self.course {
             Course::Fixed { .. } => 0.0,
             Course::Moving { motion, .. } => {
@@ -143,6 +145,9 @@ impl HeavyTop {
 
     /// phi' at time `t`; infinite at a pole only if the axis stays there.
     pub fn phi_rate(&self, t: f64) -> f64 {
+        if !self.is_known(t) {
+            return f64::NAN;
+        }
         let Course::Moving { motion, .. } = &self.course else {
             return 0.0;
         };
@@ -152,6 +157,9 @@ impl HeavyTop {
 
     /// zeta' at time `t`.
     pub fn zeta_rate(&self, t: f64) -> f64 {
+        if !self.is_known(t) {
+            return f64::NAN;
+        }
         let Course::Moving { motion, .. } = &self.course else {
             return self.omega3.to_f64();
         };
@@ -166,19 +174,20 @@ impl HeavyTop {
     /// omega_1 + i omega_2 = 2 (conj(alpha) beta' - beta conj(alpha)'), regular at the poles.
     /// Accuracy: K = 2.5; see [`HeavyTop`].
     pub fn angular_velocity(&self, t: f64) -> BodyVector {
-        match &self.course {
-            Course::Fixed { .. } => BodyVector::new(0.0, 0.0, self.omega3.to_f64()),
-            Course::Moving { .. } => self.kinematics(t).angular_velocity,
-        }
+        self.kinematics(t).angular_velocity
     }
 
     /// Attitude and angular velocity at time `t`, for little more than the price of one.
     ///
-    /// A time that is not finite gives NaN; [`HeavyTop::try_kinematics`] refuses it.
+    /// NaN at a time that [`HeavyTop::try_kinematics`] refuses.
     pub fn kinematics(&self, t: f64) -> Kinematics {
         match &self.course {
+            Course::Fixed { .. } if !self.is_known(t) => {
+                Kinematics::new(Attitude::from_unit(LOST.0), BodyVector::from_array(LOST.1))
+            }
             Course::Fixed { .. } => {
-                Kinematics::new(self.fixed_attitude(t), self.angular_velocity(t))
+                let rates = BodyVector::new(0.0, 0.0, self.omega3.to_f64());
+                Kinematics::new(self.fixed_attitude(t), rates)
             }
             Course::Moving { form, .. } => match form {
                 Form::Trigonometric(sampler) => sampler.kinematics(t),
@@ -190,15 +199,16 @@ impl HeavyTop {
     /// The same as [`HeavyTop::kinematics`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite.
+    /// `NotFinite` for a time that is not finite; `PhaseLost` for one so late that the phase is
+    /// lost ([how late](crate::exact#how-late)).
     pub fn try_kinematics(&self, t: f64) -> Result<Kinematics> {
-        Ok(self.kinematics(finite("t", t)?))
+        Ok(self.kinematics(known(t, self.latest)?))
     }
 
     /// Attitude and angular momentum about the pivot at time `t`; for a dimensionless top
     /// in units with I1 = 1, I3 = a.
     ///
-    /// A time that is not finite gives NaN; [`HeavyTop::try_state`] refuses it.
+    /// NaN at a time that [`HeavyTop::try_state`] refuses.
     pub fn state(&self, t: f64) -> State {
         self.with_momentum(self.kinematics(t))
     }
@@ -219,9 +229,10 @@ impl HeavyTop {
     /// The same as [`HeavyTop::state`].
     ///
     /// # Errors
-    /// `NotFinite` for a time that is not finite.
+    /// `NotFinite` for a time that is not finite; `PhaseLost` for one so late that the phase is
+    /// lost ([how late](crate::exact#how-late)).
     pub fn try_state(&self, t: f64) -> Result<State> {
-        Ok(self.state(finite("t", t)?))
+        Ok(self.state(known(t, self.latest)?))
     }
 
     /// The angular momentum about the pivot at time `t`, on the fixed axes.
@@ -231,15 +242,19 @@ impl HeavyTop {
         self.state(t).angular_momentum
     }
 
+    /// omega_3 t.
+    fn spun(&self, t: f64) -> Dd {
+        // So late a time leaves the range of pairs, however slow the spin.
+        if t.abs() > 1e250 {
+            self.omega3.scaled(UP) * (t / UP)
+        } else {
+            self.omega3 * t
+        }
+    }
+
     fn fixed_attitude(&self, t: f64) -> Attitude {
         let EulerAngles { phi, theta, .. } = self.angles(0.0);
-        // So late a time leaves the range of pairs, however slow the spin.
-        let (spin, t) = if t.abs() > 1e250 {
-            (self.omega3.scaled(UP), t / UP)
-        } else {
-            (self.omega3, t)
-        };
-        let turn = spin * math::known(t, spin.hi()) / Dd::TWO_PI;
+        let turn = self.spun(t) / Dd::TWO_PI;
         // Twice: beyond 2^53 turns the first leaves the trailing part.
         let turn = turn - turn.round();
         let turn = turn - turn.round();
@@ -310,14 +325,5 @@ impl HeavyTop {
         let wronskian = alpha.conj() * d_beta - beta * d_alpha.conj();
         let phases = Complex::new(0.0, a.rate.hi() + b.rate.hi()) * (alpha.conj() * beta);
         [alpha, beta, (wronskian * motion.rate.hi() + phases) * 2.0]
-    }
-}
-
-/// `rate` t, also where a product of pairs leaves the range of doubles.
-fn late(rate: Dd, t: f64) -> f64 {
-    if math::is_known(t, rate.hi()) {
-        (rate * t).to_f64()
-    } else {
-        rate.to_f64() * t
     }
 }

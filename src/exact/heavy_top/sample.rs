@@ -15,7 +15,7 @@ use super::motion::Motion;
 use super::rates::RateWave;
 use super::{Turns, series::Factor};
 use crate::attitude::Attitude;
-use crate::exact::batch::{Branchless, Sampled};
+use crate::exact::batch::{Branchless, LOST, Sampled};
 use crate::math::lane::{Constant, Cubics, Gathered, Pair, Phased, Row, WIDEST, cubics, horner};
 use crate::math::{Clock, Reduced, Time, sincos_of, unsigned_sincos_of};
 
@@ -119,7 +119,7 @@ impl Sampler {
         Attitude::from_unit(if t.abs() <= self.until {
             self.quaternion(t)
         } else {
-            self.far(t).0
+            LOST.0
         })
     }
 
@@ -183,12 +183,7 @@ impl<V: Constant> Branchless<V> for Sampler<V> {
     }
 }
 
-impl Sampled for Sampler {
-    #[cold]
-    fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
-        self.all_of::<f64>((self.nutation.read_far(t), self.phases.both_far(t)), 0)
-    }
-}
+impl Sampled for Sampler {}
 
 impl Gathered for Sampler {
     type Rows = Sampler<Row>;

@@ -4,9 +4,9 @@ use super::hyperbolic::Late;
 use super::sample::Sampler;
 use super::{Course, Form, HeavyTop};
 use crate::body::Kinematics;
-use crate::error::Result;
+use crate::error::{Result, known};
 use crate::exact::batch::{Blocks, stated};
-use crate::exact::check_time;
+use crate::exact::check_length;
 use crate::math::lane::Row;
 
 /// Tops that are asked for their states at one time after the other: side by side in vector
@@ -37,6 +37,8 @@ pub struct HeavyTops<'a> {
     late: Blocks<Late<Row>>,
     /// The numbers of those whose axis stays.
     fixed: Vec<usize>,
+    /// The greatest |t| at which the phases of all are known.
+    latest: f64,
 }
 
 impl<'a> HeavyTops<'a> {
@@ -57,6 +59,7 @@ impl<'a> HeavyTops<'a> {
             nodding: Blocks::new(&nodding),
             late: Blocks::new(&late),
             fixed,
+            latest: tops.iter().fold(f64::MAX, |t, top| t.min(top.latest)),
         }
     }
 
@@ -69,10 +72,12 @@ impl<'a> HeavyTops<'a> {
     /// [`HeavyTop::kinematics`]. Nothing is allocated.
     ///
     /// # Errors
-    /// `Lengths` if there are not as many states as tops; `NotFinite` for a time that is not
-    /// finite. No state is touched then.
+    /// `Lengths` if there are not as many states as tops; for a time as
+    /// [`HeavyTop::try_kinematics`] of the top that is known for the shortest time. No state is
+    /// touched then.
     pub fn kinematics(&self, t: f64, states: &mut [Kinematics]) -> Result<()> {
-        check_time(states.len(), self.tops.len(), t)?;
+        check_length("states", states.len(), self.tops.len())?;
+        known(t, self.latest)?;
         let near = |_, sample| stated(sample);
         let far = |number: usize| self.tops[number].kinematics(t);
         self.nodding.fill(t, states, near, far);

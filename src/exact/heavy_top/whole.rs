@@ -141,20 +141,6 @@ impl HeavyTop {
         [a + b, (a - b) * self.flip + self.free_spin * period]
     }
 
-    /// The rates of phi and zeta over many periods; on the homoclinic motion those at which
-    /// they end.
-    pub(super) fn mean_rates(&self) -> [Dd; 2] {
-        let Course::Moving { motion, .. } = &self.course else {
-            return [Dd::ZERO, self.omega3];
-        };
-        if motion.m1 == 0.0 {
-            let [a, b] = motion.channels.map(|channel| channel.rate);
-            return [a + b, (a - b) * self.flip + self.free_spin];
-        }
-        let period = motion.half_period.scaled(2.0);
-        self.advances().map(|advance| advance / period)
-    }
-
     /// The parameter m of the elliptic functions, in [0, 1].
     pub fn parameter(&self) -> f64 {
         match &self.course {

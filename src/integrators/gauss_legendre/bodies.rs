@@ -377,3 +377,37 @@ impl<'s, E: Effect, const STEADY: bool> Integrator<BodyAxes<'s, E>, State>
         problem.state(&end)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::GravityAtLever;
+    use crate::inertia::PrincipalMoments;
+
+    /// On the body's axes: l' = l x omega + torque, q' = q omega/2.
+    #[test]
+    fn the_axes_of_the_body_obey_euler() {
+        let moments = PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body");
+        let gravity = GravityAtLever::new(2.0, 0.4).expect("a weight");
+        let scene = Scene::new(crate::body::RigidBody::new(moments)).with(gravity);
+        let attitude = Attitude::from_quaternion([0.5, 0.1, -0.7, 0.3]).expect("a rotation");
+        let omega = BodyVector::new(0.3, -0.8, 2.0);
+        let state = scene.body().state(attitude, omega).expect("a state");
+        let axes = BodyAxes::new(&scene).expect("it sees the axis alone");
+        let y = axes.components(&state);
+        let [w, x, y_, z, l1, l2, l3] = y;
+        let torque = state.attitude.to_body(scene.torque(0.0, &state));
+        let turned = BodyVector::new(l1, l2, l3).cross(&omega) + torque;
+        let [p, q, r] = omega.to_array();
+        let half = [
+            -x * p - y_ * q - z * r,
+            w * p + y_ * r - z * q,
+            w * q + z * p - x * r,
+            w * r + x * q - y_ * p,
+        ];
+        let want = [half.map(|c| 0.5 * c).to_vec(), turned.to_array().to_vec()].concat();
+        for (got, want) in axes.rates(&y).into_iter().zip(want) {
+            assert!((got - want).abs() < 1e-15, "{got} {want}");
+        }
+    }
+}

@@ -139,3 +139,23 @@ fn turned_about(momentum: [f64; 3], per_moment: f64, quaternion: [f64; 4]) -> [f
     let turn = vector_times([rate * a, rate * b, rate * c], quaternion);
     stretched_and(less, quaternion, turn)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A turn about L by |L|/I dt, and nothing else.
+    #[test]
+    fn a_turn_is_a_rotation_by_its_angle() {
+        let momentum = SpaceVector::new(0.6, -1.1, 0.4);
+        for per_moment in [1e-9, 0.3, -2.0] {
+            let more = turned_about(momentum.to_array(), per_moment, [0.5, -0.5, 0.5, 0.5]);
+            let q = [0, 1, 2, 3].map(|i| [0.5, -0.5, 0.5, 0.5][i] + more[i]);
+            let square: f64 = q.iter().map(|c| c * c).sum();
+            assert!((square - 1.0).abs() < 1e-15, "{square}");
+            let start = Attitude::from_unit([0.5, -0.5, 0.5, 0.5]);
+            let turn = (Attitude::from_unit(q) * start.inverse()).rotation_vector();
+            assert!((turn - momentum * per_moment).norm() < 2e-15, "{turn:?}");
+        }
+    }
+}

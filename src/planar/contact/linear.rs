@@ -139,3 +139,32 @@ const fn reciprocal(size: f64) -> f64 {
     }
     f64::from_bits((2046 - exponent) << 52)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equations of whole numbers in rows and columns of any size have the solution that they
+    /// were made from.
+    #[test]
+    fn scaled_equations_have_their_solution() {
+        let (rows, x) = (
+            [[2.0, 1.0, 0.0], [1.0, 3.0, 1.0], [0.0, 1.0, 4.0]],
+            [1.0, -2.0, 3.0],
+        );
+        for sizes in [[1.0; 3], [1e-7, 3.0, 5e9], [7e3, 1e-12, 0.3]] {
+            let mut equations = Equations::new(3);
+            for i in 0..3 {
+                for j in 0..3 {
+                    equations.rows[i][j] = sizes[i] * rows[i][j] / sizes[j];
+                    equations.right[i] += sizes[i] * rows[i][j] * x[j];
+                }
+            }
+            let root = equations.solve(&[1.0; SIZE]).expect("one solution");
+            assert!(root.freedom.is_none());
+            for j in 0..3 {
+                assert!((root.x[j] / sizes[j] - x[j]).abs() < 1e-14, "{:?}", root.x);
+            }
+        }
+    }
+}

@@ -155,7 +155,7 @@ fn a_free_body_from_the_edge_of_the_doubles() {
     assert_eq!(returned.kind(), Kind::Asymmetric);
     // The rate about the middle axis of (2, 1, 1.5) is the third.
     let pushed = free([2.0, 1.0, 1.5], [0.0, 1e-200, 1.0]).expect("a motion");
-    for t in [0.0, 1.0, 1e3, -1e5, 1e300] {
+    for t in [0.0, 1.0, 1e3, -1e5, 1e15] {
         let Kinematics {
             attitude,
             angular_velocity: rates,

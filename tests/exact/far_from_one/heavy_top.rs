@@ -74,7 +74,8 @@ fn a_top_released_upside_down_is_a_pendulum() {
                             late.theta.abs(),
                             PI + late.omega.abs() * 0.25 * period,
                         );
-                        for t in [1000.0, 1e6, -1e4, 1e300] {
+                        assert!(motion.try_kinematics(1e300).is_err());
+                        for t in [1000.0, 1e6, -1e4] {
                             let Kinematics {
                                 attitude,
                                 angular_velocity: rates,
@@ -89,7 +90,7 @@ fn a_top_released_upside_down_is_a_pendulum() {
         }
     }
     let tops = 4 * 5 * 6 * 7 * 6;
-    assert_eq!((tops, states), (5040, 4 * 5040));
+    assert_eq!((tops, states), (5040, 3 * 5040));
     periods.attain(0.0..=0.0, tops);
     tilts.attain(1.2..=1.3, 5 * tops);
     damaged.exceed(1e3, tops);
@@ -142,28 +143,34 @@ fn angles_of_too_many_turns_are_refused() {
     damaged.exceed(1e14, 5);
 }
 
-/// phi and zeta after more half-periods than doubles count: their mean rates.
+/// phi and zeta after so many half-periods that the last is nothing beside them: their mean rates.
+/// Later than their last bit is known nothing is.
 #[test]
 fn late_angles_grow_with_their_mean_rates() {
     let motion = ReducedTop::new(2.0, 1.2, 0.2)
         .and_then(|top| HeavyTop::from_energy(top, 0.55, Start::ThetaMin, 0.3, -0.4))
         .expect("a motion");
     let period = motion.nutation_period();
-    let mut errors = Errors::in_units_of(EPS, "phi and zeta over theirs");
-    let mut damaged = Errors::in_units_of(EPS, "the same, the rate off by 1e-14");
-    for t in [1e14, 8e15, 9e15, 1e17, 1e25, 1e149, 1e151, 1e300, -1e300] {
+    let mut errors = Errors::in_units_of(1.0, "phi and zeta less theirs, rad");
+    let mut damaged = Errors::in_units_of(1.0, "the same, the rate off by 1e-12");
+    let last = crate::latest(motion.try_angles(1e300).err());
+    for t in [1e14, 2e14, -5e14, last, -last] {
         let angles = motion.try_angles(t).expect("finite");
         for (angle, advance) in [
             (angles.phi, motion.precession_per_period()),
             (angles.zeta, motion.spin_per_period()),
         ] {
             let mean = t * (advance / period);
-            errors.add(angle, mean, mean.abs());
-            damaged.add(angle * (1.0 + 1e-14), mean, mean.abs());
+            errors.add(angle, mean, 1.0);
+            damaged.add(angle * (1.0 + 1e-12), mean, 1.0);
         }
     }
-    errors.attain(3.2..=3.3, 18);
-    damaged.exceed(1.0, 18);
+    errors.attain(0.56..=0.57, 10);
+    damaged.exceed(10.0, 10);
+    for t in [1.001 * last, 9e15, 1e17, 1e25, 1e149, 1e151, 1e300, -1e300] {
+        assert!(motion.angles(t).phi.is_nan());
+        assert_eq!(crate::latest(motion.try_angles(t).err()), last);
+    }
     let start = EulerAngles {
         phi: 0.0,
         theta: 0.8,
@@ -172,8 +179,7 @@ fn late_angles_grow_with_their_mean_rates() {
     let fast = SymmetricTop::new(1.0, 0.4, 2.0, 1.0)
         .and_then(|body| HeavyTop::from_body(body, start, BodyVector::new(0.0, 0.0, 9.0)))
         .expect("a motion");
-    let error = fast.try_angles(1.7e308).expect_err("beyond f64");
-    assert!(error.to_string().contains("zeta = inf"), "{error}");
+    assert!(crate::latest(fast.try_angles(1.7e308).err()) < last);
     assert!(motion.try_angles(f64::NAN).is_err());
 }
 

@@ -95,6 +95,11 @@ fn is_sound(motion: &HeavyTop) -> bool {
             attitude,
             angular_velocity: omega,
         } = motion.kinematics(t);
+        if let Err(error) = motion.try_kinematics(t) {
+            // So fast that its phase is lost by then.
+            let numbers = [angles.theta, angles.phi, omega.x(), motion.cos_theta(t)];
+            return matches!(error, Error::PhaseLost { .. }) && numbers.iter().all(|x| x.is_nan());
+        }
         let norm: f64 = attitude.quaternion().iter().map(|c| c * c).sum();
         (0.0..=core::f64::consts::PI).contains(&angles.theta)
             && angles.phi.is_finite()

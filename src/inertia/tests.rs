@@ -1,0 +1,24 @@
+//! What particles weigh and how they resist turning.
+
+use super::MassProperties;
+use crate::frame::DesignVector;
+
+/// Two particles are a dumb-bell: m1 m2/(m1 + m2) d^2 about what is across, 0 along.
+#[test]
+fn two_particles_are_a_dumb_bell() {
+    let (m1, m2, d) = (0.7, 1.9, 0.6);
+    let (near, far) = (
+        DesignVector::new(1.0, -2.0, 0.5),
+        DesignVector::new(1.0, -2.0, 0.5 + d),
+    );
+    let both = MassProperties::of_points(&[(m1, near), (m2, far)]).expect("a body");
+    let matrix = both.about_centre_of_mass().matrix();
+    let across = m1 * m2 / (m1 + m2) * d * d;
+    for i in 0..3 {
+        for j in 0..3 {
+            let want = if i == j && i < 2 { across } else { 0.0 };
+            assert!((matrix[i][j] - want).abs() < 1e-15, "{matrix:?}");
+        }
+    }
+    assert_eq!(both.mass(), m1 + m2);
+}
