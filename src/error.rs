@@ -481,8 +481,8 @@ impl fmt::Display for Error {
             ),
             Self::ConditionBroken { name, value, t } => write!(
                 f,
-                "at t = {} a phase begins in which \"{name}\" must not be negative, but it is {}, more \
-                 than round-off or falling (a gap that is shut there and opens is an `opening_gap`)",
+                "at t = {} a phase begins in which \"{name}\" must not be negative, but it is {} or \
+                 becomes so at once (a gap that is shut there and opens is an `opening_gap`)",
                 plain(*t),
                 plain(*value)
             ),

@@ -126,14 +126,15 @@ pub fn simulate<const N: usize, S: Phased<N>>(
         let events: Vec<_> = conditions
             .iter()
             .map(|c| {
-                let fails = Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal();
+                let fails = Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y));
+                let fails = fails.terminal().nearest();
                 match c.noise.as_ref().filter(|_| c.flickers) {
                     Some(noise) => fails.beyond(move |_t, y| FLICKER * noise(y)),
                     None => fails,
                 }
             })
             .collect();
-        let lasts = within_conditions(&conditions, &noises, method, t_end, |method, t_end| {
+        let lasts = within_conditions(&conditions, method, t_end, |method, t_end| {
             method.solve(&InPhase(scene, phase), t, &state, t_end, &events)
         })?;
         let (index, when, before) = match lasts {
@@ -202,7 +203,6 @@ enum Lasts<const N: usize> {
 /// solved again in sixteen steps or more, until the event shows.
 fn within_conditions<P, const N: usize>(
     conditions: &[Condition<'_, P, N>],
-    noises: &[f64],
     method: &Dop853,
     t_end: f64,
     solve: impl Fn(&Dop853, f64) -> Result<Solution<N>>,
@@ -215,7 +215,7 @@ fn within_conditions<P, const N: usize>(
             Err(Error::ClockTooCoarse { .. }) if broken.is_some() => break,
             solution => solution?,
         };
-        let Some((index, value, when)) = failed_unseen(conditions, noises, &solution)? else {
+        let Some((index, value, when)) = failed_unseen(conditions, &solution)? else {
             if end == t_end || solution.stopped_by().is_some() {
                 return Ok(Lasts::Until(solution));
             }
@@ -234,16 +234,15 @@ fn within_conditions<P, const N: usize>(
 
 /// The condition that fails at the end of a step without an event, its lowest margin and
 /// the time when it is first negative. Round-off does not count: a margin that falls below zero by less than
-/// [`ROUND_OFF`] of what it reaches elsewhere, or by no more than its noise.
+/// [`ROUND_OFF`] of what it reaches elsewhere.
 fn failed_unseen<P, const N: usize>(
     conditions: &[Condition<'_, P, N>],
-    noises: &[f64],
     solution: &Solution<N>,
 ) -> Result<Option<(usize, f64, f64)>> {
     let stopped = solution.stopped_by().map(|event| event.index);
     for (i, condition) in (0..).zip(conditions).filter(|(i, _)| Some(*i) != stopped) {
         let (mut lowest, mut highest, mut first) = (0.0_f64, 0.0_f64, None);
-        let mut largest_noise = noises[i];
+        let mut largest_noise = 0.0_f64;
         for t in solution.step_times() {
             let state = solution.at(t)?;
             let margin = (condition.margin)(&state);

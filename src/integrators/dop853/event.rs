@@ -66,6 +66,7 @@ pub struct Event<'f, const N: usize> {
     function: Box<Function<'f, N>>,
     direction: Direction,
     terminal: bool,
+    nearest: bool,
     round_off: Option<Box<Function<'f, N>>>,
 }
 
@@ -81,6 +82,7 @@ impl<'f, const N: usize> Event<'f, N> {
             function: Box::new(function),
             direction,
             terminal: false,
+            nearest: false,
             round_off: None,
         }
     }
@@ -105,6 +107,16 @@ impl<'f, const N: usize> Event<'f, N> {
     pub fn terminal(self) -> Self {
         Self {
             terminal: true,
+            ..self
+        }
+    }
+
+    /// The same event at the place nearest to zero, on either side: for a run that knows from which
+    /// event it goes on.
+    #[must_use]
+    pub(crate) fn nearest(self) -> Self {
+        Self {
+            nearest: true,
             ..self
         }
     }
@@ -428,7 +440,7 @@ fn polish<const N: usize>(
     let mut stride = EPS * best.t_end.abs().max(span.abs());
     let reach = reach.max(LONGER * stride);
     let mut there = best;
-    while is_before(value, rising) {
+    while !event.nearest && is_before(value, rising) {
         if there.t_end == step.t_end || stride > reach {
             return Ok(best);
         }

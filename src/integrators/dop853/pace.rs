@@ -82,7 +82,8 @@ impl Dop853 {
         let ends = [Event::rising("end time", |_, y: &[f64; N]| {
             (y[N - 1] - t_end) * left.signum()
         })
-        .terminal()];
+        .terminal()
+        .nearest()];
         let mut reached = false;
         let end = self.drive(&paced, 0.0, start, far, &mut work, |trial, last, work| {
             if (trial.end.value[N - 1] - t_end) * left < 0.0 {
