@@ -135,20 +135,17 @@ fn every_stop_is_the_next() -> Result<()> {
     const STOPS: usize = 25;
     let mut chance = Chance(1);
     let mut late = Errors::of("times of stops, in errors of a step");
-    let mut cases = 0;
     for _ in 0..300 {
         let watched = Watched::draw(&mut chance);
         let stops = watched.stops(STOPS, |_, _| ())?;
         assert_eq!(stops.len(), STOPS, "{watched:?}");
-        // Error of the clock, and of a start at the mark by chance, which none of these has.
+        // With the rounding of the clock.
         let step = watched.tolerance + 1e-15 * watched.t.abs();
         for (got, want) in stops.iter().zip(watched.expected(STOPS)) {
             late.push_at((got - want) * watched.rate / step / STOPS as f64, watched);
-            cases += 1;
         }
     }
-    assert_eq!(cases, 300 * STOPS);
-    assert!(late.largest() < 100.0, "{}", late.largest());
+    late.attain(3.7..=3.8, 300 * STOPS);
     Ok(())
 }
 
