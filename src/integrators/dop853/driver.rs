@@ -20,7 +20,8 @@ const MEMORY: f64 = 0.04;
 const LEAST: f64 = 1e-4;
 /// The drift that is left where it is, in errors of a step.
 const DRIFT: f64 = 0.1;
-/// A run whose steps are all shorter than this many roundings of the time has too coarse a clock.
+/// A run whose steps are all shorter than this many roundings of the time has too coarse a clock:
+/// near a pole they shrink to that from longer ones (`tests/traps/messages.rs`).
 const COARSE: f64 = 1e5;
 /// Exponent of the present error: 1/8, less what the memory takes.
 const RESPONSE: f64 = 0.125 - 0.75 * MEMORY;

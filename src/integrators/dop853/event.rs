@@ -58,7 +58,7 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 ///     (t, state, stops) = (event.t, event.state, stops + 1);
 /// }
 /// // At pi/2, 3 pi/2, ...
-/// assert!((t - 999.5 * core::f64::consts::PI).abs() < 1e-4);
+/// assert!((t - 999.5 * core::f64::consts::PI).abs() < 1e-7);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 pub struct Event<'f, const N: usize> {
