@@ -95,6 +95,8 @@ pub enum Error {
     },
     /// No step is short enough for the tolerance.
     StepUnderflow { t: f64, step: f64, state: Vec<f64> },
+    /// The steps of a run are as short as what doubles tell apart at this time.
+    ClockTooCoarse { t: f64, step: f64 },
     /// A run needs more steps than it was allowed.
     TooManySteps { t: f64, t_end: f64, limit: u64 },
     /// The stage equations of an implicit step do not contract.
@@ -226,7 +228,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { name, value } => {
-                write!(f, "{name} = {value} is not a finite number")
+                write!(f, "{name} = {} is not a finite number", plain(*value))
             }
             Self::OutOfRange {
                 name,
@@ -296,7 +298,8 @@ impl fmt::Display for Error {
                 derivative,
             } => write!(
                 f,
-                "the derivative at t = {t}, y = {state:?} is {derivative:?}; it must be finite"
+                "the derivative at t = {}, y = {state:?} is {derivative:?}; it must be finite",
+                plain(*t)
             ),
             Self::TorqueNotFinite {
                 effect,
@@ -305,8 +308,9 @@ impl fmt::Display for Error {
                 torque,
             } => write!(
                 f,
-                "the torque of \"{effect}\" at t = {t}, quaternion and momentum {state:?}, is \
-                 {torque:?}; it must be finite"
+                "the torque of \"{effect}\" at t = {}, quaternion and momentum {state:?}, is \
+                 {torque:?}; it must be finite",
+                plain(*t)
             ),
             Self::TorqueTooLarge {
                 effect,
@@ -398,13 +402,23 @@ impl fmt::Display for Error {
             }
             Self::EventNotFinite { name, t, value } => write!(
                 f,
-                "the function of the event \"{name}\" is {value} at t = {t}; it must be finite"
+                "the function of the event \"{name}\" is {} at t = {}; it must be finite",
+                plain(*value),
+                plain(*t)
             ),
             Self::StepUnderflow { t, step, state } => write!(
                 f,
-                "at t = {t}, y = {state:?} even a step of {} misses the tolerance: \
+                "at t = {}, y = {state:?} even a step of {} misses the tolerance: \
                  the system is singular there, or the tolerance too small",
+                plain(*t),
                 plain(*step)
+            ),
+            Self::ClockTooCoarse { t, step } => write!(
+                f,
+                "at t = {} the clock is too coarse: it shows no time shorter than {:.1e}, and steps \
+                 of {step:.1e} are needed; count the time from 0 at the start of the run",
+                plain(*t),
+                t.abs().next_up() - t.abs()
             ),
             Self::NoConvergence { t, h, change } => write!(
                 f,
@@ -415,8 +429,10 @@ impl fmt::Display for Error {
             ),
             Self::TooManySteps { t, t_end, limit } => write!(
                 f,
-                "after {limit} steps the run has come to t = {t} of {t_end}: \
-                 allow more steps or a larger tolerance"
+                "after {limit} steps the run has come to t = {} of {}: \
+                 allow more steps or a larger tolerance",
+                plain(*t),
+                plain(*t_end)
             ),
             Self::PhaseLost { t, latest } => write!(
                 f,
@@ -426,7 +442,10 @@ impl fmt::Display for Error {
             ),
             Self::OutsideRun { t, start, end } => write!(
                 f,
-                "t = {t} is outside the run, which goes from {start} to {end}"
+                "t = {} is outside the run, which goes from {} to {}",
+                plain(*t),
+                plain(*start),
+                plain(*end)
             ),
             Self::Contradicted {
                 key,
@@ -450,7 +469,8 @@ impl fmt::Display for Error {
             } => write!(
                 f,
                 "the matrix is not a rotation: R^T R is off 1 by {deviation:.3e} (at most 1e-12 is \
-                 allowed) and its determinant is {determinant} (it must be +1)"
+                 allowed) and its determinant is {} (it must be +1)",
+                plain(*determinant)
             ),
             Self::AtPole { theta } => write!(
                 f,
@@ -508,11 +528,15 @@ impl fmt::Display for Error {
             ),
             Self::ConditionBroken { name, value, t } => write!(
                 f,
-                "at t = {t} a phase begins in which \"{name}\" must not be negative, but it is {value}"
+                "at t = {} a phase begins in which \"{name}\" must not be negative, but it is {} or \
+                 becomes so at once (a gap that is shut there and opens is an `opening_gap`)",
+                plain(*t),
+                plain(*value)
             ),
             Self::TooManyPhases { t, limit } => write!(
                 f,
-                "after {limit} changes of phase the scene has only come to t = {t}"
+                "after {limit} changes of phase the scene has only come to t = {}",
+                plain(*t)
             ),
             Self::CannotHold {
                 contact,
@@ -521,9 +545,10 @@ impl fmt::Display for Error {
                 speed,
             } => write!(
                 f,
-                "\"{contact}\" cannot hold at t = {t}: its gap is {} and opens at {} a second; \
+                "\"{contact}\" cannot hold at t = {}: its gap is {} and opens at {} a second; \
                  neither may be negative (a joint needs both to be 0, a force that presses \
                  must not be negative)",
+                plain(*t),
                 plain(*gap),
                 plain(*speed)
             ),
@@ -533,19 +558,22 @@ impl fmt::Display for Error {
                 mass,
             } => write!(
                 f,
-                "the mass matrix at t = {t}, coordinates {coordinates:?}, is {mass:?}, row after row; \
-                 it must be symmetric and positive definite"
+                "the mass matrix at t = {}, coordinates {coordinates:?}, is {mass:?}, row after row; \
+                 it must be symmetric and positive definite",
+                plain(*t)
             ),
             Self::ForceNotFinite { t, state, force } => write!(
                 f,
-                "the forces at t = {t}, coordinates and velocities {state:?}, are {force:?}; they \
-                 must be finite"
+                "the forces at t = {}, coordinates and velocities {state:?}, are {force:?}; they \
+                 must be finite",
+                plain(*t)
             ),
             Self::NoContactForces { t, state, tried } => write!(
                 f,
-                "at t = {t}, coordinates and velocities {state:?}, no contact forces obey the laws \
+                "at t = {}, coordinates and velocities {state:?}, no contact forces obey the laws \
                  of dry friction (Painlev\u{e9}): {tried} sets of modes were tried; less friction helps, \
-                 or a unit of length in which lengths are near 1"
+                 or a unit of length in which lengths are near 1",
+                plain(*t)
             ),
             Self::SeveralMotions {
                 t,
@@ -554,26 +582,33 @@ impl fmt::Display for Error {
                 second,
             } => write!(
                 f,
-                "at t = {t}, coordinates and velocities {state:?}, dry friction allows two motions \
-                 (Painlev\u{e9}): {first}; or {second}"
+                "at t = {}, coordinates and velocities {state:?}, dry friction allows two motions \
+                 (Painlev\u{e9}): {first}; or {second}",
+                plain(*t)
             ),
             Self::ImpactGainsEnergy { t, before, after } => write!(
                 f,
-                "the impact at t = {t} would raise the kinetic energy from {before} to {after}: \
-                 Newton's restitution contradicts this friction; take a smaller one of the two"
+                "the impact at t = {} would raise the kinetic energy from {} to {}: \
+                 Newton's restitution contradicts this friction; take a smaller one of the two",
+                plain(*t),
+                plain(*before),
+                plain(*after)
             ),
             Self::BouncesUnresolved { contact, t, height } => write!(
                 f,
-                "at t = {t} the bounces of \"{contact}\" are {height:.1e} high, which doubles do not \
-                 resolve, and there would be infinitely many more: end before, or take a restitution of 0"
+                "at t = {} the bounces of \"{contact}\" are {height:.1e} high, which doubles do not \
+                 resolve, and there would be infinitely many more: end before, or take a restitution of 0",
+                plain(*t)
             ),
             Self::NotReached { name, until } => {
-                write!(f, "\"{name}\" does not happen until t = {until}")
+                write!(f, "\"{name}\" does not happen until t = {}", plain(*until))
             }
             Self::FloorWouldPull { rate, limit } => write!(
                 f,
-                "at {rate} rad/s the floor would have to pull to keep the foot down: at this angle \
-                 at most {limit} rad/s"
+                "at {} rad/s the floor would have to pull to keep the foot down: at this angle \
+                 at most {} rad/s",
+                plain(*rate),
+                plain(*limit)
             ),
             Self::NotDelivered { requested, reached } if !reached.is_finite() => write!(
                 f,
@@ -599,7 +634,7 @@ impl fmt::Display for Error {
                 "an error of {requested:e} rad is asked for, and doubles allow {attainable:.1e} \
                  at best: a small relative change of the inputs is {} times as much (in rad) at \
                  the end",
-                if *condition < 1e4 {
+                if condition.abs() < 1e4 {
                     format!("{condition:.0}")
                 } else {
                     format!("{condition:.1e}")
@@ -618,7 +653,7 @@ impl fmt::Display for Error {
 const MANY: f64 = 1e15;
 
 /// `value` as people write it: 0.25 and 45, but 1e308 and not three hundred zeros.
-fn plain(value: f64) -> String {
+pub(crate) fn plain(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-4..MANY).contains(&size) || !value.is_finite() {
         value.to_string()

@@ -1,6 +1,6 @@
 //! Which values a parameter may take.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, plain};
 use core::fmt;
 
 /// An interval of real numbers; infinite ends are never included.
@@ -106,8 +106,9 @@ impl Interval {
 
 impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { low, high, .. } = self;
-        match (low.is_finite(), high.is_finite(), self.closed) {
+        let finite = [self.low, self.high].map(f64::is_finite);
+        let [low, high] = [self.low, self.high].map(plain);
+        match (finite[0], finite[1], self.closed) {
             (false, false, _) => write!(f, "it must be finite"),
             (true, false, [false, _]) => write!(f, "it must be greater than {low}"),
             (true, false, [true, _]) => write!(f, "it must be at least {low}"),

@@ -31,7 +31,10 @@ impl Modulus {
     /// # Errors
     /// `NotFinite`; `OutOfRange` outside [0, 1].
     pub fn from_m(m: f64) -> Result<Self> {
-        let m = Dd::from(unit_interval("m", m)?);
+        let allowed = "it must lie in 0..=1; outside, map it (DLMF 19.7, 22.17): for m < 0 with \
+                       n = m/(m - 1), q = 1/sqrt(1 - m): K(m) = q K(n), sn(u, m) = q sd(u/q, n); \
+                       for m > 1 with k = sqrt(m): sn(u, m) = sn(k u, 1/m)/k";
+        let m = Dd::from(unit_interval("m", m, allowed)?);
         Ok(Self::from_pair(m, Dd::ONE - m))
     }
 
@@ -40,7 +43,8 @@ impl Modulus {
     /// # Errors
     /// `NotFinite`; `OutOfRange` outside [0, 1].
     pub fn from_m1(m1: f64) -> Result<Self> {
-        let m1 = Dd::from(unit_interval("m1", m1)?);
+        let allowed = "it must lie in 0..=1; outside, map m = 1 - m1 as `from_m` says";
+        let m1 = Dd::from(unit_interval("m1", m1, allowed)?);
         Ok(Self::from_pair(Dd::ONE - m1, m1))
     }
 
@@ -49,7 +53,8 @@ impl Modulus {
     /// # Errors
     /// `NotFinite`; `OutOfRange` outside [0, 1].
     pub fn from_k(k: f64) -> Result<Self> {
-        let k = unit_interval("k", k)?;
+        let allowed = "it must lie in 0..=1; below, take -k; above, map m = k^2 as `from_m` says";
+        let k = unit_interval("k", k, allowed)?;
         // (1 - k)(1 + k): both factors are exact pairs.
         let m1 = Dd::sum(1.0, -k) * Dd::sum(1.0, k);
         Ok(Self::from_pair(Dd::product(k, k), m1))
@@ -151,7 +156,7 @@ impl Characteristic {
     }
 }
 
-fn unit_interval(name: &'static str, value: f64) -> Result<f64> {
+fn unit_interval(name: &'static str, value: f64, allowed: &'static str) -> Result<f64> {
     finite(name, value)?;
     if (0.0..=1.0).contains(&value) {
         Ok(value)
@@ -159,7 +164,7 @@ fn unit_interval(name: &'static str, value: f64) -> Result<f64> {
         Err(Error::OutOfRange {
             name,
             value,
-            allowed: "it must lie in 0..=1",
+            allowed,
         })
     }
 }

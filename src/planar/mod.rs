@@ -192,12 +192,6 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
         }
     }
 
-    /// Whether the scene has decided that it holds in this state, where it is round-off.
-    fn is_decided(&self, state: &[f64; N]) -> bool {
-        let round_off = |noise: &Margin<'_, N>| (self.margin)(state).abs() <= noise(state);
-        self.noise.as_ref().is_some_and(round_off)
-    }
-
     /// Its name, which is also the name of the event when it fails.
     pub fn name(&self) -> &'static str {
         self.name

@@ -3,6 +3,7 @@
 use super::{Condition, Kind, Next, Phased};
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Solution, Work};
+use crate::math::EPS;
 
 /// Changes of phase in one run, at most: a ball that bounces ever lower is
 /// stopped here.
@@ -14,6 +15,8 @@ const SHORTENINGS: u32 = 30;
 const FLICKER: f64 = 4.0;
 /// A margin this much below zero, relative to its largest value, is round-off.
 const ROUND_OFF: f64 = 1e-9;
+/// Round-off of a state where a phase begins, in parts of its scale, and of the time.
+const AT_ENTRY: f64 = 64.0 * EPS;
 
 /// The motion within one phase.
 #[derive(Debug, Clone)]
@@ -71,9 +74,9 @@ impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
 /// motion itself.
 ///
 /// # Errors
-/// [`Error::ConditionBroken`] if a phase begins although one of its conditions does
-/// not hold, or fails at once (of a [`contact`](super::contact) whose force or slip is a
-/// round-off there, that is an event), [`Error::TooManyPhases`] after a thousand changes of phase,
+/// [`Error::ConditionBroken`] if a phase begins although one of its conditions is negative by
+/// more than round-off, or if one fails at once for the second time in an instant (the first time
+/// it is an event), [`Error::TooManyPhases`] after a thousand changes of phase,
 /// [`Error::OutOfRange`] for a negative `t_end` of a phase with conditions, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
@@ -118,11 +121,13 @@ pub fn simulate<const N: usize, S: Phased<N>>(
             });
             return Ok(run);
         }
-        check_entry(&conditions, t, &state)?;
+        let noises = noises(scene, &conditions, run.legs.last(), &state);
+        check_entry(&conditions, &noises, t, &state)?;
         let events: Vec<_> = conditions
             .iter()
             .map(|c| {
-                let fails = Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y)).terminal();
+                let fails = Event::falling(c.name, |_t, y: &[f64; N]| (c.margin)(y));
+                let fails = fails.terminal().nearest();
                 match c.noise.as_ref().filter(|_| c.flickers) {
                     Some(noise) => fails.beyond(move |_t, y| FLICKER * noise(y)),
                     None => fails,
@@ -146,9 +151,10 @@ pub fn simulate<const N: usize, S: Phased<N>>(
             }
             Lasts::NoTime(index, broken) => {
                 // Decided by a round-off, it fails after all; but not twice in an instant.
-                let here = run.transitions.iter().rev().take_while(|x| x.t == t);
-                let again = here.filter(|x| x.from == phase).count() > 0;
-                if again || !conditions[index].is_decided(&state) {
+                let Condition { name, margin, .. } = &conditions[index];
+                let mut here = run.transitions.iter().rev().take_while(|x| x.t == t);
+                let again = here.any(|x| x.from == phase && x.name == *name);
+                if again || margin(&state).abs() > noises[index] {
                     return Err(broken);
                 }
                 (index, t, state)
@@ -204,7 +210,11 @@ fn within_conditions<P, const N: usize>(
     let (mut method, mut end) = (*method, t_end);
     let mut broken = None;
     for _ in 0..SHORTENINGS {
-        let solution = solve(&method, end)?;
+        let solution = match solve(&method, end) {
+            // Shorter than the clock shows.
+            Err(Error::ClockTooCoarse { .. }) if broken.is_some() => break,
+            solution => solution?,
+        };
         let Some((index, value, when)) = failed_unseen(conditions, &solution)? else {
             if end == t_end || solution.stopped_by().is_some() {
                 return Ok(Lasts::Until(solution));
@@ -254,16 +264,48 @@ fn failed_unseen<P, const N: usize>(
     Ok(None)
 }
 
+/// What round-off does to the margin of each condition where a phase begins: that of the state, and
+/// that of the time at which the phase before it ended.
+fn noises<const N: usize, S: Phased<N>>(
+    scene: &S,
+    conditions: &[Condition<'_, S::Phase, N>],
+    before: Option<&Leg<S::Phase, N>>,
+    state: &[f64; N],
+) -> Vec<f64> {
+    let size = scene.scale(state);
+    let earlier = before.and_then(|Leg { solution, .. }| {
+        let end = solution.end_time();
+        let t = (end - AT_ENTRY * end.abs()).max(solution.start_time());
+        Some([*solution.end_state(), solution.at(t).ok()?])
+    });
+    let noise = |condition: &Condition<'_, S::Phase, N>| {
+        if let Some(noise) = &condition.noise {
+            return noise(state);
+        }
+        let change =
+            |a: &[f64; N], b: &[f64; N]| ((condition.margin)(a) - (condition.margin)(b)).abs();
+        let of_state = (0..N).map(|i| {
+            let mut moved = *state;
+            moved[i] += AT_ENTRY * size[i];
+            change(&moved, state)
+        });
+        let of_time = earlier.map_or(0.0, |[a, b]| change(&a, &b));
+        of_state.sum::<f64>() + of_time
+    };
+    conditions.iter().map(noise).collect()
+}
+
 fn check_entry<P, const N: usize>(
     conditions: &[Condition<'_, P, N>],
+    noises: &[f64],
     t: f64,
     state: &[f64; N],
 ) -> Result<()> {
-    let must_hold = |c: &&Condition<'_, P, N>| c.kind != Kind::Opening && c.noise.is_none();
-    for condition in conditions.iter().filter(must_hold) {
+    for (condition, noise) in conditions.iter().zip(noises) {
+        let must_hold = condition.kind != Kind::Opening && condition.noise.is_none();
         let value = (condition.margin)(state);
-        // Not `value < 0`: what is not a number does not hold either.
-        if !matches!(value, v if v >= 0.0) {
+        // What is not a number does not hold either.
+        if must_hold && !(value >= 0.0 || value >= -noise) {
             return Err(Error::ConditionBroken {
                 name: condition.name,
                 value,

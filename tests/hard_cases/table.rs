@@ -136,7 +136,7 @@ fn refusals_are_those_that_are_named() {
         ("OutOfRange", 15),
         ("OverBudget", 10),
         ("SeveralMotions", 2),
-        ("StepUnderflow", 7),
+        ("StepUnderflow", 2),
         ("TooManySteps", 10),
         ("TorqueNotFinite", 5),
     ];

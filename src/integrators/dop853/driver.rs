@@ -20,6 +20,9 @@ const MEMORY: f64 = 0.04;
 const LEAST: f64 = 1e-4;
 /// The drift that is left where it is, in errors of a step.
 const DRIFT: f64 = 0.1;
+/// A run whose steps are all shorter than this many roundings of the time has too coarse a clock:
+/// near a pole they shrink to that from longer ones (`tests/traps/messages.rs`).
+const COARSE: f64 = 1e5;
 /// Exponent of the present error: 1/8, less what the memory takes.
 const RESPONSE: f64 = 0.125 - 0.75 * MEMORY;
 
@@ -53,6 +56,15 @@ impl Dop853 {
         let least = log(LEAST);
         let mut memory = least;
         let mut after_rejection = false;
+        let mut longest = 0.0_f64;
+        let underflow = |t: f64, step: f64, longest: f64, y: &Compensated<N>| {
+            // Where the clock is too coarse all steps are near what it shows.
+            if longest.max(step) < COARSE * EPS * t.abs() {
+                return Error::ClockTooCoarse { t, step };
+            }
+            let state = y.value.to_vec();
+            Error::StepUnderflow { t, step, state }
+        };
         // A step that the clock does not show, or with no digits of its own.
         let vanishes = |t: f64, h: f64| t + direction * h == t || h < 4.0 * EPS * t.abs();
         loop {
@@ -70,10 +82,11 @@ impl Dop853 {
             let to = if last { t_end } else { t + direction * h };
             // In a step of no length an event would divide by it.
             if to == t {
-                return Err(underflow(t, h, &trial.start));
+                return Err(underflow(t, h, longest, &trial.start));
             }
             // The step the clock really makes: t + h was rounded.
             let made = (to - t) * direction;
+            longest = longest.max(made);
             let tried = trial.step_to(ode, to, work);
             let error = match &tried {
                 Ok(()) => trial.error(ode, self.tolerance)?,
@@ -96,7 +109,7 @@ impl Dop853 {
                 memory = now.max(least);
                 after_rejection = false;
                 if vanishes(to, h) {
-                    return Err(underflow(to, h, &trial.start));
+                    return Err(underflow(to, h, longest, &trial.start));
                 }
             } else {
                 work.rejected += 1;
@@ -110,7 +123,7 @@ impl Dop853 {
                 // Rounded by the clock, a shorter step may be the same again.
                 if vanishes(t, h) || t + direction * h == to {
                     tried?;
-                    return Err(underflow(t, h, &trial.start));
+                    return Err(underflow(t, h, longest, &trial.start));
                 }
             }
         }
@@ -130,7 +143,11 @@ impl Dop853 {
         let size = sizes(ode, y)?;
         let norm = |v: &[f64; N]| {
             let sum: f64 = (0..N).map(|i| (v[i] / size[i]) * (v[i] / size[i])).sum();
-            (sum / N as f64).sqrt()
+            if sum.is_finite() {
+                return (sum / N as f64).sqrt();
+            }
+            // Squares that overflow.
+            (0..N).fold(0.0, |most: f64, i| most.max((v[i] / size[i]).abs()))
         };
         let span = (t_end - t).abs();
         let (n0, n1) = (norm(y), norm(first));
@@ -157,9 +174,4 @@ impl Dop853 {
         let step = if step > 0.0 { step } else { guess };
         Ok(step.min(100.0 * guess).min(span))
     }
-}
-
-fn underflow<const N: usize>(t: f64, step: f64, y: &Compensated<N>) -> Error {
-    let state = y.value.to_vec();
-    Error::StepUnderflow { t, step, state }
 }

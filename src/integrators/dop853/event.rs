@@ -3,7 +3,8 @@
 //! A crossing is found by the sign of the function at the ends of a step, at
 //! seven times between and where it comes nearest to zero, on the interpolant.
 //! Its time is then polished with real steps from the start of the step, so that
-//! it has the accuracy of the run and not that of the interpolant.
+//! it has the accuracy of the run and not that of the interpolant, and taken on the far side of
+//! zero, so that a run that goes on from there does not meet it again.
 
 use super::segment::Segment;
 use super::trial::Trial;
@@ -31,18 +32,41 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 /// a graze of the interpolant that is deeper than round-off is met. One that goes beyond zero
 /// by less than the interpolant errs, or only touches it, is met or missed as interpolant and
 /// round-off have it, and of three zeros within an eighth of a step two hide each
-/// other: [`Dop853::with_longest_step`](super::Dop853::with_longest_step). A
-/// function that is zero at the very start of a run has no event there.
+/// other: [`Dop853::with_longest_step`](super::Dop853::with_longest_step).
+///
+/// A located event lies on its far side: the function is zero there or has the sign it came to,
+/// unless no step that was tried goes beyond zero. So a run may go on from there, whatever is
+/// done to the state. A function that is zero at the very start of a run has no event there; one
+/// that may cross either way has none either where it comes to zero within a round-off of the time.
 ///
 /// Accuracy: but for such a graze the state at the located time satisfies the event to its
-/// rounding (3.0e-15 measured on speeds of order 1), and the time is as good as the run:
+/// rounding (3.9e-15 measured on speeds of order 1), and the time is as good as the run:
 /// 6.2e-11 at tolerance 1e-12 where the run itself is off by 6.7e-11, 6.4e-14 at
 /// 1e-15 (`tests/integrators/convergence/events.rs`).
+///
+/// Solve, handle, solve on:
+///
+/// ```
+/// use rotation_dynamics::integrators::{Dop853, Event, second_order};
+/// let swing = second_order(|_t, x, _v| -x);
+/// let (mut t, mut state, mut stops) = (0.0, [1.0, 0.0], 0);
+/// while stops < 1000 {
+///     let middle = Event::crossing("middle", |_t, [x, _]: &[f64; 2]| *x).terminal();
+///     let run = Dop853::new(1e-9)?.solve(&swing, t, &state, f64::MAX, &[middle])?;
+///     let Some(event) = run.stopped_by() else { break };
+///     // Here the state may be changed, by a push for example.
+///     (t, state, stops) = (event.t, event.state, stops + 1);
+/// }
+/// // At pi/2, 3 pi/2, ...
+/// assert!((t - 999.5 * core::f64::consts::PI).abs() < 1e-7);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
 pub struct Event<'f, const N: usize> {
     name: &'static str,
     function: Box<Function<'f, N>>,
     direction: Direction,
     terminal: bool,
+    nearest: bool,
     round_off: Option<Box<Function<'f, N>>>,
 }
 
@@ -58,6 +82,7 @@ impl<'f, const N: usize> Event<'f, N> {
             function: Box::new(function),
             direction,
             terminal: false,
+            nearest: false,
             round_off: None,
         }
     }
@@ -82,6 +107,16 @@ impl<'f, const N: usize> Event<'f, N> {
     pub fn terminal(self) -> Self {
         Self {
             terminal: true,
+            ..self
+        }
+    }
+
+    /// The same event at the place nearest to zero, on either side: for a run that knows from which
+    /// event it goes on.
+    #[must_use]
+    pub(crate) fn nearest(self) -> Self {
+        Self {
+            nearest: true,
             ..self
         }
     }
@@ -137,7 +172,7 @@ pub struct LocatedEvent<const N: usize> {
     pub index: usize,
     /// Its name.
     pub name: &'static str,
-    /// When.
+    /// When: just beyond the zero.
     pub t: f64,
     /// The state there, by a real step.
     pub state: [f64; N],
@@ -153,11 +188,17 @@ const NARROWINGS: u32 = 40;
 const GRAZE: f64 = 16.0 * EPS;
 /// Corrections of an event's time by real steps, at most.
 const CORRECTIONS: u32 = 6;
+/// From stride to stride towards the far side of a zero.
+const LONGER: f64 = 4.0;
+/// Times that differ by less than this part of the time, or of 64 steps, differ by round-off: a
+/// first step is some hundredth of what the motion takes to change by its own size.
+const AT_ONCE: f64 = 64.0 * EPS;
 
 /// The events of a run and the values they had at the end of the last step.
 pub(super) struct Watch<'e, 'f, const N: usize> {
     events: &'e [Event<'f, N>],
     values: Vec<f64>,
+    start: f64,
 }
 
 /// The events met in a step, and the step cut short at a terminal one.
@@ -169,7 +210,11 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
             .iter()
             .map(|e| e.value(t, y))
             .collect::<Result<_>>()?;
-        Ok(Self { events, values })
+        Ok(Self {
+            events,
+            values,
+            start: t,
+        })
     }
 
     /// The events within an accepted step, in the order in which they happen,
@@ -201,7 +246,12 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
                 }
                 if let Some(rising) = event.counts(a, b) {
                     let guess = root(event, segment, (t_a, a), (t_b, b))?;
-                    let there = polish(ode, event, step, segment, guess, work)?;
+                    let at_start = step.t == self.start && is_round_off(step, self.start, guess);
+                    if event.direction == Direction::Either && at_start {
+                        continue;
+                    }
+                    let reach = (t_b - t_a).abs();
+                    let there = polish(ode, event, step, segment, [guess, reach], rising, work)?;
                     let located = LocatedEvent {
                         index,
                         name: event.name,
@@ -219,13 +269,36 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
         let terminal = found
             .iter()
             .position(|(e, _)| self.events[e.index].terminal);
-        let stopped = terminal.map(|last| {
-            let (_, step) = found[last];
-            found.truncate(last + 1);
-            step
-        });
-        Ok((found.into_iter().map(|(e, _)| e).collect(), stopped))
+        let later = terminal.map_or_else(Vec::new, |last| found.split_off(last + 1));
+        let stopped = terminal.and_then(|_| found.pop());
+        let mut met: Vec<_> = found.into_iter().map(|(e, _)| e).collect();
+        let Some((end, stopped)) = stopped else {
+            return Ok((met, None));
+        };
+        // What a rounding of the time puts behind the end, and is over there, has happened too.
+        for (other, _) in later {
+            let value = self.events[other.index].value(end.t, &end.state)?;
+            let here = is_round_off(step, end.t, other.t) && !is_before(value, other.rising);
+            met.extend(here.then_some(LocatedEvent {
+                t: end.t,
+                state: end.state,
+                ..other
+            }));
+        }
+        met.push(end);
+        Ok((met, Some(stopped)))
     }
+}
+
+/// Whether two times in this step differ by round-off.
+fn is_round_off<const N: usize>(step: &Trial<N>, a: f64, b: f64) -> bool {
+    let steps = 64.0 * (step.t_end - step.t).abs();
+    (a - b).abs() <= AT_ONCE * b.abs().max(steps)
+}
+
+/// Whether a function that goes through zero, rising or falling, has still the sign before it.
+fn is_before(value: f64, rising: bool) -> bool {
+    if rising { value < 0.0 } else { value > 0.0 }
 }
 
 /// The times and values seen in a step, and between them those where the function comes
@@ -323,17 +396,20 @@ fn root<const N: usize>(
 }
 
 /// The step from the same start to the zero itself: the time is corrected with
-/// real steps until the event function no longer shrinks.
+/// real steps until the event function no longer shrinks, then moved on by strides that start at
+/// round-off until the function is zero or beyond. If it is not within `reach`, where it only
+/// touches zero, the nearest is what there is.
 fn polish<const N: usize>(
     ode: &(impl Ode<N> + ?Sized),
     event: &Event<'_, N>,
     step: &Trial<N>,
     segment: &Segment<N>,
-    guess: f64,
+    [guess, reach]: [f64; 2],
+    rising: bool,
     work: &mut Work,
 ) -> Result<Trial<N>> {
     let within = |t: f64| t.clamp(step.t.min(step.t_end), step.t.max(step.t_end));
-    let real = |t: f64, work: &mut Work| -> Result<(Trial<N>, f64)> {
+    let mut real = |t: f64| -> Result<(Trial<N>, f64)> {
         let there = if t == step.t_end {
             *step
         } else {
@@ -342,10 +418,10 @@ fn polish<const N: usize>(
         let value = event.value(t, &there.end.value)?;
         Ok((there, value))
     };
-    let (mut best, mut value) = real(guess, work)?;
+    let (mut best, mut value) = real(guess)?;
     // The slope of the function along the interpolant is good enough to start with.
-    let reach = 1e-3 * (step.t_end - step.t);
-    let (t_a, t_b) = (within(guess - reach), within(guess + reach));
+    let about = 1e-3 * (step.t_end - step.t);
+    let (t_a, t_b) = (within(guess - about), within(guess + about));
     let rise = event.value(t_b, &segment.at(t_b))? - event.value(t_a, &segment.at(t_a))?;
     let mut slope = rise / (t_b - t_a);
     for _ in 0..CORRECTIONS {
@@ -353,12 +429,23 @@ fn polish<const N: usize>(
         if value == 0.0 || !t.is_finite() || t == best.t_end {
             break;
         }
-        let (next, next_value) = real(t, work)?;
+        let (next, next_value) = real(t)?;
         if next_value.abs() >= value.abs() {
             break;
         }
         slope = (next_value - value) / (next.t_end - best.t_end);
         (best, value) = (next, next_value);
     }
-    Ok(best)
+    let span = step.t_end - step.t;
+    let mut stride = EPS * best.t_end.abs().max(span.abs());
+    let reach = reach.max(LONGER * stride);
+    let mut there = best;
+    while !event.nearest && is_before(value, rising) {
+        if there.t_end == step.t_end || stride > reach {
+            return Ok(best);
+        }
+        (there, value) = real(within(best.t_end + stride.copysign(span)))?;
+        stride *= LONGER;
+    }
+    Ok(there)
 }

@@ -1,7 +1,7 @@
 //! Steps in another time than that of the motion, for motions that are now slow, now fast.
 
 use super::event::Watch;
-use super::{Direction, Dop853, Event, Ode, Work};
+use super::{Dop853, Event, Ode, Work};
 use crate::error::{Error, Result, finite, positive};
 use core::ops::ControlFlow;
 
@@ -79,12 +79,11 @@ impl Dop853 {
         // Longer than any step is: the run ends at `t_end`, unless time comes to a stand.
         let far = 1e12 * left / positive("pace", pace(start))?;
         let paced = Paced { ode, pace };
-        let ends = [
-            Event::new("end time", Direction::Either, |_, y: &[f64; N]| {
-                y[N - 1] - t_end
-            })
-            .terminal(),
-        ];
+        let ends = [Event::rising("end time", |_, y: &[f64; N]| {
+            (y[N - 1] - t_end) * left.signum()
+        })
+        .terminal()
+        .nearest()];
         let mut reached = false;
         let end = self.drive(&paced, 0.0, start, far, &mut work, |trial, last, work| {
             if (trial.end.value[N - 1] - t_end) * left < 0.0 {

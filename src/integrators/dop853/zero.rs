@@ -1,6 +1,6 @@
 //! Zeros of a function along a motion, and frequencies measured by them.
 
-use super::{Direction, Dop853, Event, Integrator, LocatedEvent, Ode, Work};
+use super::{Dop853, Event, Integrator, LocatedEvent, Ode, Work};
 use crate::error::{Error, Result};
 use core::f64::consts::PI;
 
@@ -29,25 +29,16 @@ impl Dop853 {
         until: f64,
         f: impl Fn(&[f64; N]) -> f64,
     ) -> Result<(LocatedEvent<N>, Work)> {
-        let (mut t, mut state, mut work) = (0.0, start, Work::default());
-        let mut direction = Direction::Either;
-        let mut last = None;
+        let (name, mut work) = ("zero", Work::default());
+        let event = [Event::crossing(name, |_, y: &[f64; N]| f(y)).terminal()];
+        let (mut t, mut state, mut last) = (0.0, start, None);
         for _ in 0..count {
-            let name = "zero";
-            let event = Event::new(name, direction, |_, y: &[f64; N]| f(y)).terminal();
-            let run = self.solve(ode, t, &state, until, &[event])?;
+            let run = self.solve(ode, t, &state, until, &event)?;
             work += run.work();
             let met = run.stopped_by().ok_or(Error::NotReached { name, until })?;
             (t, state) = (met.t, met.state);
-            // Round-off may leave f on either side of zero: wait for the other way.
-            direction = if met.rising {
-                Direction::Falling
-            } else {
-                Direction::Rising
-            };
             last = Some(met.clone());
         }
-        let name = "zero";
         Ok((last.ok_or(Error::NotReached { name, until })?, work))
     }
 }

@@ -44,8 +44,8 @@ fn crossings_of_the_axis() {
         damaged.push(event.t - PI * (i + 1) as f64);
     }
     damaged.exceed(4e-13, 6);
-    // The speed times the rounding of the time.
-    residues.attain(2.9e-15..=3.0e-15, 4 * 6);
+    // The speed times the rounding of the time, which is on the far side.
+    residues.attain(3.8e-15..=3.9e-15, 4 * 6);
 }
 
 struct Clock;
@@ -87,7 +87,7 @@ fn directions_order_and_terminal() {
         late.push_at(t - when, name);
     }
     // At t = 6.3, with a tolerance of 1e-12.
-    late.attain(1.5e-14..=1.6e-14, 8);
+    late.attain(1.6e-14..=1.7e-14, 8);
     // Terminal: nothing after it, and the run ends there.
     let mut stopping = Vec::from(events());
     let zero = stopping.remove(2).terminal();
@@ -99,7 +99,7 @@ fn directions_order_and_terminal() {
     let last = run.stopped_by().expect("stopped");
     assert_eq!((last.name, last.t), ("zero", run.end_time()));
     assert_eq!(run.at(run.end_time()).expect("the end"), *run.end_state());
-    assert_error!(run.end_time() - PI, 2.7e-15);
+    assert_error!(run.end_time() - PI, 2.2e-15);
     assert_error!(run.at(3.0).expect("within")[0] - sin(3.0), 6.9e-15);
     // Backwards, rising is what the run meets as rising.
     let run = method
@@ -107,7 +107,7 @@ fn directions_order_and_terminal() {
         .expect("smooth");
     let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
     assert_eq!(met[0].0, "zero");
-    assert_error!(met[0].1 + PI, 2.7e-15);
+    assert_error!(met[0].1 + PI, 2.2e-15);
 }
 
 #[test]
@@ -213,7 +213,7 @@ fn a_graze_within_a_step_is_met() {
             touched.push_at((t - (1.0 + centre)) / rounding, depth);
         }
     }
-    late.attain(3.9e-3..=4.0e-3, 20);
+    late.attain(0.18..=0.19, 20);
     // The damaged twin: deep or not, a dip has no zero in its middle.
     touched.exceed(800.0, 20);
     // The touch alone, and a miss: nothing.
