@@ -11,6 +11,7 @@ mod figures;
 mod variations;
 
 use core::f64::consts::FRAC_PI_2;
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::math::{EPS, acosh};
@@ -127,6 +128,14 @@ struct Solved {
 // ANCHOR: solve
 fn solve(p: &Parameters) -> Result<Solved> {
     let exact = Exact::new(p.length, p.gravity, p.angle)?;
+    if rounding(p) > 0.1 {
+        return Err(Error::OutOfRange {
+            name: "angle",
+            value: p.angle,
+            allowed: "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
+                      its elevation",
+        });
+    }
     let ladder = Ladder::smooth(p);
     let start = ladder.at_rest(p.angle);
     let end = 2.0 * exact.landing_time();
