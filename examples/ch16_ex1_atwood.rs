@@ -31,13 +31,13 @@ parameters! {
         /// how far both masses hang below the axle
         height: number(1.0, "m", above(0.0).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
         /// coefficient of friction between rope and pulley
-        friction: number(0.2, "-", from_to(0.0, 10.0).usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
+        friction: number(0.2, "-", from_to(0.0, 10.0).because("rougher than any rope").usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
         /// mass of a metre of the heavy rope
         rope: number(0.1, "kg/m", at_least(0.0).usually(0.01, 0.5));
         /// angular velocity of a pulley that spins already
         spin: number(40.0, "rad/s", any().usually(5.0, 80.0));
         /// C S of both masses in air, for the claims about it
-        air: effect(0.02, "m^2", above_to(0.0, 10.0));
+        air: effect(0.02, "m^2", above(0.0));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -97,19 +97,19 @@ pub const FIRM: f64 = 1e9;
 /// The machine of these parameters, with a rope without mass.
 pub fn machine(p: &Parameters) -> Result<Machine> {
     let (heavier, lighter) = (p.m1.max(p.m2), p.m1.min(p.m2));
-    from_to(1e-9, 1.0).check("lighter mass/heavier mass", lighter / heavier)?;
+    let tied = from_to(1e-9, 1.0).because("a lighter one is not felt");
+    tied.check("lighter mass/heavier mass", lighter / heavier)?;
     let apart = (heavier - lighter) / heavier;
     if apart != 0.0 {
-        let name = "(m1 - m2)/m, lost in the rounding of the masses,";
-        from_to(1e-12, 1.0).check(name, apart)?;
+        let known = from_to(1e-12, 1.0).because("less is lost in the rounding of the masses");
+        known.check("(m1 - m2)/m", apart)?;
     }
     let pulley = p.inertia / (p.radius * p.radius);
-    from_to(0.0, 1e6).check(
-        "I/(m R^2), m the heavier mass, 0 for no pulley,",
-        pulley / heavier,
-    )?;
-    let over = 2.0 * p.rope * p.height / heavier;
-    from_to(0.0, 1e6).check("mass of the rope/heavier mass", over)?;
+    let turns = from_to(0.0, 1e6).because("a heavier pulley hardly turns");
+    turns.check("I/(m R^2) with the heavier mass m", pulley / heavier)?;
+    let rope = 2.0 * p.rope * p.height / heavier;
+    let hangs = from_to(0.0, 1e6).because("beside a heavier rope the masses are not felt");
+    hangs.check("mass of the rope/heavier mass", rope)?;
     let masses = [p.m1, p.m2];
     let (gravity, height, grip) = (p.gravity, p.height, exp(p.friction * PI));
     Ok(Machine {

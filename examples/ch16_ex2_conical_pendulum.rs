@@ -22,7 +22,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, from rest in the turning plane; of a rod if a string goes slack
-        release: number(0.5, "rad", between(-PI, PI).usually(0.1, 1.5));
+        release: number(0.5, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 1.5));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }

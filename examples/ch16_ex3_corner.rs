@@ -28,7 +28,7 @@ parameters! {
         /// the moving picture: the sense that presses it to the wall, or the other one
         sense: choice("pressed", "away");
         /// angle by which the wall leans back, for the claims about it
-        lean: effect(0.0175, "rad", between(-FRAC_PI_2, FRAC_PI_2));
+        lean: effect(0.0175, "rad", between(-FRAC_PI_2, FRAC_PI_2).because("there the wall lies on the floor"));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -161,11 +161,14 @@ fn units(p: &Parameters) -> Result<Units> {
             allowed: "without spin the cylinder stays at rest where it is set down",
         });
     }
-    from_to(1e-9, 1e9).check("spin sqrt(R/g)", spin)?;
-    let fades = p.fading * p.spin.abs() * p.radius;
-    from_to(0.0, 1e4).check("fading spin radius, by which friction falls,", fades)?;
+    let turns = from_to(1e-9, 1e9).because("so much before it could fall by its radius");
+    turns.check("spin sqrt(R/g)", spin)?;
+    let rim = p.fading * p.spin.abs() * p.radius;
+    let rubs = from_to(0.0, 1e4).because("by a thousandth of a thousandth no friction is left");
+    rubs.check("fading*spin*radius", rim)?;
     if p.friction > 0.0 {
-        from_to(1e-9, 1e6).check("friction, below 1e-9 none at all,", p.friction)?;
+        let felt = from_to(1e-9, 1e6).because("less is none, more jams it");
+        felt.check("friction", p.friction)?;
     }
     let (weight, speed) = (p.mass * p.gravity, p.radius / time);
     Ok(Units {

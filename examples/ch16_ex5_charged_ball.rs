@@ -25,7 +25,7 @@ parameters! {
         /// radius of the ball
         radius: number(0.01, "m", above(0.0).usually(0.005, 0.03));
         /// k = I/(m R^2): 2/5 for a solid ball, 2/3 for a thin shell
-        shape: number(0.4, "-", above_to(0.0, 1.0).usually(0.3, 0.7));
+        shape: number(0.4, "-", above_to(0.0, 1.0).because("no mass is outside the ball").usually(0.3, 0.7));
         /// coefficient of friction between ball and slab
         friction: number(0.3, "-", at_least(0.0).usually(0.02, 0.6)).drawn(0.20, 0.50, 0.05);
         /// length of the slab, from the place where the ball starts from rest
@@ -33,11 +33,11 @@ parameters! {
         /// velocity of a ball that is put down sliding, without spin
         shot: number(-0.3, "m/s", any().usually(-1.0, 1.0));
         /// how far off its middle a charged spot is, over R
-        spot: number(0.5, "-", from_to(0.0, 1.0).usually(0.0, 1.0));
+        spot: number(0.5, "-", from_to(0.0, 1.0).because("inside the ball").usually(0.0, 1.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// drag coefficient of the ball in air, for the claims about it
-        air: effect(0.47, "-", above_to(0.0, 1e3));
+        air: effect(0.47, "-", above(0.0));
         /// relative error asked for, at every event: from 1e-13 to 0.001
         tolerance: number(1e-12, "-", from_to(1e-13, 0.001));
     }
@@ -113,6 +113,8 @@ impl Ball {
                 allowed: "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
             });
         }
+        let far = between(0.0, 1e6).because("after so many turns the angle has lost its digits");
+        far.check("length/radius", p.length / p.radius)?;
         Ok(Self {
             pull,
             press: p.gravity,

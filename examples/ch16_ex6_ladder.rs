@@ -28,7 +28,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// angle from the wall at the start
-        angle: number(0.25, "rad", between(0.0, FRAC_PI_2).usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
+        angle: number(0.25, "rad", between(0.0, FRAC_PI_2).because("upright it stands for ever, flat it lies").usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
         /// relative error asked for, at every event: from 3.2e-14 to 0.1
         tolerance: number(1e-12, "-", from_to(3.2e-14, 0.1));
     }

@@ -7,6 +7,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Ode, second_order};
+use rotation_dynamics::interval::at_least;
 use rotation_dynamics::math::{acosh, asinh, atan, tanh};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
 use rotation_dynamics::report::prelude::*;
@@ -17,7 +18,7 @@ parameters! {
         /// distance of the rollers
         distance: number(1.0, "m", above(0.0).usually(0.5, 2.0)).drawn(0.8, 1.6, 0.1);
         /// coefficient of friction of surfaces that slip
-        kinetic: number(0.3, "-", above(0.0).usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05);
+        kinetic: number(0.3, "-", at_least(1e-5).because("smoother rollers hardly move it").usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05);
         /// coefficient of friction of surfaces that do not slip
         holding: number(0.5, "-", above(0.0).usually(0.3, 0.8)).drawn(0.45, 0.70, 0.05);
         /// speed of the surfaces of the rollers
@@ -31,7 +32,7 @@ parameters! {
         /// the moving picture: the tops of the rollers move towards each other (in) or apart
         sense: choice("in", "out");
         /// part of the friction that is lost per m/s of slip, for the claims about it
-        falling: effect(0.1, "s/m", above_to(0.0, 10.0));
+        falling: effect(0.1, "s/m", above(0.0));
         /// error of a step of the simulations: from 1e-15 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -125,12 +126,16 @@ const SLOWEST: f64 = 1e-6;
 /// The plank; refused if friction would jam it, or if it does not lie on both rollers.
 pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
     let jam = p.kinetic * p.thickness / p.distance;
-    at_least(p.kinetic).check("holding, not below kinetic,", p.holding)?;
-    from_to(0.0, JAMS).check("kinetic*thickness/distance, 1 where it jams,", jam)?;
+    let holds = at_least(p.kinetic).because("what rests holds no less than what slips");
+    holds.check("holding", p.holding)?;
+    let thin = from_to(0.0, JAMS).because("at 1 friction on its lower face jams the plank");
+    thin.check("kinetic*thickness/distance", jam)?;
     let slow = p.runs() / (rate(p, 0.0) * p.distance);
-    from_to(SLOWEST, 1e9).check("speed/sqrt(2 kinetic gravity distance), 0 for rollers at rest,", slow)?;
+    let turns = from_to(SLOWEST, 1e9).because("at 0 the rollers rest, and so does the plank");
+    turns.check("speed/sqrt(2 kinetic gravity distance)", slow)?;
     let lifts = lift(p, 1.0);
-    between(-lifts, lifts).check("offset, lifting off at the ends,", p.offset)?;
+    let lies = between(-lifts, lifts).because("at an end it lifts off a roller");
+    lies.check("offset", p.offset)?;
     let p = p.clone();
     Ok(Plank { p, sense })
 }
@@ -282,7 +287,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((stick, _, _), (stick_out, _, tip)) = (caught(p, 1.0), caught(p, -1.0));
     let goes_round = goes_round(p);
     let event = |ride: &Ride, names| Ok(ride.event(p.event_there(names))?.t);
-    let (sticks, lets_go) = (["left sticks", "right sticks"], ["right lets go", "left lets go"]);
+    let (sticks, lets_go) = (
+        ["left sticks", "right sticks"],
+        ["right lets go", "left lets go"],
+    );
     claims! { report,
         /// force of the right roller over the weight, at the start, tops moving together
         right: right, "-", "contact forces" => ride.forces(0.0)?[1].normal / g, within exact, in "The forces":
@@ -396,9 +404,11 @@ fn driven(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(fading) = p.falling else {
         return Ok(());
     };
-    from_to(0.0, 0.0).check("thickness, with friction that falls", p.thickness)?;
+    let thin = from_to(0.0, 0.0).because("friction that falls is for a thin plank");
+    thin.check("thickness", p.thickness)?;
     let (gain, free) = (0.5 * p.gravity * fading * p.kinetic, rate(p, 1.0));
-    between(0.0, 0.5).check("growth over the rate of the swing", gain / free)?;
+    let swings = between(0.0, 0.5).because("else it grows within a swing");
+    swings.check("growth over the rate of the swing", gain / free)?;
     let period = TAU / (free * free - gain * gain).sqrt();
     let [time, factor] = grown(p, fading)?;
     claims! { report,

@@ -64,7 +64,7 @@ fn what_is_no_cylinder_in_a_corner_is_refused() {
         ("--spin=0", "without spin the cylinder stays at rest"),
         ("--spin=1e15", "spin sqrt(R/g)"),
         ("--friction=100", "dry friction allows two motions"),
-        ("--fading=1e6", "by which friction falls, = 6000000"),
+        ("--fading=1e6", "fading*spin*radius = 6000000"),
         ("--with lean=1.5", "climbs out"),
         ("--friction=2 --with lean=-1.2", "is jammed"),
         ("--sense=up", "sense"),
