@@ -74,13 +74,13 @@ impl Answer {
 // ANCHOR_END: answer
 
 /// The shortest string that is wound up, over the radius.
-const LEAST: f64 = 1e-2;
+const LEAST: f64 = 0.5;
 
 /// The disc in units of its radius, and of its mass and g.
 pub fn disc(p: &Parameters) -> Result<Disc> {
     let (wound, free) = (p.wound / p.radius, p.free / p.radius);
     let turns =
-        from_to(LEAST, 1e6).because("less string than a hundredth of the radius hardly falls");
+        from_to(LEAST, 1e6).because("with less string it is not wound up again on the other side");
     turns.check("wound/radius", wound)?;
     let hangs = above_to(1.0, 1e6).because("at 1 the disc touches the roof");
     hangs.check("free/radius", free)?;
