@@ -253,6 +253,9 @@ pub fn gripping(p: &Parameters, shape: f64) -> Roller {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, m, g, v) = (Roller::new(p), p.mass, p.gravity, p.speed);
+    let told =
+        at_least(1e-10).because("contacts do not tell a smaller part of the weight from none");
+    told.check("coefficient of friction that rolling needs", body.needed())?;
     let ((s, c), k, a) = (sincos(p.angle), p.shape, body.acceleration());
     let (top, bound) = (-v / a, 8.0 * p.tolerance);
     let up = body.run(Goal::Top, v, 2.0 * top, p.tolerance)?;
@@ -394,6 +397,8 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let air = QuadraticDrag::new(coefficient * drag)?;
     let number = air.number(v, p.gravity * sin(p.angle));
+    let rolls = at_least(body.needed() * (1.0 + number)).because("less lets it slip in the drag");
+    rolls.check("friction", p.friction)?;
     let (far, blown) = (
         far * log1p(number) / number,
         way(roller.with(air), start, end)?,
@@ -421,9 +426,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         resistance: arm / p.radius,
     };
     let (still, air) = (way(up, start, end)?, QuadraticDrag::new(drag)?);
-    let slowed = 1.0 - way(up.with(air), start, end)? / still;
     // What slides is not slowed down by what its turning meets.
-    let all_but_held = arm > 100.0 * p.radius * tan(p.angle);
+    let all_but_held = arm > 10.0 * p.radius * tan(p.angle);
     let rolled = match sliding {
         true => Some(0.0),
         false if all_but_held => None,
@@ -433,6 +437,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         arm / (p.radius * tan(p.angle)),
         air.number(v, p.gravity * sin(p.angle)),
     );
+    // Slowed down much, it slips.
+    let slowed = match sliding || body.needed() * (1.0 + drag) > body.mu {
+        true => None,
+        false => Some((1.0 - way(up.with(air), start, end)? / still).max(0.0)),
+    };
     let thick = Roller {
         mu: body.mu * 0.99,
         ..body
@@ -458,7 +467,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         effect("drag of the air, a cylinder of wood")
             .number("rho C R l v^2/(m g sin theta)", drag)
             .costs((1.0 - log1p(drag) / drag).max(0.0), "of the distance")
-            .measured(if sliding { None } else { Some(slowed.max(0.0)) })
+            .measured(slowed)
             .within(1e-8),
     ])
 }

@@ -302,7 +302,7 @@ pub fn squeezed(top: &Top, d: f64) -> Result<Option<f64>> {
     let l = free.angular_momentum();
     let cone = |t: f64| {
         let axis = free.attitude(t).axis();
-        atan2(axis.cross(&l).norm(), axis.dot(&l))
+        atan2(axis.cross(&l).norm(), axis.dot(&l).abs())
     };
     let cones = times(0.0, free.rate_period(), 400).map(cone);
     let (least, most) = cones.fold((PI, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));

@@ -105,7 +105,8 @@ pub fn period(q: f64, angle: f64) -> Result<f64> {
 }
 
 // ANCHOR: motions
-/// In a plane that turns at w, by the Lagrangian: `[theta, theta']`.
+/// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w (in sqrt(l/g)
+/// below the threshold).
 pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
     second_order(move |_, theta, rate| force(q, theta) - 2.0 * damping * rate)
 }
@@ -123,7 +124,7 @@ pub fn force(q: f64, theta: f64) -> f64 {
 }
 
 /// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`,
-/// the support at the origin, lengths in l; with quadratic air drag.
+/// the support at the origin, lengths in l, time as above; with quadratic air drag.
 pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
     let g = SpaceVector::new(0.0, 0.0, -squares(q)[1]);
     newton(move |_, [r, v]| g - r * tension(q, [r, v]) - v * (drag * v.norm()))

@@ -113,6 +113,10 @@ impl Ball {
                 allowed: "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
             });
         }
+        let told = "contacts do not tell a smaller part of the weight from none";
+        let needed = p.shape / (1.0 + p.shape) * weights.abs();
+        let holds = above(1e-11).because(told);
+        holds.check("coefficient of friction that rolling needs", needed)?;
         let far = between(0.0, 1e6).because("after so many turns the angle has lost its digits");
         far.check("length/radius", p.length / p.radius)?;
         Ok(Self {

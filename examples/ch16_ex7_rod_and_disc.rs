@@ -366,7 +366,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             t_free * (1.0 + p.release * p.release / 16.0) => "that is the first term of a series";
         /// swings until the free one is half a swing ahead
         ahead: 0.5 * (1.0 + (m.carried / fixed).sqrt()) * fixed / m.own, "-", "the simulated periods" => 0.5 * slow / (slow - stiff),
-        within (1e-6 + 1e-12 / share) / share, if share >= 1e-8;
+        within ((1e-6 + 1e-12 / share) / share).max(1e-12), if share >= 1e-8;
         /// torque that the fixed joint must hold
         grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip,
         in "The joint":
@@ -389,7 +389,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         rim_fixed: rim, "s", "put together of solids" => by_rim, within 1e-13 * rim;
         /// hung by the rim, free: period of the slow small swing
         rim_free: rim_free, "s", "double pendulum, simulated" => 2.0 * PI / rim_slow()?, within 1e-6 * rim_free,
-        if p.radius > 1e-6 * p.length;
+        if (1e-6..1e4).contains(&(p.radius / p.length));
     }
 }
 
@@ -449,8 +449,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         let scene = coupled(m.share, bearing, |angle| angle);
         after(2.0 * PI, &scene, &[1.0, 0.0, 1.0, 0.0], 1e-13)
     };
-    // A tiny disc goes along at once.
-    let rubbed = match bearing < 1e4 {
+    // A tiny disc goes along at once, and a large one is not left out.
+    let rubbed = match bearing < 1e4 && m.share * bearing < 0.1 {
         true => Some(1.0 - rubbed()?[0]),
         false => None,
     };

@@ -18,7 +18,7 @@ parameters! {
         /// distance of the rollers
         distance: number(1.0, "m", above(0.0).usually(0.5, 2.0)).drawn(0.8, 1.6, 0.1);
         /// coefficient of friction of surfaces that slip
-        kinetic: number(0.3, "-", at_least(1e-5).because("smoother rollers hardly move it").usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05);
+        kinetic: number(0.3, "-", at_least(1e-4).because("smoother rollers hardly move it").usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05);
         /// coefficient of friction of surfaces that do not slip
         holding: number(0.5, "-", above(0.0).usually(0.3, 0.8)).drawn(0.45, 0.70, 0.05);
         /// speed of the surfaces of the rollers
@@ -121,7 +121,7 @@ pub type Ride = Motion<Plank, 3, 6, 2>;
 /// The nearest to jamming.
 const JAMS: f64 = 0.9999;
 /// The slowest rollers: slower ones carry the plank for so long that they might as well rest.
-const SLOWEST: f64 = 1e-6;
+const SLOWEST: f64 = 1e-4;
 
 /// The plank; refused if friction would jam it, or if it does not lie on both rollers.
 pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {

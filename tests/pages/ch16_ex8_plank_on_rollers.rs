@@ -60,7 +60,7 @@ fn formulas_and_simulations_agree() {
     confirmed(&EXAMPLE, alone.map(fits), 17);
     let ends = [
         "--offset=-0.3", "--offset=-0.3 --sense=out", "--offset=0", "--offset=-1e-9", "--speed=-0.3",
-        "--speed=0.001", "--speed=1e4", "--kinetic=1e-5", "--kinetic=20 --holding=30", "--holding=1e6",
+        "--speed=0.001", "--speed=1e4", "--kinetic=1e-4", "--kinetic=20 --holding=30", "--holding=1e6",
         "--distance=1e4", "--gravity=1e-3", "--thickness=3.333 --offset=1e-5",
     ];
     confirmed(&EXAMPLE, ends, 13);
