@@ -35,9 +35,9 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// arm of the normal force ahead of the body, for the claims about it
-        rolling: effect(2e-4, "m", above(0.0));
+        rolling: effect(2e-4, "m", above_to(0.0, 1.0));
         /// drag coefficient of a cylinder of wood in air, for the claims about it
-        air: effect(1.0, "-", above(0.0));
+        air: effect(1.0, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// relative error asked for, at every event: from 1e-13 to 0.01
         tolerance: number(1e-12, "-", from_to(1e-13, 0.01));
     }
@@ -125,8 +125,11 @@ impl Mechanism<3, 6, 2> for Resisted {
         [rim, rolling]
     }
     // ANCHOR_END: resisted
+    /// A hair before the highest place, where the resistance turns round as well: which comes first
+    /// is round-off.
     fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
-        self.roller.end(body)
+        let (name, left) = self.roller.end(body)?;
+        Some((name, left - 1e-9 * self.roller.speed))
     }
     fn scale(&self, body: &State<3>) -> State<3> {
         self.roller.scale(body)
@@ -327,9 +330,12 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         Ok(v / (up.event("turns")?.t * sine))
     };
     let (plain, steep) = (gripping(p, p.shape), FRAC_PI_2 - 1e-3);
+    // On a slope where contacts tell so small a part of the weight from none.
+    let angle = p.angle.clamp(1e-2, 1.56);
+    let sloping = gripping(&Parameters { angle, ..p.clone() }, p.shape);
     let near = |part| Roller {
-        mu: part * plain.needed(),
-        ..plain
+        mu: part * sloping.needed(),
+        ..sloping
     };
     let ice = Roller { mu: 0.0, ..plain };
     limits! { report,

@@ -406,7 +406,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Towards level if it is long; the torque changes by this part on the way.
     let way = if body.long() { yields } else { -yields };
     let part = way * (c - s) * (c + s) / (s * c);
-    let (gives, cost) = if yields < 0.1 && part < 0.5 {
+    let (gives, cost) = if (1e-12..0.1).contains(&yields) && part < 0.5 {
         let (over, work) = yielding(p.tilt, way)?;
         (
             Some((over - 1.0).abs()),

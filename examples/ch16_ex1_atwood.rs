@@ -37,7 +37,7 @@ parameters! {
         /// angular velocity of a pulley that spins already
         spin: number(40.0, "rad/s", any().usually(5.0, 80.0));
         /// C S of both masses in air, for the claims about it
-        air: effect(0.02, "m^2", above(0.0));
+        air: effect(0.02, "m^2", above_to(0.0, 10.0).because("more is a parachute"));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }

@@ -3,7 +3,7 @@
 #[path = "ch16_ex3_corner/figures.rs"]
 mod figures;
 
-use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+use core::f64::consts::{SQRT_2, TAU};
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::log1p;
@@ -28,7 +28,7 @@ parameters! {
         /// the moving picture: the sense that presses it to the wall, or the other one
         sense: choice("pressed", "away");
         /// angle by which the wall leans back, for the claims about it
-        lean: effect(0.0175, "rad", between(-FRAC_PI_2, FRAC_PI_2).because("there the wall lies on the floor"));
+        lean: effect(0.0175, "rad", above_to(0.0, 1.5).because("backward, and not down to the floor"));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }

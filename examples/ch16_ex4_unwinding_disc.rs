@@ -35,7 +35,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 11.0));
         /// drag coefficient of a disc of steel in air, for the claims about it
-        air: effect(1.0, "-", above(0.0));
+        air: effect(1.0, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// error of a step of the simulations: from 1e-15 to 1e-6
         tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
     }

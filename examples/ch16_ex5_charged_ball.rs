@@ -37,7 +37,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// drag coefficient of the ball in air, for the claims about it
-        air: effect(0.47, "-", above(0.0));
+        air: effect(0.47, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// relative error asked for, at every event: from 1e-13 to 0.001
         tolerance: number(1e-12, "-", from_to(1e-13, 0.001));
     }
