@@ -70,7 +70,13 @@ fn simulated(of: impl Fn(&Ride, f64) -> Result<f64>) -> Result<Curve> {
     Ok(Curve::sampled(some, dot, Ink::Body)?.dots())
 }
 
-figures! { p: &Parameters, u = units(p)?, rides = senses(p)?, rate = p.spin.abs();
+/// The drawings are of a cylinder that stops.
+fn stops(p: &Parameters) -> Result<f64> {
+    let stops = above(0.0).because("without it the cylinder spins for ever, and no stop is drawn");
+    stops.check("friction", p.friction)
+}
+
+figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?, rate = p.spin.abs();
     /// A cylinder of radius R and mass M lies in the corner of a floor and a wall on its left.
     /// It turns counterclockwise with the angular velocity Omega.
     setup: problem(1.0);
