@@ -202,7 +202,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (pull, out, newton) = (
         unit * tension(q, [r, v]),
         hypot(r.x(), r.y()),
-        unit.max(m * g),
+        if q < 1.0 { unit } else { m * g },
     );
     let turns = |angle, n| Ok(turning(q, angle, n, p.tolerance)?.0);
     let wide = turns(p.release, 1)?;
