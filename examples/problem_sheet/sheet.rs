@@ -21,7 +21,7 @@ use clap::{Arg, ArgMatches, Command, value_parser};
 use draw::{Drawn, draw};
 use exercise::Exercise;
 use rotation_dynamics::report::Answer;
-use rotation_dynamics::report::cli::write_whole;
+use rotation_dynamics::report::cli::{joined, write_whole};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -111,12 +111,7 @@ fn address(text: &str) -> Result<String, String> {
 
 pub fn command() -> Command {
     let arg = |name: &'static str, value: &'static str, help: &'static str| {
-        // A negative number is a value, and is told what it must be.
-        Arg::new(name)
-            .long(name)
-            .value_name(value)
-            .help(help)
-            .allow_hyphen_values(true)
+        Arg::new(name).long(name).value_name(value).help(help)
     };
     Command::new("problem_sheet")
         .bin_name("cargo run --example problem_sheet --")
@@ -200,7 +195,7 @@ pub fn run(matches: &ArgMatches) -> Result<String, String> {
 }
 
 fn main() -> ExitCode {
-    match run(&command().get_matches()) {
+    match run(&command().get_matches_from(joined(std::env::args_os()))) {
         Ok(told) => {
             eprint!("{told}");
             ExitCode::SUCCESS

@@ -124,7 +124,6 @@ fn arg(flag: &Told) -> Arg {
     if flag.words.is_empty() {
         let unit = flag.unit;
         arg.value_name("NUMBER")
-            .allow_hyphen_values(true)
             .value_parser(move |text: &str| number(text, unit))
     } else {
         arg.value_name("WORD")
@@ -266,7 +265,35 @@ fn typed<'m>(flag: &Told, matches: &'m ArgMatches) -> Option<Setting<'m>> {
 
 /// A number as a reader gives it, in the unit of its flag.
 fn number(text: &str, unit: &str) -> core::result::Result<f64, String> {
+    // Written out, as programs do.
+    if let Ok(value) = text.parse::<f64>()
+        && !value.is_finite()
+    {
+        return Err(format!("{value} is not a finite number"));
+    }
     Answer::read(text)?.in_unit(unit)
+}
+
+/// Joins a negative number to the flag before it: clap would take `-5.0e-1` for a flag.
+pub fn joined(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
+    let mut all: Vec<OsString> = Vec::new();
+    for argument in arguments {
+        let text = argument.to_str().unwrap_or("");
+        let number = || text.parse::<f64>().is_ok() || Answer::read(text).is_ok();
+        let negative = text.starts_with('-') && !text.starts_with("--") && number();
+        let flag = |last: &&mut OsString| {
+            last.to_str()
+                .is_some_and(|l| l.starts_with("--") && !l.contains('='))
+        };
+        match all.last_mut().filter(flag) {
+            Some(last) if negative => {
+                last.push("=");
+                last.push(argument);
+            }
+            _ => all.push(argument),
+        }
+    }
+    all
 }
 
 /// How to name an effect, to those who typed it as a flag of its own.
@@ -379,6 +406,7 @@ fn set_up(
     arguments: Vec<OsString>,
 ) -> core::result::Result<ArgMatches, Outcome> {
     let flags = run.flags();
+    let arguments = joined(arguments);
     let name = core::iter::once(OsString::from(run.stem()));
     let matches = match command(run, &flags).try_get_matches_from(name.chain(arguments)) {
         Ok(matches) => matches,
@@ -585,5 +613,14 @@ mod tests {
         assert_eq!(code, 2);
         assert!(err.contains("the output cannot be written"), "{err}");
         assert_eq!(delivered(&outcome, &mut Vec::new(), &mut Vec::new()), 0);
+    }
+
+    #[test]
+    fn a_negative_number_alone_is_joined_to_its_flag() {
+        let arguments = "ladder --theta0 -5.0e-1 --turn -pi/2 --length 3 --json -x word -1 --a=2 -3 --b -4 -5 --c --6";
+        let all = joined(arguments.split(' ').map(OsString::from));
+        let all: Vec<&str> = all.iter().filter_map(|a| a.to_str()).collect();
+        let expected = "ladder --theta0=-5.0e-1 --turn=-pi/2 --length 3 --json -x word -1 --a=2 -3 --b=-4 -5 --c --6";
+        assert_eq!(all.join(" "), expected);
     }
 }
