@@ -261,7 +261,7 @@ fn points(inputs: &Value) -> Option<Vec<(&'static str, Vec<f64>)>> {
 
 /// The repository's own files.
 const OWN: [&str; 3] =
-    ["tests/data/reference.json", "tests/data/drawn.json", "tests/data/mirrored.json"];
+    ["tests/data/reference.json", "tests/data/drawn.json", "tests/data/mirrored_ch15.json"];
 
 /// The cases of this kind in a file.
 fn cases(file: impl AsRef<Path>) -> Vec<Value> {

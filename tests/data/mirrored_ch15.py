@@ -1,8 +1,8 @@
-"""Mirrored and extreme cases of the problems without a motion: mirrored.json.
+"""Mirrored and extreme cases of the problems without a motion: mirrored_ch15.json.
 
 Closed forms at 60 digits of the inputs as doubles; `sens` is the sum over the inputs of
 |input * d(field)/d(input)|, by differences, the largest of a field's numbers.
-    python3 mirrored.py > mirrored.json
+    python3 mirrored_ch15.py > mirrored_ch15.json
 """
 import json
 from mpmath import cos, mp, mpf, sin, tan
@@ -99,6 +99,6 @@ def case(name, problem, inputs):
                 sens={field: float(mp.nstr(value, 3)) for field, value in sens.items()})
 
 
-note = "Mirrored and extreme cases; closed forms at 60 digits, by mirrored.py."
+note = "Mirrored and extreme cases; closed forms at 60 digits, by mirrored_ch15.py."
 print(json.dumps(dict(schema="rigid-oracle/1", set="mirrored", note=note,
                       cases=[case(*given) for given in CASES]), indent=1))
