@@ -54,7 +54,7 @@ rotation_dynamics::parameters! {
         /// speed far from the Earth
         speed: number(11e3, "m/s", from_to(1e3, 1e5).because("slower, the Earth captures it; nothing of the solar system is faster").usually(5e3, 2e4));
         /// longitude of the Earth at the closest, seen from the asteroid
-        longitude: number(0.0, "rad", from_to(-PI, PI));
+        longitude: number(0.0, "rad", from_to(-PI, PI).because("other longitudes are these and turns"));
         /// error asked of the attitude after the flyby: from 1e-12 to 1e-3
         tolerance: number(1e-9, "rad", from_to(1e-12, 1e-3));
     }
