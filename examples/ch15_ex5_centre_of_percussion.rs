@@ -133,6 +133,11 @@ fn check(p: &Parameters) -> Result<()> {
     beyond.check("hit/length", p.hit / p.length)?;
     let alike = from_to(1e-3, 1e3).because("what one gets is lost beside the other");
     alike.check("ball/mass", p.ball / p.mass)?;
+    let near = above(1e-10).because("a slower ball is lost in rounding beside the bat");
+    near.check(
+        "|speed| contact/length",
+        p.speed.abs() * p.contact / p.length,
+    )?;
     let short = from_to(0.0, 1.0).because("or it is no blow");
     short.check(
         "Omega t_c, the angle in the time of contact,",
