@@ -19,6 +19,7 @@ pub struct Interval {
     high: f64,
     closed: [bool; 2],
     usual: Option<[f64; 2]>,
+    nonzero: bool,
     reason: Option<&'static str>,
 }
 
@@ -28,6 +29,7 @@ const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
         high,
         closed,
         usual: None,
+        nonzero: false,
         reason: None,
     }
 }
@@ -75,6 +77,20 @@ impl Interval {
         self.usual
     }
 
+    /// Excludes zero, where nothing moves: the reason is to be given.
+    ///
+    /// ```
+    /// use rotation_dynamics::interval::any;
+    /// let rate = any().but_zero("at rest nothing rolls");
+    /// assert!(rate.contains(-2.0) && !rate.contains(-0.0));
+    /// assert_eq!(rate.to_string(), "it must be finite, and not 0 (at rest nothing rolls)");
+    /// ```
+    #[must_use]
+    pub const fn but_zero(mut self, reason: &'static str) -> Self {
+        self.nonzero = true;
+        self.because(reason)
+    }
+
     /// Says why it ends where it does: the physics, or the limit of the method.
     ///
     /// ```
@@ -120,7 +136,7 @@ impl Interval {
         let [low, high] = self.closed;
         let above = value > self.low || (low && value == self.low);
         let below = value < self.high || (high && value == self.high);
-        above && below && value.is_finite()
+        above && below && value.is_finite() && !(self.nonzero && value == 0.0)
     }
 }
 
@@ -142,6 +158,9 @@ impl fmt::Display for Interval {
             }
             (true, true, [false, false]) => write!(f, "it must lie between {low} and {high}"),
         }?;
+        if self.nonzero {
+            write!(f, ", and not 0")?;
+        }
         self.reason
             .map_or(Ok(()), |reason| write!(f, " ({reason})"))
     }

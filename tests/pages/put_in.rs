@@ -64,7 +64,7 @@ fn what_cannot_be_put_in_is_refused() {
             (&flag("=0"), &format!("{effect} = 0 is not allowed")),
             (&flag("=-1"), &format!("{effect} = -1 is not allowed")),
             (&flag("=1e9"), &format!("{effect} = ")),
-            (&flag("=much"), "it is not a number"),
+            (&flag("=much"), "that is not a number"),
             (&format!("{} --without {effect}", flag("")), "is it in or out?"),
         ]);
         assert!(with_report(page, |report| report.claim(key).is_none()), "{key}");
