@@ -27,17 +27,17 @@ rotation_dynamics::parameters! {
     /// A line, a point, a disc, a gyroscope and a frame, each with its rates.
     pub struct Parameters {
         /// angle of a line on the body from the x axis
-        line_before: number(0.2, "rad", from_to(-1.5, 1.5));
+        line_before: number(0.2, "rad", from_to(-1.5, 1.5).because("a line is told from its opposite up to a right angle"));
         /// the same a little later
-        line_after: number(0.65, "rad", from_to(-1.5, 1.5));
+        line_after: number(0.65, "rad", from_to(-1.5, 1.5).because("a line is told from its opposite up to a right angle"));
         /// time between the two
         interval: number(0.1, "s", from_to(1e-6, 1e6).usually(0.05, 1.0));
         /// angular velocity of a body, along X
-        omega_x: number(0.4, "rad/s", from_to(-1e4, 1e4).usually(-3.0, 3.0));
+        omega_x: number(0.4, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// the same, along Y
-        omega_y: number(-0.3, "rad/s", from_to(-1e4, 1e4).usually(-3.0, 3.0));
+        omega_y: number(-0.3, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// the same, along Z
-        omega_z: number(2.0, "rad/s", from_to(-1e4, 1e4).usually(-3.0, 3.0));
+        omega_z: number(2.0, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// a point of that body, from its fixed point
         point_x: number(0.1, "m", from_to(-1e3, 1e3).usually(-1.0, 1.0));
         /// the same, along Y
@@ -45,21 +45,21 @@ rotation_dynamics::parameters! {
         /// the same, along Z
         point_z: number(0.3, "m", from_to(-1e3, 1e3).usually(-1.0, 1.0));
         /// angular velocity of the frame from which that body is watched, about Z
-        frame: number(2.0, "rad/s", from_to(-1e4, 1e4).usually(-3.0, 3.0));
+        frame: number(2.0, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// angular velocity of the disc about its centre O
-        disc: number(4.0, "rad/s", from_to(-1e4, 1e4).usually(-6.0, 6.0));
+        disc: number(4.0, "rad/s", from_to(-1e5, 1e5).usually(-6.0, 6.0));
         /// angle of the line of nodes from X
-        phi: number(0.3, "rad", from_to(-100.0, 100.0).usually(-3.1, 3.1));
+        phi: number(0.3, "rad", from_to(-100.0, 100.0).because("turns may be left out of an angle").usually(-3.1, 3.1));
         /// tilt of the axis of the gyroscope
-        theta: number(1.0, "rad", from_to(1e-6, PI - 1e-6).usually(0.3, 2.8));
+        theta: number(1.0, "rad", from_to(1e-6, PI - 1e-6).because("with the axis upright the rates of the Euler angles are not defined").usually(0.3, 2.8));
         /// angle of a mark on the rotor from the line of nodes
-        zeta: number(-0.4, "rad", from_to(-100.0, 100.0).usually(-3.1, 3.1));
+        zeta: number(-0.4, "rad", from_to(-100.0, 100.0).because("turns may be left out of an angle").usually(-3.1, 3.1));
         /// rate of phi
-        precession: number(2.0, "rad/s", from_to(-1e4, 1e4).usually(-3.0, 3.0));
+        precession: number(2.0, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// rate of theta
-        nutation: number(0.5, "rad/s", from_to(-1e4, 1e4).usually(-3.0, 3.0));
+        nutation: number(0.5, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// rate of zeta; the pictures show a tenth of it
-        spin: number(30.0, "rad/s", from_to(-1e4, 1e4).usually(-40.0, 40.0));
+        spin: number(30.0, "rad/s", from_to(-1e5, 1e5).usually(-40.0, 40.0));
         /// error of a step of the runs
         tolerance: number(1e-12, "-", from_to(1e-15, 1e-3));
     }

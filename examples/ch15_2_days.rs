@@ -22,19 +22,19 @@ rotation_dynamics::parameters! {
     /// The notes' year and day; the Earth's orbit and axis at the epoch J2000.
     pub struct Parameters {
         /// solar days in a year
-        year: number(365.24, "d", from_to(20.0, 2000.0).usually(20.0, 500.0));
+        year: number(365.24, "d", from_to(20.0, 2000.0).because("the Sun is followed day by day through one year").usually(20.0, 500.0));
         /// length of the mean solar day
         day: number(86400.0, "s", from_to(1.0, 1e9).usually(3600.0, 200000.0));
         /// eccentricity of the orbit
-        eccentricity: number(0.0167086342, "-", from_to(0.0, 0.3).usually(0.0, 0.1));
+        eccentricity: number(0.0167086342, "-", from_to(0.0, 0.3).because("on a longer ellipse the days differ too much to be counted so").usually(0.0, 0.1));
         /// tilt of the axis, from the normal of the orbit
-        obliquity: number(0.409_092_600_600_583, "rad", from_to(0.0, 1.4).usually(0.0, 0.8));
+        obliquity: number(0.409_092_600_600_583, "rad", from_to(0.0, 1.4).because("with its pole in the orbit a planet has no solar day").usually(0.0, 0.8));
         /// longitude at which the Sun is seen when it is nearest
-        perigee: number(4.938_188_300_857_257, "rad", from_to(0.0, TAU));
+        perigee: number(4.938_188_300_857_257, "rad", from_to(0.0, TAU).because("a full turn"));
         /// mean longitude of the Sun at noon of 1 January 2000
-        mean_longitude: number(4.895_063_113_086_038, "rad", from_to(0.0, TAU));
+        mean_longitude: number(4.895_063_113_086_038, "rad", from_to(0.0, TAU).because("a full turn"));
         /// days in the year of the moving picture
-        picture_year: number(6.0, "d", from_to(2.0, 20.0).usually(2.0, 12.0));
+        picture_year: number(6.0, "d", from_to(2.0, 20.0).because("more days cannot be seen in a picture").usually(2.0, 12.0));
         /// error of a step of the runs
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }

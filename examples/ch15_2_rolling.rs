@@ -16,27 +16,27 @@ parameters! {
     /// The four bodies; the notes leave all numbers open.
     pub struct Parameters {
         /// radius of the wheel on a road
-        wheel_radius: number(0.35, "m", from_to(1e-3, 1e3).usually(0.1, 1.0));
+        wheel_radius: number(0.35, "m", from_to(1e-6, 1e6).usually(0.1, 1.0));
         /// its angular velocity
-        wheel_rate: number(20.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 50.0));
+        wheel_rate: number(20.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(1.0, 50.0));
         /// radius of either coin
-        coin_radius: number(0.0121, "m", from_to(1e-3, 1e3).usually(0.005, 0.05));
+        coin_radius: number(0.0121, "m", from_to(1e-6, 1e6).usually(0.005, 0.05));
         /// angle through which the line of centres turns
-        orbit: number(FRAC_PI_2, "rad", from_to(0.01, 100.0).usually(0.1, 6.3));
+        orbit: number(FRAC_PI_2, "rad", from_to(-1e4, 1e4).but_zero("at rest nothing rolls").usually(0.1, 6.3));
         /// radius of the cycle wheel
-        radius: number(0.3, "m", from_to(1e-3, 1e3).usually(0.1, 1.0));
+        radius: number(0.3, "m", from_to(1e-6, 1e6).usually(0.1, 1.0));
         /// length of its shaft
-        shaft: number(0.5, "m", from_to(1e-3, 1e3).usually(0.05, 2.0));
+        shaft: number(0.5, "m", from_to(1e-6, 1e6).usually(0.05, 2.0));
         /// rate at which the shaft goes round Z
-        rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
+        rate: number(2.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 5.0));
         /// rate at which the cylinder goes round Z
-        cylinder_rate: number(3.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
+        cylinder_rate: number(3.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing turns").usually(0.5, 5.0));
         /// angle of the cylinder's axis from Z
-        tilt: number(0.5, "rad", from_to(0.001, 3.1).usually(0.1, 1.5));
+        tilt: number(0.5, "rad", from_to(0.001, 3.14).because("an upright axis covers no angle").usually(0.1, 1.5));
         /// rolling resistance of a hoop as a part of its weight, for the claims about it
-        resistance: effect(0.005, "-", above_to(0.0, 1.0));
+        resistance: effect(0.005, "-", above_to(0.0, 1.0).because("what is braked more does not roll"));
         /// slip of the coin over its way along the other's rim, for the picture and the claims about it
-        slip: effect(1.0, "-", above_to(0.0, 2.0).usually(0.1, 2.0));
+        slip: effect(1.0, "-", above_to(0.0, 2.0).because("at 2 it slides and does not turn").usually(0.1, 2.0));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -258,7 +258,8 @@ fn swept(direction: impl Fn(f64) -> Result<SpaceVector>, t: f64) -> Result<f64> 
 
 /// Every number of the page.
 fn report(p: &Parameters) -> Result<Report> {
-    from_to(1e-3, 1e3).check("shaft/radius", p.shaft / p.radius)?;
+    let sizes = from_to(1e-3, 1e3).because("the spin or the turn about Z is lost beside the other");
+    sizes.check("shaft/radius", p.shaft / p.radius)?;
     let about =
         "A wheel on a road, a coin on a coin, a wheel on a shaft, a cylinder carried round.";
     let mut report = Report::new("Rolling", about)?;
@@ -270,7 +271,7 @@ fn report(p: &Parameters) -> Result<Report> {
     orbiting(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
-    let (wheel, circuit) = (p.clone(), TAU / p.rate);
+    let (wheel, circuit) = (p.clone(), TAU / p.rate.abs());
     let spin = -p.rate * p.shaft / p.radius;
     let exact = cycle_turned(p, spin, circuit)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
@@ -290,11 +291,8 @@ fn report(p: &Parameters) -> Result<Report> {
 }
 
 fn road(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (r, speed, bound) = (
-        p.wheel_radius,
-        p.wheel_rate * p.wheel_radius,
-        100.0 * p.tolerance,
-    );
+    let (r, rate, bound) = (p.wheel_radius, p.wheel_rate.abs(), 100.0 * p.tolerance);
+    let speed = rate * r;
     let ([distance, path], method) = (polygons(), Dop853::new(p.tolerance)?);
     let start = [0.0; 4];
     let (half, _) = method.advance(&on_a_road(), 0.0, &start, 0.5 * TAU)?;
@@ -302,7 +300,7 @@ fn road(p: &Parameters, report: &mut Report) -> Result<()> {
     let [at_top, at_contact] = [half, full].map(|y| on_a_road().derivative(0.0, &y)[3]);
     claims! { report,
         /// wheel: speed of its centre
-        wheel_speed: speed, "m/s", "polygons that tip along" => p.wheel_rate * r * distance / TAU, within 1e-11 * speed,
+        wheel_speed: speed, "m/s", "polygons that tip along" => rate * r * distance / TAU, within 1e-11 * speed,
         in "The wheel":
             speed / TAU => "the rate is in radians, not in turns",
             TAU * speed => "radians a second are meant, not turns";
@@ -321,14 +319,14 @@ fn road(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (theta, bound) = (p.orbit, 100.0 * p.tolerance);
+    let (theta, sense, bound) = (p.orbit, p.orbit.signum(), 100.0 * p.tolerance);
     let ([part, _], [whole, path]) = (
-        coin_rolled(1.0, theta, p.tolerance)?,
+        coin_rolled(1.0, theta.abs(), p.tolerance)?,
         coin_rolled(1.0, TAU, p.tolerance)?,
     );
     claims! { report,
         /// coin: turned, when the line of centres has turned by --orbit
-        coin_part: 2.0 * theta, "rad", "rolled about the contact" => part, within bound * theta,
+        coin_part: 2.0 * theta, "rad", "rolled about the contact" => sense * part, within bound * theta,
         in "The coins":
             theta => "that is seen from the line of centres, which turns as well";
         /// coin: turned, when it is back at its place
@@ -358,13 +356,13 @@ fn slid(p: &Parameters, report: &mut Report) -> Result<()> {
 
 fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rate, ratio) = (p.rate, p.shaft / p.radius);
-    let (spin, net) = (-rate * ratio, rate * hypot(1.0, ratio));
+    let (spin, net, sense) = (-rate * ratio, rate.abs() * hypot(1.0, ratio), rate.signum());
     let still = |t| cycle_turned(p, spin, t);
     let turning = measured(still, 1.0 / net)?;
     let angles = |t: f64| Ok::<_, Error>(still(t)?.euler_angles().zeta);
     let h = 1e-3 / net;
     let euler = (angles(h)? - angles(-h)?) / (2.0 * h);
-    let circuit = TAU / rate;
+    let circuit = TAU / rate.abs();
     // About the shaft, seen from the shaft: the wheel less the turn about Z.
     let mark = |t: f64| -> Result<SpaceVector> {
         let seen = Attitude::about_space_axis(UP, -rate * t)? * cycle_carried(p, t, p.tolerance)?.0;
@@ -382,10 +380,10 @@ fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
         /// cycle wheel: its angular velocity
         net_rate: net, "rad/s", "turned in a short time" => turning.norm(), within 1e-11 * net,
         in "The cycle wheel":
-            rate - spin => "the two are at right angles",
-            -spin => "that is the spin alone";
+            (rate - spin).abs() => "the two are at right angles",
+            spin.abs() => "that is the spin alone";
         /// angle of its angular velocity from Z
-        net_tilt: atan2(ratio, 1.0), "rad", "turned in a short time" => atan2(hypot(turning.x(), turning.y()), turning.z()), within 1e-11;
+        net_tilt: atan2(ratio, sense), "rad", "turned in a short time" => atan2(hypot(turning.x(), turning.y()), turning.z()), within 1e-11;
         /// cycle wheel: speed of the point that touches the ground
         cycle_contact: 0.0, "m/s", "its places differenced" => slip(p, spin)?, within 1e-11 * net * p.radius;
         /// rate of the Euler angle zeta, with z = -rho
@@ -393,12 +391,13 @@ fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The cycle wheel":
             spin => "which way does z point?";
         /// cycle wheel: turned about its shaft in a circuit, seen from the shaft
-        circuit: -TAU * ratio, "rad", "attitude carried by (15.5.16)" => once, within 1e4 * p.tolerance * net * circuit;
+        circuit: -sense * TAU * ratio, "rad", "attitude carried by (15.5.16)" => once, within 1e4 * p.tolerance * net * circuit;
     }
 }
 
 fn orbiting(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((s, c), rate) = (sincos(p.tilt), p.cylinder_rate);
+    let sense = rate.signum();
     let turning = cylinder(p, 0.0)?.to_body(measured(|t| cylinder(p, t), 1.0 / rate)?);
     let axis = |t| Ok(cylinder(p, t)?.axis());
     claims! { report,
@@ -412,7 +411,7 @@ fn orbiting(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The cylinder":
             rate * c => "that is the other component";
         /// angle that the line OP covers in an orbit
-        line: TAU, "rad", "followed through an orbit" => swept(axis, TAU / rate)?, within 1e-12;
+        line: sense * TAU, "rad", "followed through an orbit" => swept(axis, TAU / rate.abs())?, within 1e-12;
     }
 }
 
@@ -461,7 +460,8 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(resistance) = p.resistance else {
         return Ok(());
     };
-    let (speed, turn) = (p.wheel_rate * p.wheel_radius, TAU / p.wheel_rate);
+    let rate = p.wheel_rate.abs();
+    let (speed, turn) = (rate * p.wheel_radius, TAU / rate);
     let stops = 0.5 * resistance * 9.80665 * turn;
     let (slower, _) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
     claims! { report,
@@ -472,11 +472,12 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The card of effects: what real contacts, coins and tyres do to these numbers.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let speed = p.wheel_rate * p.wheel_radius;
+    let rate = p.wheel_rate.abs();
+    let speed = rate * p.wheel_radius;
     // A tyre of solid rubber, flattened by a hundredth of its radius: on the flat its tread is
     // pressed from the arc 2 b R into the chord 2 R sin(b). So is that of 22 flats in a row.
     let (flat, tipped) = (1.0 - cos(TAU / 44.0), tipping(22).0[22].x() / TAU);
-    let (resistance, turn) = (0.005, TAU / p.wheel_rate);
+    let (resistance, turn) = (0.005, TAU / rate);
     let stops = (0.5 * resistance * 9.80665 * turn).min(speed);
     let (slower, slowing) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
     // Milled edges, half a hundredth of a millimetre more or less on the radius.

@@ -33,11 +33,11 @@ rotation_dynamics::parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", from_to(1e-9, 1e9).usually(1.0, 25.0));
         /// angle from the vertical at which it is released at rest
-        angle: number(0.01, "rad", from_to(1e-30, 1.5).usually(1e-6, 1.0));
+        angle: number(0.01, "rad", from_to(1e-30, 1.5).because("counted to the side to which it falls; upright it stays for ever").usually(1e-6, 1.0));
         /// angle at which the rate is asked for, on the way from upright
-        look: number(0.5, "rad", from_to(1e-3, 1.57).usually(0.1, 1.5));
+        look: number(0.5, "rad", from_to(1e-3, 1.57).because("counted to the side to which it falls, until it lies").usually(0.1, 1.5));
         /// angle from which the time to the floor is asked for, on the same way
-        from: number(0.1, "rad", from_to(1e-6, 1.5).usually(0.01, 1.0));
+        from: number(0.1, "rad", from_to(1e-6, 1.5).because("counted to the side to which it falls; upright it stays for ever").usually(0.01, 1.0));
         /// relative error asked for, at every event: from 1e-13 to 0.01
         tolerance: number(1e-12, "-", from_to(1e-13, 0.01));
     }

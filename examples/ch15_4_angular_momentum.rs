@@ -41,21 +41,21 @@ rotation_dynamics::parameters! {
         /// height of the cylinder
         height: number(0.3, "m", above(0.0).usually(0.02, 0.5));
         /// angle between the cylinder and the shaft
-        tilt: number(0.5, "rad", from_to(0.0, FRAC_PI_2).usually(0.0, FRAC_PI_2));
+        tilt: number(0.5, "rad", from_to(0.0, FRAC_PI_2).because("the smaller angle between two lines").usually(0.0, FRAC_PI_2));
         /// angular velocity of the shaft
-        rate: number(10.0, "rad/s", above(0.0).usually(2.0, 20.0));
+        rate: number(10.0, "rad/s", any().but_zero("at rest L has no direction").usually(2.0, 20.0));
         /// mass of the rolling wheel
         wheel_mass: number(2.0, "kg", above(0.0));
         /// radius of the rolling wheel
         wheel_radius: number(0.35, "m", above(0.0));
         /// angular velocity of the rolling wheel
-        wheel_rate: number(20.0, "rad/s", above(0.0));
+        wheel_rate: number(20.0, "rad/s", any().but_zero("at rest nothing rolls"));
         /// mass of the coin
         coin_mass: number(0.0057, "kg", above(0.0));
         /// radius of the coin, and of the fixed one
         coin_radius: number(0.0121, "m", above(0.0));
         /// angular velocity of the line of centres
-        coin_rate: number(2.0, "rad/s", above(0.0));
+        coin_rate: number(2.0, "rad/s", any().but_zero("at rest nothing rolls"));
         /// mass of the wheel on the shaft
         runner_mass: number(1.5, "kg", above(0.0));
         /// radius of the wheel on the shaft
@@ -63,7 +63,7 @@ rotation_dynamics::parameters! {
         /// length of the shaft
         runner_shaft: number(0.5, "m", above(0.0));
         /// angular velocity of the shaft about the vertical
-        runner_rate: number(2.0, "rad/s", from_to(1e-3, 1e6));
+        runner_rate: number(2.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls"));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", at_least(0.0));
         /// mass of the square plate
@@ -71,9 +71,9 @@ rotation_dynamics::parameters! {
         /// side of the plate
         plate_side: number(0.4, "m", above(0.0));
         /// angular velocity of the plate about an edge
-        plate_rate: number(3.0, "rad/s", above(0.0));
+        plate_rate: number(3.0, "rad/s", any().but_zero("at rest L has no direction"));
         /// drag coefficient of the cylinder in air, for the claims about it
-        air: effect(1.2, "-", above_to(0.0, 1e3));
+        air: effect(1.2, "-", above_to(0.0, 1e6));
         /// error asked of the cylinder's attitude after ten turns: above 0, at most pi
         tolerance: number(1e-9, "rad", any());
     }
@@ -182,7 +182,7 @@ impl Shaft {
         let bearings = Torque::on_body("bearings", move |_, _, _| torque).smooth();
         let body = RigidBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?);
         let start = body.state(self.attitude(0.0), omega)?;
-        let end = 10.0 * TAU / self.rate;
+        let end = 10.0 * TAU / self.rate.abs();
         let reached = body.state(self.attitude(end), omega)?;
         let scene = Scene::new(body).with(bearings);
         let (tilt, rate) = (self.tilt, self.rate);

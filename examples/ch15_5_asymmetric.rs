@@ -40,13 +40,13 @@ rotation_dynamics::parameters! {
         /// shortest edge
         thickness: number(0.025, "m", at_least(0.0).usually(0.0, 0.1));
         /// angular momentum over the middle moment
-        rate: number(12.0, "rad/s", above(0.0).usually(2.0, 30.0));
+        rate: number(12.0, "rad/s", above(0.0).because("the axis is counted to the side to which the body turns").usually(2.0, 30.0));
         /// angle between angular momentum and middle axis at the start
-        aside: number(0.1, "rad", between(1e-6, 1.55).usually(0.001, 1.5));
+        aside: number(0.1, "rad", between(1e-6, 1.55).because("on an axis nothing tumbles; beyond, it is nearer to another one").usually(0.001, 1.5));
         /// to which axis it is off
         toward: choice("least", "largest");
         /// air of a room, for the table of the flips in it: drag coefficient of the cover
-        air: effect(1.2, "-", above_to(0.0, 10.0));
+        air: effect(1.2, "-", above_to(0.0, 10.0).because("no body has a larger drag coefficient"));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }
@@ -282,8 +282,10 @@ fn tumble(p: &Parameters) -> Result<Tumble> {
     let edges = [p.length, p.width, p.thickness];
     let moments = box_moments(p.mass, edges);
     // Their products must be doubles.
-    from_to(1e-15, 1e15).check("I2", moments[1])?;
-    from_to(1e-15, 1e15).check("rate", p.rate)?;
+    let squared =
+        from_to(1e-15, 1e15).because("products of rates and moments must stay within doubles");
+    squared.check("I2", moments[1])?;
+    squared.check("rate", p.rate)?;
     let gaps = [moments[0] / moments[1], moments[1] / moments[2]];
     if gaps
         .iter()

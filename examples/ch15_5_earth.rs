@@ -26,17 +26,17 @@ rotation_dynamics::parameters! {
     /// The Earth of the notes, as a rigid body with two equal moments.
     pub struct Parameters {
         /// moment of inertia about an axis in the equator, over M R^2
-        a: number(0.329_591, "-", between(0.01, 0.5).usually(0.32, 0.3304));
+        a: number(0.329_591, "-", between(0.01, 0.5).because("a planet with a dense core has little, a hollow one 2/3").usually(0.32, 0.3304));
         /// moment of inertia about the figure axis, over M R^2
-        c: number(0.330_675, "-", between(0.01, 0.5).usually(0.33, 0.34));
+        c: number(0.330_675, "-", between(0.01, 0.5).because("a planet with a dense core has little, a hollow one 2/3").usually(0.33, 0.34));
         /// distance of the pole of rotation from the figure axis, on the ground
         wander: number(10.0, "m", above_to(0.0, 1e6).usually(1.0, 20.0));
         /// radius of the Earth
-        radius: number(6.371e6, "m", between(1e6, 1e8).usually(6e6, 7e6));
+        radius: number(6.371e6, "m", between(1e6, 1e8).because("planets").usually(6e6, 7e6));
         /// one turn relative to the equinox, a sidereal day
-        day: number(86_164.090_5, "s", between(1e4, 1e6).usually(8e4, 9e4));
+        day: number(86_164.090_5, "s", between(1e4, 1e6).because("faster, a planet breaks up; slower, others pull it about").usually(8e4, 9e4));
         /// Love number k_2 of the yielding mantle
-        love: number(0.30, "-", from_to(0.0, 0.9).usually(0.0, 0.6));
+        love: number(0.30, "-", from_to(0.0, 0.9).because("0 is rigid, a fluid has about 0.94").usually(0.0, 0.6));
         /// error asked of the attitude after one free period
         tolerance: number(1e-6, "rad", from_to(1e-9, 1.0));
     }

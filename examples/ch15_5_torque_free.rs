@@ -33,11 +33,11 @@ rotation_dynamics::parameters! {
         /// height along the axis; 0 is a thin disc
         height: number(0.15, "m", from_to(0.0, 1e6).usually(0.0, 0.4));
         /// angular velocity along the axis
-        omega_z: number(20.0, "rad/s", from_to(1e-9, 1e9).usually(1.0, 100.0));
+        omega_z: number(20.0, "rad/s", from_to(1e-9, 1e9).because("the axis is counted to the side to which the body spins").usually(1.0, 100.0));
         /// angular velocity across the axis
-        omega_y: number(1.0, "rad/s", from_to(1e-9, 1e9).usually(0.1, 40.0));
+        omega_y: number(1.0, "rad/s", from_to(1e-9, 1e9).because("y is counted to the side of L; without this part nothing wobbles").usually(0.1, 40.0));
         /// tilt of the axis in the drawings of the cones
-        drawn_tilt: number(0.5, "rad", between(0.05, 1.5).usually(0.1, 0.65));
+        drawn_tilt: number(0.5, "rad", between(0.05, 1.5).because("wider or narrower cones cannot be told apart in the drawing").usually(0.1, 0.65));
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }
@@ -277,8 +277,10 @@ fn top(p: &Parameters) -> Result<Top> {
     let top = Top::cylinder(p);
     let rate = hypot(top.omega_y, top.omega_z);
     // 2 is that of a disc without thickness, and rounding may add a digit.
-    from_to(1e-6, 2.0 + 1e-15).check("I3/I1", top.i3 / top.i1)?;
-    from_to(1e-6, 1e6).check("omega_y/omega_z", top.omega_y / top.omega_z)?;
+    let shapes = from_to(1e-6, 2.0 + 1e-15).because("from a needle to a disc");
+    shapes.check("I3/I1", top.i3 / top.i1)?;
+    let wobbles = from_to(1e-6, 1e6).because("one part is lost beside the other");
+    wobbles.check("omega_y/omega_z", top.omega_y / top.omega_z)?;
     if top.spin().abs() < 1e-3 * rate {
         return Err(Error::OutOfRange {
             name: "Omega_S/Omega",

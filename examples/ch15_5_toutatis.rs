@@ -46,15 +46,15 @@ rotation_dynamics::parameters! {
     /// The asteroid: its moments of inertia, and the flyby that is put in.
     pub struct Parameters {
         /// moment of inertia about x over that about the long axis
-        moment_x: number(3.0836, "-", from_to(1.5, 8.0).usually(2.5, 3.2));
+        moment_x: number(3.0836, "-", from_to(1.5, 8.0).because("over the least moment; a body so long would break").usually(2.5, 3.2));
         /// the same about y
-        moment_y: number(3.235, "-", from_to(1.5, 8.0).usually(3.2, 4.0));
+        moment_y: number(3.235, "-", from_to(1.5, 8.0).because("over the least moment; a body so long would break").usually(3.2, 4.0));
         /// least distance from the Earth in the flyby
-        closest: number(1.5558e9, "m", from_to(1e8, 1e11).usually(5e8, 1e10));
+        closest: number(1.5558e9, "m", from_to(1e8, 1e11).because("nearer, tides break it up; farther, the Earth does nothing").usually(5e8, 1e10));
         /// speed far from the Earth
-        speed: number(11e3, "m/s", from_to(1e3, 1e5).usually(5e3, 2e4));
+        speed: number(11e3, "m/s", from_to(1e3, 1e5).because("slower, the Earth captures it; nothing of the solar system is faster").usually(5e3, 2e4));
         /// longitude of the Earth at the closest, seen from the asteroid
-        longitude: number(0.0, "rad", from_to(-PI, PI));
+        longitude: number(0.0, "rad", from_to(-PI, PI).because("other longitudes are these and turns"));
         /// error asked of the attitude after the flyby: from 1e-12 to 1e-3
         tolerance: number(1e-9, "rad", from_to(1e-12, 1e-3));
     }
@@ -107,7 +107,9 @@ pub fn elliptic_period(start: &Start) -> Result<f64> {
     let energy: f64 = momenta.iter().zip(rates).map(|(l, w)| l * w).sum();
     let (above, below) = (energy * a - squares, squares - energy * c);
     let k2 = (a - b) * below / ((b - c) * above);
-    between(0.0, 1.0).check("k^2 of a tumbling about the long axis", k2)?;
+    between(0.0, 1.0)
+        .because("beyond it tumbles about another axis")
+        .check("k^2 of a tumbling about the long axis", k2)?;
     Ok(4.0 * legendre::k(Modulus::from_m(k2)?)? * (a * b * c / ((b - c) * above)).sqrt())
 }
 

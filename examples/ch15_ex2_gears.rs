@@ -13,21 +13,21 @@ parameters! {
     /// The gears of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// moment of inertia of gear A
-        inertia_a: number(0.02, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1)).drawn(0.010, 0.040, 0.002);
+        inertia_a: number(0.02, "kg m^2", from_to(1e-9, 1e9).usually(0.001, 0.1)).drawn(0.010, 0.040, 0.002);
         /// moment of inertia of gear B
-        inertia_b: number(0.005, "kg m^2", from_to(1e-6, 1e3).usually(0.001, 0.1)).drawn(0.002, 0.008, 0.001);
+        inertia_b: number(0.005, "kg m^2", from_to(1e-9, 1e9).usually(0.001, 0.1)).drawn(0.002, 0.008, 0.001);
         /// radius of gear A
-        radius_a: number(0.2, "m", from_to(1e-3, 10.0).usually(0.05, 0.5)).drawn(0.15, 0.30, 0.01);
+        radius_a: number(0.2, "m", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.15, 0.30, 0.01);
         /// radius of gear B
-        radius_b: number(0.1, "m", from_to(1e-3, 10.0).usually(0.05, 0.5)).drawn(0.05, 0.12, 0.01);
+        radius_b: number(0.1, "m", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.05, 0.12, 0.01);
         /// rate of gear A
-        rate: number(30.0, "rad/s", from_to(1e-3, 1e3).usually(1.0, 100.0)).drawn(10.0, 60.0, 5.0);
+        rate: number(30.0, "rad/s", from_to(-1e6, 1e6).but_zero("if A is at rest nothing turns").usually(1.0, 100.0)).drawn(10.0, 60.0, 5.0);
         /// friction of the rims while they slip
-        friction: number(10.0, "N", from_to(1e-3, 1e6).usually(1.0, 100.0)).drawn(5.0, 20.0, 1.0);
+        friction: number(10.0, "N", from_to(1e-9, 1e9).usually(1.0, 100.0)).drawn(5.0, 20.0, 1.0);
         /// mass of gear B, for the reading in which its axis moves
-        mass_b: number(1.0, "kg", from_to(1e-3, 1e3).usually(0.1, 5.0));
+        mass_b: number(1.0, "kg", from_to(1e-9, 1e9).usually(0.1, 5.0));
         /// rate of the arm that carries it in that reading
-        arm_rate: number(5.0, "rad/s", from_to(-1e3, 1e3).usually(-20.0, 20.0));
+        arm_rate: number(5.0, "rad/s", from_to(-1e6, 1e6).usually(-20.0, 20.0));
         /// friction of the bearing of B, for the claims about it
         bearing: effect(0.1, "N m", above_to(0.0, 1e6));
         /// relative error of the simulations
@@ -105,7 +105,10 @@ impl Mechanism<2, 4, 2> for Wheels {
     // ANCHOR_END: scene
 
     fn scale(&self, _: &State<2>) -> State<2> {
-        let (v, time) = ([self.p.rate, rate_b(&self.p, 0.0).abs()], time(&self.p));
+        let (v, time) = (
+            [self.p.rate.abs(), rate_b(&self.p, 0.0).abs()],
+            time(&self.p),
+        );
         let q = v.map(|rate| rate * time);
         State { q, v }
     }
@@ -138,7 +141,7 @@ fn place(p: &Parameters, [arm, rate]: [f64; 2], t: f64, [distance, angle]: [f64;
 
 /// Its velocity at t = 0, from four places.
 fn velocity(p: &Parameters, rates: [f64; 2], point: [f64; 2]) -> [f64; 2] {
-    let h = 1e-3 / rates[0].abs().max(rates[1].abs()).max(p.rate);
+    let h = 1e-3 / rates[0].abs().max(rates[1].abs()).max(p.rate.abs());
     let at = |k: f64| place(p, rates, k * h, point);
     let (near, far) = ([at(-1.0), at(1.0)], [at(-2.0), at(2.0)]);
     [0, 1].map(|i| (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * h))
@@ -148,7 +151,7 @@ fn velocity(p: &Parameters, rates: [f64; 2], point: [f64; 2]) -> [f64; 2] {
 pub fn without_slip(p: &Parameters, arm: f64) -> f64 {
     let inward = [p.radius_b, 2.0 * FRAC_PI_2];
     let slip = |rate: f64| velocity(p, [arm, rate], inward)[1] - p.radius_a * p.rate;
-    let tried = arm.abs().max(p.rate);
+    let tried = arm.abs().max(p.rate.abs());
     tried * slip(0.0) / (slip(0.0) - slip(tried))
 }
 
@@ -166,16 +169,19 @@ pub fn particles(p: &Parameters, rates: [f64; 2], about: [f64; 2]) -> f64 {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, b, arm, bound) = (ratio(p), rate_b(p, 0.0), p.arm_rate, 100.0 * p.tolerance);
-    from_to(1e-3, 1e3).check("radius_a/radius_b", r)?;
+    let ratios = from_to(1e-3, 1e3).because("the simulation of the rims loses its digits beyond");
+    ratios.check("radius_a/radius_b", r)?;
     let [run, free] = [true, false].map(|driven| spun_up(p, driven, p.tolerance));
     let (run, free) = (run?, free?);
     let (end, loose) = (run.at(run.end_time())?.v, free.at(free.end_time())?.v);
     let (sticks, given) = (run.event("rims sticks")?.t, motor(&run)?);
     let ([la, lb], push) = ([p.inertia_a * p.rate, p.inertia_b * b], push(p));
-    let (all, energy) = (la + lb.abs(), kinetic_energy(p, [p.rate, b]));
+    let (all, energy) = (la.abs() + lb.abs(), kinetic_energy(p, [p.rate, b]));
     let (origin, apart) = ([0.0; 2], p.radius_a + p.radius_b);
     let gained = kinetic_energy(p, end) - kinetic_energy(p, [p.rate, 0.0]);
     let (carried, moving) = (rate_b(p, arm), p.mass_b * apart * apart * arm);
+    // The rims push up or down, by the sense of A.
+    let sense = p.rate.signum();
     // Nothing turns if the two would have no angular momentum together.
     let kept = match la + lb {
         0.0 => 0.0,
@@ -206,25 +212,25 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// push of the rims, summed over the time
         push: push, "N s", "wheels simulated" => p.friction * sticks, within bound * push;
         /// what the motor gives, torque times time
-        motor: push * p.radius_a, "N m s", "torque of the motor, simulated" => given, within bound * push * p.radius_a,
+        motor: sense * push * p.radius_a, "N m s", "torque of the motor, simulated" => given, within bound * push * p.radius_a,
         in "Setting B going":
-            push * p.radius_b => "that is what B receives; the lever at A is another",
-            push * apart => "that is what the bearing of B takes";
+            sense * push * p.radius_b => "that is what B receives; the lever at A is another",
+            sense * push * apart => "that is what the bearing of B takes";
         /// what the bearing of B gives, about the axis of A
-        bearing: -push * apart, "N m s", "particles, less the motor" => particles(p, [0.0, b], origin) - given, within near + bound * push * apart;
+        bearing: -sense * push * apart, "N m s", "particles, less the motor" => particles(p, [0.0, b], origin) - given, within near + bound * push * apart;
         /// work of the motor
-        work: push * p.radius_a * p.rate, "J", "torque of the motor, simulated" => given * p.rate, within bound * energy,
+        work: push * p.radius_a * p.rate.abs(), "J", "torque of the motor, simulated" => given * p.rate, within bound * energy,
         in "Setting B going":
-            0.5 * push * p.radius_a * p.rate => "that is what B has in the end; the rims slip meanwhile";
+            0.5 * push * p.radius_a * p.rate.abs() => "that is what B has in the end; the rims slip meanwhile";
         /// heat of the rims
-        heat: 0.5 * push * p.radius_a * p.rate, "J", "work less energy, simulated" => given * p.rate - gained, within bound * energy;
+        heat: 0.5 * push * p.radius_a * p.rate.abs(), "J", "work less energy, simulated" => given * p.rate - gained, within bound * energy;
         /// rate of A in the end if nothing drives it
         undriven: undriven(p), "rad/s", "wheels simulated" => loose[0], within bound * p.rate,
         in "Setting B going":
             kept => "the bearings give angular momentum too",
             p.inertia_a * p.rate / (p.inertia_a + p.inertia_b) => "they do not turn as one body";
         /// rate of gear B, carried by the arm
-        carried_rate: carried, "rad/s", "no slip, from places" => without_slip(p, arm), within 1e-9 * (carried.abs() + p.rate + (1.0 + r) * arm.abs());
+        carried_rate: carried, "rad/s", "no slip, from places" => without_slip(p, arm), within 1e-9 * (carried.abs() + p.rate.abs() + (1.0 + r) * arm.abs());
         /// angular momentum then
         carried_momentum: momentum(p, arm), "kg m^2/s", "four particles for B" => la + particles(p, [arm, carried], origin), within near;
     }
@@ -266,7 +272,10 @@ pub struct Besides {
 
 impl Load<2> for Besides {
     fn force(&self, State { v, .. }: &State<2>) -> [f64; 2] {
-        [self.motor * (self.rate - v[0]), self.bearing]
+        [
+            self.motor * (self.rate - v[0]),
+            self.rate.signum() * self.bearing,
+        ]
     }
 }
 
@@ -304,7 +313,8 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
         return Ok(());
     };
     let (grip, b) = (p.friction * p.radius_b, rate_b(p, 0.0).abs());
-    between(0.0, 0.99).check("bearing over the torque of the rims", bearing / grip)?;
+    let held = between(0.0, 0.99).because("or the bearing holds B");
+    held.check("bearing over the torque of the rims", bearing / grip)?;
     let end = 1.5 * p.inertia_b * b / (grip - bearing);
     let (longer, run) = (end / 1.5, besides(p, [0.0, bearing], true, end)?);
     let sticks = run.event("rims sticks")?.t;
@@ -324,13 +334,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         momentum(p, 0.0),
     );
     let of_b = (p.inertia_b * rate_b(p, 0.0)).abs();
-    let all = p.inertia_a * p.rate + of_b;
+    let all = (p.inertia_a * p.rate).abs() + of_b;
     let rubs = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005;
     let bearing = rubs / (p.friction * p.radius_b);
     let (creep, droop, off) = (0.01, 0.03, 1e-4 / p.radius_b);
     // A motor that friction slows by this part in the end, in a time of its own.
     let gives = droop * (1.0 - exp(-which / droop));
-    let motor = p.friction * p.radius_a / (droop * p.rate);
+    let motor = p.friction * p.radius_a / (droop * p.rate.abs());
     let sluggish = (which < 1e3 * droop)
         .then(|| with(p, [motor, 0.0], false))
         .transpose()?;

@@ -11,17 +11,17 @@ parameters! {
     /// The coins of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the rolling coin
-        mass: number(0.01, "kg", from_to(1e-6, 1e3).usually(0.001, 0.05)).drawn(0.005, 0.020, 0.001);
+        mass: number(0.01, "kg", from_to(1e-9, 1e9).usually(0.001, 0.05)).drawn(0.005, 0.020, 0.001);
         /// radius of the fixed coin
-        inner: number(0.02, "m", from_to(1e-6, 1e3).usually(0.005, 0.05)).drawn(0.018, 0.030, 0.002);
+        inner: number(0.02, "m", from_to(1e-9, 1e9).usually(0.005, 0.05)).drawn(0.018, 0.030, 0.002);
         /// radius of the rolling coin
-        outer: number(0.012, "m", from_to(1e-6, 1e3).usually(0.005, 0.05)).drawn(0.006, 0.014, 0.002);
+        outer: number(0.012, "m", from_to(1e-9, 1e9).usually(0.005, 0.05)).drawn(0.006, 0.014, 0.002);
         /// rate at which the line of centres turns
-        rate: number(2.0, "rad/s", from_to(1e-3, 1e3).usually(0.5, 10.0)).drawn(1.0, 5.0, 0.5);
+        rate: number(2.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 10.0)).drawn(1.0, 5.0, 0.5);
         /// where it rolls: around the fixed coin, or inside a fixed ring of that radius
         side: choice("outside", "inside");
         /// coefficient of friction of coin and table, for the claims about it
-        table: effect(0.2, "-", above_to(0.0, 10.0));
+        table: effect(0.2, "-", above_to(0.0, 1e6));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }
@@ -31,9 +31,12 @@ parameters! {
 /// The radius of the rolling coin over that of the fixed one; negative if it rolls inside.
 pub fn ratio(p: &Parameters) -> Result<f64> {
     let r = p.outer / p.inner;
+    let inside = from_to(0.001, 0.99).because("in a ring that it fills a coin cannot roll");
+    let outside =
+        from_to(0.001, 1000.0).because("beyond it the motion of one is lost beside the other");
     match p.side {
-        "inside" => Ok(-from_to(0.01, 0.99).check("outer/inner, inside a ring,", r)?),
-        _ => from_to(0.01, 100.0).check("outer/inner", r),
+        "inside" => Ok(-inside.check("outer/inner, inside a ring,", r)?),
+        _ => outside.check("outer/inner", r),
     }
 }
 
@@ -217,7 +220,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate));
     let start = [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0];
     let slipped = match faster > 0.0 && faster < 2.0 {
-        true => Some(Dop853::new(1e-12)?.zero(&slipping, start, 1, 1e3 / r.abs(), |y| y[4] - TAU)?),
+        true => Some(Dop853::new(1e-12)?.zero(&slipping, start, 1, (1e3 / r.abs()).max(20.0), |y| y[4] - TAU)?),
         false => None,
     };
     let worn = ratio(&Parameters {

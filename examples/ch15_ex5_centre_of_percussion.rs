@@ -16,19 +16,19 @@ parameters! {
     /// Bat and ball; the notes leave all numbers open.
     pub struct Parameters {
         /// length of the bat
-        length: number(0.85, "m", from_to(0.01, 10.0).usually(0.75, 1.2)).drawn(0.80, 1.00, 0.05);
+        length: number(0.85, "m", from_to(1e-4, 1e4).usually(0.75, 1.2)).drawn(0.80, 1.00, 0.05);
         /// mass of the bat
-        mass: number(1.2, "kg", from_to(1e-3, 1e3).usually(0.5, 2.0)).drawn(0.9, 1.5, 0.1);
+        mass: number(1.2, "kg", from_to(1e-6, 1e6).usually(0.5, 2.0)).drawn(0.9, 1.5, 0.1);
         /// distance of the hands from the end of the handle
-        hands: number(0.0, "m", from_to(0.0, 10.0).usually(0.0, 0.3));
+        hands: number(0.0, "m", at_least(0.0).usually(0.0, 0.3));
         /// distance of the blow from the end of the handle
-        hit: number(0.7, "m", from_to(0.0, 10.0).usually(0.1, 0.85)).drawn(0.60, 0.75, 0.01);
+        hit: number(0.7, "m", at_least(0.0).usually(0.1, 0.85)).drawn(0.60, 0.75, 0.01);
         /// mass of the ball
-        ball: number(0.16, "kg", from_to(1e-4, 1e3).usually(0.05, 0.5)).drawn(0.10, 0.25, 0.01);
+        ball: number(0.16, "kg", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.10, 0.25, 0.01);
         /// speed of the ball
-        speed: number(30.0, "m/s", from_to(1e-2, 1e3).usually(5.0, 40.0)).drawn(15.0, 40.0, 1.0);
+        speed: number(30.0, "m/s", from_to(-1e5, 1e5).but_zero("at rest nothing is hit").usually(5.0, 40.0)).drawn(15.0, 40.0, 1.0);
         /// part of the speed with which they part again
-        restitution: number(0.5, "-", from_to(0.1, 1.0));
+        restitution: number(0.5, "-", from_to(0.1, 1.0).because("a ball that hardly jumps back hits again and again"));
         /// how long they touch, in the simulation with a soft ball
         contact: number(1e-3, "s", from_to(1e-6, 1.0).usually(1e-4, 1e-2));
         /// relative error of the simulations
@@ -127,12 +127,21 @@ fn turn(p: &Parameters) -> f64 {
 
 /// Refuses hands and blows that are not on the bat, and contacts that are no blow.
 fn check(p: &Parameters) -> Result<()> {
-    from_to(0.0, 0.45).check("hands/length", p.hands / p.length)?;
-    from_to(p.hands / p.length, 1.0).check("hit/length", p.hit / p.length)?;
-    from_to(1e-3, 1e3).check("ball/mass", p.ball / p.mass)?;
-    from_to(0.0, 1.0).check(
+    let below = from_to(0.0, 0.45).because("held at its middle a bat has no such place");
+    below.check("hands/length", p.hands / p.length)?;
+    let beyond = from_to(p.hands / p.length, 1.0).because("between the hands and the tip");
+    beyond.check("hit/length", p.hit / p.length)?;
+    let alike = from_to(1e-3, 1e3).because("what one gets is lost beside the other");
+    alike.check("ball/mass", p.ball / p.mass)?;
+    let near = above(1e-10).because("a slower ball is lost in rounding beside the bat");
+    near.check(
+        "|speed| contact/length",
+        p.speed.abs() * p.contact / p.length,
+    )?;
+    let short = from_to(0.0, 1.0).because("or it is no blow");
+    short.check(
         "Omega t_c, the angle in the time of contact,",
-        turn(p) * p.contact,
+        turn(p).abs() * p.contact,
     )?;
     Ok(())
 }
@@ -160,6 +169,7 @@ fn unfelt(p: &Parameters) -> Result<f64> {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     check(p)?;
     let ([arm, hit], l, bound) = (arms(p), p.length, 100.0 * p.tolerance);
+    let sense = p.speed.signum();
     let (held, free) = (rigid(p, true)?, rigid(p, false)?);
     let (push, loose) = (impulse(p, true), impulse(p, false));
     let turn = turn(p);
@@ -180,13 +190,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             hit / centre => "the momentum of the bat comes from the ball as well",
             free_hands(p) => "that is how a free bat would move there";
         /// impulse of the ball on the bat
-        impulse: push, "N s", "impact simulated" => held.impulse(), within bound * push;
+        impulse: push, "N s", "impact simulated" => sense * held.impulse(), within bound * push;
         /// impulse of the hands on the bat, along that of the ball
-        hands: reaction * push, "N s", "impact simulated" => held.hands(), within bound * push;
+        hands: reaction * push, "N s", "impact simulated" => sense * held.hands(), within bound * push;
         /// angular velocity of the bat after
-        turn: turn, "rad/s", "impact simulated" => held.after.v[2], within bound * turn.max(p.speed / l);
+        turn: turn, "rad/s", "impact simulated" => sense * held.after.v[2], within bound * turn.abs().max(p.speed.abs() / l);
         /// velocity of the place of the hands if nobody holds the bat
-        away: away, "m/s", "impact simulated, bat free" => free.end_velocity(), within bound * p.speed,
+        away: away, "m/s", "impact simulated, bat free" => sense * free.end_velocity(), within bound * p.speed,
         in "The hands":
             loose / p.mass => "that is the centre of mass; the bat turns as well";
         /// second node of the bending, from the end of the handle
@@ -228,7 +238,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
     let [forces, turned] = ["largest force, ball / kN", "turned meanwhile / rad"];
     let columns = ["contact / s", "J_h/J", forces, "hands / kN", turned];
-    let rate = turn(p);
+    let rate = turn(p).abs();
     let contacts = [0.0001, 0.001, 0.01]
         .into_iter()
         .filter(|contact: &f64| rate * contact <= 1.0);
@@ -329,7 +339,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let [turned, along, deep] = turning()?;
     let turns = angle * (turned + 0.5 * deep - 0.5) + way * (along + 0.5 * deep);
     let slack = 10.0 * SOFT * (1.0 + p.mass / p.ball) + (angle + way) * (angle + way);
-    let weight = p.mass * 9.80665 * contact / impulse(p, true);
+    let weight = p.mass * 9.80665 * contact / impulse(p, true).abs();
     effect_card! { report,
         "bending of the bat": "2 f_1 t_c" = x, costs bends * response.abs(), "of J/m, velocity of a free handle",
             measured swings.map(|left| bends * left), within 1e-6, at_work soft.motion.work();

@@ -18,9 +18,9 @@ parameters! {
         /// radius of the circle
         radius: number(0.8, "m", above(0.0).usually(0.3, 1.2)).drawn(0.6, 1.2, 0.1);
         /// speed on the circle
-        speed: number(1.5, "m/s", above(0.0).usually(0.5, 4.0)).drawn(1.0, 3.0, 0.1);
+        speed: number(1.5, "m/s", any().but_zero("at rest on the circle it is pulled straight in").usually(0.5, 4.0)).drawn(1.0, 3.0, 0.1);
         /// rate at which the string is pulled in
-        pull: number(0.1, "m/s", above(0.0).usually(0.05, 1.0)).drawn(0.05, 0.15, 0.01);
+        pull: number(0.1, "m/s", above(0.0).because("the string is pulled in: let out, it does not pull").usually(0.05, 1.0)).drawn(0.05, 0.15, 0.01);
         /// time for which it is pulled
         time: number(3.0, "s", above(0.0).usually(0.5, 6.0)).drawn(1.0, 4.0, 0.5);
         /// radius of the hole
@@ -63,13 +63,18 @@ impl Answer {
 
 /// The answer, when the pull ends and the radius of the hole, in units of r0 and r0/u.
 pub fn scene(p: &Parameters) -> Result<(Answer, f64, f64)> {
-    let (pull, hole) = (p.pull / p.speed, p.hole / p.radius);
-    let end = p.time * p.speed / p.radius;
-    from_to(0.005, 0.95).check("hole/radius", hole)?;
-    from_to(1e-3, 1e2).check("pull/speed", pull)?;
-    above(1e-6).check("pull time/radius, what is pulled in,", pull * end)?;
+    let (pull, hole) = (p.pull / p.speed.abs(), p.hole / p.radius);
+    let end = p.time * p.speed.abs() / p.radius;
+    let room = from_to(0.005, 0.95).because("at the edge of a smaller hole the turns are too many");
+    room.check("hole/radius", hole)?;
+    let fast =
+        from_to(1e-3, 1e2).because("slower, the turns to the hole are too many; faster, too few");
+    fast.check("pull/|speed|", pull)?;
+    let much = above(1e-6).because("less is lost in rounding");
+    much.check("pull time/radius, what is pulled in,", pull * end)?;
     let left = p.radius - p.pull * p.time;
-    above(p.hole).check("radius - pull time, what is left of the string,", left)?;
+    let outside = above(p.hole).because("the radius of the hole");
+    outside.check("radius - pull time, what is left of the string,", left)?;
     Ok((Answer { pull }, end, hole))
 }
 
@@ -93,7 +98,9 @@ pub fn string_on_post(post: f64, place: SpaceVector) -> SpaceVector {
 /// The end of the pull, the flight when the string is held again, and the edge of the hole.
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, end, hole) = scene(p)?;
-    let (m, u, r0, t0) = (p.mass, p.speed, p.radius, p.radius / p.speed);
+    // The particle may circle clockwise: then velocities across the string and angles are negative.
+    let (sense, u) = (p.speed.signum(), p.speed.abs());
+    let (m, r0, t0) = (p.mass, p.radius, p.radius / u);
     let (force, joule, far) = (m * u * u / r0, m * u * u, (1.0 - hole) / a.pull);
     // Errors grow with the angle.
     let bound = 1e3 * p.tolerance * (0.1 * a.angle(end)).max(1.0);
@@ -129,24 +136,24 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         inward: p.pull, "m/s", "string simulated" => -u * outward(&last), within bound * u * v,
         in "The velocities";
         /// velocity at right angles to the string
-        across: u * v, "m/s", "string simulated" => u * across(&last), within bound * u * v,
+        across: sense * u * v, "m/s", "string simulated" => sense * u * across(&last), within bound * u * v,
         in "The velocities":
-            u => "the force is not at right angles to the path",
-            u * r => "what stays is the angular momentum";
+            sense * u => "the force is not at right angles to the path",
+            sense * u * r => "what stays is the angular momentum";
         /// speed
         speed: u * speed, "m/s", "string simulated" => u * hypot(last.v[0], last.v[1]), within bound * u * v,
         judged 1e-4, in "The velocities":
             u * v => "the particle also moves inward";
         /// angular velocity
-        angular_velocity: u / r0 * a.angular_velocity(end), "rad/s", "string simulated" => u / r0 * across(&last) / radius(&last),
+        angular_velocity: sense * u / r0 * a.angular_velocity(end), "rad/s", "string simulated" => sense * u / r0 * across(&last) / radius(&last),
         within 10.0 * bound * u / r0 * v * v, in "The velocities":
-            u / r0 / r => "that is for a speed that stays",
-            u / r0 => "that is at the beginning";
+            sense * u / r0 / r => "that is for a speed that stays",
+            sense * u / r0 => "that is at the beginning";
         /// angle since the beginning of the pull
-        angle: a.angle(end), "rad", "string simulated" => run.angle(end)?, within bound * (1.0 + a.angle(end)) * v,
+        angle: sense * a.angle(end), "rad", "string simulated" => sense * run.angle(end)?, within bound * (1.0 + a.angle(end)) * v,
         in "The velocities":
-            keeping => "that is for a speed that stays",
-            end * a.angular_velocity(end) => "it has turned slower before";
+            sense * keeping => "that is for a speed that stays",
+            sense * end * a.angular_velocity(end) => "it has turned slower before";
         /// work of the hand after the jerk
         work: joule * a.work(end), "J", "energy gained, simulated" => joule * (energy(&last) - energy(&jerked)),
         within bound * joule * (1.0 + v * v), in "The work":
@@ -160,17 +167,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// time for which the string is slack when it is held
         slack: t0 * slack, "s", "string simulated" => t0 * taut, within bound * t0 * v;
         /// angle of that flight
-        flight: chord, "rad", "string simulated" => flight, within bound * v;
+        flight: sense * chord, "rad", "string simulated" => sense * flight, within bound * v;
         /// energy lost when it is taut again
         caught: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (energy(&flown) - energy(&caught)), within 2.0 * bound * joule * v * v;
         /// when the particle is at the edge of the hole
         edge_time: t0 * far, "s", "string simulated" => t0 * edge.end(), within edge_bound * t0 * far;
         /// turns by then
-        edge_turns: a.angle(far) / TAU, "-", "string simulated" => edge.angle(edge.end())? / TAU, within edge_bound * a.angle(far) / hole;
+        edge_turns: sense * a.angle(far) / TAU, "-", "string simulated" => sense * edge.angle(edge.end())? / TAU, within edge_bound * a.angle(far) / hole;
         /// force there
         edge_force: force * a.force(far), "N", "string simulated" => force * edge.tension(edge.end())?, within 100.0 * edge_bound * force * a.force(far) / hole;
         /// wrong: angle of a solver that keeps the speed
-        naive_angle: keeping, "rad", "that solver" => naive, within 1e-11 * (1.0 + keeping);
+        naive_angle: sense * keeping, "rad", "that solver" => sense * naive, within 1e-11 * (1.0 + keeping);
     }
 }
 
@@ -214,7 +221,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // It adds half of its mass at the end, and brings the angular momentum of what goes down.
     let string = 1150.0 * area * p.radius * r / p.mass;
     let carried = 0.5 + 2.0 / 3.0 * (1.0 / r - 1.0);
-    let earth = 7.292e-5 * p.radius / p.speed * (1.0 - r * r);
+    let earth = 7.292e-5 * p.radius / p.speed.abs() * (1.0 - r * r);
     effect_card! { report,
         "friction at the edge of the hole": "exp(mu pi/2) - 1" = edge, costs edge, "of the force of the hand";
         "friction of an air table": "mu_k g (r0 + r) t/(2 u r0)" = rubbed, costs 2.0 * rubbed, "of F",

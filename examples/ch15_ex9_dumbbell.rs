@@ -17,11 +17,11 @@ parameters! {
         /// length of the stick
         length: number(0.6, "m", from_to(1e-6, 1e6).usually(0.2, 1.5)).drawn(0.3, 1.0, 0.1);
         /// speed of the ball
-        speed: number(3.0, "m/s", from_to(1e-6, 1e6).usually(0.5, 6.0)).drawn(1.0, 6.0, 0.5);
+        speed: number(3.0, "m/s", from_to(-1e6, 1e6).but_zero("at rest nothing is hit").usually(0.5, 6.0)).drawn(1.0, 6.0, 0.5);
         /// coefficient of restitution; 1 is elastic
-        restitution: number(1.0, "-", from_to(0.1, 1.0));
+        restitution: number(1.0, "-", from_to(0.1, 1.0).because("a ball that hardly jumps back hits again and again"));
         /// angle of its path from the right angle to the stick
-        slant: number(0.0, "rad", from_to(0.0, FRAC_PI_2));
+        slant: number(0.0, "rad", from_to(0.0, FRAC_PI_2).because("counted away from the other mass, which else is met first"));
         /// radius of the ball
         ball: number(0.03, "m", above(0.0).usually(0.01, 0.1));
         /// radius of the two masses
@@ -69,8 +69,11 @@ pub fn cycloids(a: Answer, reach: f64, angle: f64) -> [hit::Plane; 3] {
 
 /// The scene of these parameters.
 pub fn scene(p: &Parameters) -> Result<Hit> {
-    between(0.0, 0.5).check("knob/length", p.knob / p.length)?;
-    let reach = from_to(2e-3, 10.0).check("(ball + knob)/length", (p.ball + p.knob) / p.length)?;
+    let apart = between(0.0, 0.5).because("or the masses overlap");
+    apart.check("knob/length", p.knob / p.length)?;
+    let sizes =
+        from_to(2e-3, 10.0).because("a smaller ball passes a mass within a step of the simulation");
+    let reach = sizes.check("(ball + knob)/length", (p.ball + p.knob) / p.length)?;
     let (restitution, slant) = (p.restitution, p.slant);
     Ok(Hit {
         slant,
@@ -131,10 +134,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let blow = Blow::new(scene, p.tolerance, 0.02)?;
     let (before, after) = (blow.before, blow.after);
     let along = |v: [f64; 2]| v[0] * c + v[1] * s;
-    let [struck, other] = velocities(&after).map(|v| v0 * hypot(v[0], v[1]));
+    let [struck, other] = velocities(&after).map(|v| v0.abs() * hypot(v[0], v[1]));
     // The turning adds to the velocity of the struck mass across the stick and takes it
     // from the other.
-    let of = |sign: f64| v0 * hypot(a.impulse * s, a.impulse * c * (1.0 + sign));
+    let of = |sign: f64| v0.abs() * hypot(a.impulse * s, a.impulse * c * (1.0 + sign));
     let turning = 0.125 * a.angular_velocity * a.angular_velocity;
     let elastic = p.restitution == 1.0 && p.slant == 0.0 && scene.reach < 1.2;
     let followed = || Blow::new(scene, p.tolerance, turn);
@@ -150,7 +153,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         v_cm: v0 * a.centre, "m/s", "contacts simulated" => v0 * along([after.v[0], after.v[1]]), within bound * v0,
         in "The velocities":
             0.5 * v0 * (1.0 + p.restitution) => "the dumbbell also turns",
-            of(1.0) => "that is the struck mass";
+            v0.signum() * of(1.0) => "that is the struck mass";
         /// angular velocity of the dumbbell
         omega: v0 / l * a.angular_velocity, "rad/s", "contacts simulated" => v0 / l * after.v[2], within bound * v0 / l,
         in "The velocities":
@@ -159,11 +162,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// speed of the struck mass
         v_hit: of(1.0), "m/s", "contacts simulated" => struck, within bound * v0,
         in "The velocities":
-            v0 * a.centre => "that is the centre of mass";
+            v0.abs() * a.centre => "that is the centre of mass";
         /// speed of the other mass just after the hit
         v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0,
         in "The velocities":
-            v0 * a.centre => "the turning takes it backward";
+            v0.abs() * a.centre => "the turning takes it backward";
         /// impulse of the hit
         impulse: m * v0 * a.impulse, "N s", "contacts simulated" => m * v0 * (1.0 - along([after.v[3], after.v[4]])), within bound * m * v0,
         in "The velocities":
@@ -218,7 +221,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, l, v0) = (Answer::new(p.restitution, p.slant), p.length, p.speed);
     let (size, square) = (1.6 * p.knob * p.knob / (l * l), cos(p.slant) * cos(p.slant));
     let aside = 1e-3 / (p.ball + p.knob);
-    let contact = 1e-4 * v0 / l * a.angular_velocity;
+    let contact = 1e-4 * v0.abs() / l * a.angular_velocity;
     let weak = 0.1 * 9.80665 * l / (v0 * v0);
     let rub = weak / (a.centre * a.centre);
     let (plain, struck) = (scene(p)?, |hit: Hit| Blow::new(hit, 1e-13, 0.02));

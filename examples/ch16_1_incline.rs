@@ -9,34 +9,35 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use rotation_dynamics::accuracy::largest;
+use rotation_dynamics::interval::at_least;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
 };
 use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::short;
+use rotation_dynamics::report::{effect, short};
 
 parameters! {
     /// The cylinder of the example; the notes leave all numbers open.
     pub struct Parameters {
         /// inclination of the slope
-        angle: number(FRAC_PI_6, "rad", from_to(1e-3, 1.57).usually(0.05, 1.2));
+        angle: number(FRAC_PI_6, "rad", between(0.0, FRAC_PI_2).because("level nothing brings it back, upright nothing presses it").usually(0.05, 1.2));
         /// mass of the body
-        mass: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.1, 10.0));
+        mass: number(2.0, "kg", above(0.0).usually(0.1, 10.0));
         /// radius of the body
-        radius: number(0.1, "m", from_to(1e-3, 1e3).usually(0.02, 0.5));
+        radius: number(0.1, "m", above(0.0).usually(0.02, 0.5));
         /// k = I/(m R^2): 1/2 for a cylinder, 2/5 for a ball, 1 for a hoop
-        shape: number(0.5, "-", from_to(1e-3, 1.0).usually(0.1, 1.0));
+        shape: number(0.5, "-", above_to(0.0, 1.0).because("no mass is outside the body").usually(0.1, 1.0));
         /// coefficient of friction between the body and the slope
-        friction: number(0.5, "-", from_to(0.0, 1e4).usually(0.0, 1.0));
+        friction: number(0.5, "-", at_least(0.0).usually(0.0, 1.0));
         /// speed at the start, up the slope, rolling
-        speed: number(2.0, "m/s", from_to(1e-3, 1e3).usually(0.5, 5.0));
+        speed: number(2.0, "m/s", above(0.0).because("started downward it never turns").usually(0.5, 5.0));
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// arm of the normal force ahead of the body, for the claims about it
         rolling: effect(2e-4, "m", above_to(0.0, 1.0));
         /// drag coefficient of a cylinder of wood in air, for the claims about it
-        air: effect(1.0, "-", above_to(0.0, 1e3));
+        air: effect(1.0, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// relative error asked for, at every event: from 1e-13 to 0.01
         tolerance: number(1e-12, "-", from_to(1e-13, 0.01));
     }
@@ -124,8 +125,11 @@ impl Mechanism<3, 6, 2> for Resisted {
         [rim, rolling]
     }
     // ANCHOR_END: resisted
+    /// A hair before the highest place, where the resistance turns round as well: which comes first
+    /// is round-off.
     fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
-        self.roller.end(body)
+        let (name, left) = self.roller.end(body)?;
+        Some((name, left - 1e-9 * self.roller.speed))
     }
     fn scale(&self, body: &State<3>) -> State<3> {
         self.roller.scale(body)
@@ -252,6 +256,9 @@ pub fn gripping(p: &Parameters, shape: f64) -> Roller {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, m, g, v) = (Roller::new(p), p.mass, p.gravity, p.speed);
+    let told =
+        at_least(1e-10).because("contacts do not tell a smaller part of the weight from none");
+    told.check("coefficient of friction that rolling needs", body.needed())?;
     let ((s, c), k, a) = (sincos(p.angle), p.shape, body.acceleration());
     let (top, bound) = (-v / a, 8.0 * p.tolerance);
     let up = body.run(Goal::Top, v, 2.0 * top, p.tolerance)?;
@@ -323,9 +330,12 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         Ok(v / (up.event("turns")?.t * sine))
     };
     let (plain, steep) = (gripping(p, p.shape), FRAC_PI_2 - 1e-3);
+    // On a slope where contacts tell so small a part of the weight from none.
+    let angle = p.angle.clamp(1e-2, 1.56);
+    let sloping = gripping(&Parameters { angle, ..p.clone() }, p.shape);
     let near = |part| Roller {
-        mu: part * plain.needed(),
-        ..plain
+        mu: part * sloping.needed(),
+        ..sloping
     };
     let ice = Roller { mu: 0.0, ..plain };
     limits! { report,
@@ -376,7 +386,8 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     if p.rolling.is_some() || p.air.is_some() {
         // What slides is slowed down otherwise.
-        from_to(0.0, 1.0).check("mu_min/mu", body.needed() / p.friction.max(1e-300))?;
+        let rolls = at_least(body.needed()).because("less does not let it roll");
+        rolls.check("friction", p.friction)?;
     }
     if let Some(arm) = p.rolling {
         let resistance = arm / p.radius;
@@ -392,6 +403,8 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let air = QuadraticDrag::new(coefficient * drag)?;
     let number = air.number(v, p.gravity * sin(p.angle));
+    let rolls = at_least(body.needed() * (1.0 + number)).because("less lets it slip in the drag");
+    rolls.check("friction", p.friction)?;
     let (far, blown) = (
         far * log1p(number) / number,
         way(roller.with(air), start, end)?,
@@ -419,17 +432,22 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         resistance: arm / p.radius,
     };
     let (still, air) = (way(up, start, end)?, QuadraticDrag::new(drag)?);
-    let slowed = 1.0 - way(up.with(air), start, end)? / still;
     // What slides is not slowed down by what its turning meets.
-    let rolled = if sliding {
-        0.0
-    } else {
-        1.0 - way(resisted, start, end)? / still
+    let all_but_held = arm > 10.0 * p.radius * tan(p.angle);
+    let rolled = match sliding {
+        true => Some(0.0),
+        false if all_but_held => None,
+        false => Some((1.0 - way(resisted, start, end)? / still).max(0.0)),
     };
     let (arm, drag) = (
         arm / (p.radius * tan(p.angle)),
         air.number(v, p.gravity * sin(p.angle)),
     );
+    // Slowed down much, it slips.
+    let slowed = match sliding || body.needed() * (1.0 + drag) > body.mu {
+        true => None,
+        false => Some((1.0 - way(up.with(air), start, end)? / still).max(0.0)),
+    };
     let thick = Roller {
         mu: body.mu * 0.99,
         ..body
@@ -437,13 +455,27 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     .acceleration()
         / body.acceleration()
         - 1.0;
-    effect_card! { report,
-        "slipping": "mu_min/mu" = body.needed() / p.friction.max(1e-300), costs thick, "of x'' for 1 % less mu", included;
-        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = arm, costs if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance",
-            measured rolled.max(0.0), within 1e-8;
-        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = drag, costs (1.0 - log1p(drag) / drag).max(0.0), "of the distance",
-            measured if sliding { None } else { Some(slowed.max(0.0)) }, within 1e-8;
-    }
+    let slips = effect("slipping");
+    let slips = match p.friction > 0.0 {
+        true => slips.number("mu_min/mu", body.needed() / p.friction),
+        false => slips.number("mu/mu_min", 0.0),
+    };
+    report.add(vec![
+        slips.costs(thick, "of x'' for 1 % less mu").included(),
+        effect("rolling resistance, arm 0.2 mm")
+            .number("b/(R tan theta)", arm)
+            .costs(
+                if sliding { 0.0 } else { arm / (1.0 + arm) },
+                "of the distance",
+            )
+            .measured(rolled)
+            .within(1e-8),
+        effect("drag of the air, a cylinder of wood")
+            .number("rho C R l v^2/(m g sin theta)", drag)
+            .costs((1.0 - log1p(drag) / drag).max(0.0), "of the distance")
+            .measured(slowed)
+            .within(1e-8),
+    ])
 }
 
 /// Bodies that roll, in the order in which they arrive.

@@ -9,6 +9,7 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
@@ -20,15 +21,15 @@ parameters! {
     /// The cylinder of section 15.4; the notes leave all numbers open.
     pub struct Parameters {
         /// mass
-        mass: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.1, 10.0));
+        mass: number(2.0, "kg", above(0.0).usually(0.1, 10.0));
         /// radius
-        radius: number(0.05, "m", from_to(1e-3, 1e3).usually(0.01, 0.2));
+        radius: number(0.05, "m", above(0.0).usually(0.01, 0.2));
         /// height along the axis
-        height: number(0.3, "m", from_to(0.0, 1e3).usually(0.0, 0.5));
+        height: number(0.3, "m", at_least(0.0).usually(0.0, 0.5));
         /// tilt of the axis from the vertical
-        tilt: number(0.5, "rad", from_to(1e-3, 1.57).usually(0.05, 1.5));
+        tilt: number(0.5, "rad", between(0.0, FRAC_PI_2).because("upright and level it needs no torque").usually(0.05, 1.5));
         /// angular velocity about the vertical
-        rate: number(10.0, "rad/s", from_to(1e-3, 1e4).usually(1.0, 100.0));
+        rate: number(10.0, "rad/s", any().usually(1.0, 100.0));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -66,12 +67,18 @@ impl Cylinder {
             rate: p.rate,
         };
         let apart = ((i1 - i3) / i1).abs();
-        from_to(1e-3, 1.0).check("|I1 - I3|/I1, 0 where no torque is needed,", apart)?;
+        let differ = from_to(1e-3, 1.0).because("like a ball it needs no torque");
+        differ.check("|I1 - I3|/I1", apart)?;
         let most = 0.1 * body.slowness();
-        from_to(0.0, most).check(
-            "tolerance, with so little from upright or level,",
-            p.tolerance,
-        )?;
+        let told = from_to(0.0, most).because("so near to upright or level the swing goes over");
+        told.check("tolerance", p.tolerance)?;
+        if p.rate == 0.0 {
+            return Err(Error::OutOfRange {
+                name: "rate",
+                value: p.rate,
+                allowed: "at rest the cylinder needs no torque and stays",
+            });
+        }
         Ok(body)
     }
 
@@ -144,7 +151,7 @@ impl Cylinder {
 
     /// The rate of small swings about the tilt of rest, if a motor keeps the rate.
     pub fn swing(&self) -> f64 {
-        self.rate * ((self.i1 - self.i3).abs() / self.i1).sqrt()
+        self.rate.abs() * ((self.i1 - self.i3).abs() / self.i1).sqrt()
     }
 
     /// The tilt at the far end of the swing, and the time of a whole one.
@@ -162,7 +169,7 @@ impl Cylinder {
             }
             LetGo::Clamp => [far, self.coasting()],
             LetGo::All => {
-                let momentum = hypot(self.i1 * s, self.i3 * c) * self.rate;
+                let momentum = hypot(self.i1 * s, self.i3 * c) * self.rate.abs();
                 [
                     (2.0 * self.lean() - self.tilt).abs(),
                     TAU * self.i1 / momentum,
@@ -187,7 +194,7 @@ impl Cylinder {
         // The nearest singularity is as far off the real line as the small one of sine and cosine.
         let n = 64.0 + (40.0 / s.min(c)).ceil();
         let sum: f64 = (0..n as u32).map(|k| slope(TAU * f64::from(k) / n)).sum();
-        let scale = (self.i1 - self.i3).abs().sqrt() * self.vertical_momentum();
+        let scale = (self.i1 - self.i3).abs().sqrt() * self.vertical_momentum().abs();
         TAU / n * sum / scale
     }
 
@@ -285,7 +292,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     let (lz, lambda) = (body.vertical_momentum(), body.torque());
     let [motor, clamp, all] = [LetGo::Motor, LetGo::Clamp, LetGo::All];
-    let ran = |what, n| Ok::<_, rotation_dynamics::Error>(body.turning(what, n, p.tolerance)?.0);
+    let ran = |what, n| Ok::<_, Error>(body.turning(what, n, p.tolerance)?.0);
     let ([far, motor_time], [_, clamp_time]) = (body.swung(motor)?, body.swung(clamp)?);
     let [all_far, all_time] = body.swung(all)?;
     let error = 100.0 * p.tolerance.max(1e-14);
@@ -294,6 +301,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         error / (body.lean() - p.tilt).abs(),
     );
     let free = body.freed(0.0)?;
+    // L of one that is turned the other way points down.
+    let lean = if w > 0.0 {
+        body.lean()
+    } else {
+        PI - body.lean()
+    };
     let balance = 3.0_f64.sqrt() * p.radius;
     claims! { report,
         /// moment of inertia across the axis
@@ -313,7 +326,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             lambda / w => "is that a torque? look at the units",
             (body.i3 - body.i1) * w * w * s => "only a part of L is across the vertical";
         /// angle between L and the axis
-        lean: body.lean(), "rad", "library's free body" => acos(free.attitude(0.0).axis().dot(&free.angular_momentum()) / free.angular_momentum().norm()),
+        lean: lean, "rad", "library's free body" => acos(free.attitude(0.0).axis().dot(&free.angular_momentum()) / free.angular_momentum().norm()),
         within 1e-7, in "Held":
             p.tilt => "that is the angle of the angular velocity";
         /// height at which no torque is needed
@@ -343,9 +356,7 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
         tilt,
         rate: 1.0,
     };
-    let ran = |body: Cylinder, what| {
-        Ok::<_, rotation_dynamics::Error>(body.turning(what, 2, 1e-14)?.0.t / TAU)
-    };
+    let ran = |body: Cylinder, what| Ok::<_, Error>(body.turning(what, 2, 1e-14)?.0.t / TAU);
     let disc = Parameters {
         height: 0.0,
         mass: 1.0,
@@ -389,13 +400,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (gravity, aside, turning) = (9.80665, 1e-4, 7.292115e-5);
     let (off, earth, yields) = (
         p.mass * gravity * aside * s / torque,
-        2.0 * turning / p.rate,
+        2.0 * turning / p.rate.abs(),
         torque / 1e3,
     );
     // Towards level if it is long; the torque changes by this part on the way.
     let way = if body.long() { yields } else { -yields };
     let part = way * (c - s) * (c + s) / (s * c);
-    let (gives, cost) = if yields < 0.1 && part < 0.5 {
+    let (gives, cost) = if (1e-12..0.1).contains(&yields) && part < 0.5 {
         let (over, work) = yielding(p.tilt, way)?;
         (
             Some((over - 1.0).abs()),
@@ -413,7 +424,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let moved = grains(p).map(|grain| grain + BodyVector::new(0.0, 0.0, aside));
     let [_, hung] = held(p, moved, gravity)?;
     let [_, faster] = by_grains(&Parameters {
-        rate: p.rate + turning,
+        rate: p.rate.abs() + turning,
         ..p.clone()
     })?;
     // What stands off the hinge weighs, and is flung out.
@@ -436,9 +447,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15]
         .into_iter()
         .filter(move |asked| *asked <= 0.1 * body.slowness());
-    report.set_closed_form(ClosedForm::new(move |_| {
-        Ok::<_, rotation_dynamics::Error>(body.coasting())
-    }));
+    report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(body.coasting())));
     report.dial_of_return(asked, move |step| body.turning(what, 2, step), time, p.tilt)
 }
 

@@ -22,19 +22,19 @@ parameters! {
     /// The cylinder of section 15.5; the notes leave all numbers open.
     pub struct Parameters {
         /// mass
-        mass: number(1.2, "kg", from_to(1e-6, 1e6).usually(0.1, 5.0));
+        mass: number(1.2, "kg", above(0.0).usually(0.1, 5.0));
         /// radius
-        radius: number(0.05, "m", from_to(1e-3, 1e3).usually(0.01, 0.2));
+        radius: number(0.05, "m", above(0.0).usually(0.01, 0.2));
         /// height along the axis
-        height: number(0.15, "m", from_to(0.0, 1e3).usually(0.0, 0.4));
+        height: number(0.15, "m", at_least(0.0).usually(0.0, 0.4));
         /// angular velocity along the axis
-        omega_z: number(20.0, "rad/s", from_to(1e-3, 1e4).usually(1.0, 100.0));
+        omega_z: number(20.0, "rad/s", any().usually(1.0, 100.0));
         /// angular velocity across the axis, for the small wobble
-        omega_y: number(1.0, "rad/s", from_to(1e-3, 1e4).usually(0.1, 10.0));
+        omega_y: number(1.0, "rad/s", any().usually(0.1, 10.0));
         /// angle between L and the axis, for the wide wobble
-        cone: number(0.35, "rad", from_to(1e-3, 1.5).usually(0.05, 1.0));
+        cone: number(0.35, "rad", from_to(1e-3, 1.57).because("nearer to 0 it hardly wobbles, to pi/2 it hardly spins").usually(0.05, 1.0));
         /// angle between L and Z
-        lean: number(0.6, "rad", from_to(1e-3, 1.57).usually(0.01, 1.2));
+        lean: number(0.6, "rad", from_to(1e-3, 3.14).because("nearer to 0 or pi, along L, it hardly nods").usually(0.01, 1.2));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -70,7 +70,7 @@ impl Top {
     /// The small wobble, Z along L.
     pub fn small(p: &Parameters) -> Self {
         let top = Self::new(p);
-        let cone = atan2(top.i1 * p.omega_y, top.i3 * top.along);
+        let cone = atan2(top.i1 * p.omega_y.abs(), top.i3 * top.along);
         Self {
             cone,
             lean: 0.0,
@@ -84,7 +84,7 @@ impl Top {
         self.i3 * self.along
     }
 
-    /// L.
+    /// L; negative where it points away from the axis.
     pub fn momentum(&self) -> f64 {
         self.spin_momentum() / cos(self.cone)
     }
@@ -115,7 +115,7 @@ impl Top {
 
     /// The time of a nod: the axis has gone once round L.
     pub fn nod(&self) -> f64 {
-        TAU * self.i1 / self.momentum()
+        TAU * self.i1 / self.momentum().abs()
     }
 
     // ANCHOR: triangle
@@ -186,12 +186,16 @@ impl Top {
 
 /// The wide wobble, if its axis keeps clear of Z.
 pub fn wide(p: &Parameters) -> Result<Top> {
-    let top = Top::new(p);
-    from_to(5e-3, PI).check(
-        "|lean - cone|, 0 where the axis meets Z,",
-        (p.lean - p.cone).abs(),
-    )?;
-    from_to(1e-3, 2.0).check("I3/I1", top.i3 / top.i1)?;
+    let (top, small) = (Top::new(p), Top::small(p));
+    let clear = from_to(5e-3, PI).because("at 0 the axis meets Z, where Euler angles end");
+    clear.check("|lean - cone|", (p.lean - p.cone).abs())?;
+    clear.check("pi - lean - cone", PI - p.lean - p.cone)?;
+    let spins =
+        from_to(1e-6, PI).because("at 0 it does not wobble, and without spin it only tumbles");
+    spins.check("angle of the small wobble from the axis", sin(small.cone))?;
+    spins.check("its cosine", cos(small.cone).abs())?;
+    let turns = from_to(1e-6, 2.0).because("a thinner needle has no spin, and 2 is a disc");
+    turns.check("I3/I1", top.i3 / top.i1)?;
     Ok(top)
 }
 
@@ -210,7 +214,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let omega = free.angular_velocity(0.4 * nod);
     let (max, min) = (top.lean + top.cone, (top.lean - top.cone).abs());
     let outside = top.lean > top.cone;
-    let spin = (1.0 - top.i3 / top.i1) * top.along * nod;
+    let (spin, around) = (
+        (1.0 - top.i3 / top.i1) * top.along * nod,
+        TAU * top.along.signum(),
+    );
     let fastest = top.precession(min).abs().max(1.0 / nod);
     claims! { report,
         /// small wobble, Z along L: tilt
@@ -221,7 +228,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             p.omega_z => "compare the moments",
             small.spin_momentum() * cos(small.cone) / small.i1 => "divide by the cosine";
         /// the same: rate of spin
-        zeta_rate: p.omega_z - rate * cos(small.cone), "rad/s", "a turn, stepped" => steady.end_state()[2] / second, within bound * (rate + p.omega_z),
+        zeta_rate: p.omega_z - rate * cos(small.cone), "rad/s", "a turn, stepped" => steady.end_state()[2] / second, within bound * (rate + p.omega_z.abs()),
         in "Z along L":
             p.omega_z => "a part of that is the precession, seen along the axis";
         /// wide wobble: angular momentum along the axis
@@ -242,10 +249,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// the same at the least tilt
         phi_rate_min: top.precession(min), "rad/s", "located event" => far[4], within 10.0 * bound * fastest / min;
         /// advance of phi in a nod
-        phi_advance: if outside { 0.0 } else { TAU }, "rad", "located event" => back.state[1], within bound / min, in "Z elsewhere":
-            if outside { TAU } else { 0.0 } => "is Z inside the cone of the axis?";
+        phi_advance: if outside { 0.0 } else { around }, "rad", "located event" => back.state[1], within bound / min, in "Z elsewhere":
+            if outside { around } else { 0.0 } => "is Z inside the cone of the axis?";
         /// advance of zeta in a nod
-        zeta_advance: if outside { spin + TAU } else { spin }, "rad", "located event" => back.state[2], within bound * (1.0 + spin.abs()) / min;
+        zeta_advance: if outside { spin + around } else { spin }, "rad", "located event" => back.state[2], within bound * (1.0 + spin.abs()) / min;
         /// energy of the nodding
         energy: top.energy(), "J", "potential at the least tilt" => top.potential(min), within 1e-10 * top.energy() / min;
     }
@@ -254,7 +261,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Z all but along L, all but on the cone, and at right angles; a sphere and a disc.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (top, small) = (wide(p)?, Top::small(p));
-    let at = |lean, cone| Top { lean, cone, ..top };
+    let (at, around) = (
+        |lean, cone| Top { lean, cone, ..top },
+        TAU * top.along.signum(),
+    );
     let turned = |top: Top| Ok::<_, rotation_dynamics::Error>(top.turning(2, 1e-14)?.0);
     let [_, steady, ..] = *small.stepped(1.0, 1e-14)?.end_state();
     limits! { report,
@@ -264,14 +274,14 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         "lean = 1e-3: half the range of theta over lean":
             (at(1e-3, 0.4).start()[0] - at(1e-3, 0.4).turning(1, 1e-14)?.0.state[0]) / 2e-3 => 1.0, within 1e-8;
         /// just inside the cone the line of nodes goes round
-        "lean = cone - 0.02: advance of phi over 2 pi": turned(at(0.38, 0.4))?.state[1] / TAU => 1.0, within 1e-9;
+        "lean = cone - 0.02: advance of phi over 2 pi": turned(at(0.38, 0.4))?.state[1] / around => 1.0, within 1e-9;
         /// just outside it does not
-        "lean = cone + 0.02: advance of phi over 2 pi": turned(at(0.42, 0.4))?.state[1] / TAU => 0.0, within 1e-9;
+        "lean = cone + 0.02: advance of phi over 2 pi": turned(at(0.42, 0.4))?.state[1] / around => 0.0, within 1e-9;
         /// I1 = I3: there is no spin; Z lies within the cone
         "sphere, lean 0.2: advance of zeta": turned(Top { i1: top.i3, ..at(0.2, 0.4) })?.state[2] => 0.0, within 1e-9;
         /// I3 = 2 I1, a narrow cone: two nods in a turn about the axis
         "disc, cone 1e-3: Omega_z times a nod over 2 pi":
-            turned(Top { i1: 0.5 * top.i3, ..at(0.6, 1e-3) })?.t * top.along / TAU => 0.5, within 1e-6;
+            turned(Top { i1: 0.5 * top.i3, ..at(0.6, 1e-3) })?.t * top.along.abs() / TAU => 0.5, within 1e-6;
     }
 }
 
@@ -292,7 +302,7 @@ pub fn squeezed(top: &Top, d: f64) -> Result<Option<f64>> {
     let l = free.angular_momentum();
     let cone = |t: f64| {
         let axis = free.attitude(t).axis();
-        atan2(axis.cross(&l).norm(), axis.dot(&l))
+        atan2(axis.cross(&l).norm(), axis.dot(&l).abs())
     };
     let cones = times(0.0, free.rate_period(), 400).map(cone);
     let (least, most) = cones.fold((PI, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
@@ -317,7 +327,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         (9.80665_f64 / 6.371e6).sqrt(),
         SpaceVector::new(0.0, 0.0, -1.0),
     )?;
-    let gradient = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum() * round;
+    let gradient = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum().abs() * round;
     let body = RigidBody::new(PrincipalMoments::symmetric(top.i1, top.i3)?);
     let (scene, start) = (Scene::new(body), free.state(0.0));
     let weaker = scene.called_for(&start, round, 1e-3)?.of_axis().line(

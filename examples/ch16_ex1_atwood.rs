@@ -7,6 +7,7 @@ pub mod machine;
 
 use core::f64::consts::PI;
 use machine::{Grip, Machine, capstan};
+use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{after, ode};
 use rotation_dynamics::math::asinh;
 use rotation_dynamics::planar::Run;
@@ -17,26 +18,26 @@ use rotation_dynamics::report::prelude::*;
 parameters! {
     /// The machine of the exercise; the notes leave all numbers open, and the radius of the pulley.
     pub struct Parameters {
-        /// the heavier mass
-        m1: number(3.0, "kg", from_to(1e-6, 1e6).usually(2.1, 5.0)).drawn(2.5, 4.0, 0.1);
-        /// the lighter mass
-        m2: number(2.0, "kg", from_to(1e-6, 1e6).usually(0.5, 2.9)).drawn(1.0, 2.4, 0.1);
+        /// the mass on the left
+        m1: number(3.0, "kg", above(0.0).usually(2.1, 5.0)).drawn(2.5, 4.0, 0.1);
+        /// the mass on the right
+        m2: number(2.0, "kg", above(0.0).usually(0.5, 2.9)).drawn(1.0, 2.4, 0.1);
         /// moment of inertia of the pulley
-        inertia: number(0.02, "kg m^2", from_to(1e-9, 1e9).usually(0.001, 0.1)).drawn(0.005, 0.030, 0.005);
+        inertia: number(0.02, "kg m^2", at_least(0.0).usually(0.001, 0.1)).drawn(0.005, 0.030, 0.005);
         /// radius of the pulley
-        radius: number(0.1, "m", from_to(1e-3, 1e3).usually(0.05, 0.2)).drawn(0.08, 0.15, 0.01);
+        radius: number(0.1, "m", above(0.0).usually(0.05, 0.2)).drawn(0.08, 0.15, 0.01);
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// how far both masses hang below the axle
-        height: number(1.0, "m", from_to(1e-3, 1e3).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
+        height: number(1.0, "m", above(0.0).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
         /// coefficient of friction between rope and pulley
-        friction: number(0.2, "-", from_to(0.0, 3.0).usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
+        friction: number(0.2, "-", from_to(0.0, 10.0).because("rougher than any rope").usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
         /// mass of a metre of the heavy rope
-        rope: number(0.1, "kg/m", from_to(1e-9, 1e3).usually(0.01, 0.5));
+        rope: number(0.1, "kg/m", at_least(0.0).usually(0.01, 0.5));
         /// angular velocity of a pulley that spins already
-        spin: number(40.0, "rad/s", from_to(1e-6, 1e6).usually(5.0, 80.0));
+        spin: number(40.0, "rad/s", any().usually(5.0, 80.0));
         /// C S of both masses in air, for the claims about it
-        air: effect(0.02, "m^2", above_to(0.0, 10.0));
+        air: effect(0.02, "m^2", above_to(0.0, 10.0).because("more is a parachute"));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -70,6 +71,12 @@ impl Answer {
     /// For one that slips when a tension is `grip` times the other.
     pub fn new(m: &Machine) -> Self {
         let (held, [m1, m2]) = (Self::held(m), m.masses);
+        if m1 < m2 {
+            let mut mirrored = Self::new(&m.mirrored());
+            mirrored.acceleration *= -1.0;
+            mirrored.tensions.reverse();
+            return mirrored;
+        }
         if held.tensions[0] <= m.grip * held.tensions[1] {
             return held;
         }
@@ -89,11 +96,20 @@ pub const FIRM: f64 = 1e9;
 
 /// The machine of these parameters, with a rope without mass.
 pub fn machine(p: &Parameters) -> Result<Machine> {
-    from_to(1e-4, 0.99).check("m2/m1, m1 being the heavier mass,", p.m2 / p.m1)?;
+    let (heavier, lighter) = (p.m1.max(p.m2), p.m1.min(p.m2));
+    let tied = from_to(1e-9, 1.0).because("a lighter one is not felt");
+    tied.check("lighter mass/heavier mass", lighter / heavier)?;
+    let apart = (heavier - lighter) / heavier;
+    if apart != 0.0 {
+        let known = from_to(1e-12, 1.0).because("less is lost in the rounding of the masses");
+        known.check("(m1 - m2)/m", apart)?;
+    }
     let pulley = p.inertia / (p.radius * p.radius);
-    from_to(1e-5, 1e3).check("I/(m1 R^2)", pulley / p.m1)?;
-    let over = p.rope * p.height / (p.m1 - p.m2);
-    from_to(0.0, 20.0).check("rope h/(m1 - m2)", over)?;
+    let turns = from_to(0.0, 1e6).because("a heavier pulley hardly turns");
+    turns.check("I/(m R^2) with the heavier mass m", pulley / heavier)?;
+    let rope = 2.0 * p.rope * p.height / heavier;
+    let hangs = from_to(0.0, 1e6).because("beside a heavier rope the masses are not felt");
+    hangs.check("mass of the rope/heavier mass", rope)?;
     let masses = [p.m1, p.m2];
     let (gravity, height, grip) = (p.gravity, p.height, exp(p.friction * PI));
     Ok(Machine {
@@ -108,7 +124,8 @@ pub fn machine(p: &Parameters) -> Result<Machine> {
 
 /// The smallest coefficient that holds, between those that do and do not.
 fn least_friction(m: Machine) -> Result<f64> {
-    let [first, second] = m.forces(Grip::Holds, 0.0).tensions;
+    let [one, other] = m.forces(Grip::Holds, 0.0).tensions;
+    let (first, second) = (one.max(other), one.min(other));
     let (mut slips, mut holds) = (0.0, 10.0);
     while holds - slips > 1e-12 {
         let friction = 0.5 * (slips + holds);
@@ -125,6 +142,9 @@ fn least_friction(m: Machine) -> Result<f64> {
 /// the speed at its end, from `way = (a/k2) (cosh(k t) - 1)`.
 pub fn growing(a: f64, k2: f64, way: f64) -> [f64; 2] {
     let x = k2 * way / a;
+    if x == 0.0 {
+        return [(2.0 * way / a).sqrt(), (2.0 * way * a).sqrt()];
+    }
     let time = 2.0 * asinh((0.5 * x).sqrt()) / k2.sqrt();
     [time, (a * way * (2.0 + x)).sqrt()]
 }
@@ -134,11 +154,18 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([m1, m2], g, h, held) = (m.masses, m.gravity, m.height, Answer::held(&m));
     let a = Answer::new(&m);
     let (whole, bound) = (m1 + m2 + m.pulley, 1e2 * p.tolerance.max(1e-14));
+    // Nearly equal masses: a difference drives them, and has lost digits.
+    let (heavier, driven, side) = (m1.max(m2), (m1 - m2).abs(), (m1 - m2).signum());
+    let close = (1e-4 * whole / driven).max(1.0);
     let simulated = Machine {
         grip: capstan(p.friction)?,
         ..m
     };
-    let grip = if a.slips { Grip::Ahead } else { Grip::Holds };
+    let grip = match a.slips {
+        false => Grip::Holds,
+        true if m1 > m2 => Grip::Ahead,
+        true => Grip::Behind,
+    };
     let found = simulated.forces(grip, 0.0);
     let [t1, t2] = a.tensions;
     let rim = if a.slips {
@@ -146,12 +173,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     } else {
         a.acceleration
     };
-    let (time, fall) = (
-        (2.0 * h / a.acceleration).sqrt(),
-        (2.0 * h * a.acceleration).sqrt(),
-    );
-    let run = simulated.run(0.0, p.tolerance, 2.0 * time)?;
-    let arrives = run.transition("arrives")?;
+    let ratio = held.tensions[0].max(held.tensions[1]) / held.tensions[0].min(held.tensions[1]);
+    let (moves, size) = (m1 != m2, a.acceleration.abs());
+    let (time, fall) = ((2.0 * h / size).sqrt(), (2.0 * h * size).sqrt());
+    let run = |machine: Machine, time: f64| machine.run(0.0, p.tolerance, 2.0 * time);
+    let arrives = || Ok::<_, Error>(run(simulated, time)?.transition("arrives")?.clone());
     // A rope of some mass, that holds.
     let heavy = Machine {
         rope: p.rope,
@@ -159,23 +185,24 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         ..m
     };
     let sum = whole + 2.0 * p.rope * h;
-    let [longer, faster] = growing((m1 - m2) * g / sum, 2.0 * p.rope * g / sum, h);
+    let [longer, faster] = growing(driven * g / sum, 2.0 * p.rope * g / sum, h);
     // An early error grows with the way.
-    let late = 10.0 * (1.0 + p.rope * h / (m1 - m2));
-    let weighed = heavy.run(0.0, p.tolerance, 2.0 * longer)?;
-    let heavier = weighed.transition("arrives")?;
-    // The pulley spins, and the rope is behind.
-    let part = g / (m.grip * m1 + m2);
-    let drawn = (m.grip * m1 - m2) * part;
-    let braked = 2.0 * m1 * m2 * part * (m.grip - 1.0) / m.pulley;
+    let late = 10.0 * (1.0 + p.rope * h / driven) * (1e-4 * sum / driven).max(1.0);
+    let weighed = || Ok::<_, Error>(run(heavy, longer)?.transition("arrives")?.clone());
+    // The pulley spins, and the rope is behind; against the sense of m1, it is ahead.
+    let k = if p.spin < 0.0 { 1.0 / m.grip } else { m.grip };
+    let part = g / (k * m1 + m2);
+    let drawn = (k * m1 - m2) * part;
+    let braked = 2.0 * m1 * m2 * part * (k - 1.0) / m.pulley;
     let catch = p.spin * p.radius / (drawn + braked);
-    let spun = simulated.run(
-        p.spin * p.radius,
-        p.tolerance,
-        2.0 * (h / drawn).sqrt() + 2.0 * catch,
-    )?;
-    let caught = || spun.transition("catches");
-    let reached = 0.5 * drawn * catch * catch < 0.99 * h && m.grip > 1.0 && !a.slips;
+    let until = (h / drawn.abs()).sqrt().min(1e3 * catch);
+    let caught = || -> Result<_> {
+        let end = 2.0 * until + 2.0 * catch;
+        let spun = simulated.run(p.spin * p.radius, p.tolerance, end)?;
+        Ok(spun.transition("catches")?.clone())
+    };
+    let reached =
+        0.5 * drawn.abs() * catch * catch < 0.99 * h && catch > 0.0 && m.grip > 1.0 && !a.slips;
     let one = 2.0 * m1 * m2 * g / (m1 + m2);
     let light = Machine {
         pulley: 0.0,
@@ -191,38 +218,38 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             (m1 - m2) * g / (m1 + m2 + p.inertia) => "kilograms and kg m^2 cannot be added",
             (m1 - m2) * g / (m1 + m2 + 0.5 * m.pulley) => "I is given; it is no disc of that mass";
         /// angular acceleration of the pulley
-        alpha: rim / p.radius, "rad/s^2", "Newton for each body" => found.rim / p.radius, within bound * g * (1.0 + m1 / m.pulley) / p.radius,
+        alpha: rim / p.radius, "rad/s^2", "Newton for each body" => found.rim / p.radius, within bound * g * (1.0 + heavier / m.pulley.max(1e-6 * heavier)) / p.radius,
         in "The acceleration":
             rim * p.radius => "a rim runs at R times the angular velocity";
         /// tension on the side of m1
-        t1: t1, "N", "Newton for each body" => found.tensions[0], within bound * m1 * g, in "The tensions":
+        t1: t1, "N", "Newton for each body" => found.tensions[0], within bound * heavier * g, in "The tensions":
             one => "with one tension nothing would turn the pulley",
             m1 * g => "that mass is accelerated",
             m1 * (g + a.acceleration) => "which way is it accelerated?",
             t2 => "that is the other side";
         /// tension on the side of m2
-        t2: t2, "N", "Newton for each body" => found.tensions[1], within bound * m1 * g, in "The tensions":
+        t2: t2, "N", "Newton for each body" => found.tensions[1], within bound * heavier * g, in "The tensions":
             one => "with one tension nothing would turn the pulley",
             m2 * g => "that mass is accelerated",
             t1 => "that is the other side";
         /// load on the axle, without the weight of the pulley
-        load: t1 + t2, "N", "Newton for each body" => found.tensions[0] + found.tensions[1], within 2.0 * bound * m1 * g, in "The tensions":
+        load: t1 + t2, "N", "Newton for each body" => found.tensions[0] + found.tensions[1], within 2.0 * bound * heavier * g, in "The tensions":
             (m1 + m2) * g => "the centre of mass is accelerated";
         /// friction that holds the rope, at least
-        mu_least: log(held.tensions[0] / held.tensions[1]) / PI, "-", "pieces of rope, bisected" => least_friction(m)?, within 1e-11,
+        mu_least: log(ratio) / PI, "-", "pieces of rope, bisected" => least_friction(m)?, within 1e-11,
         in "The rope":
-            (held.tensions[0] / held.tensions[1] - 1.0) / PI => "the tension grows along the rope",
-            log(held.tensions[0] / held.tensions[1]) / (2.0 * PI) => "it lies on half of the rim";
-        /// time until m2 is level with the axle
-        time: time, "s", "located event" => arrives.t, within 10.0 * bound * time, in "The rope":
+            (ratio - 1.0) / PI => "the tension grows along the rope",
+            log(ratio) / (2.0 * PI) => "it lies on half of the rim";
+        /// time until the lighter mass is level with the axle
+        time: time, "s", "located event" => arrives()?.t, within 10.0 * bound * close * time, if moves, in "The rope":
             (2.0 * h / g).sqrt() => "they do not fall freely";
         /// speed then
-        speed: fall, "m/s", "simulated" => arrives.before[1], within 10.0 * bound * fall, in "The rope":
+        speed: fall, "m/s", "simulated" => side * arrives()?.before[1], within 10.0 * bound * close * fall, if moves, in "The rope":
             (2.0 * h * g).sqrt() => "they do not fall freely";
         /// the same time with the heavy rope
-        heavy_time: longer, "s", "located event" => heavier.t, within late * bound * longer;
+        heavy_time: longer, "s", "located event" => weighed()?.t, within late * bound * longer, if moves;
         /// speed then
-        heavy_speed: faster, "m/s", "simulated" => heavier.before[1], within late * bound * faster;
+        heavy_speed: faster, "m/s", "simulated" => side * weighed()?.before[1], within late * bound * faster, if moves;
         /// when the rope holds on a pulley that spun
         catch: catch, "s", "located event" => caught()?.t, within 10.0 * bound * (catch + 1.0), if reached;
         /// speed then
@@ -230,7 +257,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// wrong: acceleration with one tension
         naive_a: (m1 - m2) * g / (m1 + m2), "m/s^2", "Newton, no pulley" => light.acceleration, within bound * g;
         /// wrong: that tension
-        naive_tension: one, "N", "Newton, no pulley" => light.tensions[0], within bound * m1 * g;
+        naive_tension: one, "N", "Newton, no pulley" => light.tensions[0], within bound * heavier * g;
     }
 }
 
@@ -247,11 +274,14 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (light, heavy, alone) = (with(0.0, 0.5), with(1e9, 0.5), with(0.5, 1e-9));
     let held = Answer::held;
     // A rope without friction does not know the pulley.
+    let m = machine(p)?;
+    let m1 = if p.m1 == p.m2 { 2.0 * p.m2 } else { p.m1 };
     let smooth = Answer::new(&Machine {
         grip: 1.0,
-        ..machine(p)?
+        masses: [m1, p.m2],
+        ..m
     });
-    let one = (p.m1 - p.m2) * p.gravity / (p.m1 + p.m2);
+    let one = (m1 - p.m2) * p.gravity / (m1 + p.m2);
     limits! { report,
         /// one tension, 2 m1 m2 g/(m1 + m2)
         "I = 0: T1/T2": held(&light).tensions[0] / held(&light).tensions[1] => 1.0, within 1e-15;
@@ -271,18 +301,19 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(area) = p.air else { return Ok(()) };
     let m = machine(p)?;
     let (held, [m1, m2]) = (Answer::new(&m), m.masses);
-    if held.slips {
-        return Err(rotation_dynamics::Error::OutOfRange {
-            name: "the acceleration of a rope that slips, with air",
+    if held.slips || m1 == m2 {
+        return Err(Error::OutOfRange {
+            name: "the acceleration of a rope that slips or rests, with air",
             value: held.acceleration,
-            allowed: "the claims about the air are for a rope that holds: more friction, or a lighter pulley",
+            allowed: "the claims about the air are for a rope that holds and moves: more friction, \
+                      a lighter pulley, or unequal masses",
         });
     }
     let drag = QuadraticDrag::in_air(1.204, 1.0, area)?;
     driven_in_air(
         report,
         drag,
-        [held.acceleration, m1 + m2 + m.pulley, p.height],
+        [held.acceleration.abs(), m1 + m2 + m.pulley, p.height],
     )
 }
 
@@ -290,12 +321,19 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let m = machine(p)?;
     let (a, [m1, m2]) = (Answer::new(&m), m.masses);
-    let (whole, speed) = (m1 + m2 + m.pulley, (2.0 * p.height * a.acceleration).sqrt());
+    if m1 == m2 {
+        return Ok(()); // nothing moves
+    }
+    let driven = (m1 - m2).abs();
+    let (whole, speed) = (
+        m1 + m2 + m.pulley,
+        (2.0 * p.height * a.acceleration.abs()).sqrt(),
+    );
     let rope = 2.0 * p.rope * p.height / whole;
     // An axle of 5 mm that rubs with 0.1 under the load and the weight of a disc.
     let load = a.tensions[0] + a.tensions[1] + 2.0 * m.pulley * p.gravity;
-    let bearing = 0.1 * 0.005 / p.radius * load / ((m1 - m2) * p.gravity);
-    let air = 0.5 * 1.204 * 0.02 * speed * speed / ((m1 - m2) * p.gravity);
+    let bearing = 0.1 * 0.005 / p.radius * load / (driven * p.gravity);
+    let air = 0.5 * 1.204 * 0.02 * speed * speed / (driven * p.gravity);
     // The square of the speed on the way down, over that without air.
     let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]);
     let blown = air * after(1.0, &law, &[0.0], 1e-12)?[0];
@@ -318,16 +356,19 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         ..machine(p)?
     };
     let [m1, m2] = heavy.masses;
+    if m1 == m2 {
+        return Ok(()); // nothing moves
+    }
     let sum = m1 + m2 + heavy.pulley + 2.0 * p.rope * p.height;
     let (a, k2, h) = (
-        (m1 - m2) * p.gravity / sum,
+        (m1 - m2).abs() * p.gravity / sum,
         2.0 * p.rope * p.gravity / sum,
         p.height,
     );
     let time = growing(a, k2, h)[0];
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
     report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>(growing(a, k2, part * h))
+        Ok::<_, Error>(growing(a, k2, part * h))
     }));
     let error = move |run: &Run<Grip, 4>| Ok(run.transition("arrives")?.t / time - 1.0);
     let run = move |step| heavy.run(0.0, step, 2.0 * time);

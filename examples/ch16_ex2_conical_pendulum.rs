@@ -4,6 +4,7 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::Error;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, after, newton};
 use rotation_dynamics::integrators::{place_and_velocity, second_order, small_frequency};
@@ -17,21 +18,59 @@ parameters! {
         /// length of the string
         length: number(0.8, "m", above(0.0).usually(0.2, 2.0)).drawn(0.5, 1.5, 0.1);
         /// angular velocity about the vertical
-        rate: number(5.0, "rad/s", above(0.0).usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5);
+        rate: number(5.0, "rad/s", any().usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5);
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, from rest in the turning plane; of a rod if a string goes slack
-        release: number(0.5, "rad", between(0.0, PI).usually(0.1, 1.5));
+        release: number(0.5, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 1.5));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
 }
 
-/// q = g/(l w^2), the one number that decides.
+/// q = g/(l w^2), the one number that decides: infinite in a plane that does not turn.
 fn ratio(p: &Parameters) -> Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
-    let (low, high) = if q > 1.0 { (1.001, 1e6) } else { (1e-6, 0.999) };
-    from_to(low, high).check("g/(l w^2), 1 at the threshold where nothing settles,", q)
+    let refused = |name, value, allowed| {
+        Err(Error::OutOfRange {
+            name,
+            value,
+            allowed,
+        })
+    };
+    let off = (1.0 - q).abs();
+    if off < NEAREST || off.is_nan() {
+        let allowed = "it must differ from 1 by 1e-8: at this threshold nothing drives the bob \
+                       back or away, and small oscillations take for ever";
+        return refused("g/(l w^2)", q, allowed);
+    }
+    if (1.0 - opposite(q, p.release)).abs() < NEAREST {
+        let allowed = "from there the bob creeps up to the vertical and takes for ever: \
+                       2 g/(l w^2) - cos(release) must differ from 1 by 1e-8";
+        return refused("release", p.release, allowed);
+    }
+    if [0.0, cone(q)]
+        .iter()
+        .any(|rest| (rest - p.release.abs()).abs() < NEAREST)
+    {
+        let allowed = "at rest there the bob stays, at the vertical as on the cone: \
+                       it must be off by 1e-8 rad";
+        return refused("release", p.release, allowed);
+    }
+    Ok(q)
+}
+
+/// What is left of a difference from 1 that is as small as this has half of its digits.
+const NEAREST: f64 = 1e-8;
+
+/// The cosine of the angle where a swing from rest at `angle` turns back, if it is one.
+fn opposite(q: f64, angle: f64) -> f64 {
+    2.0 * q - cos(angle)
+}
+
+/// Time is in 1/w, below the threshold in sqrt(l/g): the squares of w and of sqrt(g/l) then.
+pub fn squares(q: f64) -> [f64; 2] {
+    [(1.0 / q).min(1.0), q.min(1.0)]
 }
 
 /// The angle whose cosine is q, or 0 if there is none: that of the cone, rad.
@@ -39,61 +78,87 @@ pub fn cone(q: f64) -> f64 {
     atan2(((1.0 - q) * (1.0 + q)).max(0.0).sqrt(), q)
 }
 
-/// Angular frequency of small oscillations over w, the plane kept turning.
+/// Angular frequency of small oscillations, the plane kept turning.
 pub fn driven(q: f64) -> f64 {
-    ((1.0 - q) * if q < 1.0 { 1.0 + q } else { -1.0 }).sqrt()
+    match q < 1.0 {
+        true => ((1.0 - q) * (1.0 + q)).sqrt(),
+        false => (1.0 - 1.0 / q).sqrt(),
+    }
 }
 
-/// The same for the bob left to itself.
+/// The same for the bob left to itself on a cone.
 pub fn free(q: f64) -> f64 {
     (1.0 + 3.0 * q * q).sqrt()
 }
 
-/// Period of the swing from rest at `angle` in the turning plane, times w.
+/// Period of the swing from rest at `angle` in the turning plane.
 pub fn period(q: f64, angle: f64) -> Result<f64> {
     // h = sin^2(theta/2) swings between h0 and h1 or, if that is negative, 0.
-    let h0 = sin(0.5 * angle) * sin(0.5 * angle);
+    let (h0, rest) = (sin(0.5 * angle).powi(2), cos(0.5 * angle).powi(2));
     let h1 = (1.0 - q) - h0;
     if h1 < 0.0 {
-        return Ok(4.0 * carlson::rf(0.0, (h0 - 1.0) * h1, h0 - h1)?);
+        let [turning, hanging] = squares(q);
+        let over = hanging - turning * rest; // -h1 in this unit of time
+        return Ok(4.0 * carlson::rf(0.0, rest * over, turning * h0 + over)?);
     }
-    Ok(2.0 * carlson::rf(0.0, h0 * (1.0 - h1), h1 * (1.0 - h0))?)
+    Ok(2.0 * carlson::rf(0.0, h0 * (q + h0), h1 * rest)?)
 }
 
 // ANCHOR: motions
-/// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w.
+/// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w (in sqrt(l/g)
+/// below the threshold).
 pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
-    let pull = move |theta| (cos(theta) - q) * sin(theta);
-    second_order(move |_, theta, rate| pull(theta) - 2.0 * damping * rate)
+    second_order(move |_, theta, rate| force(q, theta) - 2.0 * damping * rate)
+}
+
+/// (w^2 cos(theta) - g/l) sin(theta); near the threshold the difference would lose its digits.
+pub fn force(q: f64, theta: f64) -> f64 {
+    let ([turning, hanging], half) = (squares(q), sin(0.5 * theta));
+    let upright = if q < 1.0 { 1.0 - q } else { 1.0 / q - 1.0 };
+    let near = upright.abs() < 1e-2;
+    let difference = match near {
+        true => upright - 2.0 * turning * half * half,
+        false => turning * cos(theta) - hanging,
+    };
+    difference * sin(theta)
 }
 
 /// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`,
-/// the support at the origin, lengths in l, time in 1/w; with quadratic air drag.
+/// the support at the origin, lengths in l, time as above; with quadratic air drag.
 pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
-    let g = SpaceVector::new(0.0, 0.0, -q);
+    let g = SpaceVector::new(0.0, 0.0, -squares(q)[1]);
     newton(move |_, [r, v]| g - r * tension(q, [r, v]) - v * (drag * v.norm()))
 }
 
-/// Tension over M l w^2: what keeps the bob at its distance from the support.
+/// Tension, over M l and the square of the unit of time: it keeps the bob at its distance.
 pub fn tension(q: f64, [r, v]: [SpaceVector; 2]) -> f64 {
-    (v.dot(&v) - q * r.z()) / r.dot(&r)
+    (v.dot(&v) - squares(q)[1] * r.z()) / r.dot(&r)
 }
 // ANCHOR_END: motions
 
-/// The state in space, the plane having turned by `turn`.
-pub fn in_space([theta, rate]: [f64; 2], turn: f64) -> [f64; 6] {
+/// The state in space, the plane turning at `w` and having turned by `turn`.
+pub fn in_space([theta, rate]: [f64; 2], w: f64, turn: f64) -> [f64; 6] {
     let ((s, c), (y, x), out) = (sincos(theta), sincos(turn), rate * cos(theta));
-    [s * x, s * y, -c, out * x - s * y, out * y + s * x, rate * s]
+    let along = w * s;
+    [
+        s * x,
+        s * y,
+        -c,
+        out * x - along * y,
+        out * y + along * x,
+        rate * s,
+    ]
 }
 
-/// The motion from rest at `angle` in the turning plane, over a time in 1/w.
+/// The motion from rest at `angle` in the turning plane.
 pub fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
     Dop853::new(step)?.solve(&in_plane(q, damping), 0.0, &[angle, 0.0], end, &[])
 }
 
 /// Turning point number `n` of the swing from rest at `angle`, undamped, and the work.
 fn turning(q: f64, angle: f64, n: u32, step: f64) -> Result<(LocatedEvent<2>, Work)> {
-    Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, 1e4, |y| y[1])
+    let long = 1e4 / driven(q);
+    Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, long, |y| y[1])
 }
 
 /// Where the pendulum comes to rest if it is damped, rad.
@@ -106,37 +171,63 @@ pub fn measured_driven(q: f64) -> Result<f64> {
     // The period is even in how far cos(theta), below the threshold theta, is off rest.
     let start = |size| match q < 1.0 {
         true => [cone(q + size * (1.0 - q)), 0.0],
-        false => [size * (q - 1.0).min(1.0).sqrt(), 0.0],
+        false => [size * driven(q), 0.0],
     };
-    small_frequency(&in_plane(q, 0.0), start, 1e4, |y| y[1])
+    small_frequency(&in_plane(q, 0.0), start, 1e2 / driven(q), |y| y[1])
 }
 
 /// [`free`], simulated.
 pub fn measured_free(q: f64) -> Result<f64> {
-    let knocked = |size| in_space([cone(q), size * sin(cone(q))], 0.0);
+    let knocked = |size| in_space([cone(q), size * sin(cone(q))], 1.0, 0.0);
     let rest = knocked(0.0)[2];
     small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| y[2] - rest)
 }
 
+/// The greater of |w| and sqrt(g/l), rad/s: one over the unit of time.
+fn unit_rate(p: &Parameters) -> f64 {
+    p.rate.abs().max((p.gravity / p.length).sqrt())
+}
+
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (q, m, g, l, w) = (ratio(p)?, p.mass, p.gravity, p.length, p.rate);
+    let (q, m, g, l) = (ratio(p)?, p.mass, p.gravity, p.length);
     let (theta, w0, bound) = (cone(q), (g / l).sqrt(), 100.0 * p.tolerance);
+    let (w, turned) = (unit_rate(p), squares(q)[0].sqrt().copysign(p.rate));
     let (s, c) = sincos(theta);
-    // Below the threshold the square of the frequency is q - 1: here in a plane with q = 2.
-    let slower = w0 * (0.5 + 0.5 * measured_driven(2.0)? * measured_driven(2.0)?).sqrt();
-    let (start, unit) = (in_space([theta, 0.0], 0.0), m * (l * w * w));
+    let last = opposite(q, p.release);
+    // Below the threshold the square of the frequency is w0^2 - w^2: here of a plane with q = 2.
+    let slower = w0 * (0.5 + measured_driven(2.0)? * measured_driven(2.0)?).sqrt();
+    let (start, unit) = (in_space([theta, 0.0], turned, 0.0), m * (l * w * w));
     let end = after(2.0 * PI, &on_string(q, 0.0), &start, p.tolerance)?;
     let [r, v] = place_and_velocity(&end);
     let (pull, out, newton) = (
         unit * tension(q, [r, v]),
         hypot(r.x(), r.y()),
-        unit.max(m * g),
+        if q < 1.0 { unit } else { m * g },
     );
     let turns = |angle, n| Ok(turning(q, angle, n, p.tolerance)?.0);
-    let [wide, back] = [turns(p.release, 1)?, turns(p.release, 2)?];
+    let wide = turns(p.release, 1)?;
     // If no angle has that cosine, the wide swing goes through the vertical.
-    let other = 2.0 * q - cos(p.release);
-    let far = if other < 1.0 { cone(other) } else { -p.release };
+    let far = if last < 1.0 {
+        cone(last).copysign(p.release)
+    } else {
+        -p.release
+    };
+    // An error of a step is one of the energy: it counts the more, the weaker the pull is where a
+    // swing begins and where it turns back.
+    let creeps = |from: f64, to: f64| {
+        let (begins, turns) = (
+            from / force(q, from),
+            from.abs().max(to.abs()) / force(q, to),
+        );
+        10.0 * p.tolerance * (begins * begins + turns * turns)
+    };
+    let (late, late_touch) = (
+        creeps(p.release, far),
+        creeps(1e-9, cone(opposite(q, 1e-9))),
+    );
+    let further = 10.0 * p.tolerance * p.release.abs().max(far.abs()) / force(q, far).abs();
+    // Else no step can confirm it.
+    let told = late < 1e-2;
     let (small, time, free) = (w * driven(q), period(q, p.release)? / w, w * free(q));
     let touched = 0.5 * period(q, 1e-9)? / w;
     claims! { report,
@@ -166,19 +257,19 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             w * c => "look at the second derivative again",
             w0 => "that is for a plane at rest";
         /// where it turns back
-        far: far, "rad", "located event" => wide.state[0], within bound, in "The wide swing":
-            2.0 * theta - p.release => "in the angle, the cone is not halfway between the two";
+        far: far, "rad", "located event" => wide.state[0], within bound + further, if told, in "The wide swing":
+            (2.0 * theta).copysign(p.release) - p.release => "in the angle, the cone is not halfway between the two";
         /// period
-        period: time, "s", "located event" => back.t / w, within 10.0 * bound * time,
+        period: time, "s", "located event" => 2.0 * wide.t / w, within 10.0 * bound * time + late / w, if told,
         in "The wide swing":
             2.0 * PI / small => "that is for small oscillations";
         /// the bob left to itself
-        free: free, "rad/s", "simulated" => w * measured_free(q)?, within 1e-9 * free, if q < 1.0,
+        free: free, "rad/s", "simulated" => w * measured_free(q)?, within (1e-9 + 1e-12 / (1.0 - q)) * free, if q < 1.0,
         in "Angular frequency of small oscillations":
             small => "further in, the bob now turns faster";
         /// far turning point, from 1e-9 rad
         touched: touched, "s", "located event" => turns(1e-9, 1)?.t / w,
-        within bound * 10.0 * touched, if q < 1.0;
+        within 10.0 * bound * touched + late_touch / w, if q < 1.0 && late_touch < 1e-2;
     }
 }
 
@@ -195,7 +286,7 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
         /// turned fast, or long: the string is nearly horizontal
         "q = x: (pi/2 - theta)/x": (FRAC_PI_2 - cone(1e-5)) / 1e-5 => 1.0, within 1e-9;
         /// plane at rest: 4 K(sin 0.25), a pendulum from 0.5 rad
-        "q = 1/x: omega tau/sqrt(x)": 1e4 * period(1e8, 0.5)? => 4.0 * still, within 1e-6;
+        "q = 1/x: omega tau/sqrt(x)": period(1e8, 0.5)? => 4.0 * still, within 1e-6;
     }
 }
 
@@ -208,7 +299,7 @@ pub fn sinking(q: f64, drag: f64) -> f64 {
 
 /// The card of effects, for a steel ball on a nylon string of 1 mm (3 GPa, 1150 kg/m^3).
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (q, m, l, w) = (ratio(p)?, p.mass, p.length, p.rate);
+    let (q, m, l, w) = (ratio(p)?, p.mass, p.length, unit_rate(p));
     let (r, area) = (cbrt(3.0 * m / (4.0 * PI * 7850.0)), 0.25e-6 * PI);
     let drag = 1.204 * 0.47 * PI * r * r * l / (2.0 * m);
     // Hanging straight down, it does so with these effects as well.
@@ -216,7 +307,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let stretch = m * (l * w * w).max(p.gravity) / (3e9 * area);
     let (string, size, earth) = (1150.0 * area * l / m, 0.4 * r * r / (l * l), 1.4584e-4 / w);
     // From the steady turning, with the air: how much lower after a turn.
-    let start = in_space([cone(q), 0.0], 0.0);
+    let start = in_space([cone(q), 0.0], squares(q)[0].sqrt(), 0.0);
     let [x, y, z, ..] = after(2.0 * PI, &on_string(q, drag), &start, 1e-12)?;
     let sunk = cone(q) - atan2(hypot(x, y), -z);
     effect_card! { report,

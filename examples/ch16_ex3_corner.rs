@@ -4,6 +4,7 @@
 mod figures;
 
 use core::f64::consts::{SQRT_2, TAU};
+use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, Surface, motion};
@@ -13,21 +14,21 @@ parameters! {
     /// The cylinder of the exercise; the notes leave all numbers open.
     pub struct Parameters {
         /// radius of the cylinder
-        radius: number(0.1, "m", from_to(1e-6, 1e6).usually(0.02, 0.5)).drawn(0.05, 0.20, 0.01);
+        radius: number(0.1, "m", above(0.0).usually(0.02, 0.5)).drawn(0.05, 0.20, 0.01);
         /// its mass
         mass: number(3.0, "kg", above(0.0).usually(0.1, 10.0)).drawn(1.0, 5.0, 0.5);
         /// coefficient of friction, on the floor and on the wall
-        friction: number(0.25, "-", from_to(1e-3, 10.0).usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
+        friction: number(0.25, "-", at_least(0.0).usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
         /// angular velocity at the start
-        spin: number(60.0, "rad/s", above(0.0).usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
+        spin: number(60.0, "rad/s", any().usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-3, 1e3).usually(1.0, 25.0));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// what changes: how friction falls with the slip speed s, as 1/(1 + fading s)
-        fading: number(0.05, "s/m", from_to(1e-4, 10.0).usually(0.01, 0.5));
+        fading: number(0.05, "s/m", at_least(0.0).usually(0.01, 0.5));
         /// the moving picture: the sense that presses it to the wall, or the other one
         sense: choice("pressed", "away");
         /// angle by which the wall leans back, for the claims about it
-        lean: effect(0.0175, "rad", above_to(0.0, 0.5));
+        lean: effect(0.0175, "rad", above_to(0.0, 1.5).because("backward, and not down to the floor"));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -104,7 +105,10 @@ impl Cylinder {
 
 /// The time to the stop from the spin `w` if friction fades, in sqrt(R/g): alike surfaces.
 pub fn faded(mu: f64, fading: f64, w: f64) -> f64 {
-    let more = 2.0 * mu / fading * log1p(fading * w / (1.0 + mu));
+    let more = match fading > 0.0 {
+        true => 2.0 * mu / fading * log1p(fading * w / (1.0 + mu)),
+        false => 2.0 * mu * w / (1.0 + mu),
+    };
     0.5 * (w / mu * (1.0 + 0.5 * fading * w) + (more - w))
 }
 // ANCHOR_END: forms
@@ -138,7 +142,8 @@ pub fn by_sign(mu: f64, spin: f64, away: bool, end: f64, steps: u32) -> Vec<[f64
 }
 // ANCHOR_END: wrong
 
-/// What the page computes with: spin in units of sqrt(g/R), and units of time, force, speed.
+/// What the page computes with: the size of the spin, whose sign says on which side the wall is
+/// to which it is pressed, in units of sqrt(g/R), and units of time, force, speed.
 struct Units {
     spin: f64,
     time: f64,
@@ -148,8 +153,23 @@ struct Units {
 
 fn units(p: &Parameters) -> Result<Units> {
     let time = (p.radius / p.gravity).sqrt();
-    let spin = p.spin * time;
-    from_to(1e-4, 1e5).check("spin sqrt(R/g)/friction", spin / p.friction)?;
+    let spin = p.spin.abs() * time;
+    if spin == 0.0 {
+        return Err(Error::OutOfRange {
+            name: "spin",
+            value: p.spin,
+            allowed: "without spin the cylinder stays at rest where it is set down",
+        });
+    }
+    let turns = from_to(1e-9, 1e9).because("so much before it could fall by its radius");
+    turns.check("spin sqrt(R/g)", spin)?;
+    let rim = p.fading * p.spin.abs() * p.radius;
+    let rubs = from_to(0.0, 1e4).because("by a thousandth of a thousandth no friction is left");
+    rubs.check("fading*spin*radius", rim)?;
+    if p.friction > 0.0 {
+        let felt = from_to(1e-9, 1e6).because("less is none, more jams it");
+        felt.check("friction", p.friction)?;
+    }
     let (weight, speed) = (p.mass * p.gravity, p.radius / time);
     Ok(Units {
         spin,
@@ -162,7 +182,11 @@ fn units(p: &Parameters) -> Result<Units> {
 /// Both senses, each to twice the time after which nothing changes any more.
 fn senses(p: &Parameters) -> Result<[Ride; 2]> {
     let (cylinder, w) = (Cylinder::alike(p.friction), units(p)?.spin);
-    let (stop, roll) = (w / cylinder.braking(), w / (3.0 * p.friction));
+    // Without friction it spins for ever: a while of it.
+    let (stop, roll) = match p.friction > 0.0 {
+        true => (w / cylinder.braking(), w / (3.0 * p.friction)),
+        false => (w, w),
+    };
     Ok([
         set_down(cylinder, w, 2.0 * stop, p.tolerance)?,
         set_down(cylinder, -w, 2.0 * roll, p.tolerance)?,
@@ -173,23 +197,27 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (u, mu) = (units(p)?, p.friction);
     let (spin, time, weight, speed) = (u.spin, u.time, u.weight, u.speed);
     let (unit, [pressed, away]) = (p.gravity / p.radius, senses(p)?);
-    let [stops, rolls] = [pressed.event("floor sticks")?, away.event("floor sticks")?];
-    let ([floor, wall], end) = (
-        pressed.forces(0.5 * stops.t)?,
-        pressed.at(pressed.end_time())?,
-    );
+    let (whole, rubs) = (pressed.end_time(), mu > 0.0);
+    let halfway = match rubs {
+        true => 0.5 * pressed.event("floor sticks")?.t,
+        false => 0.5 * whole,
+    };
+    let [stops, rolls] = [&pressed, &away].map(|ride| move || ride.event("floor sticks"));
+    let ([floor, wall], end) = (pressed.forces(halfway)?, pressed.at(whole)?);
+    let turned_fast = p.spin.abs();
     let (n_floor, n_wall) = (weight / (1.0 + mu * mu), mu * weight / (1.0 + mu * mu));
     let alpha = 2.0 * mu * (1.0 + mu) / (1.0 + mu * mu) * unit;
     let (stop, roll, exact) = (
-        p.spin / alpha,
-        p.spin * p.radius / (3.0 * mu * p.gravity),
+        turned_fast / alpha,
+        turned_fast * p.radius / (3.0 * mu * p.gravity),
         1e-12,
     );
-    let (turns, v_roll) = (0.5 * stop * p.spin / TAU, p.spin * p.radius / 3.0);
-    let (heat, v) = (
-        0.25 * p.mass * p.radius * p.radius * p.spin * p.spin,
-        rolls.after.v,
-    );
+    let (turns, v_roll) = (0.5 * stop * turned_fast / TAU, turned_fast * p.radius / 3.0);
+    let heat = 0.25 * p.mass * p.radius * p.radius * p.spin * p.spin;
+    let kept = || {
+        let v = rolls()?.after.v;
+        Ok::<_, Error>((2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin))
+    };
     let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
     let joule = weight * p.radius;
     let slower = Cylinder {
@@ -197,7 +225,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         ..Cylinder::alike(mu)
     };
     let faded = faded(mu, slower.fading, spin) * time;
-    let fades = set_down(slower, spin, 2.0 * faded / time, p.tolerance)?;
+    let fades = || set_down(slower, spin, 2.0 * faded / time, p.tolerance);
     claims! { report,
         /// force of the floor
         n_floor: n_floor, "N", "contact forces" => floor.normal * weight, within exact * n_floor,
@@ -211,54 +239,54 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             mu * weight => "the floor does not carry the whole weight",
             mu * n_wall => "that is the friction on the wall";
         /// angular deceleration
-        alpha: alpha, "rad/s^2", "simulated" => (spin - pressed.at(0.5 * stops.t)?.v[2]) / (0.5 * stops.t) * unit,
+        alpha: alpha, "rad/s^2", "simulated" => (spin - pressed.at(halfway)?.v[2]) / halfway * unit,
         within 10.0 * exact * alpha, in "Pressed to the wall":
             0.5 * alpha => "that is for a thin tube",
             2.0 * mu * unit => "two surfaces rub",
             4.0 * mu * unit => "neither force is the weight",
             2.0 * mu * (1.0 + mu) * unit => "the floor does not carry the whole weight";
         /// time to the stop
-        t_stop: stop, "s", "located event" => stops.t * time, within exact * stop,
+        t_stop: stop, "s", "located event" => stops()?.t * time, within exact * stop, if rubs,
         in "Pressed to the wall":
             2.0 * stop => "that is for a thin tube",
-            0.5 * p.spin / (mu * unit) => "two surfaces rub";
+            0.5 * turned_fast / (mu * unit) => "two surfaces rub";
         /// turns until then
-        turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns,
+        turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns, if rubs,
         in "Pressed to the wall":
             2.0 * turns => "it slows down on the way",
             turns * TAU => "that is in radians";
         /// heat
-        heat: heat, "J", "friction times slip" => (rubbed[0] + rubbed[1]) * joule, within exact * heat,
+        heat: heat, "J", "friction times slip" => (rubbed[0] + rubbed[1]) * joule, within exact * heat, if rubs,
         in "Pressed to the wall":
             2.0 * heat => "a uniform cylinder has half of that moment of inertia";
         /// part of it that the wall gets
         wall_share: mu / (1.0 + mu), "-", "friction times slip" => rubbed[1] / (rubbed[0] + rubbed[1]),
-        within exact, in "Pressed to the wall":
+        within exact, if rubs, in "Pressed to the wall":
             mu => "that is the wall's part over the floor's",
             1.0 / (1.0 + mu) => "that is the floor's part";
         /// the other sense: when it rolls
-        t_roll: roll, "s", "located event" => rolls.t * time, within exact * roll,
+        t_roll: roll, "s", "located event" => rolls()?.t * time, within exact * roll, if rubs,
         in "The other sense":
             1.5 * roll => "it has only to roll, not to stop turning",
             3.0 * roll => "while it gets faster it also turns slower",
             stop => "nothing presses it to the wall";
         /// at this speed
-        v_roll: v_roll, "m/s", "simulated" => v[0] * speed, within exact * v_roll,
+        v_roll: v_roll, "m/s", "simulated" => rolls()?.after.v[0] * speed, within exact * v_roll, if rubs,
         in "The other sense":
             3.0 * v_roll => "while it gets faster it also turns slower",
             1.5 * v_roll => "a uniform cylinder has half of that moment of inertia";
         /// how far from the corner
-        way: 0.5 * v_roll * roll, "m", "simulated" => rolls.after.q[0] * p.radius, within exact * v_roll * roll,
+        way: 0.5 * v_roll * roll, "m", "simulated" => rolls()?.after.q[0] * p.radius, within exact * v_roll * roll, if rubs,
         in "The other sense":
             v_roll * roll => "it starts from rest";
         /// part of the energy that is left
-        kept: 1.0 / 3.0, "-", "simulated" => (2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin), within exact,
+        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, if rubs,
         in "The other sense":
             2.0 / 3.0 => "that is the part that is lost",
             1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop
-        t_fading: faded, "s", "located event" => fades.event("floor sticks")?.t * time,
-        within (exact + 100.0 * p.tolerance) * faded;
+        t_fading: faded, "s", "located event" => fades()?.event("floor sticks")?.t * time,
+        within (exact + 100.0 * p.tolerance) * faded, if rubs;
     }
 }
 
@@ -267,7 +295,10 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let braking = |mu| Cylinder::alike(mu).braking();
     let (best, h) = (1.0 + SQRT_2, 1e-4);
     let slope = (1.0 / braking(best + h) - 1.0 / braking(best - h)) / (2.0 * h);
-    let steady = faded(p.friction, 1e-6, 1.0) * braking(p.friction);
+    let steady = match p.friction > 0.0 {
+        true => faded(p.friction, 1e-6, 1.0) * braking(p.friction),
+        false => 1.0,
+    };
     limits! { report,
         /// the wall presses as little as the floor rubs: the brake of a floor alone
         "mu = x: alpha R/(2 mu g)": braking(1e-9) / 2e-9 => 1.0, within 1e-8;
@@ -286,6 +317,15 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(lean) = p.lean else { return Ok(()) };
     let (u, cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
+    let [floor, wall] = cylinder.pressed();
+    if !(floor > 0.0 && wall > 0.0) {
+        return Err(Error::OutOfRange {
+            name: "lean",
+            value: lean,
+            allowed: "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
+                      or nothing rubs",
+        });
+    }
     let (time, stop) = (u.time, u.spin / cylinder.braking());
     let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance.min(1e-9))?;
     claims! { report,
@@ -297,7 +337,10 @@ fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The card of effects; the air rubs at a wooden cylinder (700 kg/m^3) with 0.01 of rho v^2/2.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, u, cylinder) = (p.friction, units(p)?, Cylinder::alike(p.friction));
-    let (alpha, rim) = (cylinder.braking(), p.spin * p.radius);
+    if mu == 0.0 {
+        return Ok(()); // it never stops
+    }
+    let (alpha, rim) = (cylinder.braking(), p.spin.abs() * p.radius);
     let leaning = Cylinder::new([mu, mu], TAU / 360.0);
     let drop = (2.0 * 1e-3 / p.radius).sqrt() * alpha / u.spin;
     // Torque over that of the friction: the length of the cylinder follows from its mass.
@@ -325,6 +368,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (u, mu) = (units(p)?, p.friction);
     let (spin, fading) = (u.spin, p.fading * u.speed);
+    if mu == 0.0 {
+        return Ok(()); // it never stops
+    }
     let cylinder = Cylinder {
         fading,
         ..Cylinder::alike(mu)
@@ -332,7 +378,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let stop = faded(mu, fading, spin);
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
     report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>(faded(mu, fading, part * spin))
+        Ok::<_, Error>(faded(mu, fading, part * spin))
     }));
     let run = move |step| set_down(cylinder, spin, 2.0 * stop, step);
     let error = move |ride: &Ride| Ok((ride.event("floor sticks")?.t / stop - 1.0).abs());
@@ -354,8 +400,8 @@ fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
     ] {
         let cylinder = Cylinder::new(rough, lean);
         let [floor, wall] = cylinder.pressed();
-        // Without a force of the floor it climbs out.
-        if floor <= 0.0 {
+        // Without a force of the floor it climbs out; without friction it never stops.
+        if floor <= 0.0 || mu == 0.0 {
             continue;
         }
         let stop = u.spin / cylinder.braking();
@@ -364,12 +410,18 @@ fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
         let cells = [floor, wall, stop * u.time, stopped * u.time].map(|x| format!("{x:.7}"));
         table.push([name.into()].into_iter().chain(cells))?;
     }
+    if table.is_empty() {
+        return Ok(());
+    }
     report.add(table)
 }
 
 /// What the law of signs makes of the stop.
 fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
     let (w, cylinder) = (units(p)?.spin, Cylinder::alike(p.friction));
+    if p.friction == 0.0 {
+        return Ok(());
+    }
     let stop = w / cylinder.braking();
     let columns = "steps until t_stop, spin left / Omega, steps that change its sign";
     let table = Table::of("signs", columns.split(", "), [100, 1000, 10_000], |steps| {

@@ -8,6 +8,7 @@ pub mod string;
 use core::f64::consts::{FRAC_PI_2, PI};
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::interval::above_to;
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
 use rotation_dynamics::report::driven_in_air;
@@ -22,7 +23,7 @@ parameters! {
         /// its radius, on which the string is wound
         radius: number(0.2, "m", above(0.0).usually(0.05, 0.25)).drawn(0.10, 0.25, 0.01);
         /// its moment of inertia over M R^2: 1/2 for a disc, 1 for a hoop
-        shape: number(0.5, "-", from_to(1e-2, 1e2).usually(0.3, 2.0));
+        shape: number(0.5, "-", above(0.0).usually(0.3, 2.0));
         /// length of the string that is wound up
         wound: number(1.0, "m", above(0.0).usually(0.9, 3.0)).drawn(0.8, 2.0, 0.1);
         /// length between the roof and the disc at the start
@@ -34,7 +35,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 11.0));
         /// drag coefficient of a disc of steel in air, for the claims about it
-        air: effect(1.0, "-", above_to(0.0, 1e3));
+        air: effect(1.0, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// error of a step of the simulations: from 1e-15 to 1e-6
         tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
     }
@@ -72,13 +73,22 @@ impl Answer {
 }
 // ANCHOR_END: answer
 
+/// The shortest string that is wound up, over the radius.
+const LEAST: f64 = 0.5;
+
 /// The disc in units of its radius, and of its mass and g.
 pub fn disc(p: &Parameters) -> Result<Disc> {
     let (wound, free) = (p.wound / p.radius, p.free / p.radius);
-    from_to(1.0, 1e3).check("wound/radius", wound)?;
-    from_to(1.01, 1e6).check("free/radius, 1 where the disc touches the roof,", free)?;
+    let turns =
+        from_to(LEAST, 1e6).because("with less string it is not wound up again on the other side");
+    turns.check("wound/radius", wound)?;
+    let hangs = above_to(1.0, 1e6).because("at 1 the disc touches the roof");
+    hangs.check("free/radius", free)?;
     let all = Answer::new(p).unwound(p.wound);
-    from_to(0.0, all).check("time, while there is string to unwind,", p.time)?;
+    let falls = from_to(0.0, all).because("then no string is left to unwind");
+    falls.check("time", p.time)?;
+    let spreads = from_to(1e-3, 1e3).because("all mass near the axis falls, far from it hangs");
+    spreads.check("shape", p.shape)?;
     Ok(Disc {
         shape: p.shape,
         wound,
@@ -111,8 +121,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let over = run.transition("winds up")?;
     let (peak, [turn, largest, wound_up, rises]) = (d.peak(&run)?, d.by_angles(1e-14)?);
     let firm = p.stiffness / weight;
-    from_to(10.0, 1e6).check("stiffness/(M g)", firm)?;
-    let [soft, stored] = d.softly(&ends.before, firm, 1e-14)?;
+    // A string that gives by a radius or more, or hardly at all, is not followed.
+    let gives = gives(&d, peak, firm) < 1.0 && firm < 1e7;
+    let [soft, stored] = match gives {
+        true => d.softly(&ends.before, firm, 1e-14)?,
+        false => [1.0; 2],
+    };
     let climbs = run.transition("top").is_ok();
     let top = || {
         let top = run.transition("top")?;
@@ -167,7 +181,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         peak_long: long, "-", "upright string, simulated" => upright, within bound * long, in "At the end of the string":
             1.0 + 2.0 * d.wound / (1.0 + k) => "at its lowest point the disc turns faster than before";
         /// largest tension of a string that gives
-        peak_soft: weight * soft, "N", "energy stored in it" => weight * stored, within 1e-9 * weight * soft, if gives(&d, peak, firm) < 1.0;
+        peak_soft: weight * soft, "N", "energy stored in it" => weight * stored, within 1e-9 * weight * soft, if gives;
         /// string that is wound up again at the top
         climb: climb, "m", "Lagrange, in angles" => p.radius * wound_up, within 1e2 * bound * p.wound, if climbs;
         /// the time this takes
@@ -236,7 +250,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let jerked = gives(&d, peak, firm);
     // If it gives by a radius or more, the turn is another.
     let spared = match jerked < 1.0 {
-        true => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
+        true if firm < 1e7 => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
+        true => 0.0,
         false => 1.0,
     };
     let last = a.velocity(a.unwound(p.wound));

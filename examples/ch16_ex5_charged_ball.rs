@@ -4,6 +4,7 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{after, second_order};
 use rotation_dynamics::planar::contact::{
@@ -16,27 +17,27 @@ parameters! {
     /// The ball of the exercise: 1 cm of wood, charged nearly as highly as the air allows in this field.
     pub struct Parameters {
         /// charge of the ball
-        charge: number(1e-8, "C", above(0.0).usually(1e-9, 3e-8));
+        charge: number(1e-8, "C", any().usually(1e-9, 3e-8));
         /// electric field along the slab
-        field: number(5e5, "V/m", above(0.0).usually(5e4, 1e6)).drawn(2e5, 6e5, 5e4);
+        field: number(5e5, "V/m", any().usually(5e4, 1e6)).drawn(2e5, 6e5, 5e4);
         /// mass of the ball
         mass: number(0.002, "kg", above(0.0).usually(0.001, 0.01));
         /// radius of the ball
-        radius: number(0.01, "m", from_to(1e-4, 1e3).usually(0.005, 0.03));
+        radius: number(0.01, "m", above(0.0).usually(0.005, 0.03));
         /// k = I/(m R^2): 2/5 for a solid ball, 2/3 for a thin shell
-        shape: number(0.4, "-", from_to(1e-3, 1.0).usually(0.3, 0.7));
+        shape: number(0.4, "-", above_to(0.0, 1.0).because("no mass is outside the ball").usually(0.3, 0.7));
         /// coefficient of friction between ball and slab
-        friction: number(0.3, "-", from_to(0.0, 1e3).usually(0.02, 0.6)).drawn(0.20, 0.50, 0.05);
+        friction: number(0.3, "-", at_least(0.0).usually(0.02, 0.6)).drawn(0.20, 0.50, 0.05);
         /// length of the slab, from the place where the ball starts from rest
-        length: number(0.2, "m", from_to(1e-3, 1e3).usually(0.05, 0.5)).drawn(0.10, 0.40, 0.05);
+        length: number(0.2, "m", above(0.0).usually(0.05, 0.5)).drawn(0.10, 0.40, 0.05);
         /// velocity of a ball that is put down sliding, without spin
-        shot: number(-0.3, "m/s", from_to(-1e3, 1e3).usually(-1.0, 1.0));
+        shot: number(-0.3, "m/s", any().usually(-1.0, 1.0));
         /// how far off its middle a charged spot is, over R
-        spot: number(0.5, "-", from_to(0.0, 1.0).usually(0.0, 1.0));
+        spot: number(0.5, "-", from_to(0.0, 1.0).because("inside the ball").usually(0.0, 1.0));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// drag coefficient of the ball in air, for the claims about it
-        air: effect(0.47, "-", above_to(0.0, 1e3));
+        air: effect(0.47, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// relative error asked for, at every event: from 1e-13 to 0.001
         tolerance: number(1e-12, "-", from_to(1e-13, 0.001));
     }
@@ -52,7 +53,7 @@ pub struct Ball {
     pub radius: f64,
     pub shape: f64,
     pub mu: f64,
-    /// Distance of the charge from the middle, m; at the angle 0 it lies ahead.
+    /// Distance of the charge from the middle, m; at the angle 0 it lies on the right.
     pub spot: f64,
     /// Arm of the normal force ahead of the middle, m, and drag over m v^2, 1/m.
     pub resisting: [f64; 2],
@@ -74,7 +75,7 @@ impl Mechanism<3, 6, 1> for Ball {
         [
             self.pull - drag * vx * vx.abs(),
             -self.press,
-            moment + arm * self.press,
+            moment + self.side() * arm * self.press,
         ]
     }
 
@@ -84,11 +85,11 @@ impl Mechanism<3, 6, 1> for Ball {
     // ANCHOR_END: scene
 
     fn end(&self, ball: &State<3>) -> Option<(&'static str, f64)> {
-        Some(("arrives", self.length - ball.q[0]))
+        Some(("arrives", self.length - self.side() * ball.q[0]))
     }
 
     fn scale(&self, _: &State<3>) -> State<3> {
-        let (r, v) = (self.radius, (2.0 * self.pull * self.length).sqrt());
+        let (r, v) = (self.radius, (2.0 * self.pull.abs() * self.length).sqrt());
         let q = [self.length, r, self.length / r];
         State {
             q,
@@ -104,7 +105,20 @@ impl Ball {
     /// The ball of these parameters, its charge in the middle.
     pub fn new(p: &Parameters) -> Result<Self> {
         let pull = p.charge * p.field / p.mass;
-        from_to(1e-6, 1e6).check("q E/(m g)", pull / p.gravity)?;
+        let weights = pull / p.gravity;
+        if !(1e-9..=1e9).contains(&weights.abs()) {
+            return Err(Error::OutOfRange {
+                name: "q E/(m g)",
+                value: weights,
+                allowed: "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
+            });
+        }
+        let told = "contacts do not tell a smaller part of the weight from none";
+        let needed = p.shape / (1.0 + p.shape) * weights.abs();
+        let holds = above(1e-11).because(told);
+        holds.check("coefficient of friction that rolling needs", needed)?;
+        let far = between(0.0, 1e6).because("after so many turns the angle has lost its digits");
+        far.check("length/radius", p.length / p.radius)?;
         Ok(Self {
             pull,
             press: p.gravity,
@@ -123,6 +137,16 @@ impl Ball {
             spot: p.spot * p.radius,
             ..Self::new(p)?
         })
+    }
+
+    /// Where the field pulls: 1 to the right, -1 to the left.
+    pub fn side(&self) -> f64 {
+        self.pull.signum()
+    }
+
+    /// At the start, at rest, with its charge ahead.
+    pub fn ahead(&self) -> State<3> {
+        self.start(if self.pull > 0.0 { 0.0 } else { PI }, 0.0)
     }
 
     /// At the start, turned by this angle, with this velocity and no spin.
@@ -146,7 +170,8 @@ impl Ball {
 
     /// Friction that there is: what rolling needs, or the most the slab can give.
     pub fn friction(&self) -> f64 {
-        self.holding().min(self.mu * self.press)
+        let most = self.mu * self.press;
+        self.holding().clamp(-most, most)
     }
 
     /// x'' and R phi'', from rest.
@@ -171,7 +196,7 @@ impl Ball {
 
 /// The least coefficient of friction with which the solver lets the ball stick: by bisection.
 fn holds_from(ball: Ball) -> Result<f64> {
-    let most = 2.0 * ball.pull / ball.press;
+    let most = 2.0 * ball.pull.abs() / ball.press;
     let (mut slips, mut sticks) = (0.0, most);
     for _ in 0..60 {
         let mu = 0.5 * (slips + sticks);
@@ -187,13 +212,16 @@ fn holds_from(ball: Ball) -> Result<f64> {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (ball, m, g) = (Ball::new(p)?, p.mass, p.gravity);
     let (r, k, d) = (p.radius, p.shape, p.length);
-    let ([a, rim], pull, bound) = (ball.accelerations(), ball.pull, 16.0 * p.tolerance);
-    let (time, speed) = ((2.0 * d / a).sqrt(), (2.0 * d * a).sqrt());
+    let ([a, rim], side, bound) = (ball.accelerations(), ball.side(), 16.0 * p.tolerance);
+    let (pull, driven) = (ball.pull, ball.pull.abs());
+    let (time, fast) = ((2.0 * d / a.abs()).sqrt(), (2.0 * d * a.abs()).sqrt());
+    let speed = side * fast;
     let run = ball.run(ball.start(0.0, 0.0), 2.0 * time, p.tolerance)?;
     let arrives = run.event("arrives")?;
     let [ran, _, turning] = arrives.before.v;
     let (spin, moving) = (rim * time / r, ran * ran + k * r * r * turning * turning);
-    let (needed, least) = (ball.holding() / g, holds_from(ball)?);
+    let (needed, least) = (ball.holding().abs() / g, holds_from(ball)?);
+    let field = p.field.abs();
     // A ball that is put down sliding.
     let ([catch, then], shot) = (ball.caught(p.shot), p.shot.abs());
     let far = Ball {
@@ -206,7 +234,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // A charged spot: below the middle it needs most friction.
     let spotted = Ball::spotted(p)?;
     let rough = Ball {
-        mu: 1e3 + 2.0 * pull / g,
+        mu: 1e3 + 2.0 * driven / g,
         ..spotted
     };
     let lowest = rough
@@ -214,63 +242,63 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         .forces(0.0)?[0];
     let most = (k + p.spot) / (1.0 + k) * pull;
     let further = d - spotted.spot * (1.0 - cos(d / r));
-    let fast = (2.0 * pull * further / (1.0 + k)).sqrt();
+    let rolls = side * (2.0 * driven * further / (1.0 + k)).sqrt();
     // Its last digits are those of the angle through which it turns.
     let rolled = p.tolerance.max(1e-13 * d / r);
     let turned = || -> Result<f64> {
-        let run = spotted.run(spotted.start(0.0, 0.0), 1e2 * time, rolled)?;
+        let run = spotted.run(spotted.ahead(), 1e2 * time, rolled)?;
         Ok(run.event("arrives")?.before.v[0])
     };
-    let naive = pull - p.friction * g;
+    let naive = pull - side * p.friction * g;
     let dragged = after(1.0, &second_order(move |_, _, _| naive), &[0.0, 0.0], 1e-12)?[1];
     claims! { report,
         /// acceleration
-        a: a, "m/s^2", "located event" => ran * ran / (2.0 * d), within bound * pull, in "The motion":
+        a: a, "m/s^2", "located event" => side * ran * ran / (2.0 * d), within bound * driven, in "The motion":
             pull => "that slides without friction",
-            pull - p.friction * g => "friction is not at its limit",
+            naive => "friction is not at its limit",
             pull / 1.5 => "that is a cylinder",
             pull / (1.0 + 2.0 / 3.0) => "that is a thin shell";
         /// friction, against the field
-        friction: m * ball.friction(), "N", "contact solver" => -m * run.forces(0.5 * time)?[0].tangential, within bound * m * pull,
+        friction: m * ball.friction(), "N", "contact solver" => -m * run.forces(0.5 * time)?[0].tangential, within bound * m * driven,
         in "The friction":
             -m * ball.friction() => "which way must it turn the ball?",
-            m * g * p.friction => "that is the most there can be",
+            side * m * g * p.friction => "that is the most there can be",
             m * k * pull => "friction itself makes the acceleration smaller",
             m * pull => "then the ball would not start";
         /// least coefficient of friction for rolling
         mu_min: needed, "-", "bisection of the modes" => least, within 1e-9 * needed + 1e-11, in "The friction":
-            pull / g => "that is for a body that does not turn",
-            k * pull / g => "friction itself makes the acceleration smaller";
+            driven / g => "that is for a body that does not turn",
+            k * driven / g => "friction itself makes the acceleration smaller";
         /// strongest field in which it rolls
-        field_max: 1e-6 * p.field * p.friction / needed, "MV/m", "bisection of the modes" => 1e-6 * p.field * p.friction / least,
-        within 1e-14 * p.field * p.friction / needed, in "The friction":
-            1e-6 * p.field * p.friction * g / pull => "friction need not balance the whole pull";
+        field_max: 1e-6 * field * p.friction / needed, "MV/m", "bisection of the modes" => 1e-6 * field * p.friction / least,
+        within 1e-6 * field * p.friction / needed * (1e-11 / needed).max(1e-8), in "The friction":
+            1e-6 * field * p.friction * g / driven => "friction need not balance the whole pull";
         /// time to the end of the slab
         time: time, "s", "located event" => arrives.t, within bound * time, in "The motion":
-            (2.0 * d / pull).sqrt() => "that slides without friction";
+            (2.0 * d / driven).sqrt() => "that slides without friction";
         /// velocity there
-        speed: speed, "m/s", "located event" => ran, within bound * speed, in "The motion":
-            (2.0 * d * pull).sqrt() => "the turning takes its part of the work";
+        speed: speed, "m/s", "located event" => ran, within bound * fast, in "The motion":
+            side * (2.0 * d * driven).sqrt() => "the turning takes its part of the work";
         /// angular velocity there
-        omega: spin, "rad/s", "located event" => -turning, within bound * speed / r, in "The motion":
+        omega: spin, "rad/s", "located event" => -turning, within bound * fast / r, in "The motion":
             spin / (2.0 * PI) => "not turns but radians a second";
         /// part of the work of the field that is in the turning
-        turning: k * (rim * time) * (rim * time) / (2.0 * pull * d), "-", "located event" => (moving - ran * ran) / (2.0 * pull * d),
+        turning: k * (rim * time) * (rim * time) / (2.0 * driven * d), "-", "located event" => (moving - ran * ran) / (2.0 * driven * d),
         within 2.0 * bound;
         /// part that is lost to rubbing
-        lost: ball.lost(), "-", "located event" => 1.0 - moving / (2.0 * pull * d), within 2.0 * bound;
+        lost: ball.lost(), "-", "located event" => 1.0 - moving / (2.0 * driven * d), within 2.0 * bound;
         /// a ball put down sliding: when it begins to roll
         catch: catch, "s", "located event" => slid()?.event("ball sticks")?.t, within bound * catch, if catches;
         /// velocity then
-        catch_velocity: then, "m/s", "located event" => slid()?.event("ball sticks")?.before.v[0], within bound * (shot + pull * catch), if catches;
+        catch_velocity: then, "m/s", "located event" => slid()?.event("ball sticks")?.before.v[0], within bound * (shot + driven * catch), if catches;
         /// charged spot: the most friction that rolling needs
-        spot_friction: m * most, "N", "contact solver" => -m * lowest.tangential, within bound * m * pull;
+        spot_friction: m * most, "N", "contact solver" => -m * lowest.tangential, within bound * m * driven;
         /// charged spot: least coefficient
-        spot_mu: most / g, "-", "contact solver" => -lowest.tangential / lowest.normal, within bound * pull / g;
+        spot_mu: most.abs() / g, "-", "contact solver" => lowest.tangential.abs() / lowest.normal, within bound * driven / g;
         /// charged spot, ahead at the start: velocity at the end of the slab
-        spot_speed: fast, "m/s", "located event" => turned()?, within 320.0 * rolled * speed, if most < p.friction * g && p.spot < 0.999;
+        spot_speed: rolls, "m/s", "located event" => turned()?, within 320.0 * rolled * fast, if most.abs() < p.friction * g && p.spot < 0.999 && d < TURNING * r;
         /// wrong: acceleration with the friction at its limit
-        naive_a: naive, "m/s^2", "simulated" => dragged, within 1e-11 * (pull + p.friction * g);
+        naive_a: naive, "m/s^2", "simulated" => dragged, within 1e-11 * (driven + p.friction * g);
     }
 }
 
@@ -306,6 +334,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// How many radii far the ball with a charged spot is followed.
+const TURNING: f64 = 300.0;
+
 /// Permittivity of the vacuum, F/m.
 const EPSILON_0: f64 = 8.854_187_8e-12;
 
@@ -328,19 +359,19 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let ball = Ball::new(p)?;
     let [a, _] = ball.accelerations();
     // What rolls has the inertia of its turning as well.
-    let rolls = p.friction * p.gravity > ball.holding();
+    let rolls = p.friction * p.gravity > ball.holding().abs();
     let inertia = p.mass * if rolls { ball.pull / a } else { 1.0 };
     let drag = QuadraticDrag::in_air(1.204, coefficient, PI * p.radius * p.radius)?;
-    driven_in_air(report, drag, [a, inertia, p.length])
+    driven_in_air(report, drag, [a.abs(), inertia, p.length])
 }
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (ball, (image, [arm, drag])) = (Ball::new(p)?, left_out(p));
-    let ([a, _], pull) = (ball.accelerations(), ball.pull);
+    let (a, pull) = (ball.accelerations()[0].abs(), ball.pull.abs());
     let (time, speed) = ((2.0 * p.length / a).sqrt(), (2.0 * p.length * a).sqrt());
-    let own = p.charge / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
-    let spark = (own + 3.0 * p.field) / 3e6;
-    let grip = p.friction * p.gravity / ball.holding();
+    let own = p.charge.abs() / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
+    let spark = (own + 3.0 * p.field.abs()) / 3e6;
+    let grip = p.friction * p.gravity / ball.holding().abs();
     // A ball that slips is faster than one that rolls.
     let slipping = if grip < 1.0 {
         1.0 - pull / ((1.0 + p.shape) * a)
@@ -350,7 +381,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
     let arrives = |resisting: [f64; 2]| {
         let run = Ball { resisting, ..ball }.run(ball.start(0.0, 0.0), 4.0 * time, 1e-10)?;
-        Ok::<_, rotation_dynamics::Error>(run.event("arrives")?.before.v[0])
+        Ok::<_, Error>(run.event("arrives")?.before.v[0])
     };
     let lost = |resisting: [f64; 2], predicted: f64| -> Result<Option<f64>> {
         if grip < 1.01 || predicted > 0.5 {
@@ -362,7 +393,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let rolling = arm * p.gravity / (p.radius * pull);
     let blown = drag * speed * speed / pull;
     let [rolled, dragged] = [lost([arm, 0.0], rolling)?, lost([0.0, drag], blown)?];
-    let (magnetic, leaking) = (speed * 5e-5 / p.field, 1e-14 * time / EPSILON_0);
+    let (magnetic, leaking) = (speed * 5e-5 / p.field.abs(), 1e-14 * time / EPSILON_0);
     effect_card! { report,
         "slipping": "mu/mu_min" = grip, costs slipping, "of x''", included;
         "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = spark, costs f64::from(spark >= 1.0), "of x'', nothing below 1";
@@ -380,17 +411,19 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let ball = Ball {
         mu: 1e3,
+        length: p.length.min(TURNING * p.radius),
         ..Ball::spotted(p)?
     };
-    let further = p.length - ball.spot * (1.0 - cos(p.length / p.radius));
-    let speed = (2.0 * ball.pull * further / (1.0 + p.shape)).sqrt();
-    let end = 1e2 * (p.length / ball.pull).sqrt();
-    let run = move |tolerance| ball.run(ball.start(0.0, 0.0), end, tolerance);
+    let further = ball.length - ball.spot * (1.0 - cos(ball.length / p.radius));
+    let pull = ball.pull.abs();
+    let speed = ball.side() * (2.0 * pull * further / (1.0 + p.shape)).sqrt();
+    let end = 1e2 * (ball.length / pull).sqrt();
+    let run = move |tolerance| ball.run(ball.ahead(), end, tolerance);
     let error = move |run: &Roll| Ok(largest([run.event("arrives")?.before.v[0] / speed - 1.0]));
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     report.dial("contact by DOP853", asked, run, Roll::work, error)?;
     report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>(part.sqrt() * speed)
+        Ok::<_, Error>(part.sqrt() * speed)
     }));
     Ok(())
 }

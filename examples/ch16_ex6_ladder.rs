@@ -11,6 +11,7 @@ mod figures;
 mod variations;
 
 use core::f64::consts::FRAC_PI_2;
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::math::{EPS, acosh};
@@ -27,7 +28,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// angle from the wall at the start
-        angle: number(0.25, "rad", between(0.0, FRAC_PI_2).usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
+        angle: number(0.25, "rad", between(0.0, FRAC_PI_2).because("upright it stands for ever, flat it lies").usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
         /// relative error asked for, at every event: from 3.2e-14 to 0.1
         tolerance: number(1e-12, "-", from_to(3.2e-14, 0.1));
     }
@@ -127,6 +128,14 @@ struct Solved {
 // ANCHOR: solve
 fn solve(p: &Parameters) -> Result<Solved> {
     let exact = Exact::new(p.length, p.gravity, p.angle)?;
+    if rounding(p) > 0.1 {
+        return Err(Error::OutOfRange {
+            name: "angle",
+            value: p.angle,
+            allowed: "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
+                      its elevation",
+        });
+    }
     let ladder = Ladder::smooth(p);
     let start = ladder.at_rest(p.angle);
     let end = 2.0 * exact.landing_time();

@@ -19,6 +19,8 @@ pub struct Interval {
     high: f64,
     closed: [bool; 2],
     usual: Option<[f64; 2]>,
+    nonzero: bool,
+    reason: Option<&'static str>,
 }
 
 const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
@@ -27,6 +29,8 @@ const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
         high,
         closed,
         usual: None,
+        nonzero: false,
+        reason: None,
     }
 }
 
@@ -73,6 +77,38 @@ impl Interval {
         self.usual
     }
 
+    /// Excludes zero, where nothing moves: the reason is to be given.
+    ///
+    /// ```
+    /// use rotation_dynamics::interval::any;
+    /// let rate = any().but_zero("at rest nothing rolls");
+    /// assert!(rate.contains(-2.0) && !rate.contains(-0.0));
+    /// assert_eq!(rate.to_string(), "it must be finite, and not 0 (at rest nothing rolls)");
+    /// ```
+    #[must_use]
+    pub const fn but_zero(mut self, reason: &'static str) -> Self {
+        self.nonzero = true;
+        self.because(reason)
+    }
+
+    /// Says why it ends where it does: the physics, or the limit of the method.
+    ///
+    /// ```
+    /// use rotation_dynamics::interval::between;
+    /// let ellipse = between(-1.0, 1.0).because("an orbit that closes");
+    /// assert_eq!(ellipse.to_string(), "it must lie between -1 and 1 (an orbit that closes)");
+    /// ```
+    #[must_use]
+    pub const fn because(mut self, reason: &'static str) -> Self {
+        self.reason = Some(reason);
+        self
+    }
+
+    /// Why it ends where it does, if that is said.
+    pub fn reason(&self) -> Option<&'static str> {
+        self.reason
+    }
+
     /// `value` itself, if the interval contains it; `name` says in the error what it is.
     ///
     /// The error has six digits of a computed value, or all if these six would be allowed.
@@ -100,7 +136,7 @@ impl Interval {
         let [low, high] = self.closed;
         let above = value > self.low || (low && value == self.low);
         let below = value < self.high || (high && value == self.high);
-        above && below && value.is_finite()
+        above && below && value.is_finite() && !(self.nonzero && value == 0.0)
     }
 }
 
@@ -122,6 +158,11 @@ impl fmt::Display for Interval {
                 write!(f, "it must be at least {low} and less than {high}")
             }
             (true, true, [false, false]) => write!(f, "it must lie between {low} and {high}"),
+        }?;
+        if self.nonzero {
+            write!(f, ", and not 0")?;
         }
+        self.reason
+            .map_or(Ok(()), |reason| write!(f, " ({reason})"))
     }
 }

@@ -149,6 +149,12 @@ fn flags_set_parameters_and_negative_numbers_are_numbers() {
         ("--offset=-5e-1", "1.000000000000"),
         ("--offset -5.0e-1 --length 3", "1.000000000000"),
         ("--offset -.5", "1.000000000000"),
+        // As the answers of `--check` are read.
+        ("--offset \u{2212}0,5", "1.000000000000"),
+        ("--offset -1/2", "1.000000000000"),
+        ("--offset -5x10^-1", "1.000000000000"),
+        ("--offset=-0.5m", "1.000000000000"),
+        ("--offset -sqrt(1/4)", "1.000000000000"),
     ] {
         let outcome = answer(arguments);
         assert_eq!(outcome.code, 0, "{arguments}: {}", outcome.stderr);
@@ -174,10 +180,14 @@ fn bad_input_is_refused_with_its_reason() {
     for (arguments, told) in [
         ("--lenght 3", "--length"),
         ("--length", "a value is required"),
-        ("--length three", "it is not a number"),
+        ("--length three", "that is not a number"),
         ("--length NaN", "NaN is not a finite number"),
-        ("--length inf", "inf is not a finite number"),
+        ("--length 1e400", "inf is not a finite number"),
+        ("--length 1/0", "that is not a finite number"),
         ("--length -inf", "-inf is not a finite number"),
+        ("--length 3s", "the unit is m, not s"),
+        ("--length 30°", "the unit is m, not deg"),
+        ("--length 1,234.5", "decimals come after a point"),
         ("--length --offset 1", "a value is required for '--length"),
         (
             "--length 0",
@@ -578,10 +588,13 @@ fn effects_that_cannot_be_are_refused_by_name() {
             "--with air-drag=2.5",
             "air_drag = 2.5 is not allowed: it must be from 0 to 2",
         ),
-        ("--with friction=strong", "it is not a number"),
-        ("--with friction=", "it is not a number"),
+        (
+            "--with friction=strong",
+            "--with friction=strong: that is not a number",
+        ),
+        ("--with friction=", "that is not a number"),
         ("--with friction=nan", "NaN is not a finite number"),
-        ("--with friction=1,5", "decimals come after a point"),
+        ("--with friction=1,5,2", "decimals come after a point"),
         (
             "--with friction --with friction=1",
             "the effect friction stands twice after --with",

@@ -178,7 +178,9 @@ const Answer = (() => {
         const reader = new Reader(plain);
         const value = reader.sum();
         const unit = reader.rest.trim();
-        if (value === null || unit === "-" || powers(unit) === null) return { error: NONE };
+        // Of a programmer, who does not mean zero times ten.
+        const hexadecimal = /^[-+ ]*0x/.test(plain);
+        if (value === null || hexadecimal || unit === "-" || powers(unit) === null) return { error: NONE };
         if (!Number.isFinite(value)) return { error: "that is not a finite number" };
         return { value, unit, typed: typed(plain.slice(0, plain.length - reader.rest.length)) };
     }
@@ -199,7 +201,7 @@ const Answer = (() => {
         if (answer.unit !== "") {
             const [asked, given] = [powers(unit), powers(answer.unit)];
             if (!same(asked, given)) {
-                const degrees = given.delete("deg");
+                const degrees = given.get("deg") === 1 && given.delete("deg");
                 return degrees && same(asked, given) && rules.angles.includes(unit)
                     ? ["slip", rules.degrees]
                     : ["unit", unit === "-" ? `it has no unit, not ${answer.unit}`

@@ -23,11 +23,10 @@ pub fn blown(shaft: &Shaft, p: &Parameters, drag: f64) -> Result<(f64, Work)> {
         });
         strips.sum::<f64>() / inertia
     });
-    let (end, work) =
-        Dop853::new(1e-12)?.zero(&slowed, [0.0, shaft.rate], 1, 9.0 / shaft.rate, |y| {
-            y[0] - 1.0
-        })?;
-    let lost = 0.5 * inertia * (shaft.rate - end.state[1]) * (shaft.rate + end.state[1]);
+    let rate = shaft.rate.abs();
+    let radian = |y: &[f64; 2]| y[0] - 1.0;
+    let (end, work) = Dop853::new(1e-12)?.zero(&slowed, [0.0, rate], 1, 9.0 / rate, radian)?;
+    let lost = 0.5 * inertia * (rate - end.state[1]) * (rate + end.state[1]);
     Ok((lost, work))
 }
 
@@ -63,7 +62,8 @@ pub fn in_air(p: &Parameters, report: &mut Report) -> Result<()> {
     let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
     let energy = 0.5 * inertia * p.rate * p.rate;
     let lost = -expm1(-2.0 * dragged(p, drag) / inertia);
-    between(0.0, 0.9).check("part of the energy that the air takes in a radian", lost)?;
+    let goes_on = between(0.0, 0.9).because("it would stop within a radian");
+    goes_on.check("part of the energy that the air takes in a radian", lost)?;
     let (ran, _) = blown(&shaft, p, drag)?;
     rotation_dynamics::claims! { report,
         /// in air, the motor shut off: energy lost in the first radian
@@ -83,7 +83,7 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     } else {
         None
     };
-    let (off, speed) = (1e-4, p.wheel_radius * p.wheel_rate);
+    let (off, speed) = (1e-4, p.wheel_radius * p.wheel_rate.abs());
     let resisted = 0.005 * p.gravity / (1.5 * speed);
     // In a second; a wheel that is hardly slowed down, or stops, tells nothing.
     let rolled = if (1e-9..0.1).contains(&resisted) {

@@ -34,13 +34,18 @@ pub fn scene(p: &Parameters, shaft: &Shaft, t: f64, alt: &str) -> View {
     let momentum = |t| shaft.attitude(t).to_space(shaft.momentum()) * size;
     let tip = momentum(t);
     let path = times(0.0, TAU / shaft.rate, 90).map(momentum);
-    let torque = attitude.to_space(shaft.torque()) * (0.9 * size / shaft.rate);
+    let torque = attitude.to_space(shaft.torque()) * (0.9 * size / shaft.rate.abs());
+    let [from, to] = if shaft.rate < 0.0 {
+        [1.35, 1.0]
+    } else {
+        [1.0, 1.35]
+    };
     let view = View::new("scene", alt)
         .around(UP * 0.17, 1.25)
         .size(340, 320);
     let view = cylinder(bearings(view), p, attitude.to_space(ALONG))
         .dashed(path, Ink::Momentum)
-        .arrow(UP, UP * 1.35, Ink::Velocity, r"$\Omega$", Side::Right)
+        .arrow(UP * from, UP * to, Ink::Velocity, r"$\Omega$", Side::Right)
         .arrow(SpaceVector::zero(), tip, Ink::Momentum, "", Side::Right)
         .text(tip * 0.7, "$L$", Ink::Momentum, Side::Below);
     match torque.norm() > 0.05 {
@@ -52,7 +57,7 @@ pub fn scene(p: &Parameters, shaft: &Shaft, t: f64, alt: &str) -> View {
 /// A turn and a half, and a bit.
 pub fn moving(p: &Parameters) -> Result<MovingPicture> {
     let (p, shaft) = (p.clone(), Shaft::of(p)?);
-    let end = 1.6 * TAU / shaft.rate;
+    let end = 1.6 * TAU / shaft.rate.abs();
     let momentum = |t| shaft.attitude(t).to_space(shaft.momentum()).to_array();
     let mut graph = Panel::new("graph", "")
         .x(Axis::linear("$t$ / s").range(0.0, end))
@@ -67,13 +72,17 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
         });
     }
     let side = ["towards", "away from"][usize::from(shaft.i1 > shaft.i3)];
+    let (way, near) = match shaft.rate < 0.0 {
+        true => ("down", "lower"),
+        false => ("up", "upper"),
+    };
     let draw = move |t: f64| {
         let alt = format!(
             "A cylinder slants on an upright shaft in two bearings, {:.2} turns after the start. \
-             Omega points up along the shaft; L leans {side} the upper end of the cylinder, and \
+             Omega points {way} along the shaft; L leans {side} the {near} end of the cylinder, and \
              its tip is on a level circle. At the tip the torque points along the circle. Below, \
              the level components of L swing, the upright one stays.",
-            t * shaft.rate / TAU
+            t * shaft.rate.abs() / TAU
         );
         Stack::frame(&alt, scene(&p, &shaft, t, &alt), &graph, t)
     };
@@ -92,10 +101,14 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
         "tau_Y [N m]",
         "tau_Z [N m]",
     ];
-    Trajectory::sampled(columns, times(0.0, 1.6 * TAU / shaft.rate, 200), |t| {
-        let attitude = shaft.attitude(t);
-        let [momentum, torque] =
-            [shaft.momentum(), shaft.torque()].map(|v| attitude.to_space(v).to_array());
-        Ok([&[t], &momentum[..], &torque[..]].concat())
-    })
+    Trajectory::sampled(
+        columns,
+        times(0.0, 1.6 * TAU / shaft.rate.abs(), 200),
+        |t| {
+            let attitude = shaft.attitude(t);
+            let [momentum, torque] =
+                [shaft.momentum(), shaft.torque()].map(|v| attitude.to_space(v).to_array());
+            Ok([&[t], &momentum[..], &torque[..]].concat())
+        },
+    )
 }

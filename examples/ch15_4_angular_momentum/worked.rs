@@ -271,20 +271,25 @@ fn earth(report: &mut Report) -> Result<()> {
 /// The wheel on a shaft.
 fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, swarm) = (runner_of(p), runner(runner_of(p)));
-    from_to(1e-3, 1e3).check("runner_shaft/runner_radius", r.shaft / r.radius)?;
+    let sizes = from_to(1e-3, 1e3).because("beyond it the grains lose their digits");
+    sizes.check("runner_shaft/runner_radius", r.shaft / r.radius)?;
     let ([along, up], weight) = (r.momentum(), p.runner_mass * p.gravity);
     let (n, energy, momentum) = (
         r.force(p.gravity),
         r.energy(),
         swarm.angular_momentum(ORIGIN),
     );
+    let turning =
+        from_to(1e-8, 1.0).because("slower, what the turning adds is lost beside the weight");
+    turning.check("(N - M g)/N", (n - weight) / n)?;
     let double = (2.0 * p.gravity / r.radius).sqrt();
     // Weight and floor must have, about the hinge, the torque that turns L.
     let needed = weight - swarm.torque(0.0).y() / p.runner_shaft;
     // The faster it spins, the shorter is the step between two looks; the torque needs two steps.
-    let turns = r.rate * (1.0 + r.shaft / r.radius);
-    let bound = 4e-13 * turns / r.rate;
-    let off = 1e-11 * n + 3e-12 * up * turns / r.shaft * (turns / r.rate);
+    let rate = r.rate.abs();
+    let turns = rate * (1.0 + r.shaft / r.radius);
+    let bound = 4e-13 * turns / rate;
+    let off = 1e-11 * n + 3e-12 * up.abs() * turns / r.shaft * (turns / rate);
     // What is added to the weight grows with the square of the rate.
     let added = needed - weight;
     rotation_dynamics::claims! { report,
@@ -304,7 +309,7 @@ fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
             weight => "that is the weight only",
             2.0 * weight - n => "the torque has the other sign";
         /// angular velocity at which it is twice the weight
-        runner_double: double, "rad/s", "the same, scaled" => r.rate * (weight / added).sqrt(),
+        runner_double: double, "rad/s", "the same, scaled" => rate * (weight / added).sqrt(),
         within double * (1e-12 + off / (n - weight));
         /// kinetic energy
         runner_energy: energy, "J", "sum of m v^2/2" => swarm.kinetic_energy(), within bound * energy,

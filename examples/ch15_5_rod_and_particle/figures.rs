@@ -165,21 +165,26 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
             t.abs(),
             if hit { "after the impact" } else { "before it" },
         );
-        let pushed = (0.45 * l * px / start, 0.45 * l * py / start);
+        let pushed = (0.45 * l * px / start.abs(), 0.45 * l * py / start.abs());
         let end = (particle.0 + pushed.0, particle.1 + pushed.1);
+        let across = if start < 0.0 {
+            (-0.75 * l, l)
+        } else {
+            (-l, 0.75 * l)
+        };
         let mut scene = Sketch::new("scene", &alt)
-            .window((-l, 0.75 * l), (-0.72 * l, 0.72 * l))
+            .window(across, (-0.72 * l, 0.72 * l))
             .bar(up(-0.5), up(0.5), 0.05 * l, Ink::Body)
             .pivot((0.0, 0.0), 0.0)
             .disc(particle, 0.045 * l, Ink::Ink, 0.8)
             .arrow_along([particle, end], Ink::Ink)
             .text(end, "$P$", Ink::Ink, Side::Right);
         if hit {
-            let turned = state.q[2] - FRAC_PI_2;
+            let (turned, sense) = (state.q[2] - FRAC_PI_2, start.signum());
             scene = scene.turn(
                 (0.0, 0.0),
                 0.25 * l,
-                (turned + 0.25, turned + 1.2),
+                (turned + sense * 0.25, turned + sense * 1.2),
                 Ink::Velocity,
             );
         }

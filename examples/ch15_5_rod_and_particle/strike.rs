@@ -15,7 +15,7 @@ pub struct Strike {
     pub particle: f64,
     /// Length of the rod, m.
     pub length: f64,
-    /// Speed of the particle, m/s.
+    /// Velocity of the particle, m/s: along x, or against it.
     pub speed: f64,
     /// Whether the middle of the rod is held.
     pub hinged: bool,
@@ -140,9 +140,28 @@ impl Strike {
         Ok(([rate, 1.0 - angle / (rate * met.t)], work))
     }
 
+    /// What the simulation gives, which has the particle come along x; mirrored if it comes
+    /// against x.
+    fn mirrored(&self, State { q, v }: State<5>) -> State<5> {
+        let sense = self.speed.signum();
+        let odd = |all: [f64; 5]| {
+            core::array::from_fn(|k| {
+                if k == 1 || k == 4 {
+                    all[k]
+                } else {
+                    sense * all[k]
+                }
+            })
+        };
+        State {
+            q: odd(q),
+            v: odd(v),
+        }
+    }
+
     /// The time in which the particle comes as far as the rod is long, s.
     pub fn unit(&self) -> f64 {
-        self.length / self.speed
+        self.length / self.speed.abs()
     }
 }
 
@@ -151,6 +170,7 @@ pub struct Blow {
     /// Just before and just after.
     pub before: State<5>,
     pub after: State<5>,
+    strike: Strike,
     impact: f64,
     motion: Motion<Strike, 5, 10, 3>,
 }
@@ -161,13 +181,15 @@ impl Blow {
         let (unit, l) = (strike.unit(), strike.length);
         let start = State {
             q: [0.0, 0.0, 0.0, -approach * l, -strike.arm],
-            v: [0.0, 0.0, 0.0, strike.speed, 0.0],
+            v: [0.0, 0.0, 0.0, strike.speed.abs(), 0.0],
         };
         let motion = motion_within(strike, tolerance, start, (approach + end) * unit)?;
         // It leaves the list of what can touch, and is held instead.
         let hit = motion.event("particle bounces")?.clone();
-        let (before, after, impact) = (hit.before, hit.after, hit.t);
+        let seen = |state| strike.mirrored(state);
+        let (before, after, impact) = (seen(hit.before), seen(hit.after), hit.t);
         Ok(Self {
+            strike,
             before,
             after,
             impact,
@@ -177,13 +199,13 @@ impl Blow {
 
     /// The state at `t` (s), counted from the impact.
     pub fn at(&self, t: f64) -> Result<State<5>> {
-        self.motion
-            .at((t + self.impact).clamp(0.0, self.motion.end_time()))
+        let t = (t + self.impact).clamp(0.0, self.motion.end_time());
+        self.motion.at(t).map(|state| self.strike.mirrored(state))
     }
 
     /// The state at the end.
     pub fn end(&self) -> Result<State<5>> {
-        self.motion.at(self.motion.end_time())
+        self.at(f64::INFINITY)
     }
 
     /// What it cost.

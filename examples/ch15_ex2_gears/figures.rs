@@ -130,11 +130,17 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(of_b.label_at("$B$", 0.5 * time, 0.5 * rim, Side::BelowRight));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * time, end], move |t| {
         let (State { q, v }, slow) = (run.at(t)?, 0.2);
+        let mut senses = ["counterclockwise", "clockwise"];
+        if rim < 0.0 {
+            senses.reverse();
+        }
         let rims = [" without slip", ", and they slip"][usize::from(t < time)];
         let alt = format!(
-            "{t:.2} s after the rims have met: A turns counterclockwise at {:.0} rad/s, B clockwise \
+            "{t:.2} s after the rims have met: A turns {} at {:.0} rad/s, B {} \
              at {:.0} rad/s{rims}. Below, the speeds of the two rims where they touch.",
-            v[0],
+            senses[0],
+            v[0].abs(),
+            senses[1],
             v[1].abs(),
         );
         let high = 1.15 * a.max(b);
@@ -145,8 +151,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .text((-0.5 * a, 0.5 * a), "$A$", Ink::Body, Side::Centre)
             .text((a + b, 0.55 * b), "$B$", Ink::Body, Side::Centre);
         // Side by side, to be told apart.
-        let arrow = |scene: Sketch, x: f64, speed: f64| match speed.abs() > 0.05 * rim {
-            true => scene.arrow_along([(x, 0.0), (x, 0.9 * a * speed / rim)], Ink::Velocity),
+        let arrow = |scene: Sketch, x: f64, speed: f64| match speed.abs() > 0.05 * rim.abs() {
+            true => scene.arrow_along([(x, 0.0), (x, 0.9 * a * speed / rim.abs())], Ink::Velocity),
             false => scene,
         };
         let scene = arrow(scene, 0.98 * a, a * v[0]);

@@ -4,7 +4,8 @@ use super::*;
 
 /// The path of the point that touched at the start, while the line of centres turns to `orbit`.
 fn path(r: f64, orbit: f64) -> impl Iterator<Item = (f64, f64)> {
-    times(0.0, orbit.max(1e-6), 240).map(move |t| place(r, t, r, 0.0).into())
+    let orbit = if orbit.abs() < 1e-6 { 1e-6 } else { orbit };
+    times(0.0, orbit, 240).map(move |t| place(r, t, r, 0.0).into())
 }
 
 /// The coin when the line of centres has turned by `orbit`, with an arrow to the mark.
@@ -79,8 +80,9 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "t [s], theta_net [rad], x [m], y [m], rim x [m], rim y [m]";
     let (r, a) = (ratio(p)?, p.inner);
     Trajectory::sampled(columns.split(", "), times(0.0, TAU, 360), |turn| {
+        let (t, turn) = (turn / p.rate.abs(), p.rate.signum() * turn);
         let ([x, y], [u, v]) = (place(r, turn, 0.0, 0.0), place(r, turn, r, 0.0));
-        let (t, turned) = (turn / p.rate, angular_velocity(r) * turn);
+        let turned = angular_velocity(r) * turn;
         Ok([t, turned, a * x, a * y, a * u, a * v])
     })
 }
@@ -88,14 +90,23 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The coin on its way round, with the path of its mark; below, how far it has turned.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (r, rate) = (ratio(p)?, p.rate);
-    let (net, reach, end) = (angular_velocity(r), 1.0 + 2.0 * r.max(0.0), TAU / rate);
-    let line = |turns: f64| Curve::new([(0.0, 0.0), (end, turns)], Ink::Body);
-    let turns = Axis::linear("turns").range(net.min(0.0), net.max(1.0));
+    let (net, reach, end) = (
+        angular_velocity(r),
+        1.0 + 2.0 * r.max(0.0),
+        TAU / rate.abs(),
+    );
+    let sense = rate.signum();
+    let line = |turns: f64| Curve::new([(0.0, 0.0), (end, sense * turns)], Ink::Body);
+    let [low, high] = [net.min(0.0), net.max(1.0)];
+    let turns = match rate < 0.0 {
+        true => Axis::linear("turns").range(-high, -low),
+        false => Axis::linear("turns").range(low, high),
+    };
     let graph = Panel::over_axes("$t$ / s", turns)
         .curve(line(net).label("coin"))
         .curve(line(1.0).dashed().label("line of centres"));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.3 * end, end], move |t| {
-        let turn = (rate * t).min(TAU);
+        let turn = (rate * t).clamp(-TAU, TAU);
         let alt = format!(
             "The line of centres has turned by {:.0} degrees and the coin by {:.0}; dashed, the path of \
              the point of its rim to which the arrow leads. Below, both in turns against time.",

@@ -113,12 +113,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(part(0, Ink::Momentum)?.label_end("$L_S$, $P_x$"))
         .curve(part(1, Ink::Ink)?.dashed())
         .curve(part(2, Ink::Energy)?.label_end("$T$"));
-    let reach = (a.velocity * to).max(l);
+    let reach = (a.velocity * to).abs().max(l);
+    let (right, sense) = (p.speed > 0.0, p.speed.signum());
     let stills = [0.7 * from, 0.12 * to, 0.55 * to];
     MovingPicture::above(graph, from..=to, stills, move |t| {
         let (state, hit) = (blow.at(t)?, t >= 0.0);
         let (does, when) = match hit {
-            true => ("Rod and particle drift to the right and turn,", "after"),
+            true if right => ("Rod and particle drift to the right and turn,", "after"),
+            true => ("Rod and particle drift to the left and turn,", "after"),
             false => ("The particle comes towards the rod,", "before"),
         };
         let alt = format!(
@@ -129,7 +131,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let ([x, y], (sin, cos)) = (s.centre(&state), sincos(state.q[2]));
         let place = |at: f64| (state.q[0] - at * l * sin, state.q[1] + at * l * cos);
         let ahead = times(0.0, to, 2).map(|t| (a.velocity * t, a.centre));
-        let mut scene = Sketch::within((-0.75 * l, reach + 0.85 * l), (-1.1 * l, 0.75 * l))
+        let (near, far) = (0.75 * l, reach + 0.85 * l);
+        let across = if right { (-near, far) } else { (-far, near) };
+        let mut scene = Sketch::within(across, (-1.1 * l, 0.75 * l))
             .high(149)
             .curve(Curve::new(ahead, Ink::Body).thin().dashed());
         if hit {
@@ -138,7 +142,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             scene = scene.curve(Curve::new(trail, Ink::Body)).turn(
                 (x, y),
                 0.3 * l,
-                (turned + 0.3, turned + 1.4),
+                (turned + sense * 0.3, turned + sense * 1.4),
                 Ink::Velocity,
             );
         }

@@ -17,16 +17,22 @@ pub struct Strike {
     stiffness: Option<f64>,
 }
 
+/// The same with a ball that comes along y: the mirrored blow.
+fn forward(p: &Parameters) -> Parameters {
+    let speed = p.speed.abs();
+    Parameters { speed, ..p.clone() }
+}
+
 impl Strike {
-    /// Rigid bodies.
+    /// Rigid bodies; the ball comes along y, whatever the sign of its velocity.
     pub fn rigid(p: &Parameters, held: bool) -> Self {
-        let (p, stiffness) = (p.clone(), None);
+        let (p, stiffness) = (forward(p), None);
         Self { p, held, stiffness }
     }
 
     /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
     pub fn soft(p: &Parameters) -> Self {
-        let mut p = p.clone();
+        let mut p = forward(p);
         p.restitution = 1.0;
         let reduced = 0.5 * impulse(&p, true) / p.speed;
         let depth = p.speed * p.contact / 2.943_275;

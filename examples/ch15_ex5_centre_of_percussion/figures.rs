@@ -67,12 +67,13 @@ fn blow(p: &Parameters) -> Result<Blow> {
 
 /// It, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let run = blow(p)?;
+    let (run, sense) = (blow(p)?, p.speed.signum());
     let [force, other] = ["force of the ball [N]", "of the hands [N]"];
     let columns = ["t [s]", "angle [rad]", "y ball [m]", force, other];
     Trajectory::sampled(columns, times(0.0, run.motion.end_time(), 400), |t| {
         let ([ball, hands], State { q, .. }) = (run.forces(t)?, run.motion.at(t)?);
-        Ok([t, q[2], q[4], ball, hands])
+        let [angle, y, ball, hands] = [q[2], q[4], ball, hands].map(|odd| sense * odd);
+        Ok([t, angle, y, ball, hands])
     })
 }
 
@@ -80,13 +81,13 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (run, p) = (blow(p)?, p.clone());
     let (end, from, length) = (run.motion.end_time(), run.touch, p.length);
-    let [most, _] = run.largest_forces()?;
+    let ([most, _], sense) = (run.largest_forces()?, p.speed.signum());
     // Named at this part of the contact, at this part of the largest force.
     let curve = |k: usize, name: &str, part: f64, high: f64, side: Side| {
-        let of = |t| Ok((1e3 * t, 1e-3 * run.forces(t)?[k]));
+        let of = |t| Ok((1e3 * t, sense * 1e-3 * run.forces(t)?[k]));
         let curve = Curve::new(sampled(times(0.0, end, 240), of)?, Ink::Force);
         let t = 1e3 * (from + part * p.contact);
-        Ok::<_, rotation_dynamics::Error>(curve.label_at(name, t, high * 1e-3 * most, side))
+        Ok::<_, rotation_dynamics::Error>(curve.label_at(name, t, sense * high * 1e-3 * most, side))
     };
     let graph = Panel::over_axes("$t$ / ms", "force / kN")
         .level(0.0, Ink::Frame, "")
@@ -99,24 +100,34 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let alt = format!(
             "{ms:.2} ms: the bat has turned by {:.1} degrees, the ball pushes it with {:.1} kN and the hands with \
              {:.1} kN. Below, both forces against time.",
-            q[2].to_degrees(),
-            1e-3 * ball,
-            1e-3 * hands,
+            sense * q[2].to_degrees(),
+            sense * 1e-3 * ball,
+            sense * 1e-3 * hands,
         );
         let ((s, c), arm) = (sincos(q[2]), arms(&p)[0]);
         let on = |x: f64| {
-            [q[0] + (x - arm) * c, q[1] + (x - arm) * s]
+            [q[0] + (x - arm) * c, sense * (q[1] + (x - arm) * s)]
                 .map(|x| x / length)
                 .into()
         };
         // The hands are where they are; the bat lies farther back the farther in they hold it.
         let back = p.hands / length;
-        let scene = Sketch::within((-0.12 - back, 1.15 - back), (-0.35, 0.5));
+        let high = if sense < 0.0 {
+            (-0.5, 0.35)
+        } else {
+            (-0.35, 0.5)
+        };
+        let scene = Sketch::within((-0.12 - back, 1.15 - back), high);
         let scene = drawn(scene, on(-p.hands), on(length - p.hands))
-            .disc((q[3] / length, q[4] / length - 0.075), 0.04, Ink::Ink, 0.7)
+            .disc(
+                (q[3] / length, sense * (q[4] / length - 0.075)),
+                0.04,
+                Ink::Ink,
+                0.7,
+            )
             .ring(on(0.0), Ink::Ink, "", Side::Below);
         let force = |scene: Sketch, (x, y): (f64, f64), size: f64, label| {
-            let tip = (x, y + 0.4 * size / most);
+            let tip = (x, y + sense * 0.4 * size / most);
             match (size / most).abs() > 0.02 {
                 true => scene.arrow_along([(x, y), tip], Ink::Force).text(
                     tip,

@@ -128,7 +128,7 @@ const END: f64 = 6.0;
 
 /// The rate, and how far the line of contact has turned, at `t`.
 fn sped_up(p: &Parameters, t: f64) -> (f64, f64) {
-    let last = (tips(p.half_angle) * p.gravity / p.height).sqrt();
+    let last = p.rate.signum() * (tips(p.half_angle) * p.gravity / p.height).sqrt();
     (last * t / END, 0.5 * last * t * t / END)
 }
 
@@ -161,16 +161,20 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [along, up] = angular_momentum(a);
         hypot(along, up)
     });
-    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0);
+    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0.abs());
     let strong = swift * (l_page / l);
     MovingPicture::above(graph, 0.0..=END, [2.3, 4.2, END], move |t| {
         let (rate, turn) = sped_up(&p, t);
         let (rho, d, o) = (level(turn + 2.35), borne(&p, t), SpaceVector::zero());
         let [along, up] = angular_momentum(a);
-        let way = ["upward", "downward"][usize::from(up < 0.0)];
+        let way = ["upward", "downward"][usize::from(up * rate < 0.0)];
+        let (omega, l) = match rate < 0.0 {
+            true => ("under the cone", "outward"),
+            false => ("away from the cone", "away"),
+        };
         let alt = format!(
-            "The cone after {t:.1} s, at {rate:.1} rad/s. Omega lies along the line of contact and points away \
-             from the cone, L {way} and away. The table bears the cone at {d:.2} of its height from the vertex. \
+            "The cone after {t:.1} s, at {rate:.1} rad/s. Omega lies along the line of contact and points {omega}, \
+             L {way} and {l}. The table bears the cone at {d:.2} of its height from the vertex. \
              Below, that distance over the length of the line of contact against time."
         );
         let omega = rho * (-0.17 * rate * swift);

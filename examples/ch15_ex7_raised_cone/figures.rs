@@ -138,7 +138,7 @@ const LAST: f64 = 12.0;
 
 /// The rate, and how far the axis has turned, at `t`.
 fn sped_up(p: &Parameters, t: f64) -> (f64, f64) {
-    let last = LAST * (lifting(p) / lifting(&Parameters::default()));
+    let last = p.rate.signum() * LAST * (lifting(p) / lifting(&Parameters::default()));
     (last * t / END, 0.5 * last * t * t / END)
 }
 
@@ -151,12 +151,16 @@ fn share(p: &Parameters, t: f64) -> f64 {
 /// A circuit at the rate of the parameters, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "t [s], phi [rad], zeta [rad], rim x [m], rim y [m], rim z [m]";
-    Trajectory::sampled(columns.split(", "), times(0.0, TAU / p.rate, 240), |t| {
-        let (turn, a) = (p.rate * t, p.half_angle);
-        let mark = BodyVector::new(tan(a), 0.0, 1.0) * p.height;
-        let [x, y, z] = rolled(a, turn)?.to_space(mark).to_array();
-        Ok([t, turn, -turn / tan(a), x, y, z + p.height * tan(a)])
-    })
+    Trajectory::sampled(
+        columns.split(", "),
+        times(0.0, TAU / p.rate.abs(), 240),
+        |t| {
+            let (turn, a) = (p.rate * t, p.half_angle);
+            let mark = BodyVector::new(tan(a), 0.0, 1.0) * p.height;
+            let [x, y, z] = rolled(a, turn)?.to_space(mark).to_array();
+            Ok([t, turn, -turn / tan(a), x, y, z + p.height * tan(a)])
+        },
+    )
 }
 
 /// Ever faster, with the forces that hold the cone up. In the end omega and L are as long beside
@@ -169,7 +173,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .level(0.0, Ink::Frame, "")
         .curve(table.label_at("table", 2.0, 0.84, Side::Above))
         .curve(joint.dashed().label_at("joint", 2.0, 0.3, Side::Above));
-    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0);
+    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0.abs());
     MovingPicture::above(graph, 0.0..=END, [1.4, 3.3, END], move |t| {
         let (rate, turn) = sped_up(&p, t);
         let (rho, o, table) = (level(turn + 3.45), UP * tan(a), share(&p, t));
@@ -177,9 +181,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let way = ["up", "down"][usize::from(joint < 0.0)];
         let [[x, y], [u, v]] = [angular_velocity(a), angular_momentum(a)];
         let steeper = ["less steep", "steeper"][usize::from(v * x < y * u)];
+        let omega = match rate < 0.0 {
+            true => "from the vertex to the lowest point of the rim",
+            false => "from the lowest point of the rim through the vertex and on",
+        };
         let alt = format!(
-            "The cone after {t:.1} s, at {rate:.1} rad/s. Omega points from the lowest point of the rim through \
-             the vertex and on, L {steeper}. The table presses up with {table:.2} of the weight, and the joint \
+            "The cone after {t:.1} s, at {rate:.1} rad/s. Omega points {omega}, L {steeper}. The table presses up with {table:.2} of the weight, and the joint \
              pushes the vertex {way} with {:.2} of it. Below, both forces against time.",
             joint.abs()
         );

@@ -168,20 +168,25 @@ impl Whole {
 
 /// That motion for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed);
+    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed.abs());
+    let sense = p.speed.signum();
     let columns = ["t [s]", "x [m]", "y [m]", "vx [m/s]", "vy [m/s]", "F [N]"];
-    let newton = p.mass * p.speed / unit;
+    let newton = p.mass * p.speed.abs() / unit;
     Trajectory::sampled(columns, times(-0.5, whole.last, 600), |t| {
         let (place, velocity, force) = whole.at(t)?;
-        let ([x, y], [vx, vy]) = (place.map(|x| x * p.radius), velocity.map(|v| v * p.speed));
-        Ok([t * unit, x, y, vx, vy, force * newton])
+        let ([x, y], [vx, vy]) = (
+            place.map(|x| x * p.radius),
+            velocity.map(|v| v * p.speed.abs()),
+        );
+        Ok([t * unit, x, sense * y, vx, sense * vy, force * newton])
     })
 }
 
 /// That motion, with the pull of the string.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed);
-    let (end, last, newton) = (whole.end, whole.last, p.mass * p.speed / unit);
+    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed.abs());
+    let (clockwise, newton) = (p.speed < 0.0, p.mass * p.speed.abs() / unit);
+    let (end, last) = (whole.end, whole.last);
     let (most, taut) = (whole.at(end)?.2, whole.held.event("knot touches")?.1);
     // The force falls to nothing and comes back at once.
     let slack = times(end + 1e-9, end + taut, 2);
@@ -216,8 +221,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .weight((x, y), 0.045, "");
         let pulled = (x - pull * x, y - pull * y);
         Ok(match force > 0.0 {
-            true => (alt, scene.arrow_along([(x, y), pulled], Ink::Force)),
-            false => (alt, scene),
+            true => (
+                alt,
+                scene
+                    .arrow_along([(x, y), pulled], Ink::Force)
+                    .mirrored_if(clockwise),
+            ),
+            false => (alt, scene.mirrored_if(clockwise)),
         })
     })
 }

@@ -150,7 +150,8 @@ fn span(p: &Parameters) -> (f64, f64) {
 
 /// The motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let ((from, to), l, unit) = (span(p), p.length, p.length / p.speed);
+    let ((from, to), l, unit) = (span(p), p.length, p.length / p.speed.abs());
+    let sense = p.speed.signum();
     let run = Blow::new(scene(p)?, p.tolerance, to)?;
     let [ball, other] = [["x_ball [m]", "y_ball [m]"], ["x_cm [m]", "y_cm [m]"]];
     let [angle, omega] = ["angle [rad]", "omega [rad/s]"];
@@ -158,7 +159,16 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns, times(from, to, 500), |t| {
         let State { q, v } = run.at(t)?;
         let [x, y, angle, u, w] = q;
-        Ok([t * unit, l * u, l * w, l * x, l * y, angle, v[2] / unit])
+        let (across, turned) = (sense * l, sense * angle);
+        Ok([
+            t * unit,
+            across * u,
+            l * w,
+            across * x,
+            l * y,
+            turned,
+            sense * v[2] / unit,
+        ])
     })
 }
 
@@ -166,7 +176,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (from, to) = span(p);
     let run = Blow::new(scene(p)?, p.tolerance, to)?;
-    let (unit, v0, l) = (p.length / p.speed, p.speed, p.length);
+    let (v0, l, mirrored) = (p.speed.abs(), p.length, p.speed < 0.0);
+    let unit = l / v0;
     let curve = |k: usize, ink: Ink, name: &str| {
         let speed = |t: f64| {
             let state = if t == 0.0 { run.after } else { run.at(t)? };
@@ -214,6 +225,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .curve(been(0)?)
             .curve(been(1)?.dashed());
         let sketch = dumbbell(sketch, places(&q), knob);
-        Ok((alt, ball(sketch, [q[3], q[4]], ball_radius)))
+        let sketch = ball(sketch, [q[3], q[4]], ball_radius);
+        Ok((alt, sketch.mirrored_if(mirrored)))
     })
 }

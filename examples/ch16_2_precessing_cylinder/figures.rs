@@ -70,7 +70,7 @@ figures! { p: &Parameters;
     /// letting go. The three start alike. In the fork the axis swings over to the mirror image of
     /// its tilt and back, sooner with a motor; free of everything it turns back earlier.
     let_go: {
-        let (body, turn) = (Cylinder::new(p)?, TAU / p.rate);
+        let (body, turn) = (Cylinder::new(p)?, TAU / p.rate.abs());
         let end = 1.02 * body.swung(LetGo::All)?[1].max(body.swung(LetGo::Motor)?[1]);
         let y = Axis::angle(r"$\theta$ / rad").parts_of_pi(4);
         let mut panel = Panel::over_axes(r"$t$ / turns of the fork", y).level(FRAC_PI_2, Ink::Frame, "level");
@@ -120,7 +120,7 @@ fn fork(view: View, x: SpaceVector) -> View {
 
 /// Held for a turn, then let go, with L and the angular velocity.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (body, turn) = (Cylinder::new(p)?, TAU / p.rate);
+    let (body, turn) = (Cylinder::new(p)?, TAU / p.rate.abs());
     let (free, nod) = (body.freed(0.0)?, body.swung(LetGo::All)?[1]);
     let end = turn + 1.1 * nod;
     let attitude = move |t: f64| match t < turn {
@@ -154,7 +154,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         // I1 Omega = L - (I3 - I1) Omega_z z, and Omega_z stays.
         let along = body.rate * cos(body.tilt);
         let omega = (l * (1.0 / size) - axis * ((body.i3 - body.i1) * along))
-            * (0.95 / (body.i1 * body.rate));
+            * (0.95 / (body.i1 * body.rate.abs()));
         let view = View::of(UP * 0.18, 1.32);
         let view = if held {
             fork(view, now.to_space(BodyVector::new(1.0, 0.0, 0.0)))
@@ -172,7 +172,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             })?
         };
         // Above the fork, which would hide it.
-        let foot = if held { UP * 1.07 } else { SpaceVector::zero() };
+        let foot = if held {
+            UP * 1.07_f64.copysign(body.rate)
+        } else {
+            SpaceVector::zero()
+        };
         let path = if held { Ink::Momentum } else { Ink::Body };
         let scene = view
             .solid(Solid::cylinder(-end, end, radius * unit), Ink::Body)
@@ -187,10 +191,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 Side::Right,
             );
         let tilt = now.euler_angles().theta.to_degrees();
+        let points = ["up", "down"][usize::from(body.rate < 0.0)];
         let alt = match held {
             true => format!(
                 "A cylinder in a fork that turns about the vertical, {t:.2} s after the start, its \
-                 axis {tilt:.0} degrees from the vertical. Omega points up; L leans away from it, \
+                 axis {tilt:.0} degrees from the vertical. Omega points {points}; L leans away from it, \
                  and its tip is on a dashed level circle. Below, the tilt against time."
             ),
             false => format!(
@@ -204,5 +209,5 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
 
 /// How far the fork has turned; it passes phi = 0 at the release.
 fn p_rate(body: &Cylinder, t: f64) -> f64 {
-    body.rate * t - TAU
+    body.rate * t - TAU.copysign(body.rate)
 }

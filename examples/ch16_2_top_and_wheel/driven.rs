@@ -6,6 +6,7 @@ use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::interval::between;
 use rotation_dynamics::report::Report;
 use rotation_dynamics::report::heavy_top::{Added, Stepped};
 
@@ -13,6 +14,9 @@ use rotation_dynamics::report::heavy_top::{Added, Stepped};
 pub fn is_asked_for(p: &Parameters) -> bool {
     [p.friction, p.air, p.brake].iter().any(Option::is_some)
 }
+
+/// How long it is followed, s.
+const SPAN: f64 = 1.0;
 
 /// The body asked for with what is put in, for a second.
 pub fn body(p: &Parameters) -> Result<Stepped> {
@@ -22,6 +26,11 @@ pub fn body(p: &Parameters) -> Result<Stepped> {
     };
     let rigid = RigidBody::new(PrincipalMoments::symmetric(body.moment(), body.i3)?);
     let start = rigid.state(Attitude::from_euler(body.tilted())?, body.rates())?;
+    if let Some(brake) = p.brake {
+        let most = body.i3 * body.spin.abs() / SPAN;
+        let turns = between(0.0, most).because("more stops the spin in the time that is looked at");
+        turns.check("brake", brake)?;
+    }
     let gravity = |g| GravityAtLever::new(body.mass * g, body.length);
     let added = Added {
         nodes: p.friction,
@@ -34,7 +43,7 @@ pub fn body(p: &Parameters) -> Result<Stepped> {
         p.gravity.map(gravity).transpose()?,
         added,
         start,
-        1.0,
+        SPAN,
     )
 }
 

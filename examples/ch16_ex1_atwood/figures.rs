@@ -3,18 +3,23 @@
 use super::*;
 
 /// The drawing of a machine, in m, with its pulley of this radius at the origin and the masses
-/// so far below it.
-fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64) -> Sketch {
+/// so far below it, the heavier one on this side (-1 is left).
+fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64, side: f64) -> Sketch {
     let arc = times(0.0, PI, 40).map(|t| (radius * cos(t), radius * sin(t)));
-    let size = 0.15;
+    let (heavy, light) = ((1.25 * 0.15, 0.24), (0.15, 0.18));
+    let (first, second) = if side < 0.0 {
+        (heavy, light)
+    } else {
+        (light, heavy)
+    };
     sketch
         .wall((0.25, 0.32), (-0.25, 0.32))
         .pulley((0.0, 0.0), radius, turn, (0.0, 0.32))
         .rope([(-radius, -left), (-radius, 0.0)])
         .rope(arc)
         .rope([(radius, 0.0), (radius, -right)])
-        .block((-radius, -left - 0.12), (1.25 * size, 0.24), 0.0, Ink::Body)
-        .block((radius, -right - 0.09), (size, 0.18), 0.0, Ink::Body)
+        .block((-radius, -left - 0.5 * first.1), first, 0.0, Ink::Body)
+        .block((radius, -right - 0.5 * second.1), second, 0.0, Ink::Body)
 }
 
 /// m1 = 3, m2 = 2 with g = 1, a pulley and a grip.
@@ -35,7 +40,7 @@ figures! { _: &Parameters;
     /// moment of inertia I and the radius R. On the left hangs m1, on the right m2; both hang
     /// the height h below the axle.
     setup: {
-        let sketch = drawn(Sketch::within((-0.7, 0.75), (-0.95, 0.45)), 0.2, [0.6, 0.6], 0.6);
+        let sketch = drawn(Sketch::within((-0.7, 0.75), (-0.95, 0.45)), 0.2, [0.6, 0.6], 0.6, -1.0);
         sketch
             .text((-0.31, -0.72), "$m_1$", Ink::Body, Side::Left)
             .text((0.29, -0.69), "$m_2$", Ink::Body, Side::Right)
@@ -136,16 +141,23 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let scale = 0.9 / h;
     let fitting = sampled(times(0.0, end, 300), |t| {
         let (grip, [way, ..]) = run.at(t)?;
-        let [heavy, light] = m.forces(grip, way).tensions;
+        let [left, right] = m.forces(grip, way).tensions;
         let room = |hang: f64, tension: f64| (0.41 + 0.5 * scale * hang) / tension;
-        Ok(room(h + way, heavy).min(room(h - way, light)))
+        Ok(room(h + way, left).min(room(h - way, right)))
     })?;
     // So that a force also fits above a mass that has come up to the axle.
-    let usual = 0.45 / (m.masses[0] * m.gravity);
+    let usual = 0.45 / (m.masses[0].max(m.masses[1]) * m.gravity);
     let force = fitting.into_iter().fold(usual, f64::min);
     let told = match run.transition("catches").is_ok() && !Answer::new(&m).slips {
-        true => ": they approach each other and then rise as one line",
+        true if m.masses[0] > m.masses[1] => ": they approach each other and then rise as one line",
+        true if m.masses[0] < m.masses[1] => ": they approach each other and then fall as one line",
+        true => ": they approach each other and then stay one line",
         false => "",
+    };
+    let (name, side) = match m.masses {
+        [left, right] if left > right => ("heavier", -1.0),
+        [left, right] if left < right => ("heavier", 1.0),
+        _ => ("left", -1.0),
     };
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (grip, [way, _, rim, _]) = run.at(t)?;
@@ -154,8 +166,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             Grip::Holds => "holds on the pulley",
             _ => "slips on the pulley",
         };
+        let down = -side * way;
+        let (gone, way_gone) = (["down", "up"][usize::from(down < 0.0)], down.abs());
         let alt = format!(
-            "After {t:.2} s the heavier mass has gone down by {way:.2} m and the rope {does}. Below, the speeds of \
+            "After {t:.2} s the {name} mass has gone {gone} by {way_gone:.2} m and the rope {does}. Below, the speeds of \
              rope and rim against time{told}."
         );
         let hang = [h + way, h - way].map(|y| 0.5 * scale * y);
@@ -165,6 +179,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             radius,
             hang,
             0.6 + rim / rim_radius,
+            side,
         );
         let sketch = [-radius, radius]
             .into_iter()

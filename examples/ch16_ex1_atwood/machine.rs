@@ -6,11 +6,11 @@ use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, after, ode};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
-/// The machine. Its state is the way and the velocity of the heavier mass downward, and the same
-/// of a point of the rim.
+/// The machine. Its state is the way and the velocity of the mass on the left downward, and the
+/// same of a point of the rim.
 #[derive(Debug, Clone, Copy)]
 pub struct Machine {
-    /// The heavier mass and the lighter one, kg.
+    /// The mass on the left and the one on the right, kg.
     pub masses: [f64; 2],
     /// I/R^2, kg.
     pub pulley: f64,
@@ -63,6 +63,13 @@ impl Machine {
         let weights = [left * self.gravity, -right * self.gravity, 0.0, 0.0];
         let [acceleration, rim, first, second] = solve(rows, weights);
         let tensions = [first, second];
+        // For a light pulley their difference would have lost its digits.
+        let light = self.pulley < 1e-3 * (left + right);
+        let rim = if light && grip == Grip::Holds {
+            acceleration
+        } else {
+            rim
+        };
         Forces {
             acceleration,
             rim,
@@ -76,17 +83,26 @@ impl Machine {
         let [first, second] = self.forces(Grip::Holds, way).tensions;
         if first > self.grip * second {
             Grip::Ahead
+        } else if second > self.grip * first {
+            Grip::Behind
         } else {
             Grip::Holds
         }
     }
 
+    /// The machine seen from behind.
+    #[must_use]
+    pub fn mirrored(mut self) -> Self {
+        self.masses.reverse();
+        self
+    }
+
     /// The motion from rest; the rim may run already. It ends at the pulley.
     pub fn run(&self, rim: f64, step: f64, end: f64) -> Result<Run<Grip, 4>> {
-        let grip = if rim > 0.0 {
-            Grip::Behind
-        } else {
-            self.level(0.0)
+        let grip = match rim {
+            _ if rim > 0.0 => Grip::Behind,
+            _ if rim < 0.0 => Grip::Ahead,
+            _ => self.level(0.0),
         };
         simulate(self, &Dop853::new(step)?, grip, [0.0, 0.0, 0.0, rim], end)
     }
@@ -103,22 +119,29 @@ impl Phased<4> for Machine {
     fn conditions(&self, grip: Grip) -> Vec<Condition<'_, Grip, 4>> {
         let mut all = vec![Condition::gap(
             "arrives",
-            |y: &[f64; 4]| self.height - y[0],
+            |y: &[f64; 4]| self.height - y[0].abs(),
             Next::End,
         )];
-        all.push(match grip {
-            Grip::Holds => {
-                let margin = move |y: &[f64; 4]| {
-                    let [first, second] = self.forces(grip, y[0]).tensions;
-                    self.grip * second - first
+        let slips = |ahead: bool, next| {
+            let margin = move |y: &[f64; 4]| {
+                let [first, second] = self.forces(grip, y[0]).tensions;
+                let (more, less) = if ahead {
+                    (first, second)
+                } else {
+                    (second, first)
                 };
-                Condition::gap("slips", margin, Next::Enter(Grip::Ahead))
-            }
-            Grip::Behind => {
-                let next = Next::decide(|_, y: &[f64; 4]| Ok((self.level(y[0]), *y)));
-                Condition::gap("catches", |y: &[f64; 4]| y[3] - y[1], next)
-            }
-            Grip::Ahead => return all,
+                self.grip * less - more
+            };
+            Condition::gap("slips", margin, Next::Enter(next))
+        };
+        let catches = |sign: f64| {
+            let next = Next::decide(|_, y: &[f64; 4]| Ok((self.level(y[0]), *y)));
+            Condition::opening_gap("catches", move |y: &[f64; 4]| sign * (y[3] - y[1]), next)
+        };
+        all.extend(match grip {
+            Grip::Holds => vec![slips(true, Grip::Ahead), slips(false, Grip::Behind)],
+            Grip::Behind => vec![catches(1.0)],
+            Grip::Ahead => vec![catches(-1.0)],
         });
         all
     }

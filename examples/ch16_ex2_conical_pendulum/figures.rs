@@ -44,8 +44,8 @@ figures! { _: &Parameters;
     /// Tension over the weight against the rate: one up to the threshold, then, after a
     /// corner, the square of the rate over the threshold, nearly seven at the right end.
     reaction: {
-        let at_rest = |x| Ok(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 0.0)));
-        let simulated = |x| Ok(tension(q(x), at_rest(x)?) / q(x));
+        let at_rest = |x| Ok(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 1.0, 0.0)));
+        let simulated = |x| Ok(tension(q(x), at_rest(x)?) / squares(q(x))[1]);
         let weights = Axis::linear("$T/Mg$").range(0.0, 7.0);
         rates().exact_and_simulated(weights, |x| (x * x).max(1.0), simulated)?
     };
@@ -69,17 +69,17 @@ figures! { _: &Parameters;
     /// left to itself it starts at two and grows slowly. Both approach the rate itself.
     frequencies: {
         let (low, high) = (rates().beyond(0.01), rates().beyond(1.0));
-        let (kept, freed) = (low.exact(|x| x * driven(q(x))), high.exact(|x| x * free(q(x))));
+        let (kept, freed) = (low.exact(|x| x.max(1.0) * driven(q(x))), high.exact(|x| x * free(q(x))));
         rates().panel(Axis::linear(r"$\Omega/\omega_0$").range(0.0, 3.0))
             .curve(Curve::new([(0.0, 0.0), (2.6, 2.6)], Ink::Frame).dotted())
             .curve(kept.label_at("plane kept turning", 1.35, 0.8, Side::Right))
             .curve(freed.label_at("left to itself", 1.8, 2.15, Side::AboveLeft))
-            .curve(low.simulated(|x| Ok(x * measured_driven(q(x))?))?)
+            .curve(low.simulated(|x| Ok(x.max(1.0) * measured_driven(q(x))?))?)
             .curve(high.simulated(|x| Ok(x * measured_free(q(x))?))?)
     };
 }
 
-/// Nine turns and a bit, so that the bob ends in profile; time in 1/w.
+/// Nine turns and a bit, so that the bob ends in profile.
 const END: f64 = 58.72;
 
 /// The longest pull that is drawn as long as it is, in weights.
@@ -93,17 +93,23 @@ fn motion(p: &Parameters) -> Result<Solution<2>> {
 /// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = ["t [s]", "theta [rad]", "omega [rad/s]"];
-    let row = |t, [theta, rate]: [f64; 2]| [t / p.rate, theta, rate * p.rate];
+    let row = |t, [theta, rate]: [f64; 2]| [t / unit_rate(p), theta, rate * unit_rate(p)];
     Trajectory::of(&motion(p)?, columns, 600, row)
 }
 
 /// That motion with the forces; weight and tension to scale.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (q, w, run) = (ratio(p)?, p.rate, motion(p)?);
+    let (q, w, run) = (ratio(p)?, unit_rate(p), motion(p)?);
+    let [turning, hanging] = squares(q);
+    let turning = turning.sqrt().copysign(p.rate);
     let angle = sampled(times(0.0, END, 300), |t| Ok((t / w, run.at(t)?[0])))?;
     let graph = Panel::over_axes("$t$ / s", r"$\theta$ / rad").curve(Curve::new(angle, Ink::Body));
-    let most = sampled(times(0.0, END, 600), |turn| {
-        Ok(tension(q, place_and_velocity(&in_space(run.at(turn)?, turn))) / q)
+    let state = move |run: &Solution<2>, t: f64| {
+        let there = in_space(run.at(t)?, turning, turning * t);
+        Ok::<_, Error>(place_and_velocity(&there))
+    };
+    let most = sampled(times(0.0, END, 600), |t| {
+        Ok(tension(q, state(&run, t)?) / hanging)
     })?;
     // So that the longest pull of the string fits.
     let scale = 0.4 * (LONGEST / most.into_iter().fold(LONGEST, f64::max));
@@ -111,13 +117,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let higher = 0.5 * highest.into_iter().fold(0.22, f64::max) - 0.11;
     let (top, down) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, -0.4));
     MovingPicture::above(graph, 0.0..=END / w, [0.0, 2.17 / w, END / w], move |t| {
-        let turn = (t * w).min(END);
-        let state = |turn| Ok(place_and_velocity(&in_space(run.at(turn)?, turn)));
-        let place = |turn| Ok(state(turn)?[0]);
-        let bob = place(turn)?;
+        let now = (t * w).min(END);
+        let place = |t| Ok(state(&run, t)?[0]);
+        let bob = place(now)?;
         let weight = SpaceVector::new(0.0, 0.0, -scale);
-        let pull = bob * (-scale * tension(q, state(turn)?) / q);
-        let path = sampled(times((turn - 6.0).max(0.0), turn, 60), place)?;
+        let pull = bob * (-scale * tension(q, state(&run, now)?) / hanging);
+        let path = sampled(times((now - 6.0).max(0.0), now, 60), place)?;
         let sum = pull + weight;
         let slant = atan2(sum.z().abs(), hypot(sum.x(), sum.y())).to_degrees();
         let been = ["", ", where it has just been"][usize::from(t > 0.0)];

@@ -11,6 +11,13 @@ fn corner(right: f64) -> Sketch {
         .wall((-1.0, 0.0), (right + 1.5, 0.0))
 }
 
+/// The same in a mirror: the wall is on the right.
+fn mirrored_corner(left: f64) -> Sketch {
+    Sketch::within((-left - 1.6, 1.75), (-1.2, 2.45))
+        .wall((1.0, 0.0), (1.0, 2.4))
+        .wall((-left - 1.5, 0.0), (1.0, 0.0))
+}
+
 /// The cylinder set down, with the arrow of its sense (1 is counterclockwise).
 fn problem(sense: f64) -> Sketch {
     let arrow = (0.5 * PI - 1.1 * sense, 0.5 * PI + 1.1 * sense);
@@ -25,9 +32,13 @@ fn problem(sense: f64) -> Sketch {
 }
 
 /// The weight and the forces `[normal, tangential]` of floor and wall on the cylinder with its
-/// axis here, drawn to the points of contact; the weight is `unit` long.
+/// axis here, drawn to the points of contact; `unit` is the length of the weight, negative in a
+/// mirror.
 fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit: f64) -> Sketch {
+    let (side, unit) = (unit.signum(), unit.abs());
+    let mirrored = |at: (f64, f64)| (x + side * (at.0 - x), at.1);
     let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
+        let (from, to) = (mirrored(from), mirrored(to));
         if hypot(to.0 - from.0, to.1 - from.1) < 0.02 {
             return sketch;
         }
@@ -59,7 +70,13 @@ fn simulated(of: impl Fn(&Ride, f64) -> Result<f64>) -> Result<Curve> {
     Ok(Curve::sampled(some, dot, Ink::Body)?.dots())
 }
 
-figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
+/// The drawings are of a cylinder that stops.
+fn stops(p: &Parameters) -> Result<f64> {
+    let stops = above(0.0).because("without it the cylinder spins for ever, and no stop is drawn");
+    stops.check("friction", p.friction)
+}
+
+figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?, rate = p.spin.abs();
     /// A cylinder of radius R and mass M lies in the corner of a floor and a wall on its left.
     /// It turns counterclockwise with the angular velocity Omega.
     setup: problem(1.0);
@@ -94,16 +111,16 @@ figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
         let [pressed, away] = &rides;
         let end = 1.2 * pressed.event("floor sticks")?.t * u.time;
         let read = |ride: &Ride, i: usize, t: f64| Ok::<_, rotation_dynamics::Error>(ride.at((t / u.time).min(ride.end_time()))?.v[i].abs() / u.time);
-        let (roll, rest) = (p.spin * p.radius / (3.0 * p.friction * p.gravity), p.spin / 3.0);
+        let (roll, rest) = (rate * p.radius / (3.0 * p.friction * p.gravity), rate / 3.0);
         let line = |points: Vec<(f64, f64)>, ink| Curve::new(points, ink);
         let dots = |ride, i, ink| Ok::<_, rotation_dynamics::Error>(Curve::sampled(times(0.0, end, 12), |t| read(ride, i, t), ink)?.dots());
-        Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, p.spin))
-            .curve(line(vec![(0.0, p.spin), (end / 1.2, 0.0), (end, 0.0)], Ink::Ink)
-                .label_at("pressed", 0.6 * end, 0.2 * p.spin, Side::BelowLeft))
-            .curve(line(vec![(0.0, p.spin), (roll, rest), (end, rest)], Ink::Ink)
-                .label_at("the other sense", 0.28 * end, 0.75 * p.spin, Side::AboveRight))
+        Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, rate))
+            .curve(line(vec![(0.0, rate), (end / 1.2, 0.0), (end, 0.0)], Ink::Ink)
+                .label_at("pressed", 0.6 * end, 0.2 * rate, Side::BelowLeft))
+            .curve(line(vec![(0.0, rate), (roll, rest), (end, rest)], Ink::Ink)
+                .label_at("the other sense", 0.28 * end, 0.75 * rate, Side::AboveRight))
             .curve(line(vec![(0.0, 0.0), (roll, rest)], Ink::Frame).dashed()
-                .label_at("$v/R$", 0.25 * end, 0.09 * p.spin, Side::Left))
+                .label_at("$v/R$", 0.25 * end, 0.09 * rate, Side::Left))
             .curve(dots(pressed, 2, Ink::Velocity)?)
             .curve(dots(away, 2, Ink::Velocity)?)
     };
@@ -160,10 +177,10 @@ figures! { p: &Parameters, u = units(p)?, rides = senses(p)?;
         let steps = by_sign(p.friction, w, false, 194.0 * h, 194);
         let steps = steps.iter().zip(1..).map(|([_, spin], i)| (f64::from(i) * h * u.time, spin / u.time));
         let near: Vec<_> = steps.filter(|(t, _)| (0.93..1.18).contains(&(t / (stop * u.time)))).collect();
-        let line = [(0.93, 0.07), (1.0, 0.0), (1.18, 0.0)].map(|(t, part)| (t * stop * u.time, part * p.spin));
+        let line = [(0.93, 0.07), (1.0, 0.0), (1.18, 0.0)].map(|(t, part)| (t * stop * u.time, part * rate));
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)"))
-            .curve(Curve::new(near, Ink::Wrong).dashed().label_at("wrong: by the sign", 1.1 * stop * u.time, 0.012 * p.spin, Side::Above))
-            .curve(Curve::new(line, Ink::Velocity).label_at("held", 0.96 * stop * u.time, 0.04 * p.spin, Side::AboveRight))
+            .curve(Curve::new(near, Ink::Wrong).dashed().label_at("wrong: by the sign", 1.1 * stop * u.time, 0.012 * rate, Side::Above))
+            .curve(Curve::new(line, Ink::Velocity).label_at("held", 0.96 * stop * u.time, 0.04 * rate, Side::AboveRight))
     };
 }
 
@@ -176,7 +193,11 @@ fn within(p: &Parameters, far: f64) -> f64 {
 fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
     let [pressed, away] = senses(p)?;
     let ride = if p.sense == "pressed" { pressed } else { away };
-    let (time, change) = (units(p)?.time, ride.event("floor sticks")?.t);
+    let change = match p.friction > 0.0 {
+        true => ride.event("floor sticks")?.t,
+        false => ride.end_time() / 1.25,
+    };
+    let time = units(p)?.time;
     let end = if p.sense == "away" {
         within(p, 20.0)
     } else {
@@ -187,23 +208,32 @@ fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
 
 /// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let side = p.spin.signum();
     let columns = "t [s], x [m], v [m/s], turned [rad], spin [rad/s], N_floor/Mg, F_floor/Mg, N_wall/Mg, F_wall/Mg";
     let (ride, time, end) = shown(p)?;
     let radius = p.radius;
     Trajectory::sampled(columns.split(", "), times(0.0, end, 250), |t| {
         let (State { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
-        let motion = [t, radius * q[0], radius / time * v[0], q[2], v[2] / time];
-        let forces = [floor.normal, floor.tangential, wall.normal, wall.tangential];
+        let [x, turned, rate] = [q[0], q[2], v[2]].map(|odd| side * odd);
+        let motion = [
+            t,
+            radius * x,
+            side * radius / time * v[0],
+            turned,
+            rate / time,
+        ];
+        let rubs = [floor.tangential, wall.tangential].map(|odd| side * odd);
+        let forces = [floor.normal, rubs[0], wall.normal, rubs[1]];
         Ok([&motion[..], &forces].concat())
     })
 }
 
 /// The cylinder with the forces on it; below, its angular velocity.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (ride, time, end) = shown(p)?;
+    let ((ride, time, end), side) = (shown(p)?, p.spin.signum());
     let far = ride.at(end / time)?.q[0].max(0.6);
     let spin = sampled(times(0.0, end, 200), |t| {
-        Ok((t, ride.at(t / time)?.v[2] / time))
+        Ok((t, side * ride.at(t / time)?.v[2] / time))
     })?;
     let graph =
         Panel::over_axes("$t$ / s", r"$\omega$ / (rad/s)").curve(Curve::new(spin, Ink::Velocity));
@@ -211,9 +241,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (State { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
         let modes = ride.modes(t / time)?;
         let ([x, y, turned], speed) = (q, v[2].abs() / time);
-        let scene = corner(far).roller((x, y), 1.0, 0.25 * PI + turned, Ink::Body);
+        let scene = match side > 0.0 {
+            true => corner(far),
+            false => mirrored_corner(far),
+        };
+        let x = side * x;
+        let scene = scene.roller((x, y), 1.0, 0.25 * PI + side * turned, Ink::Body);
         let forces = [floor, wall].map(|force| [force.normal, force.tangential]);
-        let scene = pushed(scene, (x, y), forces, 0.9);
+        let scene = pushed(scene, (x, y), forces, 0.9 * side);
         let does = match modes {
             [Mode::Stick, Mode::Stick] => "It is at rest in the corner",
             [Mode::Stick, _] => "It rolls away from the wall",

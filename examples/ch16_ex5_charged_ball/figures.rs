@@ -95,10 +95,10 @@ figures! { p: &Parameters;
     ripple: {
         let (k, two) = (p.shape, 4.0 * PI);
         let ball = Ball { mu: 1e3, spot: 0.5 * p.radius, length: two * p.radius, ..Ball::new(p)? };
-        let run = ball.run(ball.start(0.0, 0.0), 1e3, 1e-10)?;
+        let run = ball.run(ball.ahead(), 1e3, 1e-10)?;
         let end = run.event("arrives")?.t;
         let dots = sampled(times(0.0, end, 16), |t| {
-            let turns = run.at(t)?.q[0] / (2.0 * PI * p.radius);
+            let turns = ball.side() * run.at(t)?.q[0] / (2.0 * PI * p.radius);
             Ok((turns, -run.forces(t)?[0].tangential / ball.pull))
         })?;
         let needed = |spot: f64| move |x: f64| (k + spot * sin(2.0 * PI * x)) / (1.0 + k);
@@ -116,7 +116,7 @@ fn slide(p: &Parameters) -> Result<(Roll, f64)> {
     let ball = Ball::new(p)?;
     let shot = if p.shot == 0.0 { 0.3 } else { p.shot };
     let [a, _] = ball.accelerations();
-    let end = 2.0 * shot.abs() / a;
+    let end = 2.0 * shot.abs() / a.abs();
     let far = Ball {
         length: p.length + 10.0 * shot.abs() * end,
         ..ball
@@ -154,7 +154,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .iter()
         .fold((0.0_f64, 0.0_f64), |(a, b), &x| (a.min(x), b.max(x)));
     // So that the longer of the two forces fits.
-    let most = ball.holding().max(ball.mu * ball.press) / ball.pull;
+    let pull = ball.pull.abs();
+    let most = ball.holding().abs().max(ball.mu * ball.press) / pull;
+    let field = p.field.signum();
     let pixels = 60.0 * (1.2 / most).min(1.0);
     let catch = ball.caught(p.shot)[0].clamp(0.0, end);
     let catch = if catch > 0.0 { catch } else { 0.1 * end };
@@ -162,11 +164,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
         let ([x, _, turn], [vx, _, rate]) = (q, v);
-        let rub = force.tangential / ball.pull;
+        let rub = force.tangential / pull;
         let slips = (vx + r * rate).abs() > 1e-6 * (vx.abs() + r * rate.abs());
         let does = ["rolls", "slides"][usize::from(slips)];
-        let way = ["against the field", "with the field"][usize::from(vx > 0.0)];
-        let along = ["against", "along"][usize::from(rub > 0.0)];
+        let way = ["against the field", "with the field"][usize::from(vx * field > 0.0)];
+        let along = ["against", "along"][usize::from(rub * field > 0.0)];
         let alt = format!(
             "After {t:.3} s the ball {does} {way}, and the friction at its contact points {along} the field. \
              Below, the velocities of its middle and of its rim against time."
@@ -176,7 +178,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .clear((left, right), (0.0, 2.0 * r), [80.0, 90.0, 24.0, 12.0])
             .wall((left - 3.0 * r, 0.0), (right + 4.5 * r, 0.0))
             .roller((x, r), r, FRAC_PI_2 + turn, Ink::Body)
-            .vector((x, r), (1.0, 0.0), pixels, Ink::Force, "$qE$")
+            .vector((x, r), (ball.side(), 0.0), pixels, Ink::Force, "$qE$")
             .vector((x, 0.09 * r), (rub, 0.0), pixels, Ink::Force, "")
             .text(
                 (x + 0.3 * r * rub.signum(), -0.16 * r),

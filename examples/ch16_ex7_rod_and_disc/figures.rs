@@ -68,7 +68,7 @@ fn amplitudes(share: f64, drag: f64) -> Result<Vec<(f64, f64)>> {
         .collect())
 }
 
-figures! { p: &Parameters, m = Moments::new(p)?;
+figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0);
     /// A rod of length l and mass m hangs on the pivot O and makes the angle theta with the
     /// vertical. Its lower end carries the centre of a disc of mass M and radius R, whose
     /// plane is that of the swing. A spoke is drawn on the disc.
@@ -138,14 +138,14 @@ figures! { p: &Parameters, m = Moments::new(p)?;
     losses: {
         let lost = |decay: f64, period: f64| 100.0 * (1.0 - exp(-decay * period));
         let of = |b: Between| lost(b.decay, 2.0 * PI / b.frequency);
-        frictions(Axis::linear("lost in a swing / %"), ["closed form", "simulated"], of, |[t, d]| lost(d, t), m.share)?
+        frictions(Axis::linear("lost in a swing / %"), ["closed form", "simulated"], of, |[t, d]| lost(d, t), felt)?
     };
 
     /// Period of small swings over that of the free one against the same friction: a step from
     /// one up to the period of the fixed disc, in the middle of the hill.
     periods: {
-        let top = (1.0 + m.share).sqrt();
-        frictions(Axis::linear("$T/T_{free}$"), ["", ""], |b| 1.0 / b.frequency, |[t, _]| t / (2.0 * PI), m.share)?
+        let top = (1.0 + felt).sqrt();
+        frictions(Axis::linear("$T/T_{free}$"), ["", ""], |b| 1.0 / b.frequency, |[t, _]| t / (2.0 * PI), felt)?
             .level(top, Ink::Frame, "fixed")
     };
 
@@ -156,10 +156,10 @@ figures! { p: &Parameters, m = Moments::new(p)?;
         let panel = Panel::over_axes(Axis::linear("$Wt/2\\pi$").range(0.0, 60.0), Axis::angle("amplitude / rad").range(0.0, 1.0).step(0.2));
         let lines = [(0.1, "$c^*/10$ and $10c^*$", 0.88, Side::Above), (1.0, "$c^*$", 0.38, Side::BelowLeft), (10.0, "", 0.8, Side::Above)];
         lines.into_iter().try_fold(panel, |panel, (times_worst, label, y, side)| {
-            let drag = times_worst * worst(m.share);
-            let decay = Between::new(m.share, drag).decay;
+            let drag = times_worst * worst(felt);
+            let decay = Between::new(felt, drag).decay;
             let line = Curve::of(times(0.0, 60.0, 60), |n| exp(-decay * 2.0 * PI * n), Ink::Ink);
-            let dots = Curve::new(amplitudes(m.share, drag)?, Ink::Body).dots();
+            let dots = Curve::new(amplitudes(felt, drag)?, Ink::Body).dots();
             Ok::<_, rotation_dynamics::Error>(panel.curve(line.label_at(label, 36.0, y, side)).curve(dots))
         })?
     };
@@ -199,7 +199,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(Curve::new(angle(&free)?, Ink::Body))
         .curve(Curve::new(angle(&fixed)?, Ink::Ink).dashed());
     // As wide as the widest swing, and as high.
-    let wide = sin(release.min(FRAC_PI_2)) + radius + 0.08;
+    let wide = sin(release.abs().min(FRAC_PI_2)) + radius + 0.08;
     let top = (radius - cos(release)).max(0.0) + 0.34;
     let stills = [0.0, 0.25 * fixed.period(), end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {

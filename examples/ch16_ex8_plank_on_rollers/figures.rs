@@ -74,8 +74,8 @@ figures! { p: &Parameters;
     /// and two straight pieces.
     together: {
         let (a, swing) = (p.distance, rate(p, 1.0));
-        let (v, (amplitude, round)) = (p.speed / (a * swing), cycle(p));
-        let reach = 1.2 * amplitude.max(p.offset) / a;
+        let (v, (amplitude, round)) = (p.runs() / (a * swing), cycle(p));
+        let reach = 1.2 * amplitude.max(p.offset.abs()) / a;
         let speeds = Axis::linear(r"$v/\lambda a$").range(-1.5 * v, 1.5 * v);
         let panel = Panel::over_axes(Axis::linear("$x/a$").range(-reach, reach), speeds)
             .equal_aspect()
@@ -95,7 +95,7 @@ figures! { p: &Parameters;
     /// the rollers and follow it to the edge, where a ring marks the tipping.
     apart: {
         let (a, growth) = (p.distance, rate(p, -1.0));
-        let v = p.speed / (a * growth);
+        let v = p.runs() / (a * growth);
         let speeds = Axis::linear(r"$v/\lambda a$").range(-1.5 * v, 1.5 * v);
         let panel = Panel::over_axes(Axis::linear("$x/a$").range(-0.6, 0.6), speeds)
             .level(v, Ink::Velocity, "$V$")
@@ -117,7 +117,7 @@ figures! { p: &Parameters;
     tipping: {
         let ride = released(p, -1.0, 1e3 * span(p))?;
         let sketch = Sketch::within((-1.3 * p.distance, 1.9 * p.distance), (-0.45 * p.distance, 0.45 * p.distance));
-        let places = [0.0, caught(p, -1.0).2, ride.end_time()].map(|t| ride.at(t));
+        let places = [0.0, caught(p, -1.0).2.min(ride.end_time()), ride.end_time()].map(|t| ride.at(t));
         let [start, edge, end] = places;
         let (start, edge, end) = (start?.q, edge?.q, end?.q);
         drawn(sketch.ghost(|sketch| drawn(drawn(sketch, p, 0.0, start), p, 0.0, edge)), p, 0.0, end)
@@ -127,21 +127,21 @@ figures! { p: &Parameters;
     /// by the smooth law it sinks below them, leaves late, and falls behind.
     smooth: {
         let (end, (_, round)) = (span(p), cycle(p));
-        let (ride, ode) = (released(p, 1.0, end)?, smoothed(p, 0.1 * p.speed));
+        let (ride, ode) = (released(p, 1.0, end)?, smoothed(p, 0.1 * p.runs()));
         let end = ride.end_time();
         let smooth = Dop853::new(1e-9)?.solve(&ode, 0.0, &[p.offset, 0.0], end, &[])?;
         let speeds = sampled(times(0.0, end, 600), |t| Ok((t, ride.at(t)?.v[0])))?;
         let wrong = sampled(times(0.0, end, 600), |t| Ok((t, smooth.at(t)?[1])))?;
         let (wrong, speeds) = (Curve::new(wrong, Ink::Velocity).dashed(), Curve::new(speeds, Ink::Body));
-        Panel::over_axes("$t$ / s", Axis::linear("$v$ / (m/s)").range(-1.2 * p.speed, 1.5 * p.speed))
-            .curve(wrong.label_at("wrong: smooth", 1.05 * round, 1.1 * p.speed, Side::Above))
-            .curve(speeds.label_at("held", 0.62 * round, 0.3 * p.speed, Side::Left))
+        Panel::over_axes("$t$ / s", Axis::linear("$v$ / (m/s)").range(-1.2 * p.runs(), 1.5 * p.runs()))
+            .curve(wrong.label_at("wrong: smooth", 1.05 * round, 1.1 * p.runs(), Side::Above))
+            .curve(speeds.label_at("held", 0.62 * round, 0.3 * p.runs(), Side::Left))
     };
 }
 
 /// How long the picture moves, and the motion.
 fn ride(p: &Parameters) -> Result<(f64, f64, Ride)> {
-    let sense = if p.sense == "in" { 1.0 } else { -1.0 };
+    let sense = if p.sense == "in" { 1.0 } else { -1.0 } * p.speed.signum();
     let ride = released(p, sense, if sense > 0.0 { span(p) } else { 1e3 * span(p) })?;
     Ok((sense, ride.end_time(), ride))
 }
@@ -173,7 +173,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (State { q, .. }, forces, modes) = (ride.at(t)?, ride.forces(t)?, ride.modes(t)?);
         let (s, c) = sincos(q[2]);
         let sketch = Sketch::within((-1.75 * a, 1.75 * a), (-0.62 * a, 0.65 * a));
-        let mut sketch = drawn(sketch, &p, sense * p.speed * t / (RADIUS * a), q);
+        let mut sketch = drawn(sketch, &p, sense * p.runs() * t / (RADIUS * a), q);
         let mut said = String::new();
         for (i, (side, name)) in [(-1.0, "left"), (1.0, "right")].into_iter().enumerate() {
             let words = [Side::Left, Side::Right][i];

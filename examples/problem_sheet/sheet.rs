@@ -20,7 +20,8 @@ pub mod statement;
 use clap::{Arg, ArgMatches, Command, value_parser};
 use draw::{Drawn, draw};
 use exercise::Exercise;
-use rotation_dynamics::report::cli::write_whole;
+use rotation_dynamics::report::Answer;
+use rotation_dynamics::report::cli::{joined, write_whole};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -71,12 +72,17 @@ pub fn answers_path(out: &Path) -> PathBuf {
     }
 }
 
+/// A whole number; all seeds are as good.
+pub fn seed(text: &str) -> Result<u64, String> {
+    (text.trim().parse()).map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
+}
+
 /// Names parted by commas, or how many students there are.
 pub fn students(text: &str) -> Result<Vec<String>, String> {
-    if let Ok(count) = text.trim().parse::<i64>() {
-        return match count {
-            1..=500 => Ok((1..=count).map(|n| format!("Student {n}")).collect()),
-            _ => Err("there must be from 1 to 500 students".into()),
+    if Answer::read(text).is_ok_and(|number| number.unit.is_empty()) {
+        return match text.trim().parse() {
+            Ok(count @ 1..=500) => Ok((1..=count).map(|n: u16| format!("Student {n}")).collect()),
+            _ => Err("there must be from 1 to 500 students, a whole number".into()),
         };
     }
     let names: Vec<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
@@ -114,7 +120,7 @@ pub fn command() -> Command {
         .arg(
             arg("seed", "NUMBER", "The same seed gives the same sheet")
                 .default_value("1")
-                .value_parser(value_parser!(u64)),
+                .value_parser(seed),
         )
         .arg(
             arg(
@@ -189,7 +195,7 @@ pub fn run(matches: &ArgMatches) -> Result<String, String> {
 }
 
 fn main() -> ExitCode {
-    match run(&command().get_matches()) {
+    match run(&command().get_matches_from(joined(std::env::args_os()))) {
         Ok(told) => {
             eprint!("{told}");
             ExitCode::SUCCESS

@@ -59,6 +59,10 @@ impl Answer {
         }
         let mut reader = Reader { rest: &plain };
         let value = reader.sum().ok_or(NONE)?;
+        // Of a programmer, who does not mean zero times ten.
+        if plain.trim_start_matches(['-', '+', ' ']).starts_with("0x") {
+            return Err(NONE);
+        }
         let number = &plain[..plain.len() - reader.rest.len()];
         let unit = reader.rest.trim();
         if unit == "-" || powers(unit).is_none() {
@@ -72,6 +76,50 @@ impl Answer {
             unit: unit.to_owned(),
             typed: typed(number),
         })
+    }
+
+    /// The value in this unit: an angle may be given in degrees.
+    ///
+    /// ```
+    /// use rotation_dynamics::report::Answer;
+    /// let read = |text: &str, unit: &str| Answer::read(text)?.in_unit(unit);
+    /// assert_eq!(read("60°", "rad"), Ok(core::f64::consts::FRAC_PI_3));
+    /// assert_eq!(read("1/2 m", "m"), Ok(0.5));
+    /// assert_eq!(read("3 s", "m"), Err("the unit is m, not s".into()));
+    /// # Ok::<(), &str>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Which unit it must have.
+    pub fn in_unit(&self, unit: &str) -> Result<f64, String> {
+        match Fit::of(unit, &self.unit) {
+            Fit::Same => Ok(self.value),
+            Fit::Degrees => Ok(self.value / 180.0 * PI),
+            Fit::Other => Err(Verdict::Unit(unit.into(), self.unit.clone()).words()),
+        }
+    }
+}
+
+/// How a unit that was typed goes with the one that is asked for.
+enum Fit {
+    Same,
+    /// Degrees, where radians are asked for.
+    Degrees,
+    Other,
+}
+
+impl Fit {
+    fn of(asked: &str, typed: &str) -> Self {
+        let (Some(unit), Some(mut given)) = (powers(asked), powers(typed)) else {
+            return Self::Same;
+        };
+        if typed.is_empty() || unit == given {
+            return Self::Same;
+        }
+        match given.remove("deg") == Some(1) && unit == given && ANGLES.contains(&asked) {
+            true => Self::Degrees,
+            false => Self::Other,
+        }
     }
 }
 
@@ -413,15 +461,10 @@ fn half_of_last(value: f64, digits: u32) -> f64 {
 /// Judges `answer`; the rules are those of [`Claim::verdict`].
 pub(super) fn judge(claim: &Claim, answer: &Answer) -> Verdict {
     let (v, x, unit) = (claim.value(), answer.value, claim.unit());
-    if !answer.unit.is_empty()
-        && let (Some(asked), Some(mut given)) = (powers(unit), powers(&answer.unit))
-        && asked != given
-    {
-        let degrees = given.remove("deg").is_some();
-        return match degrees && asked == given && ANGLES.contains(&unit) {
-            true => Verdict::Slip(DEGREES.into()),
-            false => Verdict::Unit(unit.into(), answer.unit.clone()),
-        };
+    match Fit::of(unit, &answer.unit) {
+        Fit::Same => {}
+        Fit::Degrees => return Verdict::Slip(DEGREES.into()),
+        Fit::Other => return Verdict::Unit(unit.into(), answer.unit.clone()),
     }
     let within = |target: f64| {
         let scale = if target == 0.0 { 1.0 } else { target.abs() };

@@ -122,7 +122,9 @@ fn arg(flag: &Told) -> Arg {
         .long(flag.name.clone())
         .help(format!("{}{brackets}", flag.meaning));
     if flag.words.is_empty() {
-        arg.value_name("NUMBER").value_parser(number)
+        let unit = flag.unit;
+        arg.value_name("NUMBER")
+            .value_parser(move |text: &str| number(text, unit))
     } else {
         arg.value_name("WORD")
             .value_parser(clap::builder::PossibleValuesParser::new(flag.words))
@@ -163,22 +165,11 @@ fn effect_args(flags: &[Told]) -> [Arg; 2] {
         arg.action(ArgAction::Append).hide(list.is_empty())
     };
     let put = format!("Put an effect in, with its usual strength or with VALUE:{list}");
-    [
-        arg(WITH, "NAME[=VALUE]", put).value_parser(effect_and_strength),
-        arg(WITHOUT, "NAME", out),
-    ]
+    [arg(WITH, "NAME[=VALUE]", put), arg(WITHOUT, "NAME", out)]
 }
 
 const WITH: &str = "with";
 const WITHOUT: &str = "without";
-
-/// `NAME` or `NAME=VALUE`.
-fn effect_and_strength(text: &str) -> core::result::Result<(String, Option<f64>), String> {
-    match text.split_once('=') {
-        None => Ok((text.into(), None)),
-        Some((name, value)) => Ok((name.into(), Some(number(value)?))),
-    }
-}
 
 /// Puts in and leaves out the effects that are named, each once.
 fn put_in(
@@ -187,16 +178,16 @@ fn put_in(
     run: &mut dyn Run,
 ) -> core::result::Result<(), String> {
     let mut named: Vec<(&str, &str)> = Vec::new();
-    let (put, left) = (
-        matches.get_many::<(String, Option<f64>)>(WITH),
-        matches.get_many::<String>(WITHOUT),
-    );
-    let put = (put.into_iter().flatten()).map(|(name, strength)| (name, WITH, *strength));
-    let left = (left.into_iter().flatten()).map(|name| (name, WITHOUT, None));
+    let typed = |how| matches.get_many::<String>(how).into_iter().flatten();
+    let put = typed(WITH).map(|effect| match effect.split_once('=') {
+        None => (&**effect, WITH, None),
+        Some((name, strength)) => (name, WITH, Some(strength)),
+    });
+    let left = typed(WITHOUT).map(|name| (&**name, WITHOUT, None));
     for (name, how, strength) in put.chain(left) {
-        let effect = effects(flags).find(|(_, flag)| flag.name == *name);
+        let effect = effects(flags).find(|(_, flag)| flag.name == name);
         let (place, flag) = effect.ok_or_else(|| no_effect(flags, name))?;
-        match named.iter().find(|(known, _)| known == name) {
+        match named.iter().find(|(known, _)| *known == name) {
             Some((_, other)) if *other == how => {
                 return Err(format!("the effect {name} stands twice after --{how}"));
             }
@@ -207,7 +198,12 @@ fn put_in(
             }
             None => named.push((name, how)),
         }
-        let strength = strength.or(flag.usual).unwrap_or_default();
+        let strength = match strength {
+            Some(text) => {
+                number(text, flag.unit).map_err(|why| format!("--{WITH} {name}={text}: {why}"))?
+            }
+            None => flag.usual.unwrap_or_default(),
+        };
         run.set(
             place,
             match how {
@@ -267,23 +263,24 @@ fn typed<'m>(flag: &Told, matches: &'m ArgMatches) -> Option<Setting<'m>> {
     }
 }
 
-fn number(text: &str) -> core::result::Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(value) => Err(format!("{value} is not a finite number")),
-        Err(_) if text.contains(',') => {
-            Err("it is not a number: decimals come after a point, thousands are not parted".into())
-        }
-        Err(_) => Err("it is not a number".into()),
+/// A number as a reader gives it, in the unit of its flag.
+fn number(text: &str, unit: &str) -> core::result::Result<f64, String> {
+    // Written out, as programs do.
+    if let Ok(value) = text.parse::<f64>()
+        && !value.is_finite()
+    {
+        return Err(format!("{value} is not a finite number"));
     }
+    Answer::read(text)?.in_unit(unit)
 }
 
 /// Joins a negative number to the flag before it: clap would take `-5.0e-1` for a flag.
-fn joined(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+pub fn joined(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut all: Vec<OsString> = Vec::new();
     for argument in arguments {
         let text = argument.to_str().unwrap_or("");
-        let negative = text.starts_with('-') && text.parse::<f64>().is_ok();
+        let number = || text.parse::<f64>().is_ok() || Answer::read(text).is_ok();
+        let negative = text.starts_with('-') && !text.starts_with("--") && number();
         let flag = |last: &&mut OsString| {
             last.to_str()
                 .is_some_and(|l| l.starts_with("--") && !l.contains('='))
@@ -409,7 +406,7 @@ fn set_up(
     arguments: Vec<OsString>,
 ) -> core::result::Result<ArgMatches, Outcome> {
     let flags = run.flags();
-    let arguments = joined(arguments.into_iter());
+    let arguments = joined(arguments);
     let name = core::iter::once(OsString::from(run.stem()));
     let matches = match command(run, &flags).try_get_matches_from(name.chain(arguments)) {
         Ok(matches) => matches,
@@ -620,10 +617,10 @@ mod tests {
 
     #[test]
     fn a_negative_number_alone_is_joined_to_its_flag() {
-        let arguments = "ladder --theta0 -5.0e-1 --length 3 --json -x word -1 --a=2 -3 --b -4 -5";
+        let arguments = "ladder --theta0 -5.0e-1 --turn -pi/2 --length 3 --json -x word -1 --a=2 -3 --b -4 -5 --c --6";
         let all = joined(arguments.split(' ').map(OsString::from));
         let all: Vec<&str> = all.iter().filter_map(|a| a.to_str()).collect();
-        let expected = "ladder --theta0=-5.0e-1 --length 3 --json -x word -1 --a=2 -3 --b=-4 -5";
+        let expected = "ladder --theta0=-5.0e-1 --turn=-pi/2 --length 3 --json -x word -1 --a=2 -3 --b=-4 -5 --c --6";
         assert_eq!(all.join(" "), expected);
     }
 }

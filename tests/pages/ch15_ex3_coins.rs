@@ -27,8 +27,8 @@ fn what_does_not_fit_is_refused() {
     let runs = [
         ("--outer=0", "outer = 0 is not allowed"),
         ("--outer=0.02 --side=inside", "inside a ring, = 1 is not allowed"),
-        ("--outer=5", "outer/inner = 250"),
-        ("--rate=-1", "rate = -1 is not allowed"),
+        ("--outer=50", "outer/inner = 2500"),
+        ("--rate=0", "at rest nothing rolls"),
         ("--side=under", "invalid value"),
     ];
     refused(&EXAMPLE, runs);

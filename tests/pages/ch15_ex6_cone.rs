@@ -34,7 +34,7 @@ fn formulas_and_particles_agree_for_every_cone() {
 fn what_cannot_roll_is_refused() {
     let runs = [
         ("--half-angle=0", "half_angle = 0 is not allowed"),
-        ("--half-angle=1.6", "from 0.01 to 1.5"),
+        ("--half-angle=1.6", "from 0.001 to 1.5698"),
         ("--rate=7 --friction=2", "beyond which the cone tips, = 7 is not allowed"),
         ("--rate=5", "beyond which the cone slips, = 5 is not allowed"),
         ("--rate=0", "rate = 0 is not allowed"),

@@ -31,7 +31,7 @@ fn formulas_and_particles_agree_for_every_cone() {
 fn what_is_no_cone_is_refused() {
     let runs = [
         ("--half-angle=0", "half_angle = 0 is not allowed"),
-        ("--half-angle=1.6", "from 0.01 to 1.5"),
+        ("--half-angle=1.6", "from 0.001 to 1.5698"),
         ("--rate=0", "rate = 0 is not allowed"),
         ("--rate=0.1", "h Omega^2/g = 0.000305"),
         ("--height=-1", "height = -1 is not allowed"),

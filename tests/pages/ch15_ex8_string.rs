@@ -42,7 +42,7 @@ fn what_cannot_be_pulled_is_refused() {
         ("--time=8e-9", "what is pulled in, = 1e-9 is not"),
         ("--time=7.6", "what is left of the string, = 0.04"),
         ("--hole=0.9", "hole/radius = 1.125"),
-        ("--pull=400 --time=1e-3", "pull/speed = 266.6"),
+        ("--pull=400 --time=1e-3", "pull/|speed| = 266.6"),
     ];
     refused(&EXAMPLE, runs);
 }

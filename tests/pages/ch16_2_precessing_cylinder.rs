@@ -1,6 +1,6 @@
 //! Section 16.2 (1): a cylinder made to precess.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::told::{computed, confirmed, ledger, refused, value};
 use pages::ch16_2_precessing_cylinder::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -161,15 +161,21 @@ fn other_cylinders_are_confirmed() {
     let motions = ["--tilt 0.01", "--tilt 1.5 --rate 0.1", "--tilt 1.57", "--rate 1000 --mass 0.1"];
     let runs = bodies.iter().flat_map(|body| motions.iter().map(move |motion| format!("{body} {motion}")));
     confirmed(&EXAMPLE, runs, 20);
+    confirmed(&EXAMPLE, ["--rate=-10", "--rate=-10 --height=0.02", "--rate=1e-6", "--rate=1e7"], 4);
+    // Turned the other way L is reversed, and the torque is the same.
+    let pair = |key| ["", "--rate=-10"].map(|flags| computed(&EXAMPLE, flags, key));
+    let ([there, here], [torque, same]) = (pair("vertical_momentum"), pair("torque"));
+    assert!(there == -here && torque == same && pair("free_time")[0] == pair("free_time")[1]);
 }
 
 #[test]
 fn what_needs_no_torque_is_refused() {
     let runs = [
-        ("--height 0.08660254", "0 where no torque is needed"),
+        ("--height 0.08660254", "like a ball it needs no torque"),
         ("--tilt 1.6", "tilt = 1.6 is not allowed"),
-        ("--tilt 0.001 --tolerance 1e-6", "tolerance, with so little from upright or level,"),
-        ("--tilt=0", "tilt = 0 is not allowed"),
+        ("--tilt 0.001 --tolerance 1e-6", "so near to upright or level the swing goes over"),
+        ("--tilt=0", "upright and level it needs no torque"),
+        ("--rate=0", "at rest the cylinder needs no torque"),
         ("--radius=-1", "radius = -1 is not allowed"),
         ("--rate inf", "not a finite number"),
     ];

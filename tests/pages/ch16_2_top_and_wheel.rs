@@ -33,6 +33,7 @@ fn what_cannot_be_is_refused_in_words() {
         ("--body chair", "invalid value"),
         ("--spin 0", "L_z = 0"),
         ("--with air=-1", "air = -1 is not allowed"),
+        ("--with brake=0.05", "more stops the spin"),
         ("--with air --with brake", "must be the only torque about the body's axis"),
         ("--with wind", "there is no effect 'wind'; there are: gravity, friction, air, brake"),
     ];

@@ -1,7 +1,7 @@
 //! Section 16.2 (2): the free top by Lagrange's equations, judged by the library's free body,
 //! whose closed form works with quaternions and knows no angle.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::told::{computed, confirmed, ledger, refused, value};
 use pages::ch16_2_torque_free::*;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::integrators::{Dop853, Ode, ode};
@@ -189,17 +189,35 @@ fn other_tops_are_confirmed() {
     let motions = ["--lean 0.2", "--lean 1.5 --cone 1.2", "--cone 0.01 --lean 0.02", "--omega-y 40"];
     let runs = bodies.iter().flat_map(|body| motions.iter().map(move |motion| format!("{body} {motion}")));
     confirmed(&EXAMPLE, runs, 16);
+    let others = ["--omega-z=-20", "--omega-y=-1", "--lean=2.5", "--cone=1.5 --lean=0.3", "--omega-z=-20 --lean=0.2"];
+    confirmed(&EXAMPLE, others, 5);
+}
+
+/// With the spin the other way round all angles go the other way, in the same time.
+#[test]
+fn the_other_spin_is_a_mirror() {
+    let pair = |key| ["--lean=0.2", "--lean=0.2 --omega-z=-20"].map(|flags| computed(&EXAMPLE, flags, key));
+    for key in ["spin_momentum", "vertical_momentum", "phi_rate_max", "phi_rate_min", "phi_advance", "zeta_advance"] {
+        let [there, here] = pair(key);
+        assert_eq!(there, -here, "{key}");
+    }
+    for key in ["theta_max", "theta_min", "nod", "energy"] {
+        let [there, here] = pair(key);
+        assert_eq!(there, here, "{key}");
+    }
 }
 
 #[test]
 fn what_has_no_nod_is_refused() {
     let runs = [
-        ("--lean 0.35", "0 where the axis meets Z"),
-        ("--lean 0 --cone 0.2", "lean = 0 is not allowed: it must be from 0.001 to 1.57"),
-        ("--lean 2", "lean = 2 is not allowed: it must be from 0.001 to 1.57"),
+        ("--lean 0.35", "at 0 the axis meets Z"),
+        ("--lean 0 --cone 0.2", "lean = 0 is not allowed: it must be from 0.001 to 3.14"),
+        ("--lean 2.8", "pi - lean - cone"),
+        ("--omega-y 0", "at 0 it does not wobble"),
+        ("--omega-z 0", "without spin it only tumbles"),
         ("--cone 1.6", "cone = 1.6 is not allowed"),
         ("--radius=-1", "radius = -1 is not allowed"),
-        ("--radius 0.001 --height 10", "I3/I1"),
+        ("--radius 0.001 --height 10", "a thinner needle has no spin"),
     ];
     refused(&EXAMPLE, runs);
 }

@@ -39,6 +39,20 @@ fn formulas_and_simulations_agree() {
     ];
     let both = frictions.iter().flat_map(|mu| spins.iter().map(move |spin| format!("{mu} {spin}")));
     confirmed(&EXAMPLE, both.chain(others.map(String::from)), 26);
+    let ends = [
+        "--spin=-60", "--spin=-60 --sense=away", "--friction=0", "--friction=0 --spin=-1",
+        "--friction=1e-6", "--friction=10", "--spin=1e-6", "--spin=1e6", "--fading=0", "--fading=1e3",
+        "--with lean=0.5", "--with lean=1.2",
+    ];
+    confirmed(&EXAMPLE, ends, 12);
+}
+
+/// A spin the other way round is the corner in a mirror: the same times and forces.
+#[test]
+fn the_other_spin_is_a_mirror() {
+    for key in ["n_floor", "n_wall", "alpha", "t_stop", "turns", "v_roll", "way", "t_fading"] {
+        assert_eq!(computed(&EXAMPLE, "--spin=-60", key), computed(&EXAMPLE, "", key), "{key}");
+    }
 }
 
 #[test]
@@ -46,10 +60,13 @@ fn what_is_no_cylinder_in_a_corner_is_refused() {
     let runs = [
         ("--radius=-0.1", "radius = -0.1 is not allowed"),
         ("--mass=0", "mass = 0 is not allowed"),
-        ("--friction=0", "friction = 0 is not allowed"),
-        ("--friction=-0.2", "from 0.001 to 10"),
-        ("--spin=-60", "spin = -60 is not allowed"),
-        ("--spin=1e9", "spin sqrt(R/g)/friction"),
+        ("--friction=-0.2", "at least 0"),
+        ("--spin=0", "without spin the cylinder stays at rest"),
+        ("--spin=1e15", "spin sqrt(R/g)"),
+        ("--with lean=-0.5", "backward, and not down to the floor"),
+        ("--friction=100", "dry friction allows two motions"),
+        ("--fading=1e6", "fading*spin*radius = 6000000"),
+        ("--with lean=1.5", "climbs out"),
         ("--sense=up", "sense"),
     ];
     refused(&EXAMPLE, runs);

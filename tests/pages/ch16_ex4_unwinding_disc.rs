@@ -43,10 +43,11 @@ fn what_does_not_unwind_is_refused() {
     let runs = [
         ("--radius=-0.2", "radius = -0.2 is not allowed"),
         ("--shape=0", "shape = 0 is not allowed"),
-        ("--time=0.6", "while there is string to unwind, = 0.6"),
-        ("--free=0.1", "1 where the disc touches the roof, = 0.5"),
-        ("--wound=0.1 --time=0.1", "wound/radius = 0.5"),
-        ("--stiffness=1", "stiffness/(M g) = 0.03"),
+        ("--time=0.6", "no string is left to unwind"),
+        ("--free=0.1", "at 1 the disc touches the roof"),
+        ("--wound=0.001 --time=0.01", "wound/radius = 0.005"),
+        ("--shape=1e-4 --time=0.4", "near the axis falls"),
+        ("--stiffness=0", "stiffness = 0 is not allowed"),
     ];
     refused(&EXAMPLE, runs);
 }

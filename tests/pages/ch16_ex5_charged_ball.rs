@@ -1,7 +1,7 @@
 //! Exercise 16.5, the charged ball. The simulation knows masses, pull and one contact with dry
 //! friction; that it confirms the formulas is part of the report.
 
-use crate::told::{answer, confirmed, errors_of, refused, value};
+use crate::told::{answer, computed, confirmed, errors_of, refused, value};
 use pages::ch16_ex5_charged_ball::*;
 use rotation_dynamics::planar::contact::{Mode, misdeclared};
 use rotation_dynamics::report::prelude::*;
@@ -17,6 +17,25 @@ fn other_balls_are_confirmed() {
     let slabs = ["--friction 0", "--friction 0.05", "--friction 0.6 --field 2e5", "--field 1.5e6 --shot 0.4", "--spot=0 --shot=0", "--length 5", "--length 0.396"];
     let runs = balls.iter().flat_map(|ball| slabs.iter().map(move |slab| format!("{ball} {slab}")));
     confirmed(&EXAMPLE, runs, 21);
+    let turned = ["--field=-5e5", "--charge=-1e-8", "--charge=-1e-8 --field=-5e5"];
+    let mirrored = turned.iter().flat_map(|sign| {
+        ["", "--friction=0.05", "--shot=0.4", "--friction=0"].map(|more| format!("{sign} {more}"))
+    });
+    confirmed(&EXAMPLE, mirrored, 12);
+}
+
+/// A field to the left is the mirrored motion; so is a negative charge.
+#[test]
+fn the_other_sign_mirrors_the_motion() {
+    for sign in ["--field=-5e5", "--charge=-1e-8"] {
+        let here = format!("{sign} --shot=0.3");
+        for key in ["a", "friction", "speed", "omega", "catch_velocity", "spot_friction", "spot_speed"] {
+            assert_eq!(computed(&EXAMPLE, &here, key), -computed(&EXAMPLE, "--shot=-0.3", key), "{key}");
+        }
+        for key in ["mu_min", "field_max", "time", "lost", "catch", "spot_mu"] {
+            assert_eq!(computed(&EXAMPLE, &here, key), computed(&EXAMPLE, "--shot=-0.3", key), "{key}");
+        }
+    }
 }
 
 /// The numbers of the inventory, from its 15 digits.
@@ -33,7 +52,7 @@ fn the_instance_of_the_inventory_is_met() {
 #[test]
 fn what_is_no_charged_ball_is_refused() {
     let runs = [
-        ("--charge=0", "charge = 0 is not allowed"),
+        ("--charge=0", "below which nothing drives the ball"),
         ("--mass=-1", "mass = -1 is not allowed"),
         ("--friction=-0.1", "friction = -0.1 is not allowed"),
         ("--shape=1.5", "shape = 1.5 is not allowed"),

@@ -38,8 +38,15 @@ fn other_pendulums_are_confirmed() {
         "--friction=5",
         "--friction=1e4",
         "--tolerance=1e-3",
+        "--release=-1",
+        "--release=-3.1 --tolerance=1e-15",
+        "--release=1e-6",
+        "--radius=3",
+        "--radius=30",
+        "--radius=1e-5",
+        "--friction=0",
     ];
-    confirmed(&EXAMPLE, runs, 17);
+    confirmed(&EXAMPLE, runs, 24);
 }
 
 #[test]
@@ -49,9 +56,10 @@ fn what_is_no_such_pendulum_is_refused() {
         ("--rod=0", "rod = 0 is not allowed"),
         ("--disc=NaN", "disc"),
         ("--release=3.2", "release = 3.2 is not allowed"),
-        ("--friction=0", "friction = 0 is not allowed"),
-        ("--radius=3", "from 0.00000001 to 1"),
-        ("--release=1e-9", "from 0.001 to 3.1"),
+        ("--friction=-1", "friction = -1 is not allowed"),
+        ("--radius=0", "radius = 0 is not allowed"),
+        ("--release=0", "smaller swings are small swings"),
+        ("--release=3.1415926535", "released upright it stays there"),
     ];
     refused(&EXAMPLE, runs);
 }

@@ -58,6 +58,25 @@ fn formulas_and_simulations_agree() {
         false => run.to_owned(),
     };
     confirmed(&EXAMPLE, alone.map(fits), 17);
+    let ends = [
+        "--offset=-0.3", "--offset=-0.3 --sense=out", "--offset=0", "--offset=-1e-9", "--speed=-0.3",
+        "--speed=0.001", "--speed=1e4", "--kinetic=1e-4", "--kinetic=20 --holding=30", "--holding=1e6",
+        "--distance=1e4", "--gravity=1e-3", "--thickness=3.333 --offset=1e-5",
+    ];
+    confirmed(&EXAMPLE, ends, 13);
+}
+
+/// On the other side the plank moves as in a mirror, and rollers that turn the other way are
+/// those of the other picture.
+#[test]
+fn the_other_side_is_a_mirror() {
+    for key in ["period", "stick", "tip", "carried", "amplitude", "cycle"] {
+        let there = computed(&EXAMPLE, "", key);
+        assert_eq!(computed(&EXAMPLE, "--offset=-0.3", key), there, "{key}");
+        assert_eq!(computed(&EXAMPLE, "--speed=-0.3", key), there, "{key}");
+    }
+    let [right, left] = ["", "--offset=-0.3"].map(|flags| computed(&EXAMPLE, flags, "right"));
+    assert!((right + left - 1.0).abs() < 1e-15 && right > 0.7, "{right} {left}");
 }
 
 #[test]
@@ -65,12 +84,12 @@ fn what_is_no_plank_on_rollers_is_refused() {
     let runs = [
         ("--distance=-1", "distance = -1 is not allowed"),
         ("--kinetic=0", "kinetic = 0 is not allowed"),
-        ("--holding=0.2", "holding, not below kinetic, = 0.2"),
-        ("--speed=0", "speed = 0 is not allowed"),
-        ("--offset=0.5", "lifting off at the upper end, = 0.5"),
-        ("--speed=0.001", "speed/sqrt(2 kinetic gravity distance)"),
-        ("--gravity=1e200", "gravity = 1e200 is not allowed"),
-        ("--thickness=4", "1 where it jams, = 1.2"),
+        ("--holding=0.2", "what rests holds no less than what slips"),
+        ("--speed=0", "at 0 the rollers rest"),
+        ("--offset=0.5", "offset = 0.5 is not allowed"),
+        ("--offset=-0.6", "at an end it lifts off a roller"),
+        ("--gravity=-1", "gravity = -1 is not allowed"),
+        ("--thickness=4", "jams the plank"),
     ];
     refused(&EXAMPLE, runs);
 }

@@ -5,12 +5,14 @@
 #[allow(dead_code, reason = "a program of its own, whose main is not called here")]
 mod sheet;
 
+use rotation_dynamics::report::cli::joined;
 use rotation_dynamics::report::{Answer, Claim, Grid, Page};
 use serde_json::{Value, json};
 use sheet::draw::{Drawn, computed, draw};
 use sheet::exercise::{Exercise, all, asked};
 use sheet::statement::{Setting, stated};
 use sheet::{Asked, address, answers_path, command, paper, run, written};
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -282,7 +284,7 @@ fn what_a_sheet_cannot_set_is_refused() {
 fn the_command_line_says_what_is_allowed() {
     let told = |line: &str| {
         let words = std::iter::once("problem_sheet").chain(line.split_whitespace());
-        match command().try_get_matches_from(words) {
+        match command().try_get_matches_from(joined(words.map(OsString::from))) {
             Ok(matches) => run(&matches),
             Err(refused) => Err(refused.to_string()),
         }
@@ -296,9 +298,15 @@ fn the_command_line_says_what_is_allowed() {
         ("--problems 17.1".into(), format!("there is no problem '17.1'; there are: {number}")),
         (format!("--problems {number},{number}"), "stands twice".into()),
         ("--students 0".into(), "from 1 to 500".into()),
+        ("--students -3".into(), "from 1 to 500".into()),
+        ("--students 3.5".into(), "from 1 to 500 students, a whole number".into()),
+        ("--students 501".into(), "from 1 to 500".into()),
         ("--students Ada,,Emmy".into(), "a name is empty".into()),
         ("--students Ada,Ada".into(), "Ada stands twice".into()),
-        ("--seed seven".into(), "invalid digit".into()),
+        ("--seed seven".into(), "a seed is a whole number from 0 to 18446744073709551615".into()),
+        ("--seed -1".into(), "a seed is a whole number from 0".into()),
+        ("--seed 1.5".into(), "a seed is a whole number from 0".into()),
+        ("--seed --students 2".into(), "a value is required for '--seed".into()),
         ("--book example.org".into(), "http://".into()),
         (format!("--problems {number} --out {}", room.display()), "it is a directory".into()),
         (format!("--problems {number} --out {out}/b.html"), "b.html".into()),

@@ -64,7 +64,7 @@ fn what_cannot_be_put_in_is_refused() {
             (&flag("=0"), &format!("{effect} = 0 is not allowed")),
             (&flag("=-1"), &format!("{effect} = -1 is not allowed")),
             (&flag("=1e9"), &format!("{effect} = ")),
-            (&flag("=much"), "it is not a number"),
+            (&flag("=much"), "that is not a number"),
             (&format!("{} --without {effect}", flag("")), "is it in or out?"),
         ]);
         assert!(with_report(page, |report| report.claim(key).is_none()), "{key}");
@@ -76,7 +76,7 @@ fn what_cannot_be_put_in_is_refused() {
         ("ch15_ex6_cone", "--with rolling=0.1", "part of the energy that rolling resistance takes"),
         ("ch15_ex7_raised_cone", "--with air=1000", "part of the energy that the air takes"),
         ("ch15_4_angular_momentum", "--with air=1000 --height=10 --tilt=1.5", "takes in a radian"),
-        ("ch16_1_incline", "--with air --friction=0.01", "mu_min/mu"),
+        ("ch16_1_incline", "--with air --friction=0.01", "less does not let it roll"),
         ("ch16_ex1_atwood", "--with air --friction=0", "for a rope that holds"),
         ("ch16_ex8_plank_on_rollers", "--with falling=10", "growth over the rate of the swing"),
         ("ch16_ex8_plank_on_rollers", "--with falling --thickness=0.05", "thickness"),

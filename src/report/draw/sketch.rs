@@ -22,6 +22,21 @@ pub(super) enum Element {
     Ghost(Vec<Self>, f64),
 }
 
+impl Element {
+    fn mirror(&mut self) {
+        let turn = |point: &mut Point| point.0 = -point.0;
+        match self {
+            Self::Curve(curve) => curve.points.iter_mut().for_each(turn),
+            Self::Arrow(points, _) | Self::Solid(points, ..) => points.iter_mut().for_each(turn),
+            Self::Dimension(from, to) | Self::Wall(from, to) => {
+                [from, to].into_iter().for_each(turn)
+            }
+            Self::Dot(point, ..) => turn(point),
+            Self::Ghost(all, _) => all.iter_mut().for_each(Self::mirror),
+        }
+    }
+}
+
 /// A drawing in its own units, equal on both axes: `x` to the right, `y` up.
 ///
 /// Elements are painted in the order in which they are added, labels last.
@@ -79,6 +94,19 @@ impl Sketch {
     #[must_use]
     pub fn window(mut self, x: (f64, f64), y: (f64, f64)) -> Self {
         (self.x, self.y) = (x, y);
+        self
+    }
+
+    /// The mirrored scene if `mirrored`: left and right are exchanged, and every sense of turning.
+    #[must_use]
+    pub fn mirrored_if(mut self, mirrored: bool) -> Self {
+        if mirrored {
+            self.x = (-self.x.1, -self.x.0);
+            self.elements.iter_mut().for_each(Element::mirror);
+            for (at, _, _, side, _) in &mut self.texts {
+                (at.0, *side) = (-at.0, side.mirrored());
+            }
+        }
         self
     }
 

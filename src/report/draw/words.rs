@@ -90,6 +90,21 @@ pub enum Side {
     Centre,
 }
 
+impl Side {
+    /// Left for right.
+    pub(super) fn mirrored(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+            Self::AboveLeft => Self::AboveRight,
+            Self::AboveRight => Self::AboveLeft,
+            Self::BelowLeft => Self::BelowRight,
+            Self::BelowRight => Self::BelowLeft,
+            side => side,
+        }
+    }
+}
+
 /// A text with its place: the box it fills is known before it is drawn.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
