@@ -19,6 +19,7 @@ pub struct Interval {
     high: f64,
     closed: [bool; 2],
     usual: Option<[f64; 2]>,
+    reason: Option<&'static str>,
 }
 
 const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
@@ -27,6 +28,7 @@ const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
         high,
         closed,
         usual: None,
+        reason: None,
     }
 }
 
@@ -71,6 +73,24 @@ impl Interval {
     /// The part in which a reader will want to move, if it is narrower than the interval.
     pub fn usual(&self) -> Option<[f64; 2]> {
         self.usual
+    }
+
+    /// Says why it ends where it does: the physics, or the limit of the method.
+    ///
+    /// ```
+    /// use rotation_dynamics::interval::between;
+    /// let ellipse = between(-1.0, 1.0).because("an orbit that closes");
+    /// assert_eq!(ellipse.to_string(), "it must lie between -1 and 1 (an orbit that closes)");
+    /// ```
+    #[must_use]
+    pub const fn because(mut self, reason: &'static str) -> Self {
+        self.reason = Some(reason);
+        self
+    }
+
+    /// Why it ends where it does, if that is said.
+    pub fn reason(&self) -> Option<&'static str> {
+        self.reason
     }
 
     /// `value` itself, if the interval contains it; `name` says in the error what it is.
@@ -121,6 +141,8 @@ impl fmt::Display for Interval {
                 write!(f, "it must be at least {low} and less than {high}")
             }
             (true, true, [false, false]) => write!(f, "it must lie between {low} and {high}"),
-        }
+        }?;
+        self.reason
+            .map_or(Ok(()), |reason| write!(f, " ({reason})"))
     }
 }

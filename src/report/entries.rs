@@ -56,9 +56,9 @@ pub struct ClaimEntry {
 }
 
 impl ClaimEntry {
-    /// The bound on its absolute error.
+    /// The bound on its absolute error: of a part of a negative number its size.
     pub fn within(mut self, bound: f64) -> Self {
-        self.bound = bound;
+        self.bound = bound.abs();
         self
     }
     /// The independent route called `oracle`, and what it gives.
@@ -142,9 +142,9 @@ pub struct LimitEntry {
 }
 
 impl LimitEntry {
-    /// By how much the two may differ.
+    /// By how much the two may differ: of a part of a negative number its size.
     pub fn within(mut self, bound: f64) -> Self {
-        self.within = bound;
+        self.within = bound.abs();
         self
     }
     /// Why this must come out, in a few words.
@@ -221,9 +221,9 @@ impl EffectLine {
         self.entry.measured = error.into();
         self
     }
-    /// The error of what is measured itself.
+    /// The error of what is measured itself: of a part of a negative number its size.
     pub fn within(mut self, bound: f64) -> Self {
-        self.entry.within = bound;
+        self.entry.within = bound.abs();
         self
     }
     /// What a simulation costs without it and with it: `"closed form, 812 torques"`.

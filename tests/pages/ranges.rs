@@ -1,0 +1,192 @@
+//! Every parameter of every page over its physically possible range: both signs, zero, six decades
+//! up and down, and a hair on either side of each end of what is allowed. The page answers, which
+//! confirms each number, or refuses and names the physics or the limit of its method.
+//!
+//! `PROPERTY_CASES=N` tries N times as many values of each parameter (10 tries them all),
+//! `PROPERTY_SEED=S` others, `PAGES=STEM` one page.
+
+use oorandom::Rand64;
+use pages::{ALL, WHOLE};
+use rotation_dynamics::Error;
+use rotation_dynamics::report::Page;
+use serde_json::Value;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// Pages, by the beginning of their stem, of which refusals are known that do not say why: they are
+/// printed and not judged.
+const KNOWN: [&str; 7] = ["accuracy", "ch15", "ch16", "effects", "further", "hard_cases", "library"];
+
+/// An interval may end without a word so many times above or below the default: no page is tried
+/// further.
+const FAR: f64 = 999.0;
+
+/// Values of each parameter, thinned.
+const THIN: usize = 3;
+
+fn asked(name: &str, or: u64) -> u64 {
+    std::env::var(name).map_or(or, |text| text.parse().expect("a number"))
+}
+
+/// A number among the parameters of a page.
+struct Number {
+    name: String,
+    /// Whether its sign is that of a sense of motion: then each has an answer.
+    signed: bool,
+    /// The default, or the usual strength; 1 for what is not set.
+    usual: f64,
+    /// The ends of the allowed interval.
+    ends: Vec<f64>,
+}
+
+fn numbers(page: &dyn Page) -> Vec<Number> {
+    let declared: Value = serde_json::from_str(&page.declared()).expect("it is JSON");
+    let flags = declared["flags"].as_array().expect("a list").iter();
+    let number = |flag: &Value| {
+        let text = |key: &str| flag[key].as_str().unwrap_or_default();
+        let name = text("name").to_owned();
+        // What stands in brackets is the reason.
+        let allowed = text("allowed").split('(').next()?;
+        let usual = [text("default"), text("usual")].iter().find_map(|text| text.parse().ok());
+        Some(Number {
+            signed: ["rad/s", "m/s", "rad", "1/s", "deg/h"].contains(&text("unit")) && name != "tolerance",
+            usual: usual.filter(|usual| *usual != 0.0).unwrap_or(1.0),
+            ends: allowed.split(' ').filter_map(|word| word.parse().ok()).collect(),
+            name,
+        })
+    };
+    flags.filter(|flag| flag["kind"] != "choice").filter_map(number).collect()
+}
+
+/// The values to try, the most telling first.
+fn values(number: &Number, seed: u64) -> Vec<f64> {
+    let (usual, mut dice) = (number.usual, Rand64::new(u128::from(seed)));
+    let hairs = number.ends.iter().flat_map(|end| {
+        let hair = if *end == 0.0 { 1e-12 * usual.abs() } else { 1e-12 * end.abs() };
+        [*end, end - hair, end + hair]
+    });
+    let decades = (-6..=6).filter(|k| *k != 0).map(|k| usual * 10_f64.powi(k));
+    let random = |dice: &mut Rand64| {
+        let sign = if dice.rand_u64() % 2 == 0 { 1.0 } else { -1.0 };
+        sign * usual * 10_f64.powf(4.0 * dice.rand_float() - 2.0)
+    };
+    let mut others: Vec<f64> = hairs.chain(decades).collect();
+    others.extend((0..4).map(|_| random(&mut dice)));
+    // Fisher and Yates.
+    for last in (1..others.len()).rev() {
+        others.swap(last, dice.rand_range(0..last as u64 + 1) as usize);
+    }
+    [-usual, 0.0].into_iter().chain(others).collect()
+}
+
+/// Whether a refusal says nothing of the physics or the method.
+fn unexplained(error: &Error, number: &Number) -> bool {
+    let text = error.to_string();
+    match error {
+        // No length, mass or strength is negative; every other end has its reason.
+        Error::Parameter { name, value, allowed } => {
+            let own = name.replace('_', "-") == number.name;
+            let below = *value <= 0.0 && !allowed.contains(-1e-300);
+            let times = (value / number.usual).abs();
+            let far = own && (times > FAR || (times > 0.0 && times < 1.0 / FAR));
+            let limit = number.name == "tolerance" || far || (below && !(own && number.signed));
+            allowed.reason().is_none() && !limit
+        }
+        Error::AtIndex { reason, .. } => unexplained(reason, number),
+        Error::Contradicted { .. }
+        | Error::Contradiction { .. }
+        | Error::NotFinite { .. }
+        | Error::DerivativeNotFinite { .. }
+        | Error::TorqueNotFinite { .. }
+        | Error::ForceNotFinite { .. }
+        | Error::EventNotFinite { .. }
+        | Error::StepUnderflow { .. }
+        | Error::NoConvergence { .. }
+        | Error::TooManySteps { .. }
+        | Error::TooManyPhases { .. }
+        | Error::OutsideRun { .. }
+        | Error::NotRising { .. }
+        | Error::NotReached { .. }
+        | Error::NotDelivered { .. }
+        | Error::ConditionBroken { .. }
+        | Error::CannotHold { .. }
+        | Error::MassNotPositive { .. }
+        | Error::Lengths { .. }
+        | Error::UnknownKey { .. }
+        | Error::Text { .. } => true,
+        _ => text.contains("NaN") || text.contains("not finite") || text.contains("not a finite"),
+    }
+}
+
+/// What became of a page.
+#[derive(Default)]
+struct Swept {
+    stem: &'static str,
+    answered: usize,
+    refused: usize,
+    faults: Vec<String>,
+    seconds: f64,
+}
+
+fn sweep(page: &dyn Page, count: usize) -> Swept {
+    let (mut swept, begun) = (Swept { stem: page.stem(), ..Swept::default() }, Instant::now());
+    for (place, number) in numbers(page).iter().enumerate() {
+        let seed = asked("PROPERTY_SEED", 1) * 1000 + place as u64;
+        for value in values(number, seed).into_iter().take(count) {
+            let since = Instant::now();
+            match page.report_with(&[(&number.name, value)]) {
+                Ok(_) => swept.answered += 1,
+                Err(error) => {
+                    swept.refused += 1;
+                    if unexplained(&error, number) {
+                        swept.faults.push(format!("{} --{}={value:?}: {error}", page.stem(), number.name));
+                    }
+                }
+            }
+            let took = since.elapsed().as_secs_f64();
+            if took > 2.0 {
+                println!("{} --{}={value:?} took {took:.1} s", page.stem(), number.name);
+            }
+        }
+    }
+    swept.seconds = begun.elapsed().as_secs_f64();
+    swept
+}
+
+/// The pages of which one report takes the time of all others together; their parameters are few
+/// and about the machine.
+const LONG: [&str; 4] = ["accuracy", "accuracy_races", "hard_cases", "library"];
+
+#[test]
+fn every_parameter_over_its_range() {
+    let widened = asked("PROPERTY_CASES", 1);
+    let count = THIN * widened as usize;
+    let pages: Vec<_> = ALL.iter().filter(|page| widened > 1 || !WHOLE || !LONG.contains(&page.stem())).collect();
+    let (next, all) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(2, usize::from).min(4) {
+            scope.spawn(|| {
+                while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let swept = sweep(**page, count);
+                    all.lock().expect("no thread panics").push(swept);
+                }
+            });
+        }
+    });
+    let mut all = all.into_inner().expect("no thread panics");
+    all.sort_by_key(|swept| swept.stem);
+    let mut judged = Vec::new();
+    for swept in &all {
+        let Swept { stem, answered, refused, faults, seconds } = swept;
+        println!("{stem}: {answered} answered, {refused} refused, {} without a reason; {seconds:.1} s", faults.len());
+        faults.iter().for_each(|fault| println!("  {fault}"));
+        if !KNOWN.iter().any(|known| stem.starts_with(known)) {
+            judged.extend(faults.iter().map(String::as_str));
+        }
+    }
+    let (answered, refused) = all.iter().fold((0, 0), |(a, r), s| (a + s.answered, r + s.refused));
+    println!("{answered} answered, {refused} refused");
+    assert!(judged.is_empty(), "{} refusals without a reason:\n{}", judged.len(), judged.join("\n"));
+    assert!(!WHOLE || (answered > 500 && refused > 200), "{answered} {refused}");
+}
