@@ -27,7 +27,7 @@ fn what_is_no_such_earth_is_refused() {
     let runs = [
         ("--a=0.4 --c=0.3", "(C - A)/A = -0.25"),
         ("--a=0.3 --c=0.4", "(C - A)/A = 0.33"),
-        ("--love=0.7", "love = 0.7 is not allowed"),
+        ("--love=1", "nothing calls the pole back"),
         ("--love=0.6 --ocean=0.1 --slow=0.05 --fluid=0.8", "k/k_s"),
         ("--core=0", "core = 0 is not allowed"),
         ("--cavity=0.1", "cavity = 0.1 is not allowed"),

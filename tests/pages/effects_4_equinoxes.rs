@@ -41,7 +41,7 @@ fn what_is_no_earth_is_refused() {
         ("--ellipticity=0", "ellipticity = 0 is not allowed"),
         ("--ellipticity=-0.003", "from 0.0001 to 0.01"),
         ("--day=0", "day = 0 is not allowed"),
-        ("--obliquity=1.6", "from 0.2 to 0.7"),
+        ("--obliquity=1.6", "from 0.1 to 1.2"),
         ("--moon-eccentricity=1", "from 0 to 0.1"),
         ("--moon-distance=0", "moon_distance = 0 is not allowed"),
         ("--node-period=-18.6", "from 12 to 30"),

@@ -34,7 +34,8 @@ fn formulas_and_simulations_agree_for_every_body() {
 #[test]
 fn what_is_no_body_is_refused() {
     let runs = [
-        ("--least=1", "from 0.05 to 0.95"),
+        ("--least=1", "the least of three moments"),
+        ("--spin=0", "no axis to leave"),
         ("--least=0.5 --largest=1.9", "moments"),
         ("--loss=0", "from 0.002 to 0.05"),
         ("--length=0.1 --diameter=0.1155", "moment across the axis over that about it"),

@@ -18,14 +18,23 @@ fn formulas_and_simulations_agree_for_every_compass() {
     confirmed(&EXAMPLE, latitudes.flat_map(built), 15);
     let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2", "--latitude=1.5", "--latitude=-1.5 --speed=50", "--tuning=0.1 --spin=50000"];
     confirmed(&EXAMPLE, coarse, 5);
+    let ends = [
+        "--spin=-1500", "--spin=100000", "--release=-0.5", "--release=3.14", "--release=1e-3", "--offset=0", "--offset=0.5",
+        "--latitude=1.56 --offset=0 --spin=100000", "--latitude=-1.55 --offset=0.01", "--tuning=0.01", "--speed=8000", "--speed=-8000", "--gravity=1", "--latitude=0 --offset=2",
+    ];
+    confirmed(&EXAMPLE, ends, 14);
 }
 
 #[test]
 fn what_is_no_compass_is_refused() {
     let runs = [
-        ("--spin=0", "spin = 0 is not allowed"),
-        ("--tuning=0.01", "from 0.1 to 10"),
-        ("--latitude=1.5707", "from -1.5 to 1.5"),
+        ("--spin=0", "a wheel at rest does not feel the Earth turn"),
+        ("--latitude=1.5707963267948966", "no direction is north"),
+        ("--latitude=-1.6", "no direction is north"),
+        ("--gravity=0.01", "does not hold the axle near the horizon"),
+        ("--offset=-0.01", "it feeds the swing"),
+        ("--release=0", "it hardly moves"),
+        ("--spin=1e7", "its rounding drowns the swing"),
         ("--transverse=0.005", "from 0.5 to 1000"),
         ("--spin=10", "(Foucault's period over the compass's)^2"),
         ("--latitude=1.5 --offset=0.1", "offset times tan(latitude)"),
