@@ -148,7 +148,8 @@ impl Gyroscope {
     fn dying(self) -> Result<Self> {
         let (size, f) = (self.bottom()? - self.start.theta, self.fading()?);
         let nods = self.lasting(size)? * f.frequency / TAU;
-        let soon = from_to(0.0, 3000.0).because("with less friction they take too long to simulate");
+        let soon =
+            from_to(0.0, 3000.0).because("with less friction they take too long to simulate");
         soon.check("nods until friction has taken them", nods)?;
         let torque = "dry friction of the tilt bearing over m g l sin(theta)";
         let falls = between(-1.0, 0.5).because("from 1 on the bearing holds the axis where it is");

@@ -123,7 +123,8 @@ impl Step {
     pub fn following(&self, p: &Parameters) -> Result<f64> {
         let part = |is: bool, love: f64| if is { love } else { 0.0 };
         let love = part(self.elastic, p.love) + part(self.slow, p.slow) + part(self.ocean, p.ocean);
-        let part_of = from_to(0.0, 0.9).because("if all of the bulge follows, nothing calls the pole back");
+        let part_of =
+            from_to(0.0, 0.9).because("if all of the bulge follows, nothing calls the pole back");
         part_of.check("k/k_s, the part of the bulge that follows,", love / p.fluid)
     }
 

@@ -268,7 +268,8 @@ impl Lossy {
 fn lossy(p: &Parameters) -> Result<Lossy> {
     let body = Lossy::new(p.least, p.largest, p.loss)?;
     let [one, three] = body.gaps();
-    let weak = from_to(8.0, 1e9).because("a body that is nearly symmetric flips so slowly that the loss is not weak");
+    let weak = from_to(8.0, 1e9)
+        .because("a body that is nearly symmetric flips so slowly that the loss is not weak");
     weak.check("sqrt(gap gap)/(a |L|)", (one * three).sqrt() / p.loss)?;
     Ok(body)
 }

@@ -148,9 +148,6 @@ impl Compass {
         let momentum = p.axial * p.spin.abs();
         let spins = above(0.0).because("a wheel at rest does not feel the Earth turn");
         spins.check("size of the spin", p.spin.abs())?;
-        let moves =
-            from_to(1e-4, 3.1415).because("let go nearer to north or south it hardly moves");
-        moves.check("size of the release", p.release.abs())?;
         let north = EARTH * cos(p.latitude);
         let compass = Self {
             transverse: p.transverse,
@@ -390,6 +387,8 @@ pub fn measured_held(c: Compass) -> Result<f64> {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let moves = from_to(1e-4, 3.1415).because("let go nearer to north or south it hardly moves");
+    moves.check("size of the release", p.release.abs())?;
     let c = Compass::new(p)?;
     let (l, north, up) = (c.momentum, c.north(), c.horizon.z());
     let damped = Compass {

@@ -271,7 +271,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((scene, start), end) = (satellite(p)?, states[23]);
     let (rate, n0) = (swings.small_swing_frequency(), p.mean_motion);
     let jacobi = |t, state: &State| scene.energy_at(t, state) - n0 * state.angular_momentum.z();
-    let (period, early) = (swings.period(), 2.0 * p.tolerance / (rate * sin(p.askew).abs()));
+    let (period, early) = (
+        swings.period(),
+        2.0 * p.tolerance / (rate * sin(p.askew).abs()),
+    );
     let [astray, astray_by_steps] = led_astray(p, magnet(MAGNET), 1e-13)?;
     let tenth = Parameters {
         askew: 0.1 * p.askew,

@@ -40,7 +40,8 @@ impl Opening {
         } else {
             from_to(1.02, 1e3)
         };
-        let allowed = allowed.because("at 1 no axis is special, and a needle has no moment about its own");
+        let allowed =
+            allowed.because("at 1 no axis is special, and a needle has no moment about its own");
         let turns = above(0.0).because("what does not turn has no axis to leave");
         turns.check("size of the spin", p.spin.abs())?;
         allowed.check("moment across the axis over that about it", ratio)?;

@@ -198,7 +198,7 @@ impl Ball {
             let at = Moving::of(y);
             let far = |v: SpaceVector, usual| if v.norm() > usual { v.norm() } else { 0.0 };
             let [place, velocity] = [far(at.place, 1.0), far(at.velocity, 10.0)];
-            let sizes = [place, velocity, far(at.spin, 100.0), 0.0];
+            let sizes = [place, velocity, far(at.spin, 200.0), 0.0];
             core::array::from_fn(|i| y[i].abs().max(1.0).max(sizes[(i / 3).min(3)]))
         })
     }

@@ -28,11 +28,13 @@ fn every_earth_and_moon_is_confirmed() {
     let runs = [
         "--obliquity=0.2",
         "--obliquity=0.7 --moon-inclination=0",
+        "--obliquity=0.1",
+        "--obliquity=1.2",
         "--ellipticity=0.01 --day=150000 --moon-distance=3e8 --moon-inclination=0.15 --node-period=30",
         "--ellipticity=1e-4 --moon-distance=6e8 --day=50000 --node-period=12 --days=5",
         "--sun-eccentricity=0.1 --moon-eccentricity=0.1 --tolerance=1e-10 --days=60",
     ];
-    confirmed(&EXAMPLE, runs, 5);
+    confirmed(&EXAMPLE, runs, 7);
 }
 
 #[test]

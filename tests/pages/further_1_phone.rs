@@ -8,6 +8,7 @@ use pages::further_1_phone::*;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan2, exp, log};
+use rotation_dynamics::report::Page;
 use support::Errors;
 
 /// The phone, a book, a brick and a long box, thrown with tilts to every side.
@@ -282,4 +283,10 @@ fn rounding_turns_it_over() {
         let turns = by_rounding(moments, step).unwrap().unwrap();
         assert!((6.0..9.0).contains(&turns), "{turns}");
     }
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("turns", -3.0), ("tilt", -0.05)]).unwrap().len() > 5);
 }

@@ -6,6 +6,7 @@ use pages::further_2_gyrocompass::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::math::{cos, log, pow, sin, tan};
 use rotation_dynamics::report::sampled;
+use rotation_dynamics::report::Page;
 use support::Errors;
 
 #[test]
@@ -210,4 +211,10 @@ fn eq_7_the_ship() {
     }
     errors.attain(1.99e-14..=2.01e-14, 4);
     damaged.exceed(0.05, 4);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("spin", -1500.0), ("latitude", -0.9), ("speed", -10.0), ("release", -0.5)]).unwrap().len() > 5);
 }

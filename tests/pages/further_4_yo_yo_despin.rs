@@ -5,6 +5,7 @@ use crate::told::{answer, cell, computed, confirmed, refused, value};
 use pages::further_4_yo_yo_despin::strings::{Hangs, Reel, YoYo};
 use pages::further_4_yo_yo_despin::*;
 use rotation_dynamics::math::hypot;
+use rotation_dynamics::report::Page;
 use support::{EPS, Errors, second_derivative};
 
 #[test]
@@ -17,7 +18,7 @@ fn other_satellites_are_confirmed() {
         "--string=0.2 --aim=9",
         "--weight=10 --spring=5000",
         "--tolerance=1e-6",
-        "--spin=-10 --aim=-1", "--aim=-1", "--aim=-10", "--spin=-10", "--aim=9.99", "--spin=1000", "--spin=1",
+        "--spin=-10 --aim=-1", "--aim=-1", "--aim=-10", "--spin=-10", "--aim=9.99", "--spin=1000", "--spin=1.1",
         "--inertia=0.01", "--string=0.001", "--string=500", "--weight=100", "--aim=-10.05",
     ];
     confirmed(&EXAMPLE, runs, 19);
@@ -213,4 +214,10 @@ fn dawn_turned_the_other_way() {
     let mut errors = Errors::in_units_of(EPS, "turns a minute, relative");
     errors.add(46.0 * Answer { inertia }.spin_outward(20.0), -3.0, 3.0);
     errors.attain(7.9..=8.1, 1);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("spin", -10.0), ("aim", 1.0)]).unwrap().len() > 5);
 }

@@ -7,6 +7,7 @@ use pages::further_5_wheel_on_rope::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, hypot, log, sin};
+use rotation_dynamics::report::Page;
 use support::Errors;
 
 #[test]
@@ -258,4 +259,10 @@ fn eq_7_slack() {
         errors.push(angles(&a)[1] + b[2] - FRAC_PI_2);
     }
     errors.attain(1.04e-14..=1.05e-14, 8);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("spin", -20.0), ("push", 1.0)]).unwrap().len() > 5);
 }
