@@ -35,7 +35,7 @@ parameters! {
         /// moment of inertia about the figure axis, over M R^2
         c: number(0.330_675, "-", between(0.0, 2.0 / 3.0).because("above 2/3 the mass would be outside").usually(0.33, 0.34));
         /// one turn relative to the equinox, a sidereal day
-        day: number(86_164.090_5, "s", above(0.0).usually(8e4, 9e4));
+        day: number(86_164.090_5, "s", between(1e4, 1e6).because("the pushes are those of a wobble of months, in days").usually(8e4, 9e4));
         /// Love number k_2 of the elastic mantle
         love: number(0.30, "-", at_least(0.0).because("what yields follows the pole").usually(0.0, 0.6));
         /// what the tide of the pole in the oceans adds to it
