@@ -175,7 +175,7 @@ impl Compass {
         );
         slow.check("(Foucault's period over the compass's)^2", stiff)?;
         let nods = momentum / (p.transverse * compass.foucault_rate());
-        let few = from_to(0.0, 2e5).because("its rounding drowns the swing");
+        let few = from_to(0.0, 6e4).because("its rounding drowns the swing");
         few.check("nodding of the wheel over Foucault's swing", nods)?;
         let held =
             from_to(-0.3, 0.3).because("a weaker bob does not hold the axle near the horizon");
