@@ -43,9 +43,9 @@ rotation_dynamics::parameters! {
         /// third principal moment
         i3: number(8.0 / 3.0, "kg m^2", above(0.0));
         /// length of the runs, in periods of the motion
-        periods: number(10.0, "-", from_to(1.0, 1000.0));
+        periods: number(10.0, "-", from_to(1.0, 1000.0).because("more of them take too long: the page on races has more"));
         /// error asked for in the accuracy strip; four of them if none is given
-        tolerance: optional("rad", from_to(1e-14, 1.0));
+        tolerance: optional("rad", from_to(1e-14, 1.0).because("a double knows no angle better"));
     }
 }
 

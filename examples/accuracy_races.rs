@@ -17,9 +17,9 @@ rotation_dynamics::parameters! {
     /// The long runs.
     pub struct Parameters {
         /// periods of the longest run of the heavy top
-        periods: number(10_000.0, "-", from_to(1000.0, 100_000.0));
+        periods: number(10_000.0, "-", from_to(1000.0, 100_000.0).because("fewer tell nothing of growth, more take too long"));
         /// starts whose errors are averaged
-        starts: number(4.0, "-", from_to(1.0, 16.0));
+        starts: number(4.0, "-", from_to(1.0, 16.0).because("more take too long"));
         /// error asked for in the accuracy strip, after a hundred periods
         tolerance: number(1e-9, "rad", from_to(1e-11, 1.0));
     }

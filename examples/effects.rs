@@ -30,11 +30,11 @@ parameters! {
     /// A half-kilogram gyroscope on a desk.
     pub struct Parameters {
         /// spin at the start
-        spin: number(314.16, "rad/s", from_to(250.0, 1000.0).usually(250.0, 600.0));
+        spin: number(314.16, "rad/s", any().usually(250.0, 600.0));
         /// friction torque of the vertical pivot
-        pivot: number(1e-4, "N m", from_to(0.0, 3e-4));
+        pivot: number(1e-4, "N m", from_to(0.0, 3e-4).because("with more friction the axis sinks too far for a linear response"));
         /// time for which the axis is followed
-        seconds: number(10.0, "s", from_to(1.0, 20.0));
+        seconds: number(10.0, "s", from_to(0.1, 20.0).because("a longer motion takes too long to weigh"));
         /// error asked of the direction of the axis
         tolerance: number(1e-3, "rad", from_to(1e-9, 0.1));
     }
@@ -45,6 +45,9 @@ type Weight = ((), GravityAtLever);
 
 /// The gyroscope's axis for the time asked for.
 pub fn question(p: &Parameters) -> Result<Question<Weight>> {
+    let fast = from_to(250.0, 1000.0)
+        .because("a slower one nods too widely for a linear response, a faster one takes too long");
+    fast.check("size of the spin", p.spin.abs())?;
     let (scene, start) = gyroscope(p).scene()?;
     let (end, of_axis) = (p.seconds, true);
     Ok(Question {
@@ -100,7 +103,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rotor, asked) = (gyroscope(p), question(p)?);
     // To second order the prediction is off by about its square.
     // The response is stepped to a hundredth, and over more than 1e4 rad of spin that adds up.
-    let stepped = 0.02 * (p.spin * p.seconds / 1e4).max(1.0);
+    let stepped = 0.02 * (p.spin.abs() * p.seconds / 1e4).max(1.0);
     let within = |x: f64| stepped * x + 2.0 * x * x + 3e-8;
     let (air, dry) = (
         asked.simulated(rotor.air()?, 1e-8)?,
@@ -116,7 +119,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     let (drag, bearing) = (rotor.air()?, rotor.bearing);
     let by_air = by_angles(p, |spin| drag.axial_torque(spin))?;
-    let by_dry = by_angles(p, |_| -bearing)?;
+    let by_dry = by_angles(p, |spin| -bearing * spin.signum())?;
     claims! { report,
         /// how far the axis is from where it would be without the air, at most
         air: air, "rad", "DOP853 on (2), (3), L_z falling" => by_air, within 1e-7,

@@ -21,27 +21,27 @@ parameters! {
     /// The half-kilogram gyroscope of the notes' section, in light gimbals with plain bearings.
     pub struct Parameters {
         /// turns of the rotor in a minute
-        rpm: number(3000.0, "1/min", from_to(2000.0, 10000.0).usually(2000.0, 6000.0));
+        rpm: number(3000.0, "1/min", from_to(2000.0, 1e4).because("a slower rotor nods too widely, a faster one takes too long; one that turns the other way is its mirror image").usually(2000.0, 6000.0));
         /// tilt of the axis at the release
-        theta: number(PI / 3.0, "rad", from_to(0.5, 1.6).usually(0.7, 1.2));
+        theta: number(PI / 3.0, "rad", from_to(0.3, 1.65).because("a more upright axis hardly nods, a lower one is at its stop").usually(0.7, 1.2));
         /// moment of the ring about the line of nodes, and across the axle
-        ring: number(1.5e-4, "kg m^2", from_to(0.0, 5e-3).usually(2e-5, 1e-3));
+        ring: number(1.5e-4, "kg m^2", from_to(0.0, 5e-3).because("gimbals are lighter than what they hold").usually(2e-5, 1e-3));
         /// moment of the ring along the axle
-        ring_along: number(2e-5, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 1e-4));
+        ring_along: number(2e-5, "kg m^2", from_to(0.0, 5e-3).because("gimbals are lighter than what they hold").usually(0.0, 1e-4));
         /// moment of the fork about the vertical
-        fork: number(2e-4, "kg m^2", from_to(0.0, 5e-3).usually(0.0, 2e-3));
+        fork: number(2e-4, "kg m^2", from_to(0.0, 5e-3).because("gimbals are lighter than what they hold").usually(0.0, 2e-3));
         /// dry friction of the tilt bearing
-        tilt_dry: number(3e-3, "N m", from_to(0.0, 0.03).usually(1e-3, 2e-2));
+        tilt_dry: number(3e-3, "N m", at_least(0.0).usually(1e-3, 2e-2));
         /// viscous friction of the tilt bearing
-        tilt_viscous: number(1e-3, "N m s", from_to(1e-5, 0.02).usually(1e-4, 1e-2));
+        tilt_viscous: number(1e-3, "N m s", from_to(1e-5, 0.02).because("with less the nods do not end, with more there are none").usually(1e-4, 1e-2));
         /// dry friction of the vertical pivot
-        pivot_dry: number(1e-4, "N m", from_to(5e-5, 2e-3).usually(5e-5, 5e-4));
+        pivot_dry: number(1e-4, "N m", from_to(5e-5, 2e-3).because("with less the axis hardly sinks, with more it falls").usually(5e-5, 5e-4));
         /// viscous friction of the vertical pivot
-        pivot_viscous: number(1e-5, "N m s", from_to(0.0, 1e-3).usually(0.0, 1e-4));
+        pivot_viscous: number(1e-5, "N m s", from_to(0.0, 1e-3).because("with more the axis falls").usually(0.0, 1e-4));
         /// dry friction of the axle's ball bearings
-        axle_dry: number(1.5e-5, "N m", from_to(0.0, 2e-4).usually(0.0, 2e-4));
+        axle_dry: number(1.5e-5, "N m", from_to(0.0, 2e-4).because("with more the rotor is slow before the axis is at its stop").usually(0.0, 2e-4));
         /// tilt at which the ring meets its stop
-        stop: number(2.0, "rad", from_to(1.7, 2.8).usually(1.8, 2.4));
+        stop: number(2.0, "rad", from_to(1.7, 2.8).because("the stop is below the release and above the pivot").usually(1.8, 2.4));
         /// error of a step of the simulations: from 1e-13 to 1e-8
         tolerance: number(1e-11, "-", from_to(1e-13, 1e-8));
     }
@@ -148,9 +148,12 @@ impl Gyroscope {
     fn dying(self) -> Result<Self> {
         let (size, f) = (self.bottom()? - self.start.theta, self.fading()?);
         let nods = self.lasting(size)? * f.frequency / TAU;
-        from_to(0.0, 3000.0).check("nods until friction has taken them", nods)?;
+        let soon =
+            from_to(0.0, 3000.0).because("with less friction they take too long to simulate");
+        soon.check("nods until friction has taken them", nods)?;
         let torque = "dry friction of the tilt bearing over m g l sin(theta)";
-        between(-1.0, 0.5).check(torque, self.bearings.tilt.dry() / self.pull())?;
+        let falls = between(-1.0, 0.5).because("from 1 on the bearing holds the axis where it is");
+        falls.check(torque, self.bearings.tilt.dry() / self.pull())?;
         Ok(self)
     }
 }

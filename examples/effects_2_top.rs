@@ -17,17 +17,17 @@ parameters! {
     /// The toy top of 16.2, its tip a ball.
     pub struct Parameters {
         /// radius of the tip
-        tip: number(0.005, "m", from_to(0.004, 0.007).usually(0.004, 0.007));
+        tip: number(0.005, "m", from_to(0.004, 0.007).because("a sharper tip hardly raises the top, a blunter one has the rim on the floor").usually(0.004, 0.007));
         /// tilt of the axis at the throw
-        tilt: number(0.3, "rad", from_to(0.2, 0.35).usually(0.2, 0.35));
+        tilt: number(0.3, "rad", from_to(0.2, 0.35).because("the law of the rise is that of a top that leans a little").usually(0.2, 0.35));
         /// spin at the throw
-        spin: number(150.0, "rad/s", from_to(130.0, 170.0).usually(130.0, 170.0));
+        spin: number(150.0, "rad/s", from_to(130.0, 170.0).because("a slower top does not sleep, a faster one does not fall in the time that is simulated; the other way round it is its mirror image").usually(130.0, 170.0));
         /// coefficient of dry friction of tip and floor
-        friction: number(0.05, "-", from_to(0.03, 0.08).usually(0.03, 0.08));
+        friction: number(0.05, "-", from_to(0.03, 0.08).because("with less it does not rise before it is slow, with more it rolls").usually(0.03, 0.08));
         /// effective modulus of both: 1/E* is the sum of (1 - nu^2)/E
-        modulus: number(4e9, "Pa", from_to(2e9, 8e9).usually(2e9, 8e9));
+        modulus: number(4e9, "Pa", from_to(2e9, 8e9).because("softer than wood, harder than glass: the contact is another one").usually(2e9, 8e9));
         /// slope of the floor
-        slope: number(1e-3, "rad", from_to(3e-4, 2e-3).usually(3e-4, 2e-3));
+        slope: number(1e-3, "rad", from_to(3e-4, 2e-3).because("on a level floor it does not walk, on a steeper one it runs away").usually(3e-4, 2e-3));
         /// error of a step of the simulations: from 1e-12 to 1e-8
         tolerance: number(1e-10, "-", from_to(1e-12, 1e-8));
     }
@@ -237,7 +237,8 @@ fn simpson(from: f64, to: f64, n: u32, f: impl Fn(f64) -> Result<f64>) -> Result
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    above(1.25).check(
+    let sleeps = above(1.25).because("a slower one does not sleep");
+    sleeps.check(
         "spin over the least spin of a sleeping top",
         p.spin / p.least_spin(),
     )?;

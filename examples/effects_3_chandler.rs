@@ -31,33 +31,33 @@ parameters! {
     /// The Earth of the notes, as a body that yields, with a fluid core and oceans.
     pub struct Parameters {
         /// moment of inertia about an axis in the equator, over M R^2
-        a: number(0.329_591, "-", between(0.01, 0.5).usually(0.32, 0.3304));
+        a: number(0.329_591, "-", between(0.0, 2.0 / 3.0).because("above 2/3 the mass would be outside").usually(0.32, 0.3304));
         /// moment of inertia about the figure axis, over M R^2
-        c: number(0.330_675, "-", between(0.01, 0.5).usually(0.33, 0.34));
+        c: number(0.330_675, "-", between(0.0, 2.0 / 3.0).because("above 2/3 the mass would be outside").usually(0.33, 0.34));
         /// one turn relative to the equinox, a sidereal day
-        day: number(86_164.090_5, "s", between(1e4, 1e6).usually(8e4, 9e4));
+        day: number(86_164.090_5, "s", between(1e4, 1e6).because("the pushes are those of a wobble of months, in days").usually(8e4, 9e4));
         /// Love number k_2 of the elastic mantle
-        love: number(0.30, "-", from_to(0.0, 0.6));
+        love: number(0.30, "-", at_least(0.0).because("what yields follows the pole").usually(0.0, 0.6));
         /// what the tide of the pole in the oceans adds to it
-        ocean: number(0.045, "-", from_to(0.0, 0.1));
+        ocean: number(0.045, "-", at_least(0.0).because("what yields follows the pole").usually(0.0, 0.1));
         /// what slow yielding of the mantle adds to it
-        slow: number(0.0077, "-", from_to(0.0, 0.05));
+        slow: number(0.0077, "-", at_least(0.0).because("what yields follows the pole").usually(0.0, 0.05));
         /// imaginary part of the Love number: what lags
-        loss: number(0.0036, "-", from_to(1e-3, 0.02));
+        loss: number(0.0036, "-", from_to(1e-3, 0.02).because("with less the wobble lasts longer than the record, with more it is gone in a year").usually(1e-3, 0.02));
         /// Love number of a fluid Earth with this bulge
-        fluid: number(0.938_319, "-", from_to(0.8, 1.2));
+        fluid: number(0.938_319, "-", above(0.0).usually(0.8, 1.2));
         /// moment of inertia of the fluid core, as a part of that of the Earth
-        core: number(0.113, "-", from_to(0.01, 0.5).usually(0.05, 0.2));
+        core: number(0.113, "-", from_to(0.01, 0.5).because("a smaller core is none, and a larger one leaves no mantle").usually(0.05, 0.2));
         /// flattening of the core
-        cavity: number(2.548e-3, "-", from_to(1e-3, 0.01));
+        cavity: number(2.548e-3, "-", from_to(1e-3, 0.01).because("in a rounder core the fluid is not carried along, in a flatter one it is as if frozen").usually(1e-3, 0.01));
         /// size of the free wobble
-        wobble: number(0.15, "arcsec", from_to(0.01, 1.0).usually(0.05, 0.3));
+        wobble: number(0.15, "arcsec", from_to(0.01, 1.0).because("the laws are those of a small wobble that is seen").usually(0.05, 0.3));
         /// size of the yearly wobble
-        annual: number(0.09, "arcsec", from_to(0.0, 1.0).usually(0.0, 0.2));
+        annual: number(0.09, "arcsec", from_to(0.0, 1.0).because("the laws are those of a small wobble").usually(0.0, 0.2));
         /// picks the random pushes
-        seed: number(1891.0, "-", from_to(0.0, 1e6));
+        seed: number(1891.0, "-", from_to(0.0, 1e6).because("it is a number of a list"));
         /// period that is observed
-        observed: number(433.0, "d", from_to(300.0, 600.0).usually(425.0, 440.0));
+        observed: number(433.0, "d", from_to(300.0, 600.0).because("a free period of more than its rigid value and less than two years").usually(425.0, 440.0));
         /// error asked of the attitude after thirty turns
         tolerance: number(1e-6, "rad", from_to(1e-9, 1.0));
     }
@@ -65,7 +65,8 @@ parameters! {
 
 /// (C - A)/A.
 fn flattening(p: &Parameters) -> Result<f64> {
-    from_to(5e-4, 0.02).check("(C - A)/A", (p.c - p.a) / p.a)
+    let oblate = from_to(5e-4, 0.02).because("an oblate body that is nearly a sphere");
+    oblate.check("(C - A)/A", (p.c - p.a) / p.a)
 }
 
 /// An Earth of the ledger: which effects it has.
@@ -122,7 +123,9 @@ impl Step {
     pub fn following(&self, p: &Parameters) -> Result<f64> {
         let part = |is: bool, love: f64| if is { love } else { 0.0 };
         let love = part(self.elastic, p.love) + part(self.slow, p.slow) + part(self.ocean, p.ocean);
-        from_to(0.0, 0.9).check("k/k_s, the part of the bulge that follows,", love / p.fluid)
+        let part_of =
+            from_to(0.0, 0.9).because("if all of the bulge follows, nothing calls the pole back");
+        part_of.check("k/k_s, the part of the bulge that follows,", love / p.fluid)
     }
 
     /// The free period in turns of the Earth, to first order in its flattening: what the

@@ -27,23 +27,23 @@ parameters! {
     /// Earth, Sun and Moon at the epoch J2000.
     pub struct Parameters {
         /// (C - A)/C of the Earth
-        ellipticity: number(3.273_794_92e-3, "-", from_to(1e-4, 0.01).usually(0.002, 0.005));
+        ellipticity: number(3.273_794_92e-3, "-", from_to(1e-4, 0.01).because("a rounder Earth does not precess in the time simulated, a flatter one is not a fast top").usually(0.002, 0.005));
         /// one turn against the stars
-        day: number(86_164.098_9, "s", from_to(5e4, 1.5e5).usually(7e4, 1e5));
+        day: number(86_164.098_9, "s", from_to(5e4, 1.5e5).because("the laws are those of a fast top that is nearly a sphere").usually(7e4, 1e5));
         /// tilt of the equator to the ecliptic
-        obliquity: number(0.409_092_600_6, "rad", from_to(0.2, 0.7).usually(0.38, 0.43));
+        obliquity: number(0.409_092_600_6, "rad", from_to(0.1, 0.7).because("towards 0 the axis has no direction to go round in, towards pi/2 squares of the nutation count").usually(0.38, 0.43));
         /// eccentricity of the Sun's orbit, seen from the Earth
-        sun_eccentricity: number(0.016_708_6, "-", from_to(0.0, 0.1).usually(0.0, 0.06));
+        sun_eccentricity: number(0.016_708_6, "-", from_to(0.0, 0.1).because("the nutation is that of nearly circular orbits").usually(0.0, 0.06));
         /// mean distance of the Moon
-        moon_distance: number(3.843_99e8, "m", from_to(3e8, 6e8).usually(3.5e8, 4.2e8));
+        moon_distance: number(3.843_99e8, "m", from_to(3e8, 6e8).because("nearer its nutation is not small, farther the Sun outdoes it").usually(3.5e8, 4.2e8));
         /// eccentricity of its orbit
-        moon_eccentricity: number(0.0549, "-", from_to(0.0, 0.1).usually(0.0, 0.1));
+        moon_eccentricity: number(0.0549, "-", from_to(0.0, 0.1).because("the nutation is that of nearly circular orbits").usually(0.0, 0.1));
         /// inclination of its orbit to the ecliptic
-        moon_inclination: number(0.089_804_1, "rad", from_to(0.0, 0.15).usually(0.0, 0.12));
+        moon_inclination: number(0.089_804_1, "rad", from_to(0.0, 0.15).because("the nutation is that of a small inclination").usually(0.0, 0.12));
         /// time in which its node goes once round
-        node_period: number(18.5996, "a", from_to(12.0, 30.0).usually(15.0, 22.0));
+        node_period: number(18.5996, "a", from_to(12.0, 30.0).because("a node goes back, as the Sun makes it: in years, and in less than a round of the equinoxes").usually(15.0, 22.0));
         /// length of the simulation of the full body
-        days: number(30.0, "d", from_to(5.0, 100.0).usually(10.0, 60.0));
+        days: number(30.0, "d", from_to(5.0, 100.0).because("more days of the whole body take too long to simulate").usually(10.0, 60.0));
         /// error of a step of the axis
         tolerance: number(1e-11, "-", from_to(1e-14, 1e-10));
     }

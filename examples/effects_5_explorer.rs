@@ -25,25 +25,25 @@ parameters! {
     /// which its angular momentum and its middle moment are 1.
     pub struct Parameters {
         /// mass of the satellite
-        mass: number(13.97, "kg", from_to(1e-3, 1e6).usually(5.0, 50.0));
+        mass: number(13.97, "kg", above(0.0).usually(5.0, 50.0));
         /// its length
-        length: number(2.03, "m", from_to(1e-2, 1e2).usually(0.1, 5.0));
+        length: number(2.03, "m", above(0.0).usually(0.1, 5.0));
         /// its diameter
-        diameter: number(0.159, "m", from_to(1e-3, 1e2).usually(0.1, 2.0));
+        diameter: number(0.159, "m", above(0.0).usually(0.1, 2.0));
         /// its spin at the start
-        spin: number(78.5, "rad/s", from_to(1e-3, 1e4).usually(1.0, 100.0));
+        spin: number(78.5, "rad/s", any().usually(1.0, 100.0));
         /// nutation angle, from L to the axis, at the start
-        nutation: number(0.02, "rad", from_to(1e-3, 1.5).usually(0.005, 1.0));
+        nutation: number(0.02, "rad", between(0.0, FRAC_PI_2).because("along the axis it stays; at a right angle there is no axis left").usually(0.005, 1.0));
         /// time in which the tangent of that angle grows (or falls) by the factor e
-        growth: number(1500.0, "s", from_to(1.0, 1e10).usually(500.0, 5000.0));
+        growth: number(1500.0, "s", from_to(1.0, 1e10).because("the loss is weak, and there is one").usually(500.0, 5000.0));
         /// least moment of the other body over its middle one
-        least: number(0.45, "-", from_to(0.05, 0.95).usually(0.2, 0.9));
+        least: number(0.45, "-", between(0.0, 1.0).because("it is the least of three moments").usually(0.2, 0.9));
         /// its largest moment over the middle one
-        largest: number(1.42, "-", from_to(1.05, 1.95).usually(1.1, 1.9));
+        largest: number(1.42, "-", between(1.0, 2.0).because("it is the largest of three, and less than the sum of the others").usually(1.1, 1.9));
         /// its loss: a times the length of L
-        loss: number(0.01, "-", from_to(2e-3, 0.05).usually(0.003, 0.05));
+        loss: number(0.01, "-", from_to(2e-3, 0.05).because("a weaker loss takes too long to simulate, a stronger one is not weak").usually(0.003, 0.05));
         /// angle of L from the middle axis at the start, towards the least one
-        aside: number(0.5, "rad", from_to(0.05, 1.4).usually(0.1, 1.2));
+        aside: number(0.5, "rad", from_to(0.05, 1.4).because("along an axis it stays").usually(0.1, 1.2));
         /// error asked of the satellite's attitude
         tolerance: number(1e-9, "rad", from_to(1e-11, 0.1));
     }
@@ -268,8 +268,9 @@ impl Lossy {
 fn lossy(p: &Parameters) -> Result<Lossy> {
     let body = Lossy::new(p.least, p.largest, p.loss)?;
     let [one, three] = body.gaps();
-    // A body that is nearly symmetric flips so slowly that the loss is not weak.
-    from_to(8.0, 1e9).check("sqrt(gap gap)/(a |L|)", (one * three).sqrt() / p.loss)?;
+    let weak = from_to(8.0, 1e9)
+        .because("a body that is nearly symmetric flips so slowly that the loss is not weak");
+    weak.check("sqrt(gap gap)/(a |L|)", (one * three).sqrt() / p.loss)?;
     Ok(body)
 }
 
@@ -288,7 +289,7 @@ fn satellite(p: &Parameters, report: &mut Report) -> Result<()> {
         0.5 * sat.momentum * sat.momentum / ends,
     );
     let scale = p.growth / quick.tau();
-    let rpm = 60.0 / TAU;
+    let (rpm, sense) = (60.0 / TAU, p.spin.signum());
     claims! { report,
         /// moment of inertia about the axis
         axial: ia, "kg m^2", "library's cylinder" => along(0.0, 1.0)?, within 1e-14 * ia, in "The satellite";
@@ -296,7 +297,7 @@ fn satellite(p: &Parameters, report: &mut Report) -> Result<()> {
         transverse: it, "kg m^2", "library's cylinder" => along(1.0, 0.0)?, within 1e-14 * it, in "The satellite":
             it + 0.25 * p.mass * p.length * p.length => "through the centre, not the end";
         /// rate in the end
-        final_rate: sat.momentum / ends * rpm, "1/min", "simulated" => quick.rate(&late) * rpm,
+        final_rate: sense * sat.momentum / ends * rpm, "1/min", "simulated" => sense * quick.rate(&late) * rpm,
         within 1e-5 * sat.momentum / ends * rpm, in "The satellite":
             p.spin * rpm => "the momentum is kept, not the rate",
             p.spin * rpm * (ia / it).sqrt() => "that keeps the energy, which is what gets lost";

@@ -27,17 +27,17 @@ parameters! {
         /// mass
         mass: number(0.17, "kg", above(0.0).usually(0.1, 0.3)).drawn(0.15, 0.20, 0.01);
         /// turns a second
-        turns: number(3.0, "1/s", above(0.0).usually(1.0, 5.0));
+        turns: number(3.0, "1/s", any().usually(1.0, 5.0));
         /// how high it rises above the hand
         height: number(0.55, "m", above(0.0).usually(0.1, 2.0));
         /// angle of the axis of rotation from the short edge
-        tilt: number(0.05, "rad", from_to(1e-10, 1.2).usually(0.001, 0.15));
+        tilt: number(0.05, "rad", from_to(-1.2, 1.2).because("farther off it is no turn about the short edge").usually(0.001, 0.15));
         /// to which side: 0 towards the long edge, pi/2 towards the normal of the back
-        toward: number(0.0, "rad", from_to(-PI, PI).usually(-1.5, 1.5));
+        toward: number(0.0, "rad", any().usually(-1.5, 1.5));
         /// spread of this angle from throw to throw, in each of the two directions
-        spread: number(0.05, "rad", from_to(1e-3, 0.2).usually(0.01, 0.2));
+        spread: number(0.05, "rad", from_to(1e-3, 0.2).because("the strip is that of small strays").usually(0.01, 0.2));
         /// a mass that sits near a corner
-        lump: number(0.01, "kg", above(0.0).usually(0.001, 0.03));
+        lump: number(0.01, "kg", at_least(0.0).usually(0.001, 0.03));
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// error asked of the attitude after three flips: above 0, at most pi
@@ -48,24 +48,36 @@ parameters! {
 /// A slab's moments about its long edge, its short edge and its normal.
 pub fn slab(p: &Parameters) -> Result<[f64; 3]> {
     let (a, b, c) = (p.length, p.width, p.thickness);
-    let shape = from_to(1e-3, 0.99);
-    shape.check("width over length", b / a)?;
+    let shape =
+        between(0.0, 0.999).because("at 1 two moments are equal, and there is no middle axis");
     shape.check("thickness over width", c / b)?;
-    from_to(1e-30, 1e30).check("mass times length squared, kg m^2,", p.mass * a * a)?;
+    shape.check("width over length", b / a)?;
+    let narrow = from_to(1e-3, 1.0).because("a needle has no moment about its long edge");
+    narrow.check("width over length", b / a)?;
+    let doubles = from_to(1e-30, 1e30).because("moments far beyond leave the range of doubles");
+    doubles.check("mass times length squared, kg m^2,", p.mass * a * a)?;
     let moments = [b * b + c * c, a * a + c * c, a * a + b * b];
     Ok(moments.map(|sum| p.mass * sum / 12.0))
 }
 
 /// The throw of these parameters.
 pub fn thrown(p: &Parameters) -> Result<Throw> {
+    let turns = above(0.0).because("what does not turn does not turn over");
+    turns.check("size of the turns", p.turns.abs())?;
     let throw = Throw::new(slab(p)?, TAU * p.turns, p.tilt, p.toward);
-    from_to(1e-12, 1e3).check(
-        "distance of the start from the one that never turns over",
-        throw.off(),
-    )?;
+    let stray = from_to(1e-10, 1.2).because("about the very axis it never turns over");
+    stray.check("size of the tilt", p.tilt.abs())?;
+    let start = "distance of the start from the one that never turns over";
+    let known = from_to(1e-12, 1e3).because("nearer, no double tells when it turns over");
+    known.check(start, throw.off())?;
     // In seven and a half turns our phone makes a radian of an error of rounding: twice as many
     // are enough.
-    from_to(1e-2, 15.0).check("turns in the flight", p.turns * flight(p))?;
+    let few = from_to(1e-4, 15.0)
+        .because("with fewer there is nothing to see, and more multiply a rounding to a turn");
+    few.check("turns in the flight", p.turns.abs() * flight(p))?;
+    let frames = 60.0 * (throw.until_flip()? + 9.0 * throw.between_flips()?);
+    let soon = from_to(0.0, 1e6).because("it turns too slowly");
+    soon.check("frames of a clock until ten flips", frames)?;
     Ok(throw)
 }
 
@@ -144,15 +156,22 @@ fn lopsided(p: &Parameters, [i1, i2, _]: [f64; 3]) -> Result<[f64; 2]> {
     let reduced = p.mass * p.lump / (p.mass + p.lump);
     let (product, apart) = (reduced * x * y, i2 - i1 + reduced * (x - y) * (x + y));
     let slab = solids::cuboid(p.mass, p.length, p.width, p.thickness)?;
-    let lump = MassProperties::of_points(&[(p.lump, DesignVector::new(x, y, 0.0))])?;
-    let both = MassProperties::of_parts(&[slab, lump])?.about_centre_of_mass();
+    let mut parts = vec![slab];
+    if p.lump > 0.0 {
+        parts.push(MassProperties::of_points(&[(
+            p.lump,
+            DesignVector::new(x, y, 0.0),
+        )])?);
+    }
+    let both = MassProperties::of_parts(&parts)?.about_centre_of_mass();
     let [_, middle, _] = both.principal_axes().axes();
     let library = atan2(middle.x().abs(), middle.y().abs());
     Ok([0.5 * atan2(2.0 * product, apart), library])
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (throw, rate, caught) = (thrown(p)?, TAU * p.turns, flight(p));
+    let (throw, turn, caught) = (thrown(p)?, TAU * p.turns, flight(p));
+    let (rate, turns, tilt) = (turn.abs(), p.turns.abs(), p.tilt.abs());
     let moments @ [i1, i2, i3] = throw.moments;
     let solid = solids::cuboid(p.mass, p.length, p.width, p.thickness)?.about_centre_of_mass();
     let library = |i: usize| solid.matrix()[i][i];
@@ -183,13 +202,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             Dop853::new(1e-13)?.solve(&euler(moments), 0.0, &throw.rates, caught, &[over()])?;
         run.events().len() as f64
     };
-    let from = |toward: f64| move |tilt| Throw::new(moments, rate, tilt, toward).until_flip();
+    let from = |toward: f64| move |tilt| Throw::new(moments, turn, tilt, toward).until_flip();
     let stepped =
-        |toward: f64| move |tilt| Ok(Throw::new(moments, rate, tilt, toward).flip(1, 1e-15)?.t);
+        |toward: f64| move |tilt| Ok(Throw::new(moments, turn, tilt, toward).flip(1, 1e-15)?.t);
     let long = margin(caught, pace, from(0.0))?;
     let normal = margin(caught, pace, from(0.5 * PI))?;
     let aimed = pace * caught < 25.0; // else no double is near enough to the axis
-    let tenth = |tilt| Throw::new(moments, rate, tilt, 0.0);
+    let tenth = |tilt| Throw::new(moments, turn, tilt, 0.0);
     let waited = tenth(1e-7).flip(1, 1e-15)?.t - tenth(1e-6).flip(1, 1e-15)?.t;
     let [exact, run] = [
         throw.free()?.attitude(caught),
@@ -197,22 +216,22 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     ];
     let away = |attitude: &Attitude| attitude.to_space(BodyVector::new(1.0, 0.0, 0.0)).x();
     let sways = |axis: usize| {
-        let (angle, throw) = sway(moments, axis, p.tilt);
+        let (angle, throw) = sway(moments, axis, tilt);
         let ends = [throw.rates, throw.flip(1, 1e-15)?.state];
         let angles = ends.map(|rates| acos(throw.along(axis, rates).min(1.0)));
         Ok::<_, rotation_dynamics::Error>([angle, angles[0].max(angles[1])])
     };
     let [along_long, along_normal] = [sways(0)?, sways(2)?];
-    let hands = |count| hand(count, moments, rate, p.spread);
-    let not_over = |turns: f64| {
-        let over = |throw: Throw| Ok(throw.until_flip()? < turns / p.turns);
+    let hands = |count| hand(count, moments, turn, p.spread);
+    let not_over = |after: f64| {
+        let over = |throw: Throw| Ok(throw.until_flip()? < after / turns);
         Ok::<_, rotation_dynamics::Error>(1.0 - part(hands(COUNTED), over)?)
     };
     let down =
         |of: &dyn Fn(&Throw) -> Result<f64>| part(hands(2500), |throw| Ok(of(&throw)? < 0.0));
     let steady = [
         steady(moments, 1.0, p.spread)?,
-        steady(moments, p.turns * caught, p.spread)?,
+        steady(moments, turns * caught, p.spread)?,
     ];
     // The strip is that of small strays.
     let [into_1, into_3] = exchange(moments);
@@ -242,15 +261,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         growth: pace, "1/s", "growth of 1e-7, stepped" => rate * measured_growth(moments)?, within 1e-9 * rate,
         in "The throw":
             pace / rate => "that is per radian of its turning",
-            pace / p.turns => "that is per turn";
+            pace / turns => "that is per turn";
         /// factor by which it grows in a turn
-        per_turn: exp(pace / p.turns), "-", "the same, stepped" => exp(TAU * measured_growth(moments)?),
-        within 1e-7 * exp(pace / p.turns), in "The throw":
+        per_turn: exp(pace / turns), "-", "the same, stepped" => exp(TAU * measured_growth(moments)?),
+        within 1e-7 * exp(pace / turns), in "The throw":
             exp(growth(moments)) => "a turn is 2 pi radians";
         /// time until it is half over
         half_over: first, "s", "located event" => one.t, within slack, in "The throw":
             between => "that is from one flip to the next",
-            log(1.0 / p.tilt) / pace => "e-foldings alone: what is the factor before the exponential?";
+            log(1.0 / tilt) / pace => "e-foldings alone: what is the factor before the exponential?";
         /// time from one flip to the next
         between: between, "s", "located events" => two?.t - one.t, within late, if throw.off() > 1e-5, in "The throw":
             2.0 * between => "that is a whole period, two flips",
@@ -258,7 +277,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// flips in the flight
         flips: count, "-", "counted, stepped" => counted, within 0.4, if decided, in "The throw";
         /// turns of the throw until it is half over
-        turns_to_flip: p.turns * first, "-", "located event" => p.turns * one.t, within p.turns * slack;
+        turns_to_flip: turns * first, "-", "located event" => turns * one.t, within turns * slack;
         /// off towards the long edge: half over just at the catch
         margin_long: long, "rad", "stepped" => margin(caught, pace, stepped(0.0))?, within 1e-6 * long + 1e-14, if aimed && long < WIDEST,
         in "How well one must aim":
@@ -287,12 +306,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// by hand: part not half over after one turn
         steady_one: steady[0], "-", "16000 throws, counted" => not_over(1.0)?, within miscounted[0];
         /// by hand: part not half over at the catch
-        steady_caught: steady[1], "-", "16000 throws, counted" => not_over(p.turns * caught)?, within miscounted[1];
+        steady_caught: steady[1], "-", "16000 throws, counted" => not_over(turns * caught)?, within miscounted[1];
         /// by hand: part that is caught screen down
         hand_down: down(&|throw| Ok(screen(&throw.free()?.attitude(caught)).z()))?, "-", "stepped" =>
             down(&|throw| Ok(screen(&throw.stepped(caught, 1e-10)?).z()))?, within unsure.max(1e-3);
         /// lump near a corner: middle axis from the short edge
-        askew: askew, "rad", "library's principal axes" => askew_library, within 1e-13 + 1e-14 / askew;
+        askew: askew, "rad", "library's principal axes" => askew_library, within 1e-13 + (1e-14 / askew).min(1e-9);
     }
 }
 
@@ -340,7 +359,8 @@ pub fn drag([l, b]: [f64; 2], press: f64, [i1, i2, _]: [f64; 3]) -> [f64; 2] {
 
 /// Air; the hand; a phone that is not uniform; the fall.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (throw, rate, caught) = (thrown(p)?, TAU * p.turns, flight(p));
+    let (throw, turn, caught) = (thrown(p)?, TAU * p.turns, flight(p));
+    let (rate, tilt) = (turn.abs(), p.tilt.abs());
     let [i1, i2, i3] = throw.moments;
     let (pace, first) = (growth(throw.moments) * rate, throw.until_flip()?);
     let (edges, press) = ([p.length, p.width], 0.5 * 1.204 * 1.2);
@@ -350,10 +370,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Both estimates are those of the exponential growth: of strays that are small beside what
     // they grow to.
     let [into_1, into_3] = exchange(throw.moments);
-    let small = p.tilt < 0.3 * into_1.min(into_3).sqrt();
+    let small = tilt < 0.3 * into_1.min(into_3).sqrt();
     // What air would stop before it is over has no flip to be delayed, and of two strays that
     // nearly cancel each other it takes more of one than of the other.
-    let windy = if small && slowed * first < 0.1 && throw.off() > 0.7 * p.tilt {
+    let windy = if small && slowed * first < 0.1 && throw.off() > 0.7 * tilt {
         let law = in_air(throw.moments, edges, press);
         let flip = Dop853::new(1e-12)?.zero(&law, throw.rates, 1, 10.0 * first, |y| y[1])?;
         Some((flip.0.t - first).abs())
@@ -365,12 +385,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Wind of the flight on a face, its centre of pressure a tenth of the width off.
     let wind = 0.5 * 1.204 * 1.2 * p.length * p.width * speed * speed * 0.1 * p.width;
     let gradient = 3.0 * 9.80665 / 6.371e6 * (i3 - i1) / i2;
-    let sooner = Throw::new(throw.moments, rate, p.tilt + 0.0175, p.toward)
-        .flip(1, 1e-12)?
-        .t;
+    let sooner = Throw::new(
+        throw.moments,
+        turn,
+        p.tilt + 0.0175 * p.tilt.signum(),
+        p.toward,
+    )
+    .flip(1, 1e-12)?
+    .t;
     let sooner = small.then_some(first - sooner);
     effect_card! { report,
-        "a degree in the throw": "delta/tilt" = 0.0175 / p.tilt, costs log(1.0 + 0.0175 / p.tilt) / pace, "s to the first flip",
+        "a degree in the throw": "delta/tilt" = 0.0175 / tilt, costs log(1.0 + 0.0175 / tilt) / pace, "s to the first flip",
             measured sooner;
         "a lump near a corner": "angle of axis 2" = askew, costs askew, "rad of aim";
         "air, on the turning": "rho C b l^4 Omega^2/(64 L lambda)" = slowed / pace, costs late.abs(), "s to the first flip",
@@ -478,12 +503,16 @@ fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
     report.add_table(table)
 }
 
-/// The accuracy strip: the attitude after three flips and a third, where errors have grown.
+/// The accuracy strip: the attitude after three flips and a third, where errors have grown; before
+/// the first, if it starts so near to the axis that no double knows it after that.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let throw = thrown(p)?;
     let (motion, end) = (
         throw.free()?,
-        throw.until_flip()? + 7.0 / 3.0 * throw.between_flips()?,
+        match throw.off() > 1e-8 {
+            true => throw.until_flip()? + 7.0 / 3.0 * throw.between_flips()?,
+            false => 0.5 * throw.until_flip()?,
+        },
     );
     let problem = Problem::new(
         Scene::new(throw.body()?),

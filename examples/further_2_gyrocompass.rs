@@ -22,19 +22,19 @@ parameters! {
         /// the same across the axle, of all that turns with it
         transverse: number(0.008, "kg m^2", above(0.0).usually(0.006, 0.1));
         /// spin
-        spin: number(1500.0, "rad/s", from_to(1.0, 1e5).usually(300.0, 2500.0)).drawn(1000.0, 2000.0, 100.0);
+        spin: number(1500.0, "rad/s", any().usually(300.0, 2500.0)).drawn(1000.0, 2000.0, 100.0);
         /// latitude, negative south of the equator
-        latitude: number(0.9, "rad", from_to(-1.5, 1.5)).drawn(0.3, 1.1, 0.1);
+        latitude: number(0.9, "rad", from_to(-1.5, 1.5).because("at a pole the Earth turns about the vertical, and no direction is north; near it the compass is too slow")).drawn(0.3, 1.1, 0.1);
         /// pendulosity over the one of question 3
-        tuning: number(1.0, "-", from_to(0.1, 10.0).usually(0.3, 3.0));
+        tuning: number(1.0, "-", above(0.0).usually(0.3, 3.0));
         /// damping torque about the vertical over the torque of the bob
-        offset: number(0.03, "rad", from_to(1e-3, 0.5).usually(0.01, 0.06)).drawn(0.02, 0.05, 0.01);
+        offset: number(0.03, "rad", at_least(0.0).because("below 0 it feeds the swing").usually(0.01, 0.06)).drawn(0.02, 0.05, 0.01);
         /// speed of the ship towards the north
-        speed: number(10.0, "m/s", from_to(-50.0, 50.0)).drawn(4.0, 14.0, 1.0);
+        speed: number(10.0, "m/s", any().usually(-50.0, 50.0)).drawn(4.0, 14.0, 1.0);
         /// azimuth of the axle when it is let go
-        release: number(0.5, "rad", from_to(1e-3, 3.1).usually(0.05, 1.5));
+        release: number(0.5, "rad", between(-PI, PI).because("towards the south it is at rest, too, and stays").usually(0.05, 1.5));
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1.0, 30.0).usually(9.7, 9.9));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(9.7, 9.9));
         /// error of a step of the simulations: from 1e-14 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));
     }
@@ -143,8 +143,11 @@ pub fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
 
 impl Compass {
     /// The compass of the problem, without damping, on a ship in port.
-    pub fn new(p: &Parameters) -> Result<Self> {
-        let momentum = p.axial * p.spin;
+    fn of(p: &Parameters) -> Result<Self> {
+        // The axle points along its angular momentum: spun the other way, its other end goes north.
+        let momentum = p.axial * p.spin.abs();
+        let spins = above(0.0).because("a wheel at rest does not feel the Earth turn");
+        spins.check("size of the spin", p.spin.abs())?;
         let north = EARTH * cos(p.latitude);
         let compass = Self {
             transverse: p.transverse,
@@ -155,11 +158,32 @@ impl Compass {
             rider: 0.0,
             pivot: 0.0,
         };
+        Ok(compass)
+    }
+
+    /// The same, if the laws of the page hold for it.
+    pub fn new(p: &Parameters) -> Result<Self> {
+        let compass = Self::of(p)?;
+        let momentum = compass.momentum;
         let flat = "moment across the axle over that about it";
-        from_to(0.5, 1e3).check(flat, p.transverse / p.axial)?;
+        from_to(0.5, 1e3)
+            .because("no body has less; of one with more the nodding is slow")
+            .check(flat, p.transverse / p.axial)?;
         let stiff = compass.pendulosity * p.transverse / (momentum * momentum);
-        from_to(0.0, 1e-3).check("(Foucault's period over the compass's)^2", stiff)?;
-        from_to(-0.9, 0.9).check("offset times tan(latitude)", p.offset * tan(p.latitude))?;
+        let slow = from_to(0.0, 1e-3).because(
+            "beyond it the moment across the axle counts: spin faster, or take a lighter bob",
+        );
+        slow.check("(Foucault's period over the compass's)^2", stiff)?;
+        let nods = momentum / (p.transverse * compass.foucault_rate());
+        let few = from_to(0.0, 6e4).because("its rounding drowns the swing");
+        few.check("nodding of the wheel over Foucault's swing", nods)?;
+        let held =
+            from_to(-0.3, 0.3).because("a weaker bob does not hold the axle near the horizon");
+        held.check("tilt at rest", compass.rest()[1])?;
+        let rests = from_to(-0.9, 0.9).because(
+            "from 1 on the damper is too strong for the Earth, and the axle does not rest",
+        );
+        rests.check("offset times tan(latitude)", p.offset * tan(p.latitude))?;
         Ok(compass)
     }
 
@@ -363,6 +387,8 @@ pub fn measured_held(c: Compass) -> Result<f64> {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    let moves = from_to(1e-4, 3.1415).because("let go nearer to north or south it hardly moves");
+    moves.check("size of the release", p.release.abs())?;
     let c = Compass::new(p)?;
     let (l, north, up) = (c.momentum, c.north(), c.horizon.z());
     let damped = Compass {
@@ -380,7 +406,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let beat = (stiff - decay * decay).max(0.0).sqrt();
     let [half, factor] = if swings { shrinking(damped)? } else { [0.0; 2] };
     let error = damped.rest()[0];
+    // What is not damped does not settle.
+    let damps = swings && decay > 1e-3 * rate;
     let rider = secant(0.9 * l * up, 1.1 * l * up, |rider| {
+        if !damps {
+            return Ok(0.0);
+        }
         Ok(Compass { rider, ..damped }
             .run([0.0, 0.0], 200.0 / decay.min(rate), 1e-14)?
             .end_state()[0])
@@ -440,7 +471,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             -error => "the other side",
             p.offset => "that is the ratio of the torques; at the equator the azimuth is zero";
         /// torque of a rider that takes this away
-        rider: l * up, "N m", "settles north" => rider?, within 1e-9 * l * EARTH, if swings && p.latitude.abs() > 1e-3,
+        rider: l * up, "N m", "settles north" => rider?, within 1e-9 * l * EARTH, if damps && p.latitude.abs() > 1e-3,
         in "Damped":
             l * north => "the tilt at rest comes from the vertical part of the Earth's rotation";
         /// azimuth at rest on the ship
@@ -470,7 +501,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         offset: 0.0,
         ..p.clone()
     };
-    let pole = |latitude| Ok(Compass::new(&at(latitude))?.foucault_rate() / cos(latitude).sqrt());
+    let pole = |latitude| Ok(Compass::of(&at(latitude))?.foucault_rate() / cos(latitude).sqrt());
     let free = (with(soft).linear()[1]).sqrt();
     limits! { report,
         /// the frame holds the axle level
@@ -482,7 +513,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// only the part of the rotation in the horizon counts
         "near the pole: omega_F/sqrt(cos)": pole(1.5)? / pole(0.0)? => 1.0, within 1e-6;
         /// the horizon does not turn
-        "equator: tilt at rest": Compass::new(&at(0.0))?.rest()[1] => 0.0, within 1e-15;
+        "equator: tilt at rest": Compass::of(&at(0.0))?.rest()[1] => 0.0, within 1e-15;
     }
 }
 

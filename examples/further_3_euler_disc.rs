@@ -18,27 +18,27 @@ parameters! {
     /// The disc of Moffatt's note; the inclination of the steady motion is ours.
     pub struct Parameters {
         /// radius of the disc
-        radius: number(0.0375, "m", from_to(1e-3, 1.0).usually(0.01, 0.1)).drawn(0.0300, 0.0450, 0.0025);
+        radius: number(0.0375, "m", above(0.0).usually(0.01, 0.1)).drawn(0.0300, 0.0450, 0.0025);
         /// its mass
-        mass: number(0.4, "kg", from_to(1e-4, 1e3).usually(0.003, 1.0)).drawn(0.30, 0.50, 0.05);
+        mass: number(0.4, "kg", above(0.0).usually(0.003, 1.0)).drawn(0.30, 0.50, 0.05);
         /// inclination of the steady motion
-        inclination: number(0.4, "rad", from_to(0.01, 1.5).usually(0.05, 1.0)).drawn(0.20, 0.60, 0.05);
+        inclination: number(0.4, "rad", between(0.0, FRAC_PI_2).because("flat it is at rest, upright it spins like a top").usually(0.05, 1.0)).drawn(0.20, 0.60, 0.05);
         /// radius of the circle of its centre over R; positive on the side away from the contact
-        circle: number(0.0, "-", from_to(-10.0, 0.16).usually(-2.0, 0.1));
+        circle: number(0.0, "-", at_least(-1e3).because("on a larger circle it is a wheel on a straight line").usually(-2.0, 0.1));
         /// inclination from which it settles
-        start: number(0.1, "rad", from_to(0.01, 0.2));
+        start: number(0.1, "rad", above_to(0.0, 0.2).because("the law is that of small inclinations").usually(0.05, 0.2));
         /// what brakes it: the air under it, or rolling friction
         loss: choice("air", "rolling");
         /// coefficient of rolling friction
-        rolling: number(2e-5, "-", from_to(1e-6, 2e-4).usually(5e-6, 1e-4));
+        rolling: number(2e-5, "-", above_to(0.0, 2e-4).because("without a loss it never settles, with more the contact stops before the disc is flat").usually(5e-6, 1e-4));
         /// viscosity of the air
-        viscosity: number(1.78e-5, "Pa s", from_to(1e-6, 1e-3).usually(1e-5, 1e-4));
+        viscosity: number(1.78e-5, "Pa s", above(0.0).because("without a loss it never settles").usually(1e-5, 1e-4));
         /// thickness under the centre at which a film of air, or a smooth edge, is none any more
-        film: number(1e-5, "m", from_to(1e-7, 1e-3).usually(1e-6, 1e-4));
+        film: number(1e-5, "m", at_least(1e-7).because("a thinner film is less than an edge is smooth").usually(1e-6, 1e-4));
         /// a time before the end that is asked about
-        left: number(1.0, "s", from_to(1e-6, 1e4).usually(0.01, 50.0));
+        left: number(1.0, "s", above(0.0).usually(0.01, 50.0));
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-2, 1e3).usually(1.0, 25.0));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// error of a step of the simulations: from 1e-14 to 1e-8
         tolerance: number(1e-10, "-", from_to(1e-14, 1e-8));
     }
@@ -169,10 +169,13 @@ impl Case {
         };
         let (law, film) = (Settling::of(loss), p.film / p.radius);
         let end = law.falls().max(film);
-        between(0.0, 0.1 * p.start).check(
-            "inclination at which the law ends, less than a tenth of the start,",
-            end,
-        )?;
+        let settles = between(0.0, 0.1 * p.start)
+            .because("there it falls with g, or the film ends: start steeper, or with less loss");
+        let ends = "inclination at which the law ends, less than a tenth of the start,";
+        settles.check(ends, end)?;
+        let turns = law.turns(p.start);
+        let soon = from_to(0.0, 3e4).because("a smaller loss takes too long to simulate");
+        soon.check("turns until it has settled", turns)?;
         let step = p.tolerance;
         Ok(Self {
             time,
@@ -275,14 +278,13 @@ fn steady(p: &Parameters) -> Result<Steady> {
         tilt: p.inclination,
         circle: p.circle,
     };
-    above(0.0).check(
-        "cos(inclination) - 6 circle",
-        cos(p.inclination) - 6.0 * p.circle,
-    )?;
-    above(0.02).check(
-        "square of the frequency of a nodding, over that of the rate,",
-        motion.nodding(),
-    )?;
+    let pressed = above(0.0).because("else no rate holds it on this circle");
+    let room = cos(p.inclination) - 6.0 * p.circle;
+    pressed.check("cos(inclination) - 6 circle", room)?;
+    let stable =
+        above(0.02).because("below 0 it falls over, near 0 it nods too slowly to be measured");
+    let square = "square of the frequency of a nodding, over that of the rate,";
+    stable.check(square, motion.nodding())?;
     Ok(motion)
 }
 
@@ -362,6 +364,7 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
     let (law, time) = (case.law, case.time);
     let [ends, asked] = [law.left(case.end) * time, p.left];
     from_to(ends, 0.85 * law.left(case.start) * time)
+        .because("longer than the disc settles there is nothing left")
         .check("left, down to where the law ends,", asked)?;
     let (by_air, by_rolling) = (air.simulate()?, rolls.simulate()?);
     let run = if p.loss == "air" {

@@ -6,6 +6,7 @@ mod figures;
 pub mod strings;
 
 use core::f64::consts::PI;
+use rotation_dynamics::interval::above_to;
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::report::prelude::*;
 use strings::{Hangs, Reel, YoYo, zero};
@@ -20,11 +21,11 @@ parameters! {
         /// mass of each of the two weights
         weight: number(0.5, "kg", above(0.0).usually(0.2, 2.0)).drawn(0.3, 1.0, 0.1);
         /// spin before
-        spin: number(10.0, "rad/s", from_to(1e-6, 1e6).usually(1.0, 20.0)).drawn(5.0, 15.0, 0.5);
+        spin: number(10.0, "rad/s", any().usually(1.0, 20.0)).drawn(5.0, 15.0, 0.5);
         /// length of each string
         string: number(3.0, "m", above(0.0).usually(1.0, 5.0)).drawn(2.0, 4.0, 0.1);
         /// spin that is wanted
-        aim: number(1.0, "rad/s", at_least(0.0).usually(0.0, 5.0)).drawn(0.5, 2.0, 0.5);
+        aim: number(1.0, "rad/s", any().usually(0.0, 5.0)).drawn(0.5, 2.0, 0.5);
         /// mass of a satellite that has one string only
         body: number(160.0, "kg", above(0.0).usually(50.0, 500.0));
         /// stiffness of the spring in each string of a stretch yo-yo
@@ -78,11 +79,23 @@ impl Answer {
 /// The satellite in the units of the simulation, and the answer for it.
 pub fn scene(p: &Parameters) -> Result<(YoYo, Answer)> {
     let inertia = p.inertia / (2.0 * p.weight * p.radius * p.radius);
-    from_to(0.5, 1e5).check("I/(2 m R^2)", inertia)?;
+    let spins = above_to(0.0, 1e8)
+        .because("without a spin the weights stay where they are, and a rim is slower than light");
+    spins.check("size of the spin", p.spin.abs())?;
+    let light = from_to(1e-6, 5e6).because("lighter weights need thousands of turns of string");
+    light.check("I/(2 m R^2)", inertia)?;
     let length = p.string / p.radius;
-    from_to(0.1, 3.0 * (inertia + 1.0).sqrt()).check("string/radius", length)?;
-    from_to(0.0, 0.95).check("aim/spin", p.aim / p.spin)?;
-    Ok((YoYo { inertia, length }, Answer { inertia }))
+    let winds = from_to(1e-3, 1e4)
+        .because("a shorter one hardly unwinds, a longer one unwinds for thousands of turns");
+    winds.check("string/radius", length)?;
+    let most = -((inertia + 1.0) / inertia).sqrt();
+    let aims = between(most, 1.0).because("1 needs no string, and the weights only take energy");
+    aims.check("aim/spin", p.aim / p.spin)?;
+    let answer = Answer { inertia };
+    let needed = "string for the aim, over the radius,";
+    let finite = from_to(0.0, 1e4).because("as the aim comes up to the energy, it has no end");
+    finite.check(needed, answer.length_outward(p.aim / p.spin))?;
+    Ok((YoYo { inertia, length }, answer))
 }
 
 /// Dawn in 2007: both weights 3 kg, cables of 12 m, from 46 to -3 turns a minute; the radius on
@@ -117,9 +130,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let with = |length| YoYo { length, ..yoyo };
     let (stop, stop_tangent, aim) = (a.length_outward(0.0), a.length_tangent(0.0), p.aim / w);
     let found = |aim: f64| {
-        zero([1e-3 * stop, 1.5 * stop], |length| {
-            Ok(with(length).last_spin(1e-13)? - aim)
-        })
+        let wanted = a.length_outward(aim);
+        let between = [(1e-3 * stop).min(0.5 * wanted), 1.5 * stop.max(wanted)];
+        zero(between, |length| Ok(with(length).last_spin(1e-13)? - aim))
     };
     // Without an end of the string the spin goes through zero on the tangent.
     let long = with(3.0 * stop_tangent).run(1e-13)?;
@@ -150,7 +163,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         stiffness: None,
     };
     let [lone_spin, _, lone_speed] = reel.last(1.0, 1e-13)?;
-    let push = |speed: f64| w * r * speed * p.weight / (p.weight + p.body);
+    let push = |speed: f64| w.abs() * r * speed * p.weight / (p.weight + p.body);
     let [weights, cable, ratio, guess] = DAWN;
     let dawned = zero([1.5, 0.5], |part| {
         let inertia = part * dawn() / (weights * guess * guess);
@@ -161,7 +174,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         .last_spin(1e-13)?
             - ratio)
     })?;
-    let skater = w * (j + 1.0) / (j + (1.0 + l) * (1.0 + l));
+    let (rate, skater) = (w.abs(), w * (j + 1.0) / (j + (1.0 + l) * (1.0 + l)));
     let spin = w * a.spin_outward(l);
     claims! { report,
         /// string that stops it, let go outward
@@ -177,19 +190,19 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// string for the spin that is wanted, let go outward
         string_for_aim: r * a.length_outward(aim), "m", "simulated, zero found" => r * found(aim)?, within 1e-10 * r * stop,
         in "To a given spin":
-            r * a.length_tangent(aim) => "that is for strings that are let go along the tangent";
+            r * a.length_tangent(aim.max(1e-9 - 1.0)) => "that is for strings that are let go along the tangent";
         /// spin with the given string, let go outward
-        spin_outward: spin, "rad/s", "Lagrange, simulated" => w * out.before[2], within bound * w, in "To a given spin":
+        spin_outward: spin, "rad/s", "Lagrange, simulated" => w * out.before[2], within bound * rate, in "To a given spin":
             skater => "the strings are no rigid arms: at the end they turn faster than the satellite",
             w * a.spin_tangent(l) => "that is for strings that are let go along the tangent";
         /// spin with the given string, let go along the tangent
-        spin_tangent: w * a.spin_tangent(l), "rad/s", "Lagrange, simulated" => w * ends.before[2], within bound * w,
+        spin_tangent: w * a.spin_tangent(l), "rad/s", "Lagrange, simulated" => w * ends.before[2], within bound * rate,
         in "To a given spin":
             spin => "that is for strings that are let go outward";
         /// time until the string is unwound
-        time_unwound: l / w, "s", "located event" => ends.t / w, within bound * l / w;
+        time_unwound: l / rate, "s", "located event" => ends.t / rate, within bound * l / rate;
         /// speed of the weights when they are let go outward
-        speed: w * r * a.speed(l), "m/s", "Lagrange, simulated" => w * r * hypot(vx, vy), within bound * w * r * a.speed(l);
+        speed: rate * r * a.speed(l), "m/s", "Lagrange, simulated" => rate * r * hypot(vx, vy), within bound * rate * r * a.speed(l);
         /// part of the energy that the weights take along
         taken: 1.0 - j * a.spin_outward(l) * a.spin_outward(l) / (j + 1.0), "-", "Lagrange, simulated" => (vx * vx + vy * vy) / (j + 1.0), within bound;
         /// pull of each string when it is unwound
@@ -203,13 +216,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// the same for a part of the string too much
         per_string: -(j + 1.0) / j * stop / (1.0 + stop), "-", "simulated, differences" => by_length, within 1e-6;
         /// spin with one string and one weight
-        one_spin: w * lone, "rad/s", "Newton, polar" => w * lone_spin, within 1e-6 * w;
+        one_spin: w * lone, "rad/s", "Newton, polar" => w * lone_spin, within 1e-6 * rate;
         /// speed that this gives the satellite
         one_push: push(speed), "m/s", "Newton, polar" => push(lone_speed), within 1e-6 * push(speed);
         /// moment of inertia of Dawn with its third stage
         dawn: dawn(), "kg m^2", "simulated, zero found" => dawned * dawn(), within 1e-9 * dawn();
         /// wrong: spin with rigid arms of that length
-        naive_arms: skater, "rad/s", "a ring of 2 m" => w / (1.0 + (2.0 * l + l * l) / (j + 1.0)), within bound * w;
+        naive_arms: skater, "rad/s", "a ring of 2 m" => w / (1.0 + (2.0 * l + l * l) / (j + 1.0)), within bound * rate;
     }
 }
 
@@ -308,7 +321,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
     let (yoyo, a) = scene(p)?;
     let (w, aim) = (p.spin, p.aim / p.spin);
-    let (springs, length) = (sprung(p)?, a.length_outward(aim));
+    // A spring that is too soft, or longer than the string, leaves no spin that is wanted.
+    let (springs, length) = (sprung(p), a.length_outward(aim));
     let columns = [
         "spin before / (rad/s)",
         "I / that foreseen",
@@ -320,8 +334,19 @@ fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
     for [before, part] in spins.into_iter().chain([[1.0, 0.95], [1.0, 1.05]]) {
         let inertia = part * yoyo.inertia;
         let rigid = before * YoYo { inertia, length }.last_spin(1e-12)?;
-        let [sprung, ..] = Reel { inertia, ..springs }.last(before, 1e-10)?;
-        table.push([w * before, part, w * rigid, w * sprung].map(|x| format!("{x:.3}")))?;
+        let sprung = match &springs {
+            Ok(springs) => format!(
+                "{:.3}",
+                w * Reel {
+                    inertia,
+                    ..*springs
+                }
+                .last(before, 1e-10)?[0]
+            ),
+            Err(_) => "none holds".into(),
+        };
+        let row = [w * before, part, w * rigid].map(|x| format!("{x:.3}"));
+        table.push(row.into_iter().chain([sprung]))?;
     }
     report.add(table)
 }
@@ -331,12 +356,15 @@ pub fn sprung(p: &Parameters) -> Result<Reel> {
     let (yoyo, a) = scene(p)?;
     let aim = p.aim / p.spin;
     let stiffness = p.spring / (p.weight * p.spin * p.spin);
-    from_to(2.0, 1e6).check("spring/(m w0^2)", stiffness)?;
+    let holds = above(2.0).because("a softer spring is drawn out without an end");
+    holds.check("spring/(m w0^2)", stiffness)?;
+    // A stiffer one gives less than a millionth of its length.
+    let stiffness = Some(stiffness).filter(|stiffness| *stiffness <= 1e6);
     let reel = |length| Reel {
         inertia: yoyo.inertia,
         weight: 1.0,
         length,
-        stiffness: Some(stiffness),
+        stiffness,
     };
     let rigid = a.length_outward(aim);
     Ok(reel(zero([0.05 * rigid, 1.2 * rigid], |length| {

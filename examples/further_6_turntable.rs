@@ -6,7 +6,7 @@ mod figures;
 pub mod rolling;
 
 use core::f64::consts::PI;
-use rolling::{Ball, Moving, Surface, at};
+use rolling::{Ball, Moving, STILL, Surface, at};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode};
 use rotation_dynamics::report::prelude::*;
 
@@ -14,33 +14,33 @@ parameters! {
     /// A ball on a table of the laboratory, and a golf ball in its hole.
     pub struct Parameters {
         /// angular velocity of the table
-        rate: number(10.0, "rad/s", from_to(1.0, 100.0).usually(3.0, 15.0)).drawn(6.0, 14.0, 1.0);
+        rate: number(10.0, "rad/s", any().usually(3.0, 15.0)).drawn(6.0, 14.0, 1.0);
         /// radius of the table
-        table: number(0.3, "m", from_to(1e-3, 1e3).usually(0.16, 0.5));
+        table: number(0.3, "m", above(0.0).usually(0.16, 0.5));
         /// radius of the ball
-        radius: number(0.02, "m", from_to(1e-3, 1.0).usually(0.005, 0.03));
+        radius: number(0.02, "m", above(0.0).usually(0.005, 0.03));
         /// k = I/(m a^2) of both balls: 2/5 for a uniform one, 2/3 for a thin shell
-        shape: number(0.4, "-", from_to(0.05, 1.0).usually(0.3, 0.7));
+        shape: number(0.4, "-", above_to(0.0, 2.0 / 3.0).because("that is all mass at the surface").usually(0.3, 0.66));
         /// coefficient of friction
-        friction: number(0.2, "-", from_to(1e-3, 10.0).usually(0.05, 0.6)).drawn(0.15, 0.40, 0.05);
+        friction: number(0.2, "-", above(0.0).usually(0.05, 0.6)).drawn(0.15, 0.40, 0.05);
         /// where the ball starts: its distance from the axis, along x
-        place: number(0.15, "m", from_to(1e-4, 1.0).usually(0.02, 0.25)).drawn(0.08, 0.20, 0.01);
+        place: number(0.15, "m", any().usually(0.02, 0.25)).drawn(0.08, 0.20, 0.01);
         /// its velocity there, along y
-        velocity: number(0.2, "m/s", from_to(1e-6, 2.0).usually(0.05, 0.4)).drawn(0.10, 0.30, 0.05);
+        velocity: number(0.2, "m/s", any().usually(0.05, 0.4)).drawn(0.10, 0.30, 0.05);
         /// tilt of the table
-        tilt: number(0.01, "rad", from_to(1e-9, 1.5).usually(0.002, 0.03)).drawn(0.005, 0.020, 0.005);
+        tilt: number(0.01, "rad", between(-0.5 * PI, 0.5 * PI).because("a table on edge carries no ball").usually(0.002, 0.03)).drawn(0.005, 0.020, 0.005);
         /// rolling resistance: its moment over m a^2 and the angular velocity
-        loss: number(0.05, "1/s", from_to(1e-3, 10.0).usually(0.01, 0.3));
+        loss: number(0.05, "1/s", at_least(0.0).because("resistance takes energy").usually(0.01, 0.3));
         /// radius of the upright cylinder
-        hole: number(0.054, "m", from_to(1e-3, 1e2).usually(0.05, 0.2));
+        hole: number(0.054, "m", above(0.0).usually(0.05, 0.2));
         /// radius of the ball in it
-        golf: number(0.02133, "m", from_to(1e-4, 1e2).usually(0.01, 0.04));
+        golf: number(0.02133, "m", above(0.0).usually(0.01, 0.04));
         /// angular velocity of its middle about the axis of the cylinder
-        orbit: number(45.0, "rad/s", from_to(3.0, 1e3).usually(30.0, 80.0)).drawn(40.0, 60.0, 5.0);
+        orbit: number(45.0, "rad/s", any().usually(30.0, 80.0)).drawn(40.0, 60.0, 5.0);
         /// its velocity downward at the start
-        drop: number(0.3, "m/s", from_to(0.0, 10.0).usually(0.0, 0.6)).drawn(0.1, 0.5, 0.1);
+        drop: number(0.3, "m/s", any().usually(0.0, 0.6)).drawn(0.1, 0.5, 0.1);
         /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(0.1, 1e3).usually(1.0, 25.0));
+        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// error of a step of the simulations: from 1e-15 to 1e-3
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
     }
@@ -63,6 +63,7 @@ pub fn centre(ball: &Ball, at: &Moving) -> SpaceVector {
 /// The exponents of a ball with rolling resistance, `x + i y = A exp(l1 t) + B exp(l2 t)`: that of
 /// the middle of the circle, and that of the circle, as real and imaginary part, 1/s.
 pub fn exponents(rate: f64, shape: f64, loss: f64) -> [[f64; 2]; 2] {
+    let (sense, rate) = (rate.signum(), rate.abs());
     let (nu, damping) = (share(shape) * rate, loss / (1.0 + shape));
     let re = damping * damping - nu * nu;
     let im = damping * (4.0 * rate - 2.0 * nu);
@@ -70,7 +71,7 @@ pub fn exponents(rate: f64, shape: f64, loss: f64) -> [[f64; 2]; 2] {
     let [x, y] = [0.5 * (0.5 * im / root - damping), 0.5 * (root + nu)];
     // The product of the two is -i damping rate.
     let scale = -damping * rate / (x * x + y * y);
-    [[scale * y, scale * x], [x, y]]
+    [[scale * y, sense * scale * x], [x, sense * y]]
 }
 
 /// A ball in a cylinder: height, turning about the axis at the rate `orbit`, no spin about the
@@ -91,7 +92,7 @@ pub struct Bobbing {
 impl Bobbing {
     pub fn new(p: &Parameters) -> Self {
         let (k, g) = (p.shape, p.gravity);
-        let rate = p.orbit * share(k).sqrt();
+        let rate = p.orbit.abs() * share(k).sqrt();
         let below = g / (k * p.orbit * p.orbit);
         let middle = -below;
         let amplitude = hypot(below, p.drop / rate);
@@ -120,6 +121,40 @@ pub fn on_table(p: &Parameters) -> (Ball, Moving) {
     (ball, thrown(&ball, [p.place, 0.0], [0.0, p.velocity]))
 }
 
+/// The same, if it runs round a circle.
+fn circling(p: &Parameters) -> Result<(Ball, Moving)> {
+    let straight = above(0.0).because("on a table at rest it rolls straight on");
+    straight.check("size of the table's rate", p.rate.abs())?;
+    let spot = above(0.0).because("it rolls on the spot, as the table passes below it");
+    spot.check("size of the velocity", p.velocity.abs())?;
+    let beside = from_to(0.0, 1.0).because("it starts beside the table");
+    beside.check(
+        "place over the radius of the table",
+        (p.place / p.table).abs(),
+    )?;
+    let (ball, start) = on_table(p);
+    let nu = (share(p.shape) * p.rate).abs();
+    let slope = p.gravity * sin(p.tilt).abs().max(1e-3) / (p.shape * p.rate.abs());
+    let (turn, passed) = (2.0 * PI / nu, 100.0 * (p.place / p.radius).abs());
+    let few = from_to(0.0, 1e4).because("more of them take too long to simulate");
+    few.check(
+        "radians that the ball turns in a turn of its circle",
+        turn * start.spin.norm(),
+    )?;
+    few.check(
+        "radians that it turns in that time on the slope",
+        turn * slope / p.radius,
+    )?;
+    let few = from_to(0.0, 3e4).because("more of them take too long to simulate");
+    few.check(
+        "radians that it turns while the table turns by 100 of them",
+        passed,
+    )?;
+    let rolls = from_to(0.0, 50.0).because("braked more strongly, it is carried by the table");
+    rolls.check("loss over the rate on the circle", p.loss / nu)?;
+    Ok((ball, start))
+}
+
 /// Rolling on a table, from here with this velocity, with the spin of the table about the normal.
 pub fn thrown(ball: &Ball, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Moving {
     let place = SpaceVector::new(x, y, ball.radius);
@@ -145,7 +180,19 @@ pub fn tilted(ball: Ball, p: &Parameters) -> Ball {
 pub fn in_hole(p: &Parameters, turning: f64) -> Result<(Ball, Moving)> {
     let distance = p.hole - p.golf;
     let ratio = "(radius of the cylinder - that of the ball)/(that of the ball)";
-    from_to(1e-3, 1e3).check(ratio, distance / p.golf)?;
+    let fits =
+        from_to(1e-3, 1e3).because("below 0 it does not fit in; far above, the wall is a plane");
+    fits.check(ratio, distance / p.golf)?;
+    let pressed =
+        above(0.0).because("a ball that does not go round is not pressed to the wall, and falls");
+    pressed.check("size of the orbit", p.orbit.abs())?;
+    let bobbing = Bobbing::new(p);
+    let spin = p.orbit.abs() * (bobbing.amplitude - bobbing.middle) / p.golf;
+    let few = from_to(0.0, 3e4).because("more of them take too long to simulate");
+    few.check(
+        "radians that the ball turns as it goes down and up",
+        2.0 * PI / bobbing.rate * spin,
+    )?;
     let ball = ball_on(Surface::Wall { distance }, turning, p.golf, p);
     let velocity = SpaceVector::new(0.0, distance * p.orbit, -p.drop);
     let start = ball.rolling(SpaceVector::new(distance, 0.0, 0.0), velocity, 0.0);
@@ -165,7 +212,8 @@ fn turning(ball: Ball, start: Moving, n: u32, step: f64) -> Result<(LocatedEvent
 /// The real part of exponent `n`, simulated: a ball that starts so that the other is not there.
 fn measured(ball: Ball, [re, im]: [f64; 2], step: f64) -> Result<f64> {
     let start = thrown(&ball, [0.1, 0.0], [0.1 * re, 0.1 * im]);
-    let time = 2.0 / hypot(re, im);
+    // The slower an exponent, the fewer of its digits are above the error of a step.
+    let time = (2.0 / hypot(re, im)).min(100.0 / (share(ball.shape) * ball.rate).abs());
     let end = Moving::of(&after(time, &ball.rolls(), &start.numbers(), step)?);
     Ok(log(level(end.place) / 0.1) / time)
 }
@@ -180,30 +228,45 @@ fn naive(rate: f64, shape: f64) -> impl Ode<4> {
 }
 
 fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
-    let ((ball, start), g, k, v, step) = (on_table(p), p.gravity, p.shape, p.velocity, p.tolerance);
-    let (nu, bound) = (share(k) * p.rate, 1e3 * p.tolerance);
+    let ((ball, start), g, k, v, step) =
+        (circling(p)?, p.gravity, p.shape, p.velocity, p.tolerance);
+    let (turns, bound) = (share(k) * p.rate, 1e3 * p.tolerance);
+    let nu = turns.abs();
     let half = turning(ball, start, 1, step)?.0;
     let whole = turning(ball, start, 2, step)?.0;
-    let (radius, size) = (v / nu, p.place + v / nu);
-    let held = ball.forces(&start).1.norm();
+    let (radius, size) = (v.abs() / nu, (p.place).abs() + v.abs() / nu);
+    let held = ball.forces(&start).1;
+    // Which way the friction bends its path.
+    let sense = (-v * held.x()).signum();
     // Carried by the table, and let go.
-    let lying = thrown(&ball, [p.place, 0.0], [0.0, p.rate * p.place]);
-    let carried = p.place * p.friction * g / ball.forces(&lying).1.norm();
+    let out = if p.place == 0.0 {
+        p.radius
+    } else {
+        p.place.abs()
+    };
+    let lying = thrown(&ball, [out, 0.0], [0.0, p.rate * out]);
+    let carried = out * p.friction * g / ball.forces(&lying).1.norm();
     // Put down without spin: it slips at first.
     let (wide, until) = (
         ball.without_edge(),
-        2.0 * p.rate * p.place / (p.friction * g),
+        2.0 * (p.rate * p.place).abs() / (p.friction * g),
     );
-    let slid = wide.run(&dead(&wide, [p.place, 0.0]), until, step)?;
-    let caught = slid
-        .transition("rolls")
-        .map(|rolls| Moving::of(&rolls.after));
+    // If it turns often before it rolls, that is not followed.
+    let caught = match until * p.rate.abs() * (1.0 + p.place.abs() / p.radius) < 1e5 {
+        true => {
+            let slid = wide.run(&dead(&wide, [p.place, 0.0]), until, step)?;
+            slid.transition("rolls")
+                .ok()
+                .map(|rolls| Moving::of(&rolls.after))
+        }
+        false => None,
+    };
     let [far, quick] = caught
         .as_ref()
         .map_or([f64::NAN; 2], |at| [at.place, at.velocity].map(level));
     claims! { report,
         /// angular velocity on the circle
-        nu: nu, "rad/s", "located event" => 2.0 * PI / whole.t, within bound * nu, in "On the table":
+        nu: turns, "rad/s", "located event" => sense * 2.0 * PI / whole.t, within bound * nu, in "On the table":
             p.rate => "that is the table, and the ball rolls on it",
             k * p.rate => "friction has to move the ball as well as to turn it",
             p.rate / (1.0 + k) => "which part of the change is it, k or 1?";
@@ -214,21 +277,22 @@ fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
         circle: radius, "m", "located event" => 0.5 * (p.place - half.state[0]).abs(), within bound * size, in "On the table":
             p.place => "the axis of the table is not the middle of the circle";
         /// place of its middle, along x
-        centre: p.place - radius, "m", "located event" => 0.5 * (p.place + half.state[0]), within bound * size, in "On the table":
-            p.place + radius => "to which side does it turn?";
+        centre: p.place - v / turns, "m", "located event" => 0.5 * (p.place + half.state[0]), within bound * size, in "On the table":
+            p.place + v / turns => "to which side does it turn?";
         /// coefficient of friction that it needs
-        mu_min: nu * v / g, "-", "contact forces" => held / g, within bound * nu * v / g, in "Where it slips";
+        mu_min: nu * v.abs() / g, "-", "contact forces" => held.norm() / g, within bound * nu * v.abs() / g, in "Where it slips";
         /// carried by the table and let go: it rolls if it is nearer to the axis than
-        carried: p.friction * g / (nu * p.rate), "m", "contact forces" => carried, within bound * carried, in "Where it slips":
+        carried: p.friction * g / (turns * p.rate), "m", "contact forces" => carried, within bound * carried, in "Where it slips":
             p.friction * g / (p.rate * p.rate) => "that is a coin, which goes with the table";
         /// put down at rest: radius of the circle on which it rolls in the end
-        dead: far, "m", "velocity over nu" => quick / nu, within 1e-7 * far, if caught.is_ok();
+        dead: far, "m", "velocity over nu" => quick / nu, within 1e-7 * far + 2.0 * STILL / nu, if caught.is_some();
     }
 }
 
 fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
-    let ((ball, start), g, k, v, step) = (on_table(p), p.gravity, p.shape, p.velocity, p.tolerance);
-    let (nu, bound) = (share(k) * p.rate, 1e3 * p.tolerance);
+    let ((ball, start), g, k, v, step) =
+        (circling(p)?, p.gravity, p.shape, p.velocity, p.tolerance);
+    let (nu, bound) = (share(k) * p.rate.abs(), 1e3 * p.tolerance);
     let (sloping, drift) = (tilted(ball, p), g * sin(p.tilt) / (k * p.rate));
     let turn = after(2.0 * PI / nu, &sloping.rolls(), &start.numbers(), step)?;
     let lossy = Ball {
@@ -238,31 +302,46 @@ fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
     let [shrinks, grows] = exponents(p.rate, k, p.loss);
     // The acceleration of a circle about the axis that grows is grows^2 times its radius.
     let slips = p.friction * g / (grows[0] * grows[0] + grows[1] * grows[1]);
-    let near = thrown(
-        &lossy,
-        [0.999 * slips, 0.0],
-        grows.map(|x| 0.999 * slips * x),
-    );
-    let spiral = lossy.run(&near, 0.01 / grows[0], step)?;
-    let let_go = level(Moving::of(&spiral.transition("slips")?.before).place);
+    // A slow spiral starts nearer to where it slips. A much slower one, and one on a table so wide
+    // that the ball turns too often on its way, is not followed.
+    let part = 1.0 - 1e-3 * (100.0 * grows[0] / nu).min(1.0);
+    let end = 10.0 * (1.0 - part) / grows[0];
+    let followed = grows[0] > 1e-6 * nu && p.rate.abs() * slips / p.radius * end < 1e5;
+    let near = thrown(&lossy, [part * slips, 0.0], grows.map(|x| part * slips * x));
+    let let_go = match followed {
+        false => f64::NAN,
+        true => {
+            let start = near.numbers();
+            let grip = |y: &[f64; 13]| lossy.grip(y);
+            let slips = Dop853::new(step)?
+                .zero(&lossy.rolls(), start, 1, end, grip)?
+                .0;
+            level(Moving::of(&slips.state).place)
+        }
+    };
     // The wrong equation.
     let wrong = nu / k.sqrt();
     let away = |t: f64| -> Result<f64> {
-        let [x, y, ..] = after(t / wrong, &naive(p.rate, k), &[1.0, 0.0, 0.0, 1.0], 1e-14)?;
+        let [x, y, ..] = after(
+            t / wrong,
+            &naive(p.rate, k),
+            &[1.0, 0.0, 0.0, 0.1 * p.rate],
+            1e-14,
+        )?;
         Ok(log(hypot(x, y)))
     };
     claims! { report,
         /// tilted: velocity of the drift, across the slope
-        drift: drift, "m/s", "simulated" => (turn[1] - start.place.y()) * nu / (2.0 * PI), within bound * (drift + v), in "The tilted table":
+        drift: drift, "m/s", "simulated" => (turn[1] - start.place.y()) * nu / (2.0 * PI), within bound * (drift.abs() + v.abs()), in "The tilted table":
             drift * k / (1.0 + k) => "in the drift nothing accelerates";
         /// tilted: drift down the slope
-        downhill: 0.0, "m/s", "simulated" => (turn[0] - start.place.x()) * nu / (2.0 * PI), within bound * (drift + v);
+        downhill: 0.0, "m/s", "simulated" => (turn[0] - start.place.x()) * nu / (2.0 * PI), within bound * (drift.abs() + v.abs());
         /// rolling resistance: the circle grows at the rate
         grows: grows[0], "1/s", "simulated" => measured(lossy, grows, step)?, within 10.0 * bound * nu;
         /// its middle comes to the axis at the rate
         shrinks: -shrinks[0], "1/s", "simulated" => -measured(lossy, shrinks, step)?, within 10.0 * bound * nu;
         /// the growing circle slips when its radius is
-        spiral_slip: slips, "m", "located event" => let_go, within 1e-6 * slips;
+        spiral_slip: slips, "m", "located event" => let_go, within 1e-6 * slips, if followed;
         /// wrong: rate at which it leaves the axis
         naive: wrong, "1/s", "simulated" => wrong * 0.125 * (away(24.0)? - away(16.0)?), within 1e-9 * wrong;
     }
@@ -273,7 +352,9 @@ fn cylinder(p: &Parameters, report: &mut Report) -> Result<()> {
     let (k, g, bound) = (p.shape, p.gravity, 1e4 * p.tolerance);
     let method = Dop853::new(p.tolerance)?;
     let extreme = |n| method.zero(&golf.rolls(), start.numbers(), n, 1e9, |y| y[5]);
-    let (low, after_it) = (extreme(1)?.0, extreme(3)?.0);
+    // Thrown upward, it is highest first.
+    let first = if p.drop < 0.0 { 2 } else { 1 };
+    let (low, after_it) = (extreme(first)?.0, extreme(first + 2)?.0);
     let (push, most) = golf.forces(&Moving::of(&low.state));
     let (depth, bob) = (
         bobbing.amplitude - bobbing.middle,
@@ -284,10 +365,10 @@ fn cylinder(p: &Parameters, report: &mut Report) -> Result<()> {
     claims! { report,
         /// in the cylinder: angular frequency of going up and down
         bob: bobbing.rate, "rad/s", "located event" => bob, within bound * bobbing.rate, in "In the cylinder":
-            p.orbit => "not once a turn",
-            p.orbit * share(k) => "it is the square of the ratio";
+            p.orbit.abs() => "not once a turn",
+            p.orbit.abs() * share(k) => "it is the square of the ratio";
         /// turns about the axis for one time up and down
-        turns: p.orbit / bobbing.rate, "-", "located event" => p.orbit / bob, within bound * p.orbit / bobbing.rate, in "In the cylinder";
+        turns: p.orbit.abs() / bobbing.rate, "-", "located event" => p.orbit.abs() / bob, within bound * p.orbit.abs() / bobbing.rate, in "In the cylinder";
         /// depth of the lowest place
         depth: depth, "m", "located event" => -low.state[2], within bound * (depth + 1e-3), in "In the cylinder":
             bobbing.amplitude => "count from the start, not from the middle";
@@ -309,10 +390,15 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     );
     let rate = |shape| -> Result<f64> {
         let ball = Ball { shape, ..ball };
-        Ok(2.0 * PI / (turning(ball, slow, 2, 1e-12)?.0.t * p.rate))
+        Ok(2.0 * PI / (turning(ball, slow, 2, 1e-12)?.0.t * p.rate.abs()))
     };
     let still = thrown(&ball, [p.place, 0.0], [0.0; 2]).numbers();
-    let rests = after(100.0 / p.rate, &ball.rolls(), &still, 1e-12)?;
+    let rests = after(100.0 / p.rate.abs(), &ball.rolls(), &still, 1e-12)?;
+    let size = if p.place == 0.0 {
+        p.radius
+    } else {
+        p.place.abs()
+    };
     let [middle, circle] = exponents(1.0, p.shape, 1e-9 * (1.0 + p.shape));
     let (golf, start) = in_hole(p, 0.0)?;
     let hanging = golf
@@ -327,7 +413,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// too hard to turn: it goes around as the table does
         "k = 1e9: nu/Omega": rate(1e9)? => 1.0, within 1e-8;
         /// v = 0: it rolls on the spot, as the table passes below it
-        "v = 0: way/place": hypot(rests[0] - p.place, rests[1]) / p.place => 0.0, within 1e-12;
+        "v = 0: way/place": hypot(rests[0] - p.place, rests[1]) / size => 0.0, within 1e-12;
         /// small rolling resistance c: the middle comes in with c/k
         "c = 1e-9 (1 + k): shrinks k/c": -1e9 * middle[0] * share(p.shape) => 1.0, within 1e-7;
         /// and the circle grows with c/(k (1 + k))
@@ -338,11 +424,11 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (nu, k) = (share(p.shape) * p.rate, p.shape);
+    let (nu, k, v) = (share(p.shape) * p.rate.abs(), p.shape, p.velocity.abs());
     let turn = 2.0 * PI / nu;
     let lossy = p.loss / (1.0 + k);
-    let air = 3.0 * 1.204 * 0.47 * p.velocity / (8.0 * 7850.0 * p.radius);
-    let (level, earth) = (1e-3 * p.gravity / (k * p.rate), 7.292e-5 / nu);
+    let air = 3.0 * 1.204 * 0.47 * v / (8.0 * 7850.0 * p.radius);
+    let (level, earth) = (1e-3 * p.gravity / (k * p.rate.abs()), 7.292e-5 / nu);
     let ((ball, start), step) = (on_table(p), p.tolerance.min(1e-9));
     let sloping = tilted(
         ball,
@@ -359,11 +445,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let grows = exponents(p.rate, k, p.loss)[1];
     let noise = 1e4 * step;
-    let slips = nu * p.velocity / (p.friction * p.gravity);
+    let slips = nu * v / (p.friction * p.gravity);
     effect_card! { report,
         "slipping": "nu v/(mu g)" = slips, costs f64::from(slips > 1.0), "of the circle", included;
-        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / p.velocity, costs turn * level, "m of drift a turn",
-            measured drifted, within noise * (p.place + p.velocity / nu);
+        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / v, costs turn * level, "m of drift a turn",
+            measured drifted, within noise * (p.place.abs() + v / nu);
         "rolling resistance": "c/((1 + k) nu)" = lossy / nu, costs turn * grows[0], "of the radius a turn",
             measured turn * measured(rolling, grows, step)?, within noise;
         "air drag, steel ball": "gamma/nu" = air / nu, costs turn * air / (1.0 + k), "of the radius a turn";
@@ -377,10 +463,10 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((ball, start), nu) = (on_table(p), share(p.shape) * p.rate);
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
     let turn = move |step| turning(ball, start, 2, step);
-    report.dial_of_return(asked, turn, 2.0 * PI / nu, p.place)?;
+    report.dial_of_return(asked, turn, 2.0 * PI / nu.abs(), p.place)?;
     let (c, r) = (p.place - p.velocity / nu, p.velocity / nu);
     report.set_closed_form(ClosedForm::new(move |part| {
-        let (s, k) = sincos(2.0 * PI * part);
+        let (s, k) = sincos(2.0 * PI * part * nu.signum());
         Ok::<_, rotation_dynamics::Error>([c + r * k, r * s])
     }));
     Ok(())

@@ -25,11 +25,11 @@ parameters! {
     /// A satellite, and a top with a motor.
     pub struct Parameters {
         /// angle of the satellite's long axis from the vertical at the start
-        askew: number(0.1, "rad", between(0.0, 1.5).usually(0.01, 1.4));
+        askew: number(0.1, "rad", between(-0.5 * PI, 0.5 * PI).because("at a right angle it lies across, and does not swing back").usually(0.01, 1.4));
         /// mean motion of its orbit
-        mean_motion: number(1.1e-3, "rad/s", from_to(2e-4, 2e-3));
+        mean_motion: number(1.1e-3, "rad/s", from_to(2e-4, 2e-3).because("slower is farther than a day's orbit, faster is below the ground; the other way round it is the mirror image").usually(2e-4, 2e-3));
         /// torque of the top's motor
-        torque: number(0.18, "N m", from_to(0.0, 0.5));
+        torque: number(0.18, "N m", from_to(-0.5, 0.5).because("a stronger motor turns a top faster than its bearing stands").usually(0.0, 0.5));
         /// error asked of the attitude, all the way: from 1e-11 to 1e-3
         tolerance: number(1e-8, "rad", from_to(1e-11, 1e-3));
     }
@@ -41,6 +41,8 @@ pub const DAY: f64 = 86_400.0;
 // ANCHOR: satellite
 /// A satellite whose long axis, e1, hangs askew in the plane of its orbit.
 pub fn satellite(p: &Parameters) -> Result<(Scene<((), GravityGradient)>, State)> {
+    let swings = above(0.0).because("hung straight it does not swing");
+    swings.check("size of askew", p.askew.abs())?;
     let normal = SpaceVector::new(0.0, 0.0, 1.0);
     let down = SpaceVector::new(-1.0, 0.0, 0.0);
     let gradient = GravityGradient::on_orbit(p.mean_motion, normal, down)?;
@@ -269,7 +271,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((scene, start), end) = (satellite(p)?, states[23]);
     let (rate, n0) = (swings.small_swing_frequency(), p.mean_motion);
     let jacobi = |t, state: &State| scene.energy_at(t, state) - n0 * state.angular_momentum.z();
-    let (period, early) = (swings.period(), 2.0 * p.tolerance / (rate * sin(p.askew)));
+    let (period, early) = (
+        swings.period(),
+        2.0 * p.tolerance / (rate * sin(p.askew).abs()),
+    );
     let [astray, astray_by_steps] = led_astray(p, magnet(MAGNET), 1e-13)?;
     let tenth = Parameters {
         askew: 0.1 * p.askew,
@@ -397,7 +402,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     ])?;
     effect_card! { report,
         "gradient of gravity":
-            "3 (I2 - I1) / I3" = 2.1, costs 2.0 * p.askew, "rad, to the other side", included;
+            "3 (I2 - I1) / I3" = 2.1, costs 2.0 * p.askew.abs(), "rad, to the other side", included;
     }
 }
 

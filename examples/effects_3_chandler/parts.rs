@@ -88,7 +88,8 @@ impl CoreAndMantle {
     pub fn of(p: &Parameters, step: &Step) -> Result<Self> {
         let whole = body(p)?.moments().to_array();
         let (across, along) = (p.core * p.a, p.core * p.a * (1.0 + p.cavity));
-        from_to(0.0, p.a).check("moment of the core", along)?;
+        let inside = from_to(0.0, p.a).because("the core is a part of the Earth");
+        inside.check("moment of the core", along)?;
         let link = (along * (2.0 * across - along)).sqrt();
         let elastic = if step.elastic {
             p.love / p.fluid * (p.c - p.a)

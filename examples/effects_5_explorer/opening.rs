@@ -9,7 +9,7 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::{components, state};
 use rotation_dynamics::integrators::{Dop853, Integrator};
-use rotation_dynamics::interval::from_to;
+use rotation_dynamics::interval::{above, from_to};
 use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin, tan};
 use rotation_dynamics::scene::Scene;
 
@@ -40,12 +40,16 @@ impl Opening {
         } else {
             from_to(1.02, 1e3)
         };
+        let allowed =
+            allowed.because("at 1 no axis is special, and a needle has no moment about its own");
+        let turns = above(0.0).because("what does not turn has no axis to leave");
+        turns.check("size of the spin", p.spin.abs())?;
         allowed.check("moment across the axis over that about it", ratio)?;
         let sign = if ratio > 1.0 { 1.0 } else { -1.0 };
         Ok(Self {
             axial,
             transverse,
-            momentum: axial * p.spin / cos(p.nutation),
+            momentum: axial * p.spin.abs() / cos(p.nutation),
             nutation: p.nutation,
             rate: sign / p.growth,
         })

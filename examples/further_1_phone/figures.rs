@@ -96,7 +96,7 @@ figures! { p: &Parameters;
             .curve(exact(FRAC_PI_2).dashed())
             .curve(simulated(0.0)?.dots().label_at("simulated", 1e-6, 3.2, Side::Right))
             .curve(simulated(FRAC_PI_2)?.dots())
-            .level(p.turns * flight(p), Ink::Frame, "the flight")
+            .level(p.turns.abs() * flight(p), Ink::Frame, "the flight")
     };
 
     /// Angle of the axis of the throw from L over four turns, for throws 0.05 rad off. About the

@@ -9,11 +9,10 @@ use rotation_dynamics::exact::carlson::rf;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, after, ode};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, after, ode};
 use rotation_dynamics::math::{atan2, cos, hypot, log, sin, sincos};
-use rotation_dynamics::scene::Scene;
 
-/// Moments I1 < I2 < I3 and rates at the release, that about axis 2 positive.
+/// Moments I1 < I2 < I3 and rates at the release, that about axis 2 not zero.
 #[derive(Debug, Clone, Copy)]
 pub struct Throw {
     pub moments: [f64; 3],
@@ -36,10 +35,11 @@ pub fn growth([i1, i2, i3]: [f64; 3]) -> f64 {
 impl Throw {
     /// Time from the release until axis 2 is first across L.
     pub fn until_flip(&self) -> Result<f64> {
-        let [stray_1, _, stray_3] = self.rates;
+        let [stray_1, turn, stray_3] = self.rates;
         let way = self.way(self.rates)?;
-        // If both strays have one sign, the body comes nearer to the axis at first.
-        Ok(if stray_1 * stray_3 > 0.0 {
+        // If both strays have one sign, the body comes nearer to the axis at first; turned
+        // backward, if they have not.
+        Ok(if stray_1 * stray_3 * turn.signum() > 0.0 {
             self.between_flips()? - way
         } else {
             way
@@ -64,7 +64,7 @@ impl Throw {
         let ([i1, i2, i3], [into_1, into_3]) = (self.moments, exchange(self.moments));
         let (most_1, most_3) = (p * p + into_1 * q * q, r * r + into_3 * q * q);
         let integral = rf(1.0, p * p / most_1, r * r / most_3)?;
-        Ok(i2 / (i3 - i1) * q / (most_1 * most_3).sqrt() * integral)
+        Ok(i2 / (i3 - i1) * q.abs() / (most_1 * most_3).sqrt() * integral)
     }
 }
 // ANCHOR_END: closed
@@ -127,7 +127,7 @@ impl Throw {
     pub fn off(&self) -> f64 {
         let [into_1, into_3] = exchange(self.moments);
         let [p, q, r] = self.rates;
-        ((p - (into_1 / into_3).sqrt() * r) / q).abs()
+        ((p - (into_1 / into_3).sqrt() * r * q.signum()) / q).abs()
     }
 
     /// How often it turns over until the time t.
@@ -142,7 +142,7 @@ impl Throw {
 
     /// Flip number `count`, by Euler's equations with this error of a step.
     pub fn flip(&self, count: u32, step: f64) -> Result<LocatedEvent<3>> {
-        let until = 1e3 / (growth(self.moments) * self.rates[1]);
+        let until = 1e3 / (growth(self.moments) * self.rates[1].abs());
         Ok(Dop853::new(step)?
             .zero(&euler(self.moments), self.rates, count, until, |y| y[1])?
             .0)
@@ -180,13 +180,25 @@ impl Throw {
         )
     }
 
-    /// The attitude at the time t, in steps.
+    /// The attitude at the time t, in steps of Euler's equations and of the quaternion: the rates
+    /// of a narrow body are known better than its angular momentum tells them.
     pub fn stepped(&self, t: f64, step: f64) -> Result<Attitude> {
-        let (scene, start) = (Scene::new(self.body()?), self.start()?);
-        Ok(Dop853::new(step)?
-            .advance(&scene, 0.0, &start, t)?
-            .0
-            .attitude)
+        let (moments, size) = (self.moments, length(self.rates));
+        let law = ode(move |t, &[p, q, r, w, x, y, z]: &[f64; 7]| {
+            let [pp, qq, rr] = euler(moments).derivative(t, &[p, q, r]);
+            let turned = [
+                -(x * p + y * q + z * r),
+                w * p + y * r - z * q,
+                w * q + z * p - x * r,
+                w * r + x * q - y * p,
+            ];
+            let [w, x, y, z] = turned.map(|rate| 0.5 * rate);
+            [pp, qq, rr, w, x, y, z]
+        })
+        .scaled(move |_| [size, size, size, 1.0, 1.0, 1.0, 1.0]);
+        let ([p, q, r], [w, x, y, z]) = (self.rates, screen_up()?.quaternion());
+        let [.., w, x, y, z] = after(t, &law, &[p, q, r, w, x, y, z], step)?;
+        Attitude::from_quaternion([w, x, y, z])
     }
 }
 

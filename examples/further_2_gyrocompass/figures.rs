@@ -206,11 +206,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         move |t| {
             let [azimuth, tilt] = angles(run.at((60.0 * t).min(END))?);
             let (tip, side) = (axle(azimuth, 20.0 * tilt), axle(azimuth - 0.5 * PI, 0.0));
+            let side_of = if azimuth < 0.0 { "west" } else { "east" };
+            let raised = if tilt < 0.0 { "lowered" } else { "raised" };
             let alt = format!(
-                "The compass {t:.0} minutes after it is let go: its axle points {:.1} degrees east \
-             of north and is raised by {:.2} degrees; below, the azimuth against time.",
-                azimuth.to_degrees(),
-                tilt.to_degrees()
+                "The compass {t:.0} minutes after it is let go: its axle points {:.1} degrees {side_of} \
+             of north and is {raised} by {:.2} degrees; below, the azimuth against time.",
+                azimuth.to_degrees().abs(),
+                tilt.to_degrees().abs()
             );
             let scene = View::of(UP * -0.03, 0.95)
                 .camera(Camera::new(0.15, 0.38))

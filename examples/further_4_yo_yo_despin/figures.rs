@@ -103,13 +103,19 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
     /// Spin that is left against the spin before, for strings made for 1 rad/s. Without a spring a
     /// straight line through the origin. With a spring a flat bow that touches 1 rad/s.
     springs: {
-        let (sprung, w) = (sprung(p)?, p.spin);
-        let rigid = Answer { inertia: sprung.inertia }.spin_outward(Answer { inertia: sprung.inertia }.length_outward(p.aim / w));
-        let before = Sweep::over(r"$\omega_0$ / (rad/s)", 0.7 * w, 1.3 * w).at(times(0.72 * w, 1.28 * w, 8));
-        let left = Axis::linear(r"$\omega$ / (rad/s)").range(0.6 * p.aim, 1.4 * p.aim + 1e-3 * w);
-        before.panel(left)
-            .curve(before.exact(|w0| rigid * w0).label_at("rigid", 0.8 * w, 0.72 * p.aim, Side::Right))
-            .curve(before.simulated(|w0| Ok(w * sprung.last(w0 / w, 1e-9)?[0]))?.label_at("with springs", 0.9 * w, 1.05 * p.aim, Side::Above))
+        let (sprung, w, a) = (sprung(p), p.spin, scene(p)?.1);
+        let rigid = a.spin_outward(a.length_outward(p.aim / w));
+        let [from, to] = ordered([0.7 * w, 1.3 * w]);
+        let before = Sweep::over(r"$\omega_0$ / (rad/s)", from, to).at(times(0.72 * w, 1.28 * w, 8));
+        let [low, high] = ordered([0.6 * p.aim, 1.4 * p.aim + 1e-3 * w]);
+        let left = Axis::linear(r"$\omega$ / (rad/s)").range(low, high);
+        let panel = before.panel(left)
+            .curve(before.exact(|w0| rigid * w0).label_at("rigid", 0.8 * w, 0.72 * p.aim, Side::Right));
+        match sprung {
+            Ok(sprung) => panel.curve(before.simulated(|w0| Ok(w * sprung.last(w0 / w, 1e-9)?[0]))?
+                .label_at("with springs", 0.9 * w, 1.05 * p.aim, Side::Above)),
+            Err(_) => panel,
+        }
     };
 }
 
@@ -134,11 +140,11 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
         let (hangs, y) = run.at(t)?;
         let [[px, py], _] = yoyo.weight(&y);
         Ok([
-            t / w,
-            y[0],
+            t / w.abs(),
+            y[0] * w.signum(),
             y[2] * w,
             px * r,
-            py * r,
+            py * r * w.signum(),
             newton * yoyo.tension(hangs, &y),
         ])
     })
@@ -146,7 +152,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// Unwinding, turning on the hooks, and the weights on their way; below, the spin.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (yoyo, w) = (scene(p)?.0, p.spin);
+    let (yoyo, w, rate) = (scene(p)?.0, p.spin, p.spin.abs());
     let run = yoyo.run(p.tolerance)?;
     let (end, out) = (
         run.transition("unwound")?.t,
@@ -155,19 +161,27 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (free, [[x, y], [vx, vy]]) = (run.end_time(), yoyo.weight(&out));
     let far = 1.0 + yoyo.length;
     let last = free + 0.45 * far / hypot(vx, vy);
-    let spin = |t: f64| Ok((t / w, w * if t < free { run.at(t)?.1[2] } else { out[2] }));
+    let spin = |t: f64| {
+        Ok((
+            t / rate,
+            w * if t < free { run.at(t)?.1[2] } else { out[2] },
+        ))
+    };
+    let [low, high] = ordered([w * out[2].min(0.0), w]);
     let graph = Panel::over_axes(
         "$t$ / s",
-        Axis::linear(r"$\omega$ / (rad/s)").range(w * out[2].min(0.0), w),
+        Axis::linear(r"$\omega$ / (rad/s)").range(low, high),
     )
     .curve(Curve::new(
         sampled(times(0.0, last, 300), spin)?,
         Ink::Velocity,
     ));
-    let stills = [0.5 * end, 0.5 * (end + free), 0.5 * (free + last)].map(|t| t / w);
+    let stills = [0.5 * end, 0.5 * (end + free), 0.5 * (free + last)].map(|t| t / rate);
     let wide = 1.3 * far;
-    MovingPicture::above(graph, 0.0..=last / w, stills, move |t| {
-        let now = (t * w).min(last);
+    // Turned the other way, all is seen from below.
+    let falls = if w > 0.0 { "falls" } else { "rises" };
+    MovingPicture::above(graph, 0.0..=last / rate, stills, move |t| {
+        let now = (t * rate).min(last);
         let (hangs, state) = run.at(now.min(free))?;
         let path = sampled(times(0.0, now.min(free), 200), |t| {
             Ok(yoyo.weight(&run.at(t)?.1)[0])
@@ -196,10 +210,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         };
         let alt = format!(
             "After {t:.2} s {does}; the satellite turns with {:.2} rad/s. Below, its spin against time: \
-             it falls faster and faster, then evenly, \
+             it {falls} faster and faster, then evenly, \
              and levels off where the strings let go.",
             w * state[2]
         );
         Ok((alt, sketch))
     })
+}
+
+/// The smaller one first.
+fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
+    [a.min(b), a.max(b)]
 }

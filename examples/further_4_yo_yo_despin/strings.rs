@@ -192,7 +192,8 @@ impl Reel {
 pub fn zero([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
     let (mut above, mut below, mut last) = (f(low)?, f(high)?, 0);
     let apart = -above * below;
-    at_least(0.0).check(
+    let parted = at_least(0.0).because("no string in between leaves the spin that is wanted");
+    parted.check(
         "spins left by a short and a long string, and their sign,",
         apart,
     )?;

@@ -138,7 +138,7 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
     /// The path of the centre of mass, seen from above: it creeps at first, then goes round in
     /// a ring. Dots of the linear theory lie near the simulated line, less so at the end.
     above: {
-        let end = let_go.end_time().min(2.0 * PI / wheel.lecture());
+        let end = let_go.end_time().min(2.0 * PI / wheel.lecture().abs());
         let at = |t: f64| Ok(from_above(&wheel, &let_go.at(t)?));
         let centre = sampled(times(0.0, end, 500), |t| Ok(at(t)?[0]))?;
         let hook = sampled(times(0.0, end, 900), |t| Ok(at(t)?[1]))?;
@@ -196,6 +196,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (hook, support) = (r * b, SpaceVector::new(0.0, 0.0, 1.5 * size - b));
         let hub = hook + e * wheel.lever;
         let torque = e.cross(&r) * (0.7 * size);
+        let tip = hub + e * (1.3 * size * wheel.momentum.signum());
         let alt = format!(
             "The wheel {t:.1} s after it is let go, on its rope, which is {:.1} degrees off the \
              vertical; the axle rises by {:.1} degrees. Below, the rope's angle against time.",
@@ -223,20 +224,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .dashed(path, Ink::Body)
             .line([hook, hub], Ink::Ink)
             .solid(Solid::turned(hub, e, &rim), Ink::Body)
-            .arrow(
-                hub,
-                hub + e * (1.3 * size),
-                Ink::Momentum,
-                "$L$",
-                Side::Right,
-            )
-            .arrow(
-                hub + e * (1.3 * size),
-                hub + e * (1.3 * size) + torque,
-                Ink::Force,
-                "torque",
-                Side::Above,
-            );
+            .arrow(hub, tip, Ink::Momentum, "$L$", Side::Right)
+            .arrow(tip, tip + torque, Ink::Force, "torque", Side::Above);
         Ok((alt, scene))
     })
 }

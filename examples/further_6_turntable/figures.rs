@@ -169,7 +169,7 @@ figures! { p: &Parameters;
         let (ball, start) = in_hole(&Parameters { drop: 0.0, ..*p }, 0.0)?;
         let need = Bobbing::new(&Parameters { drop: 0.0, ..*p });
         let push = p.orbit * p.orbit * (p.hole - p.golf) / p.gravity;
-        let (turns, end) = (2.0 * PI / p.orbit, 8.0 * PI / p.orbit);
+        let (turns, end) = (2.0 * PI / p.orbit.abs(), 8.0 * PI / p.orbit.abs());
         let height = |part: f64| {
             let run = Ball { mu: part * need.friction / push, ..ball }.run(&start, end, 1e-10)?;
             sampled(times(0.0, end, 240), |t| Ok((t / turns, 1e3 * at(&run, t)?.place.z())))
@@ -190,7 +190,7 @@ figures! { p: &Parameters;
 /// A turn of the circle.
 fn motion(p: &Parameters) -> Result<(Ball, Run<Touch, 13>)> {
     let (ball, start) = on_table(p);
-    let end = 2.0 * PI / (share(p.shape) * p.rate);
+    let end = 2.0 * PI / (share(p.shape) * p.rate).abs();
     Ok((ball, ball.run(&start, end, p.tolerance)?))
 }
 
@@ -227,7 +227,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "After {t:.2} s: the table with a chalk mark that has turned by {:.0} degrees, and the ball that has run \
              {:.0} degrees of its circle. The friction points to the middle of the circle. Below, the places of ball \
              and mark along x against time: the mark swings several times while the ball does once.",
-            (rate * t).to_degrees(), 360.0 * t / end
+            (rate * t).abs().to_degrees(), 360.0 * t / end
         );
         let scene = View::of(SpaceVector::zero(), 1.06 * edge)
             .camera(Camera::new(-1.2, 0.85))

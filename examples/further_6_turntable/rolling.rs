@@ -75,7 +75,7 @@ impl Moving {
 }
 
 /// A slip slower than this is none, m/s.
-const STILL: f64 = 1e-10;
+pub const STILL: f64 = 1e-10;
 
 impl Ball {
     fn axis(&self) -> SpaceVector {
@@ -170,7 +170,7 @@ impl Ball {
     }
 
     /// What is left of the friction before it slips.
-    fn grip(&self, y: &Y) -> f64 {
+    pub fn grip(&self, y: &Y) -> f64 {
         let (push, held) = self.forces(&Moving::of(y));
         self.mu * push - held.norm()
     }
@@ -193,7 +193,14 @@ impl Ball {
 
     /// The motion that rolls in any case.
     pub fn rolls(self) -> impl Ode<13> {
-        ode(move |_, y: &Y| self.rates(Touch::Rolls, &Moving::of(y)).numbers())
+        ode(move |_, y: &Y| self.rates(Touch::Rolls, &Moving::of(y)).numbers()).scaled(|y: &Y| {
+            // Of a vector far beyond the sizes of a laboratory no component is better known.
+            let at = Moving::of(y);
+            let far = |v: SpaceVector, usual| if v.norm() > usual { v.norm() } else { 0.0 };
+            let [place, velocity] = [far(at.place, 1.0), far(at.velocity, 10.0)];
+            let sizes = [place, velocity, far(at.spin, 200.0), 0.0];
+            core::array::from_fn(|i| y[i].abs().max(1.0).max(sizes[(i / 3).min(3)]))
+        })
     }
 
     /// The motion with an error of a step of this size, until a time or an end.

@@ -28,11 +28,12 @@ fn every_earth_and_moon_is_confirmed() {
     let runs = [
         "--obliquity=0.2",
         "--obliquity=0.7 --moon-inclination=0",
+        "--obliquity=0.1",
         "--ellipticity=0.01 --day=150000 --moon-distance=3e8 --moon-inclination=0.15 --node-period=30",
         "--ellipticity=1e-4 --moon-distance=6e8 --day=50000 --node-period=12 --days=5",
         "--sun-eccentricity=0.1 --moon-eccentricity=0.1 --tolerance=1e-10 --days=60",
     ];
-    confirmed(&EXAMPLE, runs, 5);
+    confirmed(&EXAMPLE, runs, 6);
 }
 
 #[test]
@@ -41,7 +42,7 @@ fn what_is_no_earth_is_refused() {
         ("--ellipticity=0", "ellipticity = 0 is not allowed"),
         ("--ellipticity=-0.003", "from 0.0001 to 0.01"),
         ("--day=0", "day = 0 is not allowed"),
-        ("--obliquity=1.6", "from 0.2 to 0.7"),
+        ("--obliquity=1.6", "from 0.1 to 0.7"),
         ("--moon-eccentricity=1", "from 0 to 0.1"),
         ("--moon-distance=0", "moon_distance = 0 is not allowed"),
         ("--node-period=-18.6", "from 12 to 30"),

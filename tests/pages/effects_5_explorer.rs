@@ -26,15 +26,16 @@ fn formulas_and_simulations_agree_for_every_body() {
     let runs = [
         "--aside=0.3", "--aside=1.2 --loss=0.03", "--loss=0.002 --aside=0.1", "--least=0.2 --largest=1.15",
         "--least=0.9 --largest=1.8", "--loss=0.02 --aside=0.05", "--spin=1 --nutation=0.5 --growth=1e6",
-        "--nutation=1.4", "--nutation=0.001", "--length=0.1 --diameter=0.4", "--length=4 --diameter=0.2",
+        "--nutation=1.4", "--nutation=0.001", "--spin=-78.5", "--nutation=1e-6", "--nutation=1.57", "--mass=1e-6", "--spin=1e6", "--length=0.1 --diameter=0.4", "--length=4 --diameter=0.2",
     ];
-    confirmed(&EXAMPLE, runs, 11);
+    confirmed(&EXAMPLE, runs, 16);
 }
 
 #[test]
 fn what_is_no_body_is_refused() {
     let runs = [
-        ("--least=1", "from 0.05 to 0.95"),
+        ("--least=1", "the least of three moments"),
+        ("--spin=0", "no axis to leave"),
         ("--least=0.5 --largest=1.9", "moments"),
         ("--loss=0", "from 0.002 to 0.05"),
         ("--length=0.1 --diameter=0.1155", "moment across the axis over that about it"),

@@ -8,6 +8,7 @@ use pages::further_1_phone::*;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan2, exp, log};
+use rotation_dynamics::report::Page;
 use support::Errors;
 
 /// The phone, a book, a brick and a long box, thrown with tilts to every side.
@@ -30,8 +31,11 @@ fn other_throws_are_confirmed() {
         "--thickness=0.0702", "--width=0.1455 --thickness=0.144", "--thickness=0.068 --tilt=0.29",
         // Long after a flip from near the axis; the second is of the kind that no double decides.
         "--tilt=1e-5 --height=20", "--tilt=1e-8 --height=20", "--spread=0.001 --height=6",
+        // Turned and tilted the other way, hardly at all, very thin, narrow.
+        "--turns=-3", "--turns=-3 --toward=0.8", "--turns=-3 --toward=-0.8", "--tilt=-0.05", "--toward=4", "--turns=0.01",
+        "--tilt=1e-9", "--thickness=1e-6", "--thickness=0.0709", "--width=0.1468", "--width=0.01", "--lump=0", "--lump=1e-12",
     ];
-    confirmed(&EXAMPLE, runs, 24);
+    confirmed(&EXAMPLE, runs, 37);
 }
 
 #[test]
@@ -40,7 +44,10 @@ fn what_cannot_be_thrown_is_refused() {
         ("--length=-1", "length = -1 is not allowed"),
         ("--width=0.2", "width over length"),
         ("--thickness=0.1", "thickness over width"),
-        ("--tilt=0", "tilt = 0 is not allowed"),
+        ("--tilt=0", "it never turns over"),
+        ("--turns=0", "what does not turn does not turn over"),
+        ("--width=0.147", "there is no middle axis"),
+        ("--thickness=0.071", "there is no middle axis"),
         ("--turns=500", "turns in the flight"),
         ("--height=50", "turns in the flight"),
         ("--mass=NaN", "mass"),
@@ -276,4 +283,10 @@ fn rounding_turns_it_over() {
         let turns = by_rounding(moments, step).unwrap().unwrap();
         assert!((6.0..9.0).contains(&turns), "{turns}");
     }
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("turns", -3.0), ("tilt", -0.05)]).unwrap().len() > 5);
 }

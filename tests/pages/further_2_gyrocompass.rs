@@ -6,6 +6,7 @@ use pages::further_2_gyrocompass::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::math::{cos, log, pow, sin, tan};
 use rotation_dynamics::report::sampled;
+use rotation_dynamics::report::Page;
 use support::Errors;
 
 #[test]
@@ -18,14 +19,23 @@ fn formulas_and_simulations_agree_for_every_compass() {
     confirmed(&EXAMPLE, latitudes.flat_map(built), 15);
     let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2", "--latitude=1.5", "--latitude=-1.5 --speed=50", "--tuning=0.1 --spin=50000"];
     confirmed(&EXAMPLE, coarse, 5);
+    let ends = [
+        "--spin=-1500", "--spin=100000", "--release=-0.5", "--release=3.14", "--release=1e-3", "--offset=0", "--offset=0.5",
+        "--latitude=1.5 --offset=0", "--latitude=-1.5 --offset=0.01", "--tuning=0.01", "--speed=8000", "--speed=-8000", "--gravity=1", "--latitude=0 --offset=2",
+    ];
+    confirmed(&EXAMPLE, ends, 14);
 }
 
 #[test]
 fn what_is_no_compass_is_refused() {
     let runs = [
-        ("--spin=0", "spin = 0 is not allowed"),
-        ("--tuning=0.01", "from 0.1 to 10"),
-        ("--latitude=1.5707", "from -1.5 to 1.5"),
+        ("--spin=0", "a wheel at rest does not feel the Earth turn"),
+        ("--latitude=1.5707963267948966", "no direction is north"),
+        ("--latitude=-1.6", "no direction is north"),
+        ("--gravity=0.01", "does not hold the axle near the horizon"),
+        ("--offset=-0.01", "it feeds the swing"),
+        ("--release=0", "it hardly moves"),
+        ("--spin=1e7", "its rounding drowns the swing"),
         ("--transverse=0.005", "from 0.5 to 1000"),
         ("--spin=10", "(Foucault's period over the compass's)^2"),
         ("--latitude=1.5 --offset=0.1", "offset times tan(latitude)"),
@@ -201,4 +211,10 @@ fn eq_7_the_ship() {
     }
     errors.attain(1.99e-14..=2.01e-14, 4);
     damaged.exceed(0.05, 4);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("spin", -1500.0), ("latitude", -0.9), ("speed", -10.0), ("release", -0.5)]).unwrap().len() > 5);
 }

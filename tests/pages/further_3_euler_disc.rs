@@ -52,8 +52,9 @@ fn eq_1_to_6_steady_motions_agree_with_simulations() {
     let runs = [
         "--inclination=0.05 --circle=0.1", "--inclination=1.3 --circle=-0.2 --gravity=1.62",
         "--inclination=1.5 --circle=-9 --radius=0.1 --rolling=1e-5",
+        "--inclination=1e-6", "--inclination=1.5707963", "--circle=-1000",
     ];
-    confirmed(&EXAMPLE, runs, 3);
+    confirmed(&EXAMPLE, runs, 6);
     // In a steady motion all vectors only turn about the vertical: by the equations in vectors.
     let (mut errors, mut damaged) = (Errors::of("acceleration"), Errors::of("slower"));
     for tilt in [0.01, 0.1, 0.4, 0.9, 1.3] {
@@ -260,7 +261,11 @@ fn what_cannot_be_is_refused() {
         ("--left=1e-4", "down to where the law ends"),
         ("--left=90", "down to where the law ends"),
         ("--film=9e-4", "inclination at which the law ends"),
-        ("--rolling=0", "rolling = 0 is not allowed"),
+        ("--rolling=0", "without a loss it never settles"),
+        ("--rolling=1e-9", "turns until it has settled"),
+        ("--inclination=0", "flat it is at rest"),
+        ("--circle=-1e4", "a straight line"),
+        ("--start=0.3", "small inclinations"),
     ];
     refused(&EXAMPLE, runs);
 }

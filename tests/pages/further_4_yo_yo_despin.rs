@@ -1,10 +1,11 @@
 //! Further problem 4, yo-yo de-spin. That Lagrange's equations and Newton's law confirm the formulas
 //! is part of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{cell, confirmed, refused, value};
+use crate::told::{answer, cell, computed, confirmed, refused, value};
 use pages::further_4_yo_yo_despin::strings::{Hangs, Reel, YoYo};
 use pages::further_4_yo_yo_despin::*;
 use rotation_dynamics::math::hypot;
+use rotation_dynamics::report::Page;
 use support::{EPS, Errors, second_derivative};
 
 #[test]
@@ -17,8 +18,31 @@ fn other_satellites_are_confirmed() {
         "--string=0.2 --aim=9",
         "--weight=10 --spring=5000",
         "--tolerance=1e-6",
+        "--spin=-10 --aim=-1", "--aim=-1", "--aim=-10", "--spin=-10", "--aim=9.99", "--spin=1000", "--spin=1.1",
+        "--inertia=0.01", "--string=0.001", "--string=500", "--weight=100", "--aim=-10.05",
     ];
-    confirmed(&EXAMPLE, runs, 7);
+    confirmed(&EXAMPLE, runs, 19);
+}
+
+/// Spun the other way, the same strings leave the same spin the other way.
+#[test]
+fn the_other_way_round_the_same_is_left() {
+    let flags = "--spin=-10 --aim=-1";
+    for (key, sign) in [("stop", 1.0), ("string_for_aim", 1.0), ("spin_outward", -1.0), ("spin_tangent", -1.0), ("speed", 1.0), ("one_spin", -1.0)] {
+        assert_eq!(computed(&EXAMPLE, flags, key), sign * value(&EXAMPLE, key), "{key}");
+    }
+    // A string that is longer than the one for a stop turns the satellite round.
+    let stop = value(&EXAMPLE, "stop");
+    assert!(computed(&EXAMPLE, "--aim=-1", "string_for_aim") > stop && stop > value(&EXAMPLE, "string_for_aim"));
+}
+
+/// A spring that does not hold the weights leaves the rest of the page as it is.
+#[test]
+fn a_spring_that_is_too_soft_is_said() {
+    for (flags, none) in [("", false), ("--spring=10", true), ("--aim=9.4 --spring=100", true), ("--spring=1e9", false)] {
+        let told = answer(&EXAMPLE, flags);
+        assert_eq!((told.code, told.stdout.contains("none holds")), (0, none), "{flags}: {}", told.stderr);
+    }
 }
 
 #[test]
@@ -26,12 +50,12 @@ fn what_is_no_satellite_is_refused() {
     let runs = [
         ("--radius=-0.5", "radius = -0.5 is not allowed"),
         ("--weight=0", "weight = 0 is not allowed"),
-        ("--spin=1e200", "it must be from 0.000001 to 1000000"),
+        ("--spin=1e200", "a rim is slower than light"),
+        ("--spin=0", "the weights stay where they are"),
+        ("--aim=-11", "the weights only take energy"),
         ("--aim=11", "aim/spin = 1.1"),
-        ("--inertia=0.01", "I/(2 m R^2) = 0.04"),
-        ("--string=20", "string/radius = 40"),
-        ("--spring=10", "spring/(m w0^2) = 0.2"),
-        ("--aim=9.4 --spring=100", "spins left by a short and a long string"),
+        ("--inertia=1e-9", "I/(2 m R^2)"),
+        ("--string=1e5", "unwinds for thousands of turns"),
     ];
     refused(&EXAMPLE, runs);
 }
@@ -190,4 +214,10 @@ fn dawn_turned_the_other_way() {
     let mut errors = Errors::in_units_of(EPS, "turns a minute, relative");
     errors.add(46.0 * Answer { inertia }.spin_outward(20.0), -3.0, 3.0);
     errors.attain(7.9..=8.1, 1);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("spin", -10.0), ("aim", 1.0)]).unwrap().len() > 3);
 }

@@ -1,12 +1,13 @@
 //! A further problem, the wheel on a rope. Newton's law with the rope's pull and Lagrange's
 //! equations share no line; here they and the formulas of the page are asked off its numbers.
 
-use crate::told::{confirmed, refused};
+use crate::told::{computed, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
 use pages::further_5_wheel_on_rope::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, hypot, log, sin};
+use rotation_dynamics::report::Page;
 use support::Errors;
 
 #[test]
@@ -14,15 +15,31 @@ fn formulas_and_simulations_agree_for_every_wheel() {
     let ropes = ["0.2", "1", "3"].into_iter();
     let wheels = ["--spin=12 --rise=0.2", "--spin=40 --rise=-1", "--lever=0.3 --push=1 --rise=0.1", "--push=-2.5 --rise=-0.3"];
     confirmed(&EXAMPLE, ropes.flat_map(|b| wheels.map(|flags| format!("--rope={b} {flags}"))), 12);
-    confirmed(&EXAMPLE, ["--tolerance=1e-6", "--radius=0.25 --spin=60"], 2);
+    let ends = [
+        "--tolerance=1e-6", "--radius=0.25 --spin=60", "--spin=-12", "--spin=-40 --rise=-1.4", "--spin=-12 --push=1 --rise=-0.3",
+        "--spin=-12 --push=-1", "--rise=1.5", "--lever=0.001", "--push=100", "--gravity=0.1",
+    ];
+    confirmed(&EXAMPLE, ends, 10);
+}
+
+/// Spun the other way, the wheel goes round the other way: with the same rope, pull and nutation.
+#[test]
+fn a_wheel_spun_the_other_way_goes_round_the_other_way() {
+    let mirrored = [("level_rate", -1.0), ("level_rope", 1.0), ("rate", -1.0), ("rope", 1.0), ("first_pull", 1.0), ("backward", -1.0)];
+    for (key, sign) in mirrored {
+        assert_eq!(computed(&EXAMPLE, "--spin=-12", key), sign * value(&EXAMPLE, key), "{key}");
+    }
 }
 
 #[test]
 fn what_is_no_wheel_on_a_rope_is_refused() {
     let runs = [
         ("--rope=0", "rope = 0 is not allowed"),
-        ("--spin=-20", "spin = -20 is not allowed"),
-        ("--rise=1.5", "from -1.2 to 1.2"),
+        ("--spin=0", "no slow precession holds the axle up"),
+        ("--spin=-6", "no slow precession holds the axle up"),
+        ("--spin=1e4", "radians of nutation in ten seconds"),
+        ("--rise=1.6", "an upright axle has no azimuth"),
+        ("--rope=0.001", "a shorter rope is a pivot"),
         ("--spin=2 --rise=0", "angle of the rope with a level axle"),
         ("--spin=6", "no slow precession holds the axle up"),
         ("--push=-3", "tension at the start over the weight"),
@@ -242,4 +259,10 @@ fn eq_7_slack() {
         errors.push(angles(&a)[1] + b[2] - FRAC_PI_2);
     }
     errors.attain(1.04e-14..=1.05e-14, 8);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("spin", -20.0), ("push", 1.0)]).unwrap().len() > 5);
 }

@@ -1,10 +1,11 @@
 //! The ball on a turntable and the one in a cylinder. The simulation knows Newton's and Euler's
 //! laws and one contact; that it confirms the formulas is part of the report.
 
-use crate::told::{confirmed, refused};
+use crate::told::{computed, confirmed, refused, value};
 use pages::further_6_turntable::rolling::{Ball, Moving, Surface, Touch, at};
 use pages::further_6_turntable::*;
 use rotation_dynamics::integrators::{after, newton, place_and_velocity};
+use rotation_dynamics::report::Page;
 use rotation_dynamics::report::prelude::*;
 use std::f64::consts::{PI, TAU};
 use support::Errors;
@@ -30,8 +31,24 @@ fn other_tables_and_holes_are_confirmed() {
         "--velocity 1.5 --tilt 0.2 --tolerance 1e-11",
         "--hole 0.3 --golf 0.02 --orbit 12 --friction 0.7",
         "--rate 100 --place 0.01 --velocity 0.05 --tolerance 1e-11",
+        "--rate -10 --tilt -0.02 --orbit -30 --drop -0.3", "--velocity -0.2 --place -0.1", "--place 0",
+        "--rate 0.5 --tilt 0.05", "--loss 0", "--loss 1e-5", "--loss 80", "--radius 0.001", "--rate 1e4",
+        "--friction 1e-6", "--friction 1e4", "--orbit 1 --drop 1", "--shape 0.05", "--gravity 1e-3",
     ];
-    confirmed(&EXAMPLE, runs, 5);
+    confirmed(&EXAMPLE, runs, 19);
+}
+
+/// The table turns the other way: the circle is run through the other way round and lies on the other
+/// side, and the drift is up the other slope.
+#[test]
+fn a_table_that_turns_the_other_way_mirrors_the_motion() {
+    let mirrored = [("nu", -1.0), ("period", 1.0), ("circle", 1.0), ("drift", -1.0), ("grows", 1.0), ("mu_min", 1.0)];
+    for (key, sign) in mirrored {
+        assert_eq!(computed(&EXAMPLE, "--rate=-10", key), sign * value(&EXAMPLE, key), "{key}");
+    }
+    let [there, here] = ["--rate=-10", ""].map(|flags| computed(&EXAMPLE, flags, "centre"));
+    assert!((there + here - 2.0 * 0.15).abs() < 1e-15 && there > here, "{there} {here}");
+    assert_eq!(computed(&EXAMPLE, "--rate=-10 --velocity=-0.2", "centre"), here);
 }
 
 #[test]
@@ -39,7 +56,14 @@ fn what_is_no_turntable_is_refused() {
     let runs = [
         ("--rate=0", "rate = 0 is not allowed"),
         ("--radius=-1", "radius = -1 is not allowed"),
-        ("--shape=2", "shape = 2 is not allowed"),
+        ("--shape=2", "that is all mass at the surface"),
+        ("--velocity=0", "it rolls on the spot"),
+        ("--orbit=0", "is not pressed to the wall"),
+        ("--place=0.4", "it starts beside the table"),
+        ("--tilt=1.6", "a table on edge carries no ball"),
+        ("--loss=1e4", "it is carried by the table"),
+        ("--rate=1e-3", "radians that the ball turns in a turn of its circle"),
+        ("--orbit=0.01", "as it goes down and up"),
         ("--friction=0", "friction = 0 is not allowed"),
         ("--golf=0.06", "(radius of the cylinder - that of the ball)"),
         ("--tilt=nan", "not a finite number"),
@@ -291,4 +315,10 @@ fn a_constraint_in_the_kinetic_energy_is_wrong() {
     }
     errors.attain(8.75e-12..=8.76e-12, 3);
     damaged.exceed(0.5, 3);
+}
+
+/// Mirrored, the figures are drawn as well.
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    assert!(EXAMPLE.figures_with(&[("rate", -10.0), ("velocity", -0.2), ("place", -0.1), ("orbit", -45.0)]).unwrap().len() > 5);
 }

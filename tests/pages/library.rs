@@ -24,10 +24,12 @@ fn what_is_asked_for_is_confirmed() {
         "--mean-motion 2e-3",
         "--torque 0",
         "--torque 0.5",
+        "--torque -0.2",
+        "--askew -0.1",
         "--tolerance 1e-11",
         "--tolerance 1e-3",
     ];
-    confirmed(&EXAMPLE, runs, 10);
+    confirmed(&EXAMPLE, runs, 12);
 }
 
 /// A swing of 0.3 rad feeds the slightest touch across the plane: with the magnet eight digits
@@ -36,7 +38,8 @@ fn what_is_asked_for_is_confirmed() {
 fn what_cannot_be_had_is_refused() {
     let runs = [
         ("--askew 0.3", "an error of 1e-8 rad is asked for, and doubles allow"),
-        ("--askew 1.6", "askew = 1.6 is not allowed"),
+        ("--askew 1.6", "does not swing back"),
+        ("--askew 0", "hung straight it does not swing"),
         ("--mean-motion 0", "mean_motion = 0 is not allowed"),
         ("--torque -1", "torque = -1 is not allowed"),
         ("--tolerance 1e-12", "tolerance = 1e-12 is not allowed"),

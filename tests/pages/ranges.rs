@@ -17,7 +17,7 @@ use std::time::Instant;
 
 /// Pages, by the beginning of their stem, of which refusals are known that do not say why: they are
 /// printed and not judged.
-const KNOWN: [&str; 5] = ["accuracy", "effects", "further", "hard_cases", "library"];
+const KNOWN: [&str; 4] = ["accuracy", "effects", "hard_cases", "library"];
 
 /// An interval may end without a word so many times above or below the default: no page is tried
 /// further.
