@@ -38,7 +38,7 @@ fn what_cannot_hit_is_refused() {
     let runs = [
         ("--speed=0", "at rest nothing is hit"),
         ("--particle=0", "particle = 0 is not allowed"),
-        ("--mass=1e-12", "it must be from 0.000001 to 1000000"),
+        ("--mass=1e-12", "it must be from 0.001 to 1000"),
         ("--length=inf", "not a finite number"),
         ("--tolerance=0.1", "tolerance = 0.1"),
     ];

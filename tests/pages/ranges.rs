@@ -107,6 +107,8 @@ fn unexplained(error: &Error, number: &Number) -> bool {
             allowed.reason().is_none() && !limit
         }
         Error::AtIndex { reason, .. } => unexplained(reason, number),
+        // What doubles reach is said beside what was asked for, unless there is no such thing.
+        Error::NotDelivered { reached, .. } => !reached.is_finite(),
         Error::Contradicted { .. }
         | Error::Contradiction { .. }
         | Error::NotFinite { .. }
@@ -121,7 +123,6 @@ fn unexplained(error: &Error, number: &Number) -> bool {
         | Error::OutsideRun { .. }
         | Error::NotRising { .. }
         | Error::NotReached { .. }
-        | Error::NotDelivered { .. }
         | Error::ConditionBroken { .. }
         | Error::CannotHold { .. }
         | Error::MassNotPositive { .. }
