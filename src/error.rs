@@ -57,6 +57,13 @@ pub enum Error {
         off: f64,
         allowed: f64,
     },
+    /// A torque that is another one when it is asked for again at the same time and state.
+    NotAFunction {
+        effect: String,
+        t: f64,
+        first: [f64; 3],
+        again: [f64; 3],
+    },
     /// Effects that see more than the body's axis, where only the axis is carried.
     SeesMore { effects: String },
     /// Effects that turn the body beyond I^-1 L, where only that is carried.
@@ -328,6 +335,18 @@ impl fmt::Display for Error {
                 "\"{effect}\" says {}, and at t = {} its torque is off that by {off:.3e} \
                  (at most {allowed:.1e} is allowed)",
                 claim,
+                plain(*t)
+            ),
+            Self::NotAFunction {
+                effect,
+                t,
+                first,
+                again,
+            } => write!(
+                f,
+                "the torque of \"{effect}\" at t = {} is {first:?} N m, and {again:?} when it is asked \
+                 for again in the same state: it must be a function of time and state that remembers \
+                 nothing; what is held from one time to the next is solved from time to time",
                 plain(*t)
             ),
             Self::SeesMore { effects } => write!(

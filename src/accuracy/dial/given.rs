@@ -5,7 +5,6 @@
 
 use super::along::Form;
 use super::limits::{LOOKS, Limits};
-use super::method::{Fine, Method, Runs};
 use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::stepping::Stepping;
 use super::{ExactMotion, Solved};
@@ -43,17 +42,19 @@ pub(super) struct Answer {
 pub(super) struct Given<'s> {
     effects: &'s dyn AnyEffect,
     body: RigidBody,
-    start: State,
+    pub start: State,
     t_end: f64,
     tolerance: f64,
-    limits: &'s Limits<'s>,
+    pub limits: Limits<'s>,
     checked: Checked<'s>,
+    acting: Acting<'s>,
+    damping: f64,
     /// What the torque may be as large as, and where it jumps.
-    pub torque: f64,
-    pub breaks: Vec<f64>,
+    torque: f64,
+    breaks: Vec<f64>,
     /// Those of them, and of the ends, beside which it goes like a root of the time.
-    pub singular: Vec<f64>,
-    pub longest_step: f64,
+    singular: Vec<f64>,
+    longest_step: f64,
 }
 
 impl<'s> Given<'s> {
@@ -63,7 +64,7 @@ impl<'s> Given<'s> {
         start: &State,
         t_end: f64,
         tolerance: f64,
-        limits: &'s Limits<'s>,
+        limits: &Limits<'s>,
     ) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
@@ -82,7 +83,9 @@ impl<'s> Given<'s> {
             start: *start,
             t_end,
             tolerance,
-            limits,
+            limits: *limits,
+            acting: Acting::of(effects),
+            damping: 0.0,
             torque: effects
                 .torque_scale(limits.t_start, body, start)
                 .max(checked.at_start()),
@@ -121,13 +124,24 @@ impl<'s> Given<'s> {
                 .collect();
             given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
         }
+        if let Acting::Anything(effects) = given.acting
+            && given.problem().stays_smooth()
+        {
+            given.acting = Acting::Smooth(effects);
+        }
+        given.damping = given.problem().fastest_damping();
         Ok(given)
     }
 
-    fn problem(&self) -> Problem<'_> {
-        let problem = Problem {
+    /// The time of the start and that of the end (s).
+    pub const fn span(&self) -> [f64; 2] {
+        [self.limits.t_start, self.t_end]
+    }
+
+    pub fn problem(&self) -> Problem<'_> {
+        Problem {
             body: self.body,
-            acting: Acting::of(self.effects),
+            acting: self.acting,
             strength: 1.0,
             torque: self.torque,
             start: self.start,
@@ -136,15 +150,9 @@ impl<'s> Given<'s> {
             breaks: &self.breaks,
             singular: &self.singular,
             longest_step: self.longest_step,
+            damping: self.damping,
             checked: &self.checked,
             known: self.effects.known(),
-        };
-        match problem.acting {
-            Acting::Anything(effects) if problem.stays_smooth() => Problem {
-                acting: Acting::Smooth(effects),
-                ..problem
-            },
-            _ => problem,
         }
     }
 
@@ -159,10 +167,16 @@ impl<'s> Given<'s> {
             }
         };
         if !step && let Some(motion) = problem.exact_motion() {
-            return Ok(Answer {
-                solved: by_closed_form(&problem, &motion, self.tolerance, places)?,
-                form: Form::Exact(motion),
-            });
+            match by_closed_form(&problem, &motion, self.tolerance, places) {
+                // At the edge of what a closed form can do: neighbours have none.
+                Err(Error::NotDelivered { .. }) => {}
+                solved => {
+                    return Ok(Answer {
+                        solved: solved?,
+                        form: Form::Exact(motion),
+                    });
+                }
+            }
         }
         if problem.span() == 0.0 {
             return Ok(Answer {
@@ -178,63 +192,20 @@ impl<'s> Given<'s> {
                 allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
             });
         }
-        let delivered = Stepping::new(&problem, self.tolerance, self.limits, places).solve()?;
+        let delivered = Stepping::new(&problem, self.tolerance, &self.limits, places).solve()?;
         let solved = Solved::of(&delivered, &problem);
-        let mut states = vec![problem.start];
-        states.extend(delivered.places);
+        let mut passed = vec![(problem.t_start, problem.start)];
+        passed.extend(delivered.passed);
         Ok(Answer {
             solved,
             form: Form::Stepped {
                 method: delivered.method,
                 level: delivered.level,
                 precision: delivered.precision,
-                places: states,
-                steps: delivered.steps,
+                passed,
+                steps: delivered.steps.concat(),
             },
         })
-    }
-}
-
-/// A run of one method from a state on the way to a time.
-#[derive(Clone, Copy)]
-pub(super) struct Onward<'s> {
-    pub effects: &'s dyn AnyEffect,
-    pub body: RigidBody,
-    pub torque: f64,
-    pub longest_step: f64,
-    pub span: [f64; 2],
-}
-
-impl Onward<'_> {
-    pub fn state(
-        &self,
-        [breaks, singular]: [&[f64]; 2],
-        method: Method,
-        fine: Fine,
-        [from, to]: [f64; 2],
-        start: &State,
-    ) -> Result<State> {
-        let checked = Checked::unlooked(self.effects, &self.body, self.span, start);
-        let limits = Limits {
-            t_start: self.span[0],
-            ..Limits::default()
-        };
-        let given = Given {
-            effects: self.effects,
-            body: self.body,
-            start: *start,
-            t_end: self.span[1],
-            tolerance: 1.0,
-            limits: &limits,
-            torque: self.torque,
-            breaks: breaks.to_vec(),
-            singular: singular.to_vec(),
-            longest_step: self.longest_step,
-            checked,
-        };
-        let mut runs = Runs::default();
-        let passed = method.run(&given.problem(), [from, to], start, fine, &mut runs);
-        Ok(passed?.state)
     }
 }
 
@@ -280,7 +251,6 @@ fn by_closed_form(
     let run = work;
     let neighbour = |row, by| {
         let changed = problem.changed(row, by)?;
-        // A neighbour without a closed form: the edge of what it can do.
         let motion = changed.exact_motion().ok_or(Error::NotDelivered {
             requested: tolerance,
             reached: f64::INFINITY,

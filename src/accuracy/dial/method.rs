@@ -274,7 +274,7 @@ impl Method {
                 let rate = turning + 2.0 * (problem.torque / i1).sqrt();
                 match self {
                     // Nor are steps in their order that take most of the momentum at once.
-                    Resisted(_) => rate.max(self.angle() * problem.damping()),
+                    Resisted(_) => rate.max(self.angle() * problem.damping),
                     _ => rate,
                 }
             }

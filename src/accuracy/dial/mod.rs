@@ -228,7 +228,7 @@ impl<E: Effect> Scene<E> {
         start: &State,
         t_end: f64,
         tolerance: f64,
-        limits: &'s Limits<'s>,
+        limits: &Limits<'s>,
     ) -> Result<Given<'s>> {
         Given::new(self.effects(), self.body(), start, t_end, tolerance, limits)
     }
@@ -238,7 +238,7 @@ impl Solved {
     fn of(delivered: &Delivered, problem: &Problem) -> Self {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
-            state: delivered.places.last().copied().unwrap_or(problem.start),
+            state: (delivered.passed.last()).map_or(problem.start, |(_, state)| *state),
             method: delivered.method.name(),
             run: delivered.run,
             work: delivered.work,
