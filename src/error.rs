@@ -64,6 +64,15 @@ pub enum Error {
         first: [f64; 3],
         again: [f64; 3],
     },
+    /// Steps that collapse where the torque jumps with the state, to and fro: sliding motion.
+    Sliding { effect: String, t: f64 },
+    /// Runs that do not agree, over a torque that depends on the time and was looked at once in so
+    /// many seconds.
+    Unseen {
+        effect: String,
+        requested: f64,
+        every: f64,
+    },
     /// Effects that see more than the body's axis, where only the axis is carried.
     SeesMore { effects: String },
     /// Effects that turn the body beyond I^-1 L, where only that is carried.
@@ -349,6 +358,22 @@ impl fmt::Display for Error {
                  nothing; what is held from one time to the next is solved from time to time",
                 plain(*t)
             ),
+            Self::Sliding { effect, t } => write!(
+                f,
+                "sliding motion at a jump of \"{effect}\" near t = {t:.6}: the torque jumps with the \
+                 state, back and forth in every step, and steps come to no end; let it pass from one \
+                 value to the other over a small width, as tanh does, or end the motion there"
+            ),
+            Self::Unseen {
+                effect,
+                requested,
+                every,
+            } => write!(
+                f,
+                "an error of {requested:e} is asked for, and runs do not agree: the torque of \
+                 \"{effect}\" was looked at every {every:.3} s, and what is shorter may be unseen; \
+                 name its break points, or its narrowest feature"
+            ),
             Self::SeesMore { effects } => write!(
                 f,
                 "splittings, and variables other than those in space, see the body's axis only: \
@@ -395,7 +420,8 @@ impl fmt::Display for Error {
             Self::OverBudget { t, t_end, budget } => write!(
                 f,
                 "from t = {} to {} this takes more than the {budget} torques that are allowed: \
-                 allow more of them, a larger error, longer steps or a shorter time",
+                 allow more of them, a larger error, longer steps or a shorter time; \
+                 or name the times at which a torque jumps or has a kink",
                 plain(*t),
                 plain(*t_end)
             ),

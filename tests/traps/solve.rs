@@ -3,7 +3,7 @@
 use rotation_dynamics::accuracy::{Limits, Solved};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Nature, Torque, ViscousFriction};
+use rotation_dynamics::effects::{Effect, Nature, Torque, TorqueForm, ViscousFriction};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator};
@@ -381,5 +381,194 @@ fn a_torque_that_remembers_is_refused() -> Result<()> {
     };
     solve(&counts, 1e-6)?;
     assert!(calls.get() > 0);
+    Ok(())
+}
+
+/// A torque that jumps with the state, back and forth, and what it is called.
+fn switched(name: &'static str, kind: usize, size: f64) -> Torque<impl TorqueForm> {
+    let sign = |x: f64| if x == 0.0 { 0.0 } else { 1f64.copysign(x) };
+    Torque::on_body(name, move |_, body: &RigidBody, state: &State| {
+        let [a, b, c] = body.angular_velocity(state).to_array();
+        let [_, x, y, z] = state.attitude.quaternion();
+        let errors = [a + x, b + y, c + z];
+        let [u, v, w] = match kind {
+            // A bearing that rubs, thrusters, the same with a deadband, a coarse converter.
+            0 => [0.0, 0.0, -sign(c)],
+            1 => errors.map(|error| -2.0 * sign(error)),
+            2 => errors.map(|error| {
+                if error.abs() > 0.05 {
+                    -2.0 * sign(error)
+                } else {
+                    0.0
+                }
+            }),
+            _ => errors.map(|error| -(error / 0.02).round()),
+        };
+        BodyVector::new(u, v, w) * size
+    })
+}
+
+/// Where steps collapse at a jump of the torque with the state, that is the reason, with the name and
+/// about the time at which the motion comes to the jump.
+#[test]
+fn sliding_motion_is_called_so() -> Result<()> {
+    let body = body()?;
+    let limits = Limits {
+        budget: 1_000_000,
+        ..Limits::default()
+    };
+    let mut ran = 0;
+    for n in 0..12 {
+        let (kind, size) = (n % 4, 0.03 + 0.03 * part(n));
+        let rates = BodyVector::new(0.3 * part(3 * n), 0.2, 0.5 + 0.3 * part(5 * n));
+        let start = body.state(Attitude::IDENTITY, rates)?;
+        let law = switched("switching law", kind, size);
+        let error = (Scene::new(body).with(law)).solve_with(&start, 100.0, 1e-7, &limits);
+        let error = error.expect_err("it slides");
+        let Error::Sliding { effect, t } = &error else {
+            panic!("{n}: {error}");
+        };
+        assert!(
+            effect == "switching law" && *t > 0.1 && *t < 100.0,
+            "{n}: {error}"
+        );
+        if kind == 0 {
+            // The spin about e3 is used up, but for what the others give and take.
+            let stop = body.moments().i3() * rates.z() / size;
+            assert!((0.3..3.0).contains(&(*t / stop)), "{n}: {t} for {stop}");
+        }
+        assert!(
+            error
+                .to_string()
+                .contains("sliding motion at a jump of \"switching law\"")
+        );
+        ran += 1;
+    }
+    assert_eq!(ran, 12);
+    // A jump that is crossed is no reason, nor is a budget too small for what is smooth.
+    let start = turning(&body)?;
+    let plate = Torque::on_space("plate", |_, _: &RigidBody, state: &State| {
+        let size = if state.attitude.axis().x() > 0.0 {
+            0.1
+        } else {
+            0.0
+        };
+        SpaceVector::new(size, 0.0, 0.0)
+    });
+    let crossed = Scene::new(body)
+        .with(plate)
+        .solve_with(&start, 1e5, 1e-6, &limits);
+    assert!(
+        matches!(crossed, Err(Error::OverBudget { .. })),
+        "{crossed:?}"
+    );
+    let smooth = Torque::on_space("weight", weight(0.05));
+    let dear = Scene::new(body)
+        .with(smooth)
+        .solve_with(&start, 1e5, 1e-6, &limits);
+    assert!(matches!(dear, Err(Error::OverBudget { .. })), "{dear:?}");
+    Ok(())
+}
+
+/// A pulse that no look meets, and tables with more knots than looks: an answer within the request, or
+/// one that says how far the looks are apart; no separatrix, and no step that is too short.
+#[test]
+fn what_looks_may_miss_is_said() -> Result<()> {
+    let body = body()?;
+    let limits = Limits {
+        budget: 300_000,
+        ..Limits::default()
+    };
+    let (mut said, mut unseen, mut refused) = (0, 0, 0);
+    let day = 86_400.0;
+    let slow = body.state(Attitude::IDENTITY, BodyVector::new(3e-4, 2e-4, 1e-3))?;
+    for n in 0..24 {
+        let tolerance = [1e-3, 1e-6, 1e-10, 1e-11][n % 4];
+        let begun = day * part(n + 1);
+        let firing = Torque::on_body("thruster", |t: f64, _: &RigidBody, _: &State| {
+            let on = (begun..begun + 5.0).contains(&t);
+            BodyVector::new(if on { 1e-3 } else { 0.0 }, 0.0, 0.0)
+        });
+        let knots = 4000.0 + 8000.0 * part(2 * n);
+        let table = Torque::on_body("table", |t: f64, _: &RigidBody, _: &State| {
+            let at = |k: f64| BodyVector::new(part(k as usize), 0.3, part(3 * k as usize)) * 1e-6;
+            let (knot, share) = ((t / day * knots).floor(), (t / day * knots).fract());
+            at(knot) * (1.0 - share) + at(knot + 1.0) * share
+        });
+        let scene = Scene::new(body);
+        let fired = (scene.with(firing)).solve_with(&slow, day, tolerance, &limits);
+        let read = (scene.with(table)).solve_with(&slow, day, tolerance, &limits);
+        for (name, solved) in [("thruster", fired), ("table", read)] {
+            match solved {
+                Ok(solved) => {
+                    assert_eq!(solved.looked_every, Some(day / 4096.0));
+                    said += 1;
+                }
+                Err(Error::Unseen { effect, every, .. }) => {
+                    assert!(effect == name && every == day / 4096.0);
+                    unseen += 1;
+                }
+                Err(Error::OverBudget { .. } | Error::NotDelivered { .. }) => refused += 1,
+                Err(error) => panic!("{n} {name}: {error}"),
+            }
+        }
+    }
+    assert_eq!(said + unseen + refused, 48);
+    assert!(
+        said > 0 && unseen > 0 && refused > 0,
+        "{said} {unseen} {refused}"
+    );
+    // Named, it is met; and where nothing depends on the time, nothing was looked for.
+    let named = Torque::on_body("thruster", |t: f64, _: &RigidBody, _: &State| {
+        BodyVector::new(
+            if (1e3..1005.0).contains(&t) {
+                1e-4
+            } else {
+                0.0
+            },
+            0.0,
+            0.0,
+        )
+    })
+    .with_break_points(&[1e3, 1005.0])?;
+    let solved = Scene::new(body).with(named).solve(&slow, day, 1e-6)?;
+    assert!(solved.looked_every.is_some());
+    let still = Scene::new(body).with(Pulled).solve(&slow, 10.0, 1e-6)?;
+    assert_eq!(still.looked_every, None);
+    Ok(())
+}
+
+/// Where the floor is far above the request, a refusal costs little against an answer; and what it says
+/// can be had is had.
+#[test]
+fn what_is_hopeless_is_refused_at_once() -> Result<()> {
+    let (calls, mut ran) = (Cell::new(0_u64), 0);
+    for n in 0..6 {
+        let (a, b) = (part(3 * n + 1), part(3 * n + 2));
+        let body = RigidBody::new(PrincipalMoments::new(1.0 + 0.5 * a, 1.0 + 0.5 * b, 1.6)?);
+        let start = body.state(Attitude::IDENTITY, BodyVector::new(a - 0.5, b, 1.0))?;
+        let torque = weight(0.05);
+        let counted = Torque::on_space("swing", |t: f64, body: &RigidBody, state: &State| {
+            calls.set(calls.get() + 1);
+            torque(t, body, state) + SpaceVector::new(0.05 * sin(t), 0.02 * cos(1.3 * t), 0.0)
+        })
+        .smooth();
+        let scene = Scene::new(body).with(counted);
+        let solve = |tolerance: f64| {
+            calls.set(0);
+            let solved = scene.solve(&start, 600.0, tolerance);
+            (solved, calls.get())
+        };
+        let (refused, dear) = solve(1e-14);
+        let error = refused.expect_err("hopeless");
+        let Error::BeyondCondition { attainable, .. } = error else {
+            panic!("{n}: {error}");
+        };
+        let (solved, cheap) = solve(20.0 * attainable);
+        solved?;
+        assert!(dear < 3 * cheap, "{n}: {dear} against {cheap}");
+        ran += 1;
+    }
+    assert_eq!(ran, 6);
     Ok(())
 }

@@ -192,8 +192,9 @@ impl<'s> Given<'s> {
                 allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
             });
         }
-        let delivered = Stepping::new(&problem, self.tolerance, &self.limits, places).solve()?;
-        let solved = Solved::of(&delivered, &problem);
+        let stepping = Stepping::new(&problem, self.tolerance, &self.limits, places);
+        let delivered = (stepping.solve()).map_err(|error| self.reason(error))?;
+        let solved = Solved::of(&delivered, &problem, self.looked_every());
         let mut passed = vec![(problem.t_start, problem.start)];
         passed.extend(delivered.passed);
         Ok(Answer {
@@ -206,6 +207,47 @@ impl<'s> Given<'s> {
                 steps: delivered.steps.concat(),
             },
         })
+    }
+}
+
+impl Given<'_> {
+    /// The time between two looks at the torque, if it may have features that nothing names.
+    fn looked_every(&self) -> Option<f64> {
+        let unnamed = self.effects.nature().on_time && self.effects.narrowest().is_none();
+        unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
+    }
+
+    /// Why nothing comes of all runs, where it shows in the torque: it jumps with the state, or may
+    /// have what was not seen.
+    fn reason(&self, error: Error) -> Error {
+        let unclear = match error {
+            Error::OverBudget { .. } | Error::StepUnderflow { .. } => true,
+            Error::NotDelivered { reached, .. } => !reached.is_finite(),
+            Error::BeyondCondition { attainable, .. } => !attainable.is_finite(),
+            _ => false,
+        };
+        if !unclear {
+            return error;
+        }
+        let effect = || self.effects.names().join(" and ");
+        if let Some(t) = self.problem().slides(self.limits.budget) {
+            return Error::Sliding {
+                effect: effect(),
+                t,
+            };
+        }
+        match self.looked_every() {
+            Some(every)
+                if !self.effects.nature().smooth && !matches!(error, Error::OverBudget { .. }) =>
+            {
+                Error::Unseen {
+                    effect: effect(),
+                    requested: self.tolerance,
+                    every,
+                }
+            }
+            _ => error,
+        }
     }
 }
 
@@ -228,6 +270,7 @@ fn nothing_to_do(problem: &Problem) -> Result<Solved> {
         rates_estimate: 0.0,
         condition,
         longest_step: 0.0,
+        looked_every: None,
     })
 }
 
@@ -292,5 +335,6 @@ fn by_closed_form(
         rates_estimate,
         condition: condition[0],
         longest_step: 0.0,
+        looked_every: None,
     })
 }

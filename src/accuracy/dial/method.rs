@@ -392,10 +392,20 @@ impl Method {
         let mut work = Work::default();
         let run = problem.carried(&carrier, self.variables(), [t, t_end], start, &mut work);
         *spent += work;
-        let state = match run {
-            Err(Error::TooManySteps { .. }) => return Err(over),
-            run => run?,
-        };
+        // A piece has its own time, from 0.
+        let state = run.map_err(|error| match error {
+            Error::TooManySteps { .. } => over,
+            Error::StepUnderflow {
+                t: since,
+                step,
+                state,
+            } => Error::StepUnderflow {
+                t: t + since,
+                step,
+                state,
+            },
+            error => error,
+        })?;
         // Steps are whole: the level is that of the steps taken.
         let (level, longest_step) = if self.is_adaptive() {
             (fine.level, (fastest * span / fewest as f64).min(span))

@@ -341,7 +341,7 @@ impl<'p> Stepping<'p> {
         }
     }
 
-    fn beyond(&self, attainable: f64, condition: f64) -> Error {
+    pub fn beyond(&self, attainable: f64, condition: f64) -> Error {
         Error::BeyondCondition {
             requested: self.tolerance,
             attainable,
