@@ -572,3 +572,37 @@ fn what_is_hopeless_is_refused_at_once() -> Result<()> {
     assert_eq!(ran, 6);
     Ok(())
 }
+
+/// A motion that itself ends in finite time is no matter of steps: the time that is told is that of the
+/// motion, not of the piece in which it is.
+#[test]
+fn a_motion_that_ends_is_told_with_its_time() -> Result<()> {
+    let body = body()?;
+    let mut ran = 0;
+    for n in 0..10 {
+        // dL/dt = L^2/(L_0 T) ends at T.
+        let (spin, end) = (0.5 + part(n), 2.0 + 20.0 * part(3 * n));
+        let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, spin))?;
+        let rate = 1.0 / (body.moments().i3() * spin * end);
+        let driven = Torque::on_space("driven", |_, _: &RigidBody, state: &State| {
+            let l = state.angular_momentum.z();
+            SpaceVector::new(0.0, 0.0, l * l * rate)
+        });
+        let limits = Limits {
+            budget: 2_000_000,
+            ..Limits::default()
+        };
+        let solved = Scene::new(body)
+            .with(driven)
+            .solve_with(&start, 1.5 * end, 1e-6, &limits);
+        match solved.expect_err("it ends") {
+            Error::StepUnderflow { t, .. } | Error::DerivativeNotFinite { t, .. } => {
+                assert!((t - end).abs() < 1e-3 * end, "{n}: {t} for {end}");
+                ran += 1;
+            }
+            error => panic!("{n}: {error}"),
+        }
+    }
+    assert_eq!(ran, 10);
+    Ok(())
+}

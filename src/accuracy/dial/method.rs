@@ -404,6 +404,15 @@ impl Method {
                 step,
                 state,
             },
+            Error::DerivativeNotFinite {
+                t: since,
+                state,
+                derivative,
+            } => Error::DerivativeNotFinite {
+                t: t + since,
+                state,
+                derivative,
+            },
             error => error,
         })?;
         // Steps are whole: the level is that of the steps taken.
