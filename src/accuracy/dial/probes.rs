@@ -155,10 +155,10 @@ impl Stepping<'_> {
         let (condition, moved) = self.problem.slopes(by, (run.places.clone(), places));
         let farthest = larger(farthest, moved);
         let floor = method.floor() * EPS * (1.0 + condition[0]);
-        if farthest <= MOVED {
+        let tame = condition[0] <= TAME * (1.0 + self.late());
+        if farthest <= MOVED && tame {
             self.possible(condition[0])?;
         }
-        let tame = condition[0] <= TAME * (1.0 + self.late());
         let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance && tame;
         let felt = Felt {
             condition,
@@ -244,7 +244,9 @@ impl Stepping<'_> {
             felt.finely = error == FELT_FINELY;
             felt.condition = self.condition(candidates, error * part, ROWS, LEGS)?;
         }
-        if felt.condition[0].is_finite() {
+        // On another side of a saddle it may be far too large.
+        let off = (1.0 + felt.condition[0]) * error * part;
+        if felt.condition[0].is_finite() && (felt.finely || off <= MOVED) {
             self.possible(felt.condition[0])?;
         }
         if NEAR * lowest * EPS * (1.0 + felt.condition[0]) > self.tolerance {
