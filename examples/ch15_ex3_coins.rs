@@ -220,7 +220,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate));
     let start = [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0];
     let slipped = match faster > 0.0 && faster < 2.0 {
-        true => Some(Dop853::new(1e-12)?.zero(&slipping, start, 1, (1e3 / r.abs()).max(20.0), |y| y[4] - TAU)?),
+        true => {
+            Some(
+                Dop853::new(1e-12)?.zero(&slipping, start, 1, (1e3 / r.abs()).max(20.0), |y| {
+                    y[4] - TAU
+                })?,
+            )
+        }
         false => None,
     };
     let worn = ratio(&Parameters {

@@ -57,6 +57,22 @@ pub enum Error {
         off: f64,
         allowed: f64,
     },
+    /// A torque that is another one when it is asked for again at the same time and state.
+    NotAFunction {
+        effect: String,
+        t: f64,
+        first: [f64; 3],
+        again: [f64; 3],
+    },
+    /// Steps that collapse where the torque jumps with the state, to and fro: sliding motion.
+    Sliding { effect: String, t: f64 },
+    /// Runs that do not agree, over a torque that depends on the time and was looked at once in so
+    /// many seconds.
+    Unseen {
+        effect: String,
+        requested: f64,
+        every: f64,
+    },
     /// Effects that see more than the body's axis, where only the axis is carried.
     SeesMore { effects: String },
     /// Effects that turn the body beyond I^-1 L, where only that is carried.
@@ -347,6 +363,34 @@ impl fmt::Display for Error {
                 claim,
                 plain(*t)
             ),
+            Self::NotAFunction {
+                effect,
+                t,
+                first,
+                again,
+            } => write!(
+                f,
+                "the torque of \"{effect}\" at t = {} is {first:?} N m, and {again:?} when it is asked \
+                 for again in the same state: it must be a function of time and state that remembers \
+                 nothing; what is held from one time to the next is solved from time to time",
+                plain(*t)
+            ),
+            Self::Sliding { effect, t } => write!(
+                f,
+                "sliding motion at a jump of \"{effect}\" near t = {t:.6}: the torque jumps with the \
+                 state, back and forth in every step, and steps come to no end; let it pass from one \
+                 value to the other over a small width, as tanh does, or end the motion there"
+            ),
+            Self::Unseen {
+                effect,
+                requested,
+                every,
+            } => write!(
+                f,
+                "an error of {requested:e} is asked for, and runs do not agree: the torque of \
+                 \"{effect}\" was looked at every {every:.3} s, and what is shorter may be unseen; \
+                 name its break points, or its narrowest feature"
+            ),
             Self::SeesMore { effects } => write!(
                 f,
                 "splittings, and variables other than those in space, see the body's axis only: \
@@ -393,7 +437,8 @@ impl fmt::Display for Error {
             Self::OverBudget { t, t_end, budget } => write!(
                 f,
                 "from t = {} to {} this takes more than the {budget} torques that are allowed: \
-                 allow more of them, a larger error, longer steps or a shorter time",
+                 allow more of them, a larger error, longer steps or a shorter time; \
+                 or name the times at which a torque jumps or has a kink",
                 plain(*t),
                 plain(*t_end)
             ),

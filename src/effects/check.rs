@@ -45,6 +45,10 @@ const SETTLED: f64 = 1.0 / 16.0;
 /// be a jump.
 const ALONE: f64 = 8.0;
 
+/// A break point holds for so many units in its last place to either side: an effect that forms the
+/// same time in another way may jump beside it.
+const FEW: f64 = 4.0;
+
 /// A pulse comes in so many looks, and is as high as this part of the longest torque.
 const SHORT: [usize; 6] = [1, 2, 4, 8, 16, 32];
 const PULSE: f64 = 0.1;
@@ -60,7 +64,8 @@ const PULSE: f64 = 0.1;
 ///
 /// # Errors
 /// [`Error::Contradiction`] with the name of the effect, the claim, and by how much the
-/// torque differs from it; [`Error::TwoGravities`]; [`Error::TorqueNotFinite`];
+/// torque differs from it; [`Error::NotAFunction`] if the torque of one time and state is not
+/// always the same; [`Error::TwoGravities`]; [`Error::TorqueNotFinite`];
 /// [`Error::TorqueTooLarge`]; a scale, a break point or a width that is not finite, or negative.
 ///
 /// ```
@@ -107,6 +112,8 @@ pub(crate) struct Checked<'e> {
     /// The largest size that its rounding was a part of (N m).
     size: f64,
     span: [f64; 2],
+    /// The break points that the effect names, rising.
+    breaks: Vec<f64>,
 }
 
 impl<'e> Checked<'e> {
@@ -124,7 +131,7 @@ impl<'e> Checked<'e> {
         }
         effect.holds_from(span[0], body, state)?;
         let mut checked = Self::unlooked(effect, body, span, state);
-        checked.finite_torque(span[0], state)?;
+        checked.function(span[0], state)?;
         checked.declared()?;
         if checked.nature.torque_free && names.is_empty() {
             return Ok(checked);
@@ -150,6 +157,8 @@ impl<'e> Checked<'e> {
         span: [f64; 2],
         state: &State,
     ) -> Self {
+        let mut breaks = effect.break_points();
+        breaks.sort_by(f64::total_cmp);
         Self {
             effect,
             nature: effect.nature(),
@@ -158,6 +167,7 @@ impl<'e> Checked<'e> {
             largest: 0.0,
             size: 0.0,
             span,
+            breaks,
         }
     }
 
@@ -176,9 +186,7 @@ impl<'e> Checked<'e> {
             .map(|n| from + (to - from) * part(n, 0.414_213_562_373_095_1))
             .collect();
         times[0] = from;
-        for t in self.effect.break_points() {
-            times.extend([t.next_down(), t.next_up()]);
-        }
+        times.extend(self.breaks.iter().flat_map(|t| sides(*t)));
         let torque = self.effect.torque(from, &self.body, state).norm();
         let built_up = (largest_moment(&self.body) * torque).sqrt();
         let size = state.angular_momentum.norm().max(built_up);
@@ -216,13 +224,39 @@ impl<'e> Checked<'e> {
         })
     }
 
+    /// The torque, if it is the same again after it was asked for elsewhere: a function of time and
+    /// state remembers nothing.
+    fn function(&self, t: f64, state: &State) -> Result<SpaceVector> {
+        let torque = self.finite_torque(t, state)?;
+        let [from, to] = self.span;
+        let elsewhere = State {
+            attitude: state.attitude * Attitude::about_coordinate(0, 1.2),
+            angular_momentum: state.angular_momentum * -0.6,
+        };
+        let mirrored = (from + (to - t)).max(from.min(to)).min(from.max(to));
+        for t in [mirrored, t] {
+            self.effect.torque(t, &self.body, &elsewhere);
+        }
+        let again = self.effect.torque(t, &self.body, state);
+        if again == torque {
+            return Ok(torque);
+        }
+        Err(Error::NotAFunction {
+            effect: self.name(),
+            t,
+            first: torque.to_array(),
+            again: again.to_array(),
+        })
+    }
+
     fn name(&self) -> String {
         self.effect.names().join(" and ")
     }
 
     /// The error that this claim is off by so much more than is allowed.
     fn held(&self, claim: &'static str, t: f64, off: f64, allowed: f64) -> Result<()> {
-        if off <= allowed {
+        // Below the least normal number products have lost their digits.
+        if off <= allowed.max(f64::MIN_POSITIVE) {
             return Ok(());
         }
         Err(Error::Contradiction {
@@ -247,7 +281,7 @@ impl<'e> Checked<'e> {
         }
         let t = self.span[0];
         let scale = effect.torque_scale(t, body, &self.start);
-        let named = !self.effect.break_points().is_empty()
+        let named = !self.breaks.is_empty()
             || (self.effect.narrowest()).is_some_and(|width| width != Feature::WIDE);
         if named {
             // It may be short, and none of the places lie in it.
@@ -271,20 +305,18 @@ impl<'e> Checked<'e> {
     /// A torque that is called smooth has no jump: not in time between its break points,
     /// not while the body is turned about its axes or slows down and turns back.
     fn smooth(&self) -> Result<()> {
-        let (effect, start) = (self.effect, &self.start);
+        let start = &self.start;
         if !self.nature.smooth {
             return self.smooth_beside();
         }
         let [from, to] = self.span;
         if self.nature.on_time {
-            let mut ends: Vec<f64> = effect.break_points();
-            let inside = |t: &f64| from.min(to) < *t && *t < from.max(to);
-            ends.retain(inside);
-            ends.extend([from, to]);
-            ends.sort_by(f64::total_cmp);
-            for piece in ends.windows(2) {
-                let piece = [piece[0].next_up(), piece[1].next_down()];
-                self.no_jump(piece, |t| self.acting(t, start))?;
+            let (first, last) = (from.min(to), from.max(to));
+            let inside = |t: &f64| first < *t && *t < last;
+            let breaks = self.breaks.iter().copied().filter(inside);
+            let ends: Vec<f64> = [first].into_iter().chain(breaks).chain([last]).collect();
+            for ends in ends.windows(2) {
+                self.no_jump(piece([ends[0], ends[1]]), |t| self.acting(t, start))?;
             }
         }
         // What sees the axis only has been held to that: a turn about it changes nothing.
@@ -451,7 +483,7 @@ impl<'e> Checked<'e> {
     /// Every claim, here and now.
     pub fn at(&self, t: f64, state: &State) -> Result<()> {
         let (effect, body, nature) = (self.effect, &self.body, self.nature);
-        let torque = self.finite_torque(t, state)?;
+        let torque = self.function(t, state)?;
         let slack = ROUNDING * self.size.max(torque.norm());
         let off = |other: SpaceVector| (other - torque).norm();
         if nature.torque_free {
@@ -511,26 +543,31 @@ impl<'e> Checked<'e> {
 
     /// The beginning of the piece between two break points that `t` belongs to, as a run from
     /// the one end of the span to the other meets it; none at a break point.
-    fn piece(&self, t: f64) -> Option<f64> {
-        let forward = self.span[0] <= self.span[1];
-        let after = |t: f64| if forward { t.next_up() } else { t.next_down() };
-        let mut begun = after(self.span[0]);
-        for point in self.effect.break_points() {
-            if point == t {
-                return None;
-            }
-            if (forward && begun < point && point < t) || (!forward && t < point && point < begun) {
-                begun = after(point);
-            }
+    fn begun(&self, t: f64) -> Option<f64> {
+        let [from, to] = self.span;
+        let after = self.breaks.partition_point(|point| *point <= t);
+        let before = after.checked_sub(1).map(|n| self.breaks[n]);
+        let after = self.breaks.get(after).copied();
+        let is_at = |point: f64| {
+            let [before, after] = sides(point);
+            before < t && t < after
+        };
+        if [before, after].into_iter().flatten().any(is_at) {
+            return None;
         }
-        Some(begun)
+        let [before_from, after_from] = sides(from);
+        Some(if from <= to {
+            before.map_or(after_from, |point| sides(point)[1].max(after_from))
+        } else {
+            after.map_or(before_from, |point| sides(point)[0].min(before_from))
+        })
     }
 
     /// What resists on the piece, with what sees the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (self.effect, &self.body);
         let begun = if self.nature.on_time {
-            self.piece(t)
+            self.begun(t)
         } else {
             Some(t)
         };
@@ -594,7 +631,8 @@ impl<'e> Checked<'e> {
         let (effect, body) = (self.effect, &self.body);
         let omega = state.attitude.to_space(body.angular_velocity(state));
         let rate = omega.norm();
-        if rate == 0.0 {
+        // At rest, or as good as that: no turn by a step is long enough.
+        if STEP / rate == f64::INFINITY {
             return Ok(());
         }
         if !(torque.norm() * rate).is_finite() {
@@ -662,8 +700,8 @@ impl<'e> Checked<'e> {
     fn declared(&self) -> Result<()> {
         let scale = (self.effect).torque_scale(self.span[0], &self.body, &self.start);
         not_negative("torque_scale", scale)?;
-        for t in self.effect.break_points() {
-            finite("break point", t)?;
+        for t in &self.breaks {
+            finite("break point", *t)?;
         }
         let Some(width) = self.effect.narrowest() else {
             return Ok(());
@@ -678,6 +716,28 @@ impl<'e> Checked<'e> {
         }
         Ok(())
     }
+}
+
+/// The last time that is surely before a break point, and the first that is after it.
+fn sides(point: f64) -> [f64; 2] {
+    let few = FEW * f64::EPSILON * point.abs();
+    [(point - few).next_down(), (point + few).next_up()]
+}
+
+/// The first time and the last that surely are between these two, at which the torque may jump; their
+/// middle if they are too near.
+pub(crate) fn piece([from, to]: [f64; 2]) -> [f64; 2] {
+    let (first, last) = (sides(from.min(to))[1], sides(from.max(to))[0]);
+    if first <= last {
+        [first, last]
+    } else {
+        [0.5 * from + 0.5 * to; 2]
+    }
+}
+
+/// True if two times are one break point.
+pub(crate) fn is_same(one: f64, other: f64) -> bool {
+    (one - other).abs() <= FEW * f64::EPSILON * one.abs()
 }
 
 /// About this step (s), such that `t` with it and without it are doubles.

@@ -43,7 +43,7 @@ mod resistance;
 mod viscous;
 
 pub use check::check;
-pub(crate) use check::{Checked, NEAR};
+pub(crate) use check::{Checked, NEAR, is_same, piece};
 pub(crate) use closure::rising;
 pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use coulomb::CoulombBearing;

@@ -1,11 +1,13 @@
 //! The dial's promise all along the way.
 
-use super::given::{Onward, Places};
-use super::method::{Fine, Method, Steps};
+use super::given::{Given, Places};
+use super::method::{Fine, Method, Passed, Runs, Steps};
+use super::stepping::stops;
 use super::{ExactMotion, Limits, Solved};
 use crate::body::State;
 use crate::effects::Effect;
 use crate::error::{Error, Result, finite};
+use crate::integrators::Work;
 use crate::motion::{Kept, Motion};
 use crate::scene::Scene;
 
@@ -16,18 +18,23 @@ const ALONG: Places = Places::Along {
     apart: 3.0,
 };
 
+/// A stretch between two known states is stepped in parts of so many steps of the run, of which every
+/// state between them is found from the last before it.
+const PART: u64 = 8;
+
 /// A motion whose states are known to a tolerance at every time of its span.
 ///
 /// Runs are compared, and the condition is felt, at up to 128 places. A state between two
 /// of them is found by stepping on from the one before with the method and the fineness of
-/// the run that was verified (before a singular time in the finest steps), so it is as good as its
-/// neighbours; it costs a few steps.
+/// the run that was verified (beside a singular time in the finest steps), so it is as good as its
+/// neighbours, and it is the same whatever other times are asked for. Many times
+/// ([`Motion::try_states`]) cost some steps for each, and those of the run once; one alone costs
+/// the steps from the place before it. [`Limits::budget`] counts them with what was solved, and
+/// [`Limits::cancel`] ends them.
 pub struct SolvedMotion<'s> {
+    given: Given<'s>,
     solved: Solved,
     form: Form,
-    onward: Onward<'s>,
-    breaks: Vec<f64>,
-    singular: Vec<f64>,
     kept: Vec<Kept>,
 }
 
@@ -39,11 +46,23 @@ pub(super) enum Form {
         method: Method,
         level: f64,
         precision: f64,
-        /// The states at equal distances, the start among them.
-        places: Vec<State>,
-        /// What was asked for on the pieces of the way to each of the others.
-        steps: Vec<Vec<Steps>>,
+        /// The start, and the ends of the pieces of the run, with their times.
+        passed: Vec<(f64, State)>,
+        /// What was asked for on each piece, and made.
+        steps: Vec<Steps>,
     },
+}
+
+/// How far the states of a stepped motion have been found.
+struct Found {
+    /// The part of a piece, by the numbers of both, and the state at its start; that of a slender body
+    /// as it is stepped too.
+    piece: usize,
+    part: u64,
+    state: State,
+    on_body: Option<[f64; 7]>,
+    /// What it has taken.
+    work: Work,
 }
 
 impl<E: Effect> Scene<E> {
@@ -70,28 +89,19 @@ impl<E: Effect> Scene<E> {
     ///
     /// # Errors
     /// As [`Scene::solve_with`].
-    pub fn solve_along(
-        &self,
+    pub fn solve_along<'s>(
+        &'s self,
         start: &State,
         t_end: f64,
         tolerance: f64,
-        limits: &Limits,
-    ) -> Result<SolvedMotion<'_>> {
+        limits: &Limits<'s>,
+    ) -> Result<SolvedMotion<'s>> {
         let given = self.given(start, t_end, tolerance, limits)?;
         let answer = given.answer(ALONG, false)?;
         Ok(SolvedMotion {
+            given,
             solved: answer.solved,
             form: answer.form,
-            onward: Onward {
-                effects: self.effects(),
-                body: *self.body(),
-                torque: given.torque,
-                longest_step: given.longest_step,
-                slender: given.slender,
-                span: [limits.t_start, t_end],
-            },
-            breaks: given.breaks,
-            singular: given.singular,
             kept: (self.invariants())
                 .map(|invariant| {
                     let (name, unit) = invariant.name_and_unit();
@@ -153,7 +163,36 @@ impl Motion for SolvedMotion<'_> {
     }
 
     fn try_state(&self, t: f64) -> Result<State> {
-        self.found(t)
+        self.inside(t)?;
+        self.state(t, &mut self.found())
+    }
+
+    fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
+        let at = |index: usize, reason: Error| Error::AtIndex {
+            name: "times",
+            index,
+            reason: Box::new(reason),
+        };
+        for (index, t) in times.iter().enumerate() {
+            self.inside(*t).map_err(|reason| at(index, reason))?;
+        }
+        let [from, to] = self.span();
+        let mut order: Vec<usize> = (0..times.len()).collect();
+        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+        if to < from {
+            order.reverse();
+        }
+        let mut found = self.found();
+        let mut states = Vec::with_capacity(times.len());
+        for index in order {
+            match self.state(times[index], &mut found) {
+                Ok(state) => states.push((index, state)),
+                Err(error) if stops(&error) => return Err(error),
+                Err(error) => return Err(at(index, error)),
+            }
+        }
+        states.sort_by_key(|(index, _)| *index);
+        Ok(states.into_iter().map(|(_, state)| state).collect())
     }
 
     fn kept(&self) -> Vec<Kept> {
@@ -176,7 +215,7 @@ impl SolvedMotion<'_> {
 
     /// The time of the start and that of the end (s).
     pub const fn span(&self) -> [f64; 2] {
-        self.onward.span
+        self.given.span()
     }
 
     fn inside(&self, t: f64) -> Result<()> {
@@ -193,78 +232,90 @@ impl SolvedMotion<'_> {
         Ok(())
     }
 
-    fn found(&self, t: f64) -> Result<State> {
-        self.inside(t)?;
-        let [from, _] = self.span();
-        match &self.form {
-            Form::Still(state) => Ok(*state),
-            Form::Exact(motion) => motion.at(t - from),
+    /// Nothing yet.
+    fn found(&self) -> Found {
+        Found {
+            piece: usize::MAX,
+            part: 0,
+            state: self.given.start,
+            on_body: None,
+            work: Work::default(),
+        }
+    }
+
+    /// The state at a time, from where those before it were found.
+    fn state(&self, t: f64, here: &mut Found) -> Result<State> {
+        let [from, to] = self.span();
+        let (method, level, precision, passed, steps) = match &self.form {
+            Form::Still(state) => return Ok(*state),
+            Form::Exact(motion) => return motion.at(t - from),
             Form::Stepped {
                 method,
                 level,
                 precision,
-                places,
+                passed,
                 steps,
-            } => {
-                let legs = places.len() - 1;
-                let (leg, before) = self.before(legs, t);
-                let place = &places[leg];
-                if t == before {
-                    return Ok(*place);
-                }
-                // The run went on in a time that knew of what is ahead.
-                let next = self.place(leg + 1, legs);
-                let level = if method.is_adaptive() && self.is_before_a_singular_time(t, next) {
-                    method.finest()
-                } else {
-                    *level
-                };
-                let fine = Fine {
-                    level,
-                    fewest: &steps[leg],
-                    precision: *precision,
-                    budget: u64::MAX,
-                };
-                self.onward.state(
-                    [&self.breaks, &self.singular],
-                    *method,
-                    fine,
-                    [before, t],
-                    place,
-                )
-            }
+            } => (*method, *level, *precision, passed, steps),
+        };
+        let is_after = |other: f64| if to < from { other < t } else { other > t };
+        let piece = passed.partition_point(|(at, _)| !is_after(*at)) - 1;
+        let (begun, state) = passed[piece];
+        if begun == t {
+            return Ok(state);
         }
-    }
-
-    /// The place after so many legs of all.
-    fn place(&self, leg: usize, legs: usize) -> f64 {
-        let [from, to] = self.span();
-        if leg == legs {
-            to
+        let (end, _) = passed[piece + 1];
+        let parts = steps[piece].made.div_ceil(PART).max(1);
+        let at = |part: u64| begun + part as f64 / parts as f64 * (end - begun);
+        if here.piece != piece {
+            (here.piece, here.part) = (piece, 0);
+            (here.state, here.on_body) = (state, None);
+        }
+        let problem = self.given.problem();
+        // The run went on beside a singular time in a time that knew of it.
+        let is_singular = [begun, end].iter().any(|t| problem.singular.contains(t));
+        let level = if method.is_adaptive() && is_singular {
+            method.finest()
         } else {
-            from + leg as f64 / legs as f64 * (to - from)
+            level
+        };
+        let mut fewest = steps[piece];
+        fewest.fewest = fewest.fewest.div_ceil(parts);
+        let limits = &self.given.limits;
+        let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Passed> {
+            let spent = self.solved.work.torques() + here.work.torques();
+            let over = Error::OverBudget {
+                t: self.span()[0],
+                t_end: self.span()[1],
+                budget: limits.budget,
+            };
+            let budget = limits.left(spent)?;
+            if budget == 0 {
+                return Err(over);
+            }
+            let fine = Fine {
+                level,
+                fewest: &[fewest],
+                precision,
+                budget,
+            };
+            let mut runs = Runs::default();
+            let (state, on_body) = (&here.state, here.on_body);
+            let passed = method.run(&problem, [from, to], state, on_body, fine, &mut runs);
+            here.work += runs.work;
+            match passed {
+                Err(Error::OverBudget { .. }) => Err(over),
+                passed => passed,
+            }
+        };
+        while here.part + 1 < parts && !is_after(at(here.part + 1)) {
+            let passed = go_on(at(here.part), at(here.part + 1), here)?;
+            (here.state, here.on_body) = (passed.state, passed.on_body);
+            here.part += 1;
         }
-    }
-
-    /// True if the piece of the run in which `t` is, before this place, ends where the torque is
-    /// singular.
-    fn is_before_a_singular_time(&self, t: f64, place: f64) -> bool {
-        let [from, to] = self.span();
-        let between =
-            |time: &f64| (time - t) * (to - from) > 0.0 && (place - time) * (to - from) > 0.0;
-        let end = self.breaks.iter().find(|time| between(time));
-        self.singular.contains(end.unwrap_or(&place))
-    }
-
-    /// The last place that is not after `t`, by its number, and its time.
-    fn before(&self, legs: usize, t: f64) -> (usize, f64) {
-        let [from, to] = self.span();
-        let part = (t - from) / (to - from);
-        let mut leg = ((part * legs as f64) as usize).min(legs);
-        // Rounding may have put it a leg too far.
-        if (t - self.place(leg, legs)) * (to - from) < 0.0 && leg > 0 {
-            leg -= 1;
+        let from = at(here.part);
+        if from == t {
+            return Ok(here.state);
         }
-        (leg, self.place(leg, legs))
+        Ok(go_on(from, t, here)?.state)
     }
 }

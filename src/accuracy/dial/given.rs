@@ -5,7 +5,6 @@
 
 use super::along::Form;
 use super::limits::{LOOKS, Limits};
-use super::method::{Fine, Method, Runs};
 use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
 use super::slender::Slender;
 use super::stepping::Stepping;
@@ -44,19 +43,21 @@ pub(super) struct Answer {
 pub(super) struct Given<'s> {
     effects: &'s dyn AnyEffect,
     body: RigidBody,
-    start: State,
+    pub start: State,
     t_end: f64,
     tolerance: f64,
-    limits: &'s Limits<'s>,
+    pub limits: Limits<'s>,
     checked: Checked<'s>,
+    acting: Acting<'s>,
+    damping: f64,
     /// What the torque may be as large as, and where it jumps.
-    pub torque: f64,
-    pub breaks: Vec<f64>,
+    torque: f64,
+    breaks: Vec<f64>,
     /// Those of them, and of the ends, beside which it goes like a root of the time.
-    pub singular: Vec<f64>,
-    pub longest_step: f64,
+    singular: Vec<f64>,
+    longest_step: f64,
     /// What a trial run shows of a slender body, and what it took.
-    pub slender: Option<Slender>,
+    slender: Option<Slender>,
     trial: Work,
 }
 
@@ -67,7 +68,7 @@ impl<'s> Given<'s> {
         start: &State,
         t_end: f64,
         tolerance: f64,
-        limits: &'s Limits<'s>,
+        limits: &Limits<'s>,
     ) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
@@ -86,7 +87,9 @@ impl<'s> Given<'s> {
             start: *start,
             t_end,
             tolerance,
-            limits,
+            limits: *limits,
+            acting: Acting::of(effects),
+            damping: 0.0,
             torque: effects
                 .torque_scale(limits.t_start, body, start)
                 .max(checked.at_start()),
@@ -134,6 +137,12 @@ impl<'s> Given<'s> {
                 .collect();
             given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
         }
+        if let Acting::Anything(effects) = given.acting
+            && given.problem().stays_smooth()
+        {
+            given.acting = Acting::Smooth(effects);
+        }
+        given.damping = given.problem().fastest_damping();
         Ok(given)
     }
 
@@ -144,10 +153,15 @@ impl<'s> Given<'s> {
         Ok((slender, trial))
     }
 
-    fn problem(&self) -> Problem<'_> {
-        let problem = Problem {
+    /// The time of the start and that of the end (s).
+    pub const fn span(&self) -> [f64; 2] {
+        [self.limits.t_start, self.t_end]
+    }
+
+    pub fn problem(&self) -> Problem<'_> {
+        Problem {
             body: self.body,
-            acting: Acting::of(self.effects),
+            acting: self.acting,
             strength: 1.0,
             torque: self.torque,
             start: self.start,
@@ -156,16 +170,10 @@ impl<'s> Given<'s> {
             breaks: &self.breaks,
             singular: &self.singular,
             longest_step: self.longest_step,
+            damping: self.damping,
             checked: &self.checked,
             known: self.effects.known(),
             slender: self.slender,
-        };
-        match problem.acting {
-            Acting::Anything(effects) if problem.stays_smooth() => Problem {
-                acting: Acting::Smooth(effects),
-                ..problem
-            },
-            _ => problem,
         }
     }
 
@@ -186,10 +194,16 @@ impl<'s> Given<'s> {
             }
         };
         if !step && let Some(motion) = problem.exact_motion() {
-            return Ok(Answer {
-                solved: by_closed_form(&problem, &motion, self.tolerance, places)?,
-                form: Form::Exact(motion),
-            });
+            match by_closed_form(&problem, &motion, self.tolerance, places) {
+                // At the edge of what a closed form can do: neighbours have none.
+                Err(Error::NotDelivered { .. }) => {}
+                solved => {
+                    return Ok(Answer {
+                        solved: solved?,
+                        form: Form::Exact(motion),
+                    });
+                }
+            }
         }
         if problem.span() == 0.0 {
             return Ok(Answer {
@@ -205,67 +219,78 @@ impl<'s> Given<'s> {
                 allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
             });
         }
-        let delivered =
-            Stepping::new(&problem, self.tolerance, self.limits, places, trial).solve()?;
-        let solved = Solved::of(&delivered, &problem);
-        let mut states = vec![problem.start];
-        states.extend(delivered.places);
+        let stepping = Stepping::new(&problem, self.tolerance, &self.limits, places, trial);
+        let delivered = (stepping.solve()).map_err(|error| self.reason(error))?;
+        let solved = Solved::of(&delivered, &problem, self.looked_every());
+        let mut passed = vec![(problem.t_start, problem.start)];
+        passed.extend(delivered.passed);
         Ok(Answer {
             solved,
             form: Form::Stepped {
                 method: delivered.method,
                 level: delivered.level,
                 precision: delivered.precision,
-                places: states,
-                steps: delivered.steps,
+                passed,
+                steps: delivered.steps.concat(),
             },
         })
     }
 }
 
-/// A run of one method from a state on the way to a time.
-#[derive(Clone, Copy)]
-pub(super) struct Onward<'s> {
-    pub effects: &'s dyn AnyEffect,
-    pub body: RigidBody,
-    pub torque: f64,
-    pub longest_step: f64,
-    pub slender: Option<Slender>,
-    pub span: [f64; 2],
-}
+impl Given<'_> {
+    /// The time between two looks at the torque, if it may have features that nothing names.
+    fn looked_every(&self) -> Option<f64> {
+        let unnamed = self.effects.nature().on_time && self.effects.narrowest().is_none();
+        unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
+    }
 
-impl Onward<'_> {
-    pub fn state(
-        &self,
-        [breaks, singular]: [&[f64]; 2],
-        method: Method,
-        fine: Fine,
-        [from, to]: [f64; 2],
-        start: &State,
-    ) -> Result<State> {
-        let checked = Checked::unlooked(self.effects, &self.body, self.span, start);
-        let limits = Limits {
-            t_start: self.span[0],
-            ..Limits::default()
+    /// True if the torque on the body as it starts is another one just before this time and after.
+    fn jumps_at(&self, t: f64) -> bool {
+        let [from, to] = self.span();
+        let near = 1e-9 * (to - from).abs();
+        let [before, after] = [t - near, t + near].map(|t| {
+            let t = t.max(from.min(to)).min(from.max(to));
+            self.effects.torque(t, &self.body, &self.start)
+        });
+        (before - after).norm() > 1e-6 * before.norm().max(after.norm())
+    }
+
+    /// Why nothing comes of all runs, where it shows in the torque: it jumps with the state, or may
+    /// have what was not seen.
+    fn reason(&self, error: Error) -> Error {
+        let unclear = match error {
+            Error::OverBudget { .. } | Error::StepUnderflow { .. } => true,
+            Error::NotDelivered { reached, .. } => !reached.is_finite(),
+            Error::BeyondCondition { attainable, .. } => !attainable.is_finite(),
+            _ => false,
         };
-        let given = Given {
-            effects: self.effects,
-            body: self.body,
-            start: *start,
-            t_end: self.span[1],
-            tolerance: 1.0,
-            limits: &limits,
-            torque: self.torque,
-            breaks: breaks.to_vec(),
-            singular: singular.to_vec(),
-            longest_step: self.longest_step,
-            checked,
-            slender: self.slender,
-            trial: Work::default(),
-        };
-        let mut runs = Runs::default();
-        let passed = method.run(&given.problem(), [from, to], start, None, fine, &mut runs);
-        Ok(passed?.state)
+        if !unclear {
+            return error;
+        }
+        let effect = || self.effects.names().join(" and ");
+        if let Some(t) = self.problem().slides(self.limits.budget) {
+            return Error::Sliding {
+                effect: effect(),
+                t,
+            };
+        }
+        if let Error::StepUnderflow { t, .. } = error
+            && !self.jumps_at(t)
+        {
+            return error;
+        }
+        match self.looked_every() {
+            Some(every)
+                if !self.effects.nature().smooth && !matches!(error, Error::OverBudget { .. }) =>
+            {
+                Error::Unseen {
+                    effect: effect(),
+                    requested: self.tolerance,
+                    every,
+                }
+            }
+            _ => error,
+        }
     }
 }
 
@@ -288,6 +313,7 @@ fn nothing_to_do(problem: &Problem) -> Result<Solved> {
         rates_estimate: 0.0,
         condition,
         longest_step: 0.0,
+        looked_every: None,
     })
 }
 
@@ -311,7 +337,6 @@ fn by_closed_form(
     let run = work;
     let neighbour = |row, by| {
         let changed = problem.changed(row, by)?;
-        // A neighbour without a closed form: the edge of what it can do.
         let motion = changed.exact_motion().ok_or(Error::NotDelivered {
             requested: tolerance,
             reached: f64::INFINITY,
@@ -353,5 +378,6 @@ fn by_closed_form(
         rates_estimate,
         condition: condition[0],
         longest_step: 0.0,
+        looked_every: None,
     })
 }

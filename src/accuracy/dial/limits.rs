@@ -1,9 +1,9 @@
 //! What a solution may take, beside its scene, start, end and tolerance.
 
-use crate::effects::{AnyEffect, Checked};
+use crate::effects::{AnyEffect, Checked, is_same};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
-use core::sync::atomic::AtomicBool;
+use core::sync::atomic::{AtomicBool, Ordering};
 
 /// Where a solution begins, what it must not step over, and what it may cost.
 ///
@@ -83,6 +83,14 @@ impl Limits<'_> {
         }
     }
 
+    /// What is left of the budget after so many torques, if the solution may go on.
+    pub(super) fn left(&self, torques: u64) -> Result<u64> {
+        if (self.cancel).is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+            return Err(Error::Cancelled { torques });
+        }
+        Ok(self.budget.saturating_sub(torques))
+    }
+
     /// All times inside the span at which the torque jumps, in the order of the motion.
     pub(in crate::accuracy) fn breaks(&self, effects: &dyn AnyEffect, t_end: f64) -> Vec<f64> {
         let mut all = effects.break_points();
@@ -93,9 +101,10 @@ impl Limits<'_> {
     /// Those of these times that are inside the span, in the order of the motion.
     pub(super) fn sorted(&self, mut all: Vec<f64>, t_end: f64) -> Vec<f64> {
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
-        all.retain(|t| first < *t && *t < last);
+        let is_end = |t: f64| is_same(first, t) || is_same(last, t);
+        all.retain(|t| first < *t && *t < last && !is_end(*t));
         all.sort_by(f64::total_cmp);
-        all.dedup();
+        all.dedup_by(|t, before| is_same(*before, *t));
         if t_end < self.t_start {
             all.reverse();
         }

@@ -284,7 +284,7 @@ impl Method {
                 let rate = turning + 2.0 * (problem.torque / i1).sqrt();
                 match self {
                     // Nor are steps in their order that take most of the momentum at once.
-                    Resisted(_) => rate.max(self.angle() * problem.damping()),
+                    Resisted(_) => rate.max(self.angle() * problem.damping),
                     _ => rate,
                 }
             }
@@ -418,10 +418,29 @@ impl Method {
             .map(|state| (state, None)),
         };
         *spent += work;
-        let (state, on_body) = match run {
-            Err(Error::TooManySteps { .. }) => return Err(over),
-            run => run?,
-        };
+        // A piece has its own time, from 0.
+        let (state, on_body) = run.map_err(|error| match error {
+            Error::TooManySteps { .. } => over,
+            Error::StepUnderflow {
+                t: since,
+                step,
+                state,
+            } => Error::StepUnderflow {
+                t: t + since,
+                step,
+                state,
+            },
+            Error::DerivativeNotFinite {
+                t: since,
+                state,
+                derivative,
+            } => Error::DerivativeNotFinite {
+                t: t + since,
+                state,
+                derivative,
+            },
+            error => error,
+        })?;
         // Steps are whole: the level is that of the steps taken.
         let (level, longest_step) = if self.is_adaptive() {
             (fine.level, (fastest * span / fewest as f64).min(span))

@@ -12,6 +12,7 @@
 //! | `choice` | what each method does on the first turns |
 //! | `probes` | the condition felt on runs of the motion |
 //! | `stepping` | refine, verify |
+//! | `sliding` | why steps collapse |
 //!
 //! What is verified, and why what is delivered is better: `book/src/how_dial.md`.
 //!
@@ -28,6 +29,7 @@ mod probes;
 mod problem;
 mod regularized;
 mod slender;
+mod sliding;
 mod stepping;
 #[cfg(test)]
 mod tests;
@@ -85,6 +87,10 @@ pub struct Solved {
     /// No step was longer (s; 0 for a closed form). A feature of the torque that is
     /// narrower, and that nothing names, may have been stepped over by every run.
     pub longest_step: f64,
+    /// A torque that depends on the time and names no width was looked at once in this time (s):
+    /// what is shorter, and named by no break point, may be unseen. `None` where nothing was looked
+    /// for.
+    pub looked_every: Option<f64>,
 }
 
 impl<E: Effect> Scene<E> {
@@ -195,7 +201,8 @@ impl<E: Effect> Scene<E> {
     /// that is narrower than a step may be missed by all runs alike; so may the weaker of two kinks
     /// within some looks, and one whose sides are opposite, as of a signed root. (Of kinks that were so
     /// hidden no answer of 195 was above its request.)
-    /// [`Solved::longest_step`] says how long the steps were.
+    /// [`Solved::longest_step`] says how long the steps were, [`Solved::looked_every`] how far the
+    /// looks were apart.
     ///
     /// # Errors
     /// A tolerance outside its range, anything not finite, an energy at the start beyond `f64`; a
@@ -203,7 +210,12 @@ impl<E: Effect> Scene<E> {
     /// effect says of itself what its torque does not bear out, at the start or along the
     /// way; [`Error::BeyondCondition`](crate::Error::BeyondCondition) if the inputs, as doubles, do not determine the end
     /// so closely; [`Error::NotDelivered`](crate::Error::NotDelivered) if no method converges to it;
-    /// [`Error::OverBudget`](crate::Error::OverBudget) if it takes more torques than [`Limits::budget`].
+    /// [`Error::OverBudget`](crate::Error::OverBudget) if it takes more torques than
+    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where steps collapse at a jump of
+    /// the torque with the state; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
+    /// a torque that depends on the time and may have features shorter than was looked for;
+    /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular;
+    /// [`Error::NotAFunction`](crate::Error::NotAFunction) if the torque remembers.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())
     }
@@ -240,17 +252,17 @@ impl<E: Effect> Scene<E> {
         start: &State,
         t_end: f64,
         tolerance: f64,
-        limits: &'s Limits<'s>,
+        limits: &Limits<'s>,
     ) -> Result<Given<'s>> {
         Given::new(self.effects(), self.body(), start, t_end, tolerance, limits)
     }
 }
 
 impl Solved {
-    fn of(delivered: &Delivered, problem: &Problem) -> Self {
+    fn of(delivered: &Delivered, problem: &Problem, looked_every: Option<f64>) -> Self {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
-            state: delivered.places.last().copied().unwrap_or(problem.start),
+            state: (delivered.passed.last()).map_or(problem.start, |(_, state)| *state),
             method: delivered.method.name(),
             run: delivered.run,
             work: delivered.work,
@@ -262,6 +274,7 @@ impl Solved {
             rates_estimate,
             condition: delivered.condition[0],
             longest_step: delivered.longest_step,
+            looked_every,
         }
     }
 }

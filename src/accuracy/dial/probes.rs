@@ -73,6 +73,10 @@ pub(super) const MOVED: f64 = 0.03;
 /// no saddle.
 const TAME: f64 = 6.0;
 
+/// A floor that is so many times above the tolerance comes down to it by no more care: two rows of
+/// the design say at most sqrt(10) times what the ten inputs do.
+const HOPELESS: f64 = 10.0;
+
 /// A floor further below the tolerance than by this factor need not be known well.
 const FAR_BELOW: f64 = 100.0;
 
@@ -152,6 +156,9 @@ impl Stepping<'_> {
         let farthest = larger(farthest, moved);
         let floor = method.floor(self.problem) * EPS * (1.0 + condition[0]);
         let tame = condition[0] <= TAME * (1.0 + self.late());
+        if farthest <= MOVED && tame {
+            self.possible(condition[0])?;
+        }
         let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance;
         let felt = Felt {
             condition,
@@ -161,6 +168,19 @@ impl Stepping<'_> {
             roughly: tame,
         };
         Ok(enough.then_some(felt))
+    }
+
+    /// Refuses at once where the lowest floor of all methods is far above the tolerance: with more care
+    /// a condition that was felt by few changes falls by no more than what these may add up to.
+    fn possible(&self, condition: f64) -> Result<()> {
+        let methods = Method::candidates(self.problem);
+        let lowest =
+            (methods.iter().map(|method| method.floor(self.problem))).fold(f64::INFINITY, f64::min);
+        let floor = lowest * EPS * (1.0 + condition);
+        if floor > HOPELESS * self.tolerance {
+            return Err(self.beyond(floor, condition));
+        }
+        Ok(())
     }
 
     /// The first run of the span by a candidate, on which the condition may be felt roughly.
@@ -225,6 +245,11 @@ impl Stepping<'_> {
             error = (error * FINER).max(FELT_FINELY);
             felt.finely = error == FELT_FINELY;
             felt.condition = self.condition(candidates, error * part, ROWS, LEGS)?;
+        }
+        // On another side of a saddle it may be far too large.
+        let off = (1.0 + felt.condition[0]) * error * part;
+        if felt.condition[0].is_finite() && (felt.finely || off <= MOVED) {
+            self.possible(felt.condition[0])?;
         }
         if NEAR * lowest * EPS * (1.0 + felt.condition[0]) > self.tolerance {
             let error = error.min(FELT_WELL);

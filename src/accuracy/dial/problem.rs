@@ -7,6 +7,7 @@ use crate::accuracy::{Carrier, Variables, larger};
 use crate::body::{RigidBody, State};
 use crate::effects::{
     AnyEffect, Checked, Effect, GravityAtLever, Keeps, Known, Nature, Resistance, each, one_by_one,
+    piece,
 };
 use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
@@ -72,6 +73,8 @@ pub(super) struct Problem<'e> {
     pub singular: &'e [f64],
     /// No step may be longer.
     pub longest_step: f64,
+    /// The [fastest rate](Self::fastest_damping) of what resists.
+    pub damping: f64,
     pub checked: &'e Checked<'e>,
     pub known: Known,
     /// What a trial run shows of a slender body.
@@ -291,13 +294,12 @@ impl<'e> Problem<'e> {
         effects: &'s dyn AnyEffect,
         [from, to]: [f64; 2],
     ) -> Scene<((), Strengthened<'s, AXIS_ONLY, SLIPS>)> {
-        let (first, last) = (from.min(to), from.max(to));
         Scene::new(self.body).with(Strengthened {
             effects,
             strength: self.strength,
             torque: self.torque,
             origin: from,
-            piece: [first.next_up(), last.next_down()],
+            piece: piece([from, to]),
         })
     }
 
@@ -333,11 +335,12 @@ impl<'e> Problem<'e> {
     /// The times that cut the motion from `t` to `t_end` where the torque jumps, with
     /// both ends.
     pub fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
-        let (first, last) = (t.min(t_end), t.max(t_end));
-        let mut times = vec![t];
-        times.extend(self.breaks.iter().filter(|b| first < **b && **b < last));
-        times.push(t_end);
-        times
+        let backwards = self.t_end < self.t_start;
+        let is_before = |a: f64, b: f64| if backwards { a > b } else { a < b };
+        let passed = self.breaks.partition_point(|at| !is_before(t, *at));
+        let ahead = &self.breaks[passed..];
+        let inside = &ahead[..ahead.partition_point(|at| is_before(*at, t_end))];
+        [&[t], inside, &[t_end]].concat()
     }
 
     /// True if something resists the rotation whose effect at a fixed attitude is known on
@@ -369,7 +372,7 @@ impl<'e> Problem<'e> {
     }
 
     /// The fastest rate (1/s) at which what resists takes momentum in proportion to it.
-    pub fn damping(&self) -> f64 {
+    pub fn fastest_damping(&self) -> f64 {
         let (Acting::Smooth(effects) | Acting::Anything(effects)) = self.acting else {
             return 0.0;
         };

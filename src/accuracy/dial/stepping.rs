@@ -13,7 +13,6 @@ use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, log, sort_by_number};
-use core::sync::atomic::Ordering;
 
 /// The angle (rad) turned at the slowest candidate's rate on which a method shows what it does.
 const STRETCH: f64 = core::f64::consts::TAU;
@@ -96,7 +95,8 @@ pub(super) struct Delivered {
     pub method: Method,
     pub level: f64,
     pub precision: f64,
-    pub places: Vec<State>,
+    /// The ends of its pieces.
+    pub passed: Vec<(f64, State)>,
     pub steps: Vec<Vec<Steps>>,
     pub run: Work,
     pub work: Work,
@@ -449,7 +449,7 @@ impl<'p> Stepping<'p> {
             method,
             level: run.level,
             precision,
-            places: run.places,
+            passed: run.passed,
             steps: run.steps,
             run: run.work,
             work: self.work,
@@ -462,7 +462,7 @@ impl<'p> Stepping<'p> {
         }
     }
 
-    fn beyond(&self, attainable: f64, condition: f64) -> Error {
+    pub fn beyond(&self, attainable: f64, condition: f64) -> Error {
         Error::BeyondCondition {
             requested: self.tolerance,
             attainable,
@@ -473,11 +473,7 @@ impl<'p> Stepping<'p> {
     /// What is left of the budget after all runs so far and this work, if the solution may go
     /// on.
     pub fn left(&self, more: &Work) -> Result<u64> {
-        let torques = self.work.torques() + more.torques();
-        if (self.limits.cancel).is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
-            return Err(Error::Cancelled { torques });
-        }
-        Ok(self.limits.budget.saturating_sub(torques))
+        self.limits.left(self.work.torques() + more.torques())
     }
 
     /// One run through these times, with so many steps on each leg at least; its work is
@@ -770,7 +766,10 @@ impl<'p> Stepping<'p> {
 
 /// True of errors that no other method would mend.
 pub(super) const fn is_final(error: &Error) -> bool {
-    matches!(error, Error::Cancelled { .. } | Error::Contradiction { .. })
+    matches!(
+        error,
+        Error::Cancelled { .. } | Error::Contradiction { .. } | Error::NotAFunction { .. }
+    )
 }
 
 /// True of errors that no finer run would mend.

@@ -151,12 +151,21 @@ impl Checked<'_> {
         let (first, last) = (end([0, 1, 2]), end([looks, looks - 1, looks - 2]));
         let near = NEAR * ((self.span[1] - self.span[0]) / looks as f64).abs();
         let mut found: Vec<Kink> = Vec::new();
+        let backwards = self.span[1] < self.span[0];
         for mut kink in first.into_iter().chain(last).chain(inside) {
             let is_near = |t: &f64| (t - kink.at).abs() <= near;
             if found.iter().any(|other| is_near(&other.at)) {
                 continue;
             }
-            if let Some(at) = known.iter().copied().find(is_near) {
+            let before = |t: &f64| {
+                if backwards {
+                    *t > kink.at + near
+                } else {
+                    *t < kink.at - near
+                }
+            };
+            let next = known.get(known.partition_point(before));
+            if let Some(at) = next.copied().filter(is_near) {
                 kink.at = at;
             }
             found.push(kink);

@@ -235,8 +235,8 @@ fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
         );
         taken.push(torques.get());
     }
-    // What looks at the torque before any run took 5096, and the twin went on to runs: 17 109.
-    assert!(taken[0] < 5100 && taken[1] > 17_000, "{taken:?}");
+    // What looks at the torque before any run took 5246, and the twin went on to runs: 17 262.
+    assert!(taken[0] < 5250 && taken[1] > 17_000, "{taken:?}");
     let text = |solved: Result<rotation_dynamics::accuracy::Solved>| match solved {
         Ok(solved) => format!("{:e}", solved.estimate),
         Err(error) => error.to_string(),
@@ -245,7 +245,8 @@ fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
     assert_eq!(
         endless,
         "from t = 0 to 5000 this takes more than the 50000000 torques that are allowed: allow more \
-         of them, a larger error, longer steps or a shorter time"
+         of them, a larger error, longer steps or a shorter time; or name the times at which a torque \
+         jumps or has a kink"
     );
     for span in [5e-324, -5e-324, 2e-308] {
         assert_eq!(

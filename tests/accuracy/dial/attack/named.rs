@@ -235,6 +235,7 @@ fn no_run_without_end() -> Result<()> {
                 budget: 1_000_000, ..
             }
             | Error::StepUnderflow { .. }
+            | Error::Sliding { .. }
             | Error::NotDelivered { .. },
         ) => refused += 1,
         other => panic!("{other:?}"),

@@ -1,0 +1,83 @@
+//! Steps that collapse where the torque jumps with the state.
+
+use super::problem::{Acting, Problem};
+use crate::body::{RigidBody, State};
+use crate::effects::{AnyEffect, Effect, Nature};
+use crate::error::Error;
+use crate::frame::SpaceVector;
+use crate::integrators::{Dop853, Integrator, Work};
+use crate::scene::Scene;
+use core::cell::Cell;
+
+/// The tolerance of the run that is watched, and the most steps of it.
+const TOLERANCE: f64 = 1e-9;
+const STEPS: u64 = 20_000;
+
+/// Two states nearer than this (rad, and as a part of the momentum) whose torques differ by more
+/// than this part are on two sides of a jump.
+const BESIDE: f64 = 1e-6;
+const JUMP: f64 = 1e-3;
+
+/// A torque that counts how often it jumps from one call to the next, at one time.
+struct Watched<'e> {
+    effects: &'e dyn AnyEffect,
+    momentum: f64,
+    before: Cell<State>,
+    jumps: Cell<u64>,
+}
+
+impl Effect for Watched<'_> {
+    const NATURE: Nature = Nature::ANYTHING;
+
+    fn name(&self) -> &'static str {
+        "watched"
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        let before = self.before.replace(*state);
+        let torque = self.effects.torque(t, body, state);
+        let pushed = (state.angular_momentum - before.angular_momentum).norm();
+        if state.attitude.angle_to(&before.attitude) < BESIDE && pushed < BESIDE * self.momentum {
+            let beside = self.effects.torque(t, body, &before);
+            if (torque - beside).norm() > JUMP * torque.norm().max(beside.norm()) {
+                self.jumps.set(self.jumps.get() + 1);
+            }
+        }
+        torque
+    }
+}
+
+impl Problem<'_> {
+    /// About the time at which the motion begins to slide along a jump of the torque with the state,
+    /// which then is between two stages of every step. (Measured on switches of four kinds: 2 to 6 times
+    /// in a step of the whole run; on a jump that is crossed once in a turn, never.)
+    pub fn slides(&self, budget: u64) -> Option<f64> {
+        let Acting::Anything(effects) = self.acting else {
+            return None;
+        };
+        if effects.nature().slips {
+            return None;
+        }
+        let watched = Watched {
+            effects,
+            momentum: self.momentum_scale(&self.start),
+            before: Cell::new(self.start),
+            jumps: Cell::new(0),
+        };
+        let scene = Scene::new(self.body).with(watched);
+        let method = Dop853::new(TOLERANCE).ok()?;
+        let method = method.with_step_limit((budget / 24).clamp(1, STEPS)).ok()?;
+        let mut work = Work::default();
+        let end =
+            method.advance_counting(&scene, self.t_start, &self.start, self.span(), &mut work);
+        let jumps = scene.effects().1.jumps.get();
+        match end {
+            Err(Error::TooManySteps { t, .. } | Error::StepUnderflow { t, .. })
+                if jumps > work.steps + work.rejected =>
+            {
+                Some(t)
+            }
+            _ => None,
+        }
+    }
+}
