@@ -387,7 +387,7 @@ pub fn measured_held(c: Compass) -> Result<f64> {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let moves = from_to(1e-4, 3.1415).because("let go nearer to north or south it hardly moves");
+    let moves = from_to(1e-4, 3.13).because("let go nearer to north or south it hardly moves");
     moves.check("size of the release", p.release.abs())?;
     let c = Compass::new(p)?;
     let (l, north, up) = (c.momentum, c.north(), c.horizon.z());

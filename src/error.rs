@@ -377,9 +377,10 @@ impl fmt::Display for Error {
             ),
             Self::Sliding { effect, t } => write!(
                 f,
-                "sliding motion at a jump of \"{effect}\" near t = {t:.6}: the torque jumps with the \
+                "sliding motion at a jump of \"{effect}\" near t = {}: the torque jumps with the \
                  state, back and forth in every step, and steps come to no end; let it pass from one \
-                 value to the other over a small width, as tanh does, or end the motion there"
+                 value to the other over a small width, as tanh does, or end the motion there",
+                brief(*t)
             ),
             Self::Unseen {
                 effect,
@@ -388,8 +389,9 @@ impl fmt::Display for Error {
             } => write!(
                 f,
                 "an error of {requested:e} is asked for, and runs do not agree: the torque of \
-                 \"{effect}\" was looked at every {every:.3} s, and what is shorter may be unseen; \
-                 name its break points, or its narrowest feature"
+                 \"{effect}\" was looked at every {} s, and what is shorter may be unseen; \
+                 name its break points, or its narrowest feature",
+                brief(*every)
             ),
             Self::SeesMore { effects } => write!(
                 f,

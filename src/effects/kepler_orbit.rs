@@ -240,7 +240,7 @@ impl KeplerOrbit {
 
     /// The normal of the plane at the time `t` (s): a unit vector, or NaN where its turning is lost.
     pub fn normal(&self, t: f64) -> SpaceVector {
-        if !(t.abs() <= self.latest[0]) {
+        if t.is_nan() || t.abs() > self.latest[0] {
             return NOWHERE;
         }
         let (s, c) = sincos(self.node + self.turning[0] * t);

@@ -211,7 +211,7 @@ fn the_other_spin_is_a_mirror() {
 fn what_has_no_nod_is_refused() {
     let runs = [
         ("--lean 0.35", "at 0 the axis meets Z"),
-        ("--lean 0 --cone 0.2", "lean = 0 is not allowed: it must be from 0.001 to 3.14"),
+        ("--lean 0 --cone 0.2", "lean = 0 is not allowed: it must be from 0.001 to 3.1"),
         ("--lean 2.8", "pi - lean - cone"),
         ("--omega-y 0", "at 0 it does not wobble"),
         ("--omega-z 0", "without spin it only tumbles"),

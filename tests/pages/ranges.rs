@@ -81,7 +81,7 @@ fn values(number: &Number, seed: u64) -> Vec<f64> {
     });
     let decades = (-6..=6).filter(|k| *k != 0).map(|k| usual * 10_f64.powi(k));
     let random = |dice: &mut Rand64| {
-        let sign = if dice.rand_u64() % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if dice.rand_u64().is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * usual * 10_f64.powf(4.0 * dice.rand_float() - 2.0)
     };
     let mut others: Vec<f64> = hairs.chain(decades).chain([0.0]).collect();

@@ -68,6 +68,21 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             off: y,
             allowed: z,
         },
+        Error::NotAFunction {
+            effect: text(),
+            t: x,
+            first: [x, y, z],
+            again: [y, z, x],
+        },
+        Error::Sliding {
+            effect: text(),
+            t: x,
+        },
+        Error::Unseen {
+            effect: text(),
+            requested: x,
+            every: y,
+        },
         Error::SeesMore { effects: text() },
         Error::Slips { effects: text() },
         Error::TwoGravities { effects: text() },
@@ -115,6 +130,7 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             h: y,
             change: z,
         },
+        Error::PhaseLost { t: x, latest: y },
         Error::OutsideRun {
             t: x,
             start: y,
@@ -149,7 +165,15 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             angle: x,
             locked: name,
         },
-        Error::TriangleInequality { moments: [x, y, z] },
+        Error::TriangleInequality {
+            moments: [x, y, z],
+            excess: x,
+            slack: y,
+        },
+        Error::OnALine {
+            moments: [x, y, z],
+            known_within: x,
+        },
         Error::NotSymmetric { difference: x },
         Error::ConditionBroken {
             name,

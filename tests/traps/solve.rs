@@ -318,6 +318,9 @@ fn a_sampled_torque_is_answered_between_its_samples() -> Result<()> {
     Ok(())
 }
 
+/// A torque by time and state.
+type Law<'l> = dyn Fn(f64, &State) -> SpaceVector + 'l;
+
 /// A torque that remembers is refused by its name, however it remembers; one that counts its calls and
 /// gives the same torque is not.
 #[test]
@@ -362,8 +365,7 @@ fn a_torque_that_remembers_is_refused() -> Result<()> {
             let now = state.angular_momentum.x();
             SpaceVector::new(before.replace(now) - now, 0.0, 0.0)
         };
-        let all: [&dyn Fn(f64, &State) -> SpaceVector; 4] =
-            [&by_number, &by_clock, &by_sum, &by_difference];
+        let all: [&Law<'_>; 4] = [&by_number, &by_clock, &by_sum, &by_difference];
         for torque in all {
             let error = solve(torque, tolerance)
                 .expect_err("it remembers")

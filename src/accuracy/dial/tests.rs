@@ -46,6 +46,8 @@ fn a_symmetric_body_stays_one() {
         longest_step: f64::INFINITY,
         checked: &checked,
         known: Known::Free,
+        damping: 0.0,
+        slender: None,
     };
     for row in 0..12 {
         let [i1, i2, i3] = problem

@@ -95,7 +95,8 @@ impl FreeFlow {
             .inverse
             .iter()
             .fold(0.0, |most, [rate, _]| larger(most, *rate));
-        if !((fastest * momentum.norm() * dt).abs() <= MOST_TURNS * TAU) {
+        let turned = (fastest * momentum.norm() * dt).abs();
+        if turned.is_nan() || turned > MOST_TURNS * TAU {
             return Attitude::from_unit(LOST.0);
         }
         let [w, x, y, z] = self.increment(momentum.to_array(), dt);

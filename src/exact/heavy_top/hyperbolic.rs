@@ -245,7 +245,7 @@ impl Sampled for Late {
     #[cold]
     fn far(&self, t: f64) -> ([f64; 4], [f64; 3]) {
         // Only the homoclinic motion is known where it is too steep for lanes.
-        if self.periodic || !(t.abs() <= self.latest()) {
+        if self.periodic || t.is_nan() || t.abs() > self.latest() {
             return LOST;
         }
         let steep = |w: f64| match w.abs() > STEEPEST {
