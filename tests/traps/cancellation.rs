@@ -7,39 +7,17 @@ use rotation_dynamics::exact::heavy_top::SymmetricTop;
 use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
 use rotation_dynamics::math::EPS;
-use support::Errors;
+use support::{Errors, Random};
 
 type Matrix = [[f64; 3]; 3];
 
-struct Random(u64);
+fn attitude(random: &mut Random) -> Attitude {
+    Attitude::from_quaternion(random.vector()).expect("not zero")
+}
 
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 * EPS
-    }
-
-    fn between(&mut self, a: f64, b: f64) -> f64 {
-        a + (b - a) * self.unit()
-    }
-
-    /// A number whose logarithm is spread evenly.
-    fn size(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-
-    fn attitude(&mut self) -> Attitude {
-        let quaternion = [(); 4].map(|()| self.between(-1.0, 1.0));
-        Attitude::from_quaternion(quaternion).expect("not zero")
-    }
-
-    /// A unit vector.
-    fn direction(&mut self) -> DesignVector {
-        self.attitude().axis().to_array().into()
-    }
+/// A unit vector.
+fn direction(random: &mut Random) -> DesignVector {
+    attitude(random).axis().to_array().into()
 }
 
 fn turn(axis: [f64; 3], angle: f64) -> Attitude {
@@ -244,9 +222,9 @@ fn bodies_of_every_kind_about_points_near_and_far_and_back() -> Result<()> {
         let (mass, length) = (random.size(1e-6, 1e6), random.size(1e-3, 1e3));
         let ratios = [random.between(0.2, 0.5), random.between(0.6, 0.9)];
         for (kind, body, exact) in known_bodies(mass, length, ratios)? {
-            let place = random.direction() * (length * random.size(0.1, 1e3));
-            let body = body.turned(&random.attitude())?.displaced(place)?;
-            let d = random.direction() * (length * random.size(1.0, 1e3));
+            let place = direction(&mut random) * (length * random.size(0.1, 1e3));
+            let body = body.turned(&attitude(&mut random))?.displaced(place)?;
+            let d = direction(&mut random) * (length * random.size(1.0, 1e3));
             let p = place + d;
             refused_by_what_is_left += usize::from(judged_by_what_is_left(&body, p).is_err());
             let computed = there_and_back(&body, p).expect(kind).about_centre_of_mass();
@@ -287,11 +265,11 @@ fn what_rounding_does_not_explain_is_refused_with_the_excess() -> Result<()> {
     let (mut accepted, mut refused) = (0, 0);
     for _ in 0..500 {
         let (mass, length) = (random.size(1e-6, 1e6), random.size(1e-3, 1e3));
-        let attitude = random.attitude();
+        let attitude = attitude(&mut random);
         let plate = solids::plate(mass, length, 0.7 * length)?.turned(&attitude)?;
         let n = attitude.axis().to_array();
         let above = DesignVector::from(n) * (length * random.size(1.0, 1e3));
-        let p = above + random.direction() * (0.5 * length);
+        let p = above + direction(&mut random) * (0.5 * length);
         let about = plate.about(p)?.matrix();
         // A plate, and something more about its normal, as no body has.
         let more = |by: f64| {
@@ -358,7 +336,7 @@ fn the_nearest_body_is_taken() -> Result<()> {
         assert!(dot(&rest, &nearest).abs() <= 1e-14 * size * size);
         let trace: f64 = (0..3).map(|i| rest[i][i]).sum();
         for _ in 0..30 {
-            let u = random.direction().to_array();
+            let u = direction(&mut random).to_array();
             let along = dot(&rest, &matrix_of(|i, j| u[i] * u[j]));
             assert!(trace - along <= 1e-14 * size);
         }
@@ -386,7 +364,7 @@ fn a_thousand_turns_leave_a_rod_a_rod_and_a_disc_round() -> Result<()> {
     let mut rod = solids::rod(2.0, 1.0)?;
     let mut disc = solids::disc(2.0, 1.0)?;
     for n in 1..=1000 {
-        let attitude = random.attitude();
+        let attitude = attitude(&mut random);
         rod = rod.turned(&attitude)?;
         disc = disc.turned(&attitude)?;
         // Each turn may add its rounding, and says so.
@@ -407,7 +385,7 @@ fn a_line_of_many_points_is_a_rod() -> Result<()> {
     let mut random = Random(5);
     let mut lines = 0;
     for _ in 0..8 {
-        let line = random.direction();
+        let line = direction(&mut random);
         let points: Vec<_> = (0..100_000)
             .map(|_| (random.unit(), line * random.between(-1.0, 1.0)))
             .collect();

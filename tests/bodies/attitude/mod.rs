@@ -16,31 +16,10 @@ use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{self, EPS};
 use std::f64::consts::PI;
+use support::Random;
 
-/// Numbers in [0, 1): SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 * EPS
-    }
-
-    fn between(&mut self, a: f64, b: f64) -> f64 {
-        a + (b - a) * self.unit()
-    }
-
-    fn vector(&mut self) -> [f64; 3] {
-        [(); 3].map(|()| self.between(-1.0, 1.0))
-    }
-
-    fn attitude(&mut self) -> Attitude {
-        let quaternion = [(); 4].map(|()| self.between(-1.0, 1.0));
-        Attitude::from_quaternion(quaternion).expect("not zero")
-    }
+fn any_attitude(random: &mut Random) -> Attitude {
+    Attitude::from_quaternion(random.vector()).expect("not zero")
 }
 
 /// Angles with theta (or pi - theta) generic, small, tiny or zero.
@@ -153,7 +132,7 @@ fn a_unit_quaternion_is_kept_bit_for_bit() {
     let mut random = Random(6);
     let mut count = 0;
     for _ in 0..4000 {
-        let attitude = random.attitude() * random.attitude();
+        let attitude = any_attitude(&mut random) * any_attitude(&mut random);
         assert_eq!(
             Attitude::from_quaternion(attitude.quaternion()),
             Ok(attitude)

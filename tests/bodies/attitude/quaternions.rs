@@ -1,12 +1,13 @@
 //! Quaternions as others write them.
 
-use super::Random;
+use super::any_attitude;
 use nalgebra::{UnitQuaternion, Vector3};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::EPS;
 use support::Errors;
+use support::Random;
 
 /// Shuster's product, scalar last, ij = -k: A(p) A(q) = A(p * q), A space -> body.
 fn shuster([a, b, c, d]: [f64; 4], [x, y, z, w]: [f64; 4]) -> [f64; 4] {
@@ -46,7 +47,7 @@ fn the_other_product_has_the_same_numbers() {
     let mut errors = Errors::in_units_of(EPS, "Shuster's");
     let mut damaged = Errors::of("the same order of factors");
     for _ in 0..1000 {
-        let (a, b) = (random.attitude(), random.attitude());
+        let (a, b) = (any_attitude(&mut random), any_attitude(&mut random));
         assert_eq!(Attitude::from_xyzw(a.xyzw()), Ok(a));
         let matrix = shuster_matrix(a.xyzw());
         for (row, ours) in matrix.iter().zip(a.inverse().matrix()) {
@@ -68,7 +69,7 @@ fn nalgebra_turns_vectors_alike() {
     let mut random = Random(42);
     let mut errors = Errors::in_units_of(EPS, "nalgebra's turn");
     for _ in 0..1000 {
-        let (attitude, v) = (random.attitude(), random.vector());
+        let (attitude, v) = (any_attitude(&mut random), random.vector());
         let theirs = UnitQuaternion::from(attitude);
         assert_eq!(Attitude::try_from(theirs), Ok(attitude));
         let turned = (theirs * Vector3::from(v)).into();

@@ -1,11 +1,12 @@
 //! Angular velocity and the rates of the Euler angles (notes 15.2).
 
-use super::{Random, angles_near_a_pole};
+use super::angles_near_a_pole;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
 use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{self, DoubleDouble, EPS};
 use std::f64::consts::PI;
+use support::Random;
 use support::{Errors, assert_error};
 
 /// Notes 15.2 (5): Omega = phi' Z + theta' x + zeta' z, summed as vectors in space.

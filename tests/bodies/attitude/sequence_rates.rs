@@ -1,6 +1,5 @@
 //! Rates of the angles of a sequence, and the angular velocity they make.
 
-use super::Random;
 use rotation_dynamics::attitude::{
     Attitude, EulerAngles, EulerRates, Sequence, YawPitchRoll, YawPitchRollRates,
 };
@@ -9,6 +8,7 @@ use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::{self, DoubleDouble, EPS};
 use std::f64::consts::{FRAC_PI_2, PI};
 use support::Errors;
+use support::Random;
 
 /// A vector turned by `-angle` about a coordinate axis, to 100 bits.
 fn turned_back(v: [DoubleDouble; 3], axis: usize, angle: f64) -> [DoubleDouble; 3] {
