@@ -27,7 +27,7 @@ rotation_dynamics::parameters! {
         /// first turn, about Z
         phi: number(0.3, "rad", between(-PI, PI).because("less than half a turn each way: further angles give the same attitude").usually(-3.1, 3.1));
         /// second turn, about the new x
-        theta: number(0.7, "rad", from_to(0.0, PI).because("a negative tilt is that tilt with phi turned by half a turn").usually(0.0, 3.1));
+        theta: number(0.7, "rad", from_to(0.0, PI).because("a negative tilt is that tilt with phi and zeta half a turn further").usually(0.0, 3.1));
         /// third turn, about the newest z
         zeta: number(-0.4, "rad", between(-PI, PI).because("less than half a turn each way: further angles give the same attitude").usually(-3.1, 3.1));
         /// displacement of the reference point along X
@@ -37,7 +37,7 @@ rotation_dynamics::parameters! {
         /// along Z
         shift_z: number(3.0, "m", from_to(-1e4, 1e4).usually(-3.0, 3.0));
         /// by how much the book is turned, each time
-        book: number(FRAC_PI_2, "rad", from_to(1e-6, PI).because("the shorter way round, and not none").usually(0.01, PI));
+        book: number(FRAC_PI_2, "rad", from_to(1e-6, PI).because("the shorter way round; at 0 the book does not turn").usually(0.01, PI));
         /// least tilt of a body that is turned past theta = 0
         closest: number(1e-3, "rad", from_to(1e-6, 0.5).because("it must pass by the pole, and near it").usually(0.01, 0.5));
         /// error of a step where that turning is simulated
@@ -97,7 +97,7 @@ impl Screw {
         let half = SpaceVector::new(s * cos_diff, s * diff, c * sum) * sign;
         let angle = 2.0 * atan2(half.norm(), c * cos_sum.abs());
         let angle = from_to(1e-4, PI - 1e-12)
-            .because("no turn has no axis, half a turn two")
+            .because("at 0 there is no axis, at half a turn either sense of it")
             .check("angle of the whole rotation", angle)?;
         let axis = half / half.norm();
         let advance = axis.dot(&shift);

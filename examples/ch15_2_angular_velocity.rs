@@ -27,9 +27,9 @@ rotation_dynamics::parameters! {
     /// A line, a point, a disc, a gyroscope and a frame, each with its rates.
     pub struct Parameters {
         /// angle of a line on the body from the x axis
-        line_before: number(0.2, "rad", from_to(-1.5, 1.5).because("a line is told from its opposite up to a right angle"));
+        line_before: number(0.2, "rad", from_to(-1.5, 1.5).because("a line turned round looks the same: less than a right angle either way"));
         /// the same a little later
-        line_after: number(0.65, "rad", from_to(-1.5, 1.5).because("a line is told from its opposite up to a right angle"));
+        line_after: number(0.65, "rad", from_to(-1.5, 1.5).because("a line turned round looks the same: less than a right angle either way"));
         /// time between the two
         interval: number(0.1, "s", from_to(1e-6, 1e6).usually(0.05, 1.0));
         /// angular velocity of a body, along X
@@ -49,11 +49,11 @@ rotation_dynamics::parameters! {
         /// angular velocity of the disc about its centre O
         disc: number(4.0, "rad/s", from_to(-1e5, 1e5).usually(-6.0, 6.0));
         /// angle of the line of nodes from X
-        phi: number(0.3, "rad", from_to(-100.0, 100.0).because("turns may be left out of an angle").usually(-3.1, 3.1));
+        phi: number(0.3, "rad", from_to(-100.0, 100.0).because("whole turns may be left out of an angle").usually(-3.1, 3.1));
         /// tilt of the axis of the gyroscope
         theta: number(1.0, "rad", from_to(1e-6, PI - 1e-6).because("with the axis upright the rates of the Euler angles are not defined").usually(0.3, 2.8));
         /// angle of a mark on the rotor from the line of nodes
-        zeta: number(-0.4, "rad", from_to(-100.0, 100.0).because("turns may be left out of an angle").usually(-3.1, 3.1));
+        zeta: number(-0.4, "rad", from_to(-100.0, 100.0).because("whole turns may be left out of an angle").usually(-3.1, 3.1));
         /// rate of phi
         precession: number(2.0, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
         /// rate of theta

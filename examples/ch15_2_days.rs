@@ -28,7 +28,7 @@ rotation_dynamics::parameters! {
         /// eccentricity of the orbit
         eccentricity: number(0.0167086342, "-", from_to(0.0, 0.3).because("on a longer ellipse the days differ too much to be counted so").usually(0.0, 0.1));
         /// tilt of the axis, from the normal of the orbit
-        obliquity: number(0.409_092_600_600_583, "rad", from_to(0.0, 1.4).because("with its pole in the orbit a planet has no solar day").usually(0.0, 0.8));
+        obliquity: number(0.409_092_600_600_583, "rad", from_to(0.0, 1.4).because("with its pole in the plane of the orbit a planet has no regular solar day").usually(0.0, 0.8));
         /// longitude at which the Sun is seen when it is nearest
         perigee: number(4.938_188_300_857_257, "rad", from_to(0.0, TAU).because("a full turn"));
         /// mean longitude of the Sun at noon of 1 January 2000

@@ -32,7 +32,7 @@ parameters! {
         /// rate at which the cylinder goes round Z
         cylinder_rate: number(3.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing turns").usually(0.5, 5.0));
         /// angle of the cylinder's axis from Z
-        tilt: number(0.5, "rad", from_to(0.001, 3.1).because("an upright axis covers no angle").usually(0.1, 1.5));
+        tilt: number(0.5, "rad", from_to(0.001, 3.1).because("an upright axis is not carried round").usually(0.1, 1.5));
         /// rolling resistance of a hoop as a part of its weight, for the claims about it
         resistance: effect(0.005, "-", above_to(0.0, 1.0).because("what is braked more does not roll"));
         /// slip of the coin over its way along the other's rim, for the picture and the claims about it

@@ -32,7 +32,7 @@ rotation_dynamics::parameters! {
         /// distance of the pole of rotation from the figure axis, on the ground
         wander: number(10.0, "m", above_to(0.0, 1e6).usually(1.0, 20.0));
         /// radius of the Earth
-        radius: number(6.371e6, "m", between(1e6, 1e8).because("planets").usually(6e6, 7e6));
+        radius: number(6.371e6, "m", between(1e6, 1e8).because("smaller or larger it is no planet like the Earth").usually(6e6, 7e6));
         /// one turn relative to the equinox, a sidereal day
         day: number(86_164.090_5, "s", between(1e4, 1e6).because("faster, a planet breaks up; slower, others pull it about").usually(8e4, 9e4));
         /// Love number k_2 of the yielding mantle

@@ -46,15 +46,15 @@ rotation_dynamics::parameters! {
     /// The asteroid: its moments of inertia, and the flyby that is put in.
     pub struct Parameters {
         /// moment of inertia about x over that about the long axis
-        moment_x: number(3.0836, "-", from_to(1.5, 8.0).because("over the least moment; a body so long would break").usually(2.5, 3.2));
+        moment_x: number(3.0836, "-", from_to(1.5, 8.0).because("in units of the least moment; a longer body would break").usually(2.5, 3.2));
         /// the same about y
-        moment_y: number(3.235, "-", from_to(1.5, 8.0).because("over the least moment; a body so long would break").usually(3.2, 4.0));
+        moment_y: number(3.235, "-", from_to(1.5, 8.0).because("in units of the least moment; a longer body would break").usually(3.2, 4.0));
         /// least distance from the Earth in the flyby
-        closest: number(1.5558e9, "m", from_to(1e8, 1e11).because("nearer, tides break it up; farther, the Earth does nothing").usually(5e8, 1e10));
+        closest: number(1.5558e9, "m", from_to(1e8, 1e11).because("nearer, the tide outdoes the spin; farther, the Earth is not felt").usually(5e8, 1e10));
         /// speed far from the Earth
-        speed: number(11e3, "m/s", from_to(1e3, 1e5).because("slower, the Earth captures it; nothing of the solar system is faster").usually(5e3, 2e4));
+        speed: number(11e3, "m/s", from_to(1e3, 1e5).because("slower, the Sun's pull counts in the flyby; nothing of the solar system is faster").usually(5e3, 2e4));
         /// longitude of the Earth at the closest, seen from the asteroid
-        longitude: number(0.0, "rad", from_to(-PI, PI).because("other longitudes are these and turns"));
+        longitude: number(0.0, "rad", from_to(-PI, PI).because("other longitudes repeat these after whole turns"));
         /// error asked of the attitude after the flyby: from 1e-12 to 1e-3
         tolerance: number(1e-9, "rad", from_to(1e-12, 1e-3));
     }

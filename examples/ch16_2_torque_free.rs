@@ -187,7 +187,7 @@ impl Top {
 /// The wide wobble, if its axis keeps clear of Z.
 pub fn wide(p: &Parameters) -> Result<Top> {
     let (top, small) = (Top::new(p), Top::small(p));
-    let clear = from_to(5e-3, PI).because("at 0 the axis meets Z, where Euler angles end");
+    let clear = from_to(5e-3, PI).because("at 0 the axis meets Z, and Euler angles fail");
     clear.check("|lean - cone|", (p.lean - p.cone).abs())?;
     clear.check("pi - lean - cone", PI - p.lean - p.cone)?;
     let spins =

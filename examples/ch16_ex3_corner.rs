@@ -161,10 +161,10 @@ fn units(p: &Parameters) -> Result<Units> {
             allowed: "without spin the cylinder stays at rest where it is set down",
         });
     }
-    let turns = from_to(1e-9, 1e9).because("so much before it could fall by its radius");
+    let turns = from_to(1e-9, 1e9).because("the turn in rad while a stone falls by R/2");
     turns.check("spin sqrt(R/g)", spin)?;
     let rim = p.fading * p.spin.abs() * p.radius;
-    let rubs = from_to(0.0, 1e4).because("by a thousandth of a thousandth no friction is left");
+    let rubs = from_to(0.0, 1e4).because("beyond it a ten-thousandth of friction is left");
     rubs.check("fading*spin*radius", rim)?;
     if p.friction > 0.0 {
         let felt = from_to(1e-9, 1e6).because("less is none, more jams it");

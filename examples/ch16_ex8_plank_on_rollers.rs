@@ -32,7 +32,7 @@ parameters! {
         /// the moving picture: the tops of the rollers move towards each other (in) or apart
         sense: choice("in", "out");
         /// part of the friction that is lost per m/s of slip, for the claims about it
-        falling: effect(0.1, "s/m", above_to(0.0, 10.0).because("else all of it is lost within a hand a second"));
+        falling: effect(0.1, "s/m", above_to(0.0, 10.0).because("with more, a tenth of a metre a second takes all friction away"));
         /// error of a step of the simulations: from 1e-15 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }

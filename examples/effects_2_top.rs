@@ -25,7 +25,7 @@ parameters! {
         /// coefficient of dry friction of tip and floor
         friction: number(0.05, "-", from_to(0.03, 0.08).because("with less it does not rise before it is slow, with more it rolls").usually(0.03, 0.08));
         /// effective modulus of both: 1/E* is the sum of (1 - nu^2)/E
-        modulus: number(4e9, "Pa", from_to(2e9, 8e9).because("softer than wood, harder than glass: the contact is another one").usually(2e9, 8e9));
+        modulus: number(4e9, "Pa", from_to(2e9, 8e9).because("the contact is that of hard plastic or wood").usually(2e9, 8e9));
         /// slope of the floor
         slope: number(1e-3, "rad", from_to(3e-4, 2e-3).because("on a level floor it does not walk, on a steeper one it runs away").usually(3e-4, 2e-3));
         /// error of a step of the simulations: from 1e-12 to 1e-8

@@ -35,7 +35,7 @@ parameters! {
         /// nutation angle, from L to the axis, at the start
         nutation: number(0.02, "rad", between(0.0, FRAC_PI_2).because("along the axis it stays; at a right angle there is no axis left").usually(0.005, 1.0));
         /// time in which the tangent of that angle grows (or falls) by the factor e
-        growth: number(1500.0, "s", from_to(1.0, 1e10).because("the loss is weak, and there is one").usually(500.0, 5000.0));
+        growth: number(1500.0, "s", from_to(1.0, 1e10).because("the law is that of a weak loss; without one nothing grows").usually(500.0, 5000.0));
         /// least moment of the other body over its middle one
         least: number(0.45, "-", between(0.0, 1.0).because("it is the least of three moments").usually(0.2, 0.9));
         /// its largest moment over the middle one

@@ -93,7 +93,7 @@ pub fn scene(p: &Parameters) -> Result<(YoYo, Answer)> {
     aims.check("aim/spin", p.aim / p.spin)?;
     let answer = Answer { inertia };
     let needed = "string for the aim, over the radius,";
-    let finite = from_to(0.0, 1e4).because("as the aim comes up to the energy, it has no end");
+    let finite = from_to(0.0, 1e4).because("at the limit of the energy it has no end");
     finite.check(needed, answer.length_outward(p.aim / p.spin))?;
     Ok((YoYo { inertia, length }, answer))
 }

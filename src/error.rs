@@ -372,13 +372,13 @@ impl fmt::Display for Error {
                 f,
                 "the torque of \"{effect}\" at t = {} is {first:?} N m, and {again:?} when it is asked \
                  for again in the same state: it must be a function of time and state that remembers \
-                 nothing; what is held from one time to the next is solved from time to time",
+                 nothing; solve a torque that is held between samples from one sample to the next",
                 plain(*t)
             ),
             Self::Sliding { effect, t } => write!(
                 f,
                 "sliding motion at a jump of \"{effect}\" near t = {}: the torque jumps with the \
-                 state, back and forth in every step, and steps come to no end; let it pass from one \
+                 state, back and forth in every step, and the steps collapse; let it pass from one \
                  value to the other over a small width, as tanh does, or end the motion there",
                 brief(*t)
             ),

@@ -16,10 +16,10 @@
 //!
 //! # How late
 //!
-//! A time is taken as the double that it is. No digit of a phase is lost up to 2^46 turns, or near
-//! a separatrix half-periods; at 2^48 = 2.8e14 of them an attitude is off by 5.1e-14 rad, as
-//! measured (`tests/traps/no_time.rs`). There the last bit of the time is a 32nd to a 16th of a
-//! turn. Beyond, and as long before the start, the phase is lost.
+//! A time is taken as the double that it is. No digit of a phase is lost up to 2^46 turns (near a
+//! separatrix: half-periods). At 2^48 = 2.8e14 of them an attitude is off by 5.1e-14 rad at
+//! most, as measured (`tests/traps/no_time.rs`). There the last bit of the time is a 32nd to a 16th
+//! of a turn. Beyond, and as long before the start, the phase is lost.
 //!
 //! Plain values are NaN then, as for a time that is not finite. Functions that begin with `try_`,
 //! lists and conditions refuse such a time ([`Error::PhaseLost`]). A body at rest is known at any

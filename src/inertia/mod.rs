@@ -71,7 +71,7 @@ pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<f64> {
 impl PrincipalMoments {
     /// The moments about the first, second and third body axis.
     ///
-    /// Errors: a moment that is not finite or negative;
+    /// Errors: a moment that is negative or not finite;
     /// [`Error::TriangleInequality`] if one exceeds the sum of the others by
     /// more than 32 eps of the largest (a flat body given in decimals passes);
     /// [`Error::OnALine`] for (0, I, I), a rod, and (0, 0, 0), a point mass.

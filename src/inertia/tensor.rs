@@ -13,7 +13,7 @@ use crate::math::EPS;
 /// equal to zero, which is allowed here (and not for a free body).
 ///
 /// A tensor knows how far rounding may have moved its moments, and tensors that are computed
-/// pass it on, [`InertiaTensor::known_within`]. Two are equal if their elements are.
+/// pass it on, [`InertiaTensor::known_within`]. Two tensors are equal if their elements are.
 ///
 /// Source: notes 15.3.
 #[derive(Debug, Clone, Copy)]
@@ -109,8 +109,8 @@ impl InertiaTensor {
     /// How far rounding may have moved the principal moments (kg m^2).
     ///
     /// 32 eps of what was added and subtracted: of the tensors, and of m d (a + b) for a
-    /// step d from a point at a distance a from the origin to one at b. A diagonal tensor that
-    /// is given says its moments exactly: zero, or by how much they miss those of a body.
+    /// step d from a point at a distance a from the origin to one at b. For a diagonal tensor that
+    /// is given it is zero, or the excess of the largest moment over the sum of the others.
     ///
     /// A moment that is not above it is zero, that of a rod. Moments that differ by no more are
     /// made equal in a [`crate::body::DesignedBody`].

@@ -9,7 +9,7 @@
 //! error of the attitude comes back in it, I_max/I_min times as large. With l on the body's axes
 //! it does not. The price is that a motion without torque keeps L only as well as it is stepped.
 //!
-//! Not for: bodies with moments of one size, which the variables of [`Scene`] carry as well.
+//! Not for: bodies with moments of similar size, which the variables of [`Scene`] carry as well.
 //!
 //! Source: Euler's equations, notes 15.5.
 
@@ -30,7 +30,7 @@ pub(crate) struct BodyFixed<'s, E> {
     /// 1/I3 - 1/I2 and its cyclic kin.
     coupling: [f64; 3],
     slips: bool,
-    /// The rate (rad/s) that the torque gives the body in its own time.
+    /// The rate (rad/s) that the torque gives the body from rest in half a radian.
     built_up: f64,
 }
 

@@ -59,7 +59,7 @@ impl Answer {
         }
         let mut reader = Reader { rest: &plain };
         let value = reader.sum().ok_or(NONE)?;
-        // Of a programmer, who does not mean zero times ten.
+        // A hexadecimal number, as programmers write it: 0x10 is not zero times ten.
         if plain.trim_start_matches(['-', '+', ' ']).starts_with("0x") {
             return Err(NONE);
         }

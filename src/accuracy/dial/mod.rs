@@ -115,14 +115,15 @@ impl<E: Effect> Scene<E> {
     /// | what sees the axis only | splittings, Gauss-Legendre 16 and DOP853; of a symmetric body without its spin |
     /// | the same beside what resists in a known way ([`Effect::resistance`]) | splittings with the resistance in their kick ([`Resisted`](crate::integrators::Resisted)), Gauss-Legendre 16, DOP853 |
     /// | whatever is smooth between its break points | Gauss-Legendre 16, DOP853 |
-    /// | anything that acts on a slender body, but what sees the axis only of a symmetric one | DOP853 with the momentum on the body's axes |
+    /// | anything that acts on a slender body, unless that is symmetric and its axis alone is seen | DOP853 with the momentum on the body's axes |
     /// | whatever else | DOP853 |
     ///
-    /// A body is slender whose moments are more than 16 times apart, where the motion does not turn
-    /// about the thin axis alone. A short trial run shows its rates, two more in the steps of a coarse
-    /// one its condition. Of 60 random such motions none was above its request; the run that is
-    /// returned cost at most 1.2 times, all runs together 4.3 times the cheapest that is as good in
-    /// either kind of variables (`tests/traps/thin_bodies.rs`).
+    /// A body is slender if its moments are more than 16 times apart and the motion does not turn
+    /// mostly about the thin axis. A coarse trial run of the whole span shows its rates, two more in
+    /// the steps of another coarse one its condition. What these put out of reach is refused at once.
+    /// Of 60 random such motions none was above its request; the run that is returned cost at most
+    /// 1.2 times, all runs together 4.3 times the cheapest that is as good in either kind of variables
+    /// (`tests/traps/thin_bodies.rs`).
     ///
     /// Over a torque that is not known to be smooth runs may agree by chance, for each errs at a kink
     /// by what its steps happen to be off: what three runs say counts three times there, and a

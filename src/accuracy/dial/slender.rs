@@ -1,7 +1,7 @@
 //! Slender bodies: which variables, and which rates.
 //!
-//! A body is slender where one moment is far below the others and the motion does not turn about
-//! that axis alone. Then L on the fixed axes blurs the rate about the thin axis
+//! A body is slender where one moment is far below the others and the motion does not turn mostly
+//! about that axis. Then L on the fixed axes blurs the rate about the thin axis
 //! ([`BodyFixed`](crate::integrators::BodyFixed)), and the energy allows a rate sqrt(2 E / I_min) that the body never reaches. So
 //! the momentum is stepped on the body's axes, by DOP853, and steps are chosen by the rates of a
 //! trial run.
