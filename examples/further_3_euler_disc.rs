@@ -34,7 +34,7 @@ parameters! {
         /// viscosity of the air
         viscosity: number(1.78e-5, "Pa s", above(0.0).because("without a loss it never settles").usually(1e-5, 1e-4));
         /// thickness under the centre at which a film of air, or a smooth edge, is none any more
-        film: number(1e-5, "m", at_least(1e-7).because("a thinner film is below the roughness of an edge").usually(1e-6, 1e-4));
+        film: number(1e-5, "m", at_least(1e-6).because("a thinner film is below the roughness of an edge").usually(1e-6, 1e-4));
         /// a time before the end that is asked about
         left: number(1.0, "s", above(0.0).usually(0.01, 50.0));
         /// acceleration of gravity

@@ -29,7 +29,7 @@ parameters! {
         /// acceleration of gravity
         gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
         /// density of the air that brakes the wheel, for the claims about it
-        air: effect(1.204, "kg/m^3", above_to(0.0, 1e3));
+        air: effect(1.204, "kg/m^3", above_to(0.0, 1e3).because("what is denser is a liquid, and carries the wheel"));
         /// error of a step of the simulations: from 1e-14 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));
     }

@@ -157,7 +157,7 @@ fn what_the_card_measures() {
     errors.push((ball[1] - w + turning(0.6, (0.4 * m + reduced) * radius * radius)) / w);
     errors.push((missed[1] - w + turning(0.599, 0.0)) / w);
     errors.push(contact[1] / (1e-3 * w) - 2.0 / PI);
-    errors.attain(2.22e-16..=2.23e-16, 4);
+    errors.attain(1.77e-16..=1.78e-16, 4);
     let [x, ..] = after(1.0 / w, &on_table(&p), &[a.velocity, 0.0, 0.0, w], 1e-10).expect("a motion");
     let mut errors = Errors::of("what the table takes, over V");
     errors.push((table[1] - a.velocity + x) / a.velocity);

@@ -307,6 +307,6 @@ fn random_slender_bodies() {
     }
     assert_eq!(table.refused, 0);
     table.error.attain(2.5e-2..=2.6e-2, 60);
-    table.run.attain(1.1..=1.2, 60);
-    table.all.attain(4.2..=4.3, 60);
+    table.run.attain(2.8..=2.9, 60);
+    table.all.attain(7.2..=7.3, 60);
 }

@@ -183,7 +183,7 @@ impl<'p> Stepping<'p> {
     }
 
     /// Solves by two runs if they do, else by the cheapest candidate with the condition felt
-    /// roughly, and else with all care: nothing is refused because less was tried.
+    /// roughly, and else with all care. What few changes of the inputs put far out of reach is refused before.
     pub fn solve(mut self) -> Result<Delivered> {
         self.affordable()?;
         if self.problem.slender.is_some()
