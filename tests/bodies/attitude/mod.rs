@@ -14,7 +14,7 @@ mod sequences;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::math::{self, EPS};
+use rotation_dynamics::math;
 use std::f64::consts::PI;
 use support::Random;
 
