@@ -181,7 +181,7 @@ fn refused_with_a_reason_one_can_act_on() {
         );
         assert!(outcome.stderr.len() < 400, "{line}: {}", outcome.stderr);
     }
-    assert_eq!(REFUSED.len(), 30);
+    assert_eq!(REFUSED.len(), 29);
 }
 
 /// The moving picture of these flags.

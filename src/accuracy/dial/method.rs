@@ -59,8 +59,7 @@ impl Method {
             all
         };
         let symmetric = problem.body.moments().is_symmetric();
-        let on_axis = matches!(problem.acting, Acting::Weight(_) | Acting::OnAxis(_));
-        if problem.slender.is_some() && !(symmetric && on_axis) {
+        if problem.slender.is_some() {
             return vec![Adaptive];
         }
         let (mut all, others): (_, &[Self]) = match problem.acting {

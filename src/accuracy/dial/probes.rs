@@ -159,13 +159,12 @@ impl Stepping<'_> {
         if farthest <= MOVED && tame {
             self.possible(condition[0])?;
         }
-        let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance;
+        let enough = farthest <= MOVED && FAR_BELOW * floor <= self.tolerance && tame;
         let felt = Felt {
             condition,
             part,
             finely: false,
-            // A motion that may pass a saddle takes three runs.
-            roughly: tame,
+            roughly: true,
         };
         Ok(enough.then_some(felt))
     }

@@ -384,6 +384,12 @@ impl<'e> Problem<'e> {
         pieces.windows(2).map(on_piece).fold(0.0, f64::max)
     }
 
+    /// True if a symmetric body is stepped without its spin: what acts sees the axis only.
+    pub fn is_spin_free(&self) -> bool {
+        let on_axis = matches!(self.acting, Acting::Weight(_) | Acting::OnAxis(_));
+        on_axis && self.body.moments().is_symmetric()
+    }
+
     /// The time from start to end (s).
     pub fn span(&self) -> f64 {
         self.t_end - self.t_start

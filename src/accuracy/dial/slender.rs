@@ -47,7 +47,7 @@ impl Slender {
     pub fn of(problem: &Problem, budget: u64, work: &mut Work) -> Result<Option<Self>> {
         let moments = problem.body.moments().to_array();
         let [least, most] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
-        if most <= APART * least || problem.span() == 0.0 {
+        if most <= APART * least || problem.span() == 0.0 || problem.is_spin_free() {
             return Ok(None);
         }
         let steps = (budget / TRIAL_PART / 12).max(1);
