@@ -83,7 +83,7 @@ impl Answer {
     /// ```
     /// use rotation_dynamics::report::Answer;
     /// let read = |text: &str, unit: &str| Answer::read(text)?.in_unit(unit);
-    /// assert_eq!(read("60°", "rad"), Ok(core::f64::consts::FRAC_PI_3));
+    /// assert_eq!(read("45°", "rad"), Ok(core::f64::consts::FRAC_PI_4));
     /// assert_eq!(read("1/2 m", "m"), Ok(0.5));
     /// assert_eq!(read("3 s", "m"), Err("the unit is m, not s".into()));
     /// # Ok::<(), &str>(())

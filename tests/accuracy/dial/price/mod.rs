@@ -108,9 +108,9 @@ fn the_price_is_that_of_the_record() {
     let [(own, of_own), (all, of_all)] = medians;
     // Two routes to the end of one tumbling body in air differ by more than its truth may.
     assert_eq!([of_own, of_all], [63, 63]);
-    // Measured: 2.84 and 3.33.
+    // Measured: 2.84 and 3.47.
     assert!((2.84..2.85).contains(&own), "{own}");
-    assert!((3.32..3.33).contains(&all), "{all}");
+    assert!((3.47..3.48).contains(&all), "{all}");
     let rows: Vec<(usize, Vec<&str>)> = include_str!("../../../../benches/record/price.txt")
         .lines()
         .filter_map(|line| {
