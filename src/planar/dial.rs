@@ -1,9 +1,11 @@
 //! The dial: ask for an error at the end, get it, see the price.
 
-use super::{Phased, Run, simulate};
+use super::run::{Scene, run};
+use super::{Phased, Run};
 use crate::accuracy::larger;
 use crate::error::{Error, Result, finite};
 use crate::integrators::{Dop853, Work};
+use core::fmt::Debug;
 
 /// Between two runs that are compared, the error of a step differs by this factor.
 const STRIDE: f64 = 32.0;
@@ -34,7 +36,7 @@ pub struct Delivered<P, const N: usize> {
 /// # Errors
 /// [`Error::OutOfRange`] for a tolerance below 3.2e-14 or above 0.1,
 /// [`Error::NotDelivered`] if doubles cannot hold the motion that closely;
-/// those of [`simulate`].
+/// those of [`simulate`](super::simulate).
 pub fn simulate_within<const N: usize, S: Phased<N>>(
     scene: &S,
     tolerance: f64,
@@ -42,6 +44,16 @@ pub fn simulate_within<const N: usize, S: Phased<N>>(
     start: [f64; N],
     t_end: f64,
 ) -> Result<Delivered<S::Phase, N>> {
+    within(scene, tolerance, phase, start, t_end)
+}
+
+fn within<P: Copy + PartialEq + Debug, const N: usize>(
+    scene: &Scene<'_, P, N>,
+    tolerance: f64,
+    phase: P,
+    start: [f64; N],
+    t_end: f64,
+) -> Result<Delivered<P, N>> {
     finite("tolerance", tolerance)?;
     if !(STRIDE * Dop853::SMALLEST_TOLERANCE..=Dop853::LARGEST_TOLERANCE).contains(&tolerance) {
         return Err(Error::OutOfRange {
@@ -50,7 +62,7 @@ pub fn simulate_within<const N: usize, S: Phased<N>>(
             allowed: "from 3.2e-14 to 0.1",
         });
     }
-    let run = |step_error: f64| simulate(scene, &Dop853::new(step_error)?, phase, start, t_end);
+    let run = |step_error: f64| run(scene, &Dop853::new(step_error)?, phase, start, t_end);
     let mut step_error = tolerance;
     let mut coarse = run(step_error)?;
     let mut work = coarse.work();
@@ -82,10 +94,10 @@ pub fn simulate_within<const N: usize, S: Phased<N>>(
 
 /// The largest relative difference of two runs at their events and ends; infinite if
 /// they pass through different phases.
-fn distance<const N: usize, S: Phased<N>>(
-    scene: &S,
-    a: &Run<S::Phase, N>,
-    b: &Run<S::Phase, N>,
+fn distance<P: Copy + PartialEq + Debug, const N: usize>(
+    scene: &Scene<'_, P, N>,
+    a: &Run<P, N>,
+    b: &Run<P, N>,
 ) -> f64 {
     let (events_a, events_b) = (a.transitions(), b.transitions());
     let pairs = || events_a.iter().zip(events_b);

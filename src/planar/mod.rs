@@ -86,7 +86,7 @@ pub trait Phased<const N: usize> {
     }
 }
 
-impl<const N: usize, S: Phased<N>> Phased<N> for &S {
+impl<const N: usize, S: Phased<N> + ?Sized> Phased<N> for &S {
     type Phase = S::Phase;
     fn derivative(&self, phase: S::Phase, state: &[f64; N]) -> [f64; N] {
         (**self).derivative(phase, state)

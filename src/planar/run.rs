@@ -4,6 +4,7 @@ use super::{Condition, Kind, Next, Phased};
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Solution, Work};
 use crate::math::EPS;
+use core::fmt::Debug;
 
 /// Changes of phase in one run, at most: a ball that bounces ever lower is
 /// stopped here.
@@ -52,10 +53,13 @@ pub struct Run<P, const N: usize> {
     work: Work,
 }
 
-/// A scene held in one phase.
-struct InPhase<'s, S, P>(&'s S, P);
+/// A scene of any type: what runs it is compiled once for all with its phases.
+pub(super) type Scene<'s, P, const N: usize> = dyn Phased<N, Phase = P> + 's;
 
-impl<const N: usize, S: Phased<N>> Ode<N> for InPhase<'_, S, S::Phase> {
+/// A scene held in one phase.
+struct InPhase<'s, P, const N: usize>(&'s Scene<'s, P, N>, P);
+
+impl<P: Copy + PartialEq + Debug, const N: usize> Ode<N> for InPhase<'_, P, N> {
     fn derivative(&self, _t: f64, state: &[f64; N]) -> [f64; N] {
         self.0.derivative(self.1, state)
     }
@@ -86,6 +90,17 @@ pub fn simulate<const N: usize, S: Phased<N>>(
     start: [f64; N],
     t_end: f64,
 ) -> Result<Run<S::Phase, N>> {
+    run(scene, method, phase, start, t_end)
+}
+
+/// [`simulate`] of a scene behind a pointer.
+pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
+    scene: &Scene<'_, P, N>,
+    method: &Dop853,
+    phase: P,
+    start: [f64; N],
+    t_end: f64,
+) -> Result<Run<P, N>> {
     if t_end < 0.0 && !scene.conditions(phase).is_empty() {
         return Err(Error::OutOfRange {
             name: "t_end",
@@ -103,9 +118,8 @@ pub fn simulate<const N: usize, S: Phased<N>>(
     while run.transitions.len() < PHASE_LIMIT {
         let conditions = scene.conditions(phase);
         // What ends the scene may come together with what begins a phase.
-        let over = |c: &&Condition<'_, S::Phase, N>| {
-            matches!(c.next, Next::End) && (c.margin)(&state) <= 0.0
-        };
+        let over =
+            |c: &&Condition<'_, P, N>| matches!(c.next, Next::End) && (c.margin)(&state) <= 0.0;
         if let Some(end) = conditions
             .iter()
             .find(over)
@@ -134,7 +148,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
                 }
             })
             .collect();
-        let lasts = within_conditions(&conditions, method, t_end, |method, t_end| {
+        let lasts = within_conditions(&conditions, method, t_end, &|method, t_end| {
             method.solve(&InPhase(scene, phase), t, &state, t_end, &events)
         })?;
         let (index, when, before) = match lasts {
@@ -205,7 +219,7 @@ fn within_conditions<P, const N: usize>(
     conditions: &[Condition<'_, P, N>],
     method: &Dop853,
     t_end: f64,
-    solve: impl Fn(&Dop853, f64) -> Result<Solution<N>>,
+    solve: &dyn Fn(&Dop853, f64) -> Result<Solution<N>>,
 ) -> Result<Lasts<N>> {
     let (mut method, mut end) = (*method, t_end);
     let mut broken = None;
@@ -266,10 +280,10 @@ fn failed_unseen<P, const N: usize>(
 
 /// What round-off does to the margin of each condition where a phase begins: that of the state, and
 /// that of the time at which the phase before it ended.
-fn noises<const N: usize, S: Phased<N>>(
-    scene: &S,
-    conditions: &[Condition<'_, S::Phase, N>],
-    before: Option<&Leg<S::Phase, N>>,
+fn noises<P: Copy + PartialEq + Debug, const N: usize>(
+    scene: &Scene<'_, P, N>,
+    conditions: &[Condition<'_, P, N>],
+    before: Option<&Leg<P, N>>,
     state: &[f64; N],
 ) -> Vec<f64> {
     let size = scene.scale(state);
@@ -278,7 +292,7 @@ fn noises<const N: usize, S: Phased<N>>(
         let t = (end - AT_ENTRY * end.abs()).max(solution.start_time());
         Some([*solution.end_state(), solution.at(t).ok()?])
     });
-    let noise = |condition: &Condition<'_, S::Phase, N>| {
+    let noise = |condition: &Condition<'_, P, N>| {
         if let Some(noise) = &condition.noise {
             return noise(state);
         }

@@ -123,8 +123,8 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
     }
 }
 
-impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Mechanism<N, S, C>
-    for &M
+impl<M: Mechanism<N, S, C> + ?Sized, const N: usize, const S: usize, const C: usize>
+    Mechanism<N, S, C> for &M
 {
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {
         (**self).mass(q)

@@ -37,6 +37,7 @@ pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usi
     mechanism: &M,
     state: State<N>,
 ) -> Result<(Modes<C>, [f64; S])> {
+    let mechanism: &dyn Mechanism<N, S, C> = mechanism;
     enter(&Modal(mechanism), 0.0, None, &join(&state))
 }
 

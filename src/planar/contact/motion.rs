@@ -29,18 +29,33 @@ pub struct Event<const N: usize, const C: usize> {
 
 /// A motion through modes.
 pub struct Motion<M, const N: usize, const S: usize, const C: usize> {
-    scene: Modal<M, N, S, C>,
+    mechanism: M,
+    done: Done<N, S, C>,
+}
+
+/// What is known of a motion beside its mechanism.
+struct Done<const N: usize, const S: usize, const C: usize> {
     run: Run<Modes<C>, S>,
     events: Vec<Event<N, C>>,
     estimate: Option<f64>,
     work: Work,
 }
 
+/// A mechanism of any type: what solves it is compiled once for all of its size.
+type AnyMechanism<'m, const N: usize, const S: usize, const C: usize> = dyn Mechanism<N, S, C> + 'm;
+
+/// How a motion is solved.
+enum How<'h> {
+    By(&'h Dop853),
+    Within(f64),
+    KeptWithin(f64),
+}
+
 impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M, N, S, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Motion")
-            .field("end_time", &self.run.end_time())
-            .field("events", &self.events)
+            .field("end_time", &self.done.run.end_time())
+            .field("events", &self.done.events)
             .finish_non_exhaustive()
     }
 }
@@ -48,18 +63,16 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M,
 /// The motion of `mechanism` from `start` at time 0 to `t_end`, by `method`.
 ///
 /// # Errors
-/// Those of [`entry`], at the start or where the modes change, and of [`simulate`].
+/// Those of [`entry`], at the start or where the modes change, and of
+/// [`simulate`](crate::planar::simulate).
 pub fn motion<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
     start: State<N>,
     t_end: f64,
 ) -> Result<Motion<M, N, S, C>> {
-    let (modes, state) = entry(&mechanism, start)?;
-    let scene = Modal(mechanism);
-    let run = simulate(&scene, method, modes, state, t_end)?;
-    let work = run.work();
-    Ok(Motion::new(scene, run, None, work))
+    let done = solved(&mechanism, How::By(method), start, t_end)?;
+    Ok(Motion { mechanism, done })
 }
 
 /// The same with an error of at most `tolerance` at every event and at the end, as
@@ -73,10 +86,8 @@ pub fn motion_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
     start: State<N>,
     t_end: f64,
 ) -> Result<Motion<M, N, S, C>> {
-    let (modes, state) = entry(&mechanism, start)?;
-    let scene = Modal(mechanism);
-    let done = simulate_within(&scene, tolerance, modes, state, t_end)?;
-    Ok(Motion::new(scene, done.run, Some(done.estimate), done.work))
+    let done = solved(&mechanism, How::Within(tolerance), start, t_end)?;
+    Ok(Motion { mechanism, done })
 }
 
 /// The same with contacts that never let go and pull instead: the usual mistake.
@@ -89,86 +100,55 @@ pub fn kept_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const 
     start: State<N>,
     t_end: f64,
 ) -> Result<Motion<M, N, S, C>> {
-    let (modes, state) = entry(&mechanism, start)?;
-    let scene = Modal(mechanism);
-    let done = simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)?;
-    Ok(Motion::new(scene, done.run, Some(done.estimate), done.work))
+    let done = solved(&mechanism, How::KeptWithin(tolerance), start, t_end)?;
+    Ok(Motion { mechanism, done })
 }
 
-impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Motion<M, N, S, C> {
+fn solved<const N: usize, const S: usize, const C: usize>(
+    mechanism: &AnyMechanism<'_, N, S, C>,
+    how: How<'_>,
+    start: State<N>,
+    t_end: f64,
+) -> Result<Done<N, S, C>> {
+    let (modes, state) = entry(&mechanism, start)?;
+    let scene = Modal(mechanism);
+    let within = match how {
+        How::By(method) => {
+            let run = simulate(&scene, method, modes, state, t_end)?;
+            let work = run.work();
+            return Ok(Done::new(mechanism, run, None, work));
+        }
+        How::Within(tolerance) => simulate_within(&scene, tolerance, modes, state, t_end)?,
+        How::KeptWithin(tolerance) => {
+            simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)?
+        }
+    };
+    let estimate = Some(within.estimate);
+    Ok(Done::new(mechanism, within.run, estimate, within.work))
+}
+
+impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
     fn new(
-        scene: Modal<M, N, S, C>,
+        mechanism: &AnyMechanism<'_, N, S, C>,
         run: Run<Modes<C>, S>,
         estimate: Option<f64>,
         work: Work,
     ) -> Self {
-        let events = run.transitions().iter().flat_map(|at| events(&scene, at));
+        let transitions = run.transitions().iter();
         Self {
-            events: events.collect(),
-            scene,
+            events: transitions.flat_map(|at| events(mechanism, at)).collect(),
             run,
             estimate,
             work,
         }
     }
 
-    /// What happened, in order.
-    pub fn events(&self) -> &[Event<N, C>] {
-        &self.events
-    }
-
-    /// The first event with this name.
-    ///
-    /// # Errors
-    /// [`Error::NotReached`] if there was none.
-    pub fn event(&self, name: &'static str) -> Result<&Event<N, C>> {
-        let until = self.end_time();
-        let found = self.events.iter().find(|event| event.name == name);
-        found.ok_or(Error::NotReached { name, until })
-    }
-
-    /// When the run ended.
-    pub fn end_time(&self) -> f64 {
-        self.run.end_time()
-    }
-
-    /// The state at `t`; at an event, that before it.
-    ///
-    /// # Errors
-    /// [`Error::OutsideRun`] for a time before the start or after the end.
-    pub fn at(&self, t: f64) -> Result<State<N>> {
-        Ok(split(&self.run.at(t)?.1))
-    }
-
-    /// What each contact does at `t`; at an event, what it did before.
-    ///
-    /// # Errors
-    /// Those of [`at`](Self::at).
-    pub fn modes(&self, t: f64) -> Result<Modes<C>> {
-        Ok(self.run.at(t)?.0)
-    }
-
-    /// The force of each contact at `t`; at an event, that before it.
-    ///
-    /// # Errors
-    /// Those of [`at`](Self::at).
-    pub fn forces(&self, t: f64) -> Result<[Force; C]> {
-        let (modes, state) = self.run.at(t)?;
-        Ok(self.scene.forces(&modes, &state))
-    }
-
-    /// How far the integration has drifted off the contacts, at most, at the ends of its steps: the
-    /// largest gap of a shut contact and the largest slip speed of a sticking one. Beyond a tenth
-    /// of the error of a step it is put back.
-    ///
-    /// # Errors
-    /// None that the run has not met before.
-    pub fn drift(&self) -> Result<(f64, f64)> {
+    fn drift(&self, mechanism: &AnyMechanism<'_, N, S, C>) -> Result<(f64, f64)> {
         let (mut gap, mut slip) = (0.0, 0.0);
         for leg in self.run.legs() {
             for t in leg.solution.step_times() {
                 let state: State<N> = split(&leg.solution.at(t)?);
-                let contacts = self.scene.0.contacts(&state);
+                let contacts = mechanism.contacts(&state);
                 for (contact, mode) in contacts.iter().zip(leg.phase) {
                     if mode != Mode::Open {
                         gap = larger(gap, contact.gap.abs());
@@ -181,23 +161,81 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
         }
         Ok((gap, slip))
     }
+}
+
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Motion<M, N, S, C> {
+    /// What happened, in order.
+    pub fn events(&self) -> &[Event<N, C>] {
+        &self.done.events
+    }
+
+    /// The first event with this name.
+    ///
+    /// # Errors
+    /// [`Error::NotReached`] if there was none.
+    pub fn event(&self, name: &'static str) -> Result<&Event<N, C>> {
+        let until = self.end_time();
+        let found = self.done.events.iter().find(|event| event.name == name);
+        found.ok_or(Error::NotReached { name, until })
+    }
+
+    /// When the run ended.
+    pub fn end_time(&self) -> f64 {
+        self.done.run.end_time()
+    }
+
+    /// The state at `t`; at an event, that before it.
+    ///
+    /// # Errors
+    /// [`Error::OutsideRun`] for a time before the start or after the end.
+    pub fn at(&self, t: f64) -> Result<State<N>> {
+        Ok(split(&self.done.run.at(t)?.1))
+    }
+
+    /// What each contact does at `t`; at an event, what it did before.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    pub fn modes(&self, t: f64) -> Result<Modes<C>> {
+        Ok(self.done.run.at(t)?.0)
+    }
+
+    /// The force of each contact at `t`; at an event, that before it.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    pub fn forces(&self, t: f64) -> Result<[Force; C]> {
+        let (modes, state) = self.done.run.at(t)?;
+        Ok(Modal(&self.mechanism as &AnyMechanism<'_, N, S, C>).forces(&modes, &state))
+    }
+
+    /// How far the integration has drifted off the contacts, at most, at the ends of its steps: the
+    /// largest gap of a shut contact and the largest slip speed of a sticking one. Beyond a tenth
+    /// of the error of a step it is put back.
+    ///
+    /// # Errors
+    /// None that the run has not met before.
+    pub fn drift(&self) -> Result<(f64, f64)> {
+        self.done.drift(&self.mechanism)
+    }
 
     /// The estimate of the error, where one was asked for.
     pub fn estimate(&self) -> Option<f64> {
-        self.estimate
+        self.done.estimate
     }
 
     /// What all of it cost.
     pub fn work(&self) -> Work {
-        self.work
+        self.done.work
     }
 }
 
 /// What happened to the contacts at a change of modes.
-fn events<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn events<const N: usize, const S: usize, const C: usize>(
+    mechanism: &AnyMechanism<'_, N, S, C>,
     at: &Transition<Modes<C>, S>,
 ) -> Vec<Event<N, C>> {
+    let scene = Modal(mechanism);
     let event = |name| Event {
         name,
         t: at.t,
@@ -208,7 +246,7 @@ fn events<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     let Some(to) = at.to else {
         return vec![event(at.name.into())];
     };
-    let contacts = scene.0.contacts(&split(&at.after));
+    let contacts = mechanism.contacts(&split(&at.after));
     let did = (0..C).filter_map(|i| {
         let name = contacts[i].name;
         let rides = matches!(contacts[i].press, Press::By(_));
