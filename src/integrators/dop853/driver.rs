@@ -1,11 +1,12 @@
 //! The loop that chooses the steps.
 
 use super::Dop853;
+use super::system::System;
 use super::trial::{Trial, sizes};
 use crate::error::{Error, Result};
+use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::{check_span, finite_derivative};
-use crate::integrators::{Ode, Work};
 use crate::math::{EPS, exp, log};
 use core::ops::ControlFlow;
 
@@ -29,18 +30,22 @@ const RESPONSE: f64 = 0.125 - 0.75 * MEMORY;
 /// What is done after an accepted step: go on, or end with this state.
 type Verdict<const N: usize> = ControlFlow<[f64; N]>;
 
+/// What looks at every accepted step, with the derivative at its end.
+type Accepted<'a, const N: usize> =
+    &'a mut dyn FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>;
+
 impl Dop853 {
     /// Carries `start` from `t` to `t_end`; `accepted` sees every accepted step
     /// with the derivative at its end and may stop the run. Its work, from
     /// none, is in `work` also if it fails.
-    pub(super) fn drive<const N: usize, O: Ode<N> + ?Sized>(
+    pub(super) fn drive<const N: usize>(
         &self,
-        ode: &O,
+        ode: &dyn System<N>,
         t: f64,
         start: &[f64; N],
         t_end: f64,
         work: &mut Work,
-        mut accepted: impl FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>,
+        accepted: Accepted<'_, N>,
     ) -> Result<[f64; N]> {
         check_span(t, start, t_end)?;
         if t == t_end {
@@ -133,7 +138,7 @@ impl Dop853 {
     /// Wanner I, II.4, starting step size).
     fn first_step<const N: usize>(
         &self,
-        ode: &(impl Ode<N> + ?Sized),
+        ode: &dyn System<N>,
         t: f64,
         y: &[f64; N],
         first: &[f64; N],

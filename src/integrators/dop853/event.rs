@@ -7,9 +7,10 @@
 //! zero, so that a run that goes on from there does not meet it again.
 
 use super::segment::Segment;
+use super::system::System;
 use super::trial::Trial;
 use crate::error::{Error, Result};
-use crate::integrators::{Ode, Work};
+use crate::integrators::Work;
 use crate::math::{EPS, sort_by_number};
 
 /// Which crossings count, as the run meets them.
@@ -221,7 +222,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
     /// up to the first terminal one.
     pub fn crossings(
         &mut self,
-        ode: &(impl Ode<N> + ?Sized),
+        ode: &dyn System<N>,
         step: &Trial<N>,
         segment: &Segment<N>,
         work: &mut Work,
@@ -400,7 +401,7 @@ fn root<const N: usize>(
 /// round-off until the function is zero or beyond. If it is not within `reach`, where it only
 /// touches zero, the nearest is what there is.
 fn polish<const N: usize>(
-    ode: &(impl Ode<N> + ?Sized),
+    ode: &dyn System<N>,
     event: &Event<'_, N>,
     step: &Trial<N>,
     segment: &Segment<N>,

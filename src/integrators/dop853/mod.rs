@@ -11,6 +11,7 @@ mod event;
 mod pace;
 mod segment;
 mod solution;
+mod system;
 mod trial;
 mod zero;
 
@@ -18,6 +19,7 @@ pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
 pub use zero::{after, small_frequency};
 
+use self::system::{Of, System};
 use super::ode::check_span;
 use super::{Integrator, Ode, Work, advance_by_counting};
 use crate::error::{Error, Result, finite, positive};
@@ -152,11 +154,22 @@ impl Dop853 {
         t_end: f64,
         events: &[Event<'_, N>],
     ) -> Result<Solution<N>> {
+        self.solve_system(&Of(ode), t, start, t_end, events)
+    }
+
+    fn solve_system<const N: usize>(
+        &self,
+        ode: &dyn System<N>,
+        t: f64,
+        start: &[f64; N],
+        t_end: f64,
+        events: &[Event<'_, N>],
+    ) -> Result<Solution<N>> {
         check_span(t, start, t_end)?;
         let mut solution = Solution::new(t, *start);
         let mut watch = event::Watch::new(events, t, start)?;
         let mut work = Work::default();
-        let end = self.drive(ode, t, start, t_end, &mut work, |trial, last, work| {
+        let end = self.drive(ode, t, start, t_end, &mut work, &mut |trial, last, work| {
             let segment = trial.segment(ode, last, work)?;
             let (met, stopped) = watch.crossings(ode, trial, &segment, work)?;
             solution.events.extend(met);
@@ -190,7 +203,7 @@ impl Dop853 {
         mut seen: impl FnMut(&[f64; N]),
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(ode, t, start, t_end, &mut done, |trial, _, _| {
+        let end = self.drive(&Of(ode), t, start, t_end, &mut done, &mut |trial, _, _| {
             seen(&trial.end.value);
             Ok(ControlFlow::Continue(()))
         });
@@ -211,7 +224,7 @@ impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
         work: &mut Work,
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(ode, t, start, t_end, &mut done, |_, _, _| {
+        let end = self.drive(&Of(ode), t, start, t_end, &mut done, &mut |_, _, _| {
             Ok(ControlFlow::Continue(()))
         });
         *work += done;

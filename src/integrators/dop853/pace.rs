@@ -1,6 +1,7 @@
 //! Steps in another time than that of the motion, for motions that are now slow, now fast.
 
 use super::event::Watch;
+use super::system::Of;
 use super::{Dop853, Event, Ode, Work};
 use crate::error::{Error, Result, finite, positive};
 use core::ops::ControlFlow;
@@ -78,24 +79,31 @@ impl Dop853 {
         }
         // Longer than any step is: the run ends at `t_end`, unless time comes to a stand.
         let far = 1e12 * left / positive("pace", pace(start))?;
-        let paced = Paced { ode, pace };
+        let paced = &Of(&Paced { ode, pace });
         let ends = [Event::rising("end time", |_, y: &[f64; N]| {
             (y[N - 1] - t_end) * left.signum()
         })
         .terminal()
         .nearest()];
         let mut reached = false;
-        let end = self.drive(&paced, 0.0, start, far, &mut work, |trial, last, work| {
-            if (trial.end.value[N - 1] - t_end) * left < 0.0 {
-                return Ok(ControlFlow::Continue(()));
-            }
-            reached = true;
-            let segment = trial.segment(&paced, last, work)?;
-            let mut watch = Watch::new(&ends, trial.t, &trial.start.value)?;
-            let (_, stopped) = watch.crossings(&paced, trial, &segment, work)?;
-            let shortened = stopped.as_ref().unwrap_or(trial);
-            Ok(ControlFlow::Break(shortened.end.value))
-        })?;
+        let end = self.drive(
+            paced,
+            0.0,
+            start,
+            far,
+            &mut work,
+            &mut |trial, last, work| {
+                if (trial.end.value[N - 1] - t_end) * left < 0.0 {
+                    return Ok(ControlFlow::Continue(()));
+                }
+                reached = true;
+                let segment = trial.segment(paced, last, work)?;
+                let mut watch = Watch::new(&ends, trial.t, &trial.start.value)?;
+                let (_, stopped) = watch.crossings(paced, trial, &segment, work)?;
+                let shortened = stopped.as_ref().unwrap_or(trial);
+                Ok(ControlFlow::Break(shortened.end.value))
+            },
+        )?;
         if reached {
             Ok((end, work))
         } else {

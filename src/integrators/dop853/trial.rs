@@ -2,11 +2,12 @@
 
 use super::coefficients::{A, ALL_STAGES, C, DENSE, ERROR_5, ORDER_3, STAGES};
 use super::segment::Segment;
+use super::system::System;
 use crate::error::{Error, Result};
+use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
-use crate::integrators::explicit::{combination, increment, mean_increment, stage};
-use crate::integrators::ode::{finite_derivative, not_finite};
-use crate::integrators::{Ode, Work};
+use crate::integrators::explicit::{increment, mean_increment, stage};
+use crate::integrators::ode::finite_derivative;
 use crate::math::lane::write_finite;
 
 /// A step, tried again and again in one place.
@@ -16,7 +17,7 @@ pub(super) struct Trial<const N: usize> {
     pub t_end: f64,
     pub start: Compensated<N>,
     pub end: Compensated<N>,
-    k: [[f64; N]; STAGES],
+    pub k: [[f64; N]; STAGES],
     /// What was added to the start.
     made: [f64; N],
     /// What was added to the end to put it back, where it had drifted.
@@ -45,32 +46,8 @@ impl<const N: usize> Trial<N> {
     }
 
     /// The step to `t_end`. Eleven derivatives.
-    #[inline(always)]
-    pub fn step_to(
-        &mut self,
-        ode: &(impl Ode<N> + ?Sized),
-        t_end: f64,
-        work: &mut Work,
-    ) -> Result<()> {
-        let h = t_end - self.t;
-        let start = self.start.value;
-        let mut newest = self.k[0];
-        for i in 1..STAGES {
-            let at = self.t + C[i] * h;
-            // As `stage` has it; but the newest slope, for which all waits, comes last and
-            // from a register.
-            let [earlier @ .., (_, weight)] = A[i] else {
-                unreachable!("every stage but the first has weights");
-            };
-            // The sum is no part of y, which the system sees: it stays in registers, term by term.
-            let sum = combination(earlier, &self.k);
-            let y = core::array::from_fn(|n| start[n] + h * (sum[n] + weight * newest[n]));
-            work.derivatives += 1;
-            newest = ode.derivative(at, &y);
-            if !write_finite(&newest, &mut self.k[i]) {
-                return Err(not_finite(at, &y, &self.k[i]));
-            }
-        }
+    pub fn step_to(&mut self, ode: &dyn System<N>, t_end: f64, work: &mut Work) -> Result<()> {
+        ode.stages(self, t_end - self.t, work)?;
         self.end_at(t_end);
         let drift = ode.drift(t_end, &self.end.value, self.within);
         self.back = drift.map(|drift| drift.map(|d| -d));
@@ -81,7 +58,6 @@ impl<const N: usize> Trial<N> {
     }
 
     /// The end of the step, from its stages.
-    #[inline(never)] // Of no system: one for all of this size.
     fn end_at(&mut self, t_end: f64) {
         self.made = mean_increment(t_end - self.t, A[STAGES], &self.k);
         self.end = self.start.plus(&self.made);
@@ -89,7 +65,6 @@ impl<const N: usize> Trial<N> {
     }
 
     /// Goes on from the end of the step, where the derivative is `first`.
-    #[inline(always)]
     pub fn go_on(&mut self, first: [f64; N]) {
         self.t = self.t_end;
         self.start = self.end;
@@ -97,20 +72,14 @@ impl<const N: usize> Trial<N> {
     }
 
     /// The step from the same start to an earlier end: where an event is.
-    pub fn shortened(
-        &self,
-        ode: &(impl Ode<N> + ?Sized),
-        t_end: f64,
-        work: &mut Work,
-    ) -> Result<Self> {
+    pub fn shortened(&self, ode: &dyn System<N>, t_end: f64, work: &mut Work) -> Result<Self> {
         let mut shorter = *self;
         shorter.step_to(ode, t_end, work)?;
         Ok(shorter)
     }
 
     /// The derivative at the end of the step.
-    #[inline(always)]
-    pub fn last(&self, ode: &(impl Ode<N> + ?Sized), work: &mut Work) -> Result<[f64; N]> {
+    pub fn last(&self, ode: &dyn System<N>, work: &mut Work) -> Result<[f64; N]> {
         work.derivatives += 1;
         let y = &self.end.value;
         finite_derivative(self.t_end, y, ode.derivative(self.t_end, y))
@@ -120,14 +89,12 @@ impl<const N: usize> Trial<N> {
     ///
     /// The estimate of order 5, steadied by that of order 3:
     /// e5^2 / sqrt(e5^2 + e3^2 / 100), in the mean over the components.
-    #[inline(always)]
-    pub fn error(&self, ode: &(impl Ode<N> + ?Sized), tolerance: f64) -> Result<f64> {
+    pub fn error(&self, ode: &dyn System<N>, tolerance: f64) -> Result<f64> {
         let size = sizes(ode, &self.start.value)?;
         let size_end = sizes(ode, &self.end.value)?;
         Ok(self.error_by(&size, &size_end, tolerance))
     }
 
-    #[inline(never)] // As `end_at`.
     fn error_by(&self, size: &[f64; N], size_end: &[f64; N], tolerance: f64) -> f64 {
         let h = self.t_end - self.t;
         let e5 = increment(h, ERROR_5, &self.k);
@@ -149,7 +116,7 @@ impl<const N: usize> Trial<N> {
     /// which the next step uses again.
     pub fn segment(
         &self,
-        ode: &(impl Ode<N> + ?Sized),
+        ode: &dyn System<N>,
         last: [f64; N],
         work: &mut Work,
     ) -> Result<Segment<N>> {
@@ -186,11 +153,7 @@ impl<const N: usize> Trial<N> {
 }
 
 /// The scale of every component, each greater than 0.
-#[inline(always)]
-pub(super) fn sizes<const N: usize>(
-    ode: &(impl Ode<N> + ?Sized),
-    y: &[f64; N],
-) -> Result<[f64; N]> {
+pub(super) fn sizes<const N: usize>(ode: &dyn System<N>, y: &[f64; N]) -> Result<[f64; N]> {
     let sizes = ode.scale(y);
     match sizes.iter().find(|s| s.is_nan() || **s <= 0.0) {
         None => Ok(sizes),

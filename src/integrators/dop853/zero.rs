@@ -1,5 +1,6 @@
 //! Zeros of a function along a motion, and frequencies measured by them.
 
+use super::system::{Of, System};
 use super::{Dop853, Event, Integrator, LocatedEvent, Ode, Work};
 use crate::error::{Error, Result};
 use core::f64::consts::PI;
@@ -29,11 +30,22 @@ impl Dop853 {
         until: f64,
         f: impl Fn(&[f64; N]) -> f64,
     ) -> Result<(LocatedEvent<N>, Work)> {
+        self.zero_of(&Of(ode), start, count, until, &f)
+    }
+
+    fn zero_of<const N: usize>(
+        &self,
+        ode: &dyn System<N>,
+        start: [f64; N],
+        count: u32,
+        until: f64,
+        f: &dyn Fn(&[f64; N]) -> f64,
+    ) -> Result<(LocatedEvent<N>, Work)> {
         let (name, mut work) = ("zero", Work::default());
         let event = [Event::crossing(name, |_, y: &[f64; N]| f(y)).terminal()];
         let (mut t, mut state, mut last) = (0.0, start, None);
         for _ in 0..count {
-            let run = self.solve(ode, t, &state, until, &event)?;
+            let run = self.solve_system(ode, t, &state, until, &event)?;
             work += run.work();
             let met = run.stopped_by().ok_or(Error::NotReached { name, until })?;
             (t, state) = (met.t, met.state);
