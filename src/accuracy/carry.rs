@@ -1,7 +1,7 @@
 //! A method made ready to run, and what it carries of a scene.
 
 use crate::body::{RigidBody, State};
-use crate::effects::Effect;
+use crate::effects::{AnyEffect, Behind, Effect, Known};
 use crate::error::{Error, Result};
 use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
 use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};
@@ -122,76 +122,100 @@ impl Carrier {
         &self,
         scene: &Scene<E>,
         variables: Variables,
-        [t, t_end]: [f64; 2],
+        span: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        match (self, variables) {
-            (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            (Self::Rk4(m), Variables::SpinFree) if E::NATURE.axis_only => {
-                m.advance(&SpinFree::new(scene)?, t, start, t_end)
-            }
-            _ => self.advance_well(scene, variables, [t, t_end], start),
-        }
+        self.advance_any(scene.body(), scene.effects(), variables, span, start)
     }
 
     /// The same in the variables that are usual: those in space, but for Gauss-Legendre those
-    /// in which it takes the fewest steps. No code is made for others.
+    /// in which it takes the fewest steps.
     ///
     /// # Errors
     /// A method that does not apply; what it refuses.
     pub fn advance_as_usual<E: Effect>(
         &self,
         scene: &Scene<E>,
-        [t, t_end]: [f64; 2],
+        span: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
         let variables = match self {
-            Self::GaussLegendre(m) => {
-                if const { !E::NATURE.axis_only && !E::NATURE.torque_free } {
-                    return m.advance(scene, t, start, t_end);
-                }
-                Variables::best(Method::GaussLegendre16, scene)
-            }
+            Self::GaussLegendre(_) => Variables::best(Method::GaussLegendre16, scene),
             _ => Variables::Space,
         };
-        self.advance_well(scene, variables, [t, t_end], start)
+        self.advance(scene, variables, span, start)
     }
 
-    /// All but Gauss-Legendre in space.
-    fn advance_well<E: Effect>(
+    /// By the scene of a few that has the same motion: each of these is compiled once.
+    fn advance_any(
+        &self,
+        body: &RigidBody,
+        effects: &dyn AnyEffect,
+        variables: Variables,
+        span: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        let (nature, known) = (effects.nature(), effects.known());
+        let body = Scene::new(*body);
+        if nature.slips {
+            let scene = body.with(Behind::<false, true>(effects));
+            self.advance_anything(&scene, variables, span, start)
+        } else if nature.torque_free {
+            self.advance_seeing_axis(&body, variables, span, start)
+        } else if let (true, Known::HeavyTop(gravity)) = (nature.axis_only, known) {
+            self.advance_seeing_axis(&body.with(gravity), variables, span, start)
+        } else if nature.axis_only {
+            let scene = body.with(Behind::<true, false>(effects));
+            self.advance_seeing_axis(&scene, variables, span, start)
+        } else {
+            let scene = body.with(Behind::<false, false>(effects));
+            self.advance_anything(&scene, variables, span, start)
+        }
+    }
+
+    /// Effects that see the axis alone, or nothing.
+    fn advance_seeing_axis<E: Effect>(
+        &self,
+        scene: &Scene<E>,
+        variables: Variables,
+        span @ [t, t_end]: [f64; 2],
+        start: &State,
+    ) -> Result<(State, Work)> {
+        let mut work = Work::default();
+        let end = match (self, variables) {
+            (Self::Rk4(m), Variables::SpinFree) => {
+                return m.advance(&SpinFree::new(scene)?, t, start, t_end);
+            }
+            (Self::GaussLegendre(_), Variables::Body) if E::NATURE.torque_free => {
+                self.advance_free(scene.body(), span, start, &mut work)
+            }
+            (Self::Splitting(_), _) | (_, Variables::Body | Variables::SpinFree) => {
+                self.advance_axis(scene, variables, span, start, &mut work)
+            }
+            _ => return self.advance_anything(scene, variables, span, start),
+        };
+        Ok((end?, work))
+    }
+
+    /// Any effects, in space.
+    fn advance_anything<E: Effect>(
         &self,
         scene: &Scene<E>,
         variables: Variables,
         [t, t_end]: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        let mut work = Work::default();
-        let end = match (self, variables) {
-            (Self::EulerOnAngles(m), Variables::Space) => return m.advance(scene, t, start, t_end),
-            (Self::SemiImplicitEuler(m), Variables::Space) => {
-                return m.advance(scene, t, start, t_end);
-            }
-            (Self::MuntheKaas4(m), Variables::Space) => return m.advance(scene, t, start, t_end),
-            (Self::Rk4(m), Variables::Space) => return m.advance(scene, t, start, t_end),
-            (Self::Dop853(m), Variables::Space) => return m.advance(scene, t, start, t_end),
-            // By constants: no code is made for what the effects rule out.
-            _ => {
-                if const { E::NATURE.torque_free } {
-                    if let (Self::GaussLegendre(_), Variables::Body) = (self, variables) {
-                        self.advance_free(scene.body(), [t, t_end], start, &mut work)
-                    } else {
-                        self.advance_axis(scene, variables, [t, t_end], start, &mut work)
-                    }
-                } else if const { E::NATURE.axis_only } {
-                    self.advance_axis(scene, variables, [t, t_end], start, &mut work)
-                } else {
-                    Err(Error::SeesMore {
-                        effects: scene.effects().names().join(", "),
-                    })
-                }
-            }
-        };
-        Ok((end?, work))
+        match (self, variables) {
+            (Self::EulerOnAngles(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::SemiImplicitEuler(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::MuntheKaas4(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
+            _ => Err(Error::SeesMore {
+                effects: scene.effects().names().join(", "),
+            }),
+        }
     }
 
     /// A body without torque on its own axes, by Gauss-Legendre.

@@ -1,9 +1,10 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Effect, Feature, Known, Nature, Resistance};
+use super::{Effect, Feature, Known, Nature, Resistance, each};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
+use crate::math::Lane;
 
 /// What is asked of any effect, whatever its type.
 pub(crate) trait AnyEffect {
@@ -66,5 +67,43 @@ impl<E: Effect> AnyEffect for E {
     /// Among all effects that this one is made of.
     fn holds_from(&self, t: f64, body: &RigidBody, start: &State) -> Result<()> {
         Effect::holds_from(self, t, body, start, &self.about_axis())
+    }
+}
+
+/// Effects behind a pointer as an effect again, so that methods are compiled once for all that
+/// see the axis only, for all that slip, and for all others. (On lanes one after the other: the
+/// same bits.)
+pub(crate) struct Behind<'e, const AXIS_ONLY: bool, const SLIPS: bool>(pub &'e dyn AnyEffect);
+
+impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Behind<'_, AXIS_ONLY, SLIPS> {
+    const NATURE: Nature = Nature {
+        axis_only: AXIS_ONLY,
+        slips: SLIPS,
+        ..Nature::ANYTHING
+    };
+
+    fn name(&self) -> &'static str {
+        "effects"
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    #[inline(always)]
+    fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
+        each(axis, |axis| self.0.torque_on_axis(body, axis))
+    }
+
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.slip(t, body, state)
+    }
+
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.0.torque_scale(t, body, state)
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.0.names()
     }
 }

@@ -49,7 +49,7 @@ pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use coulomb::CoulombBearing;
 pub use disc_drag::{DiscDrag, Regime};
 pub use elastic_yielding::ElasticYielding;
-pub(crate) use erased::AnyEffect;
+pub(crate) use erased::{AnyEffect, Behind};
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
