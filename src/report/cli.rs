@@ -4,12 +4,13 @@
 //! same without touching the terminal, for tests. This is the only part of the
 //! library that prints.
 
+use super::example::{Run, figures, report};
 pub use super::files::write_whole;
 use super::files::{Directories, failure};
 use super::number::exactly;
-use super::{Answer, Claim, Example, Figure, Flag, ParameterSet, Report, Trajectory, Verdict};
+use super::parameters::Settings;
+use super::{Answer, Claim, Example, Figure, Flag, ParameterSet, Report, Verdict};
 use crate::error::{Error, Result};
-use crate::interval::Interval;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
@@ -17,91 +18,16 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// What the command line asks of an example, whatever its parameters are: written for it,
-/// all of this is compiled once for all examples.
-trait Run {
-    fn stem(&self) -> &'static str;
-    fn about(&self) -> &'static str;
-    fn flags(&self) -> Vec<Told>;
-    /// Sets the flag with this place in the list.
-    fn set(&mut self, flag: usize, to: Setting<'_>);
-    fn report(&self) -> Result<Report>;
-    fn figures(&self) -> Result<Vec<Figure>>;
-    fn trajectory(&self) -> Result<Trajectory>;
-}
-
-/// A flag as `--help` tells of it.
-struct Told {
-    name: String,
-    unit: &'static str,
-    meaning: &'static str,
-    words: &'static [&'static str],
-    allowed: Option<Interval>,
-    usual: Option<f64>,
-    /// What it is unless it is set; `None` for nothing.
-    default: Option<String>,
-}
-
-enum Setting<'a> {
-    Number(f64),
-    Word(&'a str),
-    Out,
-}
-
-/// An example with its parameters.
-struct Running<'e, P: 'static> {
-    example: &'e Example<P>,
-    parameters: P,
-}
-
-impl<P: ParameterSet> Run for Running<'_, P> {
-    fn stem(&self) -> &'static str {
-        self.example.stem
-    }
-    fn about(&self) -> &'static str {
-        self.example.about
-    }
-    fn flags(&self) -> Vec<Told> {
-        let told = |flag: &Flag<P>| Told {
-            name: flag.name(),
-            unit: flag.unit(),
-            meaning: flag.meaning(),
-            words: flag.words(),
-            allowed: flag.allowed(),
-            usual: flag.usual(),
-            default: flag.printed(&self.parameters),
-        };
-        P::FLAGS.iter().map(told).collect()
-    }
-    fn set(&mut self, flag: usize, to: Setting<'_>) {
-        let (flag, parameters) = (&P::FLAGS[flag], &mut self.parameters);
-        match to {
-            Setting::Number(value) => flag.set_number(parameters, value),
-            Setting::Word(word) => flag.set_word(parameters, word),
-            Setting::Out => flag.leave_out(parameters),
-        }
-    }
-    fn report(&self) -> Result<Report> {
-        self.example.report(&self.parameters)
-    }
-    fn figures(&self) -> Result<Vec<Figure>> {
-        self.example.figures(&self.parameters)
-    }
-    fn trajectory(&self) -> Result<Trajectory> {
-        (self.example.trajectory)(&self.parameters)
-    }
-}
-
 /// What a flag may be, in brackets: its default, its unit and its range, as far as it has them and its
 /// meaning does not tell.
-fn brackets(flag: &Told, default: Option<&str>) -> String {
-    let unit = match flag.unit {
+fn brackets(flag: &Flag, default: Option<&str>) -> String {
+    let unit = match flag.unit() {
         "-" => String::new(),
         unit => format!(" {unit}"),
     };
-    let range = flag.allowed.map(|allowed| allowed.to_string());
+    let range = flag.allowed().map(|allowed| allowed.to_string());
     let range =
-        range.filter(|range| range != "it must be finite" && !flag.meaning.contains(": from "));
+        range.filter(|range| range != "it must be finite" && !flag.meaning().contains(": from "));
     let range = range.map(|range| {
         let short = range.strip_prefix("it must be ").map(str::to_owned);
         short.unwrap_or(range)
@@ -116,41 +42,40 @@ fn brackets(flag: &Told, default: Option<&str>) -> String {
     }
 }
 
-fn arg(flag: &Told) -> Arg {
-    let brackets = brackets(flag, flag.default.as_deref());
-    let arg = Arg::new(flag.name.clone())
-        .long(flag.name.clone())
-        .help(format!("{}{brackets}", flag.meaning));
-    if flag.words.is_empty() {
-        let unit = flag.unit;
+fn arg(flag: &Flag, defaults: &dyn Settings) -> Arg {
+    let brackets = brackets(flag, flag.printed(defaults).as_deref());
+    let arg = Arg::new(flag.name())
+        .long(flag.name())
+        .help(format!("{}{brackets}", flag.meaning()));
+    if flag.words().is_empty() {
+        let unit = flag.unit();
         arg.value_name("NUMBER")
             .value_parser(move |text: &str| number(text, unit))
     } else {
         arg.value_name("WORD")
-            .value_parser(clap::builder::PossibleValuesParser::new(flag.words))
+            .value_parser(clap::builder::PossibleValuesParser::new(flag.words()))
     }
 }
 
-/// The effects of an example, of which `--with` puts in and `--without` leaves out; with their
-/// places among the flags.
-fn effects(flags: &[Told]) -> impl Iterator<Item = (usize, &Told)> {
-    (flags.iter().enumerate()).filter(|(_, flag)| flag.usual.is_some())
+/// The effects of an example, of which `--with` puts in and `--without` leaves out.
+fn effects(flags: &[Flag]) -> impl Iterator<Item = &Flag> {
+    flags.iter().filter(|flag| flag.usual().is_some())
 }
 
 /// The other flags.
-fn parameters(flags: &[Told]) -> impl Iterator<Item = (usize, &Told)> {
-    (flags.iter().enumerate()).filter(|(_, flag)| flag.usual.is_none())
+fn parameters(flags: &[Flag]) -> impl Iterator<Item = &Flag> {
+    flags.iter().filter(|flag| flag.usual().is_none())
 }
 
 /// `--with` and `--without`, with a line for each effect; out of sight if there is none.
-fn effect_args(flags: &[Told]) -> [Arg; 2] {
+fn effect_args(defaults: &dyn Settings) -> [Arg; 2] {
     let (mut list, mut present) = (String::new(), Vec::new());
-    for (_, flag) in effects(flags) {
-        let usual = exactly(flag.usual.unwrap_or_default());
-        let (name, meaning, brackets) = (&flag.name, flag.meaning, brackets(flag, Some(&usual)));
+    for flag in effects(defaults.flags()) {
+        let usual = exactly(flag.usual().unwrap_or_default());
+        let (name, meaning, brackets) = (flag.name(), flag.meaning(), brackets(flag, Some(&usual)));
         list += &format!("\n  {name}: {meaning}{brackets}");
-        if flag.default.is_some() {
-            present.push(name.clone());
+        if flag.printed(defaults).is_some() {
+            present.push(name);
         }
     }
     let out = match present.is_empty() {
@@ -172,11 +97,8 @@ const WITH: &str = "with";
 const WITHOUT: &str = "without";
 
 /// Puts in and leaves out the effects that are named, each once.
-fn put_in(
-    matches: &ArgMatches,
-    flags: &[Told],
-    run: &mut dyn Run,
-) -> core::result::Result<(), String> {
+fn put_in(matches: &ArgMatches, parameters: &mut dyn Settings) -> core::result::Result<(), String> {
+    let flags = parameters.flags();
     let mut named: Vec<(&str, &str)> = Vec::new();
     let typed = |how| matches.get_many::<String>(how).into_iter().flatten();
     let put = typed(WITH).map(|effect| match effect.split_once('=') {
@@ -185,8 +107,8 @@ fn put_in(
     });
     let left = typed(WITHOUT).map(|name| (&**name, WITHOUT, None));
     for (name, how, strength) in put.chain(left) {
-        let effect = effects(flags).find(|(_, flag)| flag.name == name);
-        let (place, flag) = effect.ok_or_else(|| no_effect(flags, name))?;
+        let effect = effects(flags).find(|flag| flag.name() == name);
+        let flag = effect.ok_or_else(|| no_effect(flags, name))?;
         match named.iter().find(|(known, _)| *known == name) {
             Some((_, other)) if *other == how => {
                 return Err(format!("the effect {name} stands twice after --{how}"));
@@ -200,24 +122,21 @@ fn put_in(
         }
         let strength = match strength {
             Some(text) => {
-                number(text, flag.unit).map_err(|why| format!("--{WITH} {name}={text}: {why}"))?
+                number(text, flag.unit()).map_err(|why| format!("--{WITH} {name}={text}: {why}"))?
             }
-            None => flag.usual.unwrap_or_default(),
+            None => flag.usual().unwrap_or_default(),
         };
-        run.set(
-            place,
-            match how {
-                WITH => Setting::Number(strength),
-                _ => Setting::Out,
-            },
-        );
+        match how {
+            WITH => flag.set_number(parameters, strength),
+            _ => flag.leave_out(parameters),
+        }
     }
     Ok(())
 }
 
 /// What is said to an effect that the example does not have.
-fn no_effect(flags: &[Told], name: &str) -> String {
-    let known: Vec<&str> = effects(flags).map(|(_, flag)| &*flag.name).collect();
+fn no_effect(flags: &[Flag], name: &str) -> String {
+    let known: Vec<String> = effects(flags).map(Flag::name).collect();
     if known.is_empty() {
         return format!(
             "there is no effect '{name}': this example has none to put in or leave out"
@@ -252,14 +171,15 @@ fn changes(word: &str, other: &str) -> usize {
     row[other.len()]
 }
 
-/// What is typed for this flag, if anything is.
-fn typed<'m>(flag: &Told, matches: &'m ArgMatches) -> Option<Setting<'m>> {
-    if flag.words.is_empty() {
-        let value = matches.get_one::<f64>(&flag.name);
-        value.map(|value| Setting::Number(*value))
-    } else {
-        let word = matches.get_one::<String>(&flag.name);
-        word.map(|word| Setting::Word(word))
+/// Sets the flag to what is typed for it, if anything is.
+fn set_typed(flag: &Flag, matches: &ArgMatches, parameters: &mut dyn Settings) {
+    let name = flag.name();
+    if flag.words().is_empty() {
+        if let Some(number) = matches.get_one::<f64>(&name) {
+            flag.set_number(parameters, *number);
+        }
+    } else if let Some(word) = matches.get_one::<String>(&name) {
+        flag.set_word(parameters, word);
     }
 }
 
@@ -297,13 +217,13 @@ pub fn joined(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
 }
 
 /// How to name an effect, to those who typed it as a flag of its own.
-fn hint(error: &clap::Error, flags: &[Told]) -> String {
+fn hint(error: &clap::Error, flags: &[Flag]) -> String {
     let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidArg) else {
         return String::new();
     };
-    let named = effects(flags).find(|(_, flag)| typed.trim_start_matches("--") == flag.name);
-    named.map_or(String::new(), |(_, flag)| {
-        let name = &flag.name;
+    let named = effects(flags).find(|flag| typed.trim_start_matches("--") == flag.name());
+    named.map_or(String::new(), |flag| {
+        let name = flag.name();
         format!("\n{name} is an effect: --{WITH} {name}=VALUE or --{WITHOUT} {name}\n")
     })
 }
@@ -382,14 +302,7 @@ impl<P: ParameterSet> Example<P> {
     ) -> core::result::Result<Vec<Figure>, Outcome> {
         let mut run = self.run();
         set_up(&mut run, arguments)?;
-        run.figures().map_err(Outcome::refused)
-    }
-
-    fn run(&self) -> Running<'_, P> {
-        Running {
-            example: self,
-            parameters: P::default(),
-        }
+        figures(&run).map_err(Outcome::refused)
     }
 }
 
@@ -405,10 +318,10 @@ fn set_up(
     run: &mut dyn Run,
     arguments: Vec<OsString>,
 ) -> core::result::Result<ArgMatches, Outcome> {
-    let flags = run.flags();
+    let flags = run.parameters().flags();
     let arguments = joined(arguments);
     let name = core::iter::once(OsString::from(run.stem()));
-    let matches = match command(run, &flags).try_get_matches_from(name.chain(arguments)) {
+    let matches = match command(run).try_get_matches_from(name.chain(arguments)) {
         Ok(matches) => matches,
         Err(told) if told.kind() == ErrorKind::DisplayHelp => {
             return Err(Outcome {
@@ -420,29 +333,28 @@ fn set_up(
         Err(error) => {
             return Err(Outcome {
                 stdout: String::new(),
-                stderr: error.render().to_string() + &hint(&error, &flags),
+                stderr: error.render().to_string() + &hint(&error, flags),
                 code: 2,
             });
         }
     };
-    for (place, flag) in parameters(&flags) {
-        if let Some(setting) = typed(flag, &matches) {
-            run.set(place, setting);
-        }
+    for flag in parameters(flags) {
+        set_typed(flag, &matches, run.parameters_mut());
     }
-    put_in(&matches, &flags, run).map_err(Outcome::refused)?;
+    put_in(&matches, run.parameters_mut()).map_err(Outcome::refused)?;
     Ok(matches)
 }
 
-fn command(run: &dyn Run, flags: &[Told]) -> Command {
+fn command(run: &dyn Run) -> Command {
+    let defaults = run.parameters();
     Command::new(run.stem())
         .bin_name(format!("cargo run --example {} --", run.stem()))
         .about(run.about())
         .disable_version_flag(true)
         .next_help_heading("Parameters")
-        .args(parameters(flags).map(|(_, flag)| arg(flag)))
+        .args(parameters(defaults.flags()).map(|flag| arg(flag, defaults)))
         .next_help_heading("Effects")
-        .args(effect_args(flags))
+        .args(effect_args(defaults))
         .next_help_heading("Output")
         .arg(
             Arg::new("check")
@@ -476,7 +388,7 @@ fn command(run: &dyn Run, flags: &[Told]) -> Command {
 }
 
 fn outcome(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<Outcome> {
-    let report = run.report()?;
+    let report = report(run)?;
     let mut outcome = Outcome {
         stdout: String::new(),
         stderr: String::new(),
@@ -508,7 +420,7 @@ fn write_files(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<St
     }
     let directory = matches.get_one::<PathBuf>("svg");
     if let Some(directory) = directory {
-        let figures = run.figures()?;
+        let figures = figures(run)?;
         let (count, shown) = (figures.len(), directory.display());
         told += &format!("wrote {count} figures to {shown}\n");
         for figure in figures {

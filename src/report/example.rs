@@ -1,5 +1,7 @@
 //! An example: its name everywhere, what it can be told, what it computes and draws.
 
+use super::live::set_lines;
+use super::parameters::{Settings, check, table};
 use super::{Figure, Flag, Grid, Lab, MovingPicture, ParameterSet, Report, Trajectory};
 use crate::error::{Error, Result};
 
@@ -61,10 +63,7 @@ impl<P: ParameterSet> Example<P> {
     /// # Errors
     /// [`crate::Error::Parameter`] if a parameter may not have its value; those of the example.
     pub fn report(&self, parameters: &P) -> Result<Report> {
-        parameters.check()?;
-        let mut report = (self.report)(parameters)?;
-        report.set_parameters(parameters.table()?);
-        Ok(report)
+        report(&self.with(parameters.clone()))
     }
 
     /// The drawings, and the stills of the one that moves.
@@ -72,12 +71,7 @@ impl<P: ParameterSet> Example<P> {
     /// # Errors
     /// As [`Example::report`].
     pub fn figures(&self, parameters: &P) -> Result<Vec<Figure>> {
-        parameters.check()?;
-        let mut figures = (self.figures)(parameters)?;
-        if let Some(picture) = self.moving_picture {
-            figures.extend(picture(parameters)?.stills()?);
-        }
-        Ok(figures)
+        figures(&self.with(parameters.clone()))
     }
 
     /// The moving picture at `t`; prepares everything anew: to draw many, keep the picture.
@@ -91,6 +85,121 @@ impl<P: ParameterSet> Example<P> {
         };
         picture(parameters)?.frame(t).map(Some)
     }
+
+    fn with(&self, parameters: P) -> Running<'_, P> {
+        Running {
+            example: self,
+            parameters,
+        }
+    }
+
+    /// With its defaults.
+    pub(super) fn run(&self) -> Running<'_, P> {
+        self.with(P::default())
+    }
+}
+
+/// An example with its parameters, whatever their type: what is written for it is compiled once
+/// for all examples.
+pub(super) trait Run {
+    fn stem(&self) -> &'static str;
+    fn about(&self) -> &'static str;
+    fn parameters(&self) -> &dyn Settings;
+    fn parameters_mut(&mut self) -> &mut dyn Settings;
+    /// What the example itself says, parameters unchecked and unlisted.
+    fn numbers(&self) -> Result<Report>;
+    /// The drawings that do not move, parameters unchecked.
+    fn drawings(&self) -> Result<Vec<Figure>>;
+    fn trajectory(&self) -> Result<Trajectory>;
+    fn moves(&self) -> bool;
+    fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+}
+
+/// An example with its parameters.
+pub(super) struct Running<'e, P: 'static> {
+    example: &'e Example<P>,
+    parameters: P,
+}
+
+impl<P: ParameterSet> Run for Running<'_, P> {
+    fn stem(&self) -> &'static str {
+        self.example.stem
+    }
+    fn about(&self) -> &'static str {
+        self.example.about
+    }
+    fn parameters(&self) -> &dyn Settings {
+        &self.parameters
+    }
+    fn parameters_mut(&mut self) -> &mut dyn Settings {
+        &mut self.parameters
+    }
+    fn numbers(&self) -> Result<Report> {
+        (self.example.report)(&self.parameters)
+    }
+    fn drawings(&self) -> Result<Vec<Figure>> {
+        (self.example.figures)(&self.parameters)
+    }
+    fn trajectory(&self) -> Result<Trajectory> {
+        (self.example.trajectory)(&self.parameters)
+    }
+    fn moves(&self) -> bool {
+        self.example.moving_picture.is_some()
+    }
+    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
+        let picture = self.example.moving_picture;
+        picture.map(|picture| picture(&self.parameters)).transpose()
+    }
+}
+
+/// The numbers, the parameters first.
+pub(super) fn report(run: &dyn Run) -> Result<Report> {
+    check(run.parameters())?;
+    let mut report = run.numbers()?;
+    report.set_parameters(table(run.parameters())?);
+    Ok(report)
+}
+
+/// The drawings, and the stills of the one that moves.
+pub(super) fn figures(run: &dyn Run) -> Result<Vec<Figure>> {
+    let mut figures = drawings(run)?;
+    if let Some(picture) = run.moving_picture()? {
+        figures.extend(picture.stills()?);
+    }
+    Ok(figures)
+}
+
+/// The drawings that do not move.
+fn drawings(run: &dyn Run) -> Result<Vec<Figure>> {
+    check(run.parameters())?;
+    run.drawings()
+}
+
+/// The methods to try, with these lines set.
+fn lab(run: &mut dyn Run, settings: &str) -> Result<Option<Lab>> {
+    set_lines(run.parameters_mut(), settings)?;
+    Ok(report(run)?.lab().cloned())
+}
+
+/// The names of flags that a problem sheet draws, and their values.
+fn drawn(run: &dyn Run) -> Vec<(String, Grid)> {
+    let grid = |flag: &Flag| Some((flag.name(), flag.grid()?));
+    run.parameters().flags().iter().filter_map(grid).collect()
+}
+
+/// Sets these numbers, the others as they are.
+fn set(parameters: &mut dyn Settings, flags: &[(&str, f64)]) -> Result<()> {
+    let known = parameters.flags();
+    let numbers = || known.iter().filter(|flag| flag.words().is_empty());
+    for (name, value) in flags {
+        let unknown = || Error::UnknownKey {
+            key: (*name).to_owned(),
+            known: numbers().map(Flag::name).collect::<Vec<_>>().join(", "),
+        };
+        let flag = numbers().find(|flag| flag.name() == *name);
+        flag.ok_or_else(unknown)?.set_number(parameters, *value);
+    }
+    Ok(())
 }
 
 /// Makes the [`EXAMPLE`](Example) of a file, and its `main`: the stem, one line for
@@ -246,36 +355,35 @@ impl<P: ParameterSet> Page for Example<P> {
         self.stem
     }
     fn flags(&self) -> Vec<String> {
-        P::FLAGS.iter().map(super::Flag::name).collect()
+        P::FLAGS.iter().map(Flag::name).collect()
     }
     fn report(&self) -> Result<Report> {
-        Example::report(self, &P::default())
+        report(&self.run())
     }
     fn figures(&self) -> Result<Vec<Figure>> {
-        Example::figures(self, &P::default())
+        figures(&self.run())
     }
     fn moving_picture(&self) -> Result<Option<MovingPicture>> {
-        let picture = self.moving_picture;
-        picture.map(|picture| picture(&P::default())).transpose()
+        self.run().moving_picture()
     }
     fn drawn(&self) -> Vec<(String, Grid)> {
-        let grid = |flag: &Flag<P>| Some((flag.name(), flag.grid()?));
-        P::FLAGS.iter().filter_map(grid).collect()
+        drawn(&self.run())
     }
     fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
-        Example::report(self, &set(flags)?)
+        let mut run = self.run();
+        set(run.parameters_mut(), flags)?;
+        report(&run)
     }
     fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
-        let parameters: P = set(flags)?;
-        parameters.check()?;
-        (self.figures)(&parameters)
+        let mut run = self.run();
+        set(run.parameters_mut(), flags)?;
+        drawings(&run)
     }
     fn declared(&self) -> String {
-        super::live::declared(self)
+        super::live::declared(&self.run())
     }
     fn lab(&self, settings: &str) -> Result<Option<Lab>> {
-        let report = Example::report(self, &super::live::read(settings)?)?;
-        Ok(report.lab().cloned())
+        lab(&mut self.run(), settings)
     }
     #[cfg(feature = "cli")]
     fn answer(&self, arguments: &str) -> super::cli::Outcome {
@@ -296,20 +404,4 @@ impl<P: ParameterSet> Page for Example<P> {
     ) -> core::result::Result<Vec<Figure>, super::cli::Outcome> {
         Example::figures_for(self, arguments.into_iter().map(Into::into).collect())
     }
-}
-
-/// The parameters with these flags set, the others with their defaults.
-fn set<P: ParameterSet>(flags: &[(&str, f64)]) -> Result<P> {
-    let mut parameters = P::default();
-    let numbers = || P::FLAGS.iter().filter(|flag| flag.words().is_empty());
-    for (name, value) in flags {
-        let unknown = || Error::UnknownKey {
-            key: (*name).to_owned(),
-            known: numbers().map(Flag::name).collect::<Vec<_>>().join(", "),
-        };
-        let flag = numbers().find(|flag| flag.name() == *name);
-        flag.ok_or_else(unknown)?
-            .set_number(&mut parameters, *value);
-    }
-    Ok(parameters)
 }

@@ -1,7 +1,9 @@
 //! What a page asks that moves by itself: its parameters' one declaration, a moving picture
 //! for those that the reader chose, the methods at the reader's own choice.
 
+use super::example::Run;
 use super::json::quoted;
+use super::parameters::{Settings, check};
 use super::{Example, Flag, MovingPicture, ParameterSet};
 use crate::error::{Error, Result};
 use core::fmt::Write;
@@ -62,36 +64,36 @@ impl<P: ParameterSet> Moves for Example<P> {
 /// The parameters with what these lines set, checked.
 pub(super) fn read<P: ParameterSet>(settings: &str) -> Result<P> {
     let mut parameters = P::default();
-    for line in settings.lines().filter(|line| !line.trim().is_empty()) {
-        let (name, value) = line.split_once('=').unwrap_or((line, ""));
-        set(&mut parameters, name.trim(), value.trim())?;
-    }
-    parameters.check()?;
+    set_lines(&mut parameters, settings)?;
     Ok(parameters)
 }
 
-fn set<P: ParameterSet>(parameters: &mut P, name: &str, value: &str) -> Result<()> {
+/// Sets what these lines say, and checks all.
+pub(super) fn set_lines(parameters: &mut dyn Settings, settings: &str) -> Result<()> {
+    for line in settings.lines().filter(|line| !line.trim().is_empty()) {
+        let (name, value) = line.split_once('=').unwrap_or((line, ""));
+        set(parameters, name.trim(), value.trim())?;
+    }
+    check(parameters)
+}
+
+fn set(parameters: &mut dyn Settings, name: &str, value: &str) -> Result<()> {
     let refused = |allowed| Error::Text {
         text: format!("{name}={value}"),
         allowed,
     };
-    let flag = P::FLAGS.iter().find(|flag| flag.name() == name);
+    let flags = parameters.flags();
+    let flag = flags.iter().find(|flag| flag.name() == name);
     let flag = flag.ok_or_else(|| Error::UnknownKey {
         key: name.to_owned(),
-        known: P::FLAGS
-            .iter()
-            .map(Flag::name)
-            .collect::<Vec<_>>()
-            .join(", "),
+        known: flags.iter().map(Flag::name).collect::<Vec<_>>().join(", "),
     })?;
     if value.is_empty() && flag.usual().is_some() {
         flag.leave_out(parameters);
     } else if flag.words().is_empty() {
         let number = value.parse().ok().filter(|x: &f64| x.is_finite());
-        flag.set_number(
-            parameters,
-            number.ok_or_else(|| refused("a finite number"))?,
-        );
+        let number = number.ok_or_else(|| refused("a finite number"))?;
+        flag.set_number(parameters, number);
     } else if flag.words().contains(&value) {
         flag.set_word(parameters, value);
     } else {
@@ -105,12 +107,12 @@ fn set<P: ParameterSet>(parameters: &mut P, name: &str, value: &str) -> Result<(
 /// "usual", "allowed", "from", "to", "words"}]}`. `kind` is `number`, `optional`, `choice` or
 /// `effect`; `default` is as it is typed, `null` for what is not set; `usual` is the strength
 /// of an effect, `from` and `to` are the part in which a reader will want to move.
-pub(super) fn declared<P: ParameterSet>(example: &Example<P>) -> String {
+pub(super) fn declared(run: &dyn Run) -> String {
     let or_null = |text: Option<String>| text.map_or("null".into(), |text| quoted(&text));
-    let defaults = P::default();
+    let defaults = run.parameters();
     let mut flags = String::new();
-    for flag in P::FLAGS {
-        let default = flag.printed(&defaults);
+    for flag in defaults.flags() {
+        let default = flag.printed(defaults);
         let kind = match (flag.usual(), flag.words(), &default) {
             (Some(_), ..) => "effect",
             (None, [_, ..], _) => "choice",
@@ -139,9 +141,9 @@ pub(super) fn declared<P: ParameterSet>(example: &Example<P>) -> String {
     }
     format!(
         "{{\"stem\": {}, \"about\": {}, \"moves\": {}, \"flags\": [{flags}]}}",
-        quoted(example.stem),
-        quoted(example.about),
-        example.moving_picture.is_some(),
+        quoted(run.stem()),
+        quoted(run.about()),
+        run.moves(),
     )
 }
 

@@ -84,7 +84,7 @@ pub use lab::{Lab, Tried};
 pub use live::Moves;
 pub use moving::MovingPicture;
 pub use number::{below, rounded_up, short, supported_digits};
-pub use parameters::{Flag, Grid, ParameterSet, name_of_flag};
+pub use parameters::{Flag, Grid, ParameterSet, Settings, Value, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};
 pub use sections::{Limit, Price, Report, for_reading};

@@ -29,8 +29,14 @@ pub struct MovingPicture {
     span: RangeInclusive<f64>,
     stills: Vec<f64>,
     time: String,
-    draw: Box<dyn Fn(f64) -> Result<Figure> + Send + Sync>,
+    draw: Box<Draw>,
 }
+
+/// The drawing at a time.
+type Draw = dyn Fn(f64) -> Result<Figure> + Send + Sync;
+
+/// A scene at a time, with what is to be seen in words.
+type Seen = dyn Fn(f64) -> Result<(String, Scene)> + Send + Sync;
 
 impl MovingPicture {
     /// What `draw` draws at a time of `span`; `stills` are the times of the frames that
@@ -43,13 +49,17 @@ impl MovingPicture {
         stills: impl Into<Vec<f64>>,
         draw: impl Fn(f64) -> Result<Figure> + Send + Sync + 'static,
     ) -> Result<Self> {
+        Self::boxed(span, stills.into(), Box::new(draw))
+    }
+
+    fn boxed(span: RangeInclusive<f64>, stills: Vec<f64>, draw: Box<Draw>) -> Result<Self> {
         finite("start of a moving picture", *span.start())?;
         finite("end of a moving picture", *span.end())?;
         let picture = Self {
             span,
-            stills: stills.into(),
+            stills,
             time: "$t$ / s".into(),
-            draw: Box::new(draw),
+            draw,
         };
         for &t in &picture.stills {
             picture.check(t)?;
@@ -81,6 +91,16 @@ impl MovingPicture {
         span: RangeInclusive<f64>,
         stills: impl Into<Vec<f64>>,
         scene: impl Fn(f64) -> Result<(String, S)> + Send + Sync + 'static,
+    ) -> Result<Self> {
+        let seen = move |t| scene(t).map(|(alt, scene)| (alt, scene.into()));
+        Self::above_boxed(graph, span, stills.into(), Box::new(seen))
+    }
+
+    fn above_boxed(
+        graph: Panel,
+        span: RangeInclusive<f64>,
+        stills: Vec<f64>,
+        scene: Box<Seen>,
     ) -> Result<Self> {
         let (time, graph) = (graph.horizontal().to_owned(), graph.keeping_labels());
         let picture = Self::new(span, stills, move |t| {

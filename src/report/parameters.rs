@@ -60,20 +60,29 @@ macro_rules! parameters {
         use $crate::interval::{above, above_to, any, at_least, between, from_to};
         $allowed
     }};
-    (@flag number $name:expr, $meaning:expr, $field:ident; $default:expr, $unit:literal, $allowed:expr) => {
-        $crate::report::Flag::<Self>::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
-            |p| Some(p.$field), |p, x| p.$field = x)
+    (@flag number $name:expr, $meaning:expr; $default:expr, $unit:literal, $allowed:expr) => {
+        $crate::report::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed))
     };
-    (@flag optional $name:expr, $meaning:expr, $field:ident; $unit:literal, $allowed:expr) => {
-        $crate::report::Flag::<Self>::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed),
-            |p| p.$field, |p, x| p.$field = Some(x))
+    (@flag optional $name:expr, $meaning:expr; $unit:literal, $allowed:expr) => {
+        $crate::report::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed))
     };
-    (@flag effect $name:expr, $meaning:expr, $field:ident; $usual:expr, $unit:literal, $allowed:expr) => {
-        $crate::report::Flag::<Self>::effect($name, $unit, $meaning, $usual,
-            $crate::parameters!(@allowed $allowed), |p| p.$field, |p, x| p.$field = x)
+    (@flag effect $name:expr, $meaning:expr; $usual:expr, $unit:literal, $allowed:expr) => {
+        $crate::report::Flag::effect($name, $unit, $meaning, $usual, $crate::parameters!(@allowed $allowed))
     };
-    (@flag choice $name:expr, $meaning:expr, $field:ident; $($word:literal),+) => {
-        $crate::report::Flag::<Self>::choice($name, $meaning, &[$($word),+], |p| p.$field, |p, w| p.$field = w)
+    (@flag choice $name:expr, $meaning:expr; $($word:literal),+) => {
+        $crate::report::Flag::choice($name, $meaning, &[$($word),+])
+    };
+    (@value number $field:expr) => { Some($crate::report::Value::Number($field)) };
+    (@value choice $field:expr) => { Some($crate::report::Value::Word($field)) };
+    (@value $optional:ident $field:expr) => { $field.map($crate::report::Value::Number) };
+    (@set number $field:expr, $value:expr) => {
+        if let Some($crate::report::Value::Number(number)) = $value { $field = number; }
+    };
+    (@set choice $field:expr, $value:expr) => {
+        if let Some($crate::report::Value::Word(word)) = $value { $field = word; }
+    };
+    (@set $optional:ident $field:expr, $value:expr) => {
+        $field = match $value { Some($crate::report::Value::Number(number)) => Some(number), _ => None };
     };
     (
         $(#[$about:meta])*
@@ -96,10 +105,27 @@ macro_rules! parameters {
             }
         }
         impl $crate::report::ParameterSet for $set {
-            const FLAGS: &'static [$crate::report::Flag<Self>] = &[
-                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),+), $field; $($setting)*)
+            const FLAGS: &'static [$crate::report::Flag] = &[
+                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),+); $($setting)*)
                     $( .drawn($from, $to, $step) )?, )*
             ];
+        }
+        impl $crate::report::Settings for $set {
+            fn flags(&self) -> &'static [$crate::report::Flag] {
+                <Self as $crate::report::ParameterSet>::FLAGS
+            }
+            fn value(&self, field: &str) -> Option<$crate::report::Value> {
+                match field {
+                    $( stringify!($field) => $crate::parameters!(@value $kind self.$field), )*
+                    _ => None,
+                }
+            }
+            fn set(&mut self, field: &str, value: Option<$crate::report::Value>) {
+                match field {
+                    $( stringify!($field) => { $crate::parameters!(@set $kind self.$field, value); } )*
+                    _ => {}
+                }
+            }
         }
     };
 }
@@ -119,16 +145,16 @@ pub fn name_of_flag(typed: &str) -> &str {
 }
 
 /// The parameters of an example; made by [`parameters!`](crate::parameters).
-pub trait ParameterSet: Default + Clone + 'static {
+pub trait ParameterSet: Settings + Default + Clone + 'static {
     /// Every parameter, in the order in which they are listed.
-    const FLAGS: &'static [Flag<Self>];
+    const FLAGS: &'static [Flag];
 
     /// Confirms that each parameter that is set may have its value.
     ///
     /// # Errors
     /// [`Error::Parameter`] with the first that may not.
     fn check(&self) -> Result<()> {
-        Self::FLAGS.iter().try_for_each(|flag| flag.check(self))
+        check(self)
     }
 
     /// The section `parameters` of a report: what is set, with units and meanings.
@@ -136,29 +162,74 @@ pub trait ParameterSet: Default + Clone + 'static {
     /// # Errors
     /// [`Error::Text`] if a unit or a meaning does not fit in a table.
     fn table(&self) -> Result<Table> {
-        let mut table = Table::headed(PARAMETERS, ["flag", "value", "unit", "meaning"])?;
-        for flag in Self::FLAGS {
-            // What is not set has no place among the numbers of this run; --help lists it.
-            let Some(value) = flag.printed(self) else {
-                continue;
-            };
-            let name = flag.name();
-            let typed = match flag.usual() {
-                None => format!("--{name}"),
-                Some(_) => format!("{PUT_IN}{name}"),
-            };
-            table.push([typed, value, flag.unit.into(), flag.meaning().into()])?;
-        }
-        Ok(table)
+        table(self)
     }
 }
 
-/// A parameter: what it is called, means and may be, and how it is read and set.
-pub struct Flag<P: 'static> {
+/// The same parameters whatever their type: what is written for them is compiled once.
+pub trait Settings {
+    /// Every parameter, in the order in which they are listed.
+    fn flags(&self) -> &'static [Flag];
+
+    /// What the parameter of this field is set to; `None` for nothing.
+    fn value(&self, field: &str) -> Option<Value>;
+
+    /// Sets the parameter of this field, if it can be set to this: an effect that is left out
+    /// and a number without a default also to nothing.
+    fn set(&mut self, field: &str, value: Option<Value>);
+}
+
+/// What a parameter is set to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// This number.
+    Number(f64),
+    /// This word of a choice.
+    Word(&'static str),
+}
+
+pub(super) fn check(parameters: &dyn Settings) -> Result<()> {
+    for flag in parameters.flags() {
+        if let (Some(Value::Number(value)), Some(allowed)) =
+            (parameters.value(flag.field), flag.allowed)
+            && !allowed.contains(value)
+        {
+            return Err(Error::Parameter {
+                name: flag.field,
+                value,
+                allowed,
+            });
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn table(parameters: &dyn Settings) -> Result<Table> {
+    let mut table = Table::headed(PARAMETERS, ["flag", "value", "unit", "meaning"])?;
+    for flag in parameters.flags() {
+        // What is not set has no place among the numbers of this run; --help lists it.
+        let Some(value) = flag.printed(parameters) else {
+            continue;
+        };
+        let name = flag.name();
+        let typed = match flag.usual {
+            None => format!("--{name}"),
+            Some(_) => format!("{PUT_IN}{name}"),
+        };
+        table.push([typed, value, flag.unit.into(), flag.meaning().into()])?;
+    }
+    Ok(table)
+}
+
+/// A parameter: what it is called, means and may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flag {
     field: &'static str,
     unit: &'static str,
     meaning: &'static str,
-    kind: Kind<P>,
+    allowed: Option<Interval>,
+    usual: Option<f64>,
+    words: &'static [&'static str],
     grid: Option<Grid>,
 }
 
@@ -207,66 +278,52 @@ impl Grid {
     }
 }
 
-enum Kind<P: 'static> {
-    Number {
-        allowed: Interval,
-        get: fn(&P) -> Option<f64>,
-        set: fn(&mut P, f64),
-    },
-    Effect {
-        usual: f64,
-        allowed: Interval,
-        get: fn(&P) -> Option<f64>,
-        set: fn(&mut P, Option<f64>),
-    },
-    Choice {
-        among: &'static [&'static str],
-        get: fn(&P) -> &'static str,
-        set: fn(&mut P, &'static str),
-    },
-}
-
-impl<P> Flag<P> {
-    /// A number, in `unit` (`"-"` if it has none). `get` returns `None` for a parameter
-    /// that is not set.
+impl Flag {
+    /// A number, in `unit` (`"-"` if it has none).
     pub const fn number(
         field: &'static str,
         unit: &'static str,
         meaning: &'static str,
         allowed: Interval,
-        get: fn(&P) -> Option<f64>,
-        set: fn(&mut P, f64),
     ) -> Self {
         Self {
             field,
             unit,
             meaning,
-            kind: Kind::Number { allowed, get, set },
+            allowed: Some(allowed),
+            usual: None,
+            words: &[],
             grid: None,
         }
     }
 
-    /// An effect, of the strength `usual` in `unit` unless another is given. `get` returns
-    /// `None` while it is left out.
+    /// An effect, of the strength `usual` in `unit` unless another is given.
     pub const fn effect(
         field: &'static str,
         unit: &'static str,
         meaning: &'static str,
         usual: f64,
         allowed: Interval,
-        get: fn(&P) -> Option<f64>,
-        set: fn(&mut P, Option<f64>),
+    ) -> Self {
+        Self {
+            usual: Some(usual),
+            ..Self::number(field, unit, meaning, allowed)
+        }
+    }
+
+    /// One of these words.
+    pub const fn choice(
+        field: &'static str,
+        meaning: &'static str,
+        words: &'static [&'static str],
     ) -> Self {
         Self {
             field,
-            unit,
+            unit: "-",
             meaning,
-            kind: Kind::Effect {
-                usual,
-                allowed,
-                get,
-                set,
-            },
+            allowed: None,
+            usual: None,
+            words,
             grid: None,
         }
     }
@@ -276,23 +333,6 @@ impl<P> Flag<P> {
     pub const fn drawn(mut self, from: f64, to: f64, step: f64) -> Self {
         self.grid = Some(Grid { from, to, step });
         self
-    }
-
-    /// One of the words in `among`.
-    pub const fn choice(
-        field: &'static str,
-        meaning: &'static str,
-        among: &'static [&'static str],
-        get: fn(&P) -> &'static str,
-        set: fn(&mut P, &'static str),
-    ) -> Self {
-        Self {
-            field,
-            unit: "-",
-            meaning,
-            kind: Kind::Choice { among, get, set },
-            grid: None,
-        }
     }
 
     /// The name: that of the field, without the dashes of the command line.
@@ -312,10 +352,7 @@ impl<P> Flag<P> {
 
     /// What the number may be; `None` for a choice.
     pub fn allowed(&self) -> Option<Interval> {
-        match self.kind {
-            Kind::Number { allowed, .. } | Kind::Effect { allowed, .. } => Some(allowed),
-            Kind::Choice { .. } => None,
-        }
+        self.allowed
     }
 
     /// The values that a problem sheet draws; `None` if it leaves the parameter alone.
@@ -325,65 +362,38 @@ impl<P> Flag<P> {
 
     /// The usual strength of an effect; `None` for what is no effect.
     pub fn usual(&self) -> Option<f64> {
-        match self.kind {
-            Kind::Effect { usual, .. } => Some(usual),
-            _ => None,
-        }
+        self.usual
     }
 
     /// The words to choose from; none for a number.
     pub fn words(&self) -> &'static [&'static str] {
-        match self.kind {
-            Kind::Number { .. } | Kind::Effect { .. } => &[],
-            Kind::Choice { among, .. } => among,
-        }
+        self.words
     }
 
     /// The value as it is typed; `None` if it is not set.
-    pub fn printed(&self, parameters: &P) -> Option<String> {
-        match &self.kind {
-            Kind::Number { get, .. } | Kind::Effect { get, .. } => get(parameters).map(exactly),
-            Kind::Choice { get, .. } => Some(get(parameters).into()),
-        }
+    pub fn printed(&self, parameters: &dyn Settings) -> Option<String> {
+        Some(match parameters.value(self.field)? {
+            Value::Number(number) => exactly(number),
+            Value::Word(word) => word.into(),
+        })
     }
 
     /// Sets the number, or puts the effect in with this strength; a choice stays as it is.
-    pub fn set_number(&self, parameters: &mut P, value: f64) {
-        match &self.kind {
-            Kind::Number { set, .. } => set(parameters, value),
-            Kind::Effect { set, .. } => set(parameters, Some(value)),
-            Kind::Choice { .. } => {}
-        }
+    pub fn set_number(&self, parameters: &mut dyn Settings, value: f64) {
+        parameters.set(self.field, Some(Value::Number(value)));
     }
 
     /// Leaves the effect out; what is no effect stays as it is.
-    pub fn leave_out(&self, parameters: &mut P) {
-        if let Kind::Effect { set, .. } = &self.kind {
-            set(parameters, None);
+    pub fn leave_out(&self, parameters: &mut dyn Settings) {
+        if self.usual.is_some() {
+            parameters.set(self.field, None);
         }
     }
 
     /// Sets the choice if `word` is among its words.
-    pub fn set_word(&self, parameters: &mut P, word: &str) {
-        if let Kind::Choice { among, set, .. } = &self.kind
-            && let Some(word) = among.iter().find(|w| **w == word)
-        {
-            set(parameters, word);
-        }
-    }
-
-    fn check(&self, parameters: &P) -> Result<()> {
-        let (Kind::Number { allowed, get, .. } | Kind::Effect { allowed, get, .. }) = &self.kind
-        else {
-            return Ok(());
-        };
-        match get(parameters) {
-            Some(value) if !allowed.contains(value) => Err(Error::Parameter {
-                name: self.field,
-                value,
-                allowed: *allowed,
-            }),
-            _ => Ok(()),
+    pub fn set_word(&self, parameters: &mut dyn Settings, word: &str) {
+        if let Some(word) = self.words.iter().find(|w| **w == word) {
+            parameters.set(self.field, Some(Value::Word(word)));
         }
     }
 }

@@ -26,6 +26,13 @@ pub const STEPPING: &str = "dial, stepping";
 
 type Solve<E> = fn(&Problem<E>, f64) -> Result<Solved>;
 
+/// From the largest to the smallest, each once.
+fn descending(mut tolerances: Vec<f64>) -> Vec<f64> {
+    tolerances.sort_by(|a, b| b.total_cmp(a));
+    tolerances.dedup();
+    tolerances
+}
+
 impl Report {
     /// Adds the accuracy strip of a problem, from the largest error to the smallest.
     ///
@@ -45,13 +52,9 @@ impl Report {
         let Some(&own) = tolerances.first() else {
             return Ok(());
         };
-        let mut sorted = tolerances.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        sorted.reverse();
-        sorted.dedup();
         let solve: Solve<E> = |p, error| p.scene.solve(&p.start, p.end, error);
         let step: Solve<E> = |p, error| p.scene.solve_by_stepping(&p.start, p.end, error);
-        for tolerance in sorted {
+        for tolerance in descending(tolerances.to_vec()) {
             if tolerance == own && problem.closed_form().is_some() {
                 self.add_dial(problem, CLOSED_FORM, tolerance, solve)?;
             }
@@ -83,17 +86,25 @@ impl Report {
         work: fn(&T) -> Work,
         error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
     ) -> Result<()> {
-        let mut sorted: Vec<f64> = tolerances.into_iter().collect();
-        sorted.sort_by(f64::total_cmp);
-        sorted.reverse();
-        sorted.dedup();
-        for requested in sorted {
+        let ran = |requested: f64| {
+            let done = run(requested)?;
+            let run = run.clone();
+            let again = Computation::new(move || run(requested), error.clone());
+            Ok((error(&done)?, work(&done), again))
+        };
+        self.dial_by(method, descending(tolerances.into_iter().collect()), &ran)
+    }
+
+    /// The lines of a dial: error, work and the run again, for each tolerance.
+    fn dial_by(
+        &mut self,
+        method: &str,
+        tolerances: Vec<f64>,
+        run: &dyn Fn(f64) -> Result<(f64, Work, Computation)>,
+    ) -> Result<()> {
+        for requested in tolerances {
             let (delivered, work, again) = match run(requested) {
-                Ok(done) => {
-                    let run = run.clone();
-                    let again = Computation::new(move || run(requested), error.clone());
-                    (error(&done)?, work(&done).to_string(), Some(again))
-                }
+                Ok((error, work, again)) => (error, work.to_string(), Some(again)),
                 Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into(), None),
                 Err(other) => return Err(other),
             };

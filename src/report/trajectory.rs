@@ -18,7 +18,10 @@ impl Trajectory {
     /// # Errors
     /// [`Error::Text`] if there is no column, or a name holds a comma or a quote.
     pub fn new<S: Into<String>>(columns: impl IntoIterator<Item = S>) -> Result<Self> {
-        let columns: Vec<String> = columns.into_iter().map(Into::into).collect();
+        Self::named(columns.into_iter().map(Into::into).collect())
+    }
+
+    fn named(columns: Vec<String>) -> Result<Self> {
         let plain = |c: &String| !c.is_empty() && !c.contains([',', '"', '\n', '\r']);
         if columns.is_empty() || !columns.iter().all(plain) {
             return Err(Error::Text {
@@ -42,10 +45,20 @@ impl Trajectory {
         mut sample: impl FnMut(f64) -> Result<R>,
     ) -> Result<Self> {
         let mut trajectory = Self::new(columns)?;
-        for t in times {
-            trajectory.push(sample(t)?)?;
-        }
+        let mut times = times.into_iter();
+        trajectory.fill(&mut times, &mut |t| Ok(sample(t)?.into()))?;
         Ok(trajectory)
+    }
+
+    fn fill(
+        &mut self,
+        times: &mut dyn Iterator<Item = f64>,
+        sample: &mut dyn FnMut(f64) -> Result<Vec<f64>>,
+    ) -> Result<()> {
+        for t in times {
+            self.append(sample(t)?)?;
+        }
+        Ok(())
     }
 
     /// A solved motion: what `row` makes of each of `count + 1` times, from the start to the
@@ -77,7 +90,10 @@ impl Trajectory {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity, [`Error::Text`] for a wrong length.
     pub fn push(&mut self, row: impl Into<Vec<f64>>) -> Result<()> {
-        let row = row.into();
+        self.append(row.into())
+    }
+
+    fn append(&mut self, row: Vec<f64>) -> Result<()> {
         for &value in &row {
             crate::error::finite("sample", value)?;
         }
