@@ -9,6 +9,7 @@
 
 mod build;
 mod check;
+mod colour;
 mod coverage;
 mod directive;
 mod exercises;

@@ -2,6 +2,7 @@
 //! it checked before the old book is replaced.
 
 use crate::check;
+use crate::colour;
 use crate::exercises;
 use crate::figure;
 use crate::fonts;
@@ -157,6 +158,14 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     let fresh = &ctx.destination;
     HtmlHandlebars::new().render(ctx)?;
     warnings::none()?;
+    for path in files(fresh)? {
+        if frame::COLOURING
+            .iter()
+            .any(|name| address(fresh, &path).starts_with(name))
+        {
+            fs::remove_file(path)?;
+        }
+    }
 
     let mut written = BTreeMap::new();
     let fonts = first_fonts(fresh)?;
@@ -226,7 +235,7 @@ fn finish(
     // Everything on one page is for paper.
     let modules = modules.filter(|_| address != "print.html");
     let html = modules.map_or(html.to_owned(), |modules| modules.runs(html));
-    let html = frame::page(&html, address)?;
+    let html = colour::listings(&frame::page(&html, address)?);
     let html = splice::fill(&html, |splice| {
         let plain = html_of(project, splice, &mut number)?;
         Ok(match (modules, splice) {
