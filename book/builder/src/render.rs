@@ -1,6 +1,7 @@
 //! The renderer: mdBook's HTML, our marks filled, fonts and sources beside it, all of
 //! it checked before the old book is replaced.
 
+use crate::build::bar;
 use crate::check;
 use crate::colour;
 use crate::exercises;
@@ -156,6 +157,8 @@ impl Renderer for Pages {
 
 fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     let fresh = &ctx.destination;
+    let bar = bar("writing", ctx.book.chapters().count());
+    bar.tick();
     HtmlHandlebars::new().render(ctx)?;
     warnings::none()?;
     for path in files(fresh)? {
@@ -170,7 +173,10 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     let mut written = BTreeMap::new();
     let fonts = first_fonts(fresh)?;
     let modules = Modules::of(project).map_err(Error::msg)?;
-    for path in files(fresh)? {
+    let paths = files(fresh)?;
+    bar.set_length(paths.len() as u64);
+    for path in paths {
+        bar.inc(1);
         if path.extension().is_some_and(|e| e == "html") {
             let address = address(fresh, &path);
             let html = fs::read_to_string(&path)?;
@@ -180,6 +186,7 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
             written.insert(address, html);
         }
     }
+    bar.finish_and_clear();
     for (address, html) in source::pages(project, &written).map_err(Error::msg)? {
         let path = fresh.join(&address);
         if let Some(parent) = path.parent() {
