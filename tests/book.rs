@@ -90,6 +90,12 @@ fn the_book_is_built_and_every_page_is_in_it() {
         names("book/src", ".md").len() - 1,
         "pages but SUMMARY"
     );
+    // Listings come coloured; what mdBook colours them with is not in the book.
+    assert!(read(&out.join("library.html")).contains("<span class=\"keyword\">fn</span>"));
+    for end in [".js", ".css"] {
+        let files = names(&out.to_string_lossy(), end);
+        assert!(!files.iter().any(|name| name.contains("highlight")));
+    }
     // The figures on the pages are the locked ones.
     let (stems, pages) = (names("examples", ".rs"), names("book/src", ".md"));
     for figure in names("tests/snapshots/figures", ".snap.svg") {

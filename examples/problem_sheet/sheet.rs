@@ -99,8 +99,11 @@ pub fn students(text: &str) -> Result<Vec<String>, String> {
     Ok(names)
 }
 
+/// Where `cargo book` builds the book, beside a sheet in the project's root.
+const BUILT: &str = "book/book/";
+
 fn address(text: &str) -> Result<String, String> {
-    let known = ["http://", "https://", "file:///"];
+    let known = ["http://", "https://", "file:///", BUILT];
     match known.iter().any(|scheme| text.starts_with(scheme))
         && !text.contains(['?', '#', '"', ' '])
     {
@@ -145,9 +148,9 @@ pub fn command() -> Command {
             arg(
                 "book",
                 "ADDRESS",
-                "Where the book is; as it stands, what `cargo book` serves",
+                "Where the book is; as it stands, what `cargo book` builds",
             )
-            .default_value("http://localhost:3000/")
+            .default_value(BUILT)
             .value_parser(address),
         )
         .arg(

@@ -4,6 +4,7 @@ use crate::preprocess::Directives;
 use crate::project::Project;
 use crate::render::Pages;
 use crate::warnings;
+use indicatif::{ProgressBar, ProgressStyle};
 use mdbook_driver::MDBook;
 use std::error::Error;
 use std::path::Path;
@@ -19,6 +20,14 @@ pub fn message(error: &(dyn Error + 'static)) -> String {
     }
     words.dedup();
     format!("error: {}", words.join(": "))
+}
+
+/// Shows how far some work on the pages is, on a terminal only.
+pub fn bar(work: &'static str, steps: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len}");
+    ProgressBar::new(steps as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        .with_message(work)
 }
 
 /// Builds the book into `out`; what is there stays if anything is wrong.

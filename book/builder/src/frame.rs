@@ -1,6 +1,7 @@
 //! What mdBook's page frame lacks, put into its HTML: a sidebar button that the keyboard
 //! reaches, a skip link, one heading of the first level, a description and a title for each
-//! page, a fold "On this page", and a 404 page that finds its style sheets at any address.
+//! page, a fold "On this page", and a 404 page that finds its style sheets at any address. What
+//! mdBook colours listings with goes: `colour` has done it.
 //!
 //! Every place is looked for by name; if a new mdBook words it otherwise, the build says so.
 
@@ -11,6 +12,12 @@ use crate::text::{escape, unescape, without_tags};
 const ROOT: &str = "<script>for(let d=location.pathname.replace(/[^\\/]*$/,'');d;\
     d=d.replace(/[^\\/]*\\/$/,'')){const r=new XMLHttpRequest();r.open('HEAD',d+'toc.html',false);\
     try{r.send()}catch(e){}if(r.status===200){document.write('<base href=\"'+d+'\">');break}}</script>";
+
+/// How the files of mdBook's that colour listings begin.
+pub const COLOURING: [&str; 3] = ["highlight", "tomorrow-night", "ayu-highlight"];
+
+/// What mdBook's script asks of the one that colours.
+const UNCOLOURED: &str = "<script>const hljs={configure(){},highlightBlock(){}}</script>";
 
 /// The longest description, in characters.
 const DESCRIPTION: usize = 240;
@@ -43,6 +50,7 @@ pub fn page(html: &str, address: &str) -> Result<String, String> {
         "<div id=\"mdbook-menu-bar\"",
         "<div role=\"banner\" id=\"mdbook-menu-bar\"",
     )?;
+    page.colouring()?;
     page.themes();
     page.title();
     page.empty_heads();
@@ -82,6 +90,25 @@ impl Page {
         self.0
             .replace_range(end..end + close.len(), &format!("</{to}>"));
         self.0.replace_range(at + 1..at + 1 + from.len(), to);
+        Ok(())
+    }
+
+    /// mdBook's script switches the three sheets by their names, so empty ones stay.
+    fn colouring(&mut self) -> Result<(), String> {
+        for name in COLOURING {
+            let id = format!("id=\"mdbook-{name}-css\"");
+            let link = format!("<link rel=\"stylesheet\" {id}");
+            self.whole(&link, ">", &format!("<style {id}></style>"))?;
+        }
+        self.whole("<script src=\"highlight", "</script>", UNCOLOURED)
+    }
+
+    /// Puts `instead` in the place of what begins with `from` and ends with `to`.
+    fn whole(&mut self, from: &str, to: &str, instead: &str) -> Result<(), String> {
+        let at = self.find(from)?;
+        let end = self.0[at..].find(to).map(|end| at + end + to.len());
+        let end = end.ok_or_else(|| format!("mdBook's frame holds no {to}"))?;
+        self.0.replace_range(at..end, instead);
         Ok(())
     }
 
@@ -230,6 +257,10 @@ mod tests {
     use super::*;
 
     const FRAME: &str = "<title>B - B</title><meta name=\"description\" content=\"of the book\">\
+        <link rel=\"stylesheet\" id=\"mdbook-highlight-css\" href=\"highlight-1.css\">\
+        <link rel=\"stylesheet\" id=\"mdbook-tomorrow-night-css\" href=\"tomorrow-night-1.css\">\
+        <link rel=\"stylesheet\" id=\"mdbook-ayu-highlight-css\" href=\"ayu-highlight-1.css\">\
+        <script src=\"highlight-1.js\"></script>\
         <body><label id=\"mdbook-sidebar-toggle\" class=\"x\" for=\"mdbook-sidebar-toggle-anchor\">=</label>\
         <div id=\"mdbook-menu-bar\"><h1 class=\"menu-title\">B</h1></div><main>\n<h1 id=\"b\">B</h1>\n<p>It <em>turns</em>. Why?</p><code>x -- --tilt 2</code><th></th><th>n</th>\
         <h2 id=\"s\"><a class=\"header\" href=\"#s\">S</a></h2>\
@@ -253,6 +284,8 @@ mod tests {
             assert!(done.contains(part), "{part}\n{done}");
         }
         assert_eq!(done.matches("<h1").count(), 1);
+        assert_eq!(done.matches("css\"></style>").count(), 3);
+        assert!(done.contains(UNCOLOURED) && !done.contains("-1."));
         // The damaged twin: another frame is refused, a page without one left alone.
         assert!(page(&FRAME.replace("<main>", "<div>"), "b.html").is_err());
         assert_eq!(

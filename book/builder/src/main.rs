@@ -1,5 +1,4 @@
-//! `cargo book`: builds the book, serves it on loopback, and builds it again when a
-//! page, an example or a snapshot changes.
+//! `cargo book`: builds the book, a directory of pages that open as files.
 //!
 //! ```text
 //! pages ── expand (directives, formulas) ── mdBook ── marks filled ── checked ── book
@@ -9,6 +8,7 @@
 
 mod build;
 mod check;
+mod colour;
 mod coverage;
 mod directive;
 mod exercises;
@@ -24,7 +24,6 @@ mod problem;
 mod project;
 mod race;
 mod render;
-mod serve;
 mod source;
 mod splice;
 mod spoken;
@@ -47,7 +46,7 @@ fn command() -> Command {
         .about("Whether a renderer is supported (for mdbook)")
         .arg(Arg::new("renderer").required(true));
     Command::new("cargo book")
-        .about("Builds the book and serves it on this machine")
+        .about("Builds the book")
         .arg(
             Arg::new("open")
                 .long("open")
@@ -55,20 +54,11 @@ fn command() -> Command {
                 .help("Open the book in the browser"),
         )
         .arg(
-            Arg::new("port")
-                .long("port")
-                .value_name("PORT")
-                .value_parser(value_parser!(u16))
-                .default_value("3000")
-                .help("Port of the server"),
-        )
-        .arg(
             Arg::new("out")
                 .long("out")
                 .value_name("DIR")
                 .value_parser(value_parser!(PathBuf))
-                .conflicts_with_all(["open", "port"])
-                .help("Only build, into this directory"),
+                .help("Build into this directory instead of book/book"),
         )
         .arg(
             Arg::new("root")
@@ -117,13 +107,15 @@ fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
                     project
                 }
             };
-            match matches.get_one::<PathBuf>("out") {
-                Some(out) => build::once(&project, &here.join(out)),
-                None => {
-                    let port = matches.get_one::<u16>("port").copied().unwrap_or(3000);
-                    serve::serve(&project, port, matches.get_flag("open"))
-                }
+            let out = match matches.get_one::<PathBuf>("out") {
+                Some(out) => here.join(out),
+                None => project.path("book/book"),
+            };
+            build::once(&project, &out)?;
+            if matches.get_flag("open") {
+                open::that_detached(out.join("index.html"))?;
             }
+            Ok(())
         }
     }
 }

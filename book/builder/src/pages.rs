@@ -1,5 +1,6 @@
 //! The lint of finished pages: nothing left over, nothing pointing nowhere, nothing from outside.
 
+use crate::build::bar;
 use crate::coverage::{self, Missing};
 use crate::problem::{Problem, Problems};
 use crate::text::unescape;
@@ -142,7 +143,9 @@ pub fn check(
     let mut problems = Vec::new();
     let mut targets: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     let mut read_pages = Vec::new();
+    let bar = bar("checking", 2 * pages.len());
     for (address, html) in pages {
+        bar.inc(1);
         let (tags, text) = read(html);
         let mut ids = BTreeSet::new();
         for tag in &tags {
@@ -163,6 +166,7 @@ pub fn check(
         read_pages.push((address.as_str(), tags, text));
     }
     for (address, tags, text) in &read_pages {
+        bar.inc(1);
         let markdown = source(address);
         let mut problem = |line: usize, what: &str, message: String| {
             let what = what.replace(".html", ".md");

@@ -1,5 +1,6 @@
 //! The preprocessor: every page expanded, every file of a stem accounted for.
 
+use crate::build;
 use crate::expand::{Labels, Page};
 use crate::problem::{Problem, Problems};
 use crate::project::Project;
@@ -62,7 +63,9 @@ impl Preprocessor for Directives {
         // Labels first: an equation may be named on an earlier page.
         let mut labels = Labels::new();
         let mut problems = Vec::new();
+        let bar = build::bar("reading", 2 * book.chapters().count());
         for chapter in book.chapters() {
+            bar.inc(1);
             let Some((file, address)) = place(chapter) else {
                 continue;
             };
@@ -87,6 +90,7 @@ impl Preprocessor for Directives {
         let mut figures = BTreeSet::new();
         let fill_now = ctx.renderer != render::NAME;
         book.for_each_chapter_mut(|chapter| {
+            bar.inc(1);
             let Some((file, address)) = place(chapter) else {
                 return;
             };

@@ -1,7 +1,9 @@
 //! The renderer: mdBook's HTML, our marks filled, fonts and sources beside it, all of
 //! it checked before the old book is replaced.
 
+use crate::build::bar;
 use crate::check;
+use crate::colour;
 use crate::exercises;
 use crate::figure;
 use crate::fonts;
@@ -155,13 +157,26 @@ impl Renderer for Pages {
 
 fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     let fresh = &ctx.destination;
+    let bar = bar("writing", ctx.book.chapters().count());
+    bar.tick();
     HtmlHandlebars::new().render(ctx)?;
     warnings::none()?;
+    for path in files(fresh)? {
+        if frame::COLOURING
+            .iter()
+            .any(|name| address(fresh, &path).starts_with(name))
+        {
+            fs::remove_file(path)?;
+        }
+    }
 
     let mut written = BTreeMap::new();
     let fonts = first_fonts(fresh)?;
     let modules = Modules::of(project).map_err(Error::msg)?;
-    for path in files(fresh)? {
+    let paths = files(fresh)?;
+    bar.set_length(paths.len() as u64);
+    for path in paths {
+        bar.inc(1);
         if path.extension().is_some_and(|e| e == "html") {
             let address = address(fresh, &path);
             let html = fs::read_to_string(&path)?;
@@ -171,6 +186,7 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
             written.insert(address, html);
         }
     }
+    bar.finish_and_clear();
     for (address, html) in source::pages(project, &written).map_err(Error::msg)? {
         let path = fresh.join(&address);
         if let Some(parent) = path.parent() {
@@ -226,7 +242,7 @@ fn finish(
     // Everything on one page is for paper.
     let modules = modules.filter(|_| address != "print.html");
     let html = modules.map_or(html.to_owned(), |modules| modules.runs(html));
-    let html = frame::page(&html, address)?;
+    let html = colour::listings(&frame::page(&html, address)?);
     let html = splice::fill(&html, |splice| {
         let plain = html_of(project, splice, &mut number)?;
         Ok(match (modules, splice) {

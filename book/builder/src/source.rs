@@ -1,5 +1,6 @@
 //! Pages that show a source file, for the links "checked by" and for listings.
 
+use crate::colour;
 use crate::project::Project;
 use crate::text::escape;
 use std::collections::BTreeMap;
@@ -72,7 +73,11 @@ fn title(html: &str) -> String {
 fn page(file: &str, text: &str, backs: &[Back]) -> String {
     let up = "../".repeat(file.matches('/').count() + 1);
     let mut lines = String::new();
-    for (n, line) in text.lines().enumerate() {
+    let coloured = match file.ends_with(".rs") {
+        true => colour::rust(text),
+        false => escape(text),
+    };
+    for (n, line) in coloured.lines().enumerate() {
         let n = n + 1;
         let mut shown: Vec<&str> = Vec::new();
         for back in backs.iter().filter(|back| back.line == n) {
@@ -88,8 +93,7 @@ fn page(file: &str, text: &str, backs: &[Back]) -> String {
         }
         let _ = writeln!(
             lines,
-            "<span id=\"L{n}\"><a href=\"#L{n}\">{n:>4}</a>  {}</span>",
-            escape(line)
+            "<span id=\"L{n}\"><a href=\"#L{n}\">{n:>4}</a>  {line}</span>"
         );
     }
     format!(
@@ -99,7 +103,9 @@ fn page(file: &str, text: &str, backs: &[Back]) -> String {
          pre{{font:0.85rem/1.45 ui-monospace,Menlo,Consolas,monospace}}\
          pre a{{color:light-dark(#666,#999);text-decoration:none;user-select:none}}\
          pre a.back{{color:LinkText;text-decoration:underline}}\
-         pre span:target{{background:Mark;color:MarkText}}</style></head>\
+         .comment{{color:light-dark(#565c63,#a8aeb5)}}.keyword{{color:light-dark(#00558f,#7dbbf0)}}\
+         .string{{color:light-dark(#007a59,#34c495)}}.number{{color:light-dark(#b84e00,#f08a45)}}\
+         pre span:target,pre span:target *{{background:Mark;color:MarkText}}</style></head>\
          <body><main><h1 style=\"font-size:1rem\"><a href=\"{up}index.html\">The book</a> / {file}</h1>\
          <pre tabindex=\"0\" role=\"group\" aria-label=\"{file}\">{lines}</pre></main></body></html>\n"
     )
