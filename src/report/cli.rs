@@ -267,7 +267,7 @@ type Keep<'k> = &'k mut dyn FnMut(Option<&Path>, Vec<Leaf>) -> Result<usize>;
 impl<P: ParameterSet> Example<P> {
     /// Runs the example with the arguments of the process.
     pub fn main(&self) -> ExitCode {
-        let outcome = self.answer(std::env::args_os().skip(1));
+        let outcome = alive(|| self.answer(std::env::args_os().skip(1)));
         let code = delivered(&outcome, &mut std::io::stdout(), &mut std::io::stderr());
         ExitCode::from(code)
     }
@@ -304,6 +304,24 @@ impl<P: ParameterSet> Example<P> {
         set_up(&mut run, arguments)?;
         figures(&run).map_err(Outcome::refused)
     }
+}
+
+/// Shows on a terminal for how long the work goes on already; elsewhere nothing.
+#[cfg(not(target_arch = "wasm32"))]
+fn alive<T>(work: impl FnOnce() -> T) -> T {
+    let sign = indicatif::ProgressBar::no_length();
+    sign.set_style(indicatif::ProgressStyle::with_template("computing, {elapsed}").unwrap_or_else(
+        |_| indicatif::ProgressStyle::default_spinner(),
+    ));
+    sign.enable_steady_tick(core::time::Duration::from_secs(1));
+    let done = work();
+    sign.finish_and_clear();
+    done
+}
+
+#[cfg(target_arch = "wasm32")]
+fn alive<T>(work: impl FnOnce() -> T) -> T {
+    work()
 }
 
 fn answer(run: &mut dyn Run, arguments: Vec<OsString>, keep: Keep<'_>) -> Outcome {
