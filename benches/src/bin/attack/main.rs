@@ -15,7 +15,9 @@ use benches::attack::{attacked, held, kinked, resisted, told};
 use rotation_dynamics::Result;
 use std::env;
 
-const ATTACKS: [(&str, fn() -> Result<()>); 5] = [
+type Attack = fn() -> Result<()>;
+
+const ATTACKS: [(&str, Attack); 5] = [
     ("ten_thousand_scenes", ten_thousand_scenes),
     (
         "six_thousand_scenes_that_resist",
