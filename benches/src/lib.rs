@@ -1,8 +1,14 @@
 //! Benchmarks and the accuracy kit.
 
+#[path = "../../tests/accuracy/dial/attack/scenes/mod.rs"]
+pub mod attack;
 pub mod conditions;
 pub mod ensemble;
+#[path = "../../examples/accuracy/honesty.rs"]
+pub mod honesty;
 pub mod kit;
 pub mod readme;
 pub mod throughput;
 pub mod timing;
+
+use honesty::Dice;

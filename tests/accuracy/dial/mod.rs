@@ -8,7 +8,6 @@ mod causes;
 #[path = "../../../examples/accuracy/honesty.rs"]
 mod honesty;
 mod limits;
-mod price;
 mod reference;
 mod refusals;
 mod resisted;

@@ -11,7 +11,7 @@ use rotation_dynamics::effects::{
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::scene::{components, state};
-use rotation_dynamics::integrators::{Dop853, Integrator};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::log;
 use rotation_dynamics::scene::{Invariant, Scene};
 use std::collections::BTreeSet;
@@ -73,7 +73,7 @@ fn run<E: Effect>(
     part: f64,
 ) -> Vec<Place> {
     let size = scene.body().kinetic_energy(start);
-    let problem = WithWork { scene, part };
+    let problem: &dyn Ode<8> = &WithWork { scene, part };
     let [w, x, y, z, l, m, n] = components(start);
     let mut now = [w, x, y, z, l, m, n, 0.0];
     let (mut t, mut steps) = (0.0, 0);
@@ -84,8 +84,7 @@ fn run<E: Effect>(
         times.retain(|jump| t < *jump && *jump < end);
         times.push(end);
         for to in times {
-            let (there, work) =
-                (method.advance(&problem, t, &now, to.next_down())).expect("smooth");
+            let (there, work) = (method.advance(problem, t, &now, to.next_down())).expect("smooth");
             (now, t, steps) = (there, to, steps + work.steps);
         }
         let [w, x, y, z, l, m, n, done] = now;

@@ -98,27 +98,36 @@ impl Book {
         let y8 = [w, x, y, z, l, m, n, 0.0];
         let method = Dop853::new(1e-15).expect("a tolerance");
         let method = method.with_longest_step(0.05).expect("a step");
-        let run = |part| {
-            let problem = WithWork {
-                scene: &scene,
-                part,
-            };
-            method.advance(&problem, 0.0, &y8, END).expect("smooth")
+        // Behind a pointer: DOP853 is compiled once for all pairs.
+        let problem: &dyn Ode<8> = &WithWork {
+            scene: &scene,
+            part: 1.0,
         };
-        let (end, work) = run(1.0);
+        let (end, work) = method.advance(problem, 0.0, &y8, END).expect("smooth");
         let [w, x, y, z, l, m, n, done] = end;
         let last = state(&[w, x, y, z, l, m, n]).expect("a state");
-        let size = self.body.kinetic_energy(&self.start);
         let gained = scene.energy_at(END, &last) - scene.energy_at(0.0, &self.start);
-        let steps = work.steps as f64;
-        self.balance.push_at((gained - done) / size, names);
         let kept: Vec<Invariant> = scene.invariants().collect();
-        for quantity in ALL {
+        let changes =
+            ALL.map(|quantity| scene.value(quantity, &last) - scene.value(quantity, &self.start));
+        self.judge(names, [gained, done], &kept, changes, work.steps as f64);
+    }
+
+    fn judge(
+        &mut self,
+        names: (&'static str, &'static str),
+        [gained, done]: [f64; 2],
+        kept: &[Invariant],
+        changes: [f64; 5],
+        steps: f64,
+    ) {
+        let size = self.body.kinetic_energy(&self.start);
+        self.balance.push_at((gained - done) / size, names);
+        for (quantity, change) in ALL.into_iter().zip(changes) {
             let change = if quantity == Invariant::Energy {
                 gained / size
             } else {
-                let momentum = self.start.angular_momentum.norm();
-                (scene.value(quantity, &last) - scene.value(quantity, &self.start)) / momentum
+                change / self.start.angular_momentum.norm()
             };
             if kept.contains(&quantity) {
                 self.drift

@@ -2,10 +2,8 @@
 //! hardly at all to so strongly that all is over at once. The truth shares nothing with the
 //! splittings that the dial then chooses from.
 
-use super::scenes::Case;
 use super::truth::{Law, Resisting, resisted};
-use super::{attacked, held, ratios};
-use crate::dial::honesty::Dice;
+use super::{Case, Dice};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
@@ -20,16 +18,15 @@ use rotation_dynamics::scene::Scene;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use support::Errors;
 
 /// As many kinds.
-const KINDS: u64 = 6;
+pub const KINDS: u64 = 6;
 
 /// How often each method was chosen.
-type Chosen = Rc<RefCell<BTreeMap<&'static str, usize>>>;
+pub type Chosen = Rc<RefCell<BTreeMap<&'static str, usize>>>;
 
 /// The n-th scene; the kinds come in turn.
-fn case(n: u64, chosen: &Chosen) -> Result<Case> {
+pub fn case(n: u64, chosen: &Chosen) -> Result<Case> {
     let mut dice = Dice(n + 2_000_000);
     dice.part();
     match n % KINDS {
@@ -177,46 +174,10 @@ fn to_the_stop(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
 }
 
 /// How many were solved by a splitting that takes what resists.
-fn by_splitting(chosen: &Chosen) -> usize {
+pub fn by_splitting(chosen: &Chosen) -> usize {
     let chosen = chosen.borrow();
     let resisted = |name: &&str| name.ends_with(", resisted");
     (chosen.iter().filter(|(name, _)| resisted(name)))
         .map(|(_, n)| n)
         .sum()
-}
-
-/// None that is granted exceeds its request.
-#[test]
-fn nothing_that_resists_breaks_the_promise() {
-    let chosen = Chosen::default();
-    let attacked = attacked(0..120, KINDS, |n| case(n, &chosen)).expect("sound scenes");
-    assert_eq!((held(&attacked), by_splitting(&chosen)), ([235, 5], 183));
-    // The promise is 1.
-    ratios(&attacked).attain(0.35..=0.36, 235);
-}
-
-/// Bricks that lost most of their momentum in each of four to six steps, which agreed by chance: 1.3
-/// and 1.7 times the request.
-#[test]
-fn a_brick_in_thick_oil_holds() {
-    let mut ratios = Errors::of("delivered over requested");
-    for n in [4418, 5264] {
-        let chosen = Chosen::default();
-        let scene = |n| case(n, &chosen);
-        let (tallies, failures) = attacked(n..n + 1, KINDS, scene).expect("a sound scene");
-        assert!(failures.is_empty(), "{}", failures.join("\n"));
-        for ratio in &tallies["a brick in oil"].ratios {
-            ratios.push_at(*ratio, n);
-        }
-    }
-    ratios.attain(3.7e-6..=3.8e-6, 4);
-}
-
-/// Six thousand: `cargo test -p checks --test accuracy -- --ignored six_thousand --nocapture`.
-#[test]
-#[ignore = "6000 scenes: minutes"]
-fn six_thousand_scenes_that_resist() {
-    let chosen = Chosen::default();
-    held(&attacked(0..6000, KINDS, |n| case(n, &chosen)).expect("sound scenes"));
-    println!("{:?}", chosen.borrow());
 }

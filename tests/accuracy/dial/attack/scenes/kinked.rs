@@ -1,10 +1,9 @@
 //! The same attack where the torque has kinks, cusps and jumps that nothing names: at times, where the
 //! dial looks for them, and at attitudes, where it cannot.
 
-use super::scenes::{Case, along, solver};
+use super::hostile::{along, solver};
 use super::truth::{Switched, switched};
-use super::{attacked, held, ratios, told};
-use crate::dial::honesty::Dice;
+use super::{Case, Dice};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
@@ -16,10 +15,10 @@ use rotation_dynamics::math::{exp, pow, sin};
 use std::f64::consts::PI;
 
 /// As many kinds.
-const KINDS: u64 = 6;
+pub const KINDS: u64 = 6;
 
 /// The n-th scene; the kinds come in turn.
-fn case(n: u64) -> Result<Case> {
+pub fn case(n: u64) -> Result<Case> {
     let mut dice = Dice(n + 3_000_000);
     dice.part();
     match n % KINDS {
@@ -35,7 +34,7 @@ fn case(n: u64) -> Result<Case> {
 }
 
 /// The n-th scene with as many cusps.
-fn dozens(n: u64) -> Result<Case> {
+pub fn dozens(n: u64) -> Result<Case> {
     let mut dice = Dice(n + 4_000_000);
     dice.part();
     wave("dozens of cusps", &mut dice, |u| sin(PI * u).abs().sqrt())
@@ -166,39 +165,4 @@ fn at_an_attitude(dice: &mut Dice, kink: bool) -> Result<Case> {
         exact: switched(&body, &torque, &start, t_end),
         solve: Box::new(move |tolerance| solve(&body, &start, tolerance)),
     })
-}
-
-/// A share of the scenes: none that is granted exceeds its request.
-#[test]
-fn kinks_without_a_name_break_no_promise() {
-    let attacked = attacked(0..240, KINDS, case).expect("sound scenes");
-    assert_eq!(held(&attacked), [457, 23]);
-    // The promise is 1.
-    ratios(&attacked).attain(0.056..=0.057, 457);
-}
-
-/// Six thousand: `cargo test -p checks --test accuracy -- --ignored kinked --nocapture`. One is above its
-/// request, as the record says.
-#[test]
-#[ignore = "6000 scenes: minutes"]
-fn six_thousand_scenes_that_are_kinked() {
-    let attacked = attacked(0..6000, KINDS, case).expect("sound scenes");
-    told(&attacked);
-    let (_, above) = attacked;
-    assert_eq!(above.len(), 1);
-    assert!(above[0].starts_with("3/2 in time 4532, 1e-12: 1.06"));
-}
-
-/// Twelve thousand others.
-#[test]
-#[ignore = "12000 scenes: minutes"]
-fn twelve_thousand_other_scenes_that_are_kinked() {
-    held(&attacked(30_000..42_000, KINDS, case).expect("sound scenes"));
-}
-
-/// A thousand with dozens of cusps.
-#[test]
-#[ignore = "1000 scenes: minutes"]
-fn a_thousand_scenes_with_dozens_of_cusps() {
-    held(&attacked(0..1000, 1, dozens).expect("sound scenes"));
 }

@@ -1,8 +1,8 @@
 //! Scenes of eleven kinds, each with its end and the cheapest runs as hindsight knows them.
 
-use super::ladder::{Way, cheapest, run, ways};
-use crate::dial::attack::truth::{self, Law, Resisting};
-use crate::dial::honesty::Dice;
+use crate::ladder::{Motion, Way, cheapest};
+use benches::attack::truth::{self, Law, Resisting};
+use benches::honesty::Dice;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Fineness, Solved, Variables};
 use rotation_dynamics::attitude::Attitude;
@@ -76,22 +76,11 @@ pub fn case(kind: usize, n: u64) -> Result<Case> {
 }
 
 /// The end by the fine runs of two methods, if they agree.
-fn by_two_routes<E: Effect + Clone>(
-    scene: &Scene<E>,
-    start: &State,
-    times: &[f64],
-    turned: f64,
-) -> Result<Option<Attitude>> {
-    let variables = if E::NATURE.axis_only && !E::NATURE.torque_free {
-        Variables::best(Method::GaussLegendre16, scene)
-    } else {
-        Variables::Space
-    };
-    let gauss = Way::Plain(Method::GaussLegendre16, variables);
+fn by_two_routes(motion: &Motion, turned: f64) -> Result<Option<Attitude>> {
     let steps = Fineness::Steps((2.0 * turned).ceil() as u64 + 8);
-    let (exact, _) = run(scene, start, times, gauss, steps)?;
+    let (exact, _) = motion.run(motion.gauss(), steps)?;
     let adaptive = Way::Plain(Method::Dop853, Variables::Space);
-    let (other, _) = run(scene, start, times, adaptive, Fineness::Tolerance(1e-15))?;
+    let (other, _) = motion.run(adaptive, Fineness::Tolerance(1e-15))?;
     Ok((exact.angle_to(&other) < 1e-10).then_some(exact))
 }
 
@@ -111,51 +100,67 @@ fn known<E: Effect + Clone + 'static>(
     let torque = scene.effects().torque_scale(0.0, &body, &start);
     let energy = body.kinetic_energy(&start);
     let turned = ((2.0 * energy + 4.0 * torque) / i1.min(i2).min(i3)).sqrt() * t_end;
-    let exact = match exact {
-        None => by_two_routes(&scene, &start, &times, turned)?,
-        exact => exact,
+    let motion = Motion {
+        body,
+        effects: Box::new(scene.effects().clone()),
+        start,
+        times,
     };
-    let again = Scene::new(body).with(scene.effects().clone());
-    let least = move |tolerance: f64, name: &str, counted: Counted| {
-        let Some(exact) = exact else { return [None; 2] };
-        let mut best: [Option<f64>; 2] = [None; 2];
-        let mut unit = f64::NAN;
-        let mut all = ways(&again);
-        all.sort_by_key(|way| way.name() != name);
-        for way in all {
-            // What the dial chose is known to the end, the others after it while they may win.
-            let chosen = way.name() == name;
-            let most = if chosen {
-                f64::INFINITY
-            } else {
-                best[0].unwrap_or(f64::INFINITY)
-            };
-            let weight = match counted {
-                Counted::Time => way.weight(&again),
-                Counted::Torques => 1.0,
-            };
-            if chosen {
-                unit = weight;
-            }
-            let found = cheapest(way, turned, tolerance, most, |fineness| {
-                let (end, torques) = run(&again, &start, &times, way, fineness).ok()?;
-                Some((exact.angle_to(&end), weight * torques as f64))
-            });
-            if let Some(found) = found {
-                best[0] = Some(best[0].map_or(found, |least| least.min(found)));
-                if chosen {
-                    best[1] = Some(found);
-                }
-            }
-        }
-        best.map(|cost| cost.map(|cost| cost / unit))
+    let exact = match exact {
+        None => by_two_routes(&motion, turned)?,
+        exact => exact,
     };
     Ok(Case {
         kind: KINDS[kind],
         solve: Box::new(move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance)),
         exact,
-        least: Box::new(least),
+        least: Box::new(move |tolerance, name, counted| match exact {
+            Some(exact) => least(&motion, turned, &exact, tolerance, name, counted),
+            None => [None; 2],
+        }),
     })
+}
+
+/// What the cheapest run costs, of all methods and of the one with this name.
+fn least(
+    motion: &Motion,
+    turned: f64,
+    exact: &Attitude,
+    tolerance: f64,
+    name: &str,
+    counted: Counted,
+) -> [Option<f64>; 2] {
+    let mut best: [Option<f64>; 2] = [None; 2];
+    let mut unit = f64::NAN;
+    let mut all = motion.ways();
+    all.sort_by_key(|way| way.name() != name);
+    for way in all {
+        // What the dial chose is known to the end, the others after it while they may win.
+        let chosen = way.name() == name;
+        let most = if chosen {
+            f64::INFINITY
+        } else {
+            best[0].unwrap_or(f64::INFINITY)
+        };
+        let weight = match counted {
+            Counted::Time => way.weight(motion),
+            Counted::Torques => 1.0,
+        };
+        if chosen {
+            unit = weight;
+        }
+        let found = cheapest(way, turned, tolerance, most, |fineness| {
+            let (end, torques) = motion.run(way, fineness).ok()?;
+            Some((exact.angle_to(&end), weight * torques as f64))
+        });
+        if let Some(found) = found {
+            best[0] = Some(best[0].map_or(found, |least| least.min(found)));
+            if chosen {
+                best[1] = Some(found);
+            }
+        }
+    }
+    best.map(|cost| cost.map(|cost| cost / unit))
 }
 
 /// Three different moments and a weight on e3, from a light one to one that rules.

@@ -1,11 +1,20 @@
 //! The price of the dial: what all its runs cost over the cheapest single run that would have
-//! reached the error, as hindsight knows it; `benches/record/price.txt`.
+//! reached the error, as hindsight knows it. Prints `benches/record/price.txt`.
+//!
+//! ```text
+//! cargo run --release -p benches --bin price -- 100
+//! ```
+//!
+//! A hundred scenes of each kind, 200 if nothing is said. After that number kinds may be named by
+//! theirs: `100 0,4` are bodies with three moments, and tops in oil.
 
+mod behind;
 mod ladder;
 mod scenes;
 
 use rotation_dynamics::integrators::Work;
 use scenes::{Counted, KINDS, case};
+use std::env;
 
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
@@ -85,82 +94,27 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
     all
 }
 
-/// Two scenes of each kind: what all runs cost over the cheapest of the method that was chosen,
-/// and over the cheapest of all methods.
-pub fn first_prices() -> [Vec<f64>; 2] {
-    let mut prices = [Vec::new(), Vec::new()];
-    for (kind, name) in KINDS.iter().enumerate() {
-        for tally in tally(kind, 0..2) {
-            assert_eq!(tally.above, 0, "{name}");
-            let [all, own, ..] = tally.prices;
-            prices[0].extend(own);
-            prices[1].extend(all);
-        }
-    }
-    prices
-}
-
-/// The medians over two scenes of each kind; those of the record are over a hundred.
-#[test]
-fn the_price_is_that_of_the_record() {
-    let medians = first_prices().map(|prices| (quantile(&prices, 0.5), prices.len()));
-    println!("{medians:?}");
-    let [(own, of_own), (all, of_all)] = medians;
-    // Two routes to the end of one tumbling body in air differ by more than its truth may.
-    assert_eq!([of_own, of_all], [63, 63]);
-    // Measured: 2.84 and 3.47.
-    assert!((2.84..2.85).contains(&own), "{own}");
-    assert!((3.47..3.48).contains(&all), "{all}");
-    let rows: Vec<(usize, Vec<&str>)> = include_str!("../../../../benches/record/price.txt")
-        .lines()
-        .filter_map(|line| {
-            let kind = KINDS.iter().position(|kind| line.starts_with(kind))?;
-            Some((kind, line[22..].split_whitespace().collect()))
-        })
-        .collect();
-    // After, and of ten kinds before.
-    assert_eq!(rows.len(), (KINDS.len() + 10) * TOLERANCES.len());
-    for (_, row) in &rows {
-        // Before, torques alone were counted.
-        assert!([13, 17].contains(&row.len()), "{row:?}");
-        assert_eq!(row[row.len() - 5], "0", "above its request: {row:?}");
-    }
-    // The least and the largest of a column over these kinds.
-    let range = |column: usize, kinds: std::ops::RangeInclusive<usize>| {
-        let of_kinds = |row: &&(usize, Vec<&str>)| row.1.len() == 17 && kinds.contains(&row.0);
-        rows.iter()
-            .filter(of_kinds)
-            .map(|(_, row)| row[column].parse::<f64>().expect("a number"))
-            .fold([f64::INFINITY, 0.0], |[least, most], now| {
-                [now.min(least), now.max(most)]
-            })
+fn main() {
+    let mut said = env::args().skip(1);
+    let scenes = said
+        .next()
+        .map_or(200, |n| n.parse().expect("a number of scenes"));
+    let kinds: Vec<usize> = match said.next() {
+        Some(list) => (list.split(','))
+            .map(|kind| kind.parse().expect("the number of a kind"))
+            .collect(),
+        None => (0..KINDS.len()).collect(),
     };
-    // Medians over the cheapest run that would have sufficed: under a weight or none, under what
-    // resists, jumps or depends on the time, and beside a kink; and over the cheapest as good.
-    assert_eq!(range(1, 0..=3), [2.4, 3.3]);
-    assert_eq!(range(1, 4..=9), [3.8, 5.6]);
-    assert_eq!(range(1, 10..=10), [5.6, 7.4]);
-    assert_eq!(range(7, 0..=9), [1.7, 2.6]);
-    assert_eq!(range(7, 10..=10), [2.7, 3.3]);
-}
-
-#[test]
-#[ignore = "minutes"]
-fn prices_of_random_scenes() {
-    let scenes = std::env::var("PRICE_SCENES");
-    prices(scenes.map_or(200, |n| n.parse().expect("a number")));
+    prices(scenes, &kinds);
 }
 
 /// Prints the record.
-pub fn prices(scenes: u64) {
+fn prices(scenes: u64, kinds: &[usize]) {
     println!(
         "kind                  asked  price       of its method  in torques    as good      delivered/requested  refused above  choice probes other run"
     );
-    let only = std::env::var("PRICE_KINDS").unwrap_or_default();
-    for (kind, name) in KINDS.iter().enumerate() {
-        if !only.is_empty() && !only.split(',').any(|k| k == kind.to_string()) {
-            continue;
-        }
+    for &kind in kinds {
+        let name = KINDS[kind];
         for (tally, tolerance) in tally(kind, 0..scenes).iter().zip(TOLERANCES) {
             let q = |values: &[f64], part| quantile(values, part);
             let [all, own, torques, as_good] = &tally.prices;
@@ -184,5 +138,69 @@ pub fn prices(scenes: u64) {
                 q(&tally.shares[3], 0.5),
             );
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{KINDS, TOLERANCES, quantile, tally};
+
+    /// Two scenes of each kind: what all runs cost over the cheapest of the method that was chosen,
+    /// and over the cheapest of all methods.
+    fn first_prices() -> [Vec<f64>; 2] {
+        let mut prices = [Vec::new(), Vec::new()];
+        for (kind, name) in KINDS.iter().enumerate() {
+            for tally in tally(kind, 0..2) {
+                assert_eq!(tally.above, 0, "{name}");
+                let [all, own, ..] = tally.prices;
+                prices[0].extend(own);
+                prices[1].extend(all);
+            }
+        }
+        prices
+    }
+
+    /// The medians over two scenes of each kind; those of the record are over a hundred.
+    #[test]
+    fn the_price_is_that_of_the_record() {
+        let medians = first_prices().map(|prices| (quantile(&prices, 0.5), prices.len()));
+        println!("{medians:?}");
+        let [(own, of_own), (all, of_all)] = medians;
+        // Two routes to the end of one tumbling body in air differ by more than its truth may.
+        assert_eq!([of_own, of_all], [63, 63]);
+        // Measured: 2.84 and 3.47.
+        assert!((2.84..2.85).contains(&own), "{own}");
+        assert!((3.47..3.48).contains(&all), "{all}");
+        let rows: Vec<(usize, Vec<&str>)> = include_str!("../../../record/price.txt")
+            .lines()
+            .filter_map(|line| {
+                let kind = KINDS.iter().position(|kind| line.starts_with(kind))?;
+                Some((kind, line[22..].split_whitespace().collect()))
+            })
+            .collect();
+        // After, and of ten kinds before.
+        assert_eq!(rows.len(), (KINDS.len() + 10) * TOLERANCES.len());
+        for (_, row) in &rows {
+            // Before, torques alone were counted.
+            assert!([13, 17].contains(&row.len()), "{row:?}");
+            assert_eq!(row[row.len() - 5], "0", "above its request: {row:?}");
+        }
+        // The least and the largest of a column over these kinds.
+        let range = |column: usize, kinds: std::ops::RangeInclusive<usize>| {
+            let of_kinds = |row: &&(usize, Vec<&str>)| row.1.len() == 17 && kinds.contains(&row.0);
+            rows.iter()
+                .filter(of_kinds)
+                .map(|(_, row)| row[column].parse::<f64>().expect("a number"))
+                .fold([f64::INFINITY, 0.0], |[least, most], now| {
+                    [now.min(least), now.max(most)]
+                })
+        };
+        // Medians over the cheapest run that would have sufficed: under a weight or none, under what
+        // resists, jumps or depends on the time, and beside a kink; and over the cheapest as good.
+        assert_eq!(range(1, 0..=3), [2.4, 3.3]);
+        assert_eq!(range(1, 4..=9), [3.8, 5.6]);
+        assert_eq!(range(1, 10..=10), [5.6, 7.4]);
+        assert_eq!(range(7, 0..=9), [1.7, 2.6]);
+        assert_eq!(range(7, 10..=10), [2.7, 3.3]);
     }
 }

@@ -1,0 +1,53 @@
+//! A share of each attack: none that is granted exceeds its request.
+
+use benches::attack::hostile::{self, CAUGHT, CAUGHT_PULSES, unnamed_pulse};
+use benches::attack::{Attacked, attacked, held, kinked, largest, resisted};
+use std::ops::RangeInclusive;
+
+/// How many are granted, and refused, and the range in which the largest error lies, as a part of its
+/// request; the promise is 1.
+fn hold(attacked: &Attacked, counts: [usize; 2], range: RangeInclusive<f64>) {
+    assert_eq!(held(attacked), counts);
+    let largest = largest(attacked);
+    assert!(range.contains(&largest), "{largest:e}");
+}
+
+#[test]
+fn nothing_is_granted_that_does_not_hold() {
+    let attacked = attacked(0..200, hostile::KINDS, hostile::case).expect("sound scenes");
+    hold(&attacked, [280, 120], 0.036..=0.037);
+}
+
+/// Pulses and bursts that nothing names are seen where the dial says that it sees them, and no
+/// answer on them is above its request.
+#[test]
+fn pulses_without_a_name_are_seen() {
+    let attacked = attacked(0..100, 1, unnamed_pulse).expect("sound scenes");
+    assert_eq!(held(&attacked), [193, 7]);
+}
+
+#[test]
+fn nothing_that_resists_breaks_the_promise() {
+    let chosen = resisted::Chosen::default();
+    let case = |n| resisted::case(n, &chosen);
+    let attacked = attacked(0..120, resisted::KINDS, case).expect("sound scenes");
+    hold(&attacked, [235, 5], 0.35..=0.36);
+    assert_eq!(resisted::by_splitting(&chosen), 183);
+}
+
+#[test]
+fn kinks_without_a_name_break_no_promise() {
+    let attacked = attacked(0..240, kinked::KINDS, kinked::case).expect("sound scenes");
+    hold(&attacked, [457, 23], 0.056..=0.057);
+}
+
+#[test]
+fn what_was_caught_once_holds() {
+    let mut counts = [0; 2];
+    for n in CAUGHT.into_iter().chain(CAUGHT_PULSES) {
+        let one = attacked(n..n + 1, hostile::KINDS, hostile::case).expect("a sound scene");
+        let more = held(&one);
+        counts = [0, 1].map(|i| counts[i] + more[i]);
+    }
+    assert_eq!(counts, [55, 25]);
+}
