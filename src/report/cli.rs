@@ -310,9 +310,10 @@ impl<P: ParameterSet> Example<P> {
 #[cfg(not(target_arch = "wasm32"))]
 fn alive<T>(work: impl FnOnce() -> T) -> T {
     let sign = indicatif::ProgressBar::no_length();
-    sign.set_style(indicatif::ProgressStyle::with_template("computing, {elapsed}").unwrap_or_else(
-        |_| indicatif::ProgressStyle::default_spinner(),
-    ));
+    sign.set_style(
+        indicatif::ProgressStyle::with_template("computing, {elapsed}")
+            .unwrap_or_else(|_| indicatif::ProgressStyle::default_spinner()),
+    );
     sign.enable_steady_tick(core::time::Duration::from_secs(1));
     let done = work();
     sign.finish_and_clear();

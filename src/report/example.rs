@@ -281,9 +281,21 @@ macro_rules! example {
         };
 
         fn main() -> std::process::ExitCode {
-            EXAMPLE.main()
+            let run = || EXAMPLE.main();
+            $crate::example!(@run run)
         }
     };
+    (@run $run:ident) => {{
+        // Where it is only checked whether it compiles, no code is made for it.
+        #[cfg(only_checked)]
+        {
+            drop($run);
+            eprintln!("cargo test has only checked this program: cargo run --example runs it");
+            std::process::ExitCode::FAILURE
+        }
+        #[cfg(not(only_checked))]
+        $run()
+    }};
     (@moves) => { None };
     (@moves $moves:expr) => { Some($moves) };
 }

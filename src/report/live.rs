@@ -206,7 +206,7 @@ mod tests {
             trajectory: |_| Trajectory::new(["t [s]"]),
             moving_picture: None,
         };
-        let told = declared(&example);
+        let told = declared(&example.run());
         assert!(told.starts_with(r#"{"stem": "rod", "about": "A \"rod\"", "moves": false, "flags": [{"name": "length", "#), "{told}");
         assert!(told.contains(r#""from": 0.5, "to": 5.0"#), "{told}");
         assert!(

@@ -22,6 +22,7 @@ fn main() {
     let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("set by cargo"));
     println!("cargo::rerun-if-env-changed=PAGES");
+    println!("cargo::rustc-check-cfg=cfg(only_checked)");
     let only = env::var("PAGES").unwrap_or_default();
     let wanted = |stem: &String| only.is_empty() || only.split(',').any(|page| page == stem);
     let examples = here.join("../../examples");

@@ -9,6 +9,7 @@ fn main() {
     let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("set by cargo"));
     println!("cargo::rerun-if-env-changed=PAGES");
+    println!("cargo::rustc-check-cfg=cfg(only_checked)");
     println!("cargo::rerun-if-changed={}", here.display());
     let only = env::var("PAGES").unwrap_or_default();
     // A test that is named for no example belongs to all pages.
