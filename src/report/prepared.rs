@@ -4,7 +4,8 @@ use crate::error::Result;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Something that takes long to compute from parameters, kept for those who ask again: a
-/// page's report and its figures are called one after the other with the same ones.
+/// page's report and its figures are called one after the other with the same ones. What was
+/// asked for before is kept too: a reader goes back to it.
 ///
 /// ```
 /// use rotation_dynamics::report::Prepared;
@@ -13,30 +14,32 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// assert_eq!(squares(&4)?[3], 9);
 /// assert!(std::sync::Arc::ptr_eq(&squares(&4)?, &squares(&4)?));
 /// assert_eq!(squares(&5)?.len(), 5);
+/// assert!(std::sync::Arc::ptr_eq(&squares(&4)?, &squares(&4)?));
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Prepared<P, T>(Mutex<Option<(P, Arc<T>)>>);
+pub struct Prepared<P, T>(Mutex<Vec<(P, Arc<T>)>>);
 
 impl<P: PartialEq + Clone, T> Prepared<P, T> {
     /// Nothing yet.
     pub const fn new() -> Self {
-        Self(Mutex::new(None))
+        Self(Mutex::new(Vec::new()))
     }
 
-    /// What belongs to these parameters: as it was made last, or made now.
+    /// What belongs to these parameters: as it was made, if they are one of the last two that
+    /// were asked for, or made now.
     ///
     /// # Errors
-    /// Those of `make`; then nothing is kept.
+    /// Those of `make`; then nothing changes.
     pub fn get(&self, parameters: &P, make: impl FnOnce(&P) -> Result<T>) -> Result<Arc<T>> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((of, made)) = kept.as_ref()
-            && of == parameters
-        {
-            return Ok(Arc::clone(made));
-        }
-        let made = Arc::new(make(parameters)?);
-        *kept = Some((parameters.clone(), Arc::clone(&made)));
+        let found = match kept.iter().position(|(of, _)| of == parameters) {
+            Some(place) => kept.remove(place),
+            None => (parameters.clone(), Arc::new(make(parameters)?)),
+        };
+        let made = Arc::clone(&found.1);
+        kept.truncate(1);
+        kept.insert(0, found);
         Ok(made)
     }
 }
