@@ -15,6 +15,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Method};
 use rotation_dynamics::math::DoubleDouble;
 use rotation_dynamics::motion::Motion as _;
+use rotation_dynamics::report::Prepared;
 use rotation_dynamics::scene::Scene;
 
 /// How a motion is carried to its end.
@@ -192,8 +193,13 @@ impl Motion {
         Kinematics::new(attitude, BodyVector::from_array(self.rates))
     }
 
-    /// The attitude at the end, by series.
+    /// The attitude at the end, by series; kept until another motion's is asked for.
     pub fn truth(&self) -> Result<Attitude> {
+        static KEPT: Prepared<Motion, Attitude> = Prepared::new();
+        KEPT.get(self, Self::by_series).map(|truth| *truth)
+    }
+
+    fn by_series(&self) -> Result<Attitude> {
         let (truth, start) = self.series()?;
         if let Ok(Closed::Free(motion)) = self.closed(self.start(self.attitude)) {
             let period = motion.rate_period();

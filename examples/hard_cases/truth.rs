@@ -151,19 +151,31 @@ impl Truth {
         }
         for n in 0..ORDER {
             let [w, x, yy, z, p, q, r, g1, g2, g3] = &y;
-            let of =
-                |a: &Series, b: &Series| (0..=n).fold(Dd::ZERO, |sum, k| sum + a[k] * b[n - k]);
+            #[rustfmt::skip]
+            let factors = [
+                [x, p], [yy, q], [z, r], [w, p], [yy, r], [z, q], [w, q], [z, p], [x, r], [w, r], [x, q],
+                [yy, p], [q, r], [r, p], [p, q], [g2, r], [g3, q], [g3, p], [g1, r], [g1, q], [g2, p],
+            ];
+            // Side by side: a sum waits for its own last term, and not for the others.
+            let mut sums = [Dd::ZERO; 21];
+            for k in 0..=n {
+                for (sum, [a, b]) in sums.iter_mut().zip(factors) {
+                    *sum += a[k] * b[n - k];
+                }
+            }
+            let [xp, yq, zr, wp, yr, zq, wq, zp, xr, wr, xq, yp, rest @ ..] = sums;
+            let [qr, rp, pq, g2r, g3q, g3p, g1r, g1q, g2p] = rest;
             let slopes = [
-                (of(x, p) + of(yy, q) + of(z, r)).scaled(-0.5),
-                (of(w, p) + of(yy, r) - of(z, q)).scaled(0.5),
-                (of(w, q) + of(z, p) - of(x, r)).scaled(0.5),
-                (of(w, r) + of(x, q) - of(yy, p)).scaled(0.5),
-                of(q, r) * ratios[0] + g2[n] * pulls[0],
-                of(r, p) * ratios[1] + g1[n] * pulls[1],
-                of(p, q) * ratios[2],
-                of(g2, r) - of(g3, q),
-                of(g3, p) - of(g1, r),
-                of(g1, q) - of(g2, p),
+                (xp + yq + zr).scaled(-0.5),
+                (wp + yr - zq).scaled(0.5),
+                (wq + zp - xr).scaled(0.5),
+                (wr + xq - yp).scaled(0.5),
+                qr * ratios[0] + g2[n] * pulls[0],
+                rp * ratios[1] + g1[n] * pulls[1],
+                pq * ratios[2],
+                g2r - g3q,
+                g3p - g1r,
+                g1q - g2p,
             ];
             for (series, slope) in y.iter_mut().zip(slopes) {
                 series[n + 1] = slope / (n + 1) as f64;

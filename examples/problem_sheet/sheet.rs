@@ -43,8 +43,8 @@ pub struct Sheet<'e> {
     pub problems: Vec<Drawn<'e>>,
 }
 
-/// The sheets and the answers, as HTML.
-pub fn written(asked: &Asked, all: &[Exercise]) -> Result<[String; 2], String> {
+/// What each student gets.
+pub fn drawn<'e>(asked: &Asked, all: &'e [Exercise]) -> Result<Vec<Sheet<'e>>, String> {
     let chosen = exercise::chosen(all, &asked.problems)?;
     let sheet = |student: &String| {
         let drawn = chosen
@@ -53,11 +53,12 @@ pub fn written(asked: &Asked, all: &[Exercise]) -> Result<[String; 2], String> {
         let (student, problems) = (student.clone(), drawn.collect::<Result<_, _>>()?);
         Ok(Sheet { student, problems })
     };
-    let sheets: Vec<Sheet> = asked
-        .students
-        .iter()
-        .map(sheet)
-        .collect::<Result<_, String>>()?;
+    asked.students.iter().map(sheet).collect()
+}
+
+/// The sheets and the answers, as HTML.
+pub fn written(asked: &Asked, all: &[Exercise]) -> Result<[String; 2], String> {
+    let sheets = drawn(asked, all)?;
     Ok([
         paper::sheets(asked, &sheets)?,
         paper::answers(asked, &sheets),

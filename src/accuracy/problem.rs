@@ -6,7 +6,7 @@ use crate::body::State;
 use crate::effects::Effect;
 use crate::error::{Error, Result, positive};
 use crate::integrators::{Method, Work};
-use crate::math::exp2;
+use crate::math::{exp2, log2};
 use crate::scene::Scene;
 use std::sync::Arc;
 
@@ -130,30 +130,37 @@ impl<E: Effect> Problem<E> {
     /// as hindsight knows it; `None` if it does not, with half a million torques.
     ///
     /// Steps grow by factors of 2^(1/4) (2^(1/16) for Gauss-Legendre, which carries the
-    /// scene in its best variables); all others carry attitude and momentum in space.
+    /// scene in its best variables); all others carry attitude and momentum in space. Runs that
+    /// cannot deliver, as the error of a coarser one says, are left out.
     ///
     /// # Errors
     /// A tolerance that is not positive; a method that does not apply.
     pub fn least(&self, method: Method, tolerance: f64) -> Result<Option<Run>> {
         positive("tolerance", tolerance)?;
-        for level in 0..=finest(method) {
+        let mut level = 0_u32;
+        while level <= finest(method) {
             let setting = at(method, level);
             let run = self.run_as_usual(method, Fineness::of(method, setting));
-            let (reached, work) = match run {
+            let rungs = match run {
                 // Steps far too long for a fast motion overflow, or their stages have no
                 // solution: not delivered.
-                Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => continue,
+                Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => 1,
                 // More steps than a run may take, and a finer one would take more still.
                 Err(Error::TooManySteps { .. }) => return Ok(None),
-                run => run?,
+                run => {
+                    let (reached, work) = run?;
+                    let error = self.error(&reached);
+                    if error <= tolerance {
+                        return Ok(Some(Run {
+                            setting,
+                            work,
+                            errors: self.errors(&reached),
+                        }));
+                    }
+                    up(method, error / tolerance)
+                }
             };
-            if self.error(&reached) <= tolerance {
-                return Ok(Some(Run {
-                    setting,
-                    work,
-                    errors: self.errors(&reached),
-                }));
-            }
+            level = level.saturating_add(rungs);
         }
         Ok(None)
     }
@@ -174,6 +181,17 @@ fn at(method: Method, level: u32) -> f64 {
         Method::GaussLegendre16 => (6.0 * exp2(f64::from(level) / 16.0)).floor(),
         _ => (8.0 * exp2(0.25 * f64::from(level))).floor(),
     }
+}
+
+/// Rungs to the next that may deliver, where a run is off by so many times too much: on those
+/// between the error would have to fall as twice the order promises.
+fn up(method: Method, times: f64) -> u32 {
+    let halvings = match method {
+        Method::Dop853 => 2.0,
+        Method::GaussLegendre16 => 2.0 * f64::from(method.order()) / 16.0,
+        _ => 2.0 * f64::from(method.order()) / 4.0,
+    };
+    (log2(times) / halvings).max(1.0) as u32
 }
 
 /// The last rung worth trying: beyond it a run costs more than half a million torques.

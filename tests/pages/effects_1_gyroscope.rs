@@ -1,7 +1,7 @@
 //! The damped gyroscope: its formulas hold for other gyroscopes too, within what they leave
 //! out, and damaged twins of them do not.
 
-use crate::told::{confirmed, refused};
+use crate::told::{answer, confirmed, refused};
 use pages::effects_1_gyroscope::*;
 use rotation_dynamics::gimbals::{Bearing, Bearings, Fading, Nod, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
@@ -173,7 +173,7 @@ fn the_ledger_predicts_what_is_measured() {
     let flags = ["", "--rpm=2000", "--rpm=8000 --theta=1.3", "--fork=2e-3 --ring=1e-3", "--pivot-dry=1e-3 --axle-dry=1e-4"];
     let mut errors = Errors::of("predicted over measured");
     for flags in flags {
-        let told = parse(&EXAMPLE.answer(flags.split_whitespace()).stdout).expect("a report");
+        let told = parse(&answer(&EXAMPLE, flags).stdout).expect("a report");
         for row in told.table("table ledger").expect("a ledger").rows() {
             let [predicted, measured] = [3, 4].map(|i| row[i].parse::<f64>().expect("a number"));
             errors.push_at(predicted / measured - 1.0, (flags, &row[0]));

@@ -1,14 +1,14 @@
 //! The precession of the equinoxes. That each level of simulation confirms the formulas is part
 //! of the report; here they are asked for other Earths and Moons, and damaged twins miss.
 
-use crate::told::{confirmed, refused, value};
+use crate::told::{answer, confirmed, refused, value};
 use core::f64::consts::TAU;
 use pages::effects_4_equinoxes::*;
 use rotation_dynamics::effects::{Effect, KeplerOrbit, OrbitingBody};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{cos, pow, sin};
-use rotation_dynamics::report::{Page, Parsed, parse};
+use rotation_dynamics::report::{Parsed, parse};
 use support::{Errors, assert_error};
 
 /// The numbers of a row of a table, in the order of its columns.
@@ -20,7 +20,7 @@ fn numbers(printed: &Parsed, table: &str, row: &str) -> Vec<f64> {
 }
 
 fn printed() -> Parsed {
-    parse(&Page::answer(&EXAMPLE, "").stdout).expect("the text follows its grammar")
+    parse(&answer(&EXAMPLE, "").stdout).expect("the text follows its grammar")
 }
 
 #[test]

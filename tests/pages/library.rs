@@ -1,7 +1,7 @@
 //! The library alone: the day's promise is kept, the card is right about the magnet, and what
 //! is refused is refused with its reason.
 
-use crate::told::{cell, confirmed, number, refused, value};
+use crate::told::{answer, cell, confirmed, number, refused, value};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::motion::Motion;
@@ -104,7 +104,7 @@ fn a_tenth_of_the_swing_gives_what_the_page_says() {
 /// Every request of the page's table is refused, each for a reason of its own.
 #[test]
 fn every_row_of_the_refusals_is_one() {
-    let report = parse(&EXAMPLE.answer([""; 0]).stdout).unwrap();
+    let report = parse(&answer(&EXAMPLE, "").stdout).unwrap();
     let rows = report.table("table refused").expect("a table").rows().to_vec();
     let mut answers: Vec<String> = rows.iter().map(|row| row[1].clone()).collect();
     assert!(answers.iter().all(|answer| answer != "granted"), "{answers:?}");

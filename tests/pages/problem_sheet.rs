@@ -5,18 +5,22 @@
 #[allow(dead_code, reason = "a program of its own, whose main is not called here")]
 mod sheet;
 
+use crate::told::thinned;
 use rotation_dynamics::report::cli::joined;
 use rotation_dynamics::report::{Answer, Claim, Grid, Page};
 use serde_json::{Value, json};
 use sheet::draw::{Drawn, computed, draw};
 use sheet::exercise::{Exercise, all, asked};
 use sheet::statement::{Setting, stated};
-use sheet::{Asked, address, answers_path, command, paper, run, written};
+use sheet::{Asked, Sheet, address, answers_path, command, paper, run, written};
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::slice;
+use std::sync::LazyLock;
 
-/// Every exercise on offer is drawn for so many seeds, and compared with `--json` for the first.
+/// Every exercise on offer is drawn for so many seeds, for a quarter of them unless `PROPERTY_CASES`
+/// is set, and compared with `--json` for the first.
 const SEEDS: u64 = 20;
 const COMPARED: u64 = 2;
 /// Fewer for those whose reports take long: they would cost more than all others together.
@@ -27,13 +31,23 @@ fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../data").join(name)
 }
 
-fn offered() -> Vec<Exercise> {
-    all().expect("every exercise on offer states its problem")
+fn offered() -> &'static [Exercise] {
+    static OFFERED: LazyLock<Vec<Exercise>> =
+        LazyLock::new(|| all().expect("every exercise on offer states its problem"));
+    &OFFERED
 }
 
 /// The exercise with this number, unless it is left out by `PAGES`.
-fn exercise(number: &str) -> Option<Exercise> {
-    offered().into_iter().find(|exercise| exercise.number == number)
+fn exercise(number: &str) -> Option<&'static Exercise> {
+    offered().iter().find(|exercise| exercise.number == number)
+}
+
+/// All problems on a sheet without a name, drawn once for all tests.
+const SHEET: u64 = 2;
+fn sheet_of_all() -> &'static Sheet<'static> {
+    static DRAWN: LazyLock<Vec<Sheet<'static>>> =
+        LazyLock::new(|| sheet::drawn(&asked_for(SHEET, &[], &[""]), offered()).expect("a set for each is found"));
+    &DRAWN[0]
 }
 
 fn asked_for(seed: u64, problems: &[&str], students: &[&str]) -> Asked {
@@ -79,7 +93,7 @@ fn is_answer(answer: &str, claim: &Claim, command: &[Value]) -> bool {
 #[test]
 fn every_draw_is_accepted_in_its_range_and_has_the_answers_of_the_command() {
     let (mut drawn_sets, mut wanted, mut compared, offered) = (0, 0, 0, offered());
-    for exercise in &offered {
+    for (place, exercise) in offered.iter().enumerate() {
         let grids = exercise.page.drawn();
         let stated = stated(&exercise.problem, exercise.page.stem());
         for (flag, grid) in &grids {
@@ -90,16 +104,19 @@ fn every_draw_is_accepted_in_its_range_and_has_the_answers_of_the_command() {
         }
         let mut seen = std::collections::BTreeSet::new();
         let slow = SLOW.contains(&exercise.page.stem());
-        let seeds = if slow { SLOW_SEEDS } else { SEEDS };
+        let seeds = if slow { SLOW_SEEDS } else { thinned(SEEDS, 4) };
         for seed in 0..seeds {
-            let drawn = draw(exercise, seed, "").expect("a set is found");
+            let drawn = match seed {
+                SHEET => &sheet_of_all().problems[place],
+                _ => &draw(exercise, seed, "").expect("a set is found"),
+            };
             for ((flag, value), (name, grid)) in drawn.flags.iter().zip(&grids) {
                 assert!(flag == name && on(grid, value), "{}: --{flag} {value}", exercise.number);
             }
             seen.insert(drawn.typed());
             drawn_sets += 1;
             if seed < COMPARED {
-                let command = by_command(&drawn);
+                let command = by_command(drawn);
                 for claim in asked(&drawn.report) {
                     let answer = paper::answer(claim);
                     assert!(is_answer(&answer, claim, &command), "{}: {answer}", drawn.typed());
@@ -132,14 +149,14 @@ fn a_set_that_cannot_be_used_is_noticed() {
         ("15.1", "lower-rate -24", "common comes out right by mistake, or is zero"),
     ] {
         let Some(exercise) = exercise(number) else { continue };
-        let refused = computed(&exercise, &flags(set)).expect_err(set);
+        let refused = computed(exercise, &flags(set)).expect_err(set);
         assert!(refused.contains(words), "{set}: {refused}");
         ran += 1;
     }
     assert!(ran == 4 || !pages::WHOLE);
     // The twins: an answer off by one in its last digit, a value between those of the grid.
     if let Some(ladder) = exercise("16.6") {
-        let drawn = draw(&ladder, 7, "").expect("a set is found");
+        let drawn = draw(ladder, 7, "").expect("a set is found");
         let (command, claim) = (by_command(&drawn), asked(&drawn.report)[0]);
         let answer = paper::answer(claim);
         let (head, last) = answer.split_at(answer.len() - 1);
@@ -155,7 +172,7 @@ fn a_seed_gives_one_sheet_and_each_student_and_problem_numbers_of_their_own() {
     let all = offered();
     let Some(exercise) = all.first() else { return };
     let number = exercise.number.as_str();
-    let made = |seed, students: &[&str]| written(&asked_for(seed, &[number], students), &all).expect("a sheet");
+    let made = |seed, students: &[&str]| written(&asked_for(seed, &[number], students), all).expect("a sheet");
     assert_eq!(made(7, &["Ada"]), made(7, &["Ada"]));
     assert_ne!(made(7, &["Ada"]), made(8, &["Ada"]));
     let flags = |seed, student| draw(exercise, seed, student).expect("a set is found").typed();
@@ -180,15 +197,18 @@ fn bare(html: &str) -> String {
 fn a_sheet_and_its_answers_are_locked() {
     let offered = offered();
     // Every exercise can be set and drawn, whatever is locked of it.
-    let whole = written(&asked_for(2, &[], &[""]), &offered).expect("a sheet of all");
-    for drawn in offered.iter().map(|exercise| draw(exercise, 2, "").expect("a set is found")) {
+    let (asked, sheet) = (asked_for(SHEET, &[], &[""]), sheet_of_all());
+    let whole = paper::sheets(&asked, slice::from_ref(sheet)).expect("a sheet of all");
+    for drawn in &sheet.problems {
         let flags = drawn.typed().replace(" --", "</span> <span>--");
-        assert!(whole[0].contains(&flags) && !whole[0].contains("{{"), "{}", drawn.exercise.number);
+        assert!(whole.contains(&flags) && !whole.contains("{{"), "{}", drawn.exercise.number);
     }
+    let answers = paper::answers(&asked, slice::from_ref(sheet));
+    assert!(sheet.problems.len() == offered.len() && !answers.contains("{{"));
     if !pages::WHOLE {
         return;
     }
-    let files = written(&asked_for(7, &["15.4", "16.6"], &["Ada", "Emmy"]), &offered).expect("a sheet");
+    let files = written(&asked_for(7, &["15.4", "16.6"], &["Ada", "Emmy"]), offered).expect("a sheet");
     // One student's sheet shows all there is.
     let [sheet, answers] = files.map(|file| bare(&file));
     let (ada, _) = sheet.split_once("</main>").expect("two sheets");
@@ -202,7 +222,7 @@ fn a_sheet_and_its_answers_are_locked() {
 #[test]
 fn the_address_is_the_one_that_the_script_is_tried_with() {
     let Some(ladder) = exercise("16.6") else { return };
-    let drawn = draw(&ladder, 7, "Ada").expect("a set is found");
+    let drawn = draw(ladder, 7, "Ada").expect("a set is found");
     let check = |claim: &&Claim| {
         let slips = claim.slips().iter();
         let slips: Vec<Value> = slips.map(|slip| json!({"value": slip.value, "hint": slip.hint})).collect();
@@ -225,7 +245,7 @@ fn the_address_is_the_one_that_the_script_is_tried_with() {
     // The floor carries a quarter of the weight whatever the numbers; all others change.
     let rights = judged.iter().filter(|case| case[2] == "right").count();
     assert_eq!(rights, usual.len() + 1, "the numbers of the page are not right on the sheet");
-    let plain = Drawn { exercise: &ladder, flags: Vec::new(), report: ladder.usual().clone() };
+    let plain = Drawn { exercise: ladder, flags: Vec::new(), report: ladder.usual().clone() };
     let own: Vec<Value> = (address::parameters(&plain).expect("parameters").into_iter())
         .map(|[name, value, ..]| json!([name, value]))
         .collect();
