@@ -148,9 +148,10 @@ impl<'f, const N: usize> Event<'f, N> {
         }
     }
 
-    /// True if a change of sign from `a` to `b`, near this place, says nothing.
-    fn is_round_off(&self, a: f64, b: f64, t: f64, y: &[f64; N]) -> bool {
-        let within = |round_off: &Function<'f, N>| a.abs().max(b.abs()) <= round_off(t, y);
+    /// True if a change of sign from `a` to `b`, near this time, says nothing.
+    fn is_round_off(&self, a: f64, b: f64, t: f64, segment: &Segment<N>) -> bool {
+        let within =
+            |round_off: &Function<'f, N>| a.abs().max(b.abs()) <= round_off(t, &segment.at(t));
         a * b <= 0.0 && self.round_off.as_deref().is_some_and(within)
     }
 
@@ -183,6 +184,8 @@ pub struct LocatedEvent<const N: usize> {
 
 /// Parts of a step between which the sign of an event function is compared.
 const PARTS: u32 = 8;
+/// Times between the ends of a step.
+const BETWEEN: usize = PARTS as usize - 1;
 /// Narrowings of the place where a function comes nearest to zero: 0.618^40 of a part.
 const NARROWINGS: u32 = 40;
 /// A graze of less than this part of the function's size nearby is round-off.
@@ -227,20 +230,27 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
         segment: &Segment<N>,
         work: &mut Work,
     ) -> Result<Met<N>> {
+        if self.events.is_empty() {
+            return Ok((Vec::new(), None));
+        }
         let mut found: Vec<(LocatedEvent<N>, Trial<N>)> = Vec::new();
+        // The places between the ends, the same for all events.
+        let between = core::array::from_fn::<_, BETWEEN, _>(|part| {
+            let s = (part + 1) as f64 / f64::from(PARTS);
+            let t = step.t + s * (step.t_end - step.t);
+            (t, segment.at(t))
+        });
         for (index, event) in self.events.iter().enumerate() {
             let mut seen = vec![(step.t, self.values[index])];
-            for part in 1..PARTS {
-                let s = f64::from(part) / f64::from(PARTS);
-                let t = step.t + s * (step.t_end - step.t);
-                seen.push((t, event.value(t, &segment.at(t))?));
+            for (t, y) in &between {
+                seen.push((*t, event.value(*t, y)?));
             }
             let last = event.value(step.t_end, &step.end.value)?;
             seen.push((step.t_end, last));
             let mut seen = with_grazes(event, segment, &seen)?;
             for n in 1..seen.len() {
                 let ((t_a, a), (t_b, b)) = (seen[n - 1], seen[n]);
-                if event.is_round_off(a, b, t_b, &segment.at(t_b)) {
+                if event.is_round_off(a, b, t_b, segment) {
                     // On the side where it was, until it is beyond.
                     seen[n].1 = a;
                     continue;

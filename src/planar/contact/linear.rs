@@ -97,11 +97,19 @@ impl Equations {
             row.iter_mut().for_each(|a| *a *= factor);
             *right *= factor;
         }
-        core::array::from_fn(|j| {
-            let factor = reciprocal(self.rows.iter().fold(0.0, |m: f64, r| m.max(r[j].abs())));
-            self.rows.iter_mut().for_each(|r| r[j] *= factor);
-            units[j] * factor
-        })
+        let mut largest = [0.0_f64; SIZE];
+        for row in &self.rows[..n] {
+            for (largest, a) in largest.iter_mut().zip(row) {
+                *largest = largest.max(a.abs());
+            }
+        }
+        let factors = largest.map(reciprocal);
+        for row in &mut self.rows[..n] {
+            row.iter_mut()
+                .zip(&factors)
+                .for_each(|(a, factor)| *a *= factor);
+        }
+        core::array::from_fn(|j| units[j] * factors[j])
     }
 
     /// Row, place among the columns, and size of the largest coefficient left.
