@@ -306,9 +306,10 @@ impl<P: ParameterSet> Example<P> {
     }
 }
 
-/// Shows on a terminal for how long the work goes on already; elsewhere nothing.
+/// Shows on a terminal for how long the work goes on already; elsewhere nothing. For work that
+/// prints nothing until it is done.
 #[cfg(not(target_arch = "wasm32"))]
-fn alive<T>(work: impl FnOnce() -> T) -> T {
+pub fn alive<T>(work: impl FnOnce() -> T) -> T {
     let sign = indicatif::ProgressBar::no_length();
     sign.set_style(
         indicatif::ProgressStyle::with_template("computing, {elapsed}")
@@ -321,7 +322,7 @@ fn alive<T>(work: impl FnOnce() -> T) -> T {
 }
 
 #[cfg(target_arch = "wasm32")]
-fn alive<T>(work: impl FnOnce() -> T) -> T {
+pub fn alive<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 

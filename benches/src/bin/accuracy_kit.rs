@@ -2,6 +2,7 @@
 //! answer, writes `OUT/rotation__<family>.out`, one line per row, `E:...` for an
 //! error.
 
+use rotation_dynamics::report::cli::alive;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::{env, fs, process};
@@ -12,7 +13,7 @@ fn main() {
         eprintln!("usage: accuracy_kit DATA OUT");
         process::exit(2);
     };
-    match run(Path::new(data), Path::new(out)) {
+    match alive(|| run(Path::new(data), Path::new(out))) {
         Ok(files) => println!("{files} files written to {out}"),
         Err(error) => {
             eprintln!("{error}");

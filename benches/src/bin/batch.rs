@@ -18,6 +18,7 @@ use benches::throughput::{Motion, motions, same_bits, times};
 use benches::timing::{Clock, Task, interleaved_by};
 use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::math;
+use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::{Report, Table, short};
 use std::cell::RefCell;
 use std::error::Error;
@@ -114,6 +115,10 @@ fn set_up(motion: &Motion) -> Outcome<[f64; 3]> {
 }
 
 fn main() -> Outcome<()> {
+    alive(record)
+}
+
+fn record() -> Outcome<()> {
     let conditions = Conditions::read("batch", env::args().skip(1))?;
     let registers = env::var("REGISTERS").ok().filter(|_| cfg!(registers));
     let mut report = Report::new(

@@ -13,6 +13,7 @@ use benches::conditions::Conditions;
 use benches::timing::{Task, interleaved};
 use pages::accuracy::lines::{Line, Measured};
 use pages::accuracy::{ASKED, EXAMPLE, Parameters, prepared};
+use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::draw::Method;
 use rotation_dynamics::report::{ClosedForm, Report, Table, rounded_up, short};
 use std::error::Error;
@@ -30,7 +31,7 @@ const SAMPLES: u32 = 64;
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 fn main() -> ExitCode {
-    match Conditions::read("choices", env::args().skip(1)).and_then(|c| record(&c)) {
+    match Conditions::read("choices", env::args().skip(1)).and_then(|c| alive(|| record(&c))) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");

@@ -14,6 +14,7 @@ mod drift;
 use drift::{Curve, Kind, Method, curve};
 use rayon::prelude::*;
 use rotation_dynamics::Result;
+use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::{Report, Table, rounded_up};
 use std::path::Path;
 use std::{error, fs};
@@ -25,6 +26,10 @@ const PERIODS: f64 = 1e6;
 const FROM: f64 = 100.0;
 
 fn main() -> std::result::Result<(), Box<dyn error::Error>> {
+    alive(record)
+}
+
+fn record() -> std::result::Result<(), Box<dyn error::Error>> {
     let mut report = Report::new(
         "Long-time drift",
         format!(

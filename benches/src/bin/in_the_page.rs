@@ -11,6 +11,7 @@
 use benches::conditions::Conditions;
 use benches::timing::Clock;
 use pages::ALL;
+use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::{Page, Report, Table, short};
 use std::error::Error;
 use std::hint::black_box;
@@ -24,7 +25,7 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 const SPAN: f64 = 0.5;
 
 fn main() -> ExitCode {
-    match Conditions::read("in_the_page", env::args().skip(1)).and_then(|c| record(&c)) {
+    match Conditions::read("in_the_page", env::args().skip(1)).and_then(|c| alive(|| record(&c))) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");

@@ -27,6 +27,7 @@ use rotation_dynamics::integrators::scene::components;
 use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, Resisted, Rk4, Scheme, Splitting,
 };
+use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::{Report, Table};
 use rotation_dynamics::scene::Scene;
 use std::path::Path;
@@ -58,7 +59,7 @@ fn main() -> Outcome<()> {
             println!("{}", evaluations(method, scene, seconds.parse()?)?);
             Ok(())
         }
-        _ => record(arguments),
+        _ => alive(|| record(arguments)),
     }
 }
 

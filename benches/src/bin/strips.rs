@@ -11,6 +11,7 @@
 
 use benches::conditions::Conditions;
 use benches::timing::{Measured, Task, interleaved};
+use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::{Computation, Page, Report, Table, rounded_up, short};
 use std::error::Error;
 use std::path::Path;
@@ -31,7 +32,7 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 fn main() -> ExitCode {
     let (stems, flags) = parted(env::args().skip(1));
     let done = Conditions::read("strips [STEM ...]", flags.into_iter())
-        .and_then(|conditions| timed(&stems, &conditions));
+        .and_then(|conditions| alive(|| timed(&stems, &conditions)));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
