@@ -326,6 +326,12 @@ pub fn alive<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
+/// What a program says that `cargo test` compiled: no code was made for its example.
+pub fn only_checked() -> ExitCode {
+    eprintln!("cargo test has only checked this program: cargo run --example runs it");
+    ExitCode::FAILURE
+}
+
 fn answer(run: &mut dyn Run, arguments: Vec<OsString>, keep: Keep<'_>) -> Outcome {
     match set_up(run, arguments) {
         Ok(matches) => outcome(run, &matches, keep).unwrap_or_else(Outcome::refused),

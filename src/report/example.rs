@@ -290,8 +290,7 @@ macro_rules! example {
         #[cfg(only_checked)]
         {
             drop($run);
-            eprintln!("cargo test has only checked this program: cargo run --example runs it");
-            std::process::ExitCode::FAILURE
+            $crate::report::cli::only_checked()
         }
         #[cfg(not(only_checked))]
         $run()
