@@ -44,7 +44,8 @@ rotation_dynamics::parameters! {
 
 /// (C - A)/A, the number that decides.
 fn flattening(p: &Parameters) -> Result<f64> {
-    let least = from_to(1e-4, 1.0);
+    let least =
+        from_to(1e-4, 1.0).because("rounder, the wobble takes years; flatter, it is no planet");
     least.check("(C - A)/A", (p.c - p.a) / p.a)
 }
 

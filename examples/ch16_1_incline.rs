@@ -391,6 +391,11 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     }
     if let Some(arm) = p.rolling {
         let resistance = arm / p.radius;
+        // Beyond k tan(theta) it is the friction that keeps it turning.
+        let needed = (resistance - p.shape * tan(p.angle)) / (1.0 + p.shape);
+        let turns =
+            at_least(needed).because("less does not keep it turning against the resistance");
+        turns.check("friction", p.friction)?;
         let rolls = way(Resisted { roller, resistance }, start, end)?;
         let far = far / (1.0 + resistance / tan(p.angle));
         claims! { report,
