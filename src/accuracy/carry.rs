@@ -146,7 +146,8 @@ impl Carrier {
         self.advance(scene, variables, span, start)
     }
 
-    /// By the scene of a few that has the same motion: each of these is compiled once.
+    /// Takes one of six scenes with the same motion, so that the methods are compiled for six types
+    /// and not for each scene.
     fn advance_any(
         &self,
         body: &RigidBody,
@@ -158,17 +159,20 @@ impl Carrier {
         let (nature, known) = (effects.nature(), effects.known());
         let body = Scene::new(*body);
         if nature.slips {
-            let scene = body.with(Behind::<false, true>(effects));
+            let scene = body.with(Behind::<false, true, false>(effects));
             self.advance_anything(&scene, variables, span, start)
         } else if nature.torque_free {
             self.advance_seeing_axis(&body, variables, span, start)
         } else if let (true, Known::HeavyTop(gravity)) = (nature.axis_only, known) {
             self.advance_seeing_axis(&body.with(gravity), variables, span, start)
+        } else if nature.axis_only && nature.keeps.momentum[2] {
+            let scene = body.with(Behind::<true, false, true>(effects));
+            self.advance_seeing_axis(&scene, variables, span, start)
         } else if nature.axis_only {
-            let scene = body.with(Behind::<true, false>(effects));
+            let scene = body.with(Behind::<true, false, false>(effects));
             self.advance_seeing_axis(&scene, variables, span, start)
         } else {
-            let scene = body.with(Behind::<false, false>(effects));
+            let scene = body.with(Behind::<false, false, false>(effects));
             self.advance_anything(&scene, variables, span, start)
         }
     }

@@ -104,7 +104,7 @@ impl<E: Effect> Problem<E> {
         carrier.advance(&self.scene, variables, [0.0, self.end], &self.start)
     }
 
-    /// The same in the variables of [`Problem::usual`]; no code is made for others.
+    /// The same in the variables of [`Problem::usual`].
     ///
     /// # Errors
     /// What the method refuses.
@@ -130,8 +130,8 @@ impl<E: Effect> Problem<E> {
     /// as hindsight knows it; `None` if it does not, with half a million torques.
     ///
     /// Steps grow by factors of 2^(1/4) (2^(1/16) for Gauss-Legendre, which carries the
-    /// scene in its best variables); all others carry attitude and momentum in space. Runs that
-    /// cannot deliver, as the error of a coarser one says, are left out.
+    /// scene in its best variables); all others carry attitude and momentum in space. Rungs are left
+    /// out on which the error would have to fall with more than twice the method's order.
     ///
     /// # Errors
     /// A tolerance that is not positive; a method that does not apply.
@@ -157,7 +157,12 @@ impl<E: Effect> Problem<E> {
                             errors: self.errors(&reached),
                         }));
                     }
-                    up(method, error / tolerance)
+                    // A run that is lost says nothing of the next.
+                    if error > LOST {
+                        1
+                    } else {
+                        rungs_to_skip(method, error / tolerance)
+                    }
                 }
             };
             level = level.saturating_add(rungs);
@@ -174,6 +179,9 @@ impl<E: Effect> Problem<E> {
     }
 }
 
+/// An error (rad) above which a run is not in its order.
+const LOST: f64 = 0.1;
+
 /// A rung of the ladder that [`Problem::least`] climbs.
 fn at(method: Method, level: u32) -> f64 {
     match method {
@@ -185,7 +193,7 @@ fn at(method: Method, level: u32) -> f64 {
 
 /// Rungs to the next that may deliver, where a run is off by so many times too much: on those
 /// between the error would have to fall as twice the order promises.
-fn up(method: Method, times: f64) -> u32 {
+fn rungs_to_skip(method: Method, times: f64) -> u32 {
     let halvings = match method {
         Method::Dop853 => 2.0,
         Method::GaussLegendre16 => 2.0 * f64::from(method.order()) / 16.0,

@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Effect, Feature, Known, Nature, Resistance, each};
+use super::{Effect, Feature, Keeps, Known, Nature, Resistance, each};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -73,12 +73,21 @@ impl<E: Effect> AnyEffect for E {
 /// Effects behind a pointer as an effect again, so that methods are compiled once for all that
 /// see the axis only, for all that slip, and for all others. (On lanes one after the other: the
 /// same bits.)
-pub(crate) struct Behind<'e, const AXIS_ONLY: bool, const SLIPS: bool>(pub &'e dyn AnyEffect);
+/// `VERTICAL`: they leave L_Z alone.
+pub(crate) struct Behind<'e, const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool>(
+    pub &'e dyn AnyEffect,
+);
 
-impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Behind<'_, AXIS_ONLY, SLIPS> {
+impl<const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool> Effect
+    for Behind<'_, AXIS_ONLY, SLIPS, VERTICAL>
+{
     const NATURE: Nature = Nature {
         axis_only: AXIS_ONLY,
         slips: SLIPS,
+        keeps: Keeps {
+            momentum: [false, false, VERTICAL],
+            ..Keeps::NONE
+        },
         ..Nature::ANYTHING
     };
 

@@ -306,7 +306,7 @@ impl<P: ParameterSet> Example<P> {
     }
 }
 
-/// Shows on a terminal for how long the work goes on already; elsewhere nothing. For work that
+/// Shows on a terminal how long the work has been going on, elsewhere nothing. For work that
 /// prints nothing until it is done.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn alive<T>(work: impl FnOnce() -> T) -> T {
@@ -328,7 +328,10 @@ pub fn alive<T>(work: impl FnOnce() -> T) -> T {
 
 /// What a program says that `cargo test` compiled: no code was made for its example.
 pub fn only_checked() -> ExitCode {
-    eprintln!("cargo test has only checked this program: cargo run --example runs it");
+    eprintln!(
+        "compiled without optimisation, as by `cargo test`, this program is only checked: \
+         cargo run --example runs it"
+    );
     ExitCode::FAILURE
 }
 

@@ -82,7 +82,11 @@ macro_rules! parameters {
         if let Some($crate::report::Value::Word(word)) = $value { $field = word; }
     };
     (@set $optional:ident $field:expr, $value:expr) => {
-        $field = match $value { Some($crate::report::Value::Number(number)) => Some(number), _ => None };
+        match $value {
+            Some($crate::report::Value::Number(number)) => $field = Some(number),
+            Some($crate::report::Value::Word(_)) => {}
+            None => $field = None,
+        }
     };
     (
         $(#[$about:meta])*

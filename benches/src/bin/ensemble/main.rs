@@ -23,7 +23,6 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::exp;
-use rotation_dynamics::report::cli::alive;
 use rotation_dynamics::report::{Report, Table, short};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::hint::black_box;
@@ -74,7 +73,7 @@ fn peak<T>(work: impl FnOnce() -> T) -> (T, usize) {
 }
 
 fn main() -> ExitCode {
-    match Conditions::read("ensemble", env::args().skip(1)).and_then(|it| alive(|| record(&it))) {
+    match Conditions::read("ensemble", env::args().skip(1)).and_then(|it| record(&it)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");
