@@ -71,9 +71,8 @@ impl<E: Effect> AnyEffect for E {
 }
 
 /// Effects behind a pointer as an effect again, so that methods are compiled once for all that
-/// see the axis only, for all that slip, and for all others. (On lanes one after the other: the
-/// same bits.)
-/// `VERTICAL`: they leave L_Z alone.
+/// see the axis only (and, if `VERTICAL`, leave L_Z alone), for all that slip, and for all others.
+/// On lanes one torque after the other: the same bits.
 pub(crate) struct Behind<'e, const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool>(
     pub &'e dyn AnyEffect,
 );

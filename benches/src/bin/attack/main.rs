@@ -5,7 +5,7 @@
 //! cargo run --release -p benches --bin attack -- kinked
 //! ```
 //!
-//! Of the attacks below all whose name contains this word, or without one all.
+//! Runs the attacks below whose name contains this word; all of them without a word.
 
 #[cfg(test)]
 mod tests;
@@ -39,6 +39,11 @@ const ATTACKS: [(&str, Attack); 5] = [
 
 fn main() -> Result<()> {
     let word = env::args().nth(1).unwrap_or_default();
+    if !ATTACKS.iter().any(|(name, _)| name.contains(&word)) {
+        let names = ATTACKS.map(|(name, _)| name).join(", ");
+        eprintln!("there is no attack '{word}'; there are: {names}");
+        std::process::exit(2);
+    }
     for (name, attack) in ATTACKS.iter().filter(|(name, _)| name.contains(&word)) {
         println!("{name}");
         attack()?;

@@ -46,7 +46,7 @@ fn quantile(values: &[f64], part: f64) -> f64 {
 }
 
 fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
-    let mut all = [const { None }; 3].map(|_: Option<()>| Tally::default());
+    let mut all = core::array::from_fn(|_| Tally::default());
     for n in scenes {
         let case = case(kind, n).expect("a sound scene");
         let Some(exact) = case.exact else { continue };
