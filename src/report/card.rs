@@ -2,6 +2,7 @@
 
 use super::claim::Claim;
 use super::number::short;
+use super::sections::EFFECTS;
 use super::table::{Table, check_cell};
 use crate::accuracy::MARGIN;
 use crate::error::{Error, Result, finite};
@@ -132,7 +133,7 @@ pub(super) fn table(effects: &[EffectEntry], claims: &[Claim], asked: f64) -> Re
     columns.extend(measured.then(|| "measured".into()));
     columns.extend(counted.then(|| "cost: without, with".into()));
     columns.extend(["here".into(), format!("at {asked:e}")]);
-    let mut table = Table::headed("effects", columns)?;
+    let mut table = Table::headed(EFFECTS, columns)?;
     for e in effects {
         e.check()?;
         let error = short(e.error, 2);

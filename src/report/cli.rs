@@ -304,6 +304,16 @@ impl<P: ParameterSet> Example<P> {
         set_up(&mut run, arguments)?;
         figures(&run).map_err(Outcome::refused)
     }
+
+    /// The numbers for these arguments: its report, of which nothing is printed yet.
+    ///
+    /// # Errors
+    /// The refusal.
+    pub fn report_for(&self, arguments: Vec<OsString>) -> core::result::Result<Report, Outcome> {
+        let mut run = self.run();
+        set_up(&mut run, arguments)?;
+        report(&run).map_err(Outcome::refused)
+    }
 }
 
 /// Shows on a terminal how long the work has been going on, elsewhere nothing. For work that

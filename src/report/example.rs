@@ -350,6 +350,12 @@ pub trait Page: Sync {
         &self,
         arguments: Vec<String>,
     ) -> (super::cli::Outcome, Vec<super::cli::Leaf>);
+    /// The numbers for these arguments; its accuracy strip is computed when it is read.
+    ///
+    /// # Errors
+    /// What is printed instead of running.
+    #[cfg(feature = "cli")]
+    fn report_for(&self, arguments: &str) -> core::result::Result<Report, super::cli::Outcome>;
     /// The drawings for these arguments, with the stills.
     ///
     /// # Errors
@@ -407,6 +413,11 @@ impl<P: ParameterSet> Page for Example<P> {
     ) -> (super::cli::Outcome, Vec<super::cli::Leaf>) {
         let arguments = arguments.into_iter().map(Into::into).collect();
         Example::answer_with_files(self, arguments)
+    }
+    #[cfg(feature = "cli")]
+    fn report_for(&self, arguments: &str) -> core::result::Result<Report, super::cli::Outcome> {
+        let arguments = arguments.split_whitespace().map(Into::into).collect();
+        Example::report_for(self, arguments)
     }
     #[cfg(feature = "cli")]
     fn figures_for(

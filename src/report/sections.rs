@@ -6,12 +6,18 @@ use super::computation::{ClosedForm, Computation};
 use super::entries::Entry;
 use super::lab::Lab;
 use super::number::{rounded_up, supported_digits};
+use super::strip::Lines;
 use super::table::{Table, check_cell};
 use crate::error::{Error, Result, finite};
 use core::fmt;
 
 /// The heading of the section that lists the parameters.
 pub(super) const PARAMETERS: &str = "parameters";
+
+const CLAIMS: &str = "claims";
+const LIMITS: &str = "limits";
+pub(super) const EFFECTS: &str = "effects";
+const ACCURACY: &str = "accuracy";
 
 /// A limit in which the answer is known: what must come out, and what does.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,7 +91,7 @@ pub struct Report {
     limits: Vec<Limit>,
     effects: Vec<EffectEntry>,
     asked: f64,
-    accuracy: Vec<Price>,
+    accuracy: Vec<Lines>,
     closed_form: Option<ClosedForm>,
     lab: Option<Lab>,
     tables: Vec<Table>,
@@ -181,7 +187,15 @@ impl Report {
 
     /// Adds a line to the accuracy strip.
     pub fn add_price(&mut self, price: Price) {
-        self.accuracy.push(price);
+        self.add_lines(move || Ok(vec![price.clone()]));
+    }
+
+    /// Adds lines to the accuracy strip that are computed when they are read.
+    pub(super) fn add_lines(
+        &mut self,
+        compute: impl Fn() -> Result<Vec<Price>> + Send + Sync + 'static,
+    ) {
+        self.accuracy.push(Lines::new(compute));
     }
 
     /// Sets the closed form whose samples are the unit of the strip's times.
@@ -231,9 +245,17 @@ impl Report {
         self.asked
     }
 
-    /// The accuracy strip, line by line.
-    pub fn prices(&self) -> &[Price] {
-        &self.accuracy
+    /// The accuracy strip, line by line; computed when it is first read.
+    ///
+    /// # Errors
+    /// What a run of the strip refuses; see [`Report::strip`] and [`Report::dial`].
+    pub fn prices(&self) -> Result<Vec<&Price>> {
+        let lines: Vec<&[Price]> = self
+            .accuracy
+            .iter()
+            .map(Lines::get)
+            .collect::<Result<_>>()?;
+        Ok(lines.into_iter().flatten().collect())
     }
 
     /// The methods that a reader may try, if the scene is a problem with a known answer.
@@ -255,9 +277,40 @@ impl Report {
     ///
     /// # Errors
     /// [`Error::Text`] if an entry holds text that does not fit in a table,
-    /// [`Error::NotFinite`] if it holds a NaN or an infinity.
+    /// [`Error::NotFinite`] if it holds a NaN or an infinity; those of [`Report::prices`].
     pub fn sections(&self) -> Result<Vec<Table>> {
         let mut all: Vec<Table> = self.parameters.iter().cloned().collect();
+        all.push(self.claims_table()?);
+        all.push(self.limits_table()?);
+        all.push(card::table(&self.effects, &self.claims, self.asked)?);
+        all.push(self.strip_table()?);
+        all.extend(self.tables.iter().cloned());
+        all.extend(self.answer_box()?);
+        all.retain(|table| !table.is_empty());
+        Ok(all)
+    }
+
+    /// The section with this heading, if the report has it; of the others nothing is computed.
+    ///
+    /// # Errors
+    /// As [`Report::sections`].
+    pub fn section(&self, heading: &str) -> Result<Option<Table>> {
+        let table = match heading {
+            PARAMETERS => self.parameters.clone(),
+            CLAIMS => Some(self.claims_table()?),
+            LIMITS => Some(self.limits_table()?),
+            EFFECTS => Some(card::table(&self.effects, &self.claims, self.asked)?),
+            ACCURACY => Some(self.strip_table()?),
+            _ => {
+                let answers = self.answer_box()?;
+                let others = self.tables.iter().cloned().chain(answers);
+                others.into_iter().find(|table| table.heading() == heading)
+            }
+        };
+        Ok(table.filter(|table| !table.is_empty()))
+    }
+
+    fn claims_table(&self) -> Result<Table> {
         let columns = [
             "key",
             "value",
@@ -266,16 +319,16 @@ impl Report {
             "checked against",
             "differs by",
         ];
-        let mut table = Table::headed("claims", columns)?;
+        let mut table = Table::headed(CLAIMS, columns)?;
         for claim in &self.claims {
             table.push(claim.cells())?;
         }
-        all.push(table);
+        Ok(table)
+    }
 
-        let mut table = Table::headed(
-            "limits",
-            ["limit", "must give", "gives", "within", "because"],
-        )?;
+    fn limits_table(&self) -> Result<Table> {
+        let columns = ["limit", "must give", "gives", "within", "because"];
+        let mut table = Table::headed(LIMITS, columns)?;
         for l in &self.limits {
             table.push([
                 l.limit.clone(),
@@ -285,13 +338,13 @@ impl Report {
                 l.because.clone(),
             ])?;
         }
-        all.push(table);
+        Ok(table)
+    }
 
-        all.push(card::table(&self.effects, &self.claims, self.asked)?);
-
+    fn strip_table(&self) -> Result<Table> {
         let columns = ["method", "requested", "delivered", "work", "relative time"];
-        let mut table = Table::headed("accuracy", columns)?;
-        for p in &self.accuracy {
+        let mut table = Table::headed(ACCURACY, columns)?;
+        for p in self.prices()? {
             finite("the requested error", p.requested.unwrap_or_default())?;
             finite("the delivered error", p.delivered)?;
             table.push([
@@ -302,10 +355,11 @@ impl Report {
                 "-".into(),
             ])?;
         }
-        all.push(table);
+        Ok(table)
+    }
 
-        all.extend(self.tables.iter().cloned());
-
+    /// How answers are judged, and the slips that are known.
+    fn answer_box(&self) -> Result<[Table; 2]> {
         let mut checks = Table::headed("checks", ["key", "within", "meaning", "group"])?;
         let mut slips = Table::headed("slips", ["key", "value", "hint"])?;
         for c in &self.claims {
@@ -323,10 +377,7 @@ impl Report {
                 ])?;
             }
         }
-        all.push(checks);
-        all.push(slips);
-        all.retain(|table| !table.is_empty());
-        Ok(all)
+        Ok([checks, slips])
     }
 
     /// The text, in the grammar of [`crate::report`].

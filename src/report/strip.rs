@@ -3,10 +3,12 @@
 use super::{ClosedForm, Computation, Lab, Price, Report};
 use crate::accuracy::{Fineness, Problem, Solved, applies, largest};
 use crate::effects::Effect;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, positive};
 #[cfg(doc)]
 use crate::integrators::Dop853;
 use crate::integrators::{LocatedEvent, Method, Work};
+use core::fmt;
+use std::sync::{Arc, OnceLock};
 
 /// The methods whose least work is shown, where they apply.
 const SHOWN: [Method; 6] = [
@@ -24,13 +26,53 @@ const CLOSED_FORM: &str = "dial";
 /// The label of the dial where it steps: the report then has a [`Lab`], too.
 pub const STEPPING: &str = "dial, stepping";
 
+/// In place of the work of a run that was refused.
+const REFUSED: &str = "refused";
+
 type Solve<E> = fn(&Problem<E>, f64) -> Result<Solved>;
 
 /// From the largest to the smallest, each once.
-fn descending(mut tolerances: Vec<f64>) -> Vec<f64> {
+fn descending(mut tolerances: Vec<f64>) -> Result<Vec<f64>> {
+    for &tolerance in &tolerances {
+        positive("tolerance", tolerance)?;
+    }
     tolerances.sort_by(|a, b| b.total_cmp(a));
     tolerances.dedup();
-    tolerances
+    Ok(tolerances)
+}
+
+type Compute = dyn Fn() -> Result<Vec<Price>> + Send + Sync;
+
+/// Lines of the accuracy strip, computed when they are first read.
+#[derive(Clone)]
+pub(super) struct Lines {
+    compute: Arc<Compute>,
+    known: Arc<OnceLock<Vec<Price>>>,
+}
+
+impl Lines {
+    /// What `compute` gives.
+    pub(super) fn new(compute: impl Fn() -> Result<Vec<Price>> + Send + Sync + 'static) -> Self {
+        Self {
+            compute: Arc::new(compute),
+            known: Arc::default(),
+        }
+    }
+
+    /// The lines, as they were computed or computed now.
+    pub(super) fn get(&self) -> Result<&[Price]> {
+        if let Some(known) = self.known.get() {
+            return Ok(known);
+        }
+        let lines = (self.compute)()?;
+        Ok(self.known.get_or_init(|| lines))
+    }
+}
+
+impl fmt::Debug for Lines {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Lines({:?})", self.known.get())
+    }
 }
 
 impl Report {
@@ -42,9 +84,11 @@ impl Report {
     /// be run again by those who measure time; the unit is a sample of the closed form. The
     /// problem is then the report's [`Lab`], too.
     ///
+    /// The lines are computed when they are read ([`Report::prices`]), which is refused for a
+    /// tolerance that the page's own lines cannot have, and where a method refuses.
+    ///
     /// # Errors
-    /// A tolerance out of range, one for which the first lines are refused, or what a
-    /// method refuses.
+    /// [`Error::OutOfRange`] for a tolerance that is not above 0 and finite.
     pub fn strip<E>(&mut self, problem: &Problem<E>, tolerances: &[f64]) -> Result<()>
     where
         E: Effect + Clone + Send + Sync + 'static,
@@ -52,19 +96,9 @@ impl Report {
         let Some(&own) = tolerances.first() else {
             return Ok(());
         };
-        let solve: Solve<E> = |p, error| p.scene.solve(&p.start, p.end, error);
-        let step: Solve<E> = |p, error| p.scene.solve_by_stepping(&p.start, p.end, error);
-        for tolerance in descending(tolerances.to_vec()) {
-            if tolerance == own && problem.closed_form().is_some() {
-                self.add_dial(problem, CLOSED_FORM, tolerance, solve)?;
-            }
-            self.add_dial(problem, STEPPING, tolerance, step)?;
-            if tolerance == own {
-                for method in SHOWN.into_iter().filter(|method| applies::<E>(*method)) {
-                    self.add_least(problem, method, tolerance)?;
-                }
-            }
-        }
+        let of = problem.clone();
+        let tolerances = descending(tolerances.to_vec())?;
+        self.add_lines(move || strip(&of, own, &tolerances));
         self.set_lab(Lab::new(problem));
         if let Some(attitude) = problem.closed_form().cloned() {
             let end = problem.end;
@@ -74,10 +108,12 @@ impl Report {
     }
 
     /// Adds a line for each of `tolerances`, from the largest to the smallest: what `run`
-    /// delivers for it, as `error` judges, and its work; or that it refuses.
+    /// delivers for it, as `error` judges, and its work; or that it refuses, where it does with
+    /// [`Error::NotDelivered`]. The lines are computed when they are read ([`Report::prices`]),
+    /// which is refused where `run` refuses otherwise, or `error` does.
     ///
     /// # Errors
-    /// What `run` and `error` refuse, but for [`Error::NotDelivered`].
+    /// [`Error::OutOfRange`] for a tolerance that is not above 0 and finite.
     pub fn dial<T>(
         &mut self,
         method: &str,
@@ -85,37 +121,34 @@ impl Report {
         run: impl Fn(f64) -> Result<T> + Clone + Send + Sync + 'static,
         work: fn(&T) -> Work,
         error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
-    ) -> Result<()> {
-        let ran = |requested: f64| {
-            let done = run(requested)?;
-            let run = run.clone();
-            let again = Computation::new(move || run(requested), error.clone());
-            Ok((error(&done)?, work(&done), again))
-        };
-        self.dial_by(method, descending(tolerances.into_iter().collect()), &ran)
-    }
-
-    /// The lines of a dial: error, work and the run again, for each tolerance.
-    fn dial_by(
-        &mut self,
-        method: &str,
-        tolerances: Vec<f64>,
-        run: &dyn Fn(f64) -> Result<(f64, Work, Computation)>,
-    ) -> Result<()> {
-        for requested in tolerances {
-            let (delivered, work, again) = match run(requested) {
-                Ok((error, work, again)) => (error, work.to_string(), Some(again)),
-                Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into(), None),
-                Err(other) => return Err(other),
+    ) -> Result<()>
+    where
+        T: 'static,
+    {
+        let method = method.to_owned();
+        let tolerances = descending(tolerances.into_iter().collect())?;
+        self.add_lines(move || {
+            let line = |&requested: &f64| {
+                let (delivered, work, again) = match run(requested) {
+                    Ok(done) => {
+                        let run = run.clone();
+                        let again = Computation::new(move || run(requested), error.clone());
+                        (error(&done)?, work(&done).to_string(), Some(again))
+                    }
+                    Err(Error::NotDelivered { reached, .. }) => (reached, REFUSED.into(), None),
+                    Err(other) => return Err(other),
+                };
+                let (method, requested) = (method.clone(), Some(requested));
+                Ok(Price {
+                    method,
+                    requested,
+                    delivered,
+                    work,
+                    again,
+                })
             };
-            self.add_price(Price {
-                method: method.into(),
-                requested: Some(requested),
-                delivered,
-                work,
-                again,
-            });
-        }
+            tolerances.iter().map(line).collect()
+        });
         Ok(())
     }
 
@@ -132,7 +165,7 @@ impl Report {
     ///     Dop853::new(step)?.zero(&second_order(|_, x, _| -x), [1.0, 0.0], 2, 10.0, |y| y[1])
     /// };
     /// report.dial_of_return([1e-3, 1e-6, 1e-9], swing, core::f64::consts::TAU, 1.0)?;
-    /// assert!(report.prices()[2].delivered < 1e-9);
+    /// assert!(report.prices()?[2].delivered < 1e-9);
     /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     ///
@@ -151,67 +184,81 @@ impl Report {
         let label = "DOP853, error of a step";
         self.dial(label, tolerances, back, |run| run.1, error)
     }
+}
 
-    /// Adds what the dial delivers, or that it refuses and the least it could.
-    fn add_dial<E>(
-        &mut self,
-        problem: &Problem<E>,
-        label: &str,
-        requested: f64,
-        solve: Solve<E>,
-    ) -> Result<()>
-    where
-        E: Effect + Clone + Send + Sync + 'static,
-    {
-        let (method, delivered, work, again) = match solve(problem, requested) {
-            Ok(solved) => {
-                let (run, judge) = (problem.clone(), problem.clone());
-                let again = Computation::new(
-                    move || solve(&run, requested),
-                    move |solved| Ok(judge.error(&solved.state)),
-                );
-                let error = problem.error(&solved.state);
-                (solved.method, error, solved.work.to_string(), Some(again))
+/// The lines of the strip; `own` is the page's own tolerance.
+fn strip<E>(problem: &Problem<E>, own: f64, tolerances: &[f64]) -> Result<Vec<Price>>
+where
+    E: Effect + Clone + Send + Sync + 'static,
+{
+    let solve: Solve<E> = |p, error| p.scene.solve(&p.start, p.end, error);
+    let step: Solve<E> = |p, error| p.scene.solve_by_stepping(&p.start, p.end, error);
+    let mut lines = Vec::new();
+    for &tolerance in tolerances {
+        if tolerance == own && problem.closed_form().is_some() {
+            lines.push(solved(problem, CLOSED_FORM, tolerance, solve)?);
+        }
+        lines.push(solved(problem, STEPPING, tolerance, step)?);
+        if tolerance == own {
+            for method in SHOWN.into_iter().filter(|method| applies::<E>(*method)) {
+                lines.extend(least(problem, method, tolerance)?);
             }
-            // What the reader asked for and cannot have is an error, with its reason.
-            Err(Error::BeyondCondition { attainable, .. })
-                if label != CLOSED_FORM && attainable.is_finite() =>
-            {
-                ("-", attainable, "refused".into(), None)
-            }
-            Err(other) => return Err(other),
-        };
-        self.add_price(Price {
-            method: format!("{label}: {method}"),
-            requested: Some(requested),
-            delivered,
-            work,
-            again,
-        });
-        Ok(())
+        }
     }
+    Ok(lines)
+}
 
-    /// Adds the least work with which a method delivers, if it does.
-    fn add_least<E>(&mut self, problem: &Problem<E>, method: Method, requested: f64) -> Result<()>
-    where
-        E: Effect + Clone + Send + Sync + 'static,
-    {
-        let Some(run) = problem.least(method, requested)? else {
-            return Ok(());
-        };
-        let (runner, judge) = (problem.clone(), problem.clone());
-        let setting = run.setting;
-        let again = Computation::new(
-            move || runner.run_as_usual(method, Fineness::of(method, setting)),
-            move |(reached, _)| Ok(judge.error(reached)),
-        );
-        self.add_price(Price {
-            method: format!("least: {}", method.name()),
-            requested: Some(requested),
-            delivered: run.errors.attitude,
-            work: run.work.to_string(),
-            again: Some(again),
-        });
-        Ok(())
-    }
+/// What the dial delivers, or that it refuses and the least it could.
+fn solved<E>(problem: &Problem<E>, label: &str, requested: f64, solve: Solve<E>) -> Result<Price>
+where
+    E: Effect + Clone + Send + Sync + 'static,
+{
+    let (method, delivered, work, again) = match solve(problem, requested) {
+        Ok(solved) => {
+            let (run, judge) = (problem.clone(), problem.clone());
+            let again = Computation::new(
+                move || solve(&run, requested),
+                move |solved| Ok(judge.error(&solved.state)),
+            );
+            let error = problem.error(&solved.state);
+            (solved.method, error, solved.work.to_string(), Some(again))
+        }
+        // What the reader asked for and cannot have is an error, with its reason.
+        Err(Error::BeyondCondition { attainable, .. })
+            if label != CLOSED_FORM && attainable.is_finite() =>
+        {
+            ("-", attainable, REFUSED.into(), None)
+        }
+        Err(other) => return Err(other),
+    };
+    Ok(Price {
+        method: format!("{label}: {method}"),
+        requested: Some(requested),
+        delivered,
+        work,
+        again,
+    })
+}
+
+/// The least work with which a method delivers, if it does.
+fn least<E>(problem: &Problem<E>, method: Method, requested: f64) -> Result<Option<Price>>
+where
+    E: Effect + Clone + Send + Sync + 'static,
+{
+    let Some(run) = problem.least(method, requested)? else {
+        return Ok(None);
+    };
+    let (runner, judge) = (problem.clone(), problem.clone());
+    let setting = run.setting;
+    let again = Computation::new(
+        move || runner.run_as_usual(method, Fineness::of(method, setting)),
+        move |(reached, _)| Ok(judge.error(reached)),
+    );
+    Ok(Some(Price {
+        method: format!("least: {}", method.name()),
+        requested: Some(requested),
+        delivered: run.errors.attitude,
+        work: run.work.to_string(),
+        again: Some(again),
+    }))
 }

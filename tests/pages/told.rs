@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "a page asks some of it, and one page alone can be tested")]
 
 use rotation_dynamics::report::cli::Outcome;
-use rotation_dynamics::report::{Page, Report, parse};
+use rotation_dynamics::report::{Page, Report, Table};
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::path::{Path, PathBuf};
@@ -59,19 +59,35 @@ pub fn answer(page: &dyn Page, flags: &str) -> Outcome {
 
 /// What the page reports with its defaults, which are sound.
 pub fn with_report<T>(page: &dyn Page, look: impl FnOnce(&Report) -> T) -> T {
-    static REPORTS: Once<&str, Report> = Once::new();
-    let report = REPORTS.ask(page.stem(), || page.report().expect("the default output is sound"));
-    look(report.get().expect("it is computed"))
+    with_report_for(page, "", look)
 }
 
-/// Asserts that the page answers each of these command lines, flags parted by spaces: a claim
-/// is printed only if its oracle agrees, so every number of these runs is confirmed.
+/// What the page reports with these flags, which it takes: nothing is printed, and so no line of
+/// the accuracy strip is computed unless it is looked at.
+#[track_caller]
+pub fn with_report_for<T>(page: &dyn Page, flags: &str, look: impl FnOnce(&Report) -> T) -> T {
+    static REPORTS: Once<(&str, String), Result<Report, Outcome>> = Once::new();
+    let told = REPORTS.ask((page.stem(), flags.to_owned()), || page.report_for(flags));
+    match told.get().expect("it is computed") {
+        Ok(report) => look(report),
+        Err(refused) => panic!("{flags}: {}", refused.stderr),
+    }
+}
+
+/// This section of the report for these flags.
+#[track_caller]
+fn section(page: &dyn Page, flags: &str, heading: &str) -> Table {
+    let found = with_report_for(page, flags, |report| report.section(heading)).expect("it can be printed");
+    found.unwrap_or_else(|| panic!("{flags}: no section {heading}"))
+}
+
+/// Asserts that the page reports for each of these command lines, flags parted by spaces: a report
+/// holds a claim only if its oracle agrees, so every number of these runs is confirmed.
 #[track_caller]
 pub fn confirmed<S: AsRef<str>>(page: &dyn Page, runs: impl IntoIterator<Item = S>, count: usize) {
     let mut ran = 0;
     for flags in runs {
-        let (flags, told) = (flags.as_ref(), answer(page, flags.as_ref()));
-        assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
+        section(page, flags.as_ref(), "claims");
         ran += 1;
     }
     assert!(ran == count && ran > 0, "{ran} runs, not {count}");
@@ -92,8 +108,7 @@ pub fn refused<const N: usize>(page: &dyn Page, runs: [(&str, &str); N]) {
 /// The value of a claim, to its last bit, with the defaults.
 #[track_caller]
 pub fn value(page: &dyn Page, key: &str) -> f64 {
-    let value = with_report(page, |report| Some(report.claim(key)?.value()));
-    value.unwrap_or_else(|| panic!("no claim {key}"))
+    computed(page, "", key)
 }
 
 /// How far claims are, with the defaults, from values that are known otherwise: each over its
@@ -110,13 +125,12 @@ pub fn errors_of<const N: usize>(page: &dyn Page, known: [(&str, f64); N]) -> Er
 /// The number that stands first in a cell of what the page prints: in this section, in the row
 /// that begins so, in this column.
 #[track_caller]
-pub fn cell(page: &dyn Page, flags: &str, [section, row, column]: [&str; 3]) -> f64 {
-    let parsed = parse(&answer(page, flags).stdout).expect("the text follows its grammar");
-    let table = parsed.table(section).expect("the section is printed");
+pub fn cell(page: &dyn Page, flags: &str, [heading, row, column]: [&str; 3]) -> f64 {
+    let table = section(page, flags, heading);
     let found = table.columns().iter().position(|name| name == column);
-    let column = found.unwrap_or_else(|| panic!("{section} has no column {column}"));
+    let column = found.unwrap_or_else(|| panic!("{heading} has no column {column}"));
     let found = table.rows().iter().find(|cells| cells[0] == row);
-    let cells = found.unwrap_or_else(|| panic!("{section} has no row {row}"));
+    let cells = found.unwrap_or_else(|| panic!("{heading} has no row {row}"));
     let number = cells[column].split(' ').next().expect("a cell is not empty");
     number.parse().expect("it begins with a number")
 }
@@ -141,9 +155,8 @@ pub fn number(page: &dyn Page, flags: &str, key: &str) -> f64 {
 /// The value of a claim for these flags, to its last bit.
 #[track_caller]
 pub fn computed(page: &dyn Page, flags: &str, key: &str) -> f64 {
-    let told = answer(page, &format!("{flags} --json"));
-    assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
-    claimed(&told.stdout, key).unwrap_or_else(|| panic!("no claim {key} with {flags}"))
+    let value = with_report_for(page, flags, |report| Some(report.claim(key)?.value()));
+    value.unwrap_or_else(|| panic!("no claim {key} with {flags}"))
 }
 
 /// The value of a claim, to its last bit, in what a page printed for a machine.
@@ -157,10 +170,7 @@ pub fn claimed(json: &str, key: &str) -> Option<f64> {
 /// digits that are printed.
 #[track_caller]
 pub fn ledger(page: &dyn Page, flags: &str) -> Vec<[f64; 2]> {
-    let told = answer(page, flags);
-    assert_eq!((told.code, told.stderr.as_str()), (0, ""), "{flags}");
-    let parsed = parse(&told.stdout).expect("the text follows its grammar");
-    let card = parsed.table("effects").expect("the page has a card");
+    let card = section(page, flags, "effects");
     let at = |name| card.columns().iter().position(|column| column == name).expect("it measures");
     let columns = [at("error if left out"), at("measured")];
     let lines = card.rows().iter().filter(|row| row[columns[1]] != "-");

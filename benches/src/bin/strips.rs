@@ -114,8 +114,8 @@ fn strip(page: &dyn Page) -> Outcome<(String, Table)> {
     let report = page.report()?;
     // A line that is read off a run of another kind has a dash for its time.
     let (prices, computations): (Vec<_>, Vec<&Computation>) = report
-        .prices()
-        .iter()
+        .prices()?
+        .into_iter()
         .filter_map(|price| Some((price, price.again.as_ref()?)))
         .unzip();
     if prices.is_empty() {

@@ -38,16 +38,12 @@ impl Motion {
     /// without weight or close to a pole, which the strip's plain start would not resolve.
     ///
     /// # Errors
-    /// As [`Report::strip`]; a tolerance that doubles do not allow.
+    /// As [`Report::strip`].
     pub fn strip(&self, report: &mut Report, tolerance: f64) -> Result<()> {
         if self.top.c() == 0.0 || !self.clear_of_poles() {
             return Ok(());
         }
         let problem = self.problem()?;
-        // An error that doubles cannot promise is refused, not listed.
-        problem
-            .scene
-            .solve(&problem.start, problem.end, tolerance)?;
         report.strip(&problem, &[tolerance, 1e-3, 1e-6, 1e-12])
     }
 }
