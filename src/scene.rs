@@ -1,12 +1,13 @@
 //! A scene: a body and what acts on it.
 //!
 //! The effects are part of the type: `Scene<()>` is a free body, and
-//! `Scene<((), GravityAtLever)>` a heavy top. A scene knows which quantities
+//! `Scene<((), GravityAtLever)>` a heavy top; or they are chosen at run time,
+//! `Scene<EffectList>`. A scene knows which quantities
 //! its motion keeps. How it moves is for [`crate::exact`] and
 //! [`crate::integrators`].
 
 use crate::body::{RigidBody, State};
-use crate::effects::{Effect, Keeps};
+use crate::effects::{AnyEffect, Effect, EffectList, Keeps};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::larger;
 
@@ -70,6 +71,14 @@ impl Scene<()> {
     pub const fn new(body: RigidBody) -> Self {
         Self { body, effects: () }
     }
+
+    /// The body under effects that were chosen at run time.
+    pub fn with_list(self, effects: EffectList) -> Scene<EffectList> {
+        Scene {
+            body: self.body,
+            effects,
+        }
+    }
 }
 
 impl<E: Effect> Scene<E> {
@@ -99,7 +108,9 @@ impl<E: Effect> Scene<E> {
             effects: (self.effects, effect),
         }
     }
+}
 
+impl<E: AnyEffect> Scene<E> {
     /// The body.
     #[inline]
     pub const fn body(&self) -> &RigidBody {
@@ -123,7 +134,7 @@ impl<E: Effect> Scene<E> {
     #[inline(always)]
     pub fn angular_velocity(&self, t: f64, state: &State) -> BodyVector {
         let omega = self.body.angular_velocity(state);
-        if !E::NATURE.slips {
+        if !self.effects.nature().slips {
             return omega;
         }
         let slip = self.effects.slip(t, &self.body, state);
@@ -142,7 +153,7 @@ impl<E: Effect> Scene<E> {
     /// depends on L, that part is differenced, to 1e-10 of it.
     pub fn power(&self, t: f64, state: &State) -> f64 {
         let power = self.effects.power(t, &self.body, state);
-        if !E::NATURE.slips {
+        if !self.effects.nature().slips {
             return power;
         }
         let slip = self.effects.slip(t, &self.body, state);
@@ -178,7 +189,7 @@ impl<E: Effect> Scene<E> {
             energy,
             momentum: [x, y, z],
             axial_momentum,
-        } = E::NATURE.keeps;
+        } = self.effects.nature().keeps;
         // Without symmetry the body's own motion changes L_z.
         let axial = axial_momentum && self.body.moments().is_symmetric();
         [

@@ -45,16 +45,17 @@ pub enum Variables {
 
 impl Variables {
     /// The variables in which `method` carries this scene in the fewest steps.
-    pub fn best<E: Effect>(method: Method, scene: &Scene<E>) -> Self {
+    pub fn best<E: AnyEffect>(method: Method, scene: &Scene<E>) -> Self {
         let symmetric = scene.body().moments().is_symmetric();
+        let nature = scene.effects().nature();
         match method {
-            Method::GaussLegendre16 if E::NATURE.torque_free => Self::Body,
+            Method::GaussLegendre16 if nature.torque_free => Self::Body,
             Method::Rk4 | Method::Dop853 | Method::GaussLegendre16
-                if E::NATURE.axis_only && symmetric && !E::NATURE.torque_free =>
+                if nature.axis_only && symmetric && !nature.torque_free =>
             {
                 Self::SpinFree
             }
-            Method::GaussLegendre16 if E::NATURE.axis_only => Self::Body,
+            Method::GaussLegendre16 if nature.axis_only => Self::Body,
             _ => Self::Space,
         }
     }
@@ -118,7 +119,7 @@ impl Carrier {
     ///
     /// # Errors
     /// Variables that the method or the scene does not have; what the method refuses.
-    pub fn advance<E: Effect>(
+    pub fn advance<E: AnyEffect>(
         &self,
         scene: &Scene<E>,
         variables: Variables,
@@ -133,7 +134,7 @@ impl Carrier {
     ///
     /// # Errors
     /// A method that does not apply; what it refuses.
-    pub fn advance_as_usual<E: Effect>(
+    pub fn advance_as_usual<E: AnyEffect>(
         &self,
         scene: &Scene<E>,
         span: [f64; 2],

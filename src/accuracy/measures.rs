@@ -1,7 +1,7 @@
 //! Errors of a state against the exact one.
 
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::math::larger;
 use crate::scene::{Invariant, Scene};
 
@@ -94,7 +94,7 @@ impl Errors {
     /// The errors of `reached` where the motion of this scene is at `exact`.
     ///
     /// A component that is NaN makes the errors it enters NaN.
-    pub fn between<E: Effect>(scene: &Scene<E>, reached: &State, exact: &State) -> Self {
+    pub fn between<E: AnyEffect>(scene: &Scene<E>, reached: &State, exact: &State) -> Self {
         let body = scene.body();
         let [i1, i2, i3] = body.moments().to_array();
         let largest = i1.max(i2).max(i3);

@@ -3,7 +3,7 @@
 use super::{Carrier, Errors, Fineness, Run, Sweep, Variables};
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::error::{Error, Result, positive};
 use crate::integrators::{Method, Work};
 use crate::math::{exp2, log2};
@@ -52,7 +52,7 @@ pub struct Problem<E> {
     closed_form: Option<ClosedForm>,
 }
 
-impl<E: Effect> Problem<E> {
+impl<E: AnyEffect> Problem<E> {
     /// The motion of `scene` from `start` at t = 0 to `end` (s), where it is at `exact`.
     pub const fn new(scene: Scene<E>, start: State, end: f64, exact: State) -> Self {
         Self {

@@ -7,7 +7,7 @@ mod tests;
 pub(crate) use kinks::NEAR;
 
 use super::gravity::GRAVITY;
-use super::{AnyEffect, Effect, Feature, Known, Nature};
+use super::{AnyEffect, Feature, Known, Nature};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, not_negative, positive};
@@ -97,7 +97,12 @@ const PULSE: f64 = 0.1;
 /// # Ok(())
 /// # }
 /// ```
-pub fn check<E: Effect>(effect: &E, body: &RigidBody, span: [f64; 2], state: &State) -> Result<()> {
+pub fn check<E: AnyEffect>(
+    effect: &E,
+    body: &RigidBody,
+    span: [f64; 2],
+    state: &State,
+) -> Result<()> {
     Checked::new(effect, body, span, state).map(|_| ())
 }
 
@@ -129,7 +134,7 @@ impl<'e> Checked<'e> {
                 effects: names.join(", "),
             });
         }
-        effect.holds_from(span[0], body, state)?;
+        effect.holds_from(span[0], body, state, &effect.about_axis())?;
         let mut checked = Self::unlooked(effect, body, span, state);
         checked.function(span[0], state)?;
         checked.declared()?;
@@ -616,7 +621,7 @@ impl<'e> Checked<'e> {
         let claimed = match self.effect.known() {
             Known::No => return Ok(()),
             Known::Free => SpaceVector::zero(),
-            Known::HeavyTop(gravity) => Effect::torque(&gravity, t, &self.body, state),
+            Known::HeavyTop(gravity) => AnyEffect::torque(&gravity, t, &self.body, state),
         };
         let claim = "that its motion has a closed form";
         self.held(claim, t, (torque - claimed).norm(), slack)

@@ -4,34 +4,11 @@ use super::{Effect, Feature, Nature};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
+use core::fmt;
+use std::sync::Arc;
 
-/// What a closure gives: [`OnSpace`] or [`OnBody`] axes.
-pub trait TorqueForm {
-    /// The torque on the fixed axes (N m).
-    fn on_space(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
-}
-
-/// A closure that gives the torque on the fixed axes.
-#[derive(Debug, Clone, Copy)]
-pub struct OnSpace<F>(F);
-
-/// A closure that gives the torque on the body's axes.
-#[derive(Debug, Clone, Copy)]
-pub struct OnBody<F>(F);
-
-impl<F: Fn(f64, &RigidBody, &State) -> SpaceVector> TorqueForm for OnSpace<F> {
-    #[inline]
-    fn on_space(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        (self.0)(t, body, state)
-    }
-}
-
-impl<F: Fn(f64, &RigidBody, &State) -> BodyVector> TorqueForm for OnBody<F> {
-    #[inline]
-    fn on_space(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        state.attitude.to_space((self.0)(t, body, state))
-    }
-}
+/// The torque on the fixed axes (N m).
+type OnSpace<'f> = dyn Fn(f64, &RigidBody, &State) -> SpaceVector + Send + Sync + 'f;
 
 /// The torque that a closure gives of time (s), body and state.
 ///
@@ -60,36 +37,37 @@ impl<F: Fn(f64, &RigidBody, &State) -> BodyVector> TorqueForm for OnBody<F> {
 /// # Ok(())
 /// # }
 /// ```
-#[derive(Debug, Clone)]
-pub struct Torque<F, const SMOOTH: bool = false> {
+#[derive(Clone)]
+pub struct Torque<'f, const SMOOTH: bool = false> {
     name: &'static str,
-    form: F,
+    /// Behind a pointer, so that whatever steps it is compiled once for all closures.
+    on_space: Arc<OnSpace<'f>>,
     break_points: Vec<f64>,
     narrowest: Option<Feature>,
 }
 
-impl<F: Fn(f64, &RigidBody, &State) -> SpaceVector> Torque<OnSpace<F>> {
+impl<'f> Torque<'f> {
     /// A torque on the fixed axes.
-    pub fn on_space(name: &'static str, torque: F) -> Self {
-        Self::of(name, OnSpace(torque))
-    }
-}
-
-impl<F: Fn(f64, &RigidBody, &State) -> BodyVector> Torque<OnBody<F>> {
-    /// A torque on the body's axes.
-    pub fn on_body(name: &'static str, torque: F) -> Self {
-        Self::of(name, OnBody(torque))
-    }
-}
-
-impl<F> Torque<F> {
-    fn of(name: &'static str, form: F) -> Self {
+    pub fn on_space(
+        name: &'static str,
+        torque: impl Fn(f64, &RigidBody, &State) -> SpaceVector + Send + Sync + 'f,
+    ) -> Self {
         Self {
             name,
-            form,
+            on_space: Arc::new(torque),
             break_points: Vec::new(),
             narrowest: None,
         }
+    }
+
+    /// A torque on the body's axes.
+    pub fn on_body(
+        name: &'static str,
+        torque: impl Fn(f64, &RigidBody, &State) -> BodyVector + Send + Sync + 'f,
+    ) -> Self {
+        Self::on_space(name, move |t, body, state| {
+            state.attitude.to_space(torque(t, body, state))
+        })
     }
 
     /// The same, known to be an analytic function of time and state between its break
@@ -97,17 +75,17 @@ impl<F> Torque<F> {
     ///
     /// A jump that contradicts this is looked for and refused. A kink is not looked for: it may
     /// cost steps, accuracy or the answer. Name it as a break point, or leave `smooth` out.
-    pub fn smooth(self) -> Torque<F, true> {
+    pub fn smooth(self) -> Torque<'f, true> {
         Torque {
             name: self.name,
-            form: self.form,
+            on_space: self.on_space,
             break_points: self.break_points,
             narrowest: self.narrowest,
         }
     }
 }
 
-impl<F, const SMOOTH: bool> Torque<F, SMOOTH> {
+impl<const SMOOTH: bool> Torque<'_, SMOOTH> {
     /// The same with jumps or kinks at these times (s, rising).
     ///
     /// Errors: a time that is not finite, or not after the one before it.
@@ -149,7 +127,7 @@ pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
     }
 }
 
-impl<F: TorqueForm, const SMOOTH: bool> Effect for Torque<F, SMOOTH> {
+impl<const SMOOTH: bool> Effect for Torque<'_, SMOOTH> {
     const NATURE: Nature = Nature {
         smooth: SMOOTH,
         ..Nature::ANYTHING
@@ -161,7 +139,7 @@ impl<F: TorqueForm, const SMOOTH: bool> Effect for Torque<F, SMOOTH> {
 
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.form.on_space(t, body, state)
+        (self.on_space)(t, body, state)
     }
 
     fn break_points(&self) -> Vec<f64> {
@@ -170,5 +148,14 @@ impl<F: TorqueForm, const SMOOTH: bool> Effect for Torque<F, SMOOTH> {
 
     fn narrowest(&self) -> Option<Feature> {
         self.narrowest
+    }
+}
+
+impl<const SMOOTH: bool> fmt::Debug for Torque<'_, SMOOTH> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (f.debug_struct("Torque").field("name", &self.name))
+            .field("break_points", &self.break_points)
+            .field("narrowest", &self.narrowest)
+            .finish_non_exhaustive()
     }
 }

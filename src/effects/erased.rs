@@ -6,46 +6,78 @@ use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 
-/// What is asked of any effect, whatever its type.
-pub(crate) trait AnyEffect {
+/// An [`Effect`] whose type is not asked for: what stands behind a pointer where the effects are
+/// chosen at run time ([`EffectList`](super::EffectList)). Every `Effect` is one; write an
+/// `Effect`, and box it. What each function gives is said there.
+pub trait AnyEffect {
+    /// [`Effect::NATURE`].
     fn nature(&self) -> Nature;
+    /// [`Effect::torque`].
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
+    /// [`Effect::torques_on_axis`] of one axis.
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3];
+    /// [`Effect::resistance`].
     fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance>;
+    /// [`Effect::slip`].
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
+    /// [`Effect::potential_energy`].
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64;
+    /// [`Effect::power`].
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64;
+    /// [`Effect::torque_scale`].
     fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64;
+    /// [`Effect::torque_size`].
     fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64;
+    /// [`Effect::break_points`].
     fn break_points(&self) -> Vec<f64>;
+    /// [`Effect::narrowest`].
     fn narrowest(&self) -> Option<Feature>;
+    /// [`Effect::known`].
     fn known(&self) -> Known;
+    /// [`Effect::names`].
     fn names(&self) -> Vec<&'static str>;
-    fn holds_from(&self, t: f64, body: &RigidBody, start: &State) -> Result<()>;
+    /// [`Effect::about_axis`].
+    fn about_axis(&self) -> Vec<&'static str>;
+    /// [`Effect::holds_from`].
+    ///
+    /// # Errors
+    /// What is not so, with the numbers.
+    fn holds_from(
+        &self,
+        t: f64,
+        body: &RigidBody,
+        start: &State,
+        about_axis: &[&'static str],
+    ) -> Result<()>;
 }
 
 impl<E: Effect> AnyEffect for E {
+    #[inline]
     fn nature(&self) -> Nature {
         E::NATURE
     }
+    #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         Effect::torque(self, t, body, state)
     }
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
-        self.torques_on_axis(body, axis)
+        Effect::torques_on_axis(self, body, axis)
     }
     fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
         Effect::resistance(self, t, body)
     }
+    #[inline]
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         Effect::slip(self, t, body, state)
     }
+    #[inline]
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         Effect::potential_energy(self, t, body, state)
     }
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         Effect::power(self, t, body, state)
     }
+    #[inline]
     fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         Effect::torque_scale(self, t, body, state)
     }
@@ -64,9 +96,17 @@ impl<E: Effect> AnyEffect for E {
     fn names(&self) -> Vec<&'static str> {
         Effect::names(self)
     }
-    /// Among all effects that this one is made of.
-    fn holds_from(&self, t: f64, body: &RigidBody, start: &State) -> Result<()> {
-        Effect::holds_from(self, t, body, start, &self.about_axis())
+    fn about_axis(&self) -> Vec<&'static str> {
+        Effect::about_axis(self)
+    }
+    fn holds_from(
+        &self,
+        t: f64,
+        body: &RigidBody,
+        start: &State,
+        about_axis: &[&'static str],
+    ) -> Result<()> {
+        Effect::holds_from(self, t, body, start, about_axis)
     }
 }
 

@@ -5,7 +5,7 @@
 //! and all of it is held against that torque by [`check`]. Effects are composed in the
 //! type: `()` is no effect, and a pair of effects is an effect. What a scene does not name
 //! is not stored, not called and not asked about. An effect that a flag may leave out is an
-//! `Option`.
+//! `Option`; effects that a file or a form chooses go into an [`EffectList`].
 //!
 //! | effect | torque |
 //! |---|---|
@@ -34,6 +34,7 @@ mod gravity_anywhere;
 mod gravity_gradient;
 mod internal_dissipation;
 mod kepler_orbit;
+mod list;
 mod nature;
 mod optional;
 mod orbiting_body;
@@ -44,17 +45,19 @@ mod viscous;
 
 pub use check::check;
 pub(crate) use check::{Checked, NEAR, is_same, piece};
+pub use closure::Torque;
 pub(crate) use closure::rising;
-pub use closure::{OnBody, OnSpace, Torque, TorqueForm};
 pub use coulomb::CoulombBearing;
 pub use disc_drag::{DiscDrag, Regime};
 pub use elastic_yielding::ElasticYielding;
-pub(crate) use erased::{AnyEffect, Behind};
+pub use erased::AnyEffect;
+pub(crate) use erased::Behind;
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
 pub use kepler_orbit::KeplerOrbit;
+pub use list::{BoxedEffect, EffectList};
 pub use nature::{Feature, Keeps, Known, Nature};
 pub use orbiting_body::OrbitingBody;
 pub use prescribed::{PrescribedTorque, Profile};

@@ -149,3 +149,13 @@ pub enum Known {
     /// The weight at a point of the axis: symmetric bodies.
     HeavyTop(GravityAtLever),
 }
+
+impl Known {
+    /// Of two effects together: a closed form if one of them does nothing.
+    pub const fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Free, other) | (other, Self::Free) => other,
+            _ => Self::No,
+        }
+    }
+}

@@ -106,12 +106,8 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         Some(self.0.narrowest()?.and(self.1.narrowest()?))
     }
 
-    /// Two effects have a closed form if one of them does nothing.
     fn known(&self) -> Known {
-        match (self.0.known(), self.1.known()) {
-            (Known::Free, other) | (other, Known::Free) => other,
-            _ => Known::No,
-        }
+        self.0.known().and(self.1.known())
     }
 
     fn holds_from(

@@ -8,7 +8,7 @@ use super::scene::components;
 use super::{Integrator, Work, ode::check_span};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
 use crate::scene::Scene;
@@ -71,7 +71,7 @@ impl SemiImplicitEuler {
 }
 
 /// I^-1 (torque - omega x I omega), on the body axes.
-fn angular_acceleration<E: Effect>(
+fn angular_acceleration<E: AnyEffect>(
     scene: &Scene<E>,
     t: f64,
     attitude: Attitude,
@@ -100,8 +100,8 @@ fn euler_work(steps: u64) -> Work {
 }
 
 /// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.
-fn rigid<E: Effect>(scene: &Scene<E>) -> Result<()> {
-    if E::NATURE.slips {
+fn rigid<E: AnyEffect>(scene: &Scene<E>) -> Result<()> {
+    if scene.effects().nature().slips {
         return Err(Error::Slips {
             effects: scene.effects().names().join(", "),
         });
@@ -109,7 +109,7 @@ fn rigid<E: Effect>(scene: &Scene<E>) -> Result<()> {
     Ok(())
 }
 
-impl<E: Effect> Integrator<Scene<E>, State> for EulerOnAngles {
+impl<E: AnyEffect> Integrator<Scene<E>, State> for EulerOnAngles {
     fn advance(
         &self,
         scene: &Scene<E>,
@@ -142,7 +142,7 @@ impl<E: Effect> Integrator<Scene<E>, State> for EulerOnAngles {
     }
 }
 
-impl<E: Effect> Integrator<Scene<E>, State> for SemiImplicitEuler {
+impl<E: AnyEffect> Integrator<Scene<E>, State> for SemiImplicitEuler {
     fn advance(
         &self,
         scene: &Scene<E>,

@@ -20,7 +20,7 @@ use super::{Integrator, Rk4, Work};
 use crate::attitude::Attitude;
 use crate::attitude::product::{stretched_and, vector_times};
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::sincos;
@@ -80,7 +80,7 @@ fn sum(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
     core::array::from_fn(|i| a[i] + b[i])
 }
 
-impl<E: Effect> Integrator<Scene<E>, State> for MuntheKaas4 {
+impl<E: AnyEffect> Integrator<Scene<E>, State> for MuntheKaas4 {
     fn advance(
         &self,
         scene: &Scene<E>,

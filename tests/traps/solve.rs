@@ -3,7 +3,7 @@
 use rotation_dynamics::accuracy::{Limits, Solved};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Nature, Torque, TorqueForm, ViscousFriction};
+use rotation_dynamics::effects::{Effect, Nature, Torque, ViscousFriction};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator};
@@ -12,7 +12,7 @@ use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 use std::cell::{Cell, RefCell};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use support::EPS;
 
 /// The n-th of a sequence that fills 0 to 1 evenly.
@@ -40,11 +40,11 @@ fn weight(strength: f64) -> impl Fn(f64, &RigidBody, &State) -> SpaceVector {
 /// length of the run. They are as good as the end, and the same in any order and alone.
 #[test]
 fn many_states_cost_the_run_and_some_steps_each() -> Result<()> {
-    let (calls, body) = (Cell::new(0_u64), body()?);
+    let (calls, body) = (AtomicU64::new(0), body()?);
     let start = turning(&body)?;
     let torque = weight(0.05);
     let counted = Torque::on_space("counted weight", |t, body: &RigidBody, state: &State| {
-        calls.set(calls.get() + 1);
+        calls.fetch_add(1, Relaxed);
         torque(t, body, state)
     })
     .smooth();
@@ -57,15 +57,15 @@ fn many_states_cost_the_run_and_some_steps_each() -> Result<()> {
         for count in [100, 1000, 10_000] {
             // In no order.
             let times: Vec<f64> = (0..count).map(|n| t_end * part(n)).collect();
-            calls.set(0);
+            calls.store(0, Relaxed);
             let states = motion.try_states(&times)?;
             // Parts of 8 steps at most, of some 50 torques each (Gauss-Legendre: 8 stages, and
             // their sweeps).
             let most = 2 * run + 8 * 60 * count as u64;
             assert!(
-                calls.get() <= most,
+                calls.load(Relaxed) <= most,
                 "{turns} {count}: {} of {most}",
-                calls.get()
+                calls.load(Relaxed)
             );
             for n in (0..count).step_by(count / 5) {
                 assert_eq!(motion.try_state(times[n])?, states[n], "{turns} {n}");
@@ -318,8 +318,18 @@ fn a_sampled_torque_is_answered_between_its_samples() -> Result<()> {
     Ok(())
 }
 
-/// A torque by time and state.
+/// A torque by time and state, of a controller that may remember.
 type Law<'l> = dyn Fn(f64, &State) -> SpaceVector + 'l;
+struct Controller<'l>(&'l Law<'l>);
+impl Effect for Controller<'_> {
+    const NATURE: Nature = Nature::ANYTHING;
+    fn name(&self) -> &'static str {
+        "controller"
+    }
+    fn torque(&self, t: f64, _: &RigidBody, state: &State) -> SpaceVector {
+        (self.0)(t, state)
+    }
+}
 
 /// A torque that remembers is refused by its name, however it remembers; one that counts its calls and
 /// gives the same torque is not.
@@ -328,11 +338,9 @@ fn a_torque_that_remembers_is_refused() -> Result<()> {
     let body = body()?;
     let start = turning(&body)?;
     let brake = |state: &State| state.angular_momentum * -0.1;
-    let solve = |torque: &dyn Fn(f64, &State) -> SpaceVector, tolerance: f64| {
-        let torque = Torque::on_space("controller", |t, _: &RigidBody, state: &State| {
-            torque(t, state)
-        });
-        Scene::new(body).with(torque).solve(&start, 3.0, tolerance)
+    let solve = |torque: &Law<'_>, tolerance: f64| {
+        let scene = Scene::new(body).with(Controller(torque));
+        scene.solve(&start, 3.0, tolerance)
     };
     let mut refused = 0;
     for n in 0..40 {
@@ -387,7 +395,7 @@ fn a_torque_that_remembers_is_refused() -> Result<()> {
 }
 
 /// A torque that jumps with the state, back and forth, and what it is called.
-fn switched(name: &'static str, kind: usize, size: f64) -> Torque<impl TorqueForm> {
+fn switched(name: &'static str, kind: usize, size: f64) -> Torque<'static> {
     let sign = |x: f64| if x == 0.0 { 0.0 } else { 1f64.copysign(x) };
     Torque::on_body(name, move |_, body: &RigidBody, state: &State| {
         let [a, b, c] = body.angular_velocity(state).to_array();
@@ -544,22 +552,22 @@ fn what_looks_may_miss_is_said() -> Result<()> {
 /// can be had is had.
 #[test]
 fn what_is_hopeless_is_refused_at_once() -> Result<()> {
-    let (calls, mut ran) = (Cell::new(0_u64), 0);
+    let (calls, mut ran) = (AtomicU64::new(0), 0);
     for n in 0..6 {
         let (a, b) = (part(3 * n + 1), part(3 * n + 2));
         let body = RigidBody::new(PrincipalMoments::new(1.0 + 0.5 * a, 1.0 + 0.5 * b, 1.6)?);
         let start = body.state(Attitude::IDENTITY, BodyVector::new(a - 0.5, b, 1.0))?;
         let torque = weight(0.05);
         let counted = Torque::on_space("swing", |t: f64, body: &RigidBody, state: &State| {
-            calls.set(calls.get() + 1);
+            calls.fetch_add(1, Relaxed);
             torque(t, body, state) + SpaceVector::new(0.05 * sin(t), 0.02 * cos(1.3 * t), 0.0)
         })
         .smooth();
         let scene = Scene::new(body).with(counted);
         let solve = |tolerance: f64| {
-            calls.set(0);
+            calls.store(0, Relaxed);
             let solved = scene.solve(&start, 600.0, tolerance);
-            (solved, calls.get())
+            (solved, calls.load(Relaxed))
         };
         let (refused, dear) = solve(1e-14);
         let error = refused.expect_err("hopeless");

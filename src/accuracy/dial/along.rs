@@ -5,7 +5,7 @@ use super::method::{Fine, Method, Passed, Runs, Steps};
 use super::stepping::stops;
 use super::{ExactMotion, Limits, Solved};
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::motion::{Kept, Motion};
@@ -65,7 +65,7 @@ struct Found {
     work: Work,
 }
 
-impl<E: Effect> Scene<E> {
+impl<E: AnyEffect> Scene<E> {
     /// The motion from `start` to `t_end` (s) with an attitude that is off by `tolerance`
     /// (rad) or less at every time between.
     ///

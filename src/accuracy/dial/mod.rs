@@ -41,7 +41,7 @@ pub use exact_motion::ExactMotion;
 pub use limits::Limits;
 
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::error::Result;
 use crate::integrators::Work;
 use crate::scene::Scene;
@@ -93,7 +93,7 @@ pub struct Solved {
     pub looked_every: Option<f64>,
 }
 
-impl<E: Effect> Scene<E> {
+impl<E: AnyEffect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///

@@ -1,7 +1,7 @@
 //! Pieces of a motion in a time in which a root of the time is smooth.
 
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::AnyEffect;
 use crate::error::Result;
 use crate::integrators::scene::{components, state};
 use crate::integrators::{Dop853, Integrator, Ode, Work};
@@ -57,7 +57,7 @@ impl Regularized {
     ///
     /// # Errors
     /// What the method refuses.
-    pub fn advance<E: Effect>(
+    pub fn advance<E: AnyEffect>(
         self,
         method: &Dop853,
         scene: &Scene<E>,

@@ -188,11 +188,11 @@ mod tests {
     const SPAN: f64 = 10.0;
 
     /// The kinks of a torque of this size, on the way from 0 to the end of the span.
-    fn kinks(size: impl Fn(f64) -> f64) -> Vec<Kink> {
+    fn kinks(size: impl Fn(f64) -> f64 + Send + Sync) -> Vec<Kink> {
         on([0.0, SPAN], &[], size)
     }
 
-    fn on(span: [f64; 2], known: &[f64], size: impl Fn(f64) -> f64) -> Vec<Kink> {
+    fn on(span: [f64; 2], known: &[f64], size: impl Fn(f64) -> f64 + Send + Sync) -> Vec<Kink> {
         let moments = PrincipalMoments::new(1.0, 2.0, 2.5).expect("moments of a body");
         let body = RigidBody::new(moments);
         let start = body.state(Attitude::IDENTITY, BodyVector::new(0.1, 0.2, 0.3));

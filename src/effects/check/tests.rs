@@ -1,6 +1,7 @@
 //! How much the check of a power allows.
 
 use super::*;
+use crate::effects::Effect;
 use crate::effects::{GravityAtLever, Keeps};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;

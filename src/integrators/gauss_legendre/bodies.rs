@@ -6,7 +6,7 @@ use super::{GaussLegendre, StageOde};
 use crate::attitude::Attitude;
 use crate::attitude::product::vector_times;
 use crate::body::State;
-use crate::effects::Effect;
+use crate::effects::{AnyEffect, Effect};
 use crate::error::Result;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::integrators::compensated::Compensated;
@@ -18,7 +18,7 @@ use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
-impl<E: Effect, const STEADY: bool> Integrator<Scene<E>, State> for GaussLegendre<STEADY> {
+impl<E: AnyEffect, const STEADY: bool> Integrator<Scene<E>, State> for GaussLegendre<STEADY> {
     advance_by_counting!(Scene<E>, State);
 
     fn advance_counting(
@@ -40,7 +40,7 @@ pub(crate) struct SideBySide<'s, E> {
     slips: bool,
 }
 
-impl<'s, E: Effect> SideBySide<'s, E> {
+impl<'s, E: AnyEffect> SideBySide<'s, E> {
     /// The scene; of effects that may slip, whether they do.
     pub(crate) fn new(scene: &'s Scene<E>, slips: bool) -> Self {
         Self {
@@ -51,7 +51,7 @@ impl<'s, E: Effect> SideBySide<'s, E> {
     }
 }
 
-impl<'s, E: Effect, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
+impl<'s, E: AnyEffect, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
     for GaussLegendre<STEADY>
 {
     advance_by_counting!(SideBySide<'s, E>, State);
@@ -74,7 +74,7 @@ impl<'s, E: Effect, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
     }
 }
 
-impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
+impl<E: AnyEffect> StageOde<7> for SideBySide<'_, E> {
     #[inline(always)]
     fn derivatives<L: Lane>(&self, t: L, &[w, x, y, z, lx, ly, lz]: &[L; 7]) -> [L; 7] {
         let square = (w * w + x * x) + (y * y + z * z);
@@ -84,7 +84,7 @@ impl<E: Effect> StageOde<7> for SideBySide<'_, E> {
         let [a, b, c] = one_by_one(t, unit, [lx, ly, lz], torque);
         let l = turned_back(unit, [lx, ly, lz]);
         let [mut p, mut q, mut r] = rates_of(&self.inverse, l);
-        if E::NATURE.slips && self.slips {
+        if self.scene.effects().nature().slips && self.slips {
             let slip = |t, state: &State| self.scene.effects().slip(t, self.scene.body(), state);
             let slip = turned_back(unit, one_by_one(t, unit, [lx, ly, lz], slip));
             (p, q, r) = (p + slip[0], q + slip[1], r + slip[2]);

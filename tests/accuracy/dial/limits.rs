@@ -1,5 +1,6 @@
 //! Another start, many times, break points, a longest step, a budget, a way to cancel.
 
+use core::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
@@ -211,10 +212,10 @@ fn a_longest_step() -> Result<()> {
 #[test]
 fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
     let (scene, start) = heavy()?;
-    let torques = core::cell::Cell::new(0_u64);
+    let torques = AtomicU64::new(0);
     let counted = Scene::new(*scene.body()).with(
         Torque::on_space("counted", |_, _: &RigidBody, _: &State| {
-            torques.set(torques.get() + 1);
+            torques.fetch_add(1, Relaxed);
             SpaceVector::new(0.1, 0.0, 0.0)
         })
         .smooth(),
@@ -227,13 +228,13 @@ fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
     // 12 torques a step: one more step than the budget has room for, and as many as it has.
     let mut taken = Vec::new();
     for steps in [1001.0, 1000.0] {
-        torques.set(0);
+        torques.store(0, Relaxed);
         let refused = counted.solve_with(&start, 20.0, 1e-8, &of(20.0 / steps, 12_000));
         assert!(
             matches!(refused, Err(Error::OverBudget { .. })),
             "{refused:?}"
         );
-        taken.push(torques.get());
+        taken.push(torques.load(Relaxed));
     }
     // What looks at the torque before any run took 5246, and the twin went on to runs: 17 262.
     assert!(taken[0] < 5250 && taken[1] > 17_000, "{taken:?}");

@@ -2,6 +2,7 @@
 
 mod claims;
 mod kept;
+mod listed;
 mod motions;
 mod pairs;
 mod refusals;

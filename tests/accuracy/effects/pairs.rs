@@ -4,8 +4,9 @@
 use super::{body, tilted};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Gravity, GravityAtLever, GravityGradient,
-    InternalDissipation, PrescribedTorque, Profile, Torque, ViscousFriction, check,
+    AnyEffect, BoxedEffect, CoulombBearing, DiscDrag, EffectList, Gravity, GravityAtLever,
+    GravityGradient, InternalDissipation, PrescribedTorque, Profile, Torque, ViscousFriction,
+    check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::scene::{components, state};
@@ -19,7 +20,7 @@ pub(super) struct WithWork<'s, E> {
     pub part: f64,
 }
 
-impl<E: Effect> Ode<8> for WithWork<'_, E> {
+impl<E: AnyEffect> Ode<8> for WithWork<'_, E> {
     fn derivative(&self, t: f64, &[w, x, y, z, a, b, c, _]: &[f64; 8]) -> [f64; 8] {
         let y7 = [w, x, y, z, a, b, c];
         let power = self.scene.power(t, &state(&y7).expect("finite"));
@@ -85,10 +86,13 @@ impl Book {
         }
     }
 
-    fn pair<A: Effect, B: Effect>(&mut self, a: A, b: B) {
-        let names = (a.name(), b.name());
-        // As a pair: two gravities by `with` do not even compile.
-        let scene = Scene::new(self.body).with((a, b));
+    fn pair(&mut self, a: BoxedEffect, b: BoxedEffect) {
+        let names = (a.names()[0], b.names()[0]);
+        let list = match EffectList::new(vec![a, b]) {
+            Ok(list) => list,
+            Err(error) => return self.refused.push(error.to_string()),
+        };
+        let scene = Scene::new(self.body).with_list(list);
         if let Err(error) = check(scene.effects(), &self.body, [0.0, END], &self.start) {
             self.refused.push(error.to_string());
             return;
@@ -98,12 +102,11 @@ impl Book {
         let y8 = [w, x, y, z, l, m, n, 0.0];
         let method = Dop853::new(1e-15).expect("a tolerance");
         let method = method.with_longest_step(0.05).expect("a step");
-        // Behind a pointer: DOP853 is compiled once for all pairs.
-        let problem: &dyn Ode<8> = &WithWork {
+        let problem = WithWork {
             scene: &scene,
             part: 1.0,
         };
-        let (end, work) = method.advance(problem, 0.0, &y8, END).expect("smooth");
+        let (end, work) = method.advance(&problem, 0.0, &y8, END).expect("smooth");
         let [w, x, y, z, l, m, n, done] = end;
         let last = state(&[w, x, y, z, l, m, n]).expect("a state");
         let gained = scene.energy_at(END, &last) - scene.energy_at(0.0, &self.start);
@@ -147,20 +150,23 @@ impl Book {
         }
     }
 
-    fn each<A: Effect + Clone>(&mut self, a: &A) {
-        let body = self.body;
-        self.pair(a.clone(), lever());
-        self.pair(a.clone(), anywhere());
-        self.pair(a.clone(), held());
-        self.pair(a.clone(), on_orbit());
-        self.pair(a.clone(), oil());
-        self.pair(a.clone(), air());
-        self.pair(a.clone(), push());
-        self.pair(a.clone(), creaks());
-        self.pair(a.clone(), motor());
-        if body.moments().is_symmetric() {
-            self.pair(a.clone(), bearing(&body, &self.start));
+    /// Every effect that this body allows.
+    fn every(&self) -> Vec<BoxedEffect> {
+        let mut all: Vec<BoxedEffect> = vec![
+            Box::new(lever()),
+            Box::new(anywhere()),
+            Box::new(held()),
+            Box::new(on_orbit()),
+            Box::new(oil()),
+            Box::new(air()),
+            Box::new(push()),
+            Box::new(creaks()),
+            Box::new(motor()),
+        ];
+        if self.body.moments().is_symmetric() {
+            all.push(Box::new(bearing(&self.body, &self.start)));
         }
+        all
     }
 }
 
@@ -201,7 +207,7 @@ pub(super) fn creaks() -> InternalDissipation {
     InternalDissipation::new(0.02).expect("a loss")
 }
 
-pub(super) fn motor() -> impl Effect + Clone {
+pub(super) fn motor() -> Torque<'static, true> {
     Torque::on_body("motor", |_t, _body, _state| {
         BodyVector::new(0.0, 0.02, 0.05)
     })
@@ -217,18 +223,11 @@ pub(super) fn bearing(body: &RigidBody, start: &State) -> CoulombBearing {
 fn all_pairs_keep_what_they_say_and_do_the_work_they_say() {
     let mut books = [body(1.0, 1.0, 0.6), body(1.0, 1.4, 0.6)].map(Book::of);
     for book in &mut books {
-        book.each(&lever());
-        book.each(&anywhere());
-        book.each(&held());
-        book.each(&on_orbit());
-        book.each(&oil());
-        book.each(&air());
-        book.each(&push());
-        book.each(&creaks());
-        book.each(&motor());
-        if book.body.moments().is_symmetric() {
-            let start = book.start;
-            book.each(&bearing(&book.body, &start));
+        for n in 0..book.every().len() {
+            for other in book.every() {
+                let one = book.every().swap_remove(n);
+                book.pair(one, other);
+            }
         }
     }
     let [round, brick] = books;

@@ -62,7 +62,7 @@ fn powers(kind: &'static str, dice: &mut Dice, power: f64) -> Result<Case> {
 fn wave(
     kind: &'static str,
     dice: &mut Dice,
-    shape: impl Fn(f64) -> f64 + Clone + 'static,
+    shape: impl Fn(f64) -> f64 + Clone + Send + Sync + 'static,
 ) -> Result<Case> {
     let t_end = dice.scale(1.0, 20.0);
     let (count, early) = (dice.scale(2.0, 60.0), dice.part());
@@ -81,7 +81,7 @@ fn scene(
     dice: &mut Dice,
     t_end: f64,
     mut times: Vec<f64>,
-    p: impl Fn(f64) -> f64 + Clone + 'static,
+    p: impl Fn(f64) -> f64 + Clone + Send + Sync + 'static,
 ) -> Result<Case> {
     times.sort_by(f64::total_cmp);
     let text = format!("{times:?}");
