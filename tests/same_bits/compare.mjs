@@ -2,8 +2,12 @@
 // tell against what is locked, byte for byte: each report, each figure, and each command that a
 // reader is given. What moves is held against what the full packs draw.
 //
-// Two pages at a time. A damaged pack must be seen.
-import { readFileSync, readdirSync, statSync } from 'node:fs';
+// Two pages at a time. A damaged pack must be seen. Without MODULES it is the committed packs that
+// are compared, and of them the pages whose packs, or what is locked of them, are not those of
+// `compared.json`: what was compared once is the same again. PAGES=all compares every page, and
+// writes that file if none differs.
+import { createHash } from 'node:crypto';
+import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { runInThisContext } from 'node:vm';
 import { gunzipSync, gzipSync } from 'node:zlib';
 import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
@@ -11,6 +15,8 @@ import { Worker, isMainThread, parentPort, workerData } from 'node:worker_thread
 const root = new URL('../../', import.meta.url);
 const read = (path) => readFileSync(new URL(path, root));
 const modules = workerData ?? process.argv[2] ?? 'book/modules';
+const record = new URL('compared.json', import.meta.url);
+const whole = process.env.PAGES === 'all';
 const index = JSON.parse(read(`${modules}/index.json`));
 const caller = runInThisContext(`${read('book/theme/module.js')};caller`);
 
@@ -36,6 +42,28 @@ function locked(file) {
 function commands() {
   const lines = locked('commands/all.snap').split('\n').filter((line) => /^\d+ [0-9a-f]{16} /.test(line));
   return lines.map((line) => line.trim().split(/\s+/));
+}
+
+// All that the comparison of a page rests on.
+function state(stem) {
+  const hash = createHash('sha256');
+  const figures = readdirSync(new URL('tests/snapshots/figures', root)).filter((name) => name.startsWith(`${stem}__`));
+  const files = [
+    'tests/same_bits/compare.mjs', 'book/theme/module.js', `tests/snapshots/${stem}.snap`,
+    ...figures.sort().map((name) => `tests/snapshots/figures/${name}`),
+    ...index.pages[stem].rest.map((name) => `${modules}/${name}`),
+  ];
+  for (const file of files) hash.update(file).update(read(file));
+  hash.update(JSON.stringify([index.pages[stem], commands().filter(([, , of]) => of === stem)]));
+  return hash.digest('hex');
+}
+
+// The pages that are to be compared.
+function pages() {
+  const all = Object.keys(index.pages);
+  if (whole || process.argv[2]) return all;
+  const known = JSON.parse(readFileSync(record));
+  return all.filter((stem) => known[stem] !== state(stem));
 }
 
 // FNV-1a of 64 bits, as `tests/pages/commands.rs` has it, in two halves.
@@ -149,7 +177,8 @@ function heavy() {
 if (!isMainThread) {
   parentPort.on('message', async (stem) => parentPort.postMessage(await told(stem)));
 } else {
-  const waiting = Object.keys(index.pages);
+  const waiting = pages();
+  const [of, count] = [waiting.length, Object.keys(index.pages).length];
   const total = { compared: 0, differ: [], longer: 0 };
   const hand = (worker) => (waiting.length > 0 ? worker.postMessage(waiting.shift()) : worker.terminate());
   const done = Array.from({ length: 2 }, () => new Promise((ended, failed) => {
@@ -170,8 +199,13 @@ if (!isMainThread) {
   const much = heavy();
   const { user, system } = process.cpuUsage();
   for (const [name, weight, most] of much) console.log(`${name}: ${weight.toFixed(0)} kB of ${most}`);
-  console.log(`modules: ${total.compared} answers compared, ${total.differ.length} differ ${total.differ.join(', ')}; ` +
+  console.log(`modules: ${of} of ${count} pages have changed since they were compared; ${total.compared} answers compared, ${total.differ.length} differ ${total.differ.join(', ')}; ` +
     `${total.longer} calls needed what is rarely called; a damaged pack is ${seen ? '' : 'not '}seen, one that is short is ${on ? '' : 'not '}helped; ${((user + system) / 1e6).toFixed(0)} s of processor`);
   if (total.differ.length > 0) console.log('numbers have changed: make the packs anew with `cargo modules`');
-  process.exit(total.compared > 0 && total.differ.length === 0 && seen && on && much.length === 0 ? 0 : 1);
+  const sound = total.differ.length === 0 && seen && on && much.length === 0;
+  if (sound && whole && !process.argv[2]) {
+    const states = Object.keys(index.pages).map((stem) => [stem, state(stem)]);
+    writeFileSync(record, `${JSON.stringify(Object.fromEntries(states), null, 1)}\n`);
+  }
+  process.exit(sound && (of === 0 || total.compared > 0) ? 0 : 1);
 }
