@@ -23,6 +23,7 @@ mod rough;
 #[path = "accuracy/tables.rs"]
 mod tables;
 
+use kit::{Prepared, Report, claim};
 use lines::Measured;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Measure, Problem, Solved, Variables, WorkPrecision};
@@ -30,10 +31,9 @@ use rotation_dynamics::effects::Effect;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::exp2;
-use rotation_dynamics::report::{Prepared, Report, claim};
 use std::sync::Arc;
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The free body that is raced, and how long.
     pub struct Parameters {
         /// first principal moment of the free body
@@ -135,7 +135,7 @@ fn report(p: &Parameters) -> Result<Report> {
     Ok(report)
 }
 
-rotation_dynamics::example! {
+kit::example! {
     accuracy: "What accuracy costs: work against error, method by method";
     report, figures::all, lines::trajectory
 }

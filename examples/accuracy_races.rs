@@ -9,11 +9,11 @@ mod growth;
 mod long;
 
 use drift::{Curve, Kind, curves};
+use kit::{Prepared, Report, Trajectory};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::{Prepared, Report, Trajectory};
 use std::sync::Arc;
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The long runs.
     pub struct Parameters {
         /// periods of the longest run of the heavy top
@@ -53,7 +53,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Ok(rows)
 }
 
-rotation_dynamics::example! {
+kit::example! {
     accuracy_races: "Long runs: closed form or steps, and how errors grow";
     report, |p| growth::figures(&prepared(p)?), trajectory
 }

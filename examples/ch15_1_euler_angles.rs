@@ -10,18 +10,18 @@ mod pole;
 mod rigid;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::interval::from_to;
+use kit::{Report, Table, below, claim};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, Sequence, YawPitchRoll};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Ode, ode};
-use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::report::{Report, Table, below, claim};
 
 pub use pole::Passage;
 pub use rigid::{pushed, stretched};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// A displacement of a rigid body: the instance of all pages of Section 15.1.
     pub struct Parameters {
         /// first turn, about Z
@@ -224,7 +224,7 @@ fn turns(p: &Parameters, report: &mut Report) -> Result<()> {
     let (all, r, bound) = (frames(p.angles()), matrix(p.angles()), 1e-14);
     let (sp, cp) = sincos(p.phi);
     let [_, first, second, body] = all;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// x axis after the first turn, along X
         node_x: cp, "-", "a triad turned" => first[0].x(), within bound, in "The three turns":
             sp => "that is its part along Y";
@@ -254,7 +254,7 @@ fn turns(p: &Parameters, report: &mut Report) -> Result<()> {
     let (back, library) = (angles(&r), attitude(p.angles())?.euler_angles());
     let versine = 2.0 * sin(0.5 * SMALL) * sin(0.5 * SMALL);
     let kept = (versine / EPS).round() * EPS;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// phi, from the matrix
         phi_back: back[0], "rad", "from the quaternion" => library.phi, within bound, in "The angles from the matrix":
             atan2(r[1][2], r[0][2]) => "that is the azimuth of z; phi is that of the line of nodes",
@@ -288,7 +288,7 @@ fn displacement(p: &Parameters, report: &mut Report) -> Result<()> {
         book(p.book, true)?.angle_to(&book(p.book, false)?),
         apart(p.book),
     );
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// distance of two points after the displacement
         distance: (a - b).norm(), "m", "before it" => (c - d).norm(), within 1e-14 * size;
         /// angle of the whole rotation
@@ -319,14 +319,14 @@ fn conventions(p: &Parameters, report: &mut Report) -> Result<()> {
     let [azimuth, ..] = attitude.angles(Sequence::Zyz);
     // An axis that is upright has no azimuth.
     if p.theta > 0.0 {
-        rotation_dynamics::claims! { report,
+        kit::claims! { report,
             /// azimuth of the z axis
             azimuth: atan2(r[1][2], r[0][2]), "rad", "first angle of z-y'-z''" => azimuth, within bound, in "Other conventions":
                 p.phi => "that is the azimuth of the line of nodes",
                 p.phi + FRAC_PI_2 => "z leans away from Y', not towards it";
         }?;
     }
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// yaw of the same attitude, z-y'-x''
         yaw: atan2(r[1][0], r[0][0]), "rad", "from the quaternion" => yaw, within bound, in "Other conventions";
         /// pitch
@@ -379,7 +379,7 @@ fn limits(report: &mut Report) -> Result<()> {
         Ok::<_, rotation_dynamics::Error>(attitude.euler_angles())
     };
     let (locked, near) = (library(0.0)?, library(1e-300)?);
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// only the second turn is left
         "phi = zeta = 0: whole angle over theta": one.angle / 0.7 => 1.0, within 1e-15;
         /// two turns about one line add up
@@ -401,7 +401,7 @@ fn limits(report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_1_euler_angles: "Section 15.1: a rigid body displaced and turned, by three angles and back";
     report, figures::figures, picture::trajectory, picture::moving_picture
 }

@@ -13,6 +13,7 @@ pub mod matrices;
 mod steps;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::Report;
 pub use left_out::{filmed, missed, swollen};
 use matrices::{about_x, about_z, columns, in_space, length, on_own_axes, product};
 use rotation_dynamics::Result;
@@ -20,10 +21,9 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Ode, ode};
 use rotation_dynamics::math::{asin, atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::report::Report;
 pub use steps::{by_angles, by_quaternion, clear_of_poles, passing};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// A line, a point, a disc, a gyroscope and a frame, each with its rates.
     pub struct Parameters {
         /// angle of a line on the body from the x axis
@@ -287,7 +287,7 @@ fn of_points(p: &Parameters, report: &mut Report) -> Result<()> {
     let [by_parts, whole] = [centre + velocity(UP * about, relative), velocity(disc, A)];
     let near = (1e-11 * size.x()).max(1e-14);
     let nearly = (1e-11 * p.disc.abs()).max(1e-14);
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// angular velocity of the line
         line_rate: turn / p.interval, "rad/s", "another line of the body" => other / p.interval,
         within 1e-14 * (1.0 + turn.abs()) / p.interval, in "A line and a point":
@@ -324,7 +324,7 @@ fn of_gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
     let near = (1e-14 * sum).max(1e-15);
     let [quick, _, back] = rates([x, y, z], NEAR);
     let there = by_volumes([x, y, z], NEAR);
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// component on the line of nodes x
         omega_x: x, "rad/s", "derivative of the matrix" => along_x, within near,
         in "The gyroscope, on x, y, z";
@@ -385,7 +385,7 @@ fn of_frames(p: &Parameters, report: &mut Report) -> Result<()> {
     let (relative, seen) = (omega - UP * p.frame, seen_from(p.frame, omega)?);
     let fine = (1e-11 * (omega.norm() + p.frame.abs())).max(1e-14);
     let small = 0.01;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// what turns x, y, z: size
         triad_size: triad.norm(), "rad/s", "derivative of the matrix" => exact.norm(),
         within near, in "Frames":
@@ -429,7 +429,7 @@ fn sum_of_quarters() -> Result<f64> {
     Ok(Attitude::from_rotation_vector(sum)?.angle_to(&Attitude::IDENTITY))
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_2_angular_velocity: "Angular velocity: one vector for the whole body, its parts and its frames";
     report, figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -11,14 +11,14 @@ pub mod orbit;
 mod year;
 
 use core::f64::consts::{PI, TAU};
+use kit::{ClosedForm, Report, Table, short};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Ode, Work, ode};
 use rotation_dynamics::math::{asin, atan2, cos, sin, sincos, tan};
-use rotation_dynamics::report::{ClosedForm, Report, Table, short};
 pub use year::{Extremes, date, extremes};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The notes' year and day; the Earth's orbit and axis at the epoch J2000.
     pub struct Parameters {
         /// solar days in a year
@@ -188,7 +188,7 @@ fn mean_days(p: &Parameters, report: &mut Report) -> Result<()> {
     let printed = TAU * (y + 1.0) / (365.25 * day);
     let (minutes, bound) = ((stars / 60.0).floor() * 60.0, 1e-12 + 10.0 * p.tolerance);
     let whole = turn(y) * noon;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// turn of OP in a solar day
         turn: turn(y), "rad", "P faces the Sun again" => whole, within bound, in "The mean day":
             TAU => "then P would face the same star, and not the Sun",
@@ -239,7 +239,7 @@ fn two_kinds_of_star_days(report: &mut Report) -> Result<()> {
     // Turns a day: Aoki et al. 1982; IAU resolution B1.8 of 2000.
     let [mean_sidereal, stellar] = [1.002_737_909_350_795, 1.002_737_811_911_354_5];
     let adopted = [86_400.0 / mean_sidereal, 86_400.0 / stellar];
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// mean sidereal day, from the tropical year
         mean_sidereal: equinox, "s", "Aoki et al. 1982" => adopted[0], within 2e-6;
         /// stellar day
@@ -276,7 +276,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         .clone()
         .map(|t| sun(&with(p, e, 0.0), t).centre)
         .sum::<f64>();
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// the sundial keeps the time of the clock
         "round orbit, upright axis: E": most(&round) => 0.0, within 1e-14;
         /// 2 e sin M, Kepler's second law to first order
@@ -360,7 +360,7 @@ fn variations(p: &Parameters) -> Result<Table> {
     Ok(table)
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_2_days: "The day and the stars: solar and sidereal day, and the equation of time";
     report, figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -7,10 +7,10 @@ mod figures;
 pub mod hoop;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, Work, ode};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The four bodies; the notes leave all numbers open.

@@ -13,16 +13,16 @@ mod solids;
 
 pub use bodies::*;
 use core::f64::consts::PI;
+use kit::{Report, Table, Trajectory, short, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids as uniform};
 use rotation_dynamics::integrators::{Dop853, Integrator, Work, ode};
 use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sincos};
-use rotation_dynamics::report::{Report, Table, Trajectory, short, times};
 pub use solids::points_of;
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The plate of the examples, a square unless told otherwise, and how four masses turn.
     pub struct Parameters {
         /// mass of the plate
@@ -193,7 +193,7 @@ fn energies(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rest, moved) = (5.0 * REFERENCE.dot(&REFERENCE), velocity(&motion, centre));
     let size = 64.0 * EPS * (rest + 3.0 * omega.dot(&omega));
     let speed = 5e-13 * (1.0 + omega.norm());
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// velocity of the first mass along x
         v_x: x, "m/s", "two places of it" => dx, within speed, in "The first mass":
             x - 2.0 * (omega[1] * 0.3 - omega[2] * 0.2) => "Omega x r, not r x Omega";
@@ -231,7 +231,7 @@ fn elements(_: &Parameters, report: &mut Report) -> Result<()> {
     let turned = on_axes(&tensor(&masses), &askew()?);
     let again = tensor(&turned_masses(&masses, &askew()?))[0][0];
     let (size, two) = (16.0 * EPS, "energies at 1 rad/s");
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// I_xx of the four masses about the origin
         i_xx: xx, "kg m^2", two => 2.0 * ex, within size, in "Tensor of the four masses";
         /// I_yy
@@ -264,7 +264,7 @@ fn principal(report: &mut Report) -> Result<()> {
     let [one, two, three] = InertiaTensor::new(t)?.principal_axes().moments();
     let [low, middle, high] = characteristic_roots(t);
     let (size, roots) = (32.0 * EPS, "roots of det(I - x 1)");
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// smallest principal moment of the four masses about the origin
         i_1: one, "kg m^2", roots => low, within size, in "Principal moments of the four masses":
             t[1][1] => "that is I_yy; the axes are not principal";
@@ -290,7 +290,7 @@ fn plate(p: &Parameters, report: &mut Report) -> Result<()> {
     let uniform = uniform::plate(m, a, b)?;
     let stepped = uniform.about([-0.5 * a, -0.5 * b, 0.0].into())?.matrix()[2][2];
     let (size, sums) = (32.0 * EPS * m * (a * a + b * b), "four points");
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// I_xx of the plate about its centre
         centre_xx: xx, "kg m^2", sums => centre[0][0], within size, in "Plate about its centre":
             cxx => "that is about an edge";
@@ -337,7 +337,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let far = far.about([away, 0.0, 0.0].into())?.matrix()[2][2];
     let [round, _, hoop] = diagonal(&uniform::torus(1.0, 1.0, 1e-9)?);
     let [ball, ..] = diagonal(&uniform::ellipsoid(1.0, 1.0, 1.0, 1.0)?);
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// each mass is counted by two of the three distances from the axes
         "four masses: trace of I over the sum of 2 m r^2": trace / spread => 1.0, within 4.0 * EPS;
         /// half a turn of the axes brings back the same
@@ -395,7 +395,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         None
     };
     let cost = yields.map_or(0, |(_, work)| work.derivatives);
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "air that turns with the plate, at most": "3 pi rho b^2 a/(32 M)" = air, costs air, "of I_xx";
         "warmer by ten kelvin": "2 alpha (T - T_0)" = 2.0 * grown, costs 2.0 * grown, "of I_xx, to first order",
             measured warm, within 4.0 * EPS, at_cost "closed form, closed form";
@@ -494,7 +494,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_3_moment_of_inertia: "Section 15.3: kinetic energy, tensor of inertia, principal axes";
     report, figures::figures, trajectory, figures::moving_picture
 }

@@ -12,6 +12,7 @@ mod variations;
 pub use variations::rubbing;
 
 use core::f64::consts::FRAC_PI_2;
+use kit::{ClosedForm, Report, Trajectory, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder;
@@ -21,9 +22,8 @@ use rotation_dynamics::math::{acos, acosh, asinh, cos, cosh, log, sin, sincos, s
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Motion, State, Surface, motion_within,
 };
-use rotation_dynamics::report::{ClosedForm, Report, Trajectory, times};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The plank of the example; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the plank
@@ -277,7 +277,7 @@ fn upright(p: &Parameters, report: &mut Report) -> Result<()> {
     let (bound, energy) = (4.0 * p.tolerance, 0.5 * p.mass * g * l);
     let time = Exact::new(l, g, p.from, start)?.landing_time();
     let pivoted = (1.5 * g / l).sqrt();
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// energy of the plank upright, counted from the floor
         energy: energy, "J", "at the floor" => p.mass * l * l / 6.0 * floor.clone()?.before.v[2] * floor.clone()?.before.v[2],
             within bound * energy;
@@ -314,7 +314,7 @@ fn released(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> 
     let held = Ladder::new(l, g, p.angle)?.held_landing_time();
     let fixed = hinged_fall(p, p.angle)?;
     let rate = (3.0 * g * cos(p.angle) / l).sqrt();
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// time at which the plank lies on the floor
         t_floor: exact.landing_time(), "s", "located event" => lands.t, within bound / lambda, in "Released at rest":
             held => "that is for a foot that is held",
@@ -347,7 +347,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let double = (held(1e-9)? - held(1e-8)?) / (time(1e-9)? - time(1e-8)?);
     let (rise, flat) = (1e-6, Exact::new(l, g, FRAC_PI_2 - 1e-6, 0.0)?);
     let first = Exact::new(l, g, 1e-9, 0.0)?.start().floor_force;
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// exp(lambda t) must make up for a factor of ten
         "nearly upright: time of a factor ten, lambda t - ln 10": digit => 0.0, within 1e-12;
         /// half the rate, twice the time
@@ -393,7 +393,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_3_plank: "Section 15.3, example 3: a plank falls over on a frictionless floor";
     report, figures::figures, trajectory, figures::moving_picture
 }

@@ -19,6 +19,7 @@ pub mod swarm;
 pub mod worked;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::{Report, Table, short};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -27,11 +28,10 @@ use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
 use rotation_dynamics::math::{atan2, sincos};
-use rotation_dynamics::report::{Report, Table, short};
 use rotation_dynamics::scene::Scene;
 use swarm::{Grain, Swarm, angle, step};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The cylinder of the notes' fifth example, and the bodies of the others.
     pub struct Parameters {
         /// mass of the cylinder
@@ -230,7 +230,7 @@ fn bodies(report: &mut Report) -> Result<()> {
         omega,
         SpaceVector::zero(),
     );
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// four masses: I Omega, along x
         four_x: x, "kg m^2/s", "sum of r x m v" => sum.x(), within 1e-12;
         /// along y
@@ -314,7 +314,7 @@ fn limits(report: &mut Report) -> Result<()> {
         shaft: 2.0,
         rate: 3.0,
     };
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// along a principal axis L follows Omega
         "cylinder, theta = 0: angle from Omega to L": shape(6.0, 0.0).angle() => 0.0, within 1e-15;
         /// so it does across it
@@ -337,7 +337,7 @@ fn disc_ratio() -> f64 {
     momentum.z() / momentum.y()
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_4_angular_momentum: "Angular momentum of a rigid body, and where it points";
     report, figures::figures, picture::trajectory, picture::moving
 }

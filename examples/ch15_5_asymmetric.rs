@@ -13,6 +13,8 @@ mod tumbling;
 pub use naive::NAIVE_TILT;
 
 use core::f64::consts::{FRAC_PI_2, LN_10, PI, TAU};
+use kit::interval::from_to;
+use kit::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -22,13 +24,11 @@ use rotation_dynamics::exact::jacobi::Jacobi;
 use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, ode, small_frequency};
-use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin};
-use rotation_dynamics::report::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// A book, thrown with a turn about its middle axis; or a telephone, or a racket.
     pub struct Parameters {
         /// mass
@@ -348,7 +348,7 @@ fn claims(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
     let spun = at.attitude.to_space(at.angular_velocity);
     let (rim, half) = (tumble.across(tumble.start), tumble.rates(0.5 * flips)?);
     let (turned, counted) = (tumble.turns()?, tumble.turns_counted()?);
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// least moment, about the longest edge
         i1: i1, "kg m^2", "library's cuboid" => library(0)?, within 1e-14 * i1,
         in "The body":
@@ -423,7 +423,7 @@ fn limits(report: &mut Report) -> Result<()> {
     let twins = Tumble::new([1.0, 1.0 + 1e-9, 1.5], 1.0, 1.0, 2);
     let spin = 0.5 * twins.start[2];
     let after = near.rates(0.5 * near.between_flips()? + 1.0 / near.pace())?;
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// nearly about the least axis, the rates go as sine and cosine
         "aside -> pi/2, toward least: frequency over (5)": sway(0)? => 1.0, within 1e-7;
         /// and nearly about the largest
@@ -517,7 +517,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_5_asymmetric: "A free body with three different moments: polhodes, and flips about the middle axis";
     report, figures::figures, trajectory, tumbling::moving_picture
 }

@@ -9,6 +9,8 @@ pub mod yielding;
 
 use core::f64::consts::TAU;
 use equinoxes::{ARCSEC, MOON, OBLIQUITY, SUN, YEAR};
+use kit::interval::from_to;
+use kit::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
@@ -17,12 +19,10 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, ode};
-use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, hypot, round_even, sin, tan};
-use rotation_dynamics::report::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::scene::Scene;
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The Earth of the notes, as a rigid body with two equal moments.
     pub struct Parameters {
         /// moment of inertia about an axis in the equator, over M R^2
@@ -131,7 +131,7 @@ fn wobble(p: &Parameters, report: &mut Report) -> Result<()> {
     let figure = motion.attitude(end).to_space(FIGURE_AXIS);
     let between = |u: &SpaceVector, v: &SpaceVector| atan2(u.cross(v).norm(), u.dot(v));
     let apart = atan2(f * tan(alpha(p)), 1.0 + f + tan(alpha(p)) * tan(alpha(p)));
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// angle between the figure axis and the angular velocity
         alpha: alpha(p) / ARCSEC, "arcsec",
         "along the motion" => between(&figure, &omega) / ARCSEC, within 1e-9 * alpha(p) / ARCSEC,
@@ -192,7 +192,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     })?;
     let love = |k: f64| yielding::period(&Parameters { love: k, ..*p });
     let k_s = yielding::fluid_love_number(p);
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// a flat disc wobbles twice as fast as it turns
         "C = 2 A: Omega_P/Omega_z": turns(&thin, end, FIGURE_AXIS) / 100.0 => 2.0, within 1e-7;
         /// nearly a sphere: the axis stays with the body for a thousand days
@@ -253,7 +253,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     // None of what is no body.
     let unequal = apart(0.00335).ok().zip(apart(0.0).ok());
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "yielding of the mantle":
             "k_2/k_s" = kappa, costs yielded, "d of the period", included;
         "fluid core": "1 - A_m/A" = 0.11, costs -0.11 * rigid, "d of the period";
@@ -299,7 +299,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns, times(0.0, end, 400), row)
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_5_earth: "Section 15.5: the free wobble of the Earth, how it yields, and the precession of the equinoxes";
     report, figures::figures, trajectory, figures::moving_picture
 }

@@ -5,15 +5,15 @@ mod figures;
 #[path = "ch15_5_rod_and_particle/strike.rs"]
 pub mod strike;
 
+use kit::interval::from_to;
+use kit::{ClosedForm, Report};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::interval::from_to;
-use rotation_dynamics::report::{ClosedForm, Report};
 use strike::{Blow, Strike};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// Rod and particle; the notes give both the same mass.
     pub struct Parameters {
         /// mass of the rod
@@ -134,7 +134,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // Before the impact nothing turns: velocities just after it are as good as its impulses.
     let bound = 1e-12;
     let [energy, rest] = a.energies;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// moment of inertia of rod and particle about the hinge
         inertia: a.inertia, "kg m^2", "tensors of the parts" => moment, within 1e-14 * a.inertia,
         in "The impact":
@@ -184,7 +184,7 @@ fn on_table(p: &Parameters, report: &mut Report) -> Result<()> {
         0.5 * time,
     );
     let end = Blow::new(strike, 1e-6, 0.5, half / strike.unit())?.end()?;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// with friction of the table: time from the impact until the rod stops
         stop_time: time, "s", "rate after half of it, simulated" => w / (w - end.v[2]) * half, within 1e-5 * time;
         /// angle by which it turns until then
@@ -206,7 +206,7 @@ fn ratio(particle: f64) -> Answer {
 
 fn limits(report: &mut Report) -> Result<()> {
     let ([light, heavy], equal) = ([1e-9, 1e9].map(ratio), ratio(1.0));
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// a heavy particle hardly notices the rod: v is the speed of its end
         "m/M to infinity: Omega l/(2 v)": 0.5 * heavy.angular_velocity => 1.0, within 1e-8;
         /// and loses no energy
@@ -255,7 +255,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         false => None,
     };
     let after = braked.as_ref().map(Blow::end).transpose()?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "friction in the hinge, impact": "mu r_h J_h/L" = hinge, costs hinge * w, "rad/s",
             measured rough.map(|([part, _], _)| (1.0 - part) * w), within slack, at_work rough.map(|(_, work)| work);
         "thickness of the rod": "M b^2/(12 I0)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
@@ -268,7 +268,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_5_rod_and_particle: "A rod on a hinge is hit by a particle that sticks";
     report, figures::figures, figures::trajectory, figures::moving
 }

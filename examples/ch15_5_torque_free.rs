@@ -10,6 +10,8 @@ mod left_out;
 pub use left_out::{gradient_rate, twisted};
 
 use core::f64::consts::{PI, TAU};
+use kit::interval::from_to;
+use kit::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -17,13 +19,11 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{Dop853, Ode, Solution, ode};
-use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::{atan2, cos, hypot, sin};
-use rotation_dynamics::report::{Report, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// A solid cylinder that moves freely; the notes' instance.
     pub struct Parameters {
         /// mass
@@ -322,7 +322,7 @@ fn claims(p: &Parameters, top: Top, report: &mut Report) -> Result<()> {
     let flat = 3.0_f64.sqrt() * p.radius;
     // What a period that ends at a shallow zero allows.
     let slow = 1e-10 * rate * (rate / spin.abs());
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// moment of inertia across the axis
         i1: top.i1, "kg m^2", "library's cylinder" => across, within 1e-14 * top.i1,
         in "The body":
@@ -381,7 +381,7 @@ fn disc_claims(disc: Top, report: &mut Report) -> Result<()> {
     let [_, _, tilt, lean, _] = seen(disc, 0.4 * disc.round())?;
     let (spin, precession) = (disc.spin(), disc.precession());
     let counted = stepped.line_turns()?;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// the disc: rate at which its axis goes round L
         disc_omega_p: precession, "rad/s", "return of the axis, stepped" => stepped.precession()?,
             within 1e-10,
@@ -419,7 +419,7 @@ fn limits(report: &mut Report) -> Result<()> {
     };
     let (disc, needle, round) = (shaped(2.0), shaped(1e-6), shaped(1.0 - 1e-6));
     let level = |top: Top| top.tilted(0.5 * PI - 1e-6);
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// nearly along one line, rates add as numbers: (1 + cos(theta))
         "I1 = 2 I3, theta = 0.001: turns of OP": cylinder.tilted(1e-3).line_turns() => 2.0, within 1e-6;
         /// the same with -1/2 cos(theta) for the disc
@@ -495,7 +495,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The direction of the line OP, in the body.
 pub const LINE: BodyVector = BodyVector::new(1.0, 0.0, 0.0);
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_5_torque_free: "Torque-free motion of a symmetric top: precession, spin, and the two cones";
     report, figures::figures, trajectory, cones::moving_picture
 }

@@ -15,6 +15,8 @@ mod picture;
 mod tables;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::Report;
+use kit::interval::between;
 use rotation_dynamics::accuracy::{Problem, largest};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -24,9 +26,7 @@ use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
-use rotation_dynamics::interval::between;
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 
@@ -42,7 +42,7 @@ pub const EPOCH: &str = "1992-11-09T17:49:47";
 const FLYBY: &str = "2004-09-29T13:37:00";
 const FIRST_FLYBY: &str = "1992-12-08T05:37:00";
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The asteroid: its moments of inertia, and the flyby that is put in.
     pub struct Parameters {
         /// moment of inertia about x over that about the long axis
@@ -300,7 +300,7 @@ fn free(study: &Study, report: &mut Report) -> Result<()> {
     let momentum = motion.angular_momentum();
     let latitude = atan2(momentum.z(), hypot(momentum.x(), momentum.y())).to_degrees();
     let by_angle = 90.0 - angle_between(momentum, SpaceVector::new(0.0, 0.0, 1.0));
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// period of the rotation about the long axis
         spin_period: spin, "d", "an elliptic integral" => other, within 1e-12, in "The free motion":
             precession => "that is the other one";
@@ -339,7 +339,7 @@ fn fits(study: &Study, report: &mut Report) -> Result<()> {
         root_mean_square(&study.fitted_misses),
         fit.scatter.to_degrees(),
     );
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// moment about x over that about the long axis, fitted
         fit_x: fit.at[6], "-", "another start, simulated" => other.at[6], within 1e-6;
         /// its standard deviation
@@ -406,7 +406,7 @@ fn later(study: &Study, report: &mut Report) -> Result<()> {
     let percent = more(periods[0], heavier.periods()?[0]);
     let percent_again = more(elliptic_period(&study.start)?, elliptic_period(&heavier)?);
     let stretched = last.t / (last.t / periods[0] - spin.abs() / 360.0) / DAY - periods[0] / DAY;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// miss of 2008
         miss_2008: miss, "deg", "stepped through" => again, within 1e-5;
         /// of the long axis alone
@@ -550,7 +550,7 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
     let sunlit = under_the_sun(&start, end)?;
     let by_sun = sunlit.angle_to(&start.motion()?.attitude(end)).to_degrees();
     let bound = 10.0 * p.tolerance;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// number of the tide at the closest
         tide_number: number, "-", "3 (n/Omega)^2 (1 - I_z/I_max)" => by_hand, within 1e-12 * number, in "The tide":
             number / 3.0 => "a factor 3",
@@ -589,7 +589,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let third = TAU * (round.closest * round.closest * round.closest / round.attracts).sqrt() / 3.0;
     let moved = angle_between(round.place(round.when)?, round.place(round.when + third)?);
     let straight = Path::flyby(1e9, 1e7, 0.0, 0.0).place(1000.0)?;
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// a symmetric body: L runs round the axis at (1 - I_z/I_x) Omega_z
         "I_x = I_y: period of the rotation": thin.periods()?[0] / symmetric => 1.0, within 1e-8;
         /// and the axis precesses at L/I_x
@@ -629,7 +629,7 @@ fn effects(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) ->
     // What goes round too far comes back from the other side.
     let told = |predicted: f64, [moved, ..]: [f64; 3]| (predicted < 60.0).then_some(moved);
     let [by_sun, by_first, by_own] = moved.work;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "tide of the Earth, 2004": "3 (n/Omega)^2 (1 - I_z/I_max)" = number(&start, &flyby(p))?, costs own, "deg in 2008, at most, to first order",
             measured told(own, moved.own), within 1e-5, at_work by_own, included;
         "tide of the Earth, 1992": "3 (n/Omega)^2 (1 - I_z/I_max)" = number(&start, &first_flyby(p))?, costs first, "deg in 2008, at most, to first order",
@@ -653,7 +653,7 @@ fn accuracy(p: &Parameters, study: &Study, report: &mut Report) -> Result<()> {
     )
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch15_5_toutatis: "Section 15.5: the asteroid Toutatis, its free tumbling and the tides, against radar images";
     report, figures::figures, picture::trajectory, picture::moving_picture
 }

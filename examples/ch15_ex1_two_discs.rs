@@ -4,10 +4,10 @@
 #[path = "ch15_ex1_two_discs/figures.rs"]
 mod figures;
 
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, ode};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The discs of the exercise; the notes leave all numbers open.

@@ -4,10 +4,10 @@
 mod figures;
 
 use core::f64::consts::FRAC_PI_2;
+use kit::prelude::*;
 use rotation_dynamics::integrators::Work;
 use rotation_dynamics::planar::contact::{Contact, Load, Mechanism, Motion, State};
 use rotation_dynamics::planar::contact::{With, motion_within};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The gears of the exercise; the notes leave all numbers open.

@@ -4,8 +4,8 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+use kit::prelude::*;
 use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The coins of the exercise; the notes leave all numbers open.

@@ -6,10 +6,10 @@ mod figures;
 pub mod strike;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::report::prelude::*;
 use strike::{Blow, Strike};
 
 parameters! {

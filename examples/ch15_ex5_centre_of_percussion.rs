@@ -7,10 +7,10 @@ mod figures;
 
 use bat::{Blow, Strike};
 use core::f64::consts::PI;
+use kit::prelude::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::MassProperties;
 use rotation_dynamics::integrators::{Dop853, Event, after, ode};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// Bat and ball; the notes leave all numbers open.

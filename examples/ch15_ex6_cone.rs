@@ -7,11 +7,11 @@ mod figures;
 
 use cone::{Cone, Sums, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
+use kit::interval::{above_to, between};
+use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode};
-use rotation_dynamics::interval::{above_to, between};
 use rotation_dynamics::math::expm1;
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The cone of the exercise; the notes leave all numbers open.

@@ -7,14 +7,14 @@ mod figures;
 
 use cone::{Cone, Sums, UP, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
+use kit::interval::between;
+use kit::prelude::*;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::interval::between;
 use rotation_dynamics::math::expm1;
-use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::scene::Scene;
 
 parameters! {

@@ -6,9 +6,9 @@ mod figures;
 pub mod pull;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
+use kit::prelude::*;
 use pull::{Pulled, across, direction, energy, outward, radius};
 use rotation_dynamics::integrators::{after, newton, ode};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The string of the exercise; the notes leave all numbers open.

@@ -7,7 +7,7 @@ pub mod hit;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use hit::{Blow, Hit, energy, least, velocities};
-use rotation_dynamics::report::prelude::*;
+use kit::prelude::*;
 
 parameters! {
     /// The ball and the dumbbell of the exercise; the notes leave all numbers open.

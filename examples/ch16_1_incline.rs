@@ -8,14 +8,14 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
+use kit::interval::at_least;
+use kit::prelude::*;
+use kit::{effect, short};
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::interval::at_least;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
 };
-use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::{effect, short};
 
 parameters! {
     /// The cylinder of the example; the notes leave all numbers open.

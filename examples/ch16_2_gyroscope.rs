@@ -22,11 +22,11 @@ mod picture;
 #[path = "ch16_2_gyroscope/rotor.rs"]
 mod rotor;
 
+use kit::heavy_top::{Motion, Nod, trajectory};
+use kit::{ClaimEntry, Report, Trajectory, claim};
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::heavy_top::{Motion, Nod, trajectory};
-use rotation_dynamics::report::{ClaimEntry, Report, Trajectory, claim};
 use rotation_dynamics::{Error, Result};
 
 // ANCHOR: equations
@@ -91,7 +91,7 @@ pub fn of_the_notes() -> Result<[Motion; 5]> {
     }))
 }
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// The notes' motions, unless something is set: then the motion asked for.
     pub struct Parameters {
         /// I3/I1, the shape: above 0, at most 2
@@ -208,7 +208,7 @@ fn samples(p: &Parameters) -> Result<Trajectory> {
     }
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch16_2_gyroscope:
         "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)";
     report, figures::all, samples, picture::moving

@@ -9,13 +9,13 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, ode, second_order};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The cylinder of section 15.4; the notes leave all numbers open.

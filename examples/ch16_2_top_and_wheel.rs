@@ -21,14 +21,14 @@ mod slowing;
 mod tries;
 
 use core::f64::consts::FRAC_PI_2;
+use kit::heavy_top::{self, Equations, Motion};
+use kit::{ClaimEntry, Report, Trajectory, claim};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, DesignVector};
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties};
 use rotation_dynamics::math::sin;
-use rotation_dynamics::report::heavy_top::{self, Motion};
-use rotation_dynamics::report::{ClaimEntry, Report, Trajectory, claim};
 
 // ANCHOR: body
 /// A body that turns about a point of its axis, and how it starts. SI units.
@@ -132,7 +132,7 @@ impl Body {
     }
 }
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// Both bodies, unless something is set: then that body as it is asked for.
     pub struct Parameters {
         /// which body; the other flags change this one (both: the top)
@@ -219,7 +219,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let mut report = Report::new("The top and the bicycle wheel", description)?;
     for ((name, body), motion) in p.bodies().iter().zip(&motions) {
         report.add(body.moment_claim(name)?)?;
-        report.add(motion.claims(&motion.top)?)?;
+        report.add(motion.claims(&Equations(motion.top))?)?;
     }
     if motions.len() > 1 {
         sleeping::add(&mut report)?;
@@ -238,7 +238,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     }
 }
 
-rotation_dynamics::example! {
+kit::example! {
     ch16_2_top_and_wheel: "The top on its tip and the bicycle wheel hung by its axle";
     report, figures::all, trajectory, slowing::moving_picture
 }

@@ -9,13 +9,13 @@
 mod figures;
 
 use core::f64::consts::{PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityGradient;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, ode};
-use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::scene::Scene;
 
 parameters! {

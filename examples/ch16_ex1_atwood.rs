@@ -6,14 +6,14 @@ mod figures;
 pub mod machine;
 
 use core::f64::consts::PI;
+use kit::driven_in_air;
+use kit::prelude::*;
 use machine::{Grip, Machine, capstan};
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{after, ode};
 use rotation_dynamics::math::asinh;
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
-use rotation_dynamics::report::driven_in_air;
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The machine of the exercise; the notes leave all numbers open, and the radius of the pulley.

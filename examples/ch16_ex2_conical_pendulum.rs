@@ -4,11 +4,11 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, after, newton};
 use rotation_dynamics::integrators::{place_and_velocity, second_order, small_frequency};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.

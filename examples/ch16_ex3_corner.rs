@@ -4,11 +4,11 @@
 mod figures;
 
 use core::f64::consts::{SQRT_2, TAU};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, Surface, motion};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The cylinder of the exercise; the notes leave all numbers open.

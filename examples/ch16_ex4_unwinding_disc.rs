@@ -6,13 +6,13 @@ mod figures;
 pub mod string;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::driven_in_air;
+use kit::interval::above_to;
+use kit::prelude::*;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::integrators::{after, ode};
-use rotation_dynamics::interval::above_to;
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
-use rotation_dynamics::report::driven_in_air;
-use rotation_dynamics::report::prelude::*;
 use string::{Disc, Leaves, long_string};
 
 parameters! {

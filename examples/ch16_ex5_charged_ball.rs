@@ -4,14 +4,14 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::driven_in_air;
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{after, second_order};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
 };
-use rotation_dynamics::report::driven_in_air;
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The ball of the exercise: 1 cm of wood, charged nearly as highly as the air allows in this field.

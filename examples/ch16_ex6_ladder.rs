@@ -11,6 +11,7 @@ mod figures;
 mod variations;
 
 use core::f64::consts::FRAC_PI_2;
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
@@ -18,7 +19,6 @@ use rotation_dynamics::math::{EPS, acosh};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, Motion, State, Surface, kept_within, motion_within,
 };
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The ladder of the exercise; the notes leave all three numbers open.

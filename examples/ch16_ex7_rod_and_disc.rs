@@ -4,13 +4,13 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
 use rotation_dynamics::integrators::{after, ode, second_order, small_frequency};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.

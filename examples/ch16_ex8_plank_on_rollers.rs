@@ -4,13 +4,13 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
+use kit::interval::at_least;
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Ode, second_order};
-use rotation_dynamics::interval::at_least;
 use rotation_dynamics::math::{acosh, asinh, atan, tanh};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The plank of the exercise; the notes leave all numbers open.

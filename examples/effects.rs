@@ -15,13 +15,13 @@ pub mod methods;
 pub mod weigh;
 
 use desk::{ROOM, Spinner, Turning, gradient, gyroscope, on_the_earth};
+use kit::prelude::*;
+use kit::{Prepared, short};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::{Effect, GravityAtLever};
 use rotation_dynamics::integrators::{Dop853, ode};
-use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::{Prepared, short};
 use rotation_dynamics::scene::Scene;
 use std::sync::Arc;
 use weigh::Question;

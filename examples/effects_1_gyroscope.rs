@@ -9,13 +9,13 @@ pub mod ledger;
 pub mod measured;
 
 use core::f64::consts::{PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::SymmetricTop;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Fading, Gimbals, Nod, Pose};
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The half-kilogram gyroscope of the notes' section, in light gimbals with plain bearings.

@@ -6,9 +6,9 @@ mod figures;
 mod ledger;
 
 use core::f64::consts::TAU;
+use kit::prelude::*;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::tops::{
     Course, Dry, NoSlip, Patch, Shape, Smooth, Stance, Throw, TipFriction, Top,
 };

@@ -10,6 +10,8 @@ pub mod parts;
 
 use core::f64::consts::{PI, TAU};
 use excited::Excited;
+use kit::prelude::*;
+use kit::supported_digits;
 use parts::CoreAndMantle;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
@@ -18,8 +20,6 @@ use rotation_dynamics::effects::{Effect, ElasticYielding, InternalDissipation};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode};
-use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::supported_digits;
 use rotation_dynamics::scene::Scene;
 
 /// One second of arc, rad.

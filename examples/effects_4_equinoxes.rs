@@ -11,12 +11,12 @@ pub mod nutation;
 pub mod sky;
 
 use core::f64::consts::{PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{KeplerOrbit, OrbitingBody};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Solution, ode};
-use rotation_dynamics::report::prelude::*;
 
 /// One second of arc (rad), a day and a Julian year (s).
 pub const ARCSEC: f64 = PI / 648_000.0;

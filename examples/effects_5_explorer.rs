@@ -9,6 +9,8 @@ mod opening;
 pub use opening::Opening;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
+use kit::prelude::*;
+use kit::supported_digits;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::exact::free_body::{FreeBody, FreeFlow};
@@ -17,8 +19,6 @@ use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{
     Dop853, Event, Integrator, Ode, Scheme, Separable, Solution, Splitting, Work, ode,
 };
-use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::supported_digits;
 
 parameters! {
     /// Explorer 1 as a uniform cylinder; and a body with three different moments, in units in

@@ -6,12 +6,12 @@ mod figures;
 pub mod throw;
 
 use core::f64::consts::{LN_10, PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, after, ode, second_order};
-use rotation_dynamics::report::prelude::*;
 use rotation_dynamics::scene::Scene;
 use throw::{Throw, delay, euler, exchange, growth, in_air, measured_growth, screen, sway};
 

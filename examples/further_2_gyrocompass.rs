@@ -4,10 +4,10 @@
 mod figures;
 
 use core::f64::consts::PI;
+use kit::prelude::*;
 use rotation_dynamics::exact::carlson;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
 use rotation_dynamics::integrators::{after, newton, ode, place_and_velocity, small_frequency};
-use rotation_dynamics::report::prelude::*;
 
 /// Angular velocity of the Earth against the stars, rad/s.
 const EARTH: f64 = 7.292_115e-5;

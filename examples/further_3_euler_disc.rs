@@ -6,11 +6,11 @@ mod figures;
 mod rolling;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Solution, Work, small_frequency};
 use rotation_dynamics::math::round_even;
-use rotation_dynamics::report::prelude::*;
 
 pub use rolling::{Disc, Loss, placed, rolling, settling};
 

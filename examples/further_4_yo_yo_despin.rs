@@ -6,9 +6,9 @@ mod figures;
 pub mod strings;
 
 use core::f64::consts::PI;
-use rotation_dynamics::interval::above_to;
+use kit::interval::above_to;
+use kit::prelude::*;
 use rotation_dynamics::planar::Run;
-use rotation_dynamics::report::prelude::*;
 use strings::{Hangs, Reel, YoYo, zero};
 
 parameters! {

@@ -4,10 +4,10 @@
 mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Event, LocatedEvent, Ode, Solution, after, ode};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// The bicycle wheel of section 16.2, on a rope.

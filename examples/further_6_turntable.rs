@@ -6,9 +6,9 @@ mod figures;
 pub mod rolling;
 
 use core::f64::consts::PI;
+use kit::prelude::*;
 use rolling::{Ball, Moving, STILL, Surface, at};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode};
-use rotation_dynamics::report::prelude::*;
 
 parameters! {
     /// A ball on a table of the laboratory, and a golf ball in its hole.

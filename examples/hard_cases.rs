@@ -51,12 +51,12 @@ pub mod truth;
 #[path = "hard_cases/turns.rs"]
 pub mod turns;
 
+use kit::{Figure, Prepared, Report};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::{Figure, Prepared, Report};
 use std::sync::Arc;
 use table::{Computed, Family};
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// Which family is computed.
     pub struct Parameters {
         /// family of cases
@@ -113,7 +113,7 @@ fn figures(p: &Parameters) -> Result<Vec<Figure>> {
     Ok([figures::figures(p)?, pictures::stills(p)?].concat())
 }
 
-rotation_dynamics::example! {
+kit::example! {
     hard_cases: "Hard cases: a family at a time, the naive method that breaks beside those that hold";
     report, figures, sections::trajectory, pictures::moving_picture
 }

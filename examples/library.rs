@@ -5,6 +5,8 @@
 mod figures;
 
 use core::f64::consts::{PI, TAU};
+use kit::prelude::*;
+use kit::{short, supported_digits};
 use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -17,8 +19,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::components;
 use rotation_dynamics::integrators::{self, Dop853, after, ode};
 use rotation_dynamics::motion::Motion;
-use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::{short, supported_digits};
 use rotation_dynamics::scene::Scene;
 
 parameters! {

@@ -717,7 +717,10 @@ fn brief(value: f64) -> String {
 impl std::error::Error for Error {}
 
 /// Returns `value` if it is finite.
-pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64> {
+///
+/// # Errors
+/// [`Error::NotFinite`], with this name, if it is not.
+pub fn finite(name: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() {
         Ok(value)
     } else {
@@ -735,7 +738,10 @@ pub(crate) fn known(t: f64, latest: f64) -> Result<f64> {
 }
 
 /// Returns `value` if it is finite and greater than zero.
-pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64> {
+///
+/// # Errors
+/// [`Error::NotFinite`] or [`Error::OutOfRange`], with this name, if it is not.
+pub fn positive(name: &'static str, value: f64) -> Result<f64> {
     finite(name, value)?;
     if value > 0.0 {
         Ok(value)
@@ -749,7 +755,10 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64> {
 }
 
 /// Returns `value` if it is finite and not less than zero.
-pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<f64> {
+///
+/// # Errors
+/// As [`positive`].
+pub fn not_negative(name: &'static str, value: f64) -> Result<f64> {
     finite(name, value)?;
     if value >= 0.0 {
         Ok(value)

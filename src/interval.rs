@@ -8,7 +8,7 @@ use core::fmt;
 /// Its text says what is allowed, for error messages and `--help`.
 ///
 /// ```
-/// use rotation_dynamics::interval::{above, from_to};
+/// use kit::interval::{above, from_to};
 /// assert!(above(0.0).contains(1e-300) && !above(0.0).contains(0.0));
 /// assert!(!from_to(0.0, 1.0).contains(f64::NAN));
 /// assert_eq!(from_to(0.0, 1.0).to_string(), "it must be from 0 to 1");
@@ -80,7 +80,7 @@ impl Interval {
     /// Excludes zero, where nothing moves: the reason is to be given.
     ///
     /// ```
-    /// use rotation_dynamics::interval::any;
+    /// use kit::interval::any;
     /// let rate = any().but_zero("at rest nothing rolls");
     /// assert!(rate.contains(-2.0) && !rate.contains(-0.0));
     /// assert_eq!(rate.to_string(), "it must be finite, and not 0 (at rest nothing rolls)");
@@ -94,7 +94,7 @@ impl Interval {
     /// Says why it ends where it does: the physics, or the limit of the method.
     ///
     /// ```
-    /// use rotation_dynamics::interval::between;
+    /// use kit::interval::between;
     /// let ellipse = between(-1.0, 1.0).because("an orbit that closes");
     /// assert_eq!(ellipse.to_string(), "it must lie between -1 and 1 (an orbit that closes)");
     /// ```
@@ -113,7 +113,7 @@ impl Interval {
     ///
     /// The error has six digits of a computed value, or all if these six would be allowed.
     /// ```
-    /// use rotation_dynamics::interval::from_to;
+    /// use kit::interval::from_to;
     /// let said = |value: f64| from_to(0.0, 1.0).check("m/M", value).map_err(|e| e.to_string());
     /// assert_eq!(said(3.1 / 3.0), Err("m/M = 1.03333 is not allowed: it must be from 0 to 1".into()));
     /// assert!(said(1.0 + f64::EPSILON).is_err_and(|e| e.starts_with("m/M = 1.0000000000000002 is")));

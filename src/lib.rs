@@ -21,7 +21,6 @@
 //! | [`planar`] | one-axis scenes with contacts and located events |
 //! | [`gimbals`] | a rotor in a ring and a fork that have inertia, and friction in their bearings |
 //! | [`tops`] | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
-//! | [`report`] | claims, tables, figures and the command line of the examples (features `report` and `cli`) |
 //!
 //! # Notation
 //!
@@ -130,8 +129,6 @@ pub mod interval;
 pub mod math;
 pub mod motion;
 pub mod planar;
-#[cfg(feature = "report")]
-pub mod report;
 pub mod scene;
 pub mod tops;
 

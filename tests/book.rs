@@ -9,8 +9,8 @@ mod prose;
 #[path = "book/sample.rs"]
 mod sample;
 
+use kit::parse;
 use rotation_dynamics::math::pow;
-use rotation_dynamics::report::parse;
 use sample::{RECORD, Sample, book, read};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;

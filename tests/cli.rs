@@ -1,14 +1,14 @@
 //! The command line that all examples share, driven in process with an example of
 //! its own: a rod on a pivot. Nothing here depends on what the book's examples compute.
 
+use kit::cli::Outcome;
+use kit::draw::{Curve, Ink, Panel};
+use kit::{Claim, Example, Figure, Oracle, Page, Report, Trajectory, parse};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::cli::Outcome;
-use rotation_dynamics::report::draw::{Curve, Ink, Panel};
-use rotation_dynamics::report::{Claim, Example, Figure, Oracle, Page, Report, Trajectory, parse};
 use std::fs;
 use std::path::PathBuf;
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// A rod, not yet told where its pivot is.
     pub struct Parameters {
         /// length of the rod
@@ -459,7 +459,7 @@ fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error: length = -3"));
 }
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// A pendulum, whose weight is in and whose friction is not.
     pub struct Swing {
         /// length
@@ -478,7 +478,7 @@ fn swinging(p: &Swing) -> Result<Report> {
     let mut report = Report::new("A pendulum", "a weight on a string")?;
     let decay = 0.5 * (p.friction.unwrap_or(0.0) + p.air_drag.unwrap_or(0.0)) / p.length;
     let gravity = p.gravity.unwrap_or(0.0);
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// rate at which a swing dies
         decay: decay, "1/s", "itself" => decay, within 1e-3;
         /// square of the rate of the swings

@@ -1,13 +1,11 @@
 //! Figures as documents: well formed, the same bytes every time, legible, and
 //! refused when they cannot be right.
 
+use kit::draw::{Axis, Curve, Ink, PALETTE, Panel, Side, Sketch, Solid, Stack, Sweep, View};
+use kit::{Figure, MovingPicture, times};
 use rotation_dynamics::Error;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, exp, sin, sincos};
-use rotation_dynamics::report::draw::{
-    Axis, Curve, Ink, PALETTE, Panel, Side, Sketch, Solid, Stack, Sweep, View,
-};
-use rotation_dynamics::report::{Figure, MovingPicture, times};
 
 fn grid(n: i32, to: f64) -> impl Iterator<Item = f64> {
     (0..=n).map(move |i| to * f64::from(i) / f64::from(n))
@@ -289,7 +287,7 @@ fn what_cannot_be_drawn_is_refused() {
     ));
 }
 
-rotation_dynamics::figures! { heights: &[f64; 2], top = heights[0].max(heights[1]);
+kit::figures! { heights: &[f64; 2], top = heights[0].max(heights[1]);
     /// Two lines, the one
     /// above the other.
     lines: Panel::over_axes("$x$", Axis::linear("$y$").range(0.0, top))

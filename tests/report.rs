@@ -1,10 +1,10 @@
 //! Claims, limits and reports: what may be printed, and what may not.
 
-use rotation_dynamics::Error;
-use rotation_dynamics::report::{
+use kit::{
     Answer, Claim, DEGREES, EffectEntry, EffectLine, Limit, Oracle, Price, RECIPROCAL, Report,
     Table, USUAL_SLIPS, Verdict, effect, parse,
 };
+use rotation_dynamics::Error;
 use serde_json::{Value, json};
 
 fn claim(value: f64, oracle: f64, bound: f64) -> Result<Claim, Error> {
@@ -210,7 +210,7 @@ fn answers_are_judged_by_the_stated_rules() {
 /// The one-line builders give the same report, and what they lack is refused.
 #[test]
 fn lines_of_a_report_are_builders() {
-    use rotation_dynamics::report::{claim, effect, limit};
+    use kit::{claim, effect, limit};
     let rate = || claim("rate", "rate of turning", 1.25, "rad/s");
     let mut report = Report::new("A title", "What the scene is.").expect("sound");
     let built = [
@@ -256,7 +256,7 @@ fn lines_of_a_report_are_builders() {
     assert_eq!(refused, 7);
 }
 
-rotation_dynamics::parameters! {
+kit::parameters! {
     /// One of each kind.
     pub struct Kinds {
         /// how far
@@ -270,7 +270,7 @@ rotation_dynamics::parameters! {
 
 #[test]
 fn parameters_are_declared_once_and_checked() {
-    use rotation_dynamics::report::ParameterSet;
+    use kit::ParameterSet;
     let default = Kinds::default();
     assert_eq!(
         (default.far_off, default.part, default.which),
@@ -445,7 +445,7 @@ fn called_for(asked: f64, error: f64, unit: &str, beside: Option<&str>) -> Resul
         ("other", 70.0, "rad/s"),
         ("turns", 4.0, "-"),
     ] {
-        let told = rotation_dynamics::report::claim(key, "a size", value, unit);
+        let told = kit::claim(key, "a size", value, unit);
         report
             .add(told.within(1e-9).against("by hand", value))
             .expect("sound");

@@ -1,6 +1,6 @@
 //! Under which conditions times were measured: the first table of every record.
 
-use rotation_dynamics::report::Table;
+use kit::Table;
 use std::error::Error;
 use std::fs;
 use std::process::Command;

@@ -4,7 +4,7 @@
 //! The races are run by a crate of their own, `benches/peers`, which compiles the other
 //! crates; that the README shows the record is checked here, where nothing else is needed.
 
-use rotation_dynamics::report::Parsed;
+use kit::Parsed;
 use std::path::PathBuf;
 
 /// The record of the races, relative to the project's root.
@@ -113,7 +113,7 @@ pub fn with_tables(text: &str, tables: &str) -> Result<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rotation_dynamics::report::parse;
+    use kit::parse;
     use std::fs;
 
     #[test]

@@ -8,8 +8,8 @@
 mod told;
 
 use every_example::{ALL, MOVING};
-use rotation_dynamics::report::draw::Turn;
-use rotation_dynamics::report::{Lab, MovingPicture, Page};
+use kit::draw::Turn;
+use kit::{Lab, MovingPicture, Page};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// What is kept from one call to the next.

@@ -1,9 +1,9 @@
 //! What the module tells, as JSON.
 
+use kit::cli::{Leaf, Outcome};
+use kit::draw::{PALETTE, Turn};
+use kit::{Figure, Lab, MovingPicture, quoted};
 use rotation_dynamics::integrators::Method;
-use rotation_dynamics::report::cli::{Leaf, Outcome};
-use rotation_dynamics::report::draw::{PALETTE, Turn};
-use rotation_dynamics::report::{Figure, Lab, MovingPicture, quoted};
 use rotation_dynamics::{Error, Result};
 
 /// `{"error": …}`.

@@ -1,4 +1,4 @@
-// How a reader's answer is read and judged: src/report/answer.rs, line for line. The cases
+// How a reader's answer is read and judged: book/kit/src/answer.rs, line for line. The cases
 // of tests/data/answers.json drive both; `node book/theme/answer.test.js` drives this one.
 "use strict";
 

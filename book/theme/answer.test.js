@@ -1,4 +1,4 @@
-// Drives answer.js with the cases that also drive src/report/answer.rs, with the rules that the
+// Drives answer.js with the cases that also drive book/kit/src/answer.rs, with the rules that the
 // builder writes into the pages, and with an address that examples/problem_sheet makes.
 // `node book/theme/answer.test.js`
 "use strict";

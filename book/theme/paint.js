@@ -1,5 +1,5 @@
-// Paints a display list (src/report/draw/encoded.rs) on a canvas, so that it looks as the
-// locked SVG does (src/report/draw/svg.rs): the same lines, dashes, halos, letters, colours.
+// Paints a display list (book/kit/src/draw/encoded.rs) on a canvas, so that it looks as the
+// locked SVG does (book/kit/src/draw/svg.rs): the same lines, dashes, halos, letters, colours.
 // `node book/theme/paint.test.js`
 "use strict";
 

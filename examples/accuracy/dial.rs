@@ -3,8 +3,8 @@
 use super::ASKED;
 use super::honesty::{Spread, cases, spreads};
 use super::lines::{Measured, power};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side};
-use rotation_dynamics::report::{Figure, Prepared, Report, Table, rounded_up, short};
+use kit::draw::{Axis, Curve, Ink, Panel, Side};
+use kit::{Figure, Prepared, Report, Table, rounded_up, short};
 use rotation_dynamics::{Error, Result};
 use std::sync::Arc;
 

@@ -3,10 +3,10 @@
 use super::Parameters;
 use super::lines::{FLOW, Line, Measured, evaluations};
 use super::tables::price;
+use kit::draw::{Axis, Curve, Ink, Method as Look, Panel, Side};
+use kit::{Figure, rounded_up};
 use rotation_dynamics::Result;
 use rotation_dynamics::math::{EPS, pow};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Method as Look, Panel, Side};
-use rotation_dynamics::report::{Figure, rounded_up};
 
 /// All of them.
 pub fn all(p: &Parameters) -> Result<Vec<Figure>> {

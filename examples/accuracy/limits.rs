@@ -1,6 +1,7 @@
 //! Limits in which the error of a method is known, and what the errors of physics are.
 
 use super::motions::{free_problem, generic_rates};
+use kit::{CardLine, Report};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
@@ -12,14 +13,13 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{GaussLegendre, Integrator, Rk4, Scheme, Splitting};
 use rotation_dynamics::math::{EPS, exp2, pow};
-use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 
 use core::f64::consts::TAU;
 
 /// Adds the limits and the card of effects.
 pub fn add(report: &mut Report) -> Result<()> {
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// the step's phase lacks (angle/2)^5/120, and an attitude turns twice the phase
         "steady spin, RK4: error over (angle turned) (angle a step)^4":
             steady_error()? => 1.0 / 1920.0, within 1e-6;
@@ -93,12 +93,12 @@ fn effects(report: &mut Report) -> Result<()> {
         &gradient,
         "rad",
     )?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "rotation of the Earth, laboratory axes":
             "Omega_E / omega" = earth, costs earth * turned, "rad";
     }?;
     report.add(pulled)?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "stretch of the steel": "rho omega^2 d^2 / E" = stretch, costs stretch * turned, "rad";
         "rounding of the numbers": "2^-53" = EPS, costs EPS * turned, "rad",
             measured rounded(&block)?, included;

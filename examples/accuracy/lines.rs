@@ -2,10 +2,10 @@
 
 use super::Parameters;
 use super::motions::{self, Motion};
+use kit::{Trajectory, rounded_up};
 use rotation_dynamics::accuracy::{Errors, Measure, Point, Run, Sweep, WorkPrecision};
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::{exp2, pow};
-use rotation_dynamics::report::{Trajectory, rounded_up};
 use rotation_dynamics::{Error, Result};
 
 /// A method on a motion.

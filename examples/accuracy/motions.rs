@@ -1,6 +1,7 @@
 //! The motions: five with closed forms, from easy to hard, a heavy body with three
 //! different moments, and a body pushed for a while.
 
+use kit::Report;
 use rotation_dynamics::accuracy::{Errors, Fineness, Problem, Solved, Sweep, Variables, applies};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -11,7 +12,6 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::{Invariant, Scene};
 use rotation_dynamics::{Error, Result};
 

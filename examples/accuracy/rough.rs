@@ -2,6 +2,7 @@
 //! methods that share nothing but the scene agree there.
 
 use super::motions::{Motion, THIRD, free_problem, generic_rates, tilted, unpushed};
+use kit::Report;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::body::{RigidBody, State};
@@ -10,7 +11,6 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
 use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Scheme, Splitting};
-use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 
 /// Gravity, and no other effect.
@@ -186,7 +186,7 @@ pub fn add(
     let splitting = Splitting::new(Scheme::KAHAN_LI17, (20.0 * end) as u64)?;
     let (split, _) = splitting.advance(&scene, 0.0, &start, end)?;
     let apart = gauss.attitude.angle_to(&split.attitude);
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// two methods that share nothing but the scene
         "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad":
             apart => 0.0, within 1e-12;
@@ -199,7 +199,7 @@ pub fn add(
     })?;
     let apart = gauss.attitude.angle_to(&dop.attitude);
     let bound = STEPS_ASTRAY * periods * STEP * condition;
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// two methods on pieces that are smooth
         "pushed for a while: Gauss-Legendre and DOP853, started anew at each jump, apart in rad":
             apart => 0.0, within bound;

@@ -2,12 +2,12 @@
 
 use super::ASKED;
 use super::lines::{FLOW, Line, Measured, SIZE, power};
+use kit::draw::Method as Look;
+use kit::{Report, Table, claim, rounded_up, short};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{DigitPrice, Measure};
 use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{EPS, exp2, log, log10, pow};
-use rotation_dynamics::report::draw::Method as Look;
-use rotation_dynamics::report::{Report, Table, claim, rounded_up, short};
 
 /// What a digit costs by this line: fitted where the steps are short and round-off is far.
 pub fn price(line: &Line) -> Option<DigitPrice> {

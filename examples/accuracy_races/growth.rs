@@ -1,9 +1,9 @@
 //! How errors grow with the time: powers, decade by decade, and two pictures.
 
 use super::drift::{Curve, Method, Point};
+use kit::draw::{Axis, Method as Look, Panel};
+use kit::{Figure, Report, Table, claim, rounded_up};
 use rotation_dynamics::Result;
-use rotation_dynamics::report::draw::{Axis, Method as Look, Panel};
-use rotation_dynamics::report::{Figure, Report, Table, claim, rounded_up};
 
 /// Powers are fitted from here on, where rounding has had time to add up.
 const FROM: f64 = 100.0;

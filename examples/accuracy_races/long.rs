@@ -1,5 +1,6 @@
 //! Closed form or steps: the free body for longer and longer.
 
+use kit::{Report, Table, claim};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Measure, Problem, Variables};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -11,7 +12,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Method, Work};
 use rotation_dynamics::math::{EPS, exp2, pow};
-use rotation_dynamics::report::{Report, Table, claim};
 use rotation_dynamics::scene::Scene;
 
 /// The free body of the chapter, for so many periods of its rates and a third of one: at
@@ -36,7 +36,7 @@ fn free(periods: f64) -> Result<Problem<()>> {
 /// Adds the table, the limits, the strip and the card.
 pub fn add(report: &mut Report, tolerance: f64) -> Result<()> {
     add_table(report)?;
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// two routes to one motion
         "1000 1/3 periods of the free body, Gauss-Legendre: off the closed form, in rad":
             across()? => 0.0, within 2e-11;
@@ -67,7 +67,7 @@ fn effects(report: &mut Report, tolerance: f64) -> Result<()> {
         Ok(FreeBody::new(body.moments(), start.attitude, rates)?.attitude(block.end))
     };
     let rounded = end(1.0)?.angle_to(&end(1.0 + apart)?) * EPS / apart;
-    rotation_dynamics::effect_card! { report, asked tolerance;
+    kit::effect_card! { report, asked tolerance;
         "rotation of the Earth, laboratory axes":
             "Omega_E / omega" = earth, costs earth * rate * time, "rad";
         "gravity gradient of the Earth":

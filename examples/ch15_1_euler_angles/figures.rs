@@ -1,9 +1,9 @@
 //! The drawings of Section 15.1.
 
 use super::*;
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
+use kit::{Figure, times};
 use rotation_dynamics::math::pow;
-use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
-use rotation_dynamics::report::{Figure, times};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

@@ -1,8 +1,8 @@
 //! The three turns, one after the other: as they are made, and one panel for each triad.
 
 use super::*;
-use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::zero();
 /// Where the pictures are seen from: azimuth and elevation of the eye, rad.

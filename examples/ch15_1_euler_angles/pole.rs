@@ -2,8 +2,8 @@
 //! vertical: harmless for the body, not for its Euler angles.
 
 use super::*;
+use kit::{ClosedForm, supported_digits};
 use rotation_dynamics::integrators::{Dop853, Integrator, Work};
-use rotation_dynamics::report::{ClosedForm, supported_digits};
 
 /// The tilt at the closest, and the turning from 1 rad before to 1 rad after it, about X.
 #[derive(Debug, Clone, Copy)]
@@ -52,7 +52,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The error of a difference is even in h.
     let slope = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
     let from = passage.angles(-1.0)[0];
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// advance of phi past theta = 0
         passage_phi: advance, "rad", "the rates of phi, theta, zeta integrated" => simulated[0] - from, within 1e-10 / e.min(1.0);
         /// fastest rate of phi, backwards, over the rate of the body

@@ -52,7 +52,7 @@ pub fn effects(report: &mut Report) -> Result<()> {
     let (spun, turned) = stretched(0.25 * spin, |x| x)?;
     let (short, pushed) = pushed::<64>()?;
     let counted = |work: Work| format!("none, {} derivatives", work.derivatives);
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "stretch by its own weight, hung up": "rho g l/E" = weight, costs 0.5 * weight * length, "m of the distance",
             measured hung * weight * length, at_cost counted(plumb);
         "stretch by spinning at 100 rad/s": "rho omega^2 l^2/E" = spin, costs spin * length / 12.0, "m of the distance, to first order",

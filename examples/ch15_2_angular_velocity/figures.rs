@@ -2,8 +2,8 @@
 //! three rates can be seen.
 
 use super::*;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, times};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
+use kit::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
 

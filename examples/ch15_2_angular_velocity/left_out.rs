@@ -52,7 +52,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     // A rotor of steel with 6 cm radius: 7850 kg/m^3, 200 GPa, Poisson's ratio 0.3.
     let (spinning, nu) = (7850.0 * p.spin * p.spin * 0.06 * 0.06 / 2e11, 0.3);
     let (rim, work) = swollen(nu)?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "pictures 1 ms apart, not a rate": "Omega dt" = size * dt, costs missed(&g, dt), "rad/s of Omega, to first order",
             measured filmed(&g, dt)?, within next, at_cost "none, 2 attitudes";
         "turning of the laboratory with the Earth": "Omega_E/Omega" = earth / size.max(1e-300), costs earth, "rad/s of Omega",

@@ -4,7 +4,7 @@ use super::{
     EulerAngles, FRAC_PI_2, Gyroscope, Parameters, Report, Result, SpaceVector, UP, body,
     from_two_points, gap, rates, seen_from, velocity,
 };
-use rotation_dynamics::report::{Table, short};
+use kit::{Table, short};
 
 /// Tests the formulas where one knows what must come out.
 pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -24,7 +24,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let near = 1e-14 * sum;
     // What a solver of the angles meets at a small tilt, the components being the same.
     let [quick, _, _] = rates(g.nodal(), 1e-9);
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// z lies along Z: precession and spin are one rotation
         "upright, theta = 0: Omega_z": upright.nodal()[2] => p.precession + p.spin, within near;
         /// Z lies along y

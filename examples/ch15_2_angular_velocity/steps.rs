@@ -2,8 +2,8 @@
 //! without limit at the pole, and by the quaternion, which knows no pole.
 
 use super::*;
+use kit::{ClosedForm, Table, rounded_up, short};
 use rotation_dynamics::integrators::{Dop853, Integrator, Work};
-use rotation_dynamics::report::{ClosedForm, Table, rounded_up, short};
 
 /// The attitude after the time `end`, by the angles.
 pub fn by_angles(

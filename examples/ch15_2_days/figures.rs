@@ -1,9 +1,9 @@
 //! The drawings of the page; those over the year start at noon of 1 January 2000.
 
 use super::*;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack, View};
+use kit::{Figure, MovingPicture, Trajectory, sampled, times};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack, View};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, sampled, times};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

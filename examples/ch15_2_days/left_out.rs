@@ -118,7 +118,7 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // The largest term of Newcomb's; there are smaller ones.
     let (jupiter, (pulled, rounds)) = (7.2 / TURN * TAU, by_jupiter(1.0 / 1047.35)?);
     let (tides, near) = (2.4e-3 / 86_400.0, 1e-10 * p.day);
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "Moon: the Earth circles the common centre": "r/au" = MOON, costs spread(&later(p, by_the_moon)?), "s of E, to first order", beside "earliest",
             measured spread(&circled.0), within near, at_cost counted(circled.1);
         "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E, by its largest term", beside "earliest",
@@ -128,12 +128,12 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let speed = TAU * lag / p.year;
     if speed < 0.1 {
         let delayed = simulated(p, light)?;
-        rotation_dynamics::effect_card! { report,
+        kit::effect_card! { report,
             "aberration of light": "v/c" = speed, costs spread(&later(p, light)?), "s of E, to first order", beside "earliest",
                 measured spread(&delayed.0), within near, at_cost counted(delayed.1);
         }?;
     }
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "motion of the perihelion": "angle a year" = perihelion, costs spread(&by_turn), "s of E a year, to first order", beside "earliest",
             measured spread(&compared(p, &turned.0, &plain)), within near, at_cost counted(turned.1);
         "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day", beside "mean_sidereal";

@@ -98,7 +98,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let (tilt, tilt_found) = both(&with(p, 0.0, p.obliquity))?;
     let (oval, oval_found) = both(&with(p, p.eccentricity, 0.0))?;
     let near = (1e-11 + 10.0 * p.tolerance) * p.day;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// largest lag of the sundial
         latest: a.latest.0, "s", "located events" => b.latest.0, within near, in "The year";
         /// largest lead of the sundial

@@ -1,7 +1,7 @@
 //! The drawings; lengths in radii, except of the cycle wheel, which is the notes' instance.
 
 use super::*;
-use rotation_dynamics::report::draw::Camera;
+use kit::draw::Camera;
 
 /// A point of the rim after the wheel has turned by `t`.
 fn on_cycloid(t: f64) -> (f64, f64) {

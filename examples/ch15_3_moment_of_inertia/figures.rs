@@ -5,14 +5,12 @@ use super::{
     Mass, Parameters, Plane, about_centre, about_corner, corner_axes, four, tensor, turned,
 };
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
+use kit::{Figure, MovingPicture, short, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::{DesignVector, SpaceVector};
 use rotation_dynamics::inertia::InertiaTensor;
 use rotation_dynamics::math::{cbrt, cos, sin, sincos};
-use rotation_dynamics::report::draw::{
-    Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View,
-};
-use rotation_dynamics::report::{Figure, MovingPicture, short, times};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

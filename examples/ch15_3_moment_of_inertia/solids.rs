@@ -2,10 +2,10 @@
 
 use super::{Parameters, diagonal, uniform};
 use core::f64::consts::{FRAC_PI_2, TAU};
+use kit::{ClosedForm, Computation, Price, Report, Table, claim};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::MassProperties;
 use rotation_dynamics::math::{EPS, sincos};
-use rotation_dynamics::report::{ClosedForm, Computation, Price, Report, Table, claim};
 use rotation_dynamics::{Error, Result};
 
 /// How a coordinate runs through a solid: from 0 to 1, once round, or not at all.

@@ -1,9 +1,9 @@
 //! The drawings of the falling plank; in them it falls to the right.
 
 use super::*;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
+use kit::{Figure, MovingPicture, sampled};
 use rotation_dynamics::exact::plank::PlankState;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
-use rotation_dynamics::report::{Figure, MovingPicture, sampled};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

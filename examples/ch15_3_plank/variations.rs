@@ -1,9 +1,9 @@
 //! Other starts, a rough floor, and what the scene leaves out.
 
 use super::*;
+use kit::{Table, effect, short};
 use rotation_dynamics::math::atan2;
 use rotation_dynamics::planar::contact::{Mode, Sense};
-use rotation_dynamics::report::{Table, effect, short};
 
 /// The angle at which the simulated force of the floor is least, from 1e-9 rad.
 pub fn lowest(plank: &Plank) -> Result<f64> {
@@ -126,7 +126,7 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     } else {
         "of t_floor"
     };
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "square-cut foot of a wooden plank": "h/l" = thickness / l, costs atan2(thickness, l), "rad to tip over";
     }?;
     report.add(
@@ -136,7 +136,7 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
             .measured(rubbed)
             .within(1e-6),
     )?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "air drag": "3 rho C w l^2/(4 m)" = number, costs blown, "of omega_floor", measured slower, within 1e-6;
         "one-sided contact of the foot": "least N/(m g)" = least_force()[1], costs 0.0, "of omega_floor", included;
     }

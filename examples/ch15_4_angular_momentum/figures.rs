@@ -5,11 +5,11 @@ use super::setups;
 use super::swarm::{self, Swarm, angle, step};
 use super::{Parameters, Shaft, euler, shape};
 use core::f64::consts::FRAC_PI_2;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, View};
+use kit::{Figure, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, View};
-use rotation_dynamics::report::{Figure, times};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

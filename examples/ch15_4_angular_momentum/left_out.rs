@@ -1,9 +1,9 @@
 //! What the scenes leave out: air, a centre off the shaft, rolling resistance, an oval orbit.
 
 use super::*;
+use kit::interval::between;
 use rotation_dynamics::effects::KeplerOrbit;
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
-use rotation_dynamics::interval::between;
 use rotation_dynamics::math::{expm1, sin};
 
 /// The cylinder with its motor shut off, slowed down by the air on strips of it, each across its
@@ -67,7 +67,7 @@ pub fn in_air(p: &Parameters, report: &mut Report) -> Result<()> {
     let (ran, _) = blown(&shaft, p, drag)?;
     // What the strips lose is the difference of two energies, which are rounded.
     let bound = (1e-3 * lost + 4.0 * f64::EPSILON) * energy;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// in air, the motor shut off: energy lost in the first radian
         air_lost: lost * energy, "J", "64 strips" => ran, within bound;
     }
@@ -111,7 +111,7 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         Some(work) => format!("none, {} derivatives", work.derivatives),
         None => "-".into(),
     };
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I)" = slowing,
             costs slowing * unit, "N m of the motor, to first order",
             measured breeze.map(|(torque, _)| torque), within 1e-12 * unit, at_cost counted(breeze.map(|(_, work)| work));

@@ -2,10 +2,10 @@
 
 use super::{Parameters, Shaft};
 use core::f64::consts::TAU;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::{MovingPicture, Trajectory, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::{MovingPicture, Trajectory, times};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 const ALONG: BodyVector = BodyVector::new(0.0, 0.0, 1.0);

@@ -2,11 +2,11 @@
 
 use super::worked::Runner;
 use core::f64::consts::PI;
+use kit::draw::{Curve, Ink, Side, Sketch, Solid, View};
+use kit::{Figure, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::draw::{Curve, Ink, Side, Sketch, Solid, View};
-use rotation_dynamics::report::{Figure, times};
 
 /// A rolling wheel, with L about four points.
 pub fn wheel() -> Result<Figure> {

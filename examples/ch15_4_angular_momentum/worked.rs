@@ -3,11 +3,11 @@
 use super::swarm::{Grain, Swarm, ball, chord, cuboid, cylinder, step};
 use super::{Parameters, Shaft, euler, turning};
 use core::f64::consts::{FRAC_PI_2, TAU};
+use kit::Report;
+use kit::interval::from_to;
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::Report;
 
 const ORIGIN: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
 
@@ -225,7 +225,7 @@ fn round(p: &Parameters, report: &mut Report) -> Result<()> {
     let about = |x: f64, y: f64| -wheel.angular_momentum(SpaceVector::new(x, y, 0.0)).z();
     let coins = p.coin_mass * p.coin_radius * p.coin_radius * p.coin_rate;
     let rolled = coin(p).angular_momentum(ORIGIN).z();
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// rolling wheel: L about its centre
         wheel_centre: 0.5 * unit, "kg m^2/s", "sum of r x m v" => about(0.0, r), within 1e-12 * unit,
         in "A rolling wheel":
@@ -254,7 +254,7 @@ fn earth(report: &mut Report) -> Result<()> {
     let (e, total) = (EARTH, Earth::SPIN + Earth::ORBIT);
     // The pole stands at 23.44 degrees; the printed third term does not point there.
     let astray = e.third() * chord(23.44_f64.to_radians());
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// the Earth about the Sun: its orbit
         earth_orbit: e.orbital(), "kg m^2/s", "a ball carried round" => e.carried(), within 1e-12 * e.orbital(),
         in "The Earth";
@@ -292,7 +292,7 @@ fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
     let off = 1e-11 * n + 3e-12 * up.abs() * turns / r.shaft * (turns / rate);
     // What is added to the weight grows with the square of the rate.
     let added = needed - weight;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// wheel on a shaft: L about the hinge, along the shaft outward
         runner_along: along, "kg m^2/s", "sum of r x m v" => momentum.x(), within bound * up,
         in "A wheel on a shaft":
@@ -331,7 +331,7 @@ fn askew(p: &Parameters, report: &mut Report) -> Result<()> {
     let (square, edge) = (m * a * a * w, plate(p).angular_momentum(ORIGIN));
     let (x, y) = (-square / 4.0, square / 3.0);
     let half = 0.5_f64.sqrt();
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// inclined cylinder: L along y
         cylinder_y: momentum.y(), "kg m^2/s", "sum of r x m v" => on_body.y(), within 1e-12 * unit,
         in "The inclined cylinder";

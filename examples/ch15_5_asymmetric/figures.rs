@@ -3,10 +3,10 @@
 use super::naive::book;
 use super::tumbling::{camera, on_sphere, separatrices, sphere, tip};
 use super::*;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
+use kit::{Figure, sampled};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{pow, sincos};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
-use rotation_dynamics::report::{Figure, sampled};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

@@ -1,11 +1,11 @@
 //! What this scene leaves out, for the book thrown in a room.
 
 use super::{Parameters, Tumble, euler, length};
+use kit::{Report, Table, short};
 use rotation_dynamics::effects::{Effect, GravityGradient};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
 use rotation_dynamics::math::atan2;
-use rotation_dynamics::report::{Report, Table, short};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 
@@ -148,7 +148,7 @@ pub fn add(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
     // What a wait makes larger by 16/aside^2 must stay small to be a sum along the free motion.
     let small = gradient / pace < 1e-3 * p.aside * p.aside;
     let twisted = small.then(|| twisted(&tumble)).transpose()?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "a degree in the throw":
             "delta/aside" = aim / p.aside, costs shift, "s between flips, to first order",
             measured shifted, within 1e-9 * wait, at_work thrown;

@@ -2,10 +2,10 @@
 //! would.
 
 use super::{Naive, Parameters, Tumble, box_moments, euler};
+use kit::{Report, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::foils::SemiImplicitEuler;
 use rotation_dynamics::integrators::{Integrator, Ode, Rk4};
-use rotation_dynamics::report::{Report, times};
 use rotation_dynamics::scene::Scene;
 
 /// How far the book's L is off its middle axis, towards the largest: 0.57 rad from that.
@@ -115,7 +115,7 @@ pub fn claims(report: &mut Report) -> Result<()> {
     let naive = Naive::of_the_page(60.0).nth(119).unwrap_or([f64::NAN; 3]);
     let foil = after_of_the_foil(60.0, 120)?;
     let lost = lost_by_rk4(60)?;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// RK4: part of the energy lost in half a minute, sixty steps a second
         rk4_loss: lost, "-", "32 times that of half the step" => 32.0 * lost_by_rk4(120)?, within 0.05 * lost;
         /// naive: growth of the energy over the step

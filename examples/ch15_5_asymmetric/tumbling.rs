@@ -2,12 +2,12 @@
 
 use super::{Parameters, Tumble, tumble, unit};
 use core::f64::consts::TAU;
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::{MovingPicture, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{atan2, cos, sin, sincos};
-use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::{MovingPicture, sampled, times};
 
 /// Azimuth and elevation of the eye: the middle axis of the sphere points to the reader.
 const EYE: (f64, f64) = (0.4, 0.34);

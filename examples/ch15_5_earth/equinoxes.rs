@@ -2,6 +2,7 @@
 
 use super::{Parameters, flattening, spin};
 use core::f64::consts::{PI, TAU};
+use kit::Report;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
@@ -10,7 +11,6 @@ use rotation_dynamics::effects::GravityGradient;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 
 /// One second of arc, rad.
@@ -107,7 +107,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [sun, moon] = [yearly(SUN.rate(f)? * other), yearly(MOON.rate(f)? * other)];
     let [by_sun, by_moon] = [yearly(SUN.averaged(p)), yearly(MOON.averaged(p))];
     let round = |rate: f64| TAU / ARCSEC / rate.abs();
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// precession of the equinoxes by the Sun, a year
         sun: sun, "arcsec", "torque averaged over the orbit" => by_sun, within 1e-11,
         in "The precession of the equinoxes":

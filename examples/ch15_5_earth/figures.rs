@@ -3,10 +3,10 @@
 use super::equinoxes::{self, ARCSEC, YEAR};
 use super::{Parameters, alpha, flattening, motion, yielding};
 use core::f64::consts::{PI, TAU};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
+use kit::{Figure, MovingPicture, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::math::{cos, hypot, sincos, tan};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
-use rotation_dynamics::report::{Figure, MovingPicture, times};
 
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
     Ok(vec![

@@ -2,11 +2,11 @@
 
 use super::{Parameters, alpha, flattening};
 use core::f64::consts::TAU;
+use kit::Report;
+use kit::interval::from_to;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, ode};
-use rotation_dynamics::interval::from_to;
 use rotation_dynamics::math::tan;
-use rotation_dynamics::report::Report;
 
 /// The dynamical form factor J_2 and G M (m^3/s^2) of the Earth, and its radius at the equator (m).
 const J2: f64 = 1.082_63e-3;
@@ -81,7 +81,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let observed = |k: f64| Ok(period(&Parameters { love: k, ..*p })? * days - 433.0);
     let free = 1.0 / flattening(p)?;
     let needed = (433.0 / days - free) / (433.0 / days + 1.0) * k_s;
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// Love number of a fluid Earth with this bulge
         k_s: k_s, "-", "the notes' C - A instead of J_2" => k_s * fluid, within 2e-3,
         in "An Earth that yields":
@@ -98,7 +98,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     if free * days > 433.0 {
         return Ok(());
     }
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// Love number that gives 433 days
         love_needed: needed, "-", "bisection of the period" => bisected(observed, 0.0, 0.999_999 * k_s)?, within 1e-12;
     }

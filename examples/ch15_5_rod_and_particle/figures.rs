@@ -2,10 +2,10 @@
 
 use super::{Answer, Blow, END, Parameters, ratio, scene};
 use core::f64::consts::FRAC_PI_2;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
+use kit::{Figure, MovingPicture, Trajectory, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::math::{pow, sincos};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
-use rotation_dynamics::report::{Figure, MovingPicture, Trajectory, sampled, times};
 
 /// All figures of the page.
 pub fn figures(_: &Parameters) -> Result<Vec<Figure>> {

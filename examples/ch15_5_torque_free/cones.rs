@@ -2,11 +2,11 @@
 
 use super::{LINE, Parameters, Top, top};
 use core::f64::consts::TAU;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::{MovingPicture, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, sin, sincos};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::{MovingPicture, sampled, times};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 const ORIGIN: SpaceVector = SpaceVector::zero();

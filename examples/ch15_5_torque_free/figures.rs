@@ -1,8 +1,8 @@
 //! The drawings of the page, but for the cones.
 
 use super::*;
-use rotation_dynamics::report::Figure;
-use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, View};
+use kit::Figure;
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, View};
 
 /// The notes' cylinder and disc, whose moments are as 2 to 1 and as 1 to 2, tilted so far.
 fn pair(tilt: f64) -> [Top; 2] {
@@ -238,7 +238,7 @@ fn in_body(name: &str, top: Top) -> Result<Figure> {
     let stepped = Stepped::new(top)?;
     let end = 0.75 * TAU / top.spin().abs();
     let run = stepped.until(end)?;
-    let dots = rotation_dynamics::report::sampled(times(0.0, end, 9), |t| {
+    let dots = kit::sampled(times(0.0, end, 9), |t| {
         let [x, y, _] = stepped.at(&run, t)?.1.to_array();
         Ok((x, y))
     })?;

@@ -2,13 +2,13 @@
 
 use super::{Parameters, Top};
 use core::f64::consts::PI;
+use kit::Report;
 use rotation_dynamics::Result;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{DiscDrag, Effect, GravityGradient, Torque};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::atan2;
-use rotation_dynamics::report::Report;
 use rotation_dynamics::scene::Scene;
 
 /// Mean motion of an orbit at the ground, squared: g over the radius of the Earth.
@@ -74,7 +74,7 @@ pub fn add(p: &Parameters, report: &mut Report, top: Top, disc: Top) -> Result<(
     // What is turned by more in a round of its axis has no such round.
     let slight = gradient < 0.1 * top.precession();
     let twists = slight.then(|| twisted(top, 1.0)).transpose()?;
-    rotation_dynamics::effect_card! { report,
+    kit::effect_card! { report,
         "air tips a thrown disc":
             "C_M rho v^2 pi R^3/(L Omega_P)" = turned / disc.precession(),
             costs turned, "rad a second, in the direction of L", measured tipped, at_cost tips;

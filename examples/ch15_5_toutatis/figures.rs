@@ -1,9 +1,9 @@
 //! The drawings: how far off day by day, the way of the long axis, a flyby, and the forecast.
 
 use super::*;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
+use kit::{Figure, times};
 use rotation_dynamics::math::pow;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, View};
-use rotation_dynamics::report::{Figure, times};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

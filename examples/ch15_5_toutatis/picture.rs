@@ -2,8 +2,8 @@
 
 use super::figures::december;
 use super::*;
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::{MovingPicture, Trajectory, sampled, times};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::{MovingPicture, Trajectory, sampled, times};
 
 /// Half of the lengths of the body along x, y and the long axis, over the last: 4.6 km in all.
 const HALF_AXES: [f64; 3] = [0.52, 0.42, 1.0];

@@ -1,7 +1,7 @@
 //! The tables: day by day, the fit, what moves the attitude of 2008, and a flyby in any phase.
 
 use super::*;
-use rotation_dynamics::report::{Table, short, supported_digits};
+use kit::{Table, short, supported_digits};
 
 /// The Earth at the closest in six directions, at each of four moments of the tumbling.
 pub fn phases(path: Path) -> impl Iterator<Item = Path> {

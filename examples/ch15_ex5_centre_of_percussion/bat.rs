@@ -2,10 +2,10 @@
 //! a soft ball that pushes as a ball does that is pressed flat, for as long as they touch.
 
 use super::{Parameters, arms, impulse};
+use kit::{sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::math::{hypot, pow, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
-use rotation_dynamics::report::{sampled, times};
 
 /// Bat and ball; the hands are at the origin, the bat lies along x, the ball comes along y.
 #[derive(Debug, Clone)]

@@ -1,12 +1,12 @@
 //! A solid cone as a few particles, its places, and how it is drawn: for the two exercises on
 //! cones. The vertex is the origin of the body's axes, and e3 points from it to the base.
 
+use kit::draw::{Ink, Solid, View};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
 use rotation_dynamics::math::{cos, sincos, tan};
-use rotation_dynamics::report::draw::{Ink, Solid, View};
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -169,5 +169,5 @@ pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitu
 
 /// The directions through which a level direction turns between two azimuths, times `radius`.
 pub fn sweep(from: f64, to: f64, radius: f64) -> impl Iterator<Item = SpaceVector> + Clone {
-    rotation_dynamics::report::times(from, to, 48).map(move |azimuth| level(azimuth) * radius)
+    kit::times(from, to, 48).map(move |azimuth| level(azimuth) * radius)
 }

@@ -4,7 +4,7 @@
 use super::cone::{UP, drawn, sweep};
 use super::*;
 
-use rotation_dynamics::report::draw::Camera;
+use kit::draw::Camera;
 
 /// The half angle of the page.
 const ALPHA: f64 = 0.4;

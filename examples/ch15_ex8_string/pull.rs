@@ -2,11 +2,11 @@
 //! as what cannot be longer than it is. Mass, first radius and first speed are 1.
 
 use core::f64::consts::TAU;
+use kit::{sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work};
 use rotation_dynamics::math::{atan2, hypot, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
-use rotation_dynamics::report::{sampled, times};
 
 /// The string on the table: a knot at the hole lets no more of it out, a hand takes it in.
 #[derive(Debug, Clone, Copy)]

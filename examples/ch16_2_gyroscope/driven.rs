@@ -2,13 +2,13 @@
 
 use super::Parameters;
 use super::rotor::{ROTOR, asked_for};
+use kit::Report;
+use kit::heavy_top::{Added, Stepped};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::report::Report;
-use rotation_dynamics::report::heavy_top::{Added, Stepped};
 
 /// Whether something is put in that no closed form knows.
 pub fn is_asked_for(p: &Parameters) -> bool {

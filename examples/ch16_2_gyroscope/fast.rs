@@ -1,9 +1,9 @@
 //! The fast rotor, released at rest: its three formulas, and by how much they miss.
 
+use kit::{Report, Table, claim, sampled, supported_digits};
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
 use rotation_dynamics::math::{cos, log, sin};
-use rotation_dynamics::report::{Report, Table, claim, sampled, supported_digits};
 
 use core::f64::consts::{PI, TAU};
 

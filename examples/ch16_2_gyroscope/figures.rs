@@ -3,12 +3,12 @@
 use super::friction::{FRICTION, damped, tilts};
 use super::picture::{HUB, UP, camera, causes, on_stand};
 use super::{Equations, Parameters, driven, fast};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
+use kit::heavy_top::{Motion, Pose, direction, extents};
+use kit::{Figure, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, View};
-use rotation_dynamics::report::heavy_top::{Motion, Pose, direction, extents};
-use rotation_dynamics::report::{Figure, sampled, times};
 
 use core::f64::consts::PI;
 

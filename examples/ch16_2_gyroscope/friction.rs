@@ -1,11 +1,11 @@
 //! What friction in the bearing of the line of nodes makes of the motion in the end.
 
 use super::Equations;
+use kit::{Report, claim};
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::ReducedTop;
 use rotation_dynamics::integrators::{Dop853, Event, Solution};
 use rotation_dynamics::math::{acos, cos, log, sin};
-use rotation_dynamics::report::{Report, claim};
 
 /// Torque of that bearing over dtheta/dt'.
 pub const FRICTION: f64 = 0.15;

@@ -1,11 +1,11 @@
 //! What the notes leave out, as torques on the rotor in slow steady precession at 60 degrees.
 
 use super::rotor::ROTOR;
+use kit::{CardLine, Report, claim, effect};
 use rotation_dynamics::Result;
 use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Torque};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{sin, sincos};
-use rotation_dynamics::report::{Report, claim, effect};
 
 use core::f64::consts::TAU;
 

@@ -2,10 +2,10 @@
 //! what the notes' misprints would do.
 
 use super::fast::{self, SHAPE};
+use kit::heavy_top::Motion;
+use kit::{Report, claim, sampled, times};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::heavy_top::Motion;
-use rotation_dynamics::report::{Report, claim, sampled, times};
 use rotation_dynamics::{Error, Result};
 
 use core::f64::consts::{PI, TAU};
@@ -25,7 +25,7 @@ pub fn add(report: &mut Report, loops: &Motion) -> Result<()> {
     let hanging = from(1.25, -0.6, -0.3, 0.1 + 0.6, Start::ThetaMax)?;
     let (ratio, fast) = (1e-6, fast::released(PI / 3.0, 1e-6)?);
     let walk = fast.precession_per_period() / fast.nutation_period();
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// the axis circles L at L/I1
         "no weight: time of one nod":
             free.nutation_period() => TAU / (2.0_f64 + 2.0 * 0.55).sqrt(), within 1e-14;

@@ -1,11 +1,11 @@
 //! The gyroscope on its stand: as it moves, and as two stills that show the cause.
 
 use super::{Parameters, driven, motions};
+use kit::draw::{Camera, Ink, Side, Solid, View};
+use kit::heavy_top::{Pose, direction};
+use kit::{Figure, MovingPicture, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::report::draw::{Camera, Ink, Side, Solid, View};
-use rotation_dynamics::report::heavy_top::{Pose, direction};
-use rotation_dynamics::report::{Figure, MovingPicture, times};
 
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// Where the disc sits on the axle, whose length is 1.

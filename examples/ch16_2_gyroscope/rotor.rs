@@ -2,6 +2,8 @@
 //! minute, 10 cm from its pivot.
 
 use super::Parameters;
+use kit::heavy_top::{Motion, Nod, Steady};
+use kit::{Report, Table, claim, supported_digits};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::body::RigidBody;
@@ -10,8 +12,6 @@ use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{cos, sin};
-use rotation_dynamics::report::heavy_top::{Motion, Nod, Steady};
-use rotation_dynamics::report::{Report, Table, claim, supported_digits};
 
 use core::f64::consts::{PI, TAU};
 

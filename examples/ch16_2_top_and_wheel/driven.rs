@@ -1,14 +1,14 @@
 //! The body with what `--with` puts in. No closed form knows it, so it is stepped.
 
 use super::{Parameters, TOP, WHEEL};
+use kit::Report;
+use kit::heavy_top::{Added, Stepped};
+use kit::interval::between;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::interval::between;
-use rotation_dynamics::report::Report;
-use rotation_dynamics::report::heavy_top::{Added, Stepped};
 
 /// Whether something is put in that no closed form knows.
 pub fn is_asked_for(p: &Parameters) -> bool {

@@ -2,12 +2,12 @@
 
 use super::sleeping::{kicked, reach};
 use super::{Parameters, TOP, WHEEL, driven};
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
+use kit::heavy_top::{Equations, direction};
+use kit::{Figure, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::report::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
-use rotation_dynamics::report::heavy_top::direction;
-use rotation_dynamics::report::{Figure, sampled, times};
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -22,7 +22,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
         figures.extend([top()?, wheel()?, tilt_reached()?, falls()?]);
     }
     for motion in &motions {
-        figures.push(motion.angles(&motion.top)?);
+        figures.push(motion.angles(&Equations(motion.top))?);
         // The start, at -Y, lies on the near side.
         figures.push(motion.trace(Camera::new(-0.45, 0.38))?);
     }

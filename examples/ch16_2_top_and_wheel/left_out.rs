@@ -4,13 +4,13 @@
 
 use super::slowing::lead_by_angles;
 use super::{Body, TOP, WHEEL};
+use kit::heavy_top::Newton;
+use kit::{CardLine, EffectLine, Report, claim, effect, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Effect};
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::integrators::{Dop853, Ode};
 use rotation_dynamics::math::{cbrt, hypot, sincos};
-use rotation_dynamics::report::heavy_top::Newton;
-use rotation_dynamics::report::{EffectLine, Report, claim, effect, sampled, times};
 
 use core::f64::consts::{PI, TAU};
 

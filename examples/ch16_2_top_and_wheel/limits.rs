@@ -1,8 +1,8 @@
 //! Limits in which the answer is known without solving anything.
 
 use super::{Body, WHEEL};
+use kit::Report;
 use rotation_dynamics::Result;
-use rotation_dynamics::report::Report;
 
 use core::f64::consts::TAU;
 
@@ -38,7 +38,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let swing = hanging.motion("")?.exact.nutation_period();
     let small = 0.5 * TAU * (hanging.moment() / -hanging.weight_moment()).sqrt();
     let [_, beyond] = WHEEL.steady()?.after(())?;
-    rotation_dynamics::limits! { report,
+    kit::limits! { report,
         /// at 90 degrees the quadratic loses its first term
         "wheel level, started at m g l/L_z: its rate in rad/s":
             at_once(level)? => WHEEL.level_rate(), within 1e-12;

@@ -1,12 +1,12 @@
 //! The sleeping top: upright, spinning, and stable only above a critical spin.
 
 use super::{Body, TOP};
+use kit::Report;
+use kit::heavy_top::Newton;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{acos, hypot, log, tanh};
-use rotation_dynamics::report::Report;
-use rotation_dynamics::report::heavy_top::Newton;
 
 use core::f64::consts::{LN_10, PI};
 
@@ -77,7 +77,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let time = period(above, 1e-5)?;
     let bisected = critical_by_bisection(&TOP)?;
     let kicked = kicked(&TOP, ratio, 1e-4)?.theta_max();
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// least spin at which the top sleeps
         critical_spin:
             critical, "rad/s", "bisection: tilts after a kick or not" => bisected, within 1e-5 * critical,

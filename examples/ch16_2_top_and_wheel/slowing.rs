@@ -1,6 +1,9 @@
 //! A spin that is braked: the sleeping top that wakes, and what friction costs.
 
 use super::{Body, Parameters, TOP, WHEEL, driven};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::heavy_top::{Pose, Steady};
+use kit::{MovingPicture, sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -10,9 +13,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::{components, state};
 use rotation_dynamics::integrators::{Dop853, Solution, after, ode};
 use rotation_dynamics::math::{acos, cos, pow, sin, sincos};
-use rotation_dynamics::report::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use rotation_dynamics::report::heavy_top::{Pose, Steady};
-use rotation_dynamics::report::{MovingPicture, sampled, times};
 use rotation_dynamics::scene::Scene;
 
 use core::f64::consts::TAU;

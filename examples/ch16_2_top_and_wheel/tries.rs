@@ -1,10 +1,10 @@
 //! What the page's tries come to, so that a reader without Rust can compare.
 
 use super::{Body, TOP, WHEEL};
+use kit::Report;
+use kit::heavy_top::Nod;
 use rotation_dynamics::Result;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
-use rotation_dynamics::report::Report;
-use rotation_dynamics::report::heavy_top::Nod;
 
 const ROOT: &str = "bisection of E~ - U_eff";
 const SUM: &str = "quadrature over one nod";
@@ -36,7 +36,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let other = |nod: &Nod| nod.theta_max - nod.theta_min;
     let rate = long.precession_per_period() / long.nutation_period();
     let by_sum = long_nod.precession / (long_nod.period * unit);
-    rotation_dynamics::claims! { report,
+    kit::claims! { report,
         /// top at 139 rad/s, 1e-6 rad from upright: greatest tilt
         try_below: below.theta_max(), "rad", ROOT => by_root.theta_max, within 1e-9;
         /// wheel pushed at 0.6754 rad/s: depth of its nods

@@ -1,7 +1,7 @@
 //! The drawings of section 16.2 (2).
 
 use super::*;
-use rotation_dynamics::report::draw::Camera;
+use kit::draw::Camera;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 

@@ -2,11 +2,11 @@
 //! same by Lagrange in angles. Mass, radius and g are 1; x to the right, y up, the hook at (0, 0).
 
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::times;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Event, Solution, ode};
 use rotation_dynamics::math::{atan2, hypot, sin, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
-use rotation_dynamics::report::times;
 
 /// The disc, and its string at the start.
 #[derive(Debug, Clone, Copy)]

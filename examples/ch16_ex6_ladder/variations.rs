@@ -2,9 +2,9 @@
 //! surfaces rub, the air drags.
 
 use super::*;
+use kit::supported_digits;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::ladder::Phase;
-use rotation_dynamics::report::supported_digits;
 
 /// The start nearest to upright (rad) at which friction is simulated: the contacts take forces
 /// that differ by 1e-12 of the weight for the same, and here they differ by the angle.

@@ -4,6 +4,7 @@ use super::Parameters;
 use super::desk::{Spinner, gradient, gyroscope, on_the_earth, toy_top};
 use super::weigh::{LeftOut, Question};
 use core::f64::consts::{PI, TAU};
+use kit::{Table, short};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
@@ -12,7 +13,6 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, ode};
 use rotation_dynamics::math::{EPS, acos, log10, sincos};
-use rotation_dynamics::report::{Table, short};
 use rotation_dynamics::scene::Scene;
 
 /// A motion, with what it leaves out, the largest first.

@@ -1,6 +1,7 @@
 //! What follows from the effects of a scene: its conserved quantities, and the balance of power
 //! for the energy that is not.
 
+use kit::{Table, rounded_up, short};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -12,7 +13,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::{components, state};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::report::{Table, rounded_up, short};
 use rotation_dynamics::scene::{Invariant, Scene};
 
 // ANCHOR: balance

@@ -3,6 +3,7 @@
 
 use super::Parameters;
 use super::desk::{Spinner, UP, gyroscope};
+use kit::Table;
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
@@ -14,7 +15,6 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Resisted, Scheme, Splitting, Work};
 use rotation_dynamics::math::pow;
-use rotation_dynamics::report::Table;
 use rotation_dynamics::scene::Scene;
 
 /// The error for which prices are compared, rad.

@@ -1,8 +1,8 @@
 //! The drawings of the damped gyroscope.
 
 use super::*;
-use rotation_dynamics::report::draw::Camera;
-use rotation_dynamics::report::heavy_top::direction;
+use kit::draw::Camera;
+use kit::heavy_top::direction;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// Where the disc sits on the axle, whose length is 1; half the width of ring and fork.

@@ -1,7 +1,7 @@
 //! What gimbals and bearings do: predicted beforehand, and measured with them in.
 
 use super::*;
-use rotation_dynamics::report::supported_digits;
+use kit::supported_digits;
 
 /// How many half nods the dry tilt bearing needs, alone: by work and energy, turning point by
 /// turning point, V(next) = V(last) - tau |next - last|, until the valley's slope is less than tau.

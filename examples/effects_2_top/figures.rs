@@ -1,7 +1,7 @@
 //! The drawings of the top; lengths of the scenes in millimetres.
 
 use super::*;
-use rotation_dynamics::report::draw::Camera;
+use kit::draw::Camera;
 use rotation_dynamics::tops::Forces;
 
 /// The throw that hops: spin (rad/s) and tilt (rad).

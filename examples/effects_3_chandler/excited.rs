@@ -2,8 +2,8 @@
 
 use super::{DAY, Parameters, WHOLE};
 use core::f64::consts::TAU;
+use kit::prelude::*;
 use rotation_dynamics::integrators::{Dop853, after, ode};
-use rotation_dynamics::report::prelude::*;
 
 /// A Julian year, d.
 pub const YEAR: f64 = 365.25;

@@ -3,8 +3,8 @@
 
 use super::{Parameters, Step, body};
 use core::f64::consts::TAU;
+use kit::prelude::*;
 use rotation_dynamics::integrators::{Dop853, Ode, ode};
-use rotation_dynamics::report::prelude::*;
 
 /// Of the Earth, by seismology: the moments of inertia of the core and of the whole, 10^37
 /// kg m^2 ...

@@ -1,8 +1,8 @@
 //! The drawings of the precession of the equinoxes.
 
 use super::*;
+use kit::draw::Camera;
 use rotation_dynamics::motion::Motion;
-use rotation_dynamics::report::draw::Camera;
 
 /// On the map of the sky: the pole of the ecliptic in the middle, the pole of the epoch above
 /// it, degrees. Seen from the Earth, longitudes grow clockwise.

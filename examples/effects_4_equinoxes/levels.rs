@@ -1,11 +1,11 @@
 //! Four simulations of one motion, each without a scale of time of the one before it.
 
 use super::*;
+use kit::short;
 use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion};
 use rotation_dynamics::attitude::{EulerAngles, EulerRates};
 use rotation_dynamics::integrators::Work;
 use rotation_dynamics::motion::Motion;
-use rotation_dynamics::report::short;
 use rotation_dynamics::scene::Scene;
 
 /// The span of the whole, Julian years.

@@ -2,7 +2,7 @@
 
 use super::*;
 use core::f64::consts::PI;
-use rotation_dynamics::report::draw::{Camera, Method};
+use kit::draw::{Camera, Method};
 
 /// Azimuth and elevation of the eye: the middle axis points to the reader.
 const EYE: (f64, f64) = (0.4, 0.34);

@@ -1,6 +1,7 @@
 //! The satellite: a symmetric body whose axis leaves L, or comes to it, in closed form.
 
 use super::Parameters;
+use kit::interval::{above, from_to};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -9,7 +10,6 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::{components, state};
 use rotation_dynamics::integrators::{Dop853, Integrator};
-use rotation_dynamics::interval::{above, from_to};
 use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin, tan};
 use rotation_dynamics::scene::Scene;
 

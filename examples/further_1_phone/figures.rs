@@ -3,8 +3,8 @@
 
 use super::*;
 use core::f64::consts::FRAC_PI_2;
+use kit::draw::{Camera, Solid};
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::report::draw::{Camera, Solid};
 
 /// From the thrower's right and a little behind: away from the hand is to the right.
 fn camera() -> Camera {

@@ -1,7 +1,7 @@
 //! The drawings of the gyrocompass.
 
 use super::*;
-use rotation_dynamics::report::draw::Camera;
+use kit::draw::Camera;
 
 /// Over the latitude, Foucault's compass of the problem.
 fn latitudes() -> Sweep {

@@ -1,7 +1,7 @@
 //! The drawings of Euler's disc; lengths in radii.
 
 use super::*;
-use rotation_dynamics::report::draw::Camera;
+use kit::draw::Camera;
 
 /// The centre of a disc that lies so, and its lowest point on the table.
 fn points(tilt: f64, disc: &Disc) -> [SpaceVector; 2] {

@@ -3,9 +3,9 @@
 //! of both weights together, times in 1/w0.
 
 use core::f64::consts::FRAC_PI_2;
+use kit::interval::at_least;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Event, ode};
-use rotation_dynamics::interval::at_least;
 use rotation_dynamics::math::{atan2, cos, hypot, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 

@@ -1,10 +1,10 @@
 //! The drawings of the ball on the turntable; from above, with the axis in the middle, in m.
 
 use super::*;
+use kit::draw::Camera;
 use rolling::Touch;
 use rotation_dynamics::integrators::{newton, place_and_velocity};
 use rotation_dynamics::planar::Run;
-use rotation_dynamics::report::draw::Camera;
 
 /// A table seen from above, with its axis.
 fn above(edge: f64) -> Sketch {

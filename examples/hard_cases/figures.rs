@@ -11,12 +11,12 @@ use super::table::Cell;
 use super::{
     Parameters, events, findings, flips, impacts, poles, scales, separatrix, shapes, torques,
 };
+use kit::draw::Marker;
+use kit::prelude::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::{DoubleDouble, EPS};
-use rotation_dynamics::report::draw::Marker;
-use rotation_dynamics::report::prelude::*;
 
 /// Below it a logarithmic axis draws an error as this: no double has a smaller one of 1.
 const FLOOR: f64 = 1e-17;

@@ -5,6 +5,7 @@ use super::forms::Form;
 use super::motions::{By, Motion};
 use super::naive::{on_euler_angles, on_quaternion};
 use super::table::{Cell, Family, Naive, Row};
+use kit::{Report, Table};
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -15,7 +16,6 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{exp, expm1, log, sin, sincos};
-use rotation_dynamics::report::{Report, Table};
 use rotation_dynamics::scene::Scene;
 
 pub const FAMILY: Family = Family {
@@ -484,7 +484,7 @@ pub const ELSEWHERE: [[&str; 4]; 12] = [
     [
         "8",
         "a full disk, and an exit status of 0",
-        "src/report/cli.rs",
+        "book/kit/src/cli.rs",
         "a_full_disk_is_an_error_and_a_reader_gone_is_none",
     ],
     [

@@ -3,6 +3,7 @@
 use super::forms::Form;
 use super::table::{Cell, Naive, Row, bound};
 use super::truth::{Place, Truth};
+use kit::Prepared;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Carrier, Fineness};
 use rotation_dynamics::attitude::Attitude;
@@ -15,7 +16,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Method};
 use rotation_dynamics::math::DoubleDouble;
 use rotation_dynamics::motion::Motion as _;
-use rotation_dynamics::report::Prepared;
 use rotation_dynamics::scene::Scene;
 
 /// How a motion is carried to its end.

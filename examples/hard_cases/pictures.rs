@@ -11,11 +11,11 @@ use super::{
     FAMILIES, Parameters, findings, flips, poles, scales, separatrix, stepped, threshold, tops,
 };
 use core::f64::consts::{FRAC_PI_3, PI, TAU};
+use kit::draw::Camera;
+use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::report::draw::Camera;
-use rotation_dynamics::report::prelude::*;
 
 /// The picture of the family asked for; of all of them the book that must not flip.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {

@@ -6,14 +6,14 @@ use super::long::{self, Late};
 use super::motions::{By, Motion};
 use super::table::{Computed, Verdict};
 use super::{findings, flips, naive, pictures, poles, scales};
+use kit::prelude::*;
+use kit::short;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::report::prelude::*;
-use rotation_dynamics::report::short;
 use rotation_dynamics::scene::Scene;
 use std::sync::Arc;
 

@@ -5,10 +5,10 @@ use super::motions::By;
 use super::pictures::{ZERO, graph, seconds, until};
 use super::{findings, impacts};
 use core::f64::consts::{FRAC_PI_2, TAU};
+use kit::draw::Camera;
+use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::integrators::Method;
-use rotation_dynamics::report::draw::Camera;
-use rotation_dynamics::report::prelude::*;
 
 /// A wheel that turns by `exact` and, dashed, by `wrong`.
 fn wheels(exact: f64, wrong: f64) -> Sketch {

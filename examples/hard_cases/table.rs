@@ -3,8 +3,8 @@
 //! A cell is an error within its bound, or a refusal by name; nothing else can be made. The
 //! bound is K eps times the case's own condition number, with one K for a method on all cases.
 
+use kit::{Report, Table, rounded_up, short};
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::report::{Report, Table, rounded_up, short};
 use rotation_dynamics::{Error, Result};
 
 /// What came of a case by a method in a representation.

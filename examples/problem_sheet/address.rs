@@ -10,7 +10,7 @@
 
 use super::draw::{Drawn, hash};
 use super::exercise::asked;
-use rotation_dynamics::report::{name_of_flag, rounded_up, supported_digits};
+use kit::{name_of_flag, rounded_up, supported_digits};
 
 /// Name, value, unit and meaning of each parameter of the page, but for the error asked for.
 pub fn parameters(drawn: &Drawn) -> Result<Vec<[String; 4]>, String> {
@@ -30,7 +30,7 @@ pub fn parameters(drawn: &Drawn) -> Result<Vec<[String; 4]>, String> {
 
 /// The address, without that of the book.
 pub fn of(drawn: &Drawn) -> Result<String, String> {
-    let check = |claim: &rotation_dynamics::report::Claim| {
+    let check = |claim: &kit::Claim| {
         let slips = claim.slips().iter();
         let slips = slips.map(|slip| supported_digits(slip.value, claim.bound()));
         let fields = [

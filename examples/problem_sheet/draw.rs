@@ -1,8 +1,8 @@
 //! Numbers for a student: drawn, computed, and used only if all of the page's checks hold.
 
 use super::exercise::{Exercise, asked};
+use kit::{Claim, Report};
 use oorandom::Rand32;
-use rotation_dynamics::report::{Claim, Report};
 
 /// So many sets are drawn before one gives up.
 const TRIES: u32 = 200;
@@ -63,7 +63,7 @@ pub fn draw<'e>(exercise: &'e Exercise, seed: u64, student: &str) -> Result<Draw
 }
 
 /// One of the values of the grid.
-fn typed(grid: &rotation_dynamics::report::Grid, random: &mut Rand32) -> String {
+fn typed(grid: &kit::Grid, random: &mut Rand32) -> String {
     grid.typed(random.rand_range(0..grid.count()))
 }
 

@@ -1,6 +1,6 @@
 //! The exercises on offer: the pages whose parameters say what is drawn.
 
-use rotation_dynamics::report::{Claim, Page, Report};
+use kit::{Claim, Page, Report};
 use std::path::Path;
 use std::sync::OnceLock;
 

@@ -5,7 +5,7 @@ use super::draw::Drawn;
 use super::exercise::asked;
 use super::statement::{Setting, stated};
 use super::{Asked, Sheet};
-use rotation_dynamics::report::{Claim, digits_asked};
+use kit::{Claim, digits_asked};
 use typeset::notation::words;
 use typeset::text::{escape, number_html, shortened, unit_html};
 

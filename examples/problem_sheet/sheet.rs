@@ -20,8 +20,8 @@ pub mod statement;
 use clap::{Arg, ArgMatches, Command, value_parser};
 use draw::{Drawn, draw};
 use exercise::Exercise;
-use rotation_dynamics::report::Answer;
-use rotation_dynamics::report::cli::{joined, write_whole};
+use kit::Answer;
+use kit::cli::{joined, write_whole};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 

@@ -23,9 +23,7 @@ mod problem;
 mod sweep;
 
 pub(crate) use crate::math::larger;
-#[cfg(feature = "report")]
-pub(crate) use called_for::MARGIN;
-pub use called_for::{CalledFor, Measured, Weighed};
+pub use called_for::{CalledFor, MARGIN, Measured, Weighed};
 pub use carry::{Carrier, Fineness, Variables, applies};
 pub use dial::{ExactMotion, Limits, Solved, SolvedMotion};
 pub use measures::{Errors, Measure, largest};

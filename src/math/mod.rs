@@ -22,9 +22,8 @@ pub use libm::{
     acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cos, cosh, exp, exp2, expm1, fmod, ilogb,
     ldexp, log, log1p, log2, log10, pow, sin, sincos, sinh, tan, tanh,
 };
-#[cfg(feature = "report")]
-pub(crate) use order::order_of;
-pub(crate) use order::{order_of_three, sort_by_number};
+pub(crate) use order::order_of_three;
+pub use order::{order_of, sort_by_number};
 pub(crate) use product::Exact;
 pub(crate) use turns::{Clock, MOST_TURNS, Reduced, Time, latest, sincos_of, unsigned_sincos_of};
 pub use turns::{round_even, sincos_turns};

@@ -2,7 +2,7 @@
 //! each kind of thing would bring a sort of its own, of 10 kB each.
 
 /// The places of these numbers, the least first; of equal ones, the first first.
-pub(crate) fn order_of(numbers: &[f64]) -> Vec<usize> {
+pub fn order_of(numbers: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..numbers.len()).collect();
     order.sort_by(|&i, &j| numbers[i].total_cmp(&numbers[j]));
     order
@@ -21,7 +21,7 @@ pub(crate) fn order_of_three(numbers: [f64; 3]) -> [usize; 3] {
 
 /// Puts things in the order of a number that each has, the least first; things with equal
 /// numbers stay as they were.
-pub(crate) fn sort_by_number<T: Clone>(things: &mut [T], number: impl Fn(&T) -> f64) {
+pub fn sort_by_number<T: Clone>(things: &mut [T], number: impl Fn(&T) -> f64) {
     let numbers: Vec<f64> = things.iter().map(number).collect();
     let sorted: Vec<T> = (order_of(&numbers).iter())
         .map(|i| things[*i].clone())

@@ -1,6 +1,7 @@
 //! What leaving an effect out is predicted to cost of the direction of the axis, against
 //! runs with the effect and without.
 
+use kit::heavy_top::Steady;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
@@ -9,7 +10,6 @@ use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{asin, sin};
 use rotation_dynamics::motion::Motion;
-use rotation_dynamics::report::heavy_top::Steady;
 use rotation_dynamics::scene::Scene;
 use support::Errors;
 

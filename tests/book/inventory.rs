@@ -1,7 +1,7 @@
 //! Everything in the notes that can be computed has a page, a check on it, and, where the
 //! notes have a figure, a figure.
 
-use rotation_dynamics::report::parse;
+use kit::parse;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

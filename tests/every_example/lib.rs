@@ -9,7 +9,7 @@
     reason = "each example has its own main, and one may stand on another"
 )]
 
-use rotation_dynamics::report::{Moves, Page};
+use kit::{Moves, Page};
 
 include!(concat!(env!("OUT_DIR"), "/examples.rs"));
 

@@ -6,7 +6,7 @@ use crate::told::{asked, thinned};
 use pages::ALL;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use rotation_dynamics::report::{Answer, claim, Report};
+use kit::{Answer, claim, Report};
 
 fn runner(cases: u32) -> TestRunner {
     let mut seed = [0; 32];

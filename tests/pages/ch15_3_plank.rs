@@ -7,7 +7,7 @@ use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::plank::Plank as Exact;
 use rotation_dynamics::math::{cos, sin, sincos};
 use rotation_dynamics::planar::contact::{Mode, Sense, State, misdeclared};
-use rotation_dynamics::report::{parse, times};
+use kit::{parse, times};
 use support::{Errors, assert_error};
 
 const STARTS: [f64; 6] = [1e-12, 1e-6, 0.01, 0.3, 1.0, 1.5];

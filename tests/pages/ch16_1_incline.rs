@@ -4,7 +4,7 @@ use crate::told::{answer, confirmed, refused, value};
 use pages::ch16_1_incline::*;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{Mechanism, Mode, QuadraticDrag, misdeclared};
-use rotation_dynamics::report::prelude::*;
+use kit::prelude::*;
 use std::f64::consts::{PI, TAU};
 use support::{Errors, assert_error};
 

@@ -6,8 +6,8 @@ use pages::ch16_2_gyroscope as gyroscope;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator, ode};
 use rotation_dynamics::math::{cos, sin};
-use rotation_dynamics::report::{MovingPicture, Page};
-use rotation_dynamics::report::cli::Outcome;
+use kit::{MovingPicture, Page};
+use kit::cli::Outcome;
 use support::Errors;
 
 use core::f64::consts::{PI, TAU};
@@ -186,7 +186,7 @@ fn refused_with_a_reason_one_can_act_on() {
 
 /// The moving picture of these flags.
 fn picture(flags: &[(&str, f64)]) -> MovingPicture {
-    use rotation_dynamics::report::ParameterSet;
+    use kit::ParameterSet;
     let mut parameters = gyroscope::Parameters::default();
     for (name, value) in flags {
         let flag = gyroscope::Parameters::FLAGS

@@ -7,7 +7,7 @@ use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::Torque;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Ode};
-use rotation_dynamics::report::prelude::*;
+use kit::prelude::*;
 use rotation_dynamics::scene::Scene;
 use support::{Errors, assert_error};
 

@@ -5,7 +5,7 @@ use crate::told::{computed, confirmed, ledger, refused, value};
 use pages::ch16_2_torque_free::*;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::integrators::{Dop853, Ode, ode};
-use rotation_dynamics::report::prelude::*;
+use kit::prelude::*;
 use std::f64::consts::TAU;
 use support::{Errors, assert_error};
 

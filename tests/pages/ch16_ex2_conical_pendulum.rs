@@ -3,7 +3,7 @@
 use crate::told::{confirmed, refused, value};
 use pages::ch16_ex2_conical_pendulum::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};
-use rotation_dynamics::report::prelude::*;
+use kit::prelude::*;
 use std::f64::consts::PI;
 use support::{Errors, second_derivative};
 

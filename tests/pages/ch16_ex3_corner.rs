@@ -5,7 +5,7 @@ use crate::told::{cell, computed, confirmed, errors_of, refused};
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode};
-use rotation_dynamics::report::Page;
+use kit::Page;
 use rotation_dynamics::planar::contact::{Mode, State, misdeclared, motion};
 use support::Errors;
 

@@ -4,7 +4,7 @@
 use crate::told::{answer, computed, confirmed, errors_of, refused, value};
 use pages::ch16_ex5_charged_ball::*;
 use rotation_dynamics::planar::contact::{Mode, misdeclared};
-use rotation_dynamics::report::prelude::*;
+use kit::prelude::*;
 use support::Errors;
 
 fn ball() -> Ball {

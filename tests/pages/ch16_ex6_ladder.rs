@@ -8,7 +8,7 @@ use rotation_dynamics::exact::ladder::{Ladder, Phase};
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{EPS, cos, exp, sin, tan};
 use rotation_dynamics::planar::contact::{Mode, kept_within, motion, motion_within};
-use rotation_dynamics::report::{Page, Parsed, parse, times};
+use kit::{Page, Parsed, parse, times};
 use support::Errors;
 
 const G: f64 = 9.80665;

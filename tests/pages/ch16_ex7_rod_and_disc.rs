@@ -5,7 +5,7 @@ use crate::told::{computed, confirmed, refused, value};
 use pages::ch16_ex7_rod_and_disc::*;
 use rotation_dynamics::integrators::{Integrator, Rk4};
 use rotation_dynamics::math::{cos, sin};
-use rotation_dynamics::report::times;
+use kit::times;
 use std::f64::consts::PI;
 use support::Errors;
 

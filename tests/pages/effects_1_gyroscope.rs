@@ -5,7 +5,7 @@ use crate::told::{answer, confirmed, refused};
 use pages::effects_1_gyroscope::*;
 use rotation_dynamics::gimbals::{Bearing, Bearings, Fading, Nod, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
-use rotation_dynamics::report::parse;
+use kit::parse;
 use support::{Errors, assert_error};
 
 fn with(change: impl Fn(&mut Parameters)) -> Gyroscope {

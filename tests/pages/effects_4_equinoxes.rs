@@ -8,7 +8,7 @@ use rotation_dynamics::effects::{Effect, KeplerOrbit, OrbitingBody};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{cos, pow, sin};
-use rotation_dynamics::report::{Parsed, parse};
+use kit::{Parsed, parse};
 use support::{Errors, assert_error};
 
 /// The numbers of a row of a table, in the order of its columns.

@@ -8,7 +8,7 @@ use pages::further_1_phone::*;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan2, exp, log};
-use rotation_dynamics::report::Page;
+use kit::Page;
 use support::Errors;
 
 /// The phone, a book, a brick and a long box, thrown with tilts to every side.

@@ -5,8 +5,8 @@ use crate::told::{confirmed, refused};
 use pages::further_2_gyrocompass::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::math::{cos, log, pow, sin, tan};
-use rotation_dynamics::report::sampled;
-use rotation_dynamics::report::Page;
+use kit::sampled;
+use kit::Page;
 use support::Errors;
 
 #[test]

@@ -5,7 +5,7 @@ use crate::told::{answer, cell, computed, confirmed, refused, value};
 use pages::further_4_yo_yo_despin::strings::{Hangs, Reel, YoYo};
 use pages::further_4_yo_yo_despin::*;
 use rotation_dynamics::math::hypot;
-use rotation_dynamics::report::Page;
+use kit::Page;
 use support::{EPS, Errors, second_derivative};
 
 #[test]

@@ -7,7 +7,7 @@ use pages::further_5_wheel_on_rope::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, hypot, log, sin};
-use rotation_dynamics::report::Page;
+use kit::Page;
 use support::Errors;
 
 #[test]

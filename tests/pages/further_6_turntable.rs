@@ -5,8 +5,8 @@ use crate::told::{computed, confirmed, refused, value};
 use pages::further_6_turntable::rolling::{Ball, Moving, Surface, Touch, at};
 use pages::further_6_turntable::*;
 use rotation_dynamics::integrators::{after, newton, place_and_velocity};
-use rotation_dynamics::report::Page;
-use rotation_dynamics::report::prelude::*;
+use kit::Page;
+use kit::prelude::*;
 use std::f64::consts::{PI, TAU};
 use support::Errors;
 

@@ -5,7 +5,7 @@ use crate::told::{answer, cell, confirmed, number, refused, value};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::motion::Motion;
-use rotation_dynamics::report::{Page, parse};
+use kit::{Page, parse};
 use support::Errors;
 
 /// A swing of this height, solved to this error.

@@ -3,8 +3,8 @@
 
 use crate::snapshots::misplaced;
 use pages::{ALL, MOVING, WHOLE};
-use rotation_dynamics::report::draw::{Display, Ink, Shape, Sketch};
-use rotation_dynamics::report::{Figure, Moves, MovingPicture, Page};
+use kit::draw::{Display, Ink, Shape, Sketch};
+use kit::{Figure, Moves, MovingPicture, Page};
 use serde_json::Value;
 
 /// What is declared of the parameters of a page.

@@ -6,8 +6,8 @@
 mod sheet;
 
 use crate::told::thinned;
-use rotation_dynamics::report::cli::joined;
-use rotation_dynamics::report::{Answer, Claim, Grid, Page};
+use kit::cli::joined;
+use kit::{Answer, Claim, Grid, Page};
 use serde_json::{Value, json};
 use sheet::draw::{Drawn, computed, draw};
 use sheet::exercise::{Exercise, all, asked};

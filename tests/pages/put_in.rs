@@ -3,7 +3,7 @@
 
 use crate::told::{computed, refused, with_report};
 use pages::ALL;
-use rotation_dynamics::report::Page;
+use kit::Page;
 use support::Errors;
 
 /// Page, effect, its usual strength, and a claim that is told of it.

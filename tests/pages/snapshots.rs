@@ -6,10 +6,10 @@
 //! difference before you commit it.
 
 use insta::Settings;
-use rotation_dynamics::report::draw::PALETTE;
+use kit::draw::PALETTE;
 use crate::told::{root, with_report};
 use pages::{ALL, WHOLE};
-use rotation_dynamics::report::{Figure, Page, parse};
+use kit::{Figure, Page, parse};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};

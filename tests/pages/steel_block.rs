@@ -10,7 +10,7 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Integrator, Rk4};
-use rotation_dynamics::report::Page;
+use kit::Page;
 use rotation_dynamics::scene::Scene;
 use support::{EPS, Errors};
 

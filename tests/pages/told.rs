@@ -2,8 +2,8 @@
 
 #![allow(dead_code, reason = "a page asks some of it, and one page alone can be tested")]
 
-use rotation_dynamics::report::cli::Outcome;
-use rotation_dynamics::report::{Page, Report, Table};
+use kit::cli::Outcome;
+use kit::{Page, Report, Table};
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! Refusals say what is wrong, in few digits.
 
+use kit::interval::{above, from_to};
 use rotation_dynamics::exact::jacobi::sn_cn_dn;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::integrators::{Dop853, Integrator, ode, second_order};
-use rotation_dynamics::interval::{above, from_to};
 use rotation_dynamics::math::{cos, exp};
 use rotation_dynamics::{Error, Result};
 use support::Errors;

@@ -639,7 +639,7 @@ fn functions_of_a_time(folder: &Path, name: &str, found: &mut BTreeSet<String>) 
             .and_then(|name| name.to_str())
             .expect("a name");
         let file = format!("{name}{inner}");
-        if path.is_dir() && file != "report" {
+        if path.is_dir() {
             functions_of_a_time(&path, &format!("{file}/"), found);
         } else if file.ends_with(".rs") {
             let text = std::fs::read_to_string(&path).expect("a source");

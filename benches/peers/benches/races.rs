@@ -8,7 +8,7 @@ use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
 use peers::contest::contestants;
 use peers::problem::PROBLEMS;
 use peers::record::claims;
-use rotation_dynamics::report::parse;
+use kit::parse;
 use std::fs;
 use std::time::Duration;
 

@@ -14,7 +14,7 @@ use peers::open_record;
 use peers::problem::{PROBLEMS, Problem};
 use peers::race::{Race, along_the_way, to_the_end};
 use peers::record::{DENSE, Races, text};
-use rotation_dynamics::report::parse;
+use kit::parse;
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::{env, fs};

@@ -8,7 +8,7 @@ use crate::record::{
     Outcome, PEERS, Rivals, condition_table, head, in_words, run_cells, table, times_table,
 };
 use benches::conditions::Conditions;
-use rotation_dynamics::report::{Report, Table, short};
+use kit::{Report, Table, short};
 
 /// The command that writes the record.
 pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Cargo.toml -- open";

@@ -1,7 +1,7 @@
 //! What is written down of the races. The README's table is made of it by
 //! [`benches::readme`].
 //!
-//! The record has the grammar of a report ([`rotation_dynamics::report`]):
+//! The record has the grammar of a report ([`kit`]):
 //! `conditions`, a table of times per problem, `dense_…`, `ratios`, `targets`, and
 //! `runs`, from which every line can be run again ([`again`]).
 
@@ -10,7 +10,7 @@ use crate::dense::{self, PER_PERIOD, PERIODS, samplers};
 use crate::problem::{PROBLEMS, Problem};
 use crate::race::{Line, Race, TARGETS};
 use benches::conditions::Conditions;
-use rotation_dynamics::report::{Parsed, Report, Table, rounded_up, short};
+use kit::{Parsed, Report, Table, rounded_up, short};
 
 /// The command that writes the record.
 pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Cargo.toml";

@@ -6,7 +6,7 @@ use peers::contest::Setting;
 use peers::open::OPEN;
 use peers::problem::PROBLEMS;
 use peers::record::{Claim, DENSE, again, claims};
-use rotation_dynamics::report::{Parsed, parse};
+use kit::{Parsed, parse};
 use std::fs;
 
 fn read(file: &str) -> Parsed {

@@ -2,7 +2,7 @@
 //! answer, writes `OUT/rotation__<family>.out`, one line per row, `E:...` for an
 //! error.
 
-use rotation_dynamics::report::cli::alive;
+use kit::cli::alive;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 use std::{env, fs, process};

@@ -16,10 +16,10 @@
 use benches::conditions::Conditions;
 use benches::throughput::{Motion, motions, same_bits, times};
 use benches::timing::{Clock, Task, interleaved_by};
+use kit::cli::alive;
+use kit::{Report, Table, short};
 use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::math;
-use rotation_dynamics::report::cli::alive;
-use rotation_dynamics::report::{Report, Table, short};
 use std::cell::RefCell;
 use std::error::Error;
 use std::hint::black_box;

@@ -11,11 +11,11 @@
 
 use benches::conditions::Conditions;
 use benches::timing::{Task, interleaved};
+use kit::cli::alive;
+use kit::draw::Method;
+use kit::{ClosedForm, Report, Table, rounded_up, short};
 use pages::accuracy::lines::{Line, Measured};
 use pages::accuracy::{ASKED, EXAMPLE, Parameters, prepared};
-use rotation_dynamics::report::cli::alive;
-use rotation_dynamics::report::draw::Method;
-use rotation_dynamics::report::{ClosedForm, Report, Table, rounded_up, short};
 use std::error::Error;
 use std::hint::black_box;
 use std::path::Path;

@@ -12,10 +12,10 @@
 mod drift;
 
 use drift::{Curve, Kind, Method, curve};
+use kit::cli::alive;
+use kit::{Report, Table, rounded_up};
 use rayon::prelude::*;
 use rotation_dynamics::Result;
-use rotation_dynamics::report::cli::alive;
-use rotation_dynamics::report::{Report, Table, rounded_up};
 use std::path::Path;
 use std::{error, fs};
 

@@ -10,9 +10,9 @@
 
 use benches::conditions::Conditions;
 use benches::timing::Clock;
+use kit::cli::alive;
+use kit::{Page, Report, Table, short};
 use pages::ALL;
-use rotation_dynamics::report::cli::alive;
-use rotation_dynamics::report::{Page, Report, Table, short};
 use std::error::Error;
 use std::hint::black_box;
 use std::path::Path;

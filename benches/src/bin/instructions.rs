@@ -15,6 +15,8 @@ mod by_hand;
 
 use benches::conditions::Conditions;
 use by_hand::{ByHand, TurnAndPush};
+use kit::cli::alive;
+use kit::{Report, Table};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -27,8 +29,6 @@ use rotation_dynamics::integrators::scene::components;
 use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, Resisted, Rk4, Scheme, Splitting,
 };
-use rotation_dynamics::report::cli::alive;
-use rotation_dynamics::report::{Report, Table};
 use rotation_dynamics::scene::Scene;
 use std::path::Path;
 use std::process::Command;

@@ -7,12 +7,12 @@
 //!
 //! Without a stem, all are timed. The unit is one sample of the scene's closed form: the
 //! mean over times spread evenly over the motion, measured in the same rounds. A record has
-//! the grammar of a report ([`rotation_dynamics::report`]).
+//! the grammar of a report ([`kit`]).
 
 use benches::conditions::Conditions;
 use benches::timing::{Measured, Task, interleaved};
-use rotation_dynamics::report::cli::alive;
-use rotation_dynamics::report::{Computation, Page, Report, Table, rounded_up, short};
+use kit::cli::alive;
+use kit::{Computation, Page, Report, Table, rounded_up, short};
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;

@@ -3,9 +3,7 @@
 use crate::notation;
 use crate::project::Project;
 use crate::text::{escape, number_html, unit_html};
-use rotation_dynamics::report::{
-    DEGREES, RECIPROCAL, Table, USUAL_SLIPS, digits_asked, name_of_flag,
-};
+use kit::{DEGREES, RECIPROCAL, Table, USUAL_SLIPS, digits_asked, name_of_flag};
 use serde_json::{Value, json};
 
 /// A claim that a reader can answer.

@@ -33,7 +33,7 @@ use crate::splice::Splice;
 use crate::table;
 use crate::text::{escape, number_html, number_tex, shortened, unit_html};
 use crate::times;
-use rotation_dynamics::report::for_reading;
+use kit::for_reading;
 
 /// A directive, read but not resolved.
 #[derive(Debug, Clone, PartialEq)]

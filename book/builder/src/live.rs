@@ -11,7 +11,7 @@ use crate::project::Project;
 use crate::text::{escape, number_html, unescape, unit_html};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use rotation_dynamics::report::{STEPPING, Table};
+use kit::{STEPPING, Table};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fmt;

@@ -7,7 +7,7 @@
 use crate::project::Project;
 use crate::table;
 use crate::text::escape;
-use rotation_dynamics::report::{Parsed, Table, parse};
+use kit::{Parsed, Table, parse};
 
 /// Where the records are, relative to the project's root.
 pub const RECORDS: &str = "benches/record";

@@ -1,7 +1,7 @@
 //! The files that pages include: examples, snapshots, figures, tests.
 
 use crate::race;
-use rotation_dynamics::report::{Parsed, Table, name_of_flag, parse};
+use kit::{Parsed, Table, name_of_flag, parse};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -5,8 +5,8 @@
 
 use crate::measured;
 use crate::project::Project;
-use rotation_dynamics::report::Table;
-use rotation_dynamics::report::draw::{Axis, Method, Panel};
+use kit::Table;
+use kit::draw::{Axis, Method, Panel};
 
 /// The stem under which these drawings go.
 pub const STEM: &str = "measured";

@@ -3,7 +3,7 @@
 use crate::notation::{symbols, words};
 use crate::text::{escape, number_html, unit_html};
 use crate::token;
-use rotation_dynamics::report::Table;
+use kit::Table;
 
 /// Sections whose rows are quantities of different kinds.
 const MIXED: [&str; 4] = ["parameters", "claims", "limits", "effects"];
@@ -199,9 +199,7 @@ mod tests {
     fn a_column_has_one_format_and_dashes_do_not_count() {
         let locked = "Sample\n\ntable costs\nmethod  torques  here\n\
                       a       7100000  1\nb       1.3e7    -\nc       420      -\n";
-        let tables = rotation_dynamics::report::parse(locked)
-            .expect("it is a table")
-            .tables;
+        let tables = kit::parse(locked).expect("it is a table").tables;
         let html = html(&tables[0]);
         for cell in [
             "<td class=\"n\">7.1\u{202f}\u{d7}\u{202f}10<sup>6</sup></td>",
@@ -217,9 +215,7 @@ mod tests {
     #[test]
     fn a_head_that_is_a_formula_says_what_it_is() {
         let locked = "Sample\n\ntable mass\nmass  omega_floor  t_release in s\n1  2  3\n";
-        let tables = rotation_dynamics::report::parse(locked)
-            .expect("it is a table")
-            .tables;
+        let tables = kit::parse(locked).expect("it is a table").tables;
         let html = html(&tables[0]);
         assert!(
             html.contains("><math aria-label=\"ω_floor\"><msub>"),
@@ -234,7 +230,7 @@ mod tests {
              effect    number       value  error if left out  here      at 1e-2\n\
              antennas  4 m d^2/I_a  0.72   0.72 of the rate   left out  in\n\
              weight    2^-53        1.0    6.3 rad            in        in, 0.063 rad/s\n";
-        let parsed = rotation_dynamics::report::parse(locked).expect("it is a table");
+        let parsed = kit::parse(locked).expect("it is a table");
         let html = section(&parsed.tables[0]);
         for part in [
             "<table class=\"section effects\" role=\"table\">",
@@ -254,9 +250,7 @@ mod tests {
     fn only_a_column_of_long_words_is_broken() {
         let locked = "Sample\n\nlimits\nlimit                  gives  here\n\
                       a limit of many words  0.5    left out\n";
-        let tables = rotation_dynamics::report::parse(locked)
-            .expect("it is a table")
-            .tables;
+        let tables = kit::parse(locked).expect("it is a table").tables;
         let html = html(&tables[0]);
         assert!(html.contains("<td>a limit of many words</td>"), "{html}");
         assert!(html.contains("<td class=\"short\">left out</td>"), "{html}");

@@ -9,7 +9,7 @@ use crate::measured;
 use crate::project::Project;
 use crate::table;
 use crate::text::{escape, number_html};
-use rotation_dynamics::report::{Parsed, Table, short};
+use kit::{Parsed, Table, short};
 use std::cmp::Ordering;
 
 /// What a line of the strip and one of the record must share.

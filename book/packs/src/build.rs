@@ -9,12 +9,13 @@ use std::{env, fs};
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What the module is compiled of.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
     "Cargo.toml",
     "Cargo.lock",
     "src",
     "examples",
     "tests/every_example",
+    "book/kit",
     "book/live",
     "book/packs",
 ];

@@ -48,7 +48,7 @@ const TORQUES: u64 = 4;
 const STAGES: u64 = 12;
 
 /// The prediction of a small effect is right within this factor.
-pub(crate) const MARGIN: f64 = 2.0;
+pub const MARGIN: f64 = 2.0;
 
 /// What leaving an effect out of a scene would cost.
 #[derive(Debug, Clone, Copy, PartialEq)]

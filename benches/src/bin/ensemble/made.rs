@@ -2,6 +2,7 @@
 
 use crate::{BODIES, Outcome};
 use benches::ensemble::drawn;
+use kit::{Table, rounded_up, short};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;
@@ -12,7 +13,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{GaussLegendre, Integrator, SpinFree};
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::report::{Table, rounded_up, short};
 use rotation_dynamics::scene::Scene;
 
 /// Bodies compared with an integrator, of each kind.

@@ -1,0 +1,239 @@
+//! Bodies that pages need, as meshes. Points and lengths are in the units of the view,
+//! axes are unit vectors.
+
+use super::solid::{Solid, across, normal};
+use core::f64::consts::PI;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::math::sincos;
+
+impl Solid {
+    /// A disc about `centre` of this radius, so thick along `axis`.
+    pub fn disc(centre: SpaceVector, axis: SpaceVector, radius: f64, thickness: f64) -> Self {
+        let half = thickness / 2.0;
+        Self::turned(centre, axis, &[(-half, radius), (half, radius)])
+    }
+
+    /// A cylinder with the line `from`, `to` in its middle.
+    pub fn cylinder(from: SpaceVector, to: SpaceVector, radius: f64) -> Self {
+        let (axis, length) = direction(from, to);
+        Self::turned(from, axis, &[(0.0, radius), (length, radius)])
+    }
+
+    /// A thin round rod from one point to another: an axle, a stick, a stand's pillar.
+    pub fn rod(from: SpaceVector, to: SpaceVector, radius: f64) -> Self {
+        let (axis, length) = direction(from, to);
+        Self::turned_with(10, from, axis, &[(0.0, radius), (length, radius)])
+    }
+
+    /// A cone from its base to its tip.
+    pub fn cone(base: SpaceVector, tip: SpaceVector, radius: f64) -> Self {
+        let (axis, length) = direction(base, tip);
+        Self::turned(base, axis, &[(0.0, radius), (length, 0.0)])
+    }
+
+    /// A ball.
+    pub fn ball(centre: SpaceVector, radius: f64) -> Self {
+        const RINGS: u32 = 9;
+        let profile: Vec<(f64, f64)> = (0..=RINGS)
+            .map(|i| {
+                let (s, c) = sincos(PI * f64::from(i) / f64::from(RINGS));
+                (-radius * c, radius * s)
+            })
+            .collect();
+        Self::turned_with(18, centre, SpaceVector::new(0.0, 0.0, 1.0), &profile)
+    }
+
+    /// A box about `centre`; `edges` are its three edges as vectors at right angles.
+    pub fn cuboid(centre: SpaceVector, edges: [SpaceVector; 3]) -> Self {
+        let half = edges.map(|e| e * 0.5);
+        let face = |k: usize, sign: f64| {
+            let (out, u, v) = (half[k] * sign, half[(k + 1) % 3], half[(k + 2) % 3]);
+            let middle = centre + out;
+            let mut face = vec![
+                middle + u + v,
+                middle - u + v,
+                middle - u - v,
+                middle + u - v,
+            ];
+            // In a left-handed box, and on opposite sides, the corners run the other way.
+            if normal(&face).is_some_and(|n| n.dot(&out) < 0.0) {
+                face.reverse();
+            }
+            face
+        };
+        Self::new((0..3).flat_map(|k| [face(k, 1.0), face(k, -1.0)]))
+    }
+
+    /// A spinning top that stands on `tip`: cone, belly and stem along `axis`.
+    pub fn top(tip: SpaceVector, axis: SpaceVector, height: f64, radius: f64) -> Self {
+        let h = |part: f64| part * height;
+        Self::turned(
+            tip,
+            axis,
+            &[
+                (0.0, 0.0),
+                (h(0.06), 0.09 * radius),
+                (h(0.42), radius),
+                (h(0.50), radius),
+                (h(0.62), 0.12 * radius),
+            ],
+        )
+        .with(Self::rod(
+            tip + axis * h(0.6),
+            tip + axis * height,
+            0.085 * radius,
+        ))
+    }
+
+    /// A bicycle wheel: rim, spokes, hub, and the axle, `axle` to each side of the centre.
+    /// `turn` (radians) is how far the spokes have turned about `axis`.
+    pub fn wheel(
+        centre: SpaceVector,
+        axis: SpaceVector,
+        radius: f64,
+        axle: f64,
+        turn: f64,
+    ) -> Self {
+        const SPOKES: u32 = 8;
+        let (u, v) = across(axis);
+        let spokes = (0..SPOKES).map(|i| {
+            let (s, c) = sincos(turn + 2.0 * PI * f64::from(i) / f64::from(SPOKES));
+            let out = u * c + v * s;
+            Self::beam(
+                centre + out * (0.05 * radius),
+                centre + out * (0.93 * radius),
+                0.012 * radius,
+            )
+        });
+        let hub = Self::turned_with(
+            14,
+            centre - axis * (0.11 * radius),
+            axis,
+            &[(0.0, 0.07 * radius), (0.22 * radius, 0.07 * radius)],
+        );
+        let axle = Self::rod(centre - axis * axle, centre + axis * axle, 0.025 * radius);
+        let rim = Self::ring(centre, axis, 0.96 * radius, 0.045 * radius);
+        spokes.fold(rim.with(hub).with(axle), Self::with)
+    }
+
+    /// A ring about `centre`: the mean radius, and half its thickness.
+    pub fn ring(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
+        const ROUND: [(f64, f64); 6] = [
+            (-0.5, -0.866),
+            (-1.0, 0.0),
+            (-0.5, 0.866),
+            (0.5, 0.866),
+            (1.0, 0.0),
+            (0.5, -0.866),
+        ];
+        const SIDES: u32 = 32;
+        let (u, v) = across(axis);
+        let at = |i: u32, k: usize| {
+            let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
+            let (h, r) = ROUND[k % 6];
+            centre + (u * c + v * s) * (radius + half * r) + axis * (half * h)
+        };
+        let face = |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
+        Self::new(
+            (0..SIDES)
+                .flat_map(|i| (0..6).map(move |k| (i, k)))
+                .map(|(i, k)| face(i, k)),
+        )
+    }
+
+    /// A stand on the ground: a foot plate and a pillar up to `pivot`, `height` above it.
+    pub fn stand(pivot: SpaceVector, height: f64, foot: f64) -> Self {
+        let up = SpaceVector::new(0.0, 0.0, 1.0);
+        let ground = pivot - up * height;
+        let plate = Self::turned(ground, up, &[(0.0, foot), (0.12 * foot, foot)]);
+        let pillar = Self::turned_with(
+            14,
+            ground + up * (0.12 * foot),
+            up,
+            &[(0.0, 0.16 * foot), (height - 0.12 * foot, 0.05 * foot)],
+        );
+        plate.with(pillar)
+    }
+
+    /// A square bar.
+    fn beam(from: SpaceVector, to: SpaceVector, half: f64) -> Self {
+        let (axis, length) = direction(from, to);
+        Self::turned_with(4, from, axis, &[(0.0, half), (length, half)])
+    }
+}
+
+/// The unit vector from one point to another, and their distance.
+fn direction(from: SpaceVector, to: SpaceVector) -> (SpaceVector, f64) {
+    let along = to - from;
+    let length = along.norm();
+    if length > 0.0 {
+        (along / length, length)
+    } else {
+        (SpaceVector::new(0.0, 0.0, 1.0), 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The volume inside the faces, by the divergence theorem: it is positive and right
+    /// only if all faces are there and turn their outside out.
+    fn volume(solid: &Solid) -> f64 {
+        let faces = solid.faces.iter().filter(|face| normal(face).is_some());
+        faces
+            .map(|face| {
+                let fan = (1..face.len() - 1).map(|i| face[0].dot(&face[i].cross(&face[i + 1])));
+                fan.sum::<f64>() / 6.0
+            })
+            .sum()
+    }
+
+    #[test]
+    fn bodies_are_closed_and_turn_their_outside_out() {
+        let at = |x: f64, y: f64, z: f64| SpaceVector::new(x, y, z);
+        let axis = at(0.6, 0.0, 0.8);
+        // A prism of n sides has the share sin(2 pi / n) / (2 pi / n) of the cylinder.
+        let share = |n: f64| rotation_dynamics::math::sin(2.0 * PI / n) / (2.0 * PI / n);
+        let edges = [at(2.0, 0.0, 0.0), at(0.0, 3.0, 0.0), at(0.0, 0.0, 0.5)];
+        let mirrored = [edges[1], edges[0], edges[2]];
+        let cases = [
+            (
+                Solid::disc(at(1.0, 2.0, 3.0), axis, 2.0, 0.5),
+                2.0 * PI * share(36.0),
+                1e-13,
+            ),
+            (
+                Solid::cone(at(1.0, 0.0, 0.0), at(1.0, 3.0, 0.0), 1.0),
+                PI * share(36.0),
+                1e-13,
+            ),
+            (
+                Solid::rod(at(0.0, 0.0, 0.0), axis * 2.0, 0.1),
+                0.02 * PI * share(10.0),
+                1e-13,
+            ),
+            (Solid::cuboid(at(5.0, 5.0, 5.0), edges), 3.0, 1e-13),
+            (Solid::cuboid(at(5.0, 5.0, 5.0), mirrored), 3.0, 1e-13),
+            (Solid::ball(at(1.0, 1.0, 1.0), 1.0), 4.0 / 3.0 * PI, 0.1),
+            (
+                Solid::ring(at(1.0, 1.0, 1.0), axis, 2.0, 0.1),
+                4.0 * PI * PI * 0.01,
+                0.2,
+            ),
+        ];
+        let count = cases.len();
+        for (i, (solid, expected, within)) in cases.into_iter().enumerate() {
+            let found = volume(&solid);
+            assert!(
+                (found / expected - 1.0).abs() < within,
+                "{i}: {found} {expected}"
+            );
+        }
+        assert_eq!(count, 7);
+        // The damaged twin: a body without one of its faces is not closed.
+        let mut open = Solid::cuboid(at(5.0, 5.0, 5.0), edges);
+        open.faces.pop();
+        assert!((volume(&open) / 3.0 - 1.0).abs() > 0.1);
+    }
+}

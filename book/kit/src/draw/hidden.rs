@@ -1,0 +1,121 @@
+//! Faces, and lines as pieces short enough to be hidden or shown.
+
+use super::canvas::{Frame, Paint, Point};
+use super::depth::{Item, from_behind};
+use super::display::{Dash, Stroke};
+use super::ink::Ink;
+use super::scene::Part;
+use super::solid::{Solid, normal};
+use super::view::View;
+use crate::error::{Result, finite};
+use rotation_dynamics::frame::SpaceVector;
+
+/// Length of the pieces into which a line is cut where bodies may hide it, in px.
+const PIECE: f64 = 6.0;
+
+impl View {
+    /// The faces that look at the eye, lighter as they turn to the light.
+    pub(super) fn faces(&self, solid: &Solid, ink: Ink, items: &mut Vec<Item>) -> Result<()> {
+        let camera = &self.camera;
+        let light = camera.eye * 0.85 + camera.up * 0.45 - camera.right * 0.3;
+        let light = light / light.norm();
+        for face in &solid.faces {
+            for &p in face {
+                finite("depth in a view", camera.depth(p))?;
+            }
+            let Some(normal) = normal(face).filter(|&n| camera.depth(n) > 1e-9) else {
+                continue;
+            };
+            // Few steps of light keep the picture small.
+            let percent = 4.0 * libm::round(12.5 * (1.0 + normal.dot(&light)));
+            items.push(Item {
+                points: face.clone(),
+                paint: Paint::Face(ink, percent as u32),
+                goes_on: false,
+            });
+        }
+        Ok(())
+    }
+
+    /// A line as short pieces, its dashes as pieces of their own, its head as the last.
+    pub(super) fn pieces(&self, part: &Part<'_>, unit: f64, items: &mut Vec<Item>) -> Result<()> {
+        let (on, off) = match part.stroke.dash {
+            Dash::Solid => (PIECE, 0.0),
+            Dash::Dashed => (6.0, 4.0),
+            Dash::Dotted => (1.5, 3.0),
+        };
+        let length = |a: SpaceVector, b: SpaceVector| {
+            let ((ax, ay), (bx, by)) = (self.camera.project(a), self.camera.project(b));
+            unit * rotation_dynamics::math::hypot(bx - ax, by - ay)
+        };
+        // How long the line is up to each of its points but the first.
+        let reached: Vec<f64> = (part.points.windows(2))
+            .scan(0.0, |behind, w| {
+                *behind += length(w[0], w[1]);
+                Some(*behind)
+            })
+            .collect();
+        let whole = reached.last().copied().unwrap_or(0.0);
+        let whole = finite("length of a line in a view", whole)?;
+        let shaft = whole - part.head.map_or(0.0, |head| 1.5 * head);
+        let at = |wanted: f64| {
+            let first = reached.partition_point(|next| *next < wanted.max(f64::MIN_POSITIVE));
+            let Some(&next) = reached.get(first) else {
+                return part.points.last().copied().unwrap_or(SpaceVector::zero());
+            };
+            let behind = first.checked_sub(1).map_or(0.0, |before| reached[before]);
+            let (from, to) = (part.points[first], part.points[first + 1]);
+            from + (to - from) * ((wanted - behind) / (next - behind))
+        };
+        let plain = Stroke {
+            dash: Dash::Solid,
+            ..part.stroke
+        };
+        let mut from = 0.0;
+        while from < shaft {
+            let to = (from + on).min(shaft);
+            items.push(Item {
+                points: vec![at(from), at(to)],
+                paint: Paint::Line(plain),
+                goes_on: from > 0.0 && off == 0.0,
+            });
+            from += on + off;
+        }
+        if part.head.is_some() {
+            items.push(Item {
+                points: vec![at(shaft.max(0.0)), at(whole)],
+                paint: self.paint_of(part),
+                goes_on: false,
+            });
+        }
+        Ok(())
+    }
+
+    pub(super) fn paint_items(&self, frame: &Frame<'_>, items: &[Item]) -> Result<()> {
+        let mut line: Option<(usize, Vec<Point>)> = None;
+        for i in from_behind(&self.camera, items) {
+            let item = &items[i];
+            let mut flat = self.flat(&item.points);
+            match &mut line {
+                Some((last, points)) if item.goes_on && *last + 1 == i => {
+                    points.extend(flat.split_off(1));
+                    *last = i;
+                    continue;
+                }
+                _ => {}
+            }
+            if let Some((last, points)) = line.take() {
+                frame.draw(&points, &items[last].paint)?;
+            }
+            if let Paint::Line(_) = item.paint {
+                line = Some((i, flat));
+            } else {
+                frame.draw(&flat, &item.paint)?;
+            }
+        }
+        if let Some((last, points)) = line {
+            frame.draw(&points, &items[last].paint)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,355 @@
+//! How a panel is painted: margins, axes, contents, labels.
+
+use super::canvas::{Canvas, Frame, Paint, Point};
+use super::clip::{clipped, clipped_polygon};
+use super::curve::{AXIS, Curve, LabelPlace};
+use super::display::Stroke;
+use super::ink::Ink;
+use super::label::{Label, SIZE};
+use super::panel::{Panel, Rule};
+use super::place::{GAP, Obstacles};
+use super::stations::spread;
+use super::words::{Rect, Side, Words};
+use crate::error::Result;
+use rotation_dynamics::math::sort_by_number;
+
+/// Length of ticks, and distance of the axes from the data.
+const TICK: f64 = 5.0;
+const OFFSET: f64 = 6.0;
+/// Height of a line of text.
+const LINE: f64 = 17.0;
+
+impl Panel {
+    fn place(&self, (x, y): Point) -> Result<Point> {
+        Ok((self.x.place(x)?, self.y.place(y)?))
+    }
+
+    fn places(&self, points: &[Point]) -> Result<Vec<Point>> {
+        points.iter().map(|&p| self.place(p)).collect()
+    }
+
+    /// The extents of both axes, in places.
+    pub(super) fn extents(&self) -> Result<(Point, Point)> {
+        let mut all = Vec::new();
+        for points in self
+            .curves
+            .iter()
+            .map(|c| &c.points)
+            .chain(self.areas.iter().map(|a| &a.0))
+        {
+            all.extend(self.places(points)?);
+        }
+        let (mut xs, mut ys) = (Vec::new(), Vec::new());
+        for (rule, ..) in &self.rules {
+            match rule {
+                Rule::Across(y) => ys.push(self.y.place(*y)?),
+                Rule::Up(x) => xs.push(self.x.place(*x)?),
+            }
+        }
+        let x = self.x.extent(all.iter().map(|p| p.0).chain(xs))?;
+        let y = self.y.extent(all.iter().map(|p| p.1).chain(ys))?;
+        Ok((x, y))
+    }
+
+    fn y_ticks(&self, y: Point, height: f64) -> Result<Vec<(f64, String)>> {
+        self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)
+    }
+
+    /// The room that the labels of the vertical axis need.
+    pub(super) fn left_margin(&self, y: Point, height: f64) -> Result<f64> {
+        let ticks = self.y_ticks(y, height)?;
+        let widest = ticks
+            .iter()
+            .map(|(_, label)| Label::new(label).width(SIZE))
+            .fold(0.0, f64::max);
+        Ok(widest + OFFSET + TICK + 7.0)
+    }
+
+    /// The room around the plot on each side, given the left one.
+    fn margins(&self, left: f64, labelled_x: bool) -> Rect {
+        let end_labels = self.curves.iter().filter_map(|c| match &c.label {
+            Some((text, LabelPlace::End)) => Some(Label::new(text).width(SIZE)),
+            _ => None,
+        });
+        let ticks = OFFSET + TICK + LINE + 2.0;
+        Rect {
+            left,
+            right: end_labels.fold(12.0, |margin, width| f64::max(margin, width + 14.0)),
+            top: if self.y.label.is_empty() {
+                10.0
+            } else {
+                LINE + 10.0
+            },
+            bottom: match (labelled_x, self.x.label.is_empty()) {
+                (false, _) => OFFSET,
+                (true, true) => ticks + 3.0,
+                (true, false) => ticks + LINE,
+            },
+        }
+    }
+
+    /// The size of the figure; with equal units the height follows from the width.
+    pub(super) fn fitted_size(&self, left: f64, x: Point, y: Point) -> (u32, u32) {
+        let (width, height) = self.size;
+        if !self.equal {
+            return (width, height);
+        }
+        let margins = self.margins(left, true);
+        let across = f64::from(width) - margins.left - margins.right;
+        let up = across * (y.1 - y.0) / (x.1 - x.0) + margins.top + margins.bottom;
+        // Tall and narrow data are fitted into a square instead.
+        (width, libm::ceil(up).clamp(120.0, f64::from(width)) as u32)
+    }
+
+    /// Draws it into `outer` (px), with a left margin and extents that may be shared.
+    pub(super) fn paint(
+        &self,
+        canvas: &Canvas,
+        outer: Rect,
+        left: f64,
+        x: Point,
+        y: Point,
+        labelled_x: bool,
+    ) -> Result<()> {
+        let sheet = canvas.sheet();
+        let margins = self.margins(left, labelled_x);
+        let mut plot = Rect {
+            left: outer.left + margins.left,
+            right: outer.right - margins.right,
+            top: outer.top + margins.top,
+            bottom: outer.bottom - margins.bottom,
+        };
+        if self.equal {
+            plot = equal_units(plot, x, y);
+        }
+        let frame = canvas.frame(x, y, plot);
+        for (outline, ink, alpha) in &self.areas {
+            let cut = clipped_polygon(&self.places(outline)?, x, y);
+            frame.draw(&cut, &Paint::Fill(*ink, *alpha))?;
+        }
+        let mut obstacles = Obstacles::new(Rect {
+            left: plot.left,
+            right: outer.right - 2.0,
+            top: outer.top + 2.0,
+            bottom: plot.bottom + 3.0,
+        });
+        self.paint_axes(&sheet, &frame, plot, (x, y), labelled_x, &mut obstacles)?;
+        self.paint_contents(&sheet, &frame, (x, y), plot, &mut obstacles)
+    }
+
+    fn paint_axes(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        plot: Rect,
+        (x, y): (Point, Point),
+        labelled_x: bool,
+        obstacles: &mut Obstacles,
+    ) -> Result<()> {
+        let line = Paint::Line(Stroke::new(Ink::Ink, AXIS));
+        let (floor, wall) = (plot.bottom + OFFSET, plot.left - OFFSET);
+        let upright = [(wall, plot.top), (wall, plot.bottom)];
+        sheet.draw(&upright, &line)?;
+        obstacles.add_line(Obstacles::NOBODY, &upright);
+        if labelled_x {
+            sheet.draw(&[(plot.left, floor), (plot.right, floor)], &line)?;
+            for (place, label) in self
+                .x
+                .marks(x, ((plot.right - plot.left) / 48.0) as usize)?
+            {
+                let at = frame.px((place, y.0)).0;
+                sheet.draw(&[(at, floor), (at, floor + TICK)], &line)?;
+                // The last label moves in rather than over the edge; widths are estimates.
+                let half = 0.55 * Label::new(&label).width(SIZE);
+                let inside = at.min(plot.right + 11.0 - half);
+                let text = Words::new(&label, Ink::Ink, Side::Below, 3.0);
+                sheet.draw(&[(inside, floor + TICK)], &Paint::Text(text.bare()))?;
+            }
+            let text = Words::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
+            sheet.draw(
+                &[(plot.right, floor + TICK + LINE + 2.0)],
+                &Paint::Text(text),
+            )?;
+        }
+        for (place, label) in self.y_ticks(y, plot.bottom - plot.top)? {
+            let at = frame.px((x.0, place)).1;
+            sheet.draw(&[(wall, at), (wall - TICK, at)], &line)?;
+            let text = Words::new(&label, Ink::Ink, Side::Left, 4.0);
+            sheet.draw(&[(wall - TICK, at)], &Paint::Text(text.bare()))?;
+        }
+        let text = Words::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0);
+        let at = (wall - TICK, plot.top - 8.0);
+        obstacles.take(text.rect(at));
+        sheet.draw(&[at], &Paint::Text(text.bare()))
+    }
+
+    fn paint_contents(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        (x, y): (Point, Point),
+        plot: Rect,
+        obstacles: &mut Obstacles,
+    ) -> Result<()> {
+        let mut curves: Vec<Curve> = Vec::new();
+        for (rule, ink, label) in &self.rules {
+            let line = match rule {
+                Rule::Across(at) => {
+                    let at = self.y.place(*at)?;
+                    [(x.0, at), (x.1, at)]
+                }
+                Rule::Up(at) => {
+                    let at = self.x.place(*at)?;
+                    [(at, y.0), (at, y.1)]
+                }
+            };
+            let curve = Curve::new(line, *ink).thin();
+            curves.push(if label.is_empty() {
+                curve
+            } else {
+                curve.label(label)
+            });
+        }
+        for curve in &self.curves {
+            let mut curve = curve.clone();
+            curve.points = self.places(&curve.points)?;
+            curves.push(curve);
+        }
+        let lines: Vec<Vec<Vec<Point>>> = curves.iter().map(|c| clipped(&c.points, x, y)).collect();
+        let kept = self.labels.as_ref().and_then(|labels| labels.get());
+        let kept = kept.filter(|(placed, _)| *placed == plot);
+        let now = self.now.map(|now| self.x.place(now)).transpose()?;
+        for (i, (curve, parts)) in curves.iter().zip(&lines).enumerate() {
+            match now {
+                Some(now) if curve.runs_on() && i >= self.rules.len() => {
+                    let before = clipped(&curve.points, (x.0, now), y);
+                    let after = clipped(&curve.points, (now, x.1), y);
+                    curve
+                        .clone()
+                        .faint(0.3 * curve.opacity)
+                        .paint(frame, &after, (now, x.1), y)?;
+                    curve.paint(frame, &before, (x.0, now), y)?;
+                }
+                _ => curve.paint(frame, parts, x, y)?,
+            }
+            for part in parts.iter().filter(|_| kept.is_none()) {
+                let px: Vec<Point> = part.iter().map(|&p| frame.px(p)).collect();
+                obstacles.add_line(i, &px);
+            }
+        }
+        if let Some(now) = now {
+            self.paint_now(frame, &curves[self.rules.len()..], (now, y))?;
+        }
+        for note in &self.notes {
+            let at = self.place(note.at)?;
+            if let Some(ring) = note.dot {
+                frame.draw(&[at], &Paint::Dot(note.ink, 3.5, ring))?;
+                let (px, py) = frame.px(at);
+                obstacles.take(Rect::about((px, py), 3.5));
+            }
+        }
+        if let Some((_, labels)) = kept {
+            sheet.again(labels);
+            return Ok(());
+        }
+        let before = sheet.count();
+        self.paint_labels(sheet, frame, &curves, &lines, plot, obstacles)?;
+        if let Some(labels) = &self.labels {
+            // Another frame may have been first.
+            let _ = labels.set((plot, sheet.since(before)));
+        }
+        Ok(())
+    }
+
+    /// The thin line at the present, and a dot on each curve that runs through it.
+    fn paint_now(&self, frame: &Frame<'_>, curves: &[Curve], (now, y): (f64, Point)) -> Result<()> {
+        let line = Stroke::new(Ink::Frame, AXIS);
+        frame.draw(&[(now, y.0), (now, y.1)], &Paint::Line(line))?;
+        for curve in curves.iter().filter(|c| c.line && c.runs_on()) {
+            let at = clipped(&curve.points, (now, now), y);
+            if let Some(&at) = at.first().and_then(|part| part.first()) {
+                frame.draw(&[at], &Paint::Dot(curve.ink, 3.5, false))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn paint_labels(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        curves: &[Curve],
+        lines: &[Vec<Vec<Point>>],
+        plot: Rect,
+        obstacles: &mut Obstacles,
+    ) -> Result<()> {
+        let mut ends: Vec<(usize, f64)> = Vec::new();
+        let at_points = curves.iter().filter_map(|curve| match &curve.label {
+            Some((text, LabelPlace::At(at, side))) => Some((*at, text, curve.ink, *side, GAP)),
+            _ => None,
+        });
+        let notes = self.notes.iter();
+        let notes = notes.map(|note| (note.at, &note.text, note.ink, note.side, GAP + 2.0));
+        for (at, text, ink, side, gap) in at_points.chain(notes).filter(|n| !n.1.is_empty()) {
+            let at = frame.px(self.place(at)?);
+            let words = |side, gap| Words::new(text, ink, side, gap);
+            if let Some(placed) = obstacles.place_at(at, side, gap, words) {
+                placed.paint(sheet)?;
+            }
+        }
+        for (i, curve) in curves.iter().enumerate() {
+            if let (Some((_, LabelPlace::End)), Some(&last)) =
+                (&curve.label, lines[i].last().and_then(|part| part.last()))
+            {
+                ends.push((i, frame.px(last).1));
+            }
+        }
+        spread(&mut ends, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
+        for (i, at) in ends {
+            let (Some((text, _)), Some(&last)) = (
+                &curves[i].label,
+                lines[i].last().and_then(|part| part.last()),
+            ) else {
+                continue;
+            };
+            let words = Words::new(text, curves[i].ink, Side::Right, GAP + 2.0);
+            let at = (frame.px(last).0, at);
+            obstacles.take(words.rect(at));
+            sheet.draw(&[at], &Paint::Text(words))?;
+        }
+        let found = curves
+            .iter()
+            .enumerate()
+            .filter_map(|(i, curve)| match &curve.label {
+                Some((text, LabelPlace::Found)) => Some((i, curve.ink, text)),
+                _ => None,
+            });
+        let mut found: Vec<(usize, Ink, &String)> = found.collect();
+        // The longest is the hardest to place: it chooses first.
+        sort_by_number(&mut found, |label| -(label.2.len() as f64));
+        for (i, ink, text) in found {
+            let Some(longest) = lines[i].iter().max_by_key(|part| part.len()) else {
+                continue;
+            };
+            let px: Vec<Point> = longest.iter().map(|&p| frame.px(p)).collect();
+            let words = |side, gap| Words::new(text, ink, side, gap);
+            if let Some(placed) = obstacles.place(i, &px, words) {
+                placed.paint(sheet)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// `plot` made smaller so that a unit is as long across as up.
+fn equal_units(plot: Rect, x: Point, y: Point) -> Rect {
+    let (width, height) = (plot.right - plot.left, plot.bottom - plot.top);
+    let unit = (width / (x.1 - x.0)).min(height / (y.1 - y.0));
+    let spare = (width - unit * (x.1 - x.0)) / 2.0;
+    Rect {
+        left: plot.left + spare,
+        right: plot.right - spare,
+        top: plot.bottom - unit * (y.1 - y.0),
+        bottom: plot.bottom,
+    }
+}

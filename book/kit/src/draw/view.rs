@@ -1,0 +1,293 @@
+//! Three dimensions, orthographic: the sphere with the trace of an axis, arrows, solids.
+
+use super::canvas::figure;
+use super::display::{Dash, Stroke};
+use super::ink::Ink;
+use super::solid::{Camera, Solid};
+use super::words::Side;
+use crate::Figure;
+use crate::error::{Result, positive};
+use core::f64::consts::PI;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::math::sincos;
+
+#[derive(Debug, Clone)]
+pub(super) enum Element {
+    Line(Vec<SpaceVector>, Stroke),
+    /// A line on the sphere: lighter and dashed where the sphere hides it.
+    OnSphere(Vec<SpaceVector>, Stroke),
+    /// A line with a head of this length (px) at its end.
+    Arrow(Vec<SpaceVector>, Stroke, f64),
+    Solid(Solid, Ink),
+    /// A place, its ink, its radius (px), and whether it is a ring.
+    Dot(SpaceVector, Ink, f64, bool),
+    /// An area below everything else.
+    Ground(Vec<SpaceVector>),
+}
+
+/// A picture of three dimensions, seen by one [`Camera`].
+///
+/// ```
+/// use rotation_dynamics::frame::SpaceVector;
+/// use kit::draw::{Ink, Side, View};
+/// let trace = (0..=100).map(|i| {
+///     let (s, c) = rotation_dynamics::math::sincos(0.06 * f64::from(i));
+///     SpaceVector::new(0.6 * c, 0.6 * s, 0.8)
+/// });
+/// let figure = View::new("trace", "the axis draws a circle of latitude on the sphere")
+///     .sphere()
+///     .trace(trace, Ink::Body)
+///     .arrow(SpaceVector::zero(), SpaceVector::new(0.6, 0.0, 0.8), Ink::Body, "$e_3$", Side::Right)
+///     .triad()
+///     .figure()?;
+/// # assert!(figure.svg().contains("<path"));
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct View {
+    name: String,
+    alt: String,
+    pub(super) size: (u32, u32),
+    pub(super) camera: Camera,
+    pub(super) reach: f64,
+    pub(super) centre: SpaceVector,
+    pub(super) sphere: bool,
+    pub(super) triad: bool,
+    pub(super) elements: Vec<Element>,
+    pub(super) texts: Vec<(SpaceVector, String, Ink, Side)>,
+}
+
+impl View {
+    /// An empty view of the unit sphere's surroundings; `alt` says in a sentence what
+    /// is to be seen.
+    pub fn new(name: &str, alt: &str) -> Self {
+        Self {
+            name: name.into(),
+            alt: alt.into(),
+            size: (340, 300),
+            camera: Camera::default(),
+            reach: 1.12,
+            centre: SpaceVector::zero(),
+            sphere: false,
+            triad: false,
+            elements: Vec::new(),
+            texts: Vec::new(),
+        }
+    }
+
+    /// An empty view of at least `reach` to every side of `centre`, for
+    /// [`figures!`](crate::figures), which names it and says what is to be seen, and as a scene.
+    pub fn of(centre: SpaceVector, reach: f64) -> Self {
+        Self::new("", "").around(centre, reach)
+    }
+
+    pub(super) fn called(mut self, name: &str, alt: &str) -> Self {
+        (self.name, self.alt) = (name.into(), alt.into());
+        self
+    }
+
+    /// Sets the size in px (340 by 300 if never set).
+    #[must_use]
+    pub fn size(mut self, width: u32, height: u32) -> Self {
+        self.size = (width, height);
+        self
+    }
+
+    /// Sets the camera; one for a chapter.
+    #[must_use]
+    pub fn camera(mut self, camera: Camera) -> Self {
+        self.camera = camera;
+        self
+    }
+
+    /// Sets what is shown: at least `reach` to every side of `centre`.
+    #[must_use]
+    pub fn around(mut self, centre: SpaceVector, reach: f64) -> Self {
+        (self.centre, self.reach) = (centre, reach);
+        self
+    }
+
+    /// Adds the unit sphere about the origin: outline, equator, the meridian through X, the
+    /// centre, and the Z axis through the pole.
+    #[must_use]
+    pub fn sphere(mut self) -> Self {
+        self.sphere = true;
+        self
+    }
+
+    /// As it is seen: the camera as the reader turned it, and with the lines of the sphere,
+    /// which depend on the camera.
+    pub(super) fn furnished(&self) -> Self {
+        let mut view = self.clone();
+        view.camera = self.camera.as_turned();
+        if !self.sphere {
+            return view;
+        }
+        let (x, y, z) = (
+            SpaceVector::new(1.0, 0.0, 0.0),
+            SpaceVector::new(0.0, 1.0, 0.0),
+            SpaceVector::new(0.0, 0.0, 1.0),
+        );
+        let thin = Stroke::new(Ink::Frame, 0.8).faint(0.55);
+        let great = |u, v| Element::OnSphere(circle(SpaceVector::zero(), u, v), thin);
+        let within = Stroke {
+            dash: Dash::Dashed,
+            ..thin
+        };
+        // The axis ends outside the outline, so long as that is not far away.
+        let (right, up) = view.camera.project(z);
+        let seen = rotation_dynamics::math::hypot(right, up);
+        let end = (1.08 / seen.max(0.1)).clamp(1.14, 1.6);
+        let above = Stroke::new(Ink::Frame, 1.0);
+        let lines = [
+            great(x, y),
+            great(x, z),
+            Element::Line(vec![SpaceVector::zero(), z], within),
+            Element::Arrow(vec![z, z * end], above, 6.0),
+        ];
+        view.elements.splice(0..0, lines);
+        let centre = Element::Dot(SpaceVector::zero(), Ink::Frame, 1.8, false);
+        view.elements.push(centre);
+        view.text(z * (end - 0.03), "$Z$", Ink::Frame, Side::Right)
+    }
+
+    /// Adds a piece of level ground about the point `at`, round, below everything else.
+    #[must_use]
+    pub fn ground(mut self, at: SpaceVector, radius: f64) -> Self {
+        let (x, y) = (
+            SpaceVector::new(radius, 0.0, 0.0),
+            SpaceVector::new(0.0, radius, 0.0),
+        );
+        self.elements.push(Element::Ground(circle(at, x, y)));
+        self
+    }
+
+    /// Adds a small triad of the axes X, Y, Z in the lower left corner.
+    #[must_use]
+    pub fn triad(mut self) -> Self {
+        self.triad = true;
+        self
+    }
+
+    /// Adds a curve on the unit sphere, lighter and dashed where the sphere hides it.
+    #[must_use]
+    pub fn trace(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
+        let points = points.into_iter().collect();
+        self.elements
+            .push(Element::OnSphere(points, Stroke::new(ink, 1.8)));
+        self
+    }
+
+    /// Adds the circle of latitude at this angle from Z, thin: a turning point.
+    #[must_use]
+    pub fn latitude(mut self, theta: f64) -> Self {
+        let (s, c) = sincos(theta);
+        let circle = circle(
+            SpaceVector::new(0.0, 0.0, c),
+            SpaceVector::new(s, 0.0, 0.0),
+            SpaceVector::new(0.0, s, 0.0),
+        );
+        self.elements
+            .push(Element::OnSphere(circle, Stroke::new(Ink::Frame, 0.8)));
+        self
+    }
+
+    /// Adds a line anywhere in space: a rope, an edge, a path. Bodies hide it.
+    #[must_use]
+    pub fn line(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
+        let points = points.into_iter().collect();
+        self.elements
+            .push(Element::Line(points, Stroke::new(ink, 1.2)));
+        self
+    }
+
+    /// Adds a dashed line anywhere in space: an axis, a construction line.
+    #[must_use]
+    pub fn dashed(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
+        let stroke = Stroke {
+            dash: Dash::Dashed,
+            ..Stroke::new(ink, 1.0)
+        };
+        self.elements
+            .push(Element::Line(points.into_iter().collect(), stroke));
+        self
+    }
+
+    /// Adds an arrow with a label at its tip; where a body hides it, it is faint. A force or torque has an open head, the
+    /// body axis and space axes are thinner.
+    #[must_use]
+    pub fn arrow(
+        mut self,
+        from: SpaceVector,
+        to: SpaceVector,
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        let thin = matches!(ink, Ink::Body | Ink::Frame | Ink::Ink);
+        let stroke = Stroke::new(ink, if thin { 1.4 } else { 2.2 });
+        self.elements
+            .push(Element::Arrow(vec![from, to], stroke, 9.0));
+        self.text(to, label, ink, side)
+    }
+
+    /// Adds an arrow along a curve: which way something turns.
+    #[must_use]
+    pub fn turn(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
+        let points = points.into_iter().collect();
+        self.elements
+            .push(Element::Arrow(points, Stroke::new(ink, 1.8), 8.0));
+        self
+    }
+
+    /// Adds a solid, flat-shaded; of several the nearer hides the farther.
+    #[must_use]
+    pub fn solid(mut self, solid: Solid, ink: Ink) -> Self {
+        self.elements.push(Element::Solid(solid, ink));
+        self
+    }
+
+    /// Adds a dot; `label` may be empty.
+    #[must_use]
+    pub fn dot(mut self, at: SpaceVector, ink: Ink, label: &str, side: Side) -> Self {
+        self.elements.push(Element::Dot(at, ink, 3.2, false));
+        self.text(at, label, ink, side)
+    }
+
+    /// Adds a ring; `label` may be empty.
+    #[must_use]
+    pub fn ring(mut self, at: SpaceVector, ink: Ink, label: &str, side: Side) -> Self {
+        self.elements.push(Element::Dot(at, ink, 3.2, true));
+        self.text(at, label, ink, side)
+    }
+
+    /// Adds a text beside a point; an empty one adds nothing.
+    #[must_use]
+    pub fn text(mut self, at: SpaceVector, text: &str, ink: Ink, side: Side) -> Self {
+        if !text.is_empty() {
+            self.texts.push((at, text.into(), ink, side));
+        }
+        self
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// [`crate::Error::NotFinite`] for NaN and infinities, [`crate::Error::OutOfRange`] for a reach
+    /// that is not positive or a point far outside the picture, [`crate::Error::Text`] for a
+    /// bad name or a missing alternative text.
+    pub fn figure(&self) -> Result<Figure> {
+        positive("the reach of a view", self.reach)?;
+        figure(&self.name, &self.alt, self.size, |canvas| {
+            self.furnished().paint_into(canvas, canvas.rect())
+        })
+    }
+}
+
+/// A closed circle about `centre` through `centre + u` and `centre + v`.
+fn circle(centre: SpaceVector, u: SpaceVector, v: SpaceVector) -> Vec<SpaceVector> {
+    super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI))
+        .into_iter()
+        .map(|(c, s)| centre + u * c + v * s)
+        .collect()
+}

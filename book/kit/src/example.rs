@@ -1,0 +1,414 @@
+//! An example: its name everywhere, what it can be told, what it computes and draws.
+
+use super::live::set_lines;
+use super::parameters::{Settings, check, table};
+use super::{Figure, Flag, Grid, Lab, MovingPicture, ParameterSet, Report, Trajectory};
+use crate::error::{Error, Result};
+
+/// What stands behind a page: the functions of an example and their parameters.
+///
+/// Nothing in them reads a clock or a file or starts a thread, so they run anywhere.
+///
+/// ```
+/// use rotation_dynamics::Result;
+/// use kit::{Example, Report, Trajectory, claim};
+///
+/// kit::parameters! {
+///     /// A thin rod.
+///     pub struct Parameters {
+///         /// length of the rod
+///         length: number(3.0, "m", above(0.0));
+///     }
+/// }
+/// fn report(p: &Parameters) -> Result<Report> {
+///     let mut report = Report::new("A rod", "a thin rod about its middle")?;
+///     let (l, i) = (p.length, p.length * p.length / 12.0);
+///     report.add(claim("inertia", "moment of inertia over mass", i, "m^2").within(1e-15)
+///         .against("end, moved to the middle", l * l / 3.0 - l * l / 4.0))?;
+///     Ok(report)
+/// }
+/// const EXAMPLE: Example<Parameters> = Example {
+///     stem: "rod",
+///     about: "A thin rod about its middle",
+///     report,
+///     figures: |_| Ok(Vec::new()),
+///     trajectory: |_| Trajectory::new(["t [s]"]),
+///     moving_picture: None,
+/// };
+/// let outcome = EXAMPLE.answer(["--length", "6", "--check", "inertia=3.0"]);
+/// assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "right: inertia = 3.00000000000000 m^2\n"));
+/// assert_eq!(EXAMPLE.answer(["--length", "-6"]).code, 2);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub struct Example<P: 'static> {
+    /// The stem that names the page, the example and the snapshot.
+    pub stem: &'static str,
+    /// One line for `--help`.
+    pub about: &'static str,
+    /// The numbers.
+    pub report: fn(&P) -> Result<Report>,
+    /// The drawings.
+    pub figures: fn(&P) -> Result<Vec<Figure>>,
+    /// The motion, for `--csv`.
+    pub trajectory: fn(&P) -> Result<Trajectory>,
+    /// The drawing that moves, if something does.
+    pub moving_picture: Option<fn(&P) -> Result<MovingPicture>>,
+}
+
+impl<P: ParameterSet> Example<P> {
+    /// The numbers for these parameters, which are listed first.
+    ///
+    /// # Errors
+    /// [`crate::Error::Parameter`] if a parameter may not have its value; those of the example.
+    pub fn report(&self, parameters: &P) -> Result<Report> {
+        report(&self.with(parameters.clone()))
+    }
+
+    /// The drawings, and the stills of the one that moves.
+    ///
+    /// # Errors
+    /// As [`Example::report`].
+    pub fn figures(&self, parameters: &P) -> Result<Vec<Figure>> {
+        figures(&self.with(parameters.clone()))
+    }
+
+    /// The moving picture at `t`; prepares everything anew: to draw many, keep the picture.
+    ///
+    /// # Errors
+    /// As [`Example::report`], and [`crate::Error::OutsideRun`]; `None` if nothing moves.
+    pub fn frame(&self, parameters: &P, t: f64) -> Result<Option<Figure>> {
+        parameters.check()?;
+        let Some(picture) = self.moving_picture else {
+            return Ok(None);
+        };
+        picture(parameters)?.frame(t).map(Some)
+    }
+
+    fn with(&self, parameters: P) -> Running<'_, P> {
+        Running {
+            example: self,
+            parameters,
+        }
+    }
+
+    /// With its defaults.
+    pub(super) fn run(&self) -> Running<'_, P> {
+        self.with(P::default())
+    }
+}
+
+/// An example with its parameters, whatever their type: what is written for it is compiled once
+/// for all examples.
+pub(super) trait Run {
+    fn stem(&self) -> &'static str;
+    fn about(&self) -> &'static str;
+    fn parameters(&self) -> &dyn Settings;
+    fn parameters_mut(&mut self) -> &mut dyn Settings;
+    /// What the example itself says, parameters unchecked and unlisted.
+    fn numbers(&self) -> Result<Report>;
+    /// The drawings that do not move, parameters unchecked.
+    fn drawings(&self) -> Result<Vec<Figure>>;
+    fn trajectory(&self) -> Result<Trajectory>;
+    fn moves(&self) -> bool;
+    fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+}
+
+/// An example with its parameters.
+pub(super) struct Running<'e, P: 'static> {
+    example: &'e Example<P>,
+    parameters: P,
+}
+
+impl<P: ParameterSet> Run for Running<'_, P> {
+    fn stem(&self) -> &'static str {
+        self.example.stem
+    }
+    fn about(&self) -> &'static str {
+        self.example.about
+    }
+    fn parameters(&self) -> &dyn Settings {
+        &self.parameters
+    }
+    fn parameters_mut(&mut self) -> &mut dyn Settings {
+        &mut self.parameters
+    }
+    fn numbers(&self) -> Result<Report> {
+        (self.example.report)(&self.parameters)
+    }
+    fn drawings(&self) -> Result<Vec<Figure>> {
+        (self.example.figures)(&self.parameters)
+    }
+    fn trajectory(&self) -> Result<Trajectory> {
+        (self.example.trajectory)(&self.parameters)
+    }
+    fn moves(&self) -> bool {
+        self.example.moving_picture.is_some()
+    }
+    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
+        let picture = self.example.moving_picture;
+        picture.map(|picture| picture(&self.parameters)).transpose()
+    }
+}
+
+/// The numbers, the parameters first.
+pub(super) fn report(run: &dyn Run) -> Result<Report> {
+    check(run.parameters())?;
+    let mut report = run.numbers()?;
+    report.set_parameters(table(run.parameters())?);
+    Ok(report)
+}
+
+/// The drawings, and the stills of the one that moves.
+pub(super) fn figures(run: &dyn Run) -> Result<Vec<Figure>> {
+    let mut figures = drawings(run)?;
+    if let Some(picture) = run.moving_picture()? {
+        figures.extend(picture.stills()?);
+    }
+    Ok(figures)
+}
+
+/// The drawings that do not move.
+fn drawings(run: &dyn Run) -> Result<Vec<Figure>> {
+    check(run.parameters())?;
+    run.drawings()
+}
+
+/// The methods to try, with these lines set.
+fn lab(run: &mut dyn Run, settings: &str) -> Result<Option<Lab>> {
+    set_lines(run.parameters_mut(), settings)?;
+    Ok(report(run)?.lab().cloned())
+}
+
+/// The names of flags that a problem sheet draws, and their values.
+fn drawn(run: &dyn Run) -> Vec<(String, Grid)> {
+    let grid = |flag: &Flag| Some((flag.name(), flag.grid()?));
+    run.parameters().flags().iter().filter_map(grid).collect()
+}
+
+/// Sets these numbers, the others as they are.
+fn set(parameters: &mut dyn Settings, flags: &[(&str, f64)]) -> Result<()> {
+    let known = parameters.flags();
+    let numbers = || known.iter().filter(|flag| flag.words().is_empty());
+    for (name, value) in flags {
+        let unknown = || Error::UnknownKey {
+            key: (*name).to_owned(),
+            known: numbers().map(Flag::name).collect::<Vec<_>>().join(", "),
+        };
+        let flag = numbers().find(|flag| flag.name() == *name);
+        flag.ok_or_else(unknown)?.set_number(parameters, *value);
+    }
+    Ok(())
+}
+
+/// Makes the [`EXAMPLE`](Example) of a file, and its `main`: the stem, one line for
+/// `--help`, and the functions `report`, `figures`, `trajectory` and, if something moves,
+/// `moving_picture`, in this order. The parameters are the type `Parameters` of the file.
+///
+/// In place of the function `report` may stand the report's title and description, and the
+/// functions that add its sections.
+///
+/// ```
+/// use rotation_dynamics::Result;
+/// use kit::{Figure, Page, Report, Trajectory};
+/// # fn figures(_: &Parameters) -> Result<Vec<Figure>> { Ok(Vec::new()) }
+/// # fn trajectory(_: &Parameters) -> Result<Trajectory> { Trajectory::new(["t [s]"]) }
+///
+/// kit::parameters! {
+///     /// A thin rod.
+///     pub struct Parameters {
+///         /// length of the rod
+///         length: number(3.0, "m", above(0.0));
+///     }
+/// }
+/// fn report(_: &Parameters) -> Result<Report> {
+///     Report::new("A rod", "a thin rod about its middle")
+/// }
+/// kit::example! { rod: "A thin rod"; report, figures, trajectory }
+/// # fn checked() { assert_eq!(EXAMPLE.stem(), "rod"); }
+/// ```
+///
+/// ```
+/// # use kit::prelude::*;
+/// # fn figures(_: &Parameters) -> Result<Vec<Figure>> { Ok(Vec::new()) }
+/// # fn trajectory(_: &Parameters) -> Result<Trajectory> { Trajectory::new(["t [s]"]) }
+/// # parameters! {
+/// #     /// A thin rod.
+/// #     pub struct Parameters {
+/// #         /// length of the rod
+/// #         length: number(3.0, "m", above(0.0));
+/// #     }
+/// # }
+/// fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+///     claims! { report,
+///         /// half of it
+///         half: 0.5 * p.length, "m", "to the end" => p.length - 0.5 * p.length, within 1e-15;
+///     }
+/// }
+/// example! {
+///     rod: "A thin rod"; "A rod", "a thin rod about its middle", [claims]; figures, trajectory
+/// }
+/// ```
+#[macro_export]
+macro_rules! example {
+    ($stem:ident: $about:literal;
+     $title:literal, $description:literal, [$($section:path),+ $(,)?];
+     $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
+        /// Every number of the page.
+        fn report(p: &Parameters) -> $crate::Result<$crate::Report> {
+            let mut report = $crate::Report::new($title, $description)?;
+            $( $section(p, &mut report)?; )+
+            Ok(report)
+        }
+
+        $crate::example! { $stem: $about; report, $figures, $trajectory $(, $moves)? }
+    };
+    ($stem:ident: $about:literal; $report:expr, $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
+        /// The example, as the command line, the tests and the book see it.
+        pub const EXAMPLE: $crate::Example<Parameters> = $crate::Example {
+            stem: stringify!($stem),
+            about: $about,
+            report: $report,
+            figures: $figures,
+            trajectory: $trajectory,
+            moving_picture: $crate::example!(@moves $($moves)?),
+        };
+
+        fn main() -> std::process::ExitCode {
+            let run = || EXAMPLE.main();
+            $crate::example!(@run run)
+        }
+    };
+    (@run $run:ident) => {{
+        // Where it is only checked whether it compiles, no code is made for it.
+        #[cfg(only_checked)]
+        {
+            drop($run);
+            $crate::cli::only_checked()
+        }
+        #[cfg(not(only_checked))]
+        $run()
+    }};
+    (@moves) => { None };
+    (@moves $moves:expr) => { Some($moves) };
+}
+
+/// An example whose type of parameters is not asked for: with their defaults it is what the
+/// tests lock and the book shows.
+pub trait Page: Sync {
+    /// The stem.
+    fn stem(&self) -> &'static str;
+    /// The names of the flags.
+    fn flags(&self) -> Vec<String>;
+    /// The numbers.
+    ///
+    /// # Errors
+    /// Those of the example; none for a sound one.
+    fn report(&self) -> Result<Report>;
+    /// The drawings, with the stills.
+    ///
+    /// # Errors
+    /// As [`Page::report`].
+    fn figures(&self) -> Result<Vec<Figure>>;
+    /// The moving picture, if there is one.
+    ///
+    /// # Errors
+    /// As [`Page::report`].
+    fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+    /// What a problem sheet draws: the names of flags, and their values.
+    fn drawn(&self) -> Vec<(String, Grid)>;
+    /// The numbers with these flags set.
+    ///
+    /// # Errors
+    /// As [`Example::report`], and [`Error::UnknownKey`] for a flag that is none or no number.
+    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report>;
+    /// The drawings, without stills, with these flags set.
+    ///
+    /// # Errors
+    /// As [`Page::report_with`].
+    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>>;
+    /// What it is and its parameters are, as JSON for the controls of its page.
+    fn declared(&self) -> String;
+    /// The methods for a reader to try, with these lines set as in
+    /// [`Moves::opened`](super::Moves::opened); `None` where no motion is known exactly.
+    ///
+    /// # Errors
+    /// As there, and as [`Page::report`].
+    fn lab(&self, settings: &str) -> Result<Option<Lab>>;
+    /// What it prints for these arguments, parted by spaces.
+    fn answer(&self, arguments: &str) -> super::cli::Outcome;
+    /// The same for arguments one by one, with the files that it would write.
+    fn answer_with_files(
+        &self,
+        arguments: Vec<String>,
+    ) -> (super::cli::Outcome, Vec<super::cli::Leaf>);
+    /// The numbers for these arguments; its accuracy strip is computed when it is read.
+    ///
+    /// # Errors
+    /// What is printed instead of running.
+    fn report_for(&self, arguments: &str) -> core::result::Result<Report, super::cli::Outcome>;
+    /// The drawings for these arguments, with the stills.
+    ///
+    /// # Errors
+    /// What is printed instead of running.
+    fn figures_for(
+        &self,
+        arguments: Vec<String>,
+    ) -> core::result::Result<Vec<Figure>, super::cli::Outcome>;
+}
+
+impl<P: ParameterSet> Page for Example<P> {
+    fn stem(&self) -> &'static str {
+        self.stem
+    }
+    fn flags(&self) -> Vec<String> {
+        P::FLAGS.iter().map(Flag::name).collect()
+    }
+    fn report(&self) -> Result<Report> {
+        report(&self.run())
+    }
+    fn figures(&self) -> Result<Vec<Figure>> {
+        figures(&self.run())
+    }
+    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
+        self.run().moving_picture()
+    }
+    fn drawn(&self) -> Vec<(String, Grid)> {
+        drawn(&self.run())
+    }
+    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
+        let mut run = self.run();
+        set(run.parameters_mut(), flags)?;
+        report(&run)
+    }
+    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
+        let mut run = self.run();
+        set(run.parameters_mut(), flags)?;
+        drawings(&run)
+    }
+    fn declared(&self) -> String {
+        super::live::declared(&self.run())
+    }
+    fn lab(&self, settings: &str) -> Result<Option<Lab>> {
+        lab(&mut self.run(), settings)
+    }
+    fn answer(&self, arguments: &str) -> super::cli::Outcome {
+        Example::answer(self, arguments.split_whitespace())
+    }
+    fn answer_with_files(
+        &self,
+        arguments: Vec<String>,
+    ) -> (super::cli::Outcome, Vec<super::cli::Leaf>) {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        Example::answer_with_files(self, arguments)
+    }
+    fn report_for(&self, arguments: &str) -> core::result::Result<Report, super::cli::Outcome> {
+        let arguments = arguments.split_whitespace().map(Into::into).collect();
+        Example::report_for(self, arguments)
+    }
+    fn figures_for(
+        &self,
+        arguments: Vec<String>,
+    ) -> core::result::Result<Vec<Figure>, super::cli::Outcome> {
+        Example::figures_for(self, arguments.into_iter().map(Into::into).collect())
+    }
+}

@@ -1,0 +1,15 @@
+//! What the file of a page names again and again: `use kit::prelude::*;`.
+//!
+//! The recipe only: the tables of a page, its figures and their drawing, elementary functions,
+//! vectors. What the page is about (bodies, effects, closed forms, methods) it names itself.
+
+pub use super::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, Sweep, View};
+pub use super::{CardLine, ClosedForm, Figure, MovingPicture, Report, Table, Trajectory};
+pub use super::{claim, effect, limit, sampled, times};
+pub use crate::error::Result;
+pub use crate::interval::{above, between, from_to};
+pub use crate::{claims, effect_card, example, figures, limits, parameters};
+pub use rotation_dynamics::frame::{BodyVector, SpaceVector};
+pub use rotation_dynamics::math::{
+    acos, asin, atan2, cbrt, cos, exp, hypot, log, pow, sin, sincos, tan,
+};
