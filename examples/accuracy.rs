@@ -66,7 +66,7 @@ impl Parameters {
 pub const ASKED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// Every method on every motion, run once for the report, the figures and the table of runs.
-pub fn prepared(p: &Parameters) -> Result<Arc<Vec<Measured>>> {
+pub fn prepared(p: &Parameters) -> kit::Result<Arc<Vec<Measured>>> {
     static MEASURED: Prepared<[f64; 4], Vec<Measured>> = Prepared::new();
     MEASURED.get(&[p.i1, p.i2, p.i3, p.periods], |_| lines::all(p))
 }
@@ -92,7 +92,7 @@ fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
 // ANCHOR_END: dial
 
 /// Adds what RK4 pays for a digit.
-fn add_rk4(report: &mut Report, p: &Parameters) -> Result<()> {
+fn add_rk4(report: &mut Report, p: &Parameters) -> kit::Result<()> {
     let moments = p.moments()?;
     let rates = motions::generic_rates(moments);
     let free = motions::free_problem(moments, rates, p.periods + motions::THIRD)?;
@@ -109,7 +109,7 @@ fn add_rk4(report: &mut Report, p: &Parameters) -> Result<()> {
     )
 }
 
-fn report(p: &Parameters) -> Result<Report> {
+fn report(p: &Parameters) -> kit::Result<Report> {
     let all = prepared(p)?;
     let mut report = Report::new(
         "What accuracy costs",

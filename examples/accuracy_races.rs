@@ -9,8 +9,7 @@ mod growth;
 mod long;
 
 use drift::{Curve, Kind, curves};
-use kit::{Prepared, Report, Trajectory};
-use rotation_dynamics::Result;
+use kit::{Prepared, Report, Result, Trajectory};
 use std::sync::Arc;
 
 kit::parameters! {
@@ -26,7 +25,7 @@ kit::parameters! {
 }
 
 /// How the errors of every method grow on the heavy top.
-pub fn prepared(p: &Parameters) -> Result<Arc<Vec<Curve>>> {
+pub fn prepared(p: &Parameters) -> rotation_dynamics::Result<Arc<Vec<Curve>>> {
     static GROWN: Prepared<[f64; 2], Vec<Curve>> = Prepared::new();
     GROWN.get(&[p.periods, p.starts], |[periods, starts]| {
         curves(Kind::Top, starts.round() as usize, *periods)

@@ -11,8 +11,7 @@ mod rigid;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::interval::from_to;
-use kit::{Report, Table, below, claim};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, below, claim};
 use rotation_dynamics::attitude::{Attitude, EulerAngles, Sequence, YawPitchRoll};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Ode, ode};

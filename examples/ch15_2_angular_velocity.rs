@@ -13,10 +13,9 @@ pub mod matrices;
 mod steps;
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use kit::Report;
+use kit::{Report, Result};
 pub use left_out::{filmed, missed, swollen};
 use matrices::{about_x, about_z, columns, in_space, length, on_own_axes, product};
-use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Ode, ode};
@@ -225,13 +224,20 @@ pub fn body(p: &Parameters) -> [SpaceVector; 2] {
 }
 
 /// The derivative of `f` at 0, from its values within `h` to both sides.
-pub fn derivative(h: f64, f: impl Fn(f64) -> Result<SpaceVector>) -> Result<SpaceVector> {
+pub fn derivative(
+    h: f64,
+    f: impl Fn(f64) -> rotation_dynamics::Result<SpaceVector>,
+) -> rotation_dynamics::Result<SpaceVector> {
     let difference = |h| Ok::<_, rotation_dynamics::Error>(f(h)? - f(-h)?);
     Ok((difference(0.5 * h)? * 8.0 - difference(h)?) / (6.0 * h))
 }
 
 /// Where the point at `r` is after the time `t`.
-pub fn turned(omega: SpaceVector, r: SpaceVector, t: f64) -> Result<SpaceVector> {
+pub fn turned(
+    omega: SpaceVector,
+    r: SpaceVector,
+    t: f64,
+) -> rotation_dynamics::Result<SpaceVector> {
     let turn = Attitude::from_rotation_vector(omega * t)?;
     Ok(turn.to_space(r.to_array().into()))
 }
@@ -243,7 +249,7 @@ pub fn angle_between(from: SpaceVector, to: SpaceVector) -> f64 {
 
 /// The angular velocity, at t = 0, with which a body seen from a frame that turns about Z
 /// changes its attitude, from the attitudes themselves.
-pub fn seen_from(frame: f64, omega: SpaceVector) -> Result<SpaceVector> {
+pub fn seen_from(frame: f64, omega: SpaceVector) -> rotation_dynamics::Result<SpaceVector> {
     derivative(2e-3 / (omega.norm() + frame.abs()).max(1e-3), |t| {
         let body = Attitude::from_rotation_vector(omega * t)?;
         Ok(body.turned_in_space(UP * (-frame * t))?.rotation_vector())

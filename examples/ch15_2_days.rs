@@ -11,8 +11,7 @@ pub mod orbit;
 mod year;
 
 use core::f64::consts::{PI, TAU};
-use kit::{ClosedForm, Report, Table, short};
-use rotation_dynamics::Result;
+use kit::{ClosedForm, Report, Result, Table, short};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Ode, Work, ode};
 use rotation_dynamics::math::{asin, atan2, cos, sin, sincos, tan};

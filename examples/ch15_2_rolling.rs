@@ -8,7 +8,6 @@ pub mod hoop;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::prelude::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, Work, ode};
 
@@ -79,7 +78,7 @@ pub fn on_a_coin(fixed: f64) -> impl Ode<6> {
 // ANCHOR_END: rolling
 
 /// The coin until the line of centres has turned by `orbit`, rad.
-fn coin_run(fixed: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
+fn coin_run(fixed: f64, orbit: f64, step: f64) -> rotation_dynamics::Result<Solution<6>> {
     let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
     let start = [fixed + 1.0, 0.0, fixed, 0.0, 0.0, 0.0];
     let long = 2.0 * (fixed + 1.0) * orbit;
@@ -152,7 +151,7 @@ pub fn cycle_rate(p: &Parameters, rho: SpaceVector) -> SpaceVector {
 
 /// Where the cycle wheel is after `t` by turns alone: `spin` about its shaft, which points along
 /// X, and then with the shaft about Z.
-pub fn cycle_turned(p: &Parameters, spin: f64, t: f64) -> Result<Attitude> {
+pub fn cycle_turned(p: &Parameters, spin: f64, t: f64) -> rotation_dynamics::Result<Attitude> {
     let about_shaft = Attitude::about_space_axis(RHO, spin * t)?;
     Ok(Attitude::about_space_axis(UP, p.rate * t)? * about_shaft * upright()?)
 }
@@ -172,7 +171,7 @@ pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
 // ANCHOR_END: cycle
 
 /// The cycle wheel at the start: its axis z points along the shaft towards the rod.
-pub fn upright() -> Result<Attitude> {
+pub fn upright() -> rotation_dynamics::Result<Attitude> {
     let (phi, theta) = (-FRAC_PI_2, FRAC_PI_2);
     Attitude::from_euler(EulerAngles {
         phi,
@@ -192,7 +191,7 @@ fn cycle_carried(
     p: &Parameters,
     t: f64,
     step: f64,
-) -> Result<(Attitude, rotation_dynamics::integrators::Work)> {
+) -> rotation_dynamics::Result<(Attitude, rotation_dynamics::integrators::Work)> {
     let law = carried(|t| cycle_rate(p, along_shaft(p, t)));
     let (q, work) = Dop853::new(step)?.advance(&law, 0.0, &upright()?.quaternion(), t)?;
     Ok((Attitude::from_quaternion(q)?, work))
@@ -200,8 +199,11 @@ fn cycle_carried(
 
 /// The angular velocity at the time 0, on the fixed axes, from where the body is a little
 /// before and a little after; `t` is the time in which it turns about once.
-pub fn measured(at: impl Fn(f64) -> Result<Attitude>, t: f64) -> Result<SpaceVector> {
-    let turn = |h: f64| -> Result<SpaceVector> {
+pub fn measured(
+    at: impl Fn(f64) -> rotation_dynamics::Result<Attitude>,
+    t: f64,
+) -> rotation_dynamics::Result<SpaceVector> {
+    let turn = |h: f64| -> rotation_dynamics::Result<SpaceVector> {
         let step = at(h)? * at(-h)?.inverse();
         Ok(step.rotation_vector() / (2.0 * h))
     };
@@ -232,7 +234,7 @@ pub fn spin_without_slip(p: &Parameters) -> Result<f64> {
 }
 
 /// The cylinder after `t`: it goes round Z and does not turn about its own axis.
-pub fn cylinder(p: &Parameters, t: f64) -> Result<Attitude> {
+pub fn cylinder(p: &Parameters, t: f64) -> rotation_dynamics::Result<Attitude> {
     let (phi, theta) = (p.cylinder_rate * t, p.tilt);
     Attitude::from_euler(EulerAngles {
         phi,
@@ -359,7 +361,7 @@ fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
     let (spin, net, sense) = (-rate * ratio, rate.abs() * hypot(1.0, ratio), rate.signum());
     let still = |t| cycle_turned(p, spin, t);
     let turning = measured(still, 1.0 / net)?;
-    let angles = |t: f64| Ok::<_, Error>(still(t)?.euler_angles().zeta);
+    let angles = |t: f64| Ok::<_, kit::Error>(still(t)?.euler_angles().zeta);
     let h = 1e-3 / net;
     let euler = (angles(h)? - angles(-h)?) / (2.0 * h);
     let circuit = TAU / rate.abs();

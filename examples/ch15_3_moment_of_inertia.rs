@@ -13,8 +13,7 @@ mod solids;
 
 pub use bodies::*;
 use core::f64::consts::PI;
-use kit::{Report, Table, Trajectory, short, times};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, Trajectory, short, times};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids as uniform};
@@ -253,7 +252,7 @@ fn elements(_: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// The axes on which the tensor law is shown.
-pub fn askew() -> Result<Attitude> {
+pub fn askew() -> rotation_dynamics::Result<Attitude> {
     let (phi, theta, zeta) = (0.3, 0.7, -0.4);
     Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
@@ -384,8 +383,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (flat, air) = (thickness / b, 3.0 * PI * 1.204 * a * b * b / (32.0 * m));
     let (grown, stretch) = (23e-6 * 10.0, 2700.0 * (omega * b) * (omega * b) / 3.5e11);
     // The library's solids, over the flat plate.
-    let moment =
-        |solid: Result<MassProperties>| Ok::<_, rotation_dynamics::Error>(diagonal(&solid?)[0]);
+    let moment = |solid: rotation_dynamics::Result<MassProperties>| {
+        Ok::<_, rotation_dynamics::Error>(diagonal(&solid?)[0])
+    };
     let plain = moment(uniform::plate(m, a, b))?;
     let thick = moment(uniform::cuboid(m, a, b, thickness))? / plain - 1.0;
     let warm = moment(uniform::plate(m, a * (1.0 + grown), b * (1.0 + grown)))? / plain - 1.0;

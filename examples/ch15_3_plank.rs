@@ -12,8 +12,7 @@ mod variations;
 pub use variations::rubbing;
 
 use core::f64::consts::FRAC_PI_2;
-use kit::{ClosedForm, Report, Trajectory, times};
-use rotation_dynamics::Result;
+use kit::{ClosedForm, Report, Result, Trajectory, times};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::plank::Plank as Exact;
@@ -119,7 +118,7 @@ impl Plank {
     }
 
     /// The fall from there, within this error.
-    pub fn fall(self, tolerance: f64, angle: f64, rate: f64) -> Result<Fall> {
+    pub fn fall(self, tolerance: f64, angle: f64, rate: f64) -> rotation_dynamics::Result<Fall> {
         // Friction may double the time, and then some.
         let unit = (self.length / self.gravity).sqrt();
         let longest = unit * (20.0 + 4.0 * log(1.0 / angle.clamp(1e-300, 1.0)));

@@ -19,8 +19,7 @@ pub mod swarm;
 pub mod worked;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use kit::{Report, Table, short};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, short};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -92,7 +91,7 @@ pub const MOVING: [f64; 3] = [0.5, -0.2, 0.1];
 
 // ANCHOR: tensor
 /// I about the point `about`, from masses and places.
-pub fn tensor_of_four(about: DesignVector) -> Result<InertiaTensor> {
+pub fn tensor_of_four(about: DesignVector) -> rotation_dynamics::Result<InertiaTensor> {
     let points = FOUR.map(|(mass, place)| (mass, DesignVector::from_array(place)));
     MassProperties::of_points(&points)?.about(about)
 }

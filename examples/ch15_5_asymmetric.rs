@@ -14,7 +14,8 @@ pub use naive::NAIVE_TILT;
 
 use core::f64::consts::{FRAC_PI_2, LN_10, PI, TAU};
 use kit::interval::from_to;
-use kit::{Report, Table, Trajectory, supported_digits, times};
+use kit::{Report, Result, Table, Trajectory, supported_digits, times};
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -26,7 +27,6 @@ use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{Dop853, Integrator, LocatedEvent, Ode, ode, small_frequency};
 use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin};
 use rotation_dynamics::scene::Scene;
-use rotation_dynamics::{Error, Result};
 
 kit::parameters! {
     /// A book, thrown with a turn about its middle axis; or a telephone, or a racket.
@@ -186,7 +186,7 @@ impl Tumble {
         ]) / size
     }
     /// The attitude at the start: L is vertical.
-    pub fn upright(&self) -> Result<Attitude> {
+    pub fn upright(&self) -> rotation_dynamics::Result<Attitude> {
         let [sideways, along, up] = self.carried(self.start);
         let (lying, zeta) = (atan2(hypot(sideways, along), up), atan2(sideways, along));
         // The cover towards the reader.
@@ -196,12 +196,12 @@ impl Tumble {
             zeta,
         })
     }
-    fn body(&self) -> Result<RigidBody> {
+    fn body(&self) -> rotation_dynamics::Result<RigidBody> {
         let [i1, i2, i3] = self.moments;
         Ok(RigidBody::new(PrincipalMoments::new(i1, i2, i3)?))
     }
     /// The library's closed form, of rates and attitude.
-    pub fn free_body(&self) -> Result<FreeBody> {
+    pub fn free_body(&self) -> rotation_dynamics::Result<FreeBody> {
         let rates = BodyVector::from_array(self.start);
         FreeBody::new(self.body()?.moments(), self.upright()?, rates)
     }
@@ -295,7 +295,8 @@ fn tumble(p: &Parameters) -> Result<Tumble> {
             name: "I1/I2 or I2/I3, the larger of the two,",
             value: gaps[0].max(gaps[1]),
             allowed: "from 0.001 to 0.999: length, width and thickness must differ, in this order",
-        });
+        }
+        .into());
     }
     let about = if p.toward == "largest" { 2 } else { 0 };
     Ok(Tumble::new(moments, p.rate, p.aside, about))

@@ -10,8 +10,7 @@ pub mod yielding;
 use core::f64::consts::TAU;
 use equinoxes::{ARCSEC, MOON, OBLIQUITY, SUN, YEAR};
 use kit::interval::from_to;
-use kit::{Report, Table, Trajectory, supported_digits, times};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, Trajectory, supported_digits, times};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -61,7 +60,7 @@ fn spin(p: &Parameters) -> f64 {
 
 // ANCHOR: motion
 /// The free motion, with the angular momentum along Z.
-pub fn motion(p: &Parameters) -> Result<FreeBody> {
+pub fn motion(p: &Parameters) -> rotation_dynamics::Result<FreeBody> {
     let moments = PrincipalMoments::symmetric(p.a, p.c)?;
     let sideways = tan(alpha(p));
     let angular_velocity = BodyVector::new(sideways, 0.0, 1.0) * spin(p);

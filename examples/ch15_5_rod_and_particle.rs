@@ -6,8 +6,7 @@ mod figures;
 pub mod strike;
 
 use kit::interval::from_to;
-use kit::{ClosedForm, Report};
-use rotation_dynamics::Result;
+use kit::{ClosedForm, Report, Result};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
@@ -96,7 +95,7 @@ fn report(p: &Parameters) -> Result<Report> {
     );
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let run = move |tolerance| Blow::new(scene, tolerance, 0.5, END);
-    let error = move |blow: &Blow| Ok(blow.end()?.q[2] - turned);
+    let error = move |blow: &Blow| Ok::<_, rotation_dynamics::Error>(blow.end()?.q[2] - turned);
     report.dial("contacts by DOP853", asked, run, Blow::work, move |blow| {
         Ok(largest([error(blow)?]))
     })?;

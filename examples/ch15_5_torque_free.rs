@@ -11,7 +11,8 @@ pub use left_out::{gradient_rate, twisted};
 
 use core::f64::consts::{PI, TAU};
 use kit::interval::from_to;
-use kit::{Report, Table, Trajectory, supported_digits, times};
+use kit::{Report, Result, Table, Trajectory, supported_digits, times};
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -21,7 +22,6 @@ use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{Dop853, Ode, Solution, ode};
 use rotation_dynamics::math::{atan2, cos, hypot, sin};
 use rotation_dynamics::scene::Scene;
-use rotation_dynamics::{Error, Result};
 
 kit::parameters! {
     /// A solid cylinder that moves freely; the notes' instance.
@@ -76,7 +76,7 @@ impl Top {
         self.omega_z * ((self.i1 - self.i3) / self.i1)
     }
     /// Where the body is at the time t: precession, tilt, spin.
-    pub fn attitude(&self, t: f64) -> Result<Attitude> {
+    pub fn attitude(&self, t: f64) -> rotation_dynamics::Result<Attitude> {
         Attitude::from_euler(EulerAngles {
             phi: self.precession() * t,
             theta: self.tilt(),
@@ -121,14 +121,14 @@ impl Top {
         let phi = self.precession() * t;
         SpaceVector::new(s * sin(phi), -s * cos(phi), c)
     }
-    fn moments(&self) -> Result<PrincipalMoments> {
+    fn moments(&self) -> rotation_dynamics::Result<PrincipalMoments> {
         PrincipalMoments::symmetric(self.i1, self.i3)
     }
     fn rates(&self) -> BodyVector {
         BodyVector::new(0.0, self.omega_y, self.omega_z)
     }
     /// The library's closed form, in which nothing of this page occurs.
-    pub fn free_body(&self) -> Result<FreeBody> {
+    pub fn free_body(&self) -> rotation_dynamics::Result<FreeBody> {
         FreeBody::new(self.moments()?, self.attitude(0.0)?, self.rates())
     }
 }
@@ -181,7 +181,7 @@ impl Stepped {
         newton([self.top.i1, self.top.i1, self.top.i3])
     }
     /// The motion up to the time `end`.
-    pub fn until(&self, end: f64) -> Result<Solution<7>> {
+    pub fn until(&self, end: f64) -> rotation_dynamics::Result<Solution<7>> {
         Dop853::new(1e-14)?.solve(&self.law(), 0.0, &self.start, end * self.rate, &[])
     }
     /// Attitude and rates at a time of such a motion.
@@ -287,7 +287,8 @@ fn top(p: &Parameters) -> Result<Top> {
             value: top.spin() / rate,
             allowed: "at least 0.001 in size: three equal moments do not wobble, and what \
                       tumbles end over end does not spin",
-        });
+        }
+        .into());
     }
     Ok(top)
 }

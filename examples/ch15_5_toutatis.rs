@@ -15,8 +15,8 @@ mod picture;
 mod tables;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use kit::Report;
 use kit::interval::between;
+use kit::{Report, Result};
 use rotation_dynamics::accuracy::{Problem, largest};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
@@ -28,7 +28,6 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
 use rotation_dynamics::scene::Scene;
-use rotation_dynamics::{Error, Result};
 
 pub use fit::{Fit, MIDDLE, Unknowns, jackknife, least_squares, unknowns};
 pub use observed::{Observed, attitude, observed, rates, seconds};
@@ -79,13 +78,13 @@ pub fn published(p: &Parameters) -> Result<Start> {
 }
 
 impl Start {
-    pub fn body(&self) -> Result<RigidBody> {
+    pub fn body(&self) -> rotation_dynamics::Result<RigidBody> {
         let [x, y, z] = self.moments;
         Ok(RigidBody::new(PrincipalMoments::new(x, y, z)?))
     }
 
     /// The motion without any torque, in closed form at any time.
-    pub fn motion(&self) -> Result<FreeBody> {
+    pub fn motion(&self) -> rotation_dynamics::Result<FreeBody> {
         FreeBody::new(self.body()?.moments(), self.attitude, self.angular_velocity)
     }
 
@@ -133,13 +132,17 @@ pub fn tumbling([a, b, c]: [f64; 3]) -> impl Ode<8> {
 }
 
 /// A free motion simulated by them over this time, s.
-pub fn simulated(start: &Start, time: f64) -> Result<[f64; 8]> {
+pub fn simulated(start: &Start, time: f64) -> rotation_dynamics::Result<[f64; 8]> {
     Ok(driven(start, 0.0, time)?.0)
 }
 
 /// The same with a torque about the long axis that goes with the body, in 1/s^2: over its moment
 /// of inertia; and the work.
-pub fn driven(start: &Start, torque: f64, time: f64) -> Result<([f64; 8], Work)> {
+pub fn driven(
+    start: &Start,
+    torque: f64,
+    time: f64,
+) -> rotation_dynamics::Result<([f64; 8], Work)> {
     let [p, q, r] = (start.angular_velocity * DAY).to_array();
     let [w, x, y, z] = start.attitude.quaternion();
     let (free, from) = (tumbling(start.moments), [p, q, r, w, x, y, z, 0.0]);
@@ -152,13 +155,13 @@ pub fn driven(start: &Start, torque: f64, time: f64) -> Result<([f64; 8], Work)>
 }
 
 /// The attitudes at some times by the closed form.
-pub fn in_closed_form(start: &Start, times: &[f64]) -> Result<Vec<Attitude>> {
+pub fn in_closed_form(start: &Start, times: &[f64]) -> rotation_dynamics::Result<Vec<Attitude>> {
     let motion = start.motion()?;
     Ok(times.iter().map(|t| motion.attitude(*t)).collect())
 }
 
 /// The same by simulation.
-pub fn by_simulation(start: &Start, times: &[f64]) -> Result<Vec<Attitude>> {
+pub fn by_simulation(start: &Start, times: &[f64]) -> rotation_dynamics::Result<Vec<Attitude>> {
     let each = times.iter().map(|t| {
         let [_, _, _, w, x, y, z, _] = simulated(start, *t)?;
         Attitude::from_quaternion([w, x, y, z])
@@ -177,7 +180,7 @@ pub fn angle_between(a: SpaceVector, b: SpaceVector) -> f64 {
 }
 
 /// The rotation that lays L upright.
-pub fn upright(momentum: SpaceVector) -> Result<Attitude> {
+pub fn upright(momentum: SpaceVector) -> rotation_dynamics::Result<Attitude> {
     let up = SpaceVector::new(0.0, 0.0, 1.0);
     let axis = momentum.cross(&up);
     Attitude::about_space_axis(axis, atan2(axis.norm(), momentum.z()))
@@ -197,7 +200,7 @@ pub fn root_mean_square(values: &[f64]) -> f64 {
 }
 
 /// How a model carries a start through some times, s from the start: the attitudes.
-pub type Model = fn(&Start, &[f64]) -> Result<Vec<Attitude>>;
+pub type Model = fn(&Start, &[f64]) -> rotation_dynamics::Result<Vec<Attitude>>;
 
 // ANCHOR: fit
 /// The free motion closest to these days: a start in their middle, two moments.
@@ -233,7 +236,7 @@ impl Study {
         let (start, printed) = (published(p)?, published(&Parameters::default())?);
         let mut december = observed()?;
         elliptic_period(&start)?;
-        let last = december.pop().ok_or(Error::Text {
+        let last = december.pop().ok_or(kit::Error::Text {
             text: "toutatis.csv".into(),
             allowed: "a row a day",
         })?;
@@ -475,7 +478,7 @@ fn passage(p: &Parameters, closest: f64, date: &str) -> Path {
 // ANCHOR: tide
 /// The tide along a path: the library's torque of a body on an orbit by Kepler. The clock of the
 /// scene begins at `begin`.
-pub fn tide(path: Path, begin: f64) -> Result<OrbitingBody> {
+pub fn tide(path: Path, begin: f64) -> rotation_dynamics::Result<OrbitingBody> {
     let [node, inclination, argument] = path.angles;
     let orbit = KeplerOrbit::about(path.attracts, path.closest, path.eccentricity)?
         .oriented(node, inclination, argument)?

@@ -114,7 +114,12 @@ fn rate(p: &Parameters) -> f64 {
 pub type Fall = Motion<Discs, 3, 6, 1>;
 
 /// The motion from the release until `ends`, in units of the time of the slip.
-pub fn fallen(p: &Parameters, bounce: f64, ends: f64, tolerance: f64) -> Result<Fall> {
+pub fn fallen(
+    p: &Parameters,
+    bounce: f64,
+    ends: f64,
+    tolerance: f64,
+) -> rotation_dynamics::Result<Fall> {
     let (q, v) = ([p.drop, 0.0, 0.0], [0.0, p.upper_rate, p.lower_rate]);
     let (p, end) = (p.clone(), ends * Answer::new(p).time);
     motion_within(Discs { p, bounce }, tolerance, State { q, v }, end)
@@ -131,7 +136,11 @@ pub fn rubbing(p: &Parameters, torque: impl Fn(f64) -> f64) -> impl Ode<3> {
 }
 
 /// That motion until the slip is over, or has come down to this part of it.
-pub fn rubbed(p: &Parameters, left: f64, torque: impl Fn(f64) -> f64) -> Result<Solution<3>> {
+pub fn rubbed(
+    p: &Parameters,
+    left: f64,
+    torque: impl Fn(f64) -> f64,
+) -> rotation_dynamics::Result<Solution<3>> {
     let a = Answer::new(p);
     let over = move |_: f64, y: &[f64; 3]| (y[0] - y[1]) / a.relative - left;
     let start = [p.upper_rate, p.lower_rate, 0.0];
@@ -390,7 +399,7 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
         let (steps, t) = match method.advance(&sign(p), 0.0, &start, end) {
             Ok((_, work)) => (work.steps, end),
             Err(Error::TooManySteps { t, limit, .. }) => (limit, t),
-            Err(other) => return Err(other),
+            Err(other) => return Err(other.into()),
         };
         row(&format!("sign, DOP853 with {tolerance:e}"), steps, t, None)?;
     }

@@ -118,7 +118,7 @@ impl Mechanism<2, 4, 2> for Wheels {
 pub type Run = Motion<Wheels, 2, 4, 2>;
 
 /// B at rest at first; until 1.5 times the time that it needs.
-pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
+pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> rotation_dynamics::Result<Run> {
     let (q, v, end) = ([0.0; 2], [p.rate, 0.0], 1.5 * time(p));
     let p = p.clone();
     motion_within(Wheels { p, driven }, tolerance, State { q, v }, end)
@@ -127,7 +127,8 @@ pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
 /// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
 pub fn motor(run: &Run) -> Result<f64> {
     let sticks = run.event("rims sticks")?.t;
-    let torque = |part: f64| Ok(run.forces(part * sticks)?[1].normal);
+    let torque =
+        |part: f64| Ok::<_, rotation_dynamics::Error>(run.forces(part * sticks)?[1].normal);
     Ok(sticks / 6.0 * (torque(0.0)? + 4.0 * torque(0.5)? + torque(1.0)?))
 }
 
@@ -285,7 +286,7 @@ fn besides(
     [motor, bearing]: [f64; 2],
     driven: bool,
     end: f64,
-) -> Result<Motion<With<Wheels, Besides>, 2, 4, 2>> {
+) -> rotation_dynamics::Result<Motion<With<Wheels, Besides>, 2, 4, 2>> {
     let (p, rate) = (p.clone(), p.rate);
     let load = Besides {
         rate,

@@ -73,7 +73,7 @@ pub fn rolling(r: f64) -> impl Ode<6> {
 // ANCHOR_END: rolling
 
 /// That motion until the line of centres has turned by `orbit`.
-pub fn rolled(r: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
+pub fn rolled(r: f64, orbit: f64, step: f64) -> rotation_dynamics::Result<Solution<6>> {
     let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
     let (start, long) = (
         [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0],

@@ -153,14 +153,14 @@ pub fn at(p: &Parameters, part: f64) -> Parameters {
 }
 
 /// The impact of rigid bodies, hands as a hinge or none.
-pub fn rigid(p: &Parameters, held: bool) -> Result<Blow> {
+pub fn rigid(p: &Parameters, held: bool) -> rotation_dynamics::Result<Blow> {
     Blow::new(Strike::rigid(p, held), p.tolerance)
 }
 
 /// The place of the blow that is not felt, from the hands: two blows simulated, and the straight
 /// line through the two reactions.
 fn unfelt(p: &Parameters) -> Result<f64> {
-    let reaction = |part: f64| Ok(rigid(&at(p, part), true)?.reaction());
+    let reaction = |part: f64| Ok::<_, kit::Error>(rigid(&at(p, part), true)?.reaction());
     let (near, far) = (0.55, 0.95);
     let [a, b] = [reaction(near)?, reaction(far)?];
     Ok((near - a * (far - near) / (b - a)) * p.length - p.hands)

@@ -85,12 +85,12 @@ pub fn needed(a: f64, w: f64) -> f64 {
 // ANCHOR: sums
 /// The cone after the line of contact has turned by `turn`, by turns alone: about its own axis,
 /// and with it about the vertical.
-pub fn rolled(a: f64, turn: f64) -> Result<Attitude> {
+pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
     placed(a, turn, -turn / sin(a))
 }
 
 /// The sums over the particles at this rate, when the line of contact has the azimuth 0.
-pub fn summed(p: &Parameters, rate: f64) -> Result<Sums> {
+pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
     body(p).sums(
         |t| rolled(p.half_angle, rate * t),
         0.02 * sin(p.half_angle) / rate,
@@ -136,7 +136,7 @@ fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
 }
 
 /// The attitude after one circuit by steps, from the angular velocity alone.
-fn circuit(a: f64, step: f64) -> Result<(Attitude, Work)> {
+fn circuit(a: f64, step: f64) -> rotation_dynamics::Result<(Attitude, Work)> {
     let law = carried(|turn| level(turn) * angular_velocity(a));
     let (q, work) = Dop853::new(step)?.advance(&law, 0.0, &rolled(a, 0.0)?.quaternion(), TAU)?;
     Ok((Attitude::from_quaternion(q)?, work))

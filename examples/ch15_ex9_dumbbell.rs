@@ -122,7 +122,7 @@ pub fn touching_simulated(within: f64) -> Result<f64> {
 }
 
 /// A hit that returns half of the relative velocity, for two thirds of a turn.
-pub fn halved(reach: f64, step: f64) -> Result<Blow> {
+pub fn halved(reach: f64, step: f64) -> rotation_dynamics::Result<Blow> {
     Blow::new(Hit::across(0.5, reach), step, 4.2)
 }
 

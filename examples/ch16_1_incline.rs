@@ -162,7 +162,13 @@ impl Roller {
     }
 
     /// The motion from there, at most until `end`.
-    pub fn run(self, goal: Goal, speed: f64, end: f64, tolerance: f64) -> Result<Roll> {
+    pub fn run(
+        self,
+        goal: Goal,
+        speed: f64,
+        end: f64,
+        tolerance: f64,
+    ) -> rotation_dynamics::Result<Roll> {
         let body = Self { goal, ..self };
         motion_within(body, tolerance, body.rolling(speed), end)
     }

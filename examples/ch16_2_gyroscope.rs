@@ -23,11 +23,10 @@ mod picture;
 mod rotor;
 
 use kit::heavy_top::{Motion, Nod, trajectory};
-use kit::{ClaimEntry, Report, Trajectory, claim};
+use kit::{ClaimEntry, Report, Result, Trajectory, claim};
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::Ode;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::{Error, Result};
 
 // ANCHOR: equations
 /// Equations (4) to (6). The state is theta, dtheta/dt', phi, zeta.
@@ -137,7 +136,7 @@ kit::parameters! {
 fn motions(p: &Parameters) -> Result<Vec<Motion>> {
     let reduced = [p.a, p.b, p.c, p.energy].iter().any(Option::is_some) || p.start != "theta_min";
     match (reduced, rotor::asked_for(p)) {
-        (true, Some(_)) => Err(Error::Text {
+        (true, Some(_)) => Err(kit::Error::Text {
             text: "dimensionless and SI flags together".into(),
             allowed: "give either --a, --b, --c, --energy, --start or --i1, --i3, --mass, \
                       --length, --theta, --spin, --precession, --nutation, --with, --without",

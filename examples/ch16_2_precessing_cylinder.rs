@@ -77,7 +77,8 @@ impl Cylinder {
                 name: "rate",
                 value: p.rate,
                 allowed: "at rest the cylinder needs no torque and stays",
-            });
+            }
+            .into());
         }
         Ok(body)
     }
@@ -155,7 +156,7 @@ impl Cylinder {
     }
 
     /// The tilt at the far end of the swing, and the time of a whole one.
-    pub fn swung(&self, what: LetGo) -> Result<[f64; 2]> {
+    pub fn swung(&self, what: LetGo) -> rotation_dynamics::Result<[f64; 2]> {
         let (s, c) = sincos(self.tilt);
         let far = if self.long() {
             PI - self.tilt
@@ -199,13 +200,18 @@ impl Cylinder {
     }
 
     /// Turning point number `n` of the simulated swing.
-    pub fn turning(&self, what: LetGo, n: u32, step: f64) -> Result<(LocatedEvent<4>, Work)> {
+    pub fn turning(
+        &self,
+        what: LetGo,
+        n: u32,
+        step: f64,
+    ) -> rotation_dynamics::Result<(LocatedEvent<4>, Work)> {
         let until = 10.0 * self.swung(what)?[1];
         Dop853::new(step)?.zero(&self.let_go(what), self.start(), n, until, |y| y[2])
     }
 
     /// Where it is while it is held: the fork has turned by `turn`.
-    pub fn held(&self, turn: f64) -> Result<Attitude> {
+    pub fn held(&self, turn: f64) -> rotation_dynamics::Result<Attitude> {
         Attitude::from_euler(EulerAngles {
             phi: turn,
             theta: self.tilt,
@@ -214,7 +220,7 @@ impl Cylinder {
     }
 
     /// Its motion from there on if everything is let go, by the library.
-    pub fn freed(&self, turn: f64) -> Result<FreeBody> {
+    pub fn freed(&self, turn: f64) -> rotation_dynamics::Result<FreeBody> {
         let (s, c) = sincos(self.tilt);
         let omega = BodyVector::new(0.0, self.rate * s, self.rate * c);
         FreeBody::new(

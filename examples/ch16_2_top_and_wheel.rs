@@ -22,8 +22,7 @@ mod tries;
 
 use core::f64::consts::FRAC_PI_2;
 use kit::heavy_top::{self, Equations, Motion};
-use kit::{ClaimEntry, Report, Trajectory, claim};
-use rotation_dynamics::Result;
+use kit::{ClaimEntry, Report, Result, Trajectory, claim};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, DesignVector};
@@ -92,7 +91,7 @@ impl Body {
     }
 
     /// Its motion in closed form: the gyroscope's, with I1' for I1.
-    pub fn motion(&self, name: &'static str) -> Result<Motion> {
+    pub fn motion(&self, name: &'static str) -> rotation_dynamics::Result<Motion> {
         let (mass, gravity, lever) = (self.mass, self.gravity, self.length);
         let top = SymmetricTop::from_mass(self.moment(), self.i3, mass, gravity, lever)?;
         Motion::new(name, HeavyTop::from_body(top, self.tilted(), self.rates())?)

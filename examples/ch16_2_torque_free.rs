@@ -120,7 +120,7 @@ impl Top {
 
     // ANCHOR: triangle
     /// (phi, theta, zeta) at a time, by the spherical triangle of Z, L and the axis.
-    pub fn angles(&self, t: f64) -> Result<EulerAngles> {
+    pub fn angles(&self, t: f64) -> rotation_dynamics::Result<EulerAngles> {
         let about_l = EulerAngles {
             phi: self.momentum() / self.i1 * t,
             theta: self.cone,
@@ -155,19 +155,19 @@ impl Top {
     }
 
     /// The motion from there, stepped.
-    pub fn stepped(&self, end: f64, step: f64) -> Result<Solution<6>> {
+    pub fn stepped(&self, end: f64, step: f64) -> rotation_dynamics::Result<Solution<6>> {
         Dop853::new(step)?.solve(&self.equations(), 0.0, &self.start(), end, &[])
     }
 
     /// Turning point number `n` of theta.
-    pub fn turning(&self, n: u32, step: f64) -> Result<(LocatedEvent<6>, Work)> {
+    pub fn turning(&self, n: u32, step: f64) -> rotation_dynamics::Result<(LocatedEvent<6>, Work)> {
         Dop853::new(step)?.zero(&self.equations(), self.start(), n, 10.0 * self.nod(), |y| {
             y[3]
         })
     }
 
     /// The same motion by the library, which knows no Euler angles.
-    pub fn free_body(&self) -> Result<FreeBody> {
+    pub fn free_body(&self) -> rotation_dynamics::Result<FreeBody> {
         let [theta, ..] = self.start();
         let attitude = Attitude::from_euler(EulerAngles {
             phi: 0.0,

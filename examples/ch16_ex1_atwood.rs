@@ -307,7 +307,8 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
             value: held.acceleration,
             allowed: "the claims about the air are for a rope that holds and moves: more friction, \
                       a lighter pulley, or unequal masses",
-        });
+        }
+        .into());
     }
     let drag = QuadraticDrag::in_air(1.204, 1.0, area)?;
     driven_in_air(

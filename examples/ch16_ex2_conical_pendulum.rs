@@ -29,7 +29,7 @@ parameters! {
 }
 
 /// q = g/(l w^2), the one number that decides: infinite in a plane that does not turn.
-fn ratio(p: &Parameters) -> Result<f64> {
+fn ratio(p: &Parameters) -> rotation_dynamics::Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
     let refused = |name, value, allowed| {
         Err(Error::OutOfRange {
@@ -92,7 +92,7 @@ pub fn free(q: f64) -> f64 {
 }
 
 /// Period of the swing from rest at `angle` in the turning plane.
-pub fn period(q: f64, angle: f64) -> Result<f64> {
+pub fn period(q: f64, angle: f64) -> rotation_dynamics::Result<f64> {
     // h = sin^2(theta/2) swings between h0 and h1 or, if that is negative, 0.
     let (h0, rest) = (sin(0.5 * angle).powi(2), cos(0.5 * angle).powi(2));
     let h1 = (1.0 - q) - h0;
@@ -151,23 +151,34 @@ pub fn in_space([theta, rate]: [f64; 2], w: f64, turn: f64) -> [f64; 6] {
 }
 
 /// The motion from rest at `angle` in the turning plane.
-pub fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
+pub fn swung(
+    q: f64,
+    damping: f64,
+    angle: f64,
+    end: f64,
+    step: f64,
+) -> rotation_dynamics::Result<Solution<2>> {
     Dop853::new(step)?.solve(&in_plane(q, damping), 0.0, &[angle, 0.0], end, &[])
 }
 
 /// Turning point number `n` of the swing from rest at `angle`, undamped, and the work.
-fn turning(q: f64, angle: f64, n: u32, step: f64) -> Result<(LocatedEvent<2>, Work)> {
+fn turning(
+    q: f64,
+    angle: f64,
+    n: u32,
+    step: f64,
+) -> rotation_dynamics::Result<(LocatedEvent<2>, Work)> {
     let long = 1e4 / driven(q);
     Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, long, |y| y[1])
 }
 
 /// Where the pendulum comes to rest if it is damped, rad.
-pub fn settled(q: f64, step: f64) -> Result<f64> {
+pub fn settled(q: f64, step: f64) -> rotation_dynamics::Result<f64> {
     Ok(swung(q, driven(q), 0.1, 80.0 / driven(q), step)?.end_state()[0].abs())
 }
 
 /// [`driven`], simulated.
-pub fn measured_driven(q: f64) -> Result<f64> {
+pub fn measured_driven(q: f64) -> rotation_dynamics::Result<f64> {
     // The period is even in how far cos(theta), below the threshold theta, is off rest.
     let start = |size| match q < 1.0 {
         true => [cone(q + size * (1.0 - q)), 0.0],
@@ -177,7 +188,7 @@ pub fn measured_driven(q: f64) -> Result<f64> {
 }
 
 /// [`free`], simulated.
-pub fn measured_free(q: f64) -> Result<f64> {
+pub fn measured_free(q: f64) -> rotation_dynamics::Result<f64> {
     let knocked = |size| in_space([cone(q), size * sin(cone(q))], 1.0, 0.0);
     let rest = knocked(0.0)[2];
     small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| y[2] - rest)
@@ -204,7 +215,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         hypot(r.x(), r.y()),
         if q < 1.0 { unit } else { m * g },
     );
-    let turns = |angle, n| Ok(turning(q, angle, n, p.tolerance)?.0);
+    let turns = |angle, n| Ok::<_, Error>(turning(q, angle, n, p.tolerance)?.0);
     let wide = turns(p.release, 1)?;
     // If no angle has that cosine, the wide swing goes through the vertical.
     let far = if last < 1.0 {

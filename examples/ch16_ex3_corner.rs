@@ -114,7 +114,12 @@ pub fn faded(mu: f64, fading: f64, w: f64) -> f64 {
 // ANCHOR_END: forms
 
 /// The motion from rest with this spin, set down in the corner, until then.
-pub fn set_down(cylinder: Cylinder, spin: f64, end: f64, step: f64) -> Result<Ride> {
+pub fn set_down(
+    cylinder: Cylinder,
+    spin: f64,
+    end: f64,
+    step: f64,
+) -> rotation_dynamics::Result<Ride> {
     let start = State {
         q: [0.0, 1.0, 0.0],
         v: [0.0, 0.0, spin],
@@ -159,7 +164,8 @@ fn units(p: &Parameters) -> Result<Units> {
             name: "spin",
             value: p.spin,
             allowed: "without spin the cylinder stays at rest where it is set down",
-        });
+        }
+        .into());
     }
     let turns = from_to(1e-9, 1e9).because("the turn in rad while a stone falls by R/2");
     turns.check("spin sqrt(R/g)", spin)?;
@@ -324,7 +330,7 @@ fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
             value: lean,
             allowed: "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
                       or nothing rubs",
-        });
+        }.into());
     }
     let (time, stop) = (u.time, u.spin / cylinder.braking());
     let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance.min(1e-9))?;

@@ -111,7 +111,8 @@ impl Ball {
                 name: "q E/(m g)",
                 value: weights,
                 allowed: "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
-            });
+            }
+            .into());
         }
         let told = "contacts do not tell a smaller part of the weight from none";
         let needed = p.shape / (1.0 + p.shape) * weights.abs();
@@ -158,7 +159,7 @@ impl Ball {
     }
 
     /// The motion from there, at most until `end`.
-    pub fn run(self, start: State<3>, end: f64, tolerance: f64) -> Result<Roll> {
+    pub fn run(self, start: State<3>, end: f64, tolerance: f64) -> rotation_dynamics::Result<Roll> {
         motion_within(self, tolerance, start, end)
     }
 

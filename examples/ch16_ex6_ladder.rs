@@ -134,7 +134,7 @@ fn solve(p: &Parameters) -> Result<Solved> {
             value: p.angle,
             allowed: "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
                       its elevation",
-        });
+        }.into());
     }
     let ladder = Ladder::smooth(p);
     let start = ladder.at_rest(p.angle);

@@ -76,7 +76,7 @@ impl Moments {
 }
 
 /// The pendulum in closed form, with this moment of inertia about the pivot.
-pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> Result<Pendulum> {
+pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> rotation_dynamics::Result<Pendulum> {
     let mass = p.rod + p.disc;
     let lever = (0.5 * p.rod + p.disc) * p.length / mass;
     Pendulum::new(
@@ -93,7 +93,7 @@ pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> Result<Pendulum> {
 // ANCHOR_END: moments
 
 /// The release, where a swing follows.
-fn swings(p: &Parameters) -> Result<()> {
+fn swings(p: &Parameters) -> rotation_dynamics::Result<()> {
     let (release, size) = (p.release, p.release.abs());
     let refused = |allowed| {
         Err(Error::OutOfRange {
@@ -181,7 +181,7 @@ pub fn measured(share: f64, drag: f64) -> Result<[f64; 2]> {
         let size = hypot(late[0], late[1]);
         start = [late[0] / size, late[1] / size, 0.0, late[3] / size];
     }
-    let zero = |n| Ok(method.zero(&scene, start, n, 40.0, |y| y[0])?.0);
+    let zero = |n| Ok::<_, Error>(method.zero(&scene, start, n, 40.0, |y| y[0])?.0);
     let [first, third]: [LocatedEvent<4>; 2] = [zero(1)?, zero(3)?];
     let period = third.t - first.t;
     Ok([period, log(first.state[1] / third.state[1]) / period])
@@ -199,7 +199,13 @@ pub fn measured_worst(share: f64) -> Result<f64> {
 }
 
 /// The motion with two angles, from rest at `angle`, in units of 1/W.
-pub fn swung(share: f64, drag: f64, angle: f64, end: f64, step: f64) -> Result<Solution<4>> {
+pub fn swung(
+    share: f64,
+    drag: f64,
+    angle: f64,
+    end: f64,
+    step: f64,
+) -> rotation_dynamics::Result<Solution<4>> {
     Dop853::new(step)?.solve(
         &two_angles(share, drag),
         0.0,
@@ -210,13 +216,22 @@ pub fn swung(share: f64, drag: f64, angle: f64, end: f64, step: f64) -> Result<S
 }
 
 /// The return of a wide swing, in units of 1/W, and the work; the disc is free or drags.
-pub fn returns(share: f64, drag: f64, angle: f64, step: f64) -> Result<(LocatedEvent<4>, Work)> {
+pub fn returns(
+    share: f64,
+    drag: f64,
+    angle: f64,
+    step: f64,
+) -> rotation_dynamics::Result<(LocatedEvent<4>, Work)> {
     let start = [angle, 0.0, angle, 0.0];
     Dop853::new(step)?.zero(&two_angles(share, drag), start, 2, 1e3, |y| y[1])
 }
 
 /// The same for the disc that is fixed.
-fn returns_fixed(share: f64, angle: f64, step: f64) -> Result<(LocatedEvent<2>, Work)> {
+fn returns_fixed(
+    share: f64,
+    angle: f64,
+    step: f64,
+) -> rotation_dynamics::Result<(LocatedEvent<2>, Work)> {
     let long = 1e3 * (1.0 + share).sqrt();
     Dop853::new(step)?.zero(&one_angle(share), [angle, 0.0], 2, long, |y| y[1])
 }
@@ -278,8 +293,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     swings(p)?;
     let m = Moments::new(p)?;
     let (unit, share, fixed, step) = (1.0 / m.rate(), m.share, m.carried + m.own, p.tolerance);
-    let small = |moment| Ok(pendulum(p, moment, 0.0)?.period());
-    let wide = |moment| Ok(pendulum(p, moment, p.release)?.period());
+    let small = |moment| Ok::<_, Error>(pendulum(p, moment, 0.0)?.period());
+    let wide = |moment| Ok::<_, Error>(pendulum(p, moment, p.release)?.period());
     let [t_fixed, t_free, w_fixed, w_free] = [
         small(fixed)?,
         small(m.carried)?,
@@ -302,7 +317,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         m.own * m.gravity * most / fixed,
         pendulum(p, fixed, hardest)?,
     );
-    let spin = |t: f64| Ok(m.own * hard.at(t * w_fixed)?.omega.abs() / (t * w_fixed));
+    let spin = |t: f64| Ok::<_, Error>(m.own * hard.at(t * w_fixed)?.omega.abs() / (t * w_fixed));
     let starts = (4.0 * spin(1e-4)? - spin(2e-4)?) / 3.0;
     // A greased axle.
     let drag = p.friction * unit / m.own;
@@ -405,7 +420,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let swing = |q: &Parameters, release: f64, hold: f64| {
         let m = Moments::new(q)?;
-        Ok(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
+        Ok::<_, kit::Error>(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
     };
     let (light, point, wheel) = (
         with(1.0, 1e-6, 0.2),
@@ -510,7 +525,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
             requested: step,
             reached: PI,
         }),
-        swing => swing,
+        swing => Ok(swing?),
     };
     report.dial_of_return(asked, swing, period, release)
 }

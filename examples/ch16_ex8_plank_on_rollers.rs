@@ -149,7 +149,12 @@ fn from(p: &Parameters, offset: f64) -> Parameters {
 /// Its motion from rest at the offset, until then or until it has tipped.
 pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
     let start = State::rest([p.offset, 0.0, 0.0]);
-    motion(plank(p, sense)?, &Dop853::new(p.tolerance)?, start, end)
+    Ok(motion(
+        plank(p, sense)?,
+        &Dop853::new(p.tolerance)?,
+        start,
+        end,
+    )?)
 }
 
 // ANCHOR: forms
@@ -286,7 +291,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (amplitude, round) = cycle(p);
     let ((stick, _, _), (stick_out, _, tip)) = (caught(p, 1.0), caught(p, -1.0));
     let goes_round = goes_round(p);
-    let event = |ride: &Ride, names| Ok(ride.event(p.event_there(names))?.t);
+    let event = |ride: &Ride, names| Ok::<_, Error>(ride.event(p.event_there(names))?.t);
     let (sticks, lets_go) = (
         ["left sticks", "right sticks"],
         ["right lets go", "left lets go"],
@@ -455,11 +460,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     }
     let lets_go = p.event_there(["right lets go", "left lets go"]);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    let at = p.clone();
-    let run = move |tolerance| {
-        let p = at.clone();
-        released(&Parameters { tolerance, ..p }, -1.0, 2.0 * end)
-    };
+    let (apart, start) = (plank(&p, -1.0)?, State::rest([p.offset, 0.0, 0.0]));
+    let run = move |step| motion(apart.clone(), &Dop853::new(step)?, start, 2.0 * end);
     let error = move |ride: &Ride| Ok(largest([ride.event(lets_go)?.t / end - 1.0]));
     report.dial("DOP853, error of a step", asked, run, Ride::work, error)?;
     report.set_closed_form(ClosedForm::new(move |_| Ok(caught(&p, -1.0))));

@@ -174,7 +174,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// The rotor with its axis upright, free.
-fn upright(p: &Parameters) -> Result<State> {
+fn upright(p: &Parameters) -> rotation_dynamics::Result<State> {
     let (scene, _) = gyroscope(p).scene()?;
     let spin = BodyVector::new(0.0, 0.0, p.spin);
     scene.body().state(Attitude::IDENTITY, spin)
@@ -291,7 +291,7 @@ fn tables(_: &Parameters, report: &mut Report) -> Result<()> {
     let tables = TABLES.get(&(), |()| {
         let methods = methods::all(&Parameters::default())?;
         let digits = digits::table(&cases()?)?;
-        Ok(vec![
+        Ok::<_, kit::Error>(vec![
             tries()?,
             methods::table(&methods)?,
             digits,

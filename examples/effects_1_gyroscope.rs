@@ -90,7 +90,12 @@ impl Gyroscope {
     }
 
     /// Its motion until `until` (s) or to the stop at this tilt (rad).
-    pub fn run(&self, stop: Option<f64>, until: f64, step: f64) -> Result<Course> {
+    pub fn run(
+        &self,
+        stop: Option<f64>,
+        until: f64,
+        step: f64,
+    ) -> rotation_dynamics::Result<Course> {
         Course::new(self.gimbals, self.bearings, self.start, stop, until, step)
     }
     // ANCHOR_END: scene
@@ -113,13 +118,13 @@ impl Gyroscope {
     }
 
     /// The bottom of the valley at the release.
-    pub fn bottom(&self) -> Result<f64> {
+    pub fn bottom(&self) -> rotation_dynamics::Result<f64> {
         self.bottom_at(&self.start, 0.0)
     }
 
     /// Where the axis would precess steadily with the momenta it has there, if a torque `held`
     /// takes over a part of the weight's.
-    pub fn bottom_at(&self, at: &Pose, held: f64) -> Result<f64> {
+    pub fn bottom_at(&self, at: &Pose, held: f64) -> rotation_dynamics::Result<f64> {
         let (g, axial) = (&self.gimbals, at.axial_momentum);
         let vertical = g.vertical_momentum(at);
         let mut theta = at.theta;
@@ -132,7 +137,7 @@ impl Gyroscope {
     }
 
     /// Theory of friction at the bottom.
-    pub fn fading(&self) -> Result<Fading> {
+    pub fn fading(&self) -> rotation_dynamics::Result<Fading> {
         let axial = self.start.axial_momentum;
         Fading::of(&self.gimbals, &self.bearings, self.bottom()?, axial)
     }

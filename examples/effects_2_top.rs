@@ -50,11 +50,11 @@ type Toy<F> = Top<F, (), ((), DiscDrag)>;
 pub type Life = Course<Patch, (), ((), DiscDrag)>;
 
 impl Parameters {
-    fn shape(&self) -> Result<Shape> {
+    fn shape(&self) -> rotation_dynamics::Result<Shape> {
         Shape::new(MASS, ACROSS, AXIAL, LEVER, self.tip)?.with_rim(RIM, 0.0)
     }
 
-    fn air(&self) -> Result<DiscDrag> {
+    fn air(&self) -> rotation_dynamics::Result<DiscDrag> {
         DiscDrag::new(
             RIM,
             DiscDrag::AIR_DENSITY,
@@ -64,17 +64,17 @@ impl Parameters {
     }
 
     /// The radius of the patch that the weight presses into tip and floor.
-    pub fn patch(&self) -> Result<f64> {
+    pub fn patch(&self) -> rotation_dynamics::Result<f64> {
         Patch::hertz_radius(WEIGHT, self.tip, self.modulus)
     }
 
     /// Everything: air, a floor that is not quite level, and this friction.
-    fn toy<F: TipFriction>(&self, friction: F) -> Result<Toy<F>> {
+    fn toy<F: TipFriction>(&self, friction: F) -> rotation_dynamics::Result<Toy<F>> {
         let top = Top::new(self.shape()?, GRAVITY)?.on(friction);
         top.in_effect(self.air()?)?.sloping(self.slope)
     }
 
-    fn rubbing(&self) -> Result<Patch> {
+    fn rubbing(&self) -> rotation_dynamics::Result<Patch> {
         Patch::new(self.friction, self.patch()?)
     }
 
@@ -87,12 +87,12 @@ impl Parameters {
     }
 
     /// From the throw to the fall.
-    fn life(&self, tolerance: f64) -> Result<Life> {
+    fn life(&self, tolerance: f64) -> rotation_dynamics::Result<Life> {
         self.life_on(self.rubbing()?, tolerance)
     }
 
     /// The same on this patch, with marks on the way.
-    pub fn life_on(&self, patch: Patch, tolerance: f64) -> Result<Life> {
+    pub fn life_on(&self, patch: Patch, tolerance: f64) -> rotation_dynamics::Result<Life> {
         let top = self
             .toy(patch)?
             .passing("creeps", self.patch()?, |at, patch| {
@@ -376,7 +376,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = p.toy(Dry::new(p.friction)?)?;
     let throw = p.throw();
     let exact = top.simulate(&throw, 5.0, 1e-14)?.event("grips")?.t;
-    let grips = move |step: f64| -> Result<(f64, Work)> {
+    let grips = move |step: f64| -> rotation_dynamics::Result<(f64, Work)> {
         let run = top.simulate(&throw, 5.0, step)?;
         Ok((run.event("grips")?.t, run.work()))
     };

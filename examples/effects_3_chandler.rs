@@ -211,8 +211,8 @@ fn faded(p: &Parameters, quality: f64) -> Result<f64> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let days = p.day / DAY;
-    let period = |step: Step| Ok(step.period(p)? * days);
-    let stepped = |step: Step| Ok(step.simulated(p, 1e-12)? * days);
+    let period = |step: Step| Ok::<_, kit::Error>(step.period(p)? * days);
+    let stepped = |step: Step| Ok::<_, kit::Error>(step.simulated(p, 1e-12)? * days);
     let all = stepped(WHOLE)?;
     let [rigid, shell, elastic] = [period(RIGID)?, period(SHELL)?, period(ELASTIC)?];
     let [fluid, ocean, whole] = [period(FLUID)?, period(OCEAN)?, period(WHOLE)?];
@@ -338,7 +338,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The card of effects: what each makes of the whole, and what is left out.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (whole, days) = (WHOLE.period(p)?, p.day / DAY);
-    let without = |step: Step| Ok((whole - step.period(p)?) * days);
+    let without = |step: Step| Ok::<_, kit::Error>((whole - step.period(p)?) * days);
     let [stiff, prompt, dry, frozen] = [
         Step {
             elastic: false,
@@ -367,7 +367,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let (all, lasting) = (told("whole"), told("left_over"));
     let slower = all - told("ocean");
-    let ran = |step: Step| Ok(all - step.simulated(p, 1e-10)? * days);
+    let ran = |step: Step| Ok::<_, kit::Error>(all - step.simulated(p, 1e-10)? * days);
     // Euler's small wobble of three moments, in closed form; none of what is no body.
     let apart = |part: f64| -> Result<f64> {
         let side = part * (p.c - p.a);

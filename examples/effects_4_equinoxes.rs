@@ -63,7 +63,7 @@ pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
 // ANCHOR: bodies
 /// The Sun on its ellipse; X is the equinox of the epoch.
-pub fn sun(p: &Parameters) -> Result<OrbitingBody> {
+pub fn sun(p: &Parameters) -> rotation_dynamics::Result<OrbitingBody> {
     let period = ANOMALISTIC_YEAR * DAY;
     let orbit = KeplerOrbit::elliptic(AU, period, p.sun_eccentricity)?
         .oriented(0.0, 0.0, 282.937_f64.to_radians())?
@@ -72,7 +72,7 @@ pub fn sun(p: &Parameters) -> Result<OrbitingBody> {
 }
 
 /// The Moon on an inclined ellipse whose node goes backward and whose apsides go forward.
-pub fn moon(p: &Parameters) -> Result<OrbitingBody> {
+pub fn moon(p: &Parameters) -> rotation_dynamics::Result<OrbitingBody> {
     let (period, node) = (ANOMALISTIC_MONTH * DAY, -TAU / (p.node_period * YEAR));
     let [at_node, argument] = [125.044_52, 318.308_7].map(f64::to_radians);
     let orbit = KeplerOrbit::elliptic(p.moon_distance, period, p.moon_eccentricity)?
@@ -163,7 +163,7 @@ pub fn yearly(rate: f64) -> f64 {
 
 /// The axis of the epoch: the mean one, with so many terms of the nutation. In its orbits it
 /// has three, as the ring of the Moon one, that of the node.
-pub fn start(p: &Parameters, terms: usize) -> Result<[f64; 3]> {
+pub fn start(p: &Parameters, terms: usize) -> rotation_dynamics::Result<[f64; 3]> {
     let [precession, tilt] = nutation::at(p, 0.0, terms)?;
     Ok(pole([precession, p.obliquity + tilt]))
 }
@@ -174,7 +174,7 @@ pub fn run<const N: usize>(
     pulls: impl Fn(f64) -> [Pull; N],
     terms: usize,
     end: f64,
-) -> Result<Solution<3>> {
+) -> rotation_dynamics::Result<Solution<3>> {
     Dop853::new(p.tolerance)?.solve(&axis(p, pulls), 0.0, &start(p, terms)?, end, &[])
 }
 

@@ -93,10 +93,10 @@ impl Separable for Lossy {
     }
     // ANCHOR_END: lossy
 
-    fn enter(&self, start: &[f64; 3]) -> Result<[f64; 3]> {
+    fn enter(&self, start: &[f64; 3]) -> rotation_dynamics::Result<[f64; 3]> {
         Ok(*start)
     }
-    fn leave(&self, end: &[f64; 3], _elapsed: f64) -> Result<[f64; 3]> {
+    fn leave(&self, end: &[f64; 3], _elapsed: f64) -> rotation_dynamics::Result<[f64; 3]> {
         Ok(*end)
     }
     fn settle(&self, n: &mut [f64; 3]) {
@@ -153,12 +153,12 @@ impl Lossy {
     }
 
     /// From `aside` until it has fallen through the separatrix: flips on the way, and that.
-    pub fn fall(&self, aside: f64, step: f64) -> Result<Solution<3>> {
+    pub fn fall(&self, aside: f64, step: f64) -> rotation_dynamics::Result<Solution<3>> {
         self.fall_from(start(aside), step)
     }
 
     /// The same from any direction above the separatrix.
-    pub fn fall_from(&self, n: [f64; 3], step: f64) -> Result<Solution<3>> {
+    pub fn fall_from(&self, n: [f64; 3], step: f64) -> rotation_dynamics::Result<Solution<3>> {
         let [one, three] = self.gaps();
         let until = 1e3 / (self.loss * one.min(three));
         let flip = Event::crossing("flip", |_, n: &[f64; 3]| n[1]);
@@ -174,7 +174,7 @@ impl Lossy {
 
     // ANCHOR: edges
     /// The starts that end on the middle axis itself: the way back from there in time.
-    pub fn edges(&self, beyond: f64) -> Result<Solution<3>> {
+    pub fn edges(&self, beyond: f64) -> rotation_dynamics::Result<Solution<3>> {
         let [one, three] = self.gaps();
         let (half, product) = (0.5 * self.loss * (one - three), one * three);
         let slow = -half - (half * half + product * (1.0 + self.loss * self.loss)).sqrt();
@@ -258,7 +258,9 @@ impl Lossy {
         let law = self.equations();
         let met = |count| {
             let f = |n: &[f64; 3]| n[2 - i];
-            Ok(Dop853::new(1e-15)?.zero(&law, unit(n), count, 1e5, f)?.0)
+            Ok::<_, rotation_dynamics::Error>(
+                Dop853::new(1e-15)?.zero(&law, unit(n), count, 1e5, f)?.0,
+            )
         };
         let (first, second) = (met(2)?, met(4)?);
         Ok(log(second.state[1] / first.state[1]) / (second.t - first.t))
@@ -327,7 +329,7 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
     let half = 0.5 * exact.rate_period();
     let flip = |count| {
         let met = Dop853::new(1e-15)?.zero(&free.equations(), start(aside), count, 1e6, |n| n[1]);
-        Ok(met?.0.t)
+        Ok::<_, rotation_dynamics::Error>(met?.0.t)
     };
     let hundred = (flip(101)? - flip(1)?) / 100.0;
     let fallen = body.fall(aside, 1e-14)?;
@@ -384,9 +386,11 @@ fn split(body: &Lossy, aside: f64, t: f64) -> Result<(f64, [f64; 3])> {
     let advance = |n: &[f64; 3], time: f64| {
         // So many steps while the fastest rate turns by a radian.
         let steps = (4.0 * body.inverse[0] * time.abs()) as u64 + 1;
-        Ok(Splitting::new(Scheme::KAHAN_LI17, steps)?
-            .advance(body, 0.0, n, time)?
-            .0)
+        Ok::<_, rotation_dynamics::Error>(
+            Splitting::new(Scheme::KAHAN_LI17, steps)?
+                .advance(body, 0.0, n, time)?
+                .0,
+        )
     };
     let there = advance(&start(aside), t)?;
     let (mut n, mut met, [one, three]) = (there, t, body.gaps());

@@ -136,7 +136,11 @@ const WIDEST: f64 = 1.4;
 
 /// The angle off the short edge from which it first turns over after the time t, by `until`; the
 /// widest, if it turns over later from there as well.
-pub fn margin(t: f64, pace: f64, until: impl Fn(f64) -> Result<f64>) -> Result<f64> {
+pub fn margin(
+    t: f64,
+    pace: f64,
+    until: impl Fn(f64) -> rotation_dynamics::Result<f64>,
+) -> rotation_dynamics::Result<f64> {
     let mut tilt = exp(-pace * t);
     for _ in 0..40 {
         // What is late by x must begin e^(pace x) times farther off.
@@ -225,7 +229,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let hands = |count| hand(count, moments, turn, p.spread);
     let not_over = |after: f64| {
         let over = |throw: Throw| Ok(throw.until_flip()? < after / turns);
-        Ok::<_, rotation_dynamics::Error>(1.0 - part(hands(COUNTED), over)?)
+        Ok::<_, kit::Error>(1.0 - part(hands(COUNTED), over)?)
     };
     let down =
         |of: &dyn Fn(&Throw) -> Result<f64>| part(hands(2500), |throw| Ok(of(&throw)? < 0.0));
@@ -447,7 +451,7 @@ pub fn ten(throw: &Throw) -> Result<Vec<([f64; 3], Option<f64>)>> {
         }
         t += 1.0 / 60.0;
     }
-    let by = |step, n| Ok(throw.flip(n, step)?.t);
+    let by = |step, n| Ok::<_, rotation_dynamics::Error>(throw.flip(n, step)?.t);
     let lost = core::iter::repeat(None);
     let each = (1..=10).zip(clock.into_iter().map(Some).chain(lost));
     let each = each.map(|(n, late)| {

@@ -187,6 +187,18 @@ impl Compass {
         Ok(compass)
     }
 
+    /// A turning point of this compass of Foucault, let go at that azimuth.
+    fn turned(
+        &self,
+        release: f64,
+        count: u32,
+        step: f64,
+    ) -> rotation_dynamics::Result<(LocatedEvent<6>, Work)> {
+        let start = self.start([release, 0.0], 0.0);
+        let end = 9.0 * self.foucault_period(release)?;
+        Dop853::new(step)?.zero(&self.held(), start, count, end, move |y| y[5] - start[5])
+    }
+
     fn north(&self) -> f64 {
         self.horizon.y()
     }
@@ -198,7 +210,7 @@ impl Compass {
     }
 
     /// Period of Foucault's compass from rest at `azimuth`.
-    pub fn foucault_period(&self, azimuth: f64) -> Result<f64> {
+    pub fn foucault_period(&self, azimuth: f64) -> rotation_dynamics::Result<f64> {
         let rate = (self.north() * self.momentum / self.transverse).sqrt();
         let small = self.transverse * self.north() / self.momentum;
         let h = sin(0.5 * azimuth) * sin(0.5 * azimuth);
@@ -257,7 +269,12 @@ impl Compass {
     }
 
     /// The axle from this azimuth and tilt on, in port.
-    pub fn run(self, [azimuth, tilt]: [f64; 2], end: f64, step: f64) -> Result<Solution<3>> {
+    pub fn run(
+        self,
+        [azimuth, tilt]: [f64; 2],
+        end: f64,
+        step: f64,
+    ) -> rotation_dynamics::Result<Solution<3>> {
         let port = self.slow(move |_| (self.horizon, 0.0));
         Dop853::new(step)?.solve(&port, 0.0, &axle(azimuth, tilt).to_array(), end, &[])
     }
@@ -276,14 +293,9 @@ impl Compass {
     }
 }
 
-/// A turning point of Foucault's compass let go at `release`.
+/// The same of the compass of the page, let go at `release`.
 fn turned(p: &Parameters, count: u32, step: f64) -> Result<(LocatedEvent<6>, Work)> {
-    let c = Compass::new(p)?;
-    let (start, end) = (
-        c.start([p.release, 0.0], 0.0),
-        9.0 * c.foucault_period(p.release)?,
-    );
-    Dop853::new(step)?.zero(&c.held(), start, count, end, move |y| y[5] - start[5])
+    Ok(Compass::new(p)?.turned(p.release, count, step)?)
 }
 
 /// The ship speeds up to `speed` within `within` seconds: horizon and push, for [`Compass::slow`].
@@ -338,7 +350,7 @@ pub fn shrinking(c: Compass) -> Result<[f64; 2]> {
             let method = Dop853::new(1e-14)?;
             let port = c.slow(move |_| (c.horizon, 0.0));
             let off = |y: &[f64; 3]| angles(*y)[0] - rest[0];
-            Ok(method.zero(&port, start, count, 1e8, off)?.0)
+            Ok::<_, rotation_dynamics::Error>(method.zero(&port, start, count, 1e8, off)?.0)
         };
         let [first, second] = [zero(1)?, zero(2)?];
         half += 0.5 * (second.t - first.t);
@@ -354,18 +366,20 @@ fn flatness(c: Compass) -> Result<f64> {
     let crossing = |count| {
         let port = c.slow(move |_| (c.horizon, 0.0));
         let start = axle(size, rest).to_array();
-        Ok(angles(
-            Dop853::new(1e-14)?
-                .zero(&port, start, count, 1e8, |y| y[0])?
-                .0
-                .state,
-        )[1])
+        Ok::<_, rotation_dynamics::Error>(
+            angles(
+                Dop853::new(1e-14)?
+                    .zero(&port, start, count, 1e8, |y| y[0])?
+                    .0
+                    .state,
+            )[1],
+        )
     };
     Ok(0.5 * (crossing(1)? - crossing(2)?) / size)
 }
 
 /// Angular frequency of the smallest swings of the axle alone, simulated.
-pub fn measured(c: Compass) -> Result<f64> {
+pub fn measured(c: Compass) -> rotation_dynamics::Result<f64> {
     let port = c.slow(move |_| (c.horizon, 0.0));
     let flat = c.north() / c.linear()[1].sqrt();
     let start = |size| axle(0.0, c.rest()[1] + flat * size).to_array();
@@ -373,14 +387,14 @@ pub fn measured(c: Compass) -> Result<f64> {
 }
 
 /// The same of the whole body.
-pub fn measured_whole(c: Compass) -> Result<f64> {
+pub fn measured_whole(c: Compass) -> rotation_dynamics::Result<f64> {
     let [rate, tilt] = c.both();
     let start = |size| c.start([0.0, c.rest()[1] + size * rate * tilt], size * rate);
     small_frequency(&c.whole(), start, 20.0 / rate, |y| y[0])
 }
 
 /// The same in a frame that holds it level.
-pub fn measured_held(c: Compass) -> Result<f64> {
+pub fn measured_held(c: Compass) -> rotation_dynamics::Result<f64> {
     let rate = c.foucault_rate();
     let start = |size| c.start([0.0; 2], size * rate);
     small_frequency(&c.held(), start, 20.0 / rate, |y| y[0])
@@ -501,7 +515,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         offset: 0.0,
         ..p.clone()
     };
-    let pole = |latitude| Ok(Compass::of(&at(latitude))?.foucault_rate() / cos(latitude).sqrt());
+    let pole = |latitude| {
+        Ok::<_, kit::Error>(Compass::of(&at(latitude))?.foucault_rate() / cos(latitude).sqrt())
+    };
     let free = (with(soft).linear()[1]).sqrt();
     limits! { report,
         /// the frame holds the axle level
@@ -548,13 +564,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: Foucault's compass, let go, until it is back.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (own, period) = (p.clone(), Compass::new(p)?.foucault_period(p.release)?);
-    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
     let (compass, release) = (Compass::new(p)?, p.release);
+    let period = compass.foucault_period(release)?;
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
     report.set_closed_form(ClosedForm::new(move |_| compass.foucault_period(release)));
     report.dial_of_return(
         asked,
-        move |step| turned(&own, 2, step),
+        move |step| compass.turned(release, 2, step),
         period,
         sin(release),
     )

@@ -227,7 +227,7 @@ struct Settled {
 }
 
 impl Settled {
-    fn at(&self, t: f64) -> Result<Disc> {
+    fn at(&self, t: f64) -> rotation_dynamics::Result<Disc> {
         Ok(Disc::new(&self.run.at(t)?))
     }
 
@@ -305,7 +305,7 @@ fn turn(motion: Steady, step: f64) -> Result<(f64, Disc, [f64; 2])> {
 }
 
 /// The frequency of a small nodding, simulated.
-pub fn measured_nodding(motion: Steady) -> Result<f64> {
+pub fn measured_nodding(motion: Steady) -> rotation_dynamics::Result<f64> {
     let kick = motion.tilt.min(0.3) * motion.nodding().sqrt() * motion.rate();
     let kicked = |size: f64| {
         let rates = [motion.rate(), size * kick, motion.spin()];

@@ -222,7 +222,7 @@ impl Wheel {
     }
 
     /// The steady precession with the axle at this rise: its rate and the rope's angle.
-    pub fn steady(&self, rise: f64) -> Result<[f64; 2]> {
+    pub fn steady(&self, rise: f64) -> rotation_dynamics::Result<[f64; 2]> {
         let ((s, c), start, spun) = (sincos(rise), self.lecture().abs(), self.momentum.abs());
         let missing = |rate: f64| {
             let across = self.mass * self.rope * self.lever * sin(self.outward(rate, rise));
@@ -328,7 +328,7 @@ const ODD: [usize; 3] = [1, 4, 6];
 impl Wheel {
     /// The three modes, the slowest first, from the Jacobian matrix of Lagrange's equations:
     /// even' = B odd and odd' = C even, so odd'' = C B odd.
-    pub fn modes(&self, rest: Coordinates) -> Result<[Mode; 3]> {
+    pub fn modes(&self, rest: Coordinates) -> rotation_dynamics::Result<[Mode; 3]> {
         let jacobian = |to: usize, by: usize| {
             let moved = |h: f64| {
                 let mut q = rest;
@@ -422,11 +422,11 @@ impl Wheel {
         let taut = above(0.0).because("a rope does not push");
         taut.check("tension at the start over the weight", pull)?;
         let slack = Event::falling("slack", move |_, y| self.tension(&place(y))).terminal();
-        Dop853::new(step)?.solve(&self.hung(), 0.0, &start, end, &[slack])
+        Ok(Dop853::new(step)?.solve(&self.hung(), 0.0, &start, end, &[slack])?)
     }
 
     /// The same by Lagrange's equations.
-    fn let_free(self, push: f64, end: f64, step: f64) -> Result<Solution<8>> {
+    fn let_free(self, push: f64, end: f64, step: f64) -> rotation_dynamics::Result<Solution<8>> {
         let start = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push];
         let slack = Event::falling("slack", move |_, q| self.tension_of(q)).terminal();
         Dop853::new(step)?.solve(&self.free(), 0.0, &start, end, &[slack])

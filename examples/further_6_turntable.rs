@@ -205,7 +205,12 @@ fn level(v: SpaceVector) -> f64 {
 }
 
 /// Turning point `n` of the circle, where the velocity along x is zero again.
-fn turning(ball: Ball, start: Moving, n: u32, step: f64) -> Result<(LocatedEvent<13>, Work)> {
+fn turning(
+    ball: Ball,
+    start: Moving,
+    n: u32,
+    step: f64,
+) -> rotation_dynamics::Result<(LocatedEvent<13>, Work)> {
     Dop853::new(step)?.zero(&ball.rolls(), start.numbers(), n, 1e9, |y| y[3])
 }
 

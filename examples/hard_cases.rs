@@ -51,8 +51,7 @@ pub mod truth;
 #[path = "hard_cases/turns.rs"]
 pub mod turns;
 
-use kit::{Figure, Prepared, Report};
-use rotation_dynamics::Result;
+use kit::{Figure, Prepared, Report, Result};
 use std::sync::Arc;
 use table::{Computed, Family};
 

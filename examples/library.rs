@@ -56,7 +56,7 @@ pub fn satellite(p: &Parameters) -> Result<(Scene<((), GravityGradient)>, State)
 pub fn day(p: &Parameters) -> Result<Vec<State>> {
     let (scene, start) = satellite(p)?;
     let hours: Vec<f64> = (1..=24).map(|hour| 3600.0 * f64::from(hour)).collect();
-    scene.solve_at(&start, &hours, p.tolerance, &Limits::default())
+    Ok(scene.solve_at(&start, &hours, p.tolerance, &Limits::default())?)
 }
 // ANCHOR_END: satellite
 
@@ -76,13 +76,13 @@ pub fn magnet(strength: f64) -> impl Effect + Clone {
 
 // ANCHOR: top
 /// A heavy top in closed form, released at rest but for its spin.
-pub fn top() -> Result<HeavyTop> {
+pub fn top() -> rotation_dynamics::Result<HeavyTop> {
     let top = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
     HeavyTop::new(top, tilted()?, BodyVector::new(0.0, 0.0, 314.0))
 }
 
 /// Where it is after a minute.
-pub fn after_a_minute() -> Result<EulerAngles> {
+pub fn after_a_minute() -> rotation_dynamics::Result<EulerAngles> {
     top()?.try_angles(60.0)
 }
 // ANCHOR_END: top
@@ -105,7 +105,7 @@ fn rotor() -> Result<RigidBody> {
 }
 
 /// A tilt of 1 rad.
-fn tilted() -> Result<Attitude> {
+fn tilted() -> rotation_dynamics::Result<Attitude> {
     let (phi, theta, zeta) = (0.0, 1.0, 0.0);
     Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
@@ -138,7 +138,7 @@ pub fn swing(p: &Parameters, t: f64, state: &State) -> f64 {
 }
 
 /// Twice that angle, in closed form: a pendulum with W^2 = 3 n0^2 (I2 - I1)/I3.
-pub fn pendulum(p: &Parameters) -> Result<Pendulum> {
+pub fn pendulum(p: &Parameters) -> rotation_dynamics::Result<Pendulum> {
     let gravity = 3.0 * p.mean_motion * p.mean_motion * (90.0 - 20.0);
     let (moment, mass, lever) = (100.0, 1.0, 1.0);
     let pendulum = Suspension {
@@ -151,7 +151,7 @@ pub fn pendulum(p: &Parameters) -> Result<Pendulum> {
 }
 
 /// The satellite's exact state.
-fn exact(p: &Parameters, pendulum: &Pendulum, t: f64) -> Result<State> {
+fn exact(p: &Parameters, pendulum: &Pendulum, t: f64) -> rotation_dynamics::Result<State> {
     let (normal, twice) = (SpaceVector::new(0.0, 0.0, 1.0), pendulum.at(t)?);
     let attitude = Attitude::about_space_axis(normal, p.mean_motion * t + 0.5 * twice.theta)?;
     State::new(
@@ -173,7 +173,7 @@ pub fn off(p: &Parameters, states: &[State]) -> Result<Vec<f64>> {
 /// The first time after `from` at which the solved satellite hangs straight, s: halved until
 /// no double is left between. It is there once between `from` and `to`.
 fn upright(p: &Parameters, motion: &SolvedMotion<'_>, from: f64, to: f64) -> Result<f64> {
-    let at = |t: f64| Ok(swing(p, t, &motion.try_state(t)?));
+    let at = |t: f64| Ok::<_, rotation_dynamics::Error>(swing(p, t, &motion.try_state(t)?));
     let (mut before, mut beyond, side) = (from, to, at(from)?);
     for _ in 0..60 {
         let middle = 0.5 * (before + beyond);

@@ -3,7 +3,6 @@
 //! Every variant carries the numbers that offend and says what is allowed, so
 //! that a message can be acted on without reading code.
 
-use crate::interval::Interval;
 use core::fmt;
 
 /// What can go wrong, with the numbers that went wrong.
@@ -20,12 +19,6 @@ pub enum Error {
     },
     /// No motion of a heavy top has this energy.
     NoMotion { energy: f64, minimum: f64 },
-    /// A parameter of an example is outside what is allowed.
-    Parameter {
-        name: &'static str,
-        value: f64,
-        allowed: Interval,
-    },
     /// The rates of a motion are too fast, too slow, or too far apart for doubles.
     RatesTooFarApart { fastest: f64 },
     /// A derivative is NaN or infinite at this time and state.
@@ -121,20 +114,6 @@ pub enum Error {
     PhaseLost { t: f64, latest: f64 },
     /// A time at which a solution is not known.
     OutsideRun { t: f64, start: f64, end: f64 },
-    /// A number and the independent route that should confirm it differ too much.
-    Contradicted {
-        key: String,
-        value: f64,
-        oracle: String,
-        oracle_value: f64,
-        bound: f64,
-    },
-    /// A name or a piece of text does not fit where it is to be printed.
-    Text { text: String, allowed: &'static str },
-    /// There is no claim with this key.
-    UnknownKey { key: String, known: String },
-    /// A file cannot be written.
-    File { path: String, reason: String },
     /// A 3x3 matrix is not a rotation: R^T R is off 1, or R is a reflection.
     NotRotation { deviation: f64, determinant: f64 },
     /// The rates of the Euler angles are asked for with the body axis vertical.
@@ -251,20 +230,6 @@ impl fmt::Display for Error {
                 value,
                 allowed,
             } => write!(f, "{name} = {} is not allowed: {allowed}", plain(*value)),
-            Self::Parameter {
-                name,
-                value,
-                allowed,
-            } => {
-                // Of what was computed six digits say enough, unless the value they say is allowed.
-                let text = plain(*value);
-                let short = format!("{value:.5e}").parse().unwrap_or(*value);
-                let text = match text.len() > 12 && !allowed.contains(short) {
-                    true => plain(short),
-                    false => text,
-                };
-                write!(f, "{name} = {text} is not allowed: {allowed}")
-            }
             Self::NoMotion { energy, minimum } => {
                 // Six places, or all of them if six do not show the difference.
                 let short = format!("{minimum:.6}");
@@ -494,22 +459,6 @@ impl fmt::Display for Error {
                 plain(*start),
                 plain(*end)
             ),
-            Self::Contradicted {
-                key,
-                value,
-                oracle,
-                oracle_value,
-                bound,
-            } => write!(
-                f,
-                "{key} = {value:?} is contradicted: {oracle} gives {oracle_value:?}, \
-                 and they may differ by {bound:?}"
-            ),
-            Self::Text { text, allowed } => write!(f, "{text:?} is not allowed: {allowed}"),
-            Self::UnknownKey { key, known } => {
-                write!(f, "there is no {key}; there are: {known}")
-            }
-            Self::File { path, reason } => write!(f, "{path} cannot be written: {reason}"),
             Self::NotRotation {
                 deviation,
                 determinant,
@@ -700,7 +649,7 @@ impl fmt::Display for Error {
 const MANY: f64 = 1e15;
 
 /// `value` as people write it: 0.25 and 45, but 1e308 and not three hundred zeros.
-pub(crate) fn plain(value: f64) -> String {
+pub fn plain(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-4..MANY).contains(&size) || !value.is_finite() {
         value.to_string()

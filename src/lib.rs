@@ -5,7 +5,6 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`math`] | the only door to elementary functions (`libm`), and double-double arithmetic |
-//! | [`interval`] | which values a parameter may take |
 //! | [`error`] | one error type; every variant carries the offending numbers |
 //! | [`frame`] | vectors on space-fixed, body-fixed and design axes as types |
 //! | [`attitude`] | unit quaternion, Euler angles z-x'-z'' and the other conventions, rotation vector |
@@ -21,6 +20,8 @@
 //! | [`planar`] | one-axis scenes with contacts and located events |
 //! | [`gimbals`] | a rotor in a ring and a fork that have inertia, and friction in their bearings |
 //! | [`tops`] | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
+//!
+//! The pages of the book are made by another crate, `kit` (`book/kit`), which stands on this one.
 //!
 //! # Notation
 //!
@@ -125,7 +126,6 @@ pub mod frame;
 pub mod gimbals;
 pub mod inertia;
 pub mod integrators;
-pub mod interval;
 pub mod math;
 pub mod motion;
 pub mod planar;

@@ -3,8 +3,7 @@
 
 use kit::cli::Outcome;
 use kit::draw::{Curve, Ink, Panel};
-use kit::{Claim, Example, Figure, Oracle, Page, Report, Trajectory, parse};
-use rotation_dynamics::Result;
+use kit::{Claim, Example, Figure, Oracle, Page, Report, Result, Trajectory, parse};
 use std::fs;
 use std::path::PathBuf;
 

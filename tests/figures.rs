@@ -2,8 +2,7 @@
 //! refused when they cannot be right.
 
 use kit::draw::{Axis, Curve, Ink, PALETTE, Panel, Side, Sketch, Solid, Stack, Sweep, View};
-use kit::{Figure, MovingPicture, times};
-use rotation_dynamics::Error;
+use kit::{Error, Figure, MovingPicture, times};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, exp, sin, sincos};
 
@@ -358,10 +357,11 @@ fn a_sweep_draws_its_lines_and_dots_over_one_axis() {
     assert_eq!(both, by_hand.curve(whole).curve(simulated));
     assert!(
         sweep
-            .simulated(|t| Err(Error::NotFinite {
+            .simulated(|t| Err(rotation_dynamics::Error::NotFinite {
                 name: "t",
                 value: t
-            }))
+            }
+            .into()))
             .is_err()
     );
 }

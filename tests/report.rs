@@ -1,10 +1,9 @@
 //! Claims, limits and reports: what may be printed, and what may not.
 
 use kit::{
-    Answer, Claim, DEGREES, EffectEntry, EffectLine, Limit, Oracle, Price, RECIPROCAL, Report,
-    Table, USUAL_SLIPS, Verdict, effect, parse,
+    Answer, Claim, DEGREES, EffectEntry, EffectLine, Error, Limit, Oracle, Price, RECIPROCAL,
+    Report, Table, USUAL_SLIPS, Verdict, effect, parse,
 };
-use rotation_dynamics::Error;
 use serde_json::{Value, json};
 
 fn claim(value: f64, oracle: f64, bound: f64) -> Result<Claim, Error> {
@@ -178,7 +177,10 @@ fn a_report_refuses_what_it_cannot_print() {
         work: "400 torques".into(),
         again: None,
     });
-    assert!(matches!(report.text(), Err(Error::NotFinite { .. })));
+    assert!(matches!(
+        report.text(),
+        Err(Error::Library(rotation_dynamics::Error::NotFinite { .. }))
+    ));
 }
 
 /// The order of the rules: right, listed slip, nearly, usual slip, wrong.

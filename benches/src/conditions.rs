@@ -50,7 +50,7 @@ impl Conditions {
     ///
     /// # Errors
     /// A name that a table cannot hold.
-    pub fn table(&self) -> rotation_dynamics::Result<Table> {
+    pub fn table(&self) -> kit::Result<Table> {
         let mut table = Table::new("conditions", ["condition", "value"])?;
         let all = [
             ("processor", &self.processor),

@@ -4,7 +4,7 @@
 //! of another, measured a moment earlier, wanders much less. So all are run in turn,
 //! round after round, and each round gives a ratio; their median is the answer.
 
-use rotation_dynamics::Result;
+use kit::Result;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 

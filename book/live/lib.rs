@@ -81,7 +81,7 @@ pub extern "C" fn open(n: usize) -> usize {
     let settings = taken();
     kept().picture = None;
     let told = MOVING[n].opened(&settings).and_then(|picture| {
-        let picture = picture.ok_or(rotation_dynamics::Error::Text {
+        let picture = picture.ok_or(kit::Error::Text {
             text: "a moving picture".into(),
             allowed: "this page has none",
         })?;

@@ -2,9 +2,8 @@
 
 use kit::cli::{Leaf, Outcome};
 use kit::draw::{PALETTE, Turn};
-use kit::{Figure, Lab, MovingPicture, quoted};
+use kit::{Error, Figure, Lab, MovingPicture, Result, quoted};
 use rotation_dynamics::integrators::Method;
-use rotation_dynamics::{Error, Result};
 
 /// `{"error": …}`.
 pub fn error(error: &dyn core::fmt::Display) -> String {

@@ -4,8 +4,8 @@ use super::ASKED;
 use super::honesty::{Spread, cases, spreads};
 use super::lines::{Measured, power};
 use kit::draw::{Axis, Curve, Ink, Panel, Side};
-use kit::{Figure, Prepared, Report, Table, rounded_up, short};
-use rotation_dynamics::{Error, Result};
+use kit::{Figure, Prepared, Report, Result, Table, rounded_up, short};
+use rotation_dynamics::Error;
 use std::sync::Arc;
 
 /// Random scenes; each is solved at eleven tolerances.
@@ -45,7 +45,7 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
                     row.push(format!("refused: at best {}", rounded_up(attainable)));
                     row.resize(7, "-".into());
                 }
-                Err(other) => return Err(other),
+                Err(other) => return Err(other.into()),
             }
             table.push(row)?;
         }
@@ -80,7 +80,7 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
 }
 
 /// The random scenes, judged once.
-fn random() -> Result<Arc<Vec<Spread>>> {
+fn random() -> rotation_dynamics::Result<Arc<Vec<Spread>>> {
     static JUDGED: Prepared<u64, Vec<Spread>> = Prepared::new();
     JUDGED.get(&SCENES, |count| spreads(&cases(*count)?))
 }

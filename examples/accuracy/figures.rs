@@ -4,8 +4,7 @@ use super::Parameters;
 use super::lines::{FLOW, Line, Measured, evaluations};
 use super::tables::price;
 use kit::draw::{Axis, Curve, Ink, Method as Look, Panel, Side};
-use kit::{Figure, rounded_up};
-use rotation_dynamics::Result;
+use kit::{Figure, Result, rounded_up};
 use rotation_dynamics::math::{EPS, pow};
 
 /// All of them.

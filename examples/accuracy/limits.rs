@@ -1,8 +1,7 @@
 //! Limits in which the error of a method is known, and what the errors of physics are.
 
 use super::motions::{free_problem, generic_rates};
-use kit::{CardLine, Report};
-use rotation_dynamics::Result;
+use kit::{CardLine, Report, Result};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};

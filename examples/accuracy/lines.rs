@@ -2,11 +2,11 @@
 
 use super::Parameters;
 use super::motions::{self, Motion};
-use kit::{Trajectory, rounded_up};
+use kit::{Result, Trajectory, rounded_up};
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::{Errors, Measure, Point, Run, Sweep, WorkPrecision};
 use rotation_dynamics::integrators::{Method, Work};
 use rotation_dynamics::math::{exp2, pow};
-use rotation_dynamics::{Error, Result};
 
 /// A method on a motion.
 pub struct Line {
@@ -165,7 +165,7 @@ impl Measured {
 fn over(
     motion: &Motion,
     settings: &[f64],
-    run: impl Fn(f64) -> Result<(rotation_dynamics::body::State, Work)>,
+    run: impl Fn(f64) -> rotation_dynamics::Result<(rotation_dynamics::body::State, Work)>,
 ) -> Sweep {
     Sweep::over(settings.iter().copied(), |setting| {
         let (reached, work) = run(setting)?;

@@ -26,7 +26,7 @@ pub trait Raced: Send + Sync {
     fn sweep(&self, method: Method, settings: &[f64]) -> Sweep;
     fn errors(&self, reached: &State) -> Errors;
     fn solved(&self, tolerance: f64) -> Result<Solved>;
-    fn add_strip(&self, report: &mut Report, tolerances: &[f64]) -> Result<()>;
+    fn add_strip(&self, report: &mut Report, tolerances: &[f64]) -> kit::Result<()>;
 }
 
 impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
@@ -52,7 +52,7 @@ impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
         super::solved(self, tolerance)
     }
 
-    fn add_strip(&self, report: &mut Report, tolerances: &[f64]) -> Result<()> {
+    fn add_strip(&self, report: &mut Report, tolerances: &[f64]) -> kit::Result<()> {
         report.strip(self, tolerances)
     }
 }
@@ -91,7 +91,7 @@ pub const THIRD: f64 = 1.0 / 3.0;
 
 // ANCHOR: motions
 /// All of them, over so many periods (of the rates, or of the nods).
-pub fn all(moments: PrincipalMoments, periods: f64) -> Result<Vec<Motion>> {
+pub fn all(moments: PrincipalMoments, periods: f64) -> kit::Result<Vec<Motion>> {
     // Figure 3 of the notes: a = 2, b = 1.2, c = 0.2, E~ = 0.55.
     let notes = (ReducedTop::new(2.0, 1.2, 0.2)?, 0.55, Start::ThetaMin);
     // A fast top released at rest: cusps, ten thousand nods in one round.
@@ -172,7 +172,7 @@ fn free(
     moments: PrincipalMoments,
     rates: BodyVector,
     periods: f64,
-) -> Result<Motion> {
+) -> kit::Result<Motion> {
     let problem = free_problem(moments, rates, periods)?;
     let (body, start, end) = (*problem.scene.body(), problem.start, problem.end);
     let exact = unpushed(&body, &start)?;
@@ -197,7 +197,7 @@ fn top(
     name: &'static str,
     (top, energy, at): (ReducedTop, f64, Start),
     periods: f64,
-) -> Result<Motion> {
+) -> kit::Result<Motion> {
     let exact = HeavyTop::from_energy(top, energy, at, 0.0, 0.0)?;
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, top.a())?);
     let scene = Scene::new(body).with(GravityAtLever::new(top.c(), 1.0)?);
@@ -266,7 +266,7 @@ impl Motion {
     /// By how much a disturbance of the state at time `t`, of relative size `size`, is
     /// magnified until the end: the sum over six directions, three in L and three in
     /// the attitude.
-    pub fn condition(&self, t: f64, size: f64) -> Result<f64> {
+    pub fn condition(&self, t: f64, size: f64) -> kit::Result<f64> {
         let state = (self.state)(t)?;
         let length = state.angular_momentum.norm();
         let unit = |i: usize, by: f64| {
@@ -292,7 +292,7 @@ impl Motion {
 
     /// The largest condition from a point of the path, the start included: what
     /// round-off on the way is magnified by. And the time of that point.
-    pub fn path_condition(&self, size: f64) -> Result<(f64, f64)> {
+    pub fn path_condition(&self, size: f64) -> kit::Result<(f64, f64)> {
         let mut largest = (0.0, self.condition(0.0, size)?);
         for k in 1..self.nodes {
             let t = self.end * f64::from(k) / f64::from(self.nodes);

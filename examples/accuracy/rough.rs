@@ -30,7 +30,7 @@ fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Resul
     Ok(fine([from, to])?.advance(&axes, from, state, to)?.0)
 }
 
-fn heavy() -> Result<(Scene<Gravity>, State)> {
+fn heavy() -> kit::Result<(Scene<Gravity>, State)> {
     let (body, start) = tilted(
         PrincipalMoments::new(1.0, 1.5, 0.8)?,
         BodyVector::new(0.3, 0.1, 2.0),
@@ -39,7 +39,7 @@ fn heavy() -> Result<(Scene<Gravity>, State)> {
 }
 
 /// A heavy body with three different moments, for four seconds a period.
-pub fn lopsided(periods: f64) -> Result<Motion> {
+pub fn lopsided(periods: f64) -> kit::Result<Motion> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
     let onward = move |state: &State, t, to| carried(&scene, state, [t, to]);
@@ -179,7 +179,7 @@ pub fn add(
     report: &mut Report,
     (moments, periods): (PrincipalMoments, f64),
     condition: f64,
-) -> Result<()> {
+) -> kit::Result<()> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
     let gauss = carried(&scene, &start, [0.0, end])?;

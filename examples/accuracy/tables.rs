@@ -3,8 +3,7 @@
 use super::ASKED;
 use super::lines::{FLOW, Line, Measured, SIZE, power};
 use kit::draw::Method as Look;
-use kit::{Report, Table, claim, rounded_up, short};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, claim, rounded_up, short};
 use rotation_dynamics::accuracy::{DigitPrice, Measure};
 use rotation_dynamics::integrators::Method;
 use rotation_dynamics::math::{EPS, exp2, log, log10, pow};

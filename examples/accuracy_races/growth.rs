@@ -2,8 +2,7 @@
 
 use super::drift::{Curve, Method, Point};
 use kit::draw::{Axis, Method as Look, Panel};
-use kit::{Figure, Report, Table, claim, rounded_up};
-use rotation_dynamics::Result;
+use kit::{Figure, Report, Result, Table, claim, rounded_up};
 
 /// Powers are fitted from here on, where rounding has had time to add up.
 const FROM: f64 = 100.0;

@@ -1,7 +1,6 @@
 //! Closed form or steps: the free body for longer and longer.
 
-use kit::{Report, Table, claim};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, claim};
 use rotation_dynamics::accuracy::{Measure, Problem, Variables};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};

@@ -11,7 +11,7 @@ pub struct Passage(pub f64);
 
 impl Passage {
     /// The attitude, without any differential equation.
-    pub fn attitude(&self, t: f64) -> Result<Attitude> {
+    pub fn attitude(&self, t: f64) -> rotation_dynamics::Result<Attitude> {
         let leaning = Attitude::about_space_axis(SpaceVector::new(0.0, 1.0, 0.0), self.0)?;
         leaning.turned_in_space(SpaceVector::new(t, 0.0, 0.0))
     }
@@ -24,7 +24,10 @@ impl Passage {
     }
 
     /// The end by Euler angles, as an attitude.
-    pub fn by_angles(&self, tolerance: f64) -> Result<(Attitude, [f64; 3], Work)> {
+    pub fn by_angles(
+        &self,
+        tolerance: f64,
+    ) -> rotation_dynamics::Result<(Attitude, [f64; 3], Work)> {
         let method = Dop853::new(tolerance)?;
         let (end, work) = method.advance(&rates_of_angles(), -1.0, &self.angles(-1.0), 1.0)?;
         let [phi, theta, zeta] = end;
@@ -36,7 +39,7 @@ impl Passage {
     }
 
     /// The end by quaternions.
-    pub fn by_quaternion(&self, tolerance: f64) -> Result<(Attitude, Work)> {
+    pub fn by_quaternion(&self, tolerance: f64) -> rotation_dynamics::Result<(Attitude, Work)> {
         let (method, start) = (Dop853::new(tolerance)?, self.attitude(-1.0)?.quaternion());
         let (end, work) = method.advance(&rates_of_quaternion(), -1.0, &start, 1.0)?;
         Ok((Attitude::from_quaternion(end)?, work))

@@ -11,7 +11,7 @@ pub fn by_angles(
     start: &Attitude,
     end: f64,
     step: f64,
-) -> Result<(Attitude, Work)> {
+) -> rotation_dynamics::Result<(Attitude, Work)> {
     let EulerAngles { phi, theta, zeta } = start.euler_angles();
     let method = Dop853::new(step)?;
     let ([phi, theta, zeta], work) =
@@ -28,7 +28,7 @@ pub fn by_quaternion(
     start: &Attitude,
     end: f64,
     step: f64,
-) -> Result<(Attitude, Work)> {
+) -> rotation_dynamics::Result<(Attitude, Work)> {
     let method = Dop853::new(step)?;
     let (end, work) = method.advance(&quaternion_of(omega), 0.0, &start.quaternion(), end)?;
     Ok((Attitude::from_quaternion(end)?, work))
@@ -44,7 +44,7 @@ pub fn passing(tilt: f64) -> Result<(SpaceVector, Attitude)> {
 
 /// An attitude from which the axle of a body with this angular velocity stays half a radian clear
 /// of both poles, in the vertical plane of that vector and beyond it.
-pub fn clear_of_poles(omega: SpaceVector) -> Result<Attitude> {
+pub fn clear_of_poles(omega: SpaceVector) -> rotation_dynamics::Result<Attitude> {
     let [x, y, z] = omega.to_array();
     // From the nearer pole to the vector, and from there to the axle, which goes round it.
     let tilt = atan2(hypot(x, y), z.abs());

@@ -12,7 +12,7 @@ fn perigee(p: &Parameters) -> [f64; 4] {
 }
 
 /// The longitude of the Sun `t` days after it was nearest, and the work.
-pub fn longitude(p: &Parameters, t: f64, step: f64) -> Result<(f64, Work)> {
+pub fn longitude(p: &Parameters, t: f64, step: f64) -> rotation_dynamics::Result<(f64, Work)> {
     let (end, work) = Dop853::new(step)?.advance(&path(p.year), 0.0, &perigee(p), t)?;
     Ok((atan2(end[1], end[0]), work))
 }
@@ -48,7 +48,9 @@ pub fn facing(rate: f64, motion: f64, step: f64) -> Result<[f64; 2]> {
         ode(move |_, [x, y, u, v]: &[f64; 4]| [-motion * y, motion * x, -rate * v, rate * u]);
     let (method, start) = (Dop853::new(step)?, [1.0, 0.0, 1.0, 0.0]);
     let until = 3.0 * TAU / (rate - motion);
-    let time = |f: fn(&[f64; 4]) -> f64| Ok(method.zero(&arrows, start, 2, until, f)?.0.t);
+    let time = |f: fn(&[f64; 4]) -> f64| {
+        Ok::<_, rotation_dynamics::Error>(method.zero(&arrows, start, 2, until, f)?.0.t)
+    };
     Ok([
         time(|[x, y, u, v]| x * v - y * u)?,
         time(|[_, _, _, v]| *v)?,

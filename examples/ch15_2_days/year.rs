@@ -1,7 +1,6 @@
 //! The true noons of a year: the largest and the smallest of their hours and of their days.
 
 use super::*;
-use rotation_dynamics::Error;
 
 /// What a year of sundial noons comes to, seconds; each with its day.
 #[derive(Clone, Copy)]
@@ -92,7 +91,7 @@ pub fn date(p: &Parameters, k: usize) -> String {
 pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let both = |p: &Parameters| {
         let found = orbit::noons(p, p.tolerance)?.0;
-        Ok::<_, Error>((extremes(p), Extremes::of(&found, p.day)))
+        Ok::<_, kit::Error>((extremes(p), Extremes::of(&found, p.day)))
     };
     let (a, b) = both(p)?;
     let (tilt, tilt_found) = both(&with(p, 0.0, p.obliquity))?;

@@ -6,8 +6,7 @@ use super::{
 };
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
-use kit::{Figure, MovingPicture, short, times};
-use rotation_dynamics::Result;
+use kit::{Figure, MovingPicture, Result, short, times};
 use rotation_dynamics::frame::{DesignVector, SpaceVector};
 use rotation_dynamics::inertia::InertiaTensor;
 use rotation_dynamics::math::{cbrt, cos, sin, sincos};

@@ -2,11 +2,11 @@
 
 use super::{Parameters, diagonal, uniform};
 use core::f64::consts::{FRAC_PI_2, TAU};
-use kit::{ClosedForm, Computation, Price, Report, Table, claim};
+use kit::{ClosedForm, Computation, Price, Report, Result, Table, claim};
+use rotation_dynamics::Error;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::MassProperties;
 use rotation_dynamics::math::{EPS, sincos};
-use rotation_dynamics::{Error, Result};
 
 /// How a coordinate runs through a solid: from 0 to 1, once round, or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ type Element = fn([f64; 3]) -> (f64, [f64; 3]);
 struct Row {
     name: &'static str,
     formulas: [&'static str; 3],
-    solid: Result<MassProperties>,
+    solid: rotation_dynamics::Result<MassProperties>,
     over: [Over; 3],
     element: Element,
 }
@@ -220,7 +220,7 @@ type Rule = fn(f64, u32) -> f64;
 const MOST: u32 = 1 << 22;
 
 /// Doubles the slices until they agree with half as many; the value, and all slices cut.
-fn agreed(rule: Rule, tolerance: f64) -> Result<(f64, u32)> {
+fn agreed(rule: Rule, tolerance: f64) -> rotation_dynamics::Result<(f64, u32)> {
     let (mut n, mut all) = (4, 4);
     let mut last = rule(TUBE / R, n);
     loop {
@@ -267,7 +267,7 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
             let (delivered, work, again) = match agreed(rule, requested) {
                 Ok((value, slices)) => {
                     let again = Computation::new(
-                        move || agreed(rule, requested),
+                        move || Ok(agreed(rule, requested)?),
                         move |(value, _)| Ok((value / exact - 1.0).abs()),
                     );
                     (
@@ -277,7 +277,7 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
                     )
                 }
                 Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into(), None),
-                Err(other) => return Err(other),
+                Err(other) => return Err(other.into()),
             };
             let (method, requested) = (method.into(), Some(requested));
             report.add(Price {

@@ -105,7 +105,7 @@ fn rates(p: &Parameters) -> Result<Figure> {
     let run = Plank::smooth(p).fall(1e-9, 1e-6, 0.0)?;
     let end = run.end_time();
     let dots = sampled(times(end - 2.2 * unit, end, 14), |t| {
-        run.at(t).map(|s| (s.q[2], s.v[2]))
+        Ok(run.at(t).map(|s| (s.q[2], s.v[2]))?)
     })?;
     let held = |a: f64| (6.0_f64).sqrt() / unit * sin(0.5 * a);
     Panel::new("rates", alt)

@@ -46,7 +46,7 @@ fn rough_start(p: &Parameters) -> f64 {
 }
 
 /// The fall on a rough floor from there.
-pub fn rubbing(p: &Parameters, mu: f64) -> Result<Fall> {
+pub fn rubbing(p: &Parameters, mu: f64) -> rotation_dynamics::Result<Fall> {
     let plank = Plank {
         mu,
         ..Plank::smooth(p)

@@ -6,8 +6,7 @@ use super::swarm::{self, Swarm, angle, step};
 use super::{Parameters, Shaft, euler, shape};
 use core::f64::consts::FRAC_PI_2;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, View};
-use kit::{Figure, times};
-use rotation_dynamics::Result;
+use kit::{Figure, Result, times};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::sincos;
 

@@ -3,8 +3,7 @@
 use super::{Parameters, Shaft};
 use core::f64::consts::TAU;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use kit::{MovingPicture, Trajectory, times};
-use rotation_dynamics::Result;
+use kit::{MovingPicture, Result, Trajectory, times};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);

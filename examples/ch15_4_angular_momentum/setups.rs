@@ -3,8 +3,7 @@
 use super::worked::Runner;
 use core::f64::consts::PI;
 use kit::draw::{Curve, Ink, Side, Sketch, Solid, View};
-use kit::{Figure, times};
-use rotation_dynamics::Result;
+use kit::{Figure, Result, times};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sincos;
 

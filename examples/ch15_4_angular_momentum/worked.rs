@@ -3,9 +3,8 @@
 use super::swarm::{Grain, Swarm, ball, chord, cuboid, cylinder, step};
 use super::{Parameters, Shaft, euler, turning};
 use core::f64::consts::{FRAC_PI_2, TAU};
-use kit::Report;
 use kit::interval::from_to;
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::sincos;
 

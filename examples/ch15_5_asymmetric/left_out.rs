@@ -1,13 +1,13 @@
 //! What this scene leaves out, for the book thrown in a room.
 
 use super::{Parameters, Tumble, euler, length};
-use kit::{Report, Table, short};
+use kit::{Report, Result, Table, short};
+use rotation_dynamics::Error;
 use rotation_dynamics::effects::{Effect, GravityGradient};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
 use rotation_dynamics::math::atan2;
 use rotation_dynamics::scene::Scene;
-use rotation_dynamics::{Error, Result};
 
 /// The drag coefficient C of the cover.
 fn drag(p: &Parameters) -> f64 {
@@ -117,7 +117,7 @@ pub fn add_air(p: &Parameters, tumble: &Tumble, report: &mut Report) -> Result<(
                 [met.t, length(tumble.carried(met.state)) / tumble.momentum()].map(|x| short(x, 4))
             }
             Err(Error::NotReached { .. }) => ["-", "-"].map(String::from),
-            Err(error) => return Err(error),
+            Err(error) => return Err(error.into()),
         };
         table.push([flip.to_string(), short(due, 4), t, left])?;
     }

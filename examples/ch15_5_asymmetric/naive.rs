@@ -2,8 +2,7 @@
 //! would.
 
 use super::{Naive, Parameters, Tumble, box_moments, euler};
-use kit::{Report, times};
-use rotation_dynamics::Result;
+use kit::{Report, Result, times};
 use rotation_dynamics::integrators::foils::SemiImplicitEuler;
 use rotation_dynamics::integrators::{Integrator, Ode, Rk4};
 use rotation_dynamics::scene::Scene;
@@ -52,7 +51,7 @@ fn crossing(steps: f64) -> f64 {
 }
 
 /// The same method in the library's foil: the rates after so many steps.
-fn after_of_the_foil(steps: f64, count: u64) -> Result<[f64; 3]> {
+fn after_of_the_foil(steps: f64, count: u64) -> rotation_dynamics::Result<[f64; 3]> {
     let tumble = book();
     let scene = Scene::new(tumble.body()?);
     let start = tumble.free_body()?.state(0.0);
@@ -63,7 +62,11 @@ fn after_of_the_foil(steps: f64, count: u64) -> Result<[f64; 3]> {
 
 /// The step in which the foil crosses, near this time.
 fn crossing_of_the_foil(steps: f64, near: f64) -> Result<f64> {
-    let crossed = |count| Ok(side(book().moments, after_of_the_foil(steps, count)?) <= 0.0);
+    let crossed = |count| {
+        Ok::<_, rotation_dynamics::Error>(
+            side(book().moments, after_of_the_foil(steps, count)?) <= 0.0,
+        )
+    };
     // Its products are rounded in another order: a few steps to either side.
     let first = (near * steps) as u64 - 5;
     for count in first..first + 10 {

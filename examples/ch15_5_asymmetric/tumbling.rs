@@ -3,8 +3,7 @@
 use super::{Parameters, Tumble, tumble, unit};
 use core::f64::consts::TAU;
 use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
-use kit::{MovingPicture, sampled, times};
-use rotation_dynamics::Result;
+use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{atan2, cos, sin, sincos};

@@ -2,8 +2,7 @@
 
 use super::{Parameters, flattening, spin};
 use core::f64::consts::{PI, TAU};
-use kit::Report;
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};

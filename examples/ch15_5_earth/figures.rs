@@ -4,8 +4,7 @@ use super::equinoxes::{self, ARCSEC, YEAR};
 use super::{Parameters, alpha, flattening, motion, yielding};
 use core::f64::consts::{PI, TAU};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
-use kit::{Figure, MovingPicture, times};
-use rotation_dynamics::Result;
+use kit::{Figure, MovingPicture, Result, times};
 use rotation_dynamics::math::{cos, hypot, sincos, tan};
 
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

@@ -2,9 +2,8 @@
 
 use super::{Parameters, alpha, flattening};
 use core::f64::consts::TAU;
-use kit::Report;
 use kit::interval::from_to;
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 use rotation_dynamics::integrators::{Dop853, ode};
 use rotation_dynamics::math::tan;
 

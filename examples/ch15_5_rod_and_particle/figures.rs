@@ -3,8 +3,7 @@
 use super::{Answer, Blow, END, Parameters, ratio, scene};
 use core::f64::consts::FRAC_PI_2;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
-use kit::{Figure, MovingPicture, Trajectory, sampled, times};
-use rotation_dynamics::Result;
+use kit::{Figure, MovingPicture, Result, Trajectory, sampled, times};
 use rotation_dynamics::math::{pow, sincos};
 
 /// All figures of the page.

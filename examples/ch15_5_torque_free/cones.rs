@@ -3,8 +3,7 @@
 use super::{LINE, Parameters, Top, top};
 use core::f64::consts::TAU;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use kit::{MovingPicture, sampled, times};
-use rotation_dynamics::Result;
+use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, sin, sincos};
 

@@ -2,8 +2,7 @@
 
 use super::{Parameters, Top};
 use core::f64::consts::PI;
-use kit::Report;
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{DiscDrag, Effect, GravityGradient, Torque};
 use rotation_dynamics::frame::SpaceVector;

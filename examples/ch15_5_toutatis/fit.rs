@@ -80,7 +80,7 @@ pub fn least_squares(
             });
         }
     }
-    Err(Error::Text {
+    Err(kit::Error::Text {
         text: "the fit".into(),
         allowed: "steps of a fit must become small in sixty",
     })

@@ -41,7 +41,7 @@ pub fn observed() -> Result<Vec<Observed>> {
 }
 
 /// The attitude of three angles z-x'-z'', degrees.
-pub fn attitude(degrees: [f64; 3]) -> Result<Attitude> {
+pub fn attitude(degrees: [f64; 3]) -> rotation_dynamics::Result<Attitude> {
     let [phi, theta, zeta] = degrees.map(f64::to_radians);
     Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }

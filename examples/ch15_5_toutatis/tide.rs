@@ -99,7 +99,7 @@ impl Changed {
     }
 
     /// The free motion that goes on from here.
-    pub fn onward(&self, start: &Start) -> Result<FreeBody> {
+    pub fn onward(&self, start: &Start) -> rotation_dynamics::Result<FreeBody> {
         let rates = start.body()?.angular_velocity(&self.after);
         FreeBody::new(start.body()?.moments(), self.after.attitude, rates)
     }

@@ -71,7 +71,7 @@ figures! { p: &Parameters;
             let all = times(0.0, before.max(0.0), 2).chain(times(after, 1.2 * a.time, 60));
             let points = sampled(all, |t| Ok((t, run.at(t)?.v[1] - run.at(t)?.v[2])))?;
             let curve = Curve::new(points, ink);
-            Ok::<_, Error>(panel.curve(match part > 0.0 {
+            Ok::<_, kit::Error>(panel.curve(match part > 0.0 {
                 true => curve.dashed().label_at(&format!("from {drop:.1} m"), hit, a.relative * (1.0 - 0.4 * hit / a.time), Side::Right),
                 false => curve.label_at("without a fall", 0.45 * a.time, 0.55 * a.relative, Side::BelowLeft),
             }))
@@ -113,7 +113,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let curve = |k: usize, name: &str, first: f64, side: Side| {
         let points = sampled(all(), |t| Ok((t, run.at(t)?.v[k])))?;
         let (t, rate) = (0.4 * a.time, a.common + 0.6 * (first - a.common));
-        Ok::<_, Error>(Curve::new(points, Ink::Velocity).label_at(name, t, rate, side))
+        Ok::<_, kit::Error>(Curve::new(points, Ink::Velocity).label_at(name, t, rate, side))
     };
     let graph = Panel::over_axes("$t$ / s", r"$\Omega$ / rad/s")
         .level(a.common, Ink::Frame, "")

@@ -122,7 +122,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (time, end) = (time(&p), run.end_time());
     let speed = |k: usize, r: f64| {
         let points = sampled(times(0.0, end, 120), |t| Ok((t, r * run.at(t)?.v[k])))?;
-        Ok::<_, rotation_dynamics::Error>(Curve::new(points, Ink::Velocity))
+        Ok::<_, kit::Error>(Curve::new(points, Ink::Velocity))
     };
     let (of_a, of_b) = (speed(0, a)?, speed(1, -b)?.dashed());
     let graph = Panel::over_axes("$t$ / s", "speed of the rim / m/s")

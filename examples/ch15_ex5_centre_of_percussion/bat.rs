@@ -162,7 +162,7 @@ impl Blow {
     /// How much of the impulse of a soft ball is left in a vibration of this angular frequency
     /// that it sets going: the length of the integral of force times e^(i omega t), over that
     /// of the force.
-    pub fn left_swinging(&self, frequency: f64) -> Result<f64> {
+    pub fn left_swinging(&self, frequency: f64) -> kit::Result<f64> {
         let all = times(self.touch, self.motion.end_time(), 600);
         let pushed = sampled(all, |t| {
             let (force, (s, c)) = (
@@ -182,9 +182,9 @@ impl Blow {
     }
 
     /// The largest of each.
-    pub fn largest_forces(&self) -> Result<[f64; 2]> {
+    pub fn largest_forces(&self) -> kit::Result<[f64; 2]> {
         let all = times(self.touch, self.motion.end_time(), 600);
-        let all = sampled(all, |t| self.forces(t))?;
+        let all = sampled(all, |t| Ok(self.forces(t)?))?;
         let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         Ok([0, 1].map(|k| all.iter().map(|now| now[k]).fold(0.0, larger)))
     }

@@ -61,7 +61,7 @@ figures! { p: &Parameters;
 }
 
 /// The blow of the page by a soft ball.
-fn blow(p: &Parameters) -> Result<Blow> {
+fn blow(p: &Parameters) -> rotation_dynamics::Result<Blow> {
     Blow::new(Strike::soft(p), SOFT)
 }
 
@@ -87,7 +87,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let of = |t| Ok((1e3 * t, sense * 1e-3 * run.forces(t)?[k]));
         let curve = Curve::new(sampled(times(0.0, end, 240), of)?, Ink::Force);
         let t = 1e3 * (from + part * p.contact);
-        Ok::<_, rotation_dynamics::Error>(curve.label_at(name, t, sense * high * 1e-3 * most, side))
+        Ok::<_, kit::Error>(curve.label_at(name, t, sense * high * 1e-3 * most, side))
     };
     let graph = Panel::over_axes("$t$ / ms", "force / kN")
         .level(0.0, Ink::Frame, "")

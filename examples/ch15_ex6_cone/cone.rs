@@ -121,7 +121,7 @@ pub fn left_to_itself(
 
 /// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned
 /// about itself by `spin` since.
-pub fn placed(rise: f64, azimuth: f64, spin: f64) -> Result<Attitude> {
+pub fn placed(rise: f64, azimuth: f64, spin: f64) -> rotation_dynamics::Result<Attitude> {
     let (phi, theta) = (azimuth + FRAC_PI_2, FRAC_PI_2 - rise);
     Attitude::from_euler(EulerAngles {
         phi,

@@ -123,7 +123,7 @@ impl Pulled {
     }
 
     /// The angle from the time 0 to `t`, in small steps.
-    pub fn angle(&self, t: f64) -> Result<f64> {
+    pub fn angle(&self, t: f64) -> kit::Result<f64> {
         let last = self.at(t)?;
         let count = 1 + (2.0 * t * across(&last) / radius(&last)) as u32;
         let places = sampled(times(0.0, t, count), |t| Ok(self.at(t)?.q))?;

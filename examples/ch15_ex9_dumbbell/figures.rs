@@ -186,7 +186,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             Ok((t * unit, v0 * hypot(x, y)))
         };
         let all = times(from, -1e-9, 2).chain(times(0.0, to, 160));
-        Ok::<_, rotation_dynamics::Error>(Curve::new(sampled(all, speed)?, ink).label_end(name))
+        Ok::<_, kit::Error>(Curve::new(sampled(all, speed)?, ink).label_end(name))
     };
     let speeds = Axis::linear("speed / (m/s)").range(0.0, 1.4 * v0);
     let graph = Panel::over_axes("$t$ / s", speeds)
@@ -209,7 +209,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let been = |k: usize| {
             let place = |t| Ok(places(&run.at(t)?.q)[k].into());
             let path = sampled(times(0.0, now.max(1e-9), 120), place)?;
-            Ok::<_, rotation_dynamics::Error>(Curve::new(path, Ink::Body).thin())
+            Ok::<_, kit::Error>(Curve::new(path, Ink::Body).thin())
         };
         let when = if now < 0.0 { "before" } else { "after" };
         let alt = format!(

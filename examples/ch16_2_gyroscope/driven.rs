@@ -2,9 +2,8 @@
 
 use super::Parameters;
 use super::rotor::{ROTOR, asked_for};
-use kit::Report;
 use kit::heavy_top::{Added, Stepped};
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;

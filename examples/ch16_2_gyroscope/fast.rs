@@ -1,7 +1,6 @@
 //! The fast rotor, released at rest: its three formulas, and by how much they miss.
 
-use kit::{Report, Table, claim, sampled, supported_digits};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, claim, sampled, supported_digits};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
 use rotation_dynamics::math::{cos, log, sin};
 
@@ -11,7 +10,7 @@ use core::f64::consts::{PI, TAU};
 pub const SHAPE: f64 = 9e-4 / 5.45e-3;
 
 /// A rotor released at rest at the tilt `theta`, with c/a = `ratio`.
-pub fn released(theta: f64, ratio: f64) -> Result<HeavyTop> {
+pub fn released(theta: f64, ratio: f64) -> rotation_dynamics::Result<HeavyTop> {
     let top = ReducedTop::new(SHAPE, cos(theta), ratio * SHAPE)?;
     HeavyTop::from_angles(top, theta, 0.0, 0.0, 0.0)
 }

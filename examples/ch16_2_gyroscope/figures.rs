@@ -5,8 +5,7 @@ use super::picture::{HUB, UP, camera, causes, on_stand};
 use super::{Equations, Parameters, driven, fast};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
 use kit::heavy_top::{Motion, Pose, direction, extents};
-use kit::{Figure, sampled, times};
-use rotation_dynamics::Result;
+use kit::{Figure, Result, sampled, times};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow};
 

@@ -1,8 +1,7 @@
 //! What friction in the bearing of the line of nodes makes of the motion in the end.
 
 use super::Equations;
-use kit::{Report, claim};
-use rotation_dynamics::Result;
+use kit::{Report, Result, claim};
 use rotation_dynamics::exact::heavy_top::ReducedTop;
 use rotation_dynamics::integrators::{Dop853, Event, Solution};
 use rotation_dynamics::math::{acos, cos, log, sin};
@@ -11,7 +10,7 @@ use rotation_dynamics::math::{acos, cos, log, sin};
 pub const FRICTION: f64 = 0.15;
 
 /// The cusped motion with friction in the bearing of the line of nodes.
-pub fn damped(end: f64) -> Result<Solution<4>> {
+pub fn damped(end: f64) -> rotation_dynamics::Result<Solution<4>> {
     let (a, b, c, friction) = (2.0, 0.6, 0.2, FRICTION);
     let start = [acos(b), 0.0, 0.0, 0.0]; // released at rest
     let lowest = Event::falling("lowest", |_t, y: &[f64; 4]| y[1]);

@@ -1,8 +1,7 @@
 //! What the notes leave out, as torques on the rotor in slow steady precession at 60 degrees.
 
 use super::rotor::ROTOR;
-use kit::{CardLine, Report, claim, effect};
-use rotation_dynamics::Result;
+use kit::{CardLine, Report, Result, claim, effect};
 use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Torque};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{sin, sincos};

@@ -3,10 +3,10 @@
 
 use super::fast::{self, SHAPE};
 use kit::heavy_top::Motion;
-use kit::{Report, claim, sampled, times};
+use kit::{Report, Result, claim, sampled, times};
+use rotation_dynamics::Error;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::{Error, Result};
 
 use core::f64::consts::{PI, TAU};
 

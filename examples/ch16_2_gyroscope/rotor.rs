@@ -3,8 +3,7 @@
 
 use super::Parameters;
 use kit::heavy_top::{Motion, Nod, Steady};
-use kit::{Report, Table, claim, supported_digits};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table, claim, supported_digits};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;
@@ -45,7 +44,7 @@ pub const ROTOR: Rotor = Rotor {
 
 impl Rotor {
     /// Its motion in closed form.
-    pub fn motion(&self) -> Result<Motion> {
+    pub fn motion(&self) -> rotation_dynamics::Result<Motion> {
         let (mass, gravity) = (self.mass, self.gravity);
         let body = SymmetricTop::from_mass(self.i1, self.i3, mass, gravity, self.length)?;
         Motion::new("", HeavyTop::from_body(body, self.tilted(), self.rates())?)
@@ -67,7 +66,7 @@ impl Rotor {
     }
 
     /// In slow steady precession at its tilt.
-    pub fn steady(&self) -> Result<Steady> {
+    pub fn steady(&self) -> rotation_dynamics::Result<Steady> {
         let body = RigidBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?);
         let gravity = GravityAtLever::new(self.mass * self.gravity, self.length)?;
         Steady::new(body, gravity, self.theta, self.spin)
@@ -131,7 +130,9 @@ impl Rotor {
     fn can_be_held(&self, spin: f64) -> Result<bool> {
         let (a, momentum) = (self.i3 / self.i1, self.i3 * spin);
         let c = self.weight_moment() * self.i3 / (momentum * momentum);
-        let falls = |b: f64| Ok(ReducedTop::new(a, b, c)?.torque(self.theta));
+        let falls = |b: f64| {
+            Ok::<_, rotation_dynamics::Error>(ReducedTop::new(a, b, c)?.torque(self.theta))
+        };
         let (mut low, mut high) = (cos(self.theta), 10.0);
         for _ in 0..100 {
             let third = (high - low) / 3.0;
@@ -183,7 +184,7 @@ pub fn add(report: &mut Report) -> Result<()> {
         ];
         table.push(row)?;
         let claim = claim(key, meaning, value, unit).within(1e-12).answer(GROUP);
-        Ok::<_, rotation_dynamics::Error>(claim.against("quadrature over one nod", other))
+        Ok::<_, kit::Error>(claim.against("quadrature over one nod", other))
     };
     let rate = add(
         "rotor_rate",

@@ -7,7 +7,12 @@ const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 const WAYS: [LetGo; 3] = [LetGo::Motor, LetGo::Clamp, LetGo::All];
 
 /// The motion after the clamp, or more, is let go.
-fn motion(body: &Cylinder, what: LetGo, end: f64, step: f64) -> Result<Solution<4>> {
+fn motion(
+    body: &Cylinder,
+    what: LetGo,
+    end: f64,
+    step: f64,
+) -> rotation_dynamics::Result<Solution<4>> {
     Dop853::new(step)?.solve(&body.let_go(what), 0.0, &body.start(), end, &[])
 }
 

@@ -5,8 +5,7 @@
 use super::slowing::lead_by_angles;
 use super::{Body, TOP, WHEEL};
 use kit::heavy_top::Newton;
-use kit::{CardLine, EffectLine, Report, claim, effect, sampled, times};
-use rotation_dynamics::Result;
+use kit::{CardLine, EffectLine, Report, Result, claim, effect, sampled, times};
 use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Effect};
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::integrators::{Dop853, Ode};
@@ -168,13 +167,13 @@ pub fn add(report: &mut Report) -> Result<()> {
 }
 
 /// The drag of the air on a disc of this radius that spins with the body.
-fn disc(body: &Body, radius: f64) -> Result<DiscDrag> {
+fn disc(body: &Body, radius: f64) -> rotation_dynamics::Result<DiscDrag> {
     let (density, viscosity) = (DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY);
     DiscDrag::new(radius, density, viscosity, body.spin)
 }
 
 /// Dry friction of this torque against the spin of the body in steady precession.
-fn dry(body: &Body, torque: f64) -> Result<CoulombBearing> {
+fn dry(body: &Body, torque: f64) -> rotation_dynamics::Result<CoulombBearing> {
     let steady = body.steady()?;
     CoulombBearing::new(torque, steady.scene.body(), &steady.start, 0.0)
 }

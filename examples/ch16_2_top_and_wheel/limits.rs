@@ -1,8 +1,7 @@
 //! Limits in which the answer is known without solving anything.
 
 use super::{Body, WHEEL};
-use kit::Report;
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 
 use core::f64::consts::TAU;
 

@@ -3,8 +3,7 @@
 use super::{Body, Parameters, TOP, WHEEL, driven};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::heavy_top::{Pose, Steady};
-use kit::{MovingPicture, sampled, times};
-use rotation_dynamics::Result;
+use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{CoulombBearing, GravityAtLever};
@@ -19,14 +18,14 @@ use core::f64::consts::TAU;
 
 impl Body {
     /// As a rigid body that turns about its fixed point, and its weight.
-    pub fn parts(&self) -> Result<(RigidBody, GravityAtLever)> {
+    pub fn parts(&self) -> rotation_dynamics::Result<(RigidBody, GravityAtLever)> {
         let body = RigidBody::new(PrincipalMoments::symmetric(self.moment(), self.i3)?);
         let gravity = GravityAtLever::new(self.mass * self.gravity, self.length)?;
         Ok((body, gravity))
     }
 
     /// In slow steady precession at its tilt.
-    pub fn steady(&self) -> Result<Steady> {
+    pub fn steady(&self) -> rotation_dynamics::Result<Steady> {
         let (body, gravity) = self.parts()?;
         Steady::new(body, gravity, self.theta, self.spin)
     }

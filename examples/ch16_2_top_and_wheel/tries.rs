@@ -1,9 +1,8 @@
 //! What the page's tries come to, so that a reader without Rust can compare.
 
 use super::{Body, TOP, WHEEL};
-use kit::Report;
 use kit::heavy_top::Nod;
-use rotation_dynamics::Result;
+use kit::{Report, Result};
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 
 const ROOT: &str = "bisection of E~ - U_eff";

@@ -39,12 +39,12 @@ figures! { _: &Parameters;
         .curve(rates().exact(|x| cone(q(x))).label_at("stable", 1.3, 0.95, Side::Left))
         .curve(rates().exact(|x| -cone(q(x))))
         .curve(Curve::new([(1.0, 0.0), (2.6, 0.0)], Ink::Ink).dashed().label("unstable"))
-        .curve(rates().simulated(|x| settled(q(x), 1e-9))?.label("simulated"));
+        .curve(rates().simulated(|x| Ok(settled(q(x), 1e-9)?))?.label("simulated"));
 
     /// Tension over the weight against the rate: one up to the threshold, then, after a
     /// corner, the square of the rate over the threshold, nearly seven at the right end.
     reaction: {
-        let at_rest = |x| Ok(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 1.0, 0.0)));
+        let at_rest = |x| Ok::<_, rotation_dynamics::Error>(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 1.0, 0.0)));
         let simulated = |x| Ok(tension(q(x), at_rest(x)?) / squares(q(x))[1]);
         let weights = Axis::linear("$T/Mg$").range(0.0, 7.0);
         rates().exact_and_simulated(weights, |x| (x * x).max(1.0), simulated)?
@@ -86,7 +86,7 @@ const END: f64 = 58.72;
 const LONGEST: f64 = 3.0;
 
 /// The damped motion from the release.
-fn motion(p: &Parameters) -> Result<Solution<2>> {
+fn motion(p: &Parameters) -> rotation_dynamics::Result<Solution<2>> {
     swung(ratio(p)?, 0.12, p.release, END, p.tolerance)
 }
 

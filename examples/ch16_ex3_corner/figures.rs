@@ -113,7 +113,7 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
         let read = |ride: &Ride, i: usize, t: f64| Ok::<_, rotation_dynamics::Error>(ride.at((t / u.time).min(ride.end_time()))?.v[i].abs() / u.time);
         let (roll, rest) = (rate * p.radius / (3.0 * p.friction * p.gravity), rate / 3.0);
         let line = |points: Vec<(f64, f64)>, ink| Curve::new(points, ink);
-        let dots = |ride, i, ink| Ok::<_, rotation_dynamics::Error>(Curve::sampled(times(0.0, end, 12), |t| read(ride, i, t), ink)?.dots());
+        let dots = |ride, i, ink| Ok::<_, kit::Error>(Curve::sampled(times(0.0, end, 12), |t| Ok(read(ride, i, t)?), ink)?.dots());
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, rate))
             .curve(line(vec![(0.0, rate), (end / 1.2, 0.0), (end, 0.0)], Ink::Ink)
                 .label_at("pressed", 0.6 * end, 0.2 * rate, Side::BelowLeft))

@@ -118,7 +118,7 @@ figures! { _: &Parameters, d = usual()?, run = d.run(1e-12)?, end = run.transiti
         let tension = Axis::linear("$T_{max}/Mg$").range(0.0, 60.0);
         wound.panel(tension)
             .curve(wound.exact(|s| long_peak(&at(s))).label_at("very long string", 8.0, 37.0, Side::BelowRight))
-            .curve(wound.simulated(|s| at(s).peak(&at(s).run(1e-9)?))?.label("simulated"))
+            .curve(wound.simulated(|s| Ok(at(s).peak(&at(s).run(1e-9)?)?))?.label("simulated"))
     };
 }
 

@@ -12,7 +12,7 @@ fn ends(l: f64, theta: f64, (x, y): (f64, f64)) -> [(f64, f64); 2] {
 
 /// The exact path of the middle, in units of `unit`.
 fn path(exact: &Exact, unit: f64) -> Result<Curve> {
-    let middle = |t| exact.at(t).map(|s| (s.x_cm / unit, s.y_cm / unit));
+    let middle = |t| Ok(exact.at(t).map(|s| (s.x_cm / unit, s.y_cm / unit))?);
     let path = sampled(times(0.0, exact.landing_time(), 120), middle)?;
     Ok(Curve::new(path, Ink::Ink))
 }
@@ -84,7 +84,7 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
         // While both ends are held the ladder stays tangent to the astroid.
         let astroid = times(0.0, FRAC_PI_2, 60).map(|a| (l * pow(sin(a), 3.0), l * pow(cos(a), 3.0)));
         let run = &solved.run;
-        let simulated = sampled(times(0.0, run.end_time(), 12), |t| run.at(t).map(|s| (s.q[0], s.q[1])))?;
+        let simulated = sampled(times(0.0, run.end_time(), 12), |t| Ok(run.at(t).map(|s| (s.q[0], s.q[1]))?))?;
         let mut sketch = corner((-0.3 * l, 1.12 * l), (-0.06 * l, 1.03 * l), (1.1 * l, l));
         for t in times(0.0, exact.landing_time(), 12) {
             let strength = if t == 0.0 { 1.0 } else { 0.45 };

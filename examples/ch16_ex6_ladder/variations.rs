@@ -11,7 +11,7 @@ use rotation_dynamics::exact::ladder::Phase;
 const RUBS_FROM: f64 = 1e-9;
 
 /// The motion of another ladder from the same start, to nine digits where theta has them.
-fn slide(p: &Parameters, ladder: Ladder) -> Result<Slide> {
+fn slide(p: &Parameters, ladder: Ladder) -> rotation_dynamics::Result<Slide> {
     let end = 100.0 * Exact::new(p.length, p.gravity, p.angle)?.landing_time();
     motion_within(
         ladder,
@@ -46,7 +46,7 @@ fn holding_friction(p: &Parameters) -> f64 {
 }
 
 /// How the motion goes with this part of the friction that would hold the ladder.
-pub fn rubbing(p: &Parameters, part: f64) -> Result<Slide> {
+pub fn rubbing(p: &Parameters, part: f64) -> rotation_dynamics::Result<Slide> {
     if p.angle < RUBS_FROM {
         return Err(Error::OutOfRange {
             name: "angle",

@@ -53,7 +53,7 @@ fn frictions(
 
 /// Amplitudes of a swing from one radian, turning point by turning point, over the number of
 /// small swings since.
-fn amplitudes(share: f64, drag: f64) -> Result<Vec<(f64, f64)>> {
+fn amplitudes(share: f64, drag: f64) -> rotation_dynamics::Result<Vec<(f64, f64)>> {
     let scene = two_angles(share, drag);
     let turns = Event::falling("turns", |_, y: &[f64; 4]| y[1]);
     let start = [1.0, 0.0, 1.0, 0.0];

@@ -81,8 +81,8 @@ figures! { p: &Parameters;
             .equal_aspect()
             .level(v, Ink::Velocity, "$V$")
             .level(-v, Ink::Velocity, "$-V$");
-        let path = |offset, end| Ok::<_, Error>(Curve::new(portrait(p, 1.0, offset, end)?, Ink::Body));
-        let circle = |panel: Panel, part: f64| Ok::<_, Error>(panel.curve(path(part * v * a, TAU / swing)?.thin()));
+        let path = |offset, end| Ok::<_, kit::Error>(Curve::new(portrait(p, 1.0, offset, end)?, Ink::Body));
+        let circle = |panel: Panel, part: f64| Ok::<_, kit::Error>(panel.curve(path(part * v * a, TAU / swing)?.thin()));
         // A circle that is wider than the rollers are apart is no motion.
         let fits = |part: &f64| part * v * a < lift(p, 1.0);
         [0.35, 0.7, 0.999_999].into_iter().filter(fits).try_fold(panel, circle)?
@@ -106,7 +106,7 @@ figures! { p: &Parameters;
             let (x, y) = *right.last().unwrap_or(&(0.0, 0.0));
             let left: Vec<_> = right.iter().map(|(x, v)| (-x, -v)).collect();
             let curve = |points| Curve::new(points, Ink::Body).arrow(0.3);
-            Ok::<_, Error>(panel.curve(curve(right)).curve(curve(left))
+            Ok::<_, kit::Error>(panel.curve(curve(right)).curve(curve(left))
                 .ring(x, y, Ink::Body, "", Side::Above)
                 .ring(-x, -y, Ink::Body, "", Side::Above))
         })?

@@ -1,8 +1,7 @@
 //! What follows from the effects of a scene: its conserved quantities, and the balance of power
 //! for the energy that is not.
 
-use kit::{Table, rounded_up, short};
-use rotation_dynamics::Result;
+use kit::{Result, Table, rounded_up, short};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{

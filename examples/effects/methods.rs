@@ -3,8 +3,7 @@
 
 use super::Parameters;
 use super::desk::{Spinner, UP, gyroscope};
-use kit::Table;
-use rotation_dynamics::Result;
+use kit::{Result, Table};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
@@ -41,7 +40,7 @@ impl Paid {
         let exact = scene.solve(start, end, 1e-8)?.state.attitude;
         let dop853 = least(&exact, |level| {
             let method = Dop853::new(1e-3 * pow(10.0, -0.25 * level))?;
-            method.advance(scene, 0.0, start, end)
+            Ok(method.advance(scene, 0.0, start, end)?)
         });
         let split = if E::NATURE.torque_free || Resisted::new(scene, 0.0).is_err() {
             None

@@ -89,7 +89,7 @@ impl<E: Effect + Clone> Question<E> {
 
     /// Runs of DOP853, coarse to fine: evaluations of the torque, and how far each ends from
     /// `exact`, rad.
-    pub fn runs(&self, exact: &Attitude) -> Result<Vec<(f64, f64)>> {
+    pub fn runs(&self, exact: &Attitude) -> kit::Result<Vec<(f64, f64)>> {
         let mut runs = Vec::new();
         for n in 0..12 {
             let method = Dop853::new(1e-2 * pow(10.0, -f64::from(n)))?;

@@ -184,7 +184,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
     gimbals: {
         let longer = |k: f64, period: f64| -> Result<f64> { Ok(period / measured::bare(&heavier(p, k)?)? - 1.0) };
         let exact = |k: f64| -> f64 {
-            let nod = heavier(p, k).and_then(|y| Nod::of(&y.gimbals, &y.start));
+            let nod = heavier(p, k).and_then(|y| Ok(Nod::of(&y.gimbals, &y.start)?));
             nod.and_then(|nod| longer(k, nod.period)).unwrap_or(f64::NAN)
         };
         let small = exact(1e-4) / 1e-4;

@@ -41,12 +41,12 @@ pub fn bare(y: &Gyroscope) -> Result<f64> {
 }
 
 /// The nod of the rotor alone, by quadrature.
-pub fn nod_without_gimbals(y: &Gyroscope) -> Result<Nod> {
+pub fn nod_without_gimbals(y: &Gyroscope) -> rotation_dynamics::Result<Nod> {
     Nod::of(&Gimbals::new(*y.gimbals.rotor(), [0.0; 3], 0.0)?, &y.start)
 }
 
 /// The pose of steady precession at the bottom of the valley.
-pub fn steady(y: &Gyroscope) -> Result<Pose> {
+pub fn steady(y: &Gyroscope) -> rotation_dynamics::Result<Pose> {
     let (theta, axial) = (y.bottom()?, y.start.axial_momentum);
     let phi_rate = y.gimbals.steady_rate(theta, axial, 0.0)?;
     Ok(Pose {
@@ -64,7 +64,7 @@ pub fn walk(y: &Gyroscope, step: f64) -> Result<f64> {
 }
 
 /// Angular frequency of the smallest nods about it.
-pub fn smallest(y: &Gyroscope) -> Result<f64> {
+pub fn smallest(y: &Gyroscope) -> rotation_dynamics::Result<f64> {
     let (at, g) = (steady(y)?, &y.gimbals);
     let rate = g.nodding(at.theta, at.axial_momentum, at.phi_rate);
     let kicked = |size| {

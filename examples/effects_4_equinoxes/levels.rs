@@ -24,7 +24,10 @@ pub fn full(p: &Parameters) -> Result<(Full, State)> {
 }
 
 /// How it moves in the days of the parameters.
-pub fn turning<'s>(p: &Parameters, (scene, start): &'s (Full, State)) -> Result<SolvedMotion<'s>> {
+pub fn turning<'s>(
+    p: &Parameters,
+    (scene, start): &'s (Full, State),
+) -> rotation_dynamics::Result<SolvedMotion<'s>> {
     scene.solve_along(start, p.days * DAY, ATTITUDE, &Limits::default())
 }
 // ANCHOR_END: full
@@ -87,7 +90,7 @@ pub fn spin_in_closed_form(p: &Parameters) -> Result<f64> {
     let wobble = spin(p) / (1.0 - p.ellipticity);
     let behind = |t: f64| {
         let rate = SpaceVector::from_array(equation.derivative(t, &alone.at(t)?));
-        Ok(rate / wobble / ARCSEC)
+        Ok::<_, rotation_dynamics::Error>(rate / wobble / ARCSEC)
     };
     let first: SpaceVector = behind(0.0)?;
     let sizes = sampled(times(0.0, p.days * DAY, (8.0 * p.days) as u32), |t| {
@@ -116,7 +119,7 @@ pub fn node_left_out(p: &Parameters) -> Result<[f64; 2]> {
 
 /// The one ring: all that it does is to turn the axis.
 fn one_ring(p: &Parameters) -> Result<Solution<3>> {
-    run(p, as_one(p)?, 0, WHOLE * YEAR)
+    Ok(run(p, as_one(p)?, 0, WHOLE * YEAR)?)
 }
 
 /// The four levels.

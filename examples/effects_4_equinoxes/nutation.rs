@@ -35,7 +35,7 @@ fn arguments(p: &Parameters, t: f64) -> [f64; 3] {
 // ANCHOR: first_order
 /// The sizes of three terms to first order, in longitude (of a sine) and in the tilt (of a
 /// cosine), seconds of arc: of the Moon's node, of half a year, of half a month.
-pub fn first_order(p: &Parameters) -> Result<[[f64; 2]; 3]> {
+pub fn first_order(p: &Parameters) -> rotation_dynamics::Result<[[f64; 2]; 3]> {
     let by = 1.5 * p.ellipticity / spin(p) / ARCSEC;
     let ((s, c), (si, ci)) = (sincos(p.obliquity), sincos(p.moon_inclination));
     // The Moon's ring tilts the normal by i; its node turns against the equinox.
@@ -60,7 +60,7 @@ pub fn first_order(p: &Parameters) -> Result<[[f64; 2]; 3]> {
 // ANCHOR_END: first_order
 
 /// The first so many of the terms at a time, together, in longitude and tilt, rad.
-pub fn at(p: &Parameters, t: f64, terms: usize) -> Result<[f64; 2]> {
+pub fn at(p: &Parameters, t: f64, terms: usize) -> rotation_dynamics::Result<[f64; 2]> {
     let mut sum = [0.0; 2];
     for ([longitude, tilt], x) in first_order(p)?.into_iter().zip(arguments(p, t)).take(terms) {
         let (s, c) = sincos(x);

@@ -66,7 +66,8 @@ pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
     } * YEAR;
     let path = run(p, as_one(p)?, 0, span)?;
     // The first maximum of the cosine, halved down: coarsely over the last two centuries.
-    let near = |t: f64| Ok(SpaceVector::from_array(path.at(t)?).dot(&at));
+    let near =
+        |t: f64| Ok::<_, rotation_dynamics::Error>(SpaceVector::from_array(path.at(t)?).dot(&at));
     let before = span - 200.0 * YEAR * span.signum();
     let mut around = [if before * span > 0.0 { before } else { 0.0 }, span];
     for _ in 0..60 {
@@ -84,7 +85,8 @@ pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
 
 pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [polaris, thuban, vega, ..] = &STARS;
-    let found = |star, about| Ok((closest(p, star, about), simulated(p, star, about)?));
+    let found =
+        |star, about| Ok::<_, kit::Error>((closest(p, star, about), simulated(p, star, about)?));
     let (next, by_polaris) = found(polaris, 0.0)?;
     let (past, by_thuban) = found(thuban, -5000.0)?;
     let (far, by_vega) = found(vega, 12_000.0)?;

@@ -58,7 +58,7 @@ fn path(run: &Solution<3>, pieces: u32) -> Result<Vec<SpaceVector>> {
 }
 
 /// The body of the page from its start, for so long.
-fn falling(p: &Parameters, body: &Lossy, time: f64) -> Result<Solution<3>> {
+fn falling(p: &Parameters, body: &Lossy, time: f64) -> rotation_dynamics::Result<Solution<3>> {
     Dop853::new(1e-11)?.solve(&body.equations(), 0.0, &start(p.aside), time, &[])
 }
 

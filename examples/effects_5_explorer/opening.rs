@@ -31,7 +31,7 @@ pub type Losing = Scene<((), InternalDissipation)>;
 
 impl Opening {
     /// The uniform cylinder of these parameters.
-    pub fn new(p: &Parameters) -> Result<Self> {
+    pub fn new(p: &Parameters) -> kit::Result<Self> {
         let (r, l) = (0.5 * p.diameter, p.length);
         let (axial, transverse) = (0.5 * p.mass * r * r, p.mass * (r * r / 4.0 + l * l / 12.0));
         let ratio = transverse / axial;

@@ -86,7 +86,7 @@ figures! { p: &Parameters;
     waiting: {
         let angles = |n| times(-9.0, -0.3, n).map(|e| pow(10.0, e));
         let exact = |toward| {
-            let wait = |x| unit(p, x, toward).and_then(|throw| throw.until_flip()).unwrap_or(f64::NAN);
+            let wait = |x| unit(p, x, toward).and_then(|throw| Ok(throw.until_flip()?)).unwrap_or(f64::NAN);
             Curve::of(angles(90), wait, Ink::Ink)
         };
         let simulated = |toward| Curve::sampled(angles(9), |x| Ok(unit(p, x, toward)?.flip(1, 1e-13)?.t), Ink::Body);
@@ -111,7 +111,7 @@ figures! { p: &Parameters;
             let line = Curve::of(times(0.0, 4.0, 240), |t| angle(free.angular_velocity(t).to_array()), Ink::Ink);
             let run = Dop853::new(1e-13)?.solve(&euler(throw.moments), 0.0, &throw.rates, 4.0, &[])?;
             let dots = Curve::sampled(times(0.1, 3.9, 19), |t| Ok(angle(run.at(t)?)), Ink::Body)?.dots();
-            Ok::<_, rotation_dynamics::Error>(panel.curve(line.label_at(label, x, y, side)).curve(dots))
+            Ok::<_, kit::Error>(panel.curve(line.label_at(label, x, y, side)).curve(dots))
         })?
     };
 
@@ -130,7 +130,7 @@ figures! { p: &Parameters;
             let [x, _, y] = throw.rates.map(|rate| rate / TAU);
             let inside = x.abs().max(y.abs()) < wide;
             let over = throw.until_flip()? < 1.0;
-            Ok::<_, rotation_dynamics::Error>(match (inside, over) {
+            Ok::<_, kit::Error>(match (inside, over) {
                 (false, _) => panel,
                 (true, true) => panel.dot(x, y, Ink::Body, "", Side::Above),
                 (true, false) => panel.ring(x, y, Ink::Ink, "", Side::Above),
@@ -156,7 +156,7 @@ figures! { p: &Parameters;
         spreads.into_iter().try_fold(panel, |panel, (spread, label, x, y)| {
             let exact = turns.exact(|x| 1.0 - steady(moments, x, spread).unwrap_or(f64::NAN)).label_at(label, x, y, Side::Left);
             let counted = |x| part(hand(600, moments, TAU, spread), |throw| Ok(throw.until_flip()? < x));
-            Ok::<_, rotation_dynamics::Error>(panel.curve(exact).curve(turns.simulated(counted)?))
+            Ok::<_, kit::Error>(panel.curve(exact).curve(turns.simulated(counted)?))
         })?
     };
 

@@ -46,7 +46,7 @@ fn damped(p: &Parameters) -> Result<Solution<3>> {
         offset: p.offset,
         ..Compass::new(p)?
     };
-    c.run([p.release, c.rest()[1]], END, p.tolerance)
+    Ok(c.run([p.release, c.rest()[1]], END, p.tolerance)?)
 }
 
 /// Azimuth against minutes.

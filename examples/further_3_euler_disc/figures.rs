@@ -157,7 +157,7 @@ figures! { p: &Parameters, losses = both(p)?, time = (p.radius / p.gravity).sqrt
         let mut panel = Panel::over_axes("$t$ / s", Axis::linear(r"$(\Omega/\Omega_0)^{-1/\beta}$").range(0.0, 1.0));
         let from = settled.at(0.0)?.rate;
         for (name, n, at, side) in [(r"$\beta = 0.12$", 0.12, 0.5, Side::BelowLeft), (r"$\beta = 1/6$", 1.0 / 6.0, 0.3, Side::AboveRight), (r"$\beta = 0.3$", 0.3, 0.75, Side::AboveRight)] {
-            let z = |t: f64| Ok::<_, Error>((t * time, pow(settled.at(t)?.rate / from, -1.0 / n)));
+            let z = |t: f64| Ok::<_, kit::Error>((t * time, pow(settled.at(t)?.rate / from, -1.0 / n)));
             let curve = Curve::new(sampled(times(0.0, settled.passed[2], 120), z)?, Ink::Velocity);
             let (x, y) = z(at * settled.end)?;
             let curve = if n == 1.0 / 6.0 { curve } else { curve.dashed() };

@@ -157,7 +157,7 @@ pub fn settling(
     least: f64,
     end: f64,
     step: f64,
-) -> Result<Solution<9>> {
+) -> rotation_dynamics::Result<Solution<9>> {
     let passes = |name, mark| Event::falling(name, move |_, y: &[f64; 9]| Disc::new(y).tilt - mark);
     let lifts = Event::falling("lifts off", move |_, y: &[f64; 9]| {
         Disc::new(y).force(loss).z()

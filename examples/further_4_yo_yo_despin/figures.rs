@@ -84,7 +84,7 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
             .curve(lengths.exact(|l| a.spin_outward(l)).label_at("outward", 5.0, 0.2, Side::Left))
             .curve(Curve::of(times(0.0, 12.0, 120), arms, Ink::Velocity).dashed().label_at("wrong: rigid arms", 7.2, 0.68, Side::Right))
             .curve(lengths.simulated(|l| Ok(with(l).run(1e-9)?.transition("unwound")?.before[2]))?)
-            .curve(lengths.simulated(|l| with(l).last_spin(1e-9))?)
+            .curve(lengths.simulated(|l| Ok(with(l).last_spin(1e-9)?))?)
     };
 
     /// Pull of a string over 2 m w0^2 R against the time in 1/w0. It rises from zero, is nearly

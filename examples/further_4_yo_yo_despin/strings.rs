@@ -189,7 +189,7 @@ impl Reel {
 }
 
 /// Where a falling function is zero, by the secant with the sides kept apart.
-pub fn zero([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
+pub fn zero([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> kit::Result<f64> {
     let (mut above, mut below, mut last) = (f(low)?, f(high)?, 0);
     let apart = -above * below;
     let parted = at_least(0.0).because("no string in between leaves the spin that is wanted");

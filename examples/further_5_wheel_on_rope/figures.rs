@@ -91,7 +91,7 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
                 Ok(after_a_while(wheel, rise, 1e-12)?[0] / wheel.lecture())
             });
             let label = format!("{spin} rad/s");
-            Ok::<_, Error>(panel
+            Ok::<_, kit::Error>(panel
                 .curve(line.label_at(&label, at, ratio(at).unwrap_or(1.0), if spin > 15.0 { Side::Below } else { Side::Left }))
                 .curve(Curve::new(dots, Ink::Body).dots()))
         })?
@@ -115,7 +115,7 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
                 let line = Curve::new(found(times(6.0, 25.0, 120), |spin| frequency(spin, k)), Ink::Ink);
                 let dots = found([7.0, 10.0, 14.0, 21.0], |spin| simulated(spin, k));
                 let label = line.label_at(label, at, frequency(at, k).unwrap_or(1.0), side);
-                Ok::<_, Error>(panel.curve(label).curve(Curve::new(dots, Ink::Body).dots()))
+                Ok::<_, kit::Error>(panel.curve(label).curve(Curve::new(dots, Ink::Body).dots()))
             })?
     };
 
@@ -139,7 +139,7 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
     /// a ring. Dots of the linear theory lie near the simulated line, less so at the end.
     above: {
         let end = let_go.end_time().min(2.0 * PI / wheel.lecture().abs());
-        let at = |t: f64| Ok(from_above(&wheel, &let_go.at(t)?));
+        let at = |t: f64| Ok::<_, rotation_dynamics::Error>(from_above(&wheel, &let_go.at(t)?));
         let centre = sampled(times(0.0, end, 500), |t| Ok(at(t)?[0]))?;
         let hook = sampled(times(0.0, end, 900), |t| Ok(at(t)?[1]))?;
         let theory = times(0.0, end, 24).map(|t| drawn_round(&wheel, t));
@@ -157,7 +157,7 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             let run = wheel.let_go(push, 0.8, 1e-12)?;
             let pull = |t: f64| Ok(wheel.tension(&place(&run.at(t)?)) / (wheel.mass * wheel.gravity));
             let curve = Curve::sampled(times(0.0, run.end_time(), 300), pull, Ink::Force)?;
-            Ok::<_, Error>(curve.label_at(label, at.0, at.1, at.2))
+            Ok::<_, kit::Error>(curve.label_at(label, at.0, at.1, at.2))
         };
         Panel::over_axes(Axis::linear("$t$ / s").range(0.0, 0.8), Axis::linear("$T/mg$").range(0.0, 2.4))
             .curve(pull(0.0, "let go at rest", (0.55, 1.3, Side::Above))?)

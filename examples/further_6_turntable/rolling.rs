@@ -215,7 +215,7 @@ impl Ball {
 }
 
 /// What it does at the time `t` of a run.
-pub fn at(run: &Run<Touch, 13>, t: f64) -> Result<Moving> {
+pub fn at(run: &Run<Touch, 13>, t: f64) -> kit::Result<Moving> {
     Ok(Moving::of(&run.at(t)?.1))
 }
 

@@ -5,11 +5,12 @@ use super::events::{G, row, tightest};
 use super::ladder::{LENGTH, Ladder};
 use super::table::Row;
 use core::f64::consts::{FRAC_PI_2, PI};
+use kit::Result;
+use rotation_dynamics::Error;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::math::{cos, pow, tan};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
-use rotation_dynamics::{Error, Result};
 
 /// How far the wall leans over the ladder: 20 degrees.
 const OVERHANG: f64 = PI / 9.0;

@@ -4,12 +4,13 @@
 use super::contacts;
 use super::ladder::{LENGTH, Ladder};
 use super::table::{Cell, Family, Naive, Row, bound};
+use kit::Result;
+use rotation_dynamics::Error;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan2, sincos};
 use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion, motion_within};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
-use rotation_dynamics::{Error, Result};
 
 pub const FAMILY: Family = Family {
     key: "events",
@@ -25,7 +26,7 @@ const K: f64 = 32.0;
 pub const G: f64 = 10.0;
 
 /// What a method found: when, and how far the end is off, both over their sizes.
-type Found = [Result<f64>; 2];
+type Found = [rotation_dynamics::Result<f64>; 2];
 
 pub fn row(
     [case, wrong]: [&'static str; 2],
@@ -48,7 +49,7 @@ pub fn row(
     })
 }
 
-pub fn tightest() -> Result<Dop853> {
+pub fn tightest() -> rotation_dynamics::Result<Dop853> {
     Dop853::new(1e-15)
 }
 
@@ -255,7 +256,7 @@ fn stick_slip() -> Result<Row> {
     let slips = core::f64::consts::TAU - 2.0 * atan2(over, BELT);
     let period = slips + 2.0 * over / BELT;
     let end = f64::from(CYCLES) * period;
-    let found = || -> Result<[f64; 2]> {
+    let found = || -> rotation_dynamics::Result<[f64; 2]> {
         let (mut t, mut state, mut left) = (0.0, [HOLDS, BELT], CYCLES);
         while left > 0 {
             let run = simulate(&Belt, &tightest()?, false, state, 400.5 * period)?;

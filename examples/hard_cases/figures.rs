@@ -47,7 +47,7 @@ fn pair(
     Ok(panel.curve(wrong).curve(held))
 }
 
-fn closed(motion: &Motion) -> Result<Attitude> {
+fn closed(motion: &Motion) -> rotation_dynamics::Result<Attitude> {
     motion.reached(By::ClosedForm, Form::Quaternion, 0.0)
 }
 
@@ -157,12 +157,14 @@ fn nearly_symmetric(panel: Panel) -> Result<Panel> {
             true => shapes::free([1.0, 1.0, 1.7])?,
             false => motion,
         };
-        Ok([
-            closed(&called).ok(),
-            jittered(&motion),
-            closed(&motion).ok(),
-        ]
-        .map(|a| motion.off(a)))
+        Ok::<_, rotation_dynamics::Error>(
+            [
+                closed(&called).ok(),
+                jittered(&motion),
+                closed(&motion).ok(),
+            ]
+            .map(|a| motion.off(a)),
+        )
     };
     let mut curves = [const { Vec::new() }; 3];
     for x in decades(-15, -3, 6) {

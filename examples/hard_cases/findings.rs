@@ -5,8 +5,7 @@ use super::forms::Form;
 use super::motions::{By, Motion};
 use super::naive::{on_euler_angles, on_quaternion};
 use super::table::{Cell, Family, Naive, Row};
-use kit::{Report, Table};
-use rotation_dynamics::Result;
+use kit::{Report, Result, Table};
 use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -27,7 +26,7 @@ pub const FAMILY: Family = Family {
     rows,
 };
 
-pub fn turned(phi: f64, theta: f64, zeta: f64) -> Result<Attitude> {
+pub fn turned(phi: f64, theta: f64, zeta: f64) -> rotation_dynamics::Result<Attitude> {
     Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
 
@@ -146,7 +145,7 @@ fn rows() -> Result<Vec<Row>> {
 }
 
 /// About the middle axis for 100 s, but for so much.
-pub fn off_the_middle(off: f64) -> Result<Motion> {
+pub fn off_the_middle(off: f64) -> rotation_dynamics::Result<Motion> {
     let tilted = turned(0.3, 0.8, 0.2)?;
     Ok(Motion::free(
         [1.0, 2.0, 2.5],
@@ -157,7 +156,7 @@ pub fn off_the_middle(off: f64) -> Result<Motion> {
 }
 
 /// A top without spin whose push just lifts it to the vertical.
-pub fn gets_up() -> Result<Motion> {
+pub fn gets_up() -> rotation_dynamics::Result<Motion> {
     let (rate, (s, c)) = (2.0 * sin(1.25), sincos(1.0));
     let attitude = turned(0.3, 2.5, 1.0)?;
     let rates = [rate * c, -rate * s, 0.0];

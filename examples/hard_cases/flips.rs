@@ -35,7 +35,7 @@ pub fn flips(moments: [f64; 3], rates: [f64; 3]) -> Result<Motion> {
     })
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     for (words, moments, rates) in [
         (

@@ -1,7 +1,7 @@
 //! Two bodies on a line that collide, one of them up to 1e12 times the other.
 
 use super::table::{Cell, Family, Naive, Row, bound};
-use rotation_dynamics::Result;
+use kit::Result;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion};
 

@@ -53,7 +53,7 @@ impl Late {
     }
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     for (words, moments, rates) in [
         (

@@ -344,7 +344,7 @@ impl Motion {
         [case, wrong]: [&'static str; 2],
         methods: &[By],
         naive: Naive,
-    ) -> Result<Row> {
+    ) -> kit::Result<Row> {
         self.row_of_condition([case, wrong], methods, naive, self.conditions()?)
     }
 
@@ -355,7 +355,7 @@ impl Motion {
         methods: &[By],
         naive: Naive,
         conditions: [f64; 2],
-    ) -> Result<Row> {
+    ) -> kit::Result<Row> {
         self.row_of_truth(words, methods, naive, conditions, self.truth()?)
     }
 
@@ -367,7 +367,7 @@ impl Motion {
         naive: Naive,
         [condition, path]: [f64; 2],
         truth: Attitude,
-    ) -> Result<Row> {
+    ) -> kit::Result<Row> {
         let mut cells = Vec::new();
         for by in methods {
             let of = if by.is_closed() { condition } else { path };

@@ -106,11 +106,11 @@ pub fn until(motion: &Motion, end: f64) -> Motion {
     Motion { end, ..*motion }
 }
 
-fn closed(motion: &Motion) -> Result<Attitude> {
+fn closed(motion: &Motion) -> rotation_dynamics::Result<Attitude> {
     motion.reached(By::ClosedForm, Form::Quaternion, 0.0)
 }
 
-fn free(motion: &Motion) -> Result<FreeBody> {
+fn free(motion: &Motion) -> rotation_dynamics::Result<FreeBody> {
     let rates = BodyVector::from_array(motion.rates);
     FreeBody::new(motion.body()?, motion.attitude, rates)
 }
@@ -192,9 +192,12 @@ fn gimbals() -> Result<MovingPicture> {
 fn tip() -> Result<MovingPicture> {
     const SIZE: f64 = 1e8;
     let motion = threshold::top(1e-8, [0.0, 0.0, 4.4])?;
-    let angles = move |t: f64| Ok(closed(&until(&motion, t))?.euler_angles());
+    let angles =
+        move |t: f64| Ok::<_, rotation_dynamics::Error>(closed(&until(&motion, t))?.euler_angles());
     let read = move |t: f64| {
-        Ok(by_arc_cosine(closed(&until(&motion, t))?).map(|a| a.euler_angles().theta))
+        Ok::<_, rotation_dynamics::Error>(
+            by_arc_cosine(closed(&until(&motion, t))?).map(|a| a.euler_angles().theta),
+        )
     };
     let at = |phi: f64, theta: f64| (SIZE * theta * sin(phi), -SIZE * theta * cos(phi));
     let span = 13.7;
@@ -436,7 +439,7 @@ fn trillions() -> Result<MovingPicture> {
     let late = |t: f64| Late::after(PERIODS + t, [1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
     let ends = move |t: f64| {
         let late = late(t)?;
-        Ok([closed(&late.motion)?, late.modulo])
+        Ok::<_, rotation_dynamics::Error>([closed(&late.motion)?, late.modulo])
     };
     let height = |a: Attitude| a.to_space(BodyVector::new(1.0, 0.0, 0.0)).z();
     // A double of this time is a multiple of a sixteenth of a second: drawn where it is.

@@ -62,7 +62,7 @@ pub fn locked() -> Result<Motion> {
     Ok(top(locked, [0.4, 0.3, SPIN]))
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let upright = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), 0.7)?;
     let down = Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0])?;
     let cases = [

@@ -60,7 +60,7 @@ fn by_squares(motion: &Motion) -> Result<Naive> {
     })
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     heavy(&mut rows)?;
     extreme(&mut rows)?;
@@ -111,7 +111,7 @@ fn rows() -> Result<Vec<Row>> {
 }
 
 /// Tops: gravity and lengths to match.
-fn heavy(rows: &mut Vec<Row>) -> Result<()> {
+fn heavy(rows: &mut Vec<Row>) -> kit::Result<()> {
     let guard = "1e-30 added, so that nothing is divided by zero";
     let sleep = "at rest below 1e-4 rad/s";
     for (words, [moment, rate, lever]) in [
@@ -142,7 +142,7 @@ fn heavy(rows: &mut Vec<Row>) -> Result<()> {
 }
 
 /// Units in which a square is no double.
-fn extreme(rows: &mut Vec<Row>) -> Result<()> {
+fn extreme(rows: &mut Vec<Row>) -> kit::Result<()> {
     for (words, moment) in [
         (
             [

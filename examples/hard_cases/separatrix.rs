@@ -58,7 +58,7 @@ pub fn one_flip(complement: f64) -> Result<Motion> {
     free([0.0, 1.0, off], flip + 6.0)
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     for (words, complement) in [
         (

@@ -28,7 +28,7 @@ pub fn free(moments: [f64; 3]) -> Result<Motion> {
     Ok(Motion::free(moments, attitude, RATES, END))
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     for (words, moments) in [
         (

@@ -6,7 +6,7 @@
 //! ```
 
 use super::table::{Cell, Family, Naive, Row, bound};
-use rotation_dynamics::Result;
+use kit::Result;
 use rotation_dynamics::accuracy::{Carrier, Fineness};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
@@ -33,7 +33,7 @@ const RATE: f64 = 200.0;
 
 fn row(
     [case, wrong]: [&'static str; 2],
-    answer: Result<f64>,
+    answer: rotation_dynamics::Result<f64>,
     condition: f64,
     naive: (&'static str, f64),
 ) -> Result<Row> {
@@ -85,7 +85,7 @@ fn resonance(words: [&'static str; 2], method: Method, steps: u64) -> Result<Row
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, spin))?;
     let (s, c) = sincos(nutation * end);
     let grown = push * end / i1;
-    let off = |carrier: Carrier| -> Result<f64> {
+    let off = |carrier: Carrier| -> rotation_dynamics::Result<f64> {
         let (end, _) = carrier.advance_as_usual(&scene, [0.0, end], &start)?;
         let [p, q, _] = body.angular_velocity(&end).to_array();
         let (p, q) = (p - grown * c, q - grown * s);

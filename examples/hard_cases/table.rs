@@ -3,9 +3,9 @@
 //! A cell is an error within its bound, or a refusal by name; nothing else can be made. The
 //! bound is K eps times the case's own condition number, with one K for a method on all cases.
 
-use kit::{Report, Table, rounded_up, short};
+use kit::{Report, Result, Table, rounded_up, short};
+use rotation_dynamics::Error;
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::{Error, Result};
 
 /// What came of a case by a method in a representation.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,16 +80,16 @@ impl Cell {
     /// The verdict on an answer: held to K eps times the condition, or refused.
     ///
     /// # Errors
-    /// [`Error::Contradicted`] if it does not hold.
+    /// [`kit::Error::Contradicted`] if it does not hold.
     pub fn of(
         (case, method, form): (&str, &'static str, &'static str),
-        answer: Result<f64>,
+        answer: rotation_dynamics::Result<f64>,
         bound: f64,
     ) -> Result<Self> {
         let verdict = match answer {
             Ok(measured) if measured <= bound => Verdict::Holds { measured, bound },
             Ok(measured) => {
-                return Err(Error::Contradicted {
+                return Err(kit::Error::Contradicted {
                     key: format!("{case}, {method}, {form}"),
                     value: measured,
                     oracle: "the truth".into(),

@@ -29,7 +29,7 @@ pub fn top(theta: f64, rates: [f64; 3]) -> Result<Motion> {
     Ok(Motion::top([1.0, 0.5], 1.0, attitude, rates, END))
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let above = CRITICAL * (1.0 + f64::EPSILON);
     let below = CRITICAL * (1.0 - f64::EPSILON);
     let mut rows = Vec::new();

@@ -52,7 +52,7 @@ pub fn released([a, c]: [f64; 2], theta: f64, end: f64) -> Result<Motion> {
     ))
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let [a, b, c] = [1.5, 1.2, 0.2];
     let (steady, lowest) = ReducedTop::new(a, b, c)?.minimum();
     let third = core::f64::consts::FRAC_PI_3;

@@ -92,7 +92,7 @@ impl<E: Effect> Turned<E> {
         Ok(solved.state.attitude)
     }
 
-    fn row(&self, [case, wrong]: [&'static str; 2], naive: Naive) -> Result<Row> {
+    fn row(&self, [case, wrong]: [&'static str; 2], naive: Naive) -> kit::Result<Row> {
         let truth = self.truth(start()?)?;
         let condition = 2.0 + self.size;
         let mut cells = Vec::new();
@@ -165,7 +165,7 @@ pub fn across_jumps(steps: u64) -> Result<[f64; 3]> {
     ])
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     let [_, i3] = MOMENTS;
     let scene = Scene::new(body()?);

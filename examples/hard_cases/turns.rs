@@ -59,7 +59,7 @@ fn by_first_step(motion: &Motion) -> Option<Attitude> {
     (step > 0.0).then(|| on_quaternion(motion, (motion.end / step).ceil() as u32))?
 }
 
-fn rows() -> Result<Vec<Row>> {
+fn rows() -> kit::Result<Vec<Row>> {
     let mut rows = Vec::new();
     let rates = [0.3, 0.2, 1.0];
 

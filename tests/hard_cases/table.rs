@@ -1,8 +1,8 @@
 //! What the table must be: whole, within meaningful bounds, and above every naive method.
 
+use kit::Error;
 use pages::hard_cases::table::{Cell, Computed, Count, Verdict, name_of};
 use pages::hard_cases::{Parameters, computed, findings, turns};
-use rotation_dynamics::Error;
 use rotation_dynamics::math::{DoubleDouble, hypot, ldexp, sincos};
 use std::collections::BTreeMap;
 use std::sync::Arc;

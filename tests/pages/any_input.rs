@@ -3,10 +3,10 @@
 //! the first a quarter is tried.
 
 use crate::told::{asked, thinned};
+use kit::{Answer, claim, Report};
 use pages::ALL;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use kit::{Answer, claim, Report};
 
 fn runner(cases: u32) -> TestRunner {
     let mut seed = [0; 32];

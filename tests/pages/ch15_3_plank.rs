@@ -2,12 +2,12 @@
 
 use crate::told::{answer, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
+use kit::{parse, times};
 use pages::ch15_3_plank::*;
 use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::plank::Plank as Exact;
 use rotation_dynamics::math::{cos, sin, sincos};
 use rotation_dynamics::planar::contact::{Mode, Sense, State, misdeclared};
-use kit::{parse, times};
 use support::{Errors, assert_error};
 
 const STARTS: [f64; 6] = [1e-12, 1e-6, 0.01, 0.3, 1.0, 1.5];

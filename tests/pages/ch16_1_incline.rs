@@ -1,10 +1,10 @@
 //! Section 16.1: rolling on an incline.
 
 use crate::told::{answer, confirmed, refused, value};
+use kit::prelude::*;
 use pages::ch16_1_incline::*;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{Mechanism, Mode, QuadraticDrag, misdeclared};
-use kit::prelude::*;
 use std::f64::consts::{PI, TAU};
 use support::{Errors, assert_error};
 

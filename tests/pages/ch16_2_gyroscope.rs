@@ -2,12 +2,12 @@
 //! its picture moves, and what the page says of limits and errors holds elsewhere too.
 
 use crate::told::answer;
+use kit::cli::Outcome;
+use kit::{MovingPicture, Page};
 use pages::ch16_2_gyroscope as gyroscope;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator, ode};
 use rotation_dynamics::math::{cos, sin};
-use kit::{MovingPicture, Page};
-use kit::cli::Outcome;
 use support::Errors;
 
 use core::f64::consts::{PI, TAU};

@@ -1,13 +1,13 @@
 //! Section 16.2 (1): a cylinder made to precess.
 
 use crate::told::{computed, confirmed, ledger, refused, value};
+use kit::prelude::*;
 use pages::ch16_2_precessing_cylinder::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::Torque;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Ode};
-use kit::prelude::*;
 use rotation_dynamics::scene::Scene;
 use support::{Errors, assert_error};
 

@@ -2,10 +2,10 @@
 //! whose closed form works with quaternions and knows no angle.
 
 use crate::told::{computed, confirmed, ledger, refused, value};
+use kit::prelude::*;
 use pages::ch16_2_torque_free::*;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::integrators::{Dop853, Ode, ode};
-use kit::prelude::*;
 use std::f64::consts::TAU;
 use support::{Errors, assert_error};
 

@@ -2,10 +2,10 @@
 //! the report: a claim or a limit that differs from its oracle is an error.
 
 use crate::told::{cell, computed, confirmed, errors_of, refused};
+use kit::Page;
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode};
-use kit::Page;
 use rotation_dynamics::planar::contact::{Mode, State, misdeclared, motion};
 use support::Errors;
 

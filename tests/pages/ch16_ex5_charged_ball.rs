@@ -2,9 +2,9 @@
 //! friction; that it confirms the formulas is part of the report.
 
 use crate::told::{answer, computed, confirmed, errors_of, refused, value};
+use kit::prelude::*;
 use pages::ch16_ex5_charged_ball::*;
 use rotation_dynamics::planar::contact::{Mode, misdeclared};
-use kit::prelude::*;
 use support::Errors;
 
 fn ball() -> Ball {

@@ -1,6 +1,7 @@
 //! Exercise 16.6, the ladder.
 
 use core::f64::consts::FRAC_PI_2;
+use kit::{Page, Parsed, parse, times};
 use pages::ch16_ex6_ladder as example;
 use pages::ch16_ex6_ladder::{Ladder as Scene, Parameters, Slide};
 use rotation_dynamics::Error;
@@ -8,7 +9,6 @@ use rotation_dynamics::exact::ladder::{Ladder, Phase};
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{EPS, cos, exp, sin, tan};
 use rotation_dynamics::planar::contact::{Mode, kept_within, motion, motion_within};
-use kit::{Page, Parsed, parse, times};
 use support::Errors;
 
 const G: f64 = 9.80665;

@@ -2,10 +2,10 @@
 //! the report: a claim or a limit that differs from its oracle is an error.
 
 use crate::told::{computed, confirmed, refused, value};
+use kit::times;
 use pages::ch16_ex7_rod_and_disc::*;
 use rotation_dynamics::integrators::{Integrator, Rk4};
 use rotation_dynamics::math::{cos, sin};
-use kit::times;
 use std::f64::consts::PI;
 use support::Errors;
 

@@ -2,10 +2,10 @@
 //! out, and damaged twins of them do not.
 
 use crate::told::{answer, confirmed, refused};
+use kit::parse;
 use pages::effects_1_gyroscope::*;
 use rotation_dynamics::gimbals::{Bearing, Bearings, Fading, Nod, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
-use kit::parse;
 use support::{Errors, assert_error};
 
 fn with(change: impl Fn(&mut Parameters)) -> Gyroscope {

@@ -3,12 +3,12 @@
 
 use crate::told::{answer, confirmed, refused, value};
 use core::f64::consts::TAU;
+use kit::{Parsed, parse};
 use pages::effects_4_equinoxes::*;
 use rotation_dynamics::effects::{Effect, KeplerOrbit, OrbitingBody};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{cos, pow, sin};
-use kit::{Parsed, parse};
 use support::{Errors, assert_error};
 
 /// The numbers of a row of a table, in the order of its columns.

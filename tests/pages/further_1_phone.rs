@@ -3,12 +3,12 @@
 
 use crate::told::{answer, confirmed, refused};
 use core::f64::consts::{PI, TAU};
+use kit::Page;
 use pages::further_1_phone::throw::*;
 use pages::further_1_phone::*;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan2, exp, log};
-use kit::Page;
 use support::Errors;
 
 /// The phone, a book, a brick and a long box, thrown with tilts to every side.

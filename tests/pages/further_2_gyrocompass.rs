@@ -2,11 +2,10 @@
 //! report; here they are asked far from the numbers of a ship, and damaged twins miss.
 
 use crate::told::{confirmed, refused};
+use kit::{Page, sampled};
 use pages::further_2_gyrocompass::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::math::{cos, log, pow, sin, tan};
-use kit::sampled;
-use kit::Page;
 use support::Errors;
 
 #[test]

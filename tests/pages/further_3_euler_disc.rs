@@ -3,11 +3,11 @@
 
 use crate::told::{cell, computed, confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
+use kit::Page;
 use pages::further_3_euler_disc::*;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Ode, after, ode};
 use rotation_dynamics::math::sincos;
-use kit::Page;
 use support::{EPS, Errors, second_derivative};
 
 const LOSSES: [Loss; 3] = [Loss::None, Loss::Rolling(3e-3), Loss::Air(2e-5)];

@@ -2,10 +2,10 @@
 //! is part of the report: a claim that differs from its oracle is an error.
 
 use crate::told::{answer, cell, computed, confirmed, refused, value};
+use kit::Page;
 use pages::further_4_yo_yo_despin::strings::{Hangs, Reel, YoYo};
 use pages::further_4_yo_yo_despin::*;
 use rotation_dynamics::math::hypot;
-use kit::Page;
 use support::{EPS, Errors, second_derivative};
 
 #[test]

@@ -3,11 +3,11 @@
 
 use crate::told::{computed, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
+use kit::Page;
 use pages::further_5_wheel_on_rope::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, hypot, log, sin};
-use kit::Page;
 use support::Errors;
 
 #[test]

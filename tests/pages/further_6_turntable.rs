@@ -2,11 +2,11 @@
 //! laws and one contact; that it confirms the formulas is part of the report.
 
 use crate::told::{computed, confirmed, refused, value};
+use kit::Page;
+use kit::prelude::*;
 use pages::further_6_turntable::rolling::{Ball, Moving, Surface, Touch, at};
 use pages::further_6_turntable::*;
 use rotation_dynamics::integrators::{after, newton, place_and_velocity};
-use kit::Page;
-use kit::prelude::*;
 use std::f64::consts::{PI, TAU};
 use support::Errors;
 

@@ -2,10 +2,10 @@
 //! is refused is refused with its reason.
 
 use crate::told::{answer, cell, confirmed, number, refused, value};
+use kit::{Page, parse};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::motion::Motion;
-use kit::{Page, parse};
 use support::Errors;
 
 /// A swing of this height, solved to this error.

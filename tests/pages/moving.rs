@@ -2,9 +2,9 @@
 //! at the ends of its sliders all that it shows is in its frame.
 
 use crate::snapshots::misplaced;
-use pages::{ALL, MOVING, WHOLE};
 use kit::draw::{Display, Ink, Shape, Sketch};
 use kit::{Figure, Moves, MovingPicture, Page};
+use pages::{ALL, MOVING, WHOLE};
 use serde_json::Value;
 
 /// What is declared of the parameters of a page.

@@ -2,8 +2,8 @@
 //! of their card for it.
 
 use crate::told::{computed, refused, with_report};
-use pages::ALL;
 use kit::Page;
+use pages::ALL;
 use support::Errors;
 
 /// Page, effect, its usual strength, and a claim that is told of it.

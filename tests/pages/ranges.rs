@@ -6,11 +6,11 @@
 //! one of two is tried), `PROPERTY_SEED=S` others, `PAGES=STEM` one page.
 
 use crate::told::asked;
+use kit::{Error, Page};
+use kit::interval::{Interval, above, from_to};
 use oorandom::Rand64;
 use pages::{ALL, WHOLE};
-use rotation_dynamics::Error;
-use kit::interval::{Interval, above, from_to};
-use kit::Page;
+use rotation_dynamics::Error as Refusal;
 use serde_json::Value;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -92,7 +92,6 @@ fn values(number: &Number, seed: u64) -> Vec<f64> {
 
 /// Whether a refusal says nothing of the physics or the method.
 fn unexplained(error: &Error, number: &Number) -> bool {
-    let text = error.to_string();
     match error {
         // No length, mass or strength is negative; every other end has its reason.
         Error::Parameter { name, value, allowed } => {
@@ -105,31 +104,40 @@ fn unexplained(error: &Error, number: &Number) -> bool {
         }
         // Flags that exclude each other are named.
         Error::Text { text, .. } if text.ends_with("together") => false,
-        Error::AtIndex { reason, .. } => unexplained(reason, number),
-        // What doubles reach is said beside what was asked for, unless there is no such thing.
-        Error::NotDelivered { reached, .. } => !reached.is_finite(),
-        Error::Contradicted { .. }
-        | Error::Contradiction { .. }
-        | Error::NotFinite { .. }
-        | Error::DerivativeNotFinite { .. }
-        | Error::TorqueNotFinite { .. }
-        | Error::ForceNotFinite { .. }
-        | Error::EventNotFinite { .. }
-        | Error::StepUnderflow { .. }
-        | Error::NoConvergence { .. }
-        | Error::TooManySteps { .. }
-        | Error::TooManyPhases { .. }
-        | Error::OutsideRun { .. }
-        | Error::NotRising { .. }
-        | Error::NotReached { .. }
-        | Error::ConditionBroken { .. }
-        | Error::CannotHold { .. }
-        | Error::MassNotPositive { .. }
-        | Error::Lengths { .. }
-        | Error::UnknownKey { .. }
-        | Error::Text { .. } => true,
-        _ => text.contains("NaN") || text.contains("not finite") || text.contains("not a finite"),
+        Error::Contradicted { .. } | Error::UnknownKey { .. } | Error::Text { .. } => true,
+        Error::Library(error) => unexplained_of_library(error),
+        error => senseless(&error.to_string()),
     }
+}
+
+fn unexplained_of_library(error: &Refusal) -> bool {
+    match error {
+        Refusal::AtIndex { reason, .. } => unexplained_of_library(reason),
+        // What doubles reach is said beside what was asked for, unless there is no such thing.
+        Refusal::NotDelivered { reached, .. } => !reached.is_finite(),
+        Refusal::Contradiction { .. }
+        | Refusal::NotFinite { .. }
+        | Refusal::DerivativeNotFinite { .. }
+        | Refusal::TorqueNotFinite { .. }
+        | Refusal::ForceNotFinite { .. }
+        | Refusal::EventNotFinite { .. }
+        | Refusal::StepUnderflow { .. }
+        | Refusal::NoConvergence { .. }
+        | Refusal::TooManySteps { .. }
+        | Refusal::TooManyPhases { .. }
+        | Refusal::OutsideRun { .. }
+        | Refusal::NotRising { .. }
+        | Refusal::NotReached { .. }
+        | Refusal::ConditionBroken { .. }
+        | Refusal::CannotHold { .. }
+        | Refusal::MassNotPositive { .. }
+        | Refusal::Lengths { .. } => true,
+        error => senseless(&error.to_string()),
+    }
+}
+
+fn senseless(text: &str) -> bool {
+    text.contains("NaN") || text.contains("not finite") || text.contains("not a finite")
 }
 
 /// What became of a page.
@@ -232,8 +240,8 @@ fn a_refusal_without_a_reason_is_seen() {
         oracle_value: 2.0,
         bound: 1e-3,
     };
-    let nan = Error::OutOfRange { name: "rate", value: f64::NAN, allowed: "a number" };
-    for fault in [contradicted, nan, Error::NotReached { name: "stop", until: 1.0 }] {
+    let nan = Refusal::OutOfRange { name: "rate", value: f64::NAN, allowed: "a number" };
+    for fault in [contradicted, nan.into(), Refusal::NotReached { name: "stop", until: 1.0 }.into()] {
         assert!(unexplained(&fault, &number("rate", true)), "{fault}");
     }
 }

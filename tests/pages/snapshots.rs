@@ -6,10 +6,10 @@
 //! difference before you commit it.
 
 use insta::Settings;
-use kit::draw::PALETTE;
 use crate::told::{root, with_report};
-use pages::{ALL, WHOLE};
+use kit::draw::PALETTE;
 use kit::{Figure, Page, parse};
+use pages::{ALL, WHOLE};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};

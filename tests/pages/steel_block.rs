@@ -3,6 +3,7 @@
 
 #![allow(dead_code, reason = "other pages can be tested alone")]
 
+use kit::Page;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::Torque;
@@ -10,7 +11,6 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Integrator, Rk4};
-use kit::Page;
 use rotation_dynamics::scene::Scene;
 use support::{EPS, Errors};
 

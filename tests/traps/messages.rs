@@ -15,7 +15,7 @@ const LENGTH: usize = 400;
 /// Of such a list, with brackets and commas: a double is at most 24 long.
 const LIST: usize = 7 * 26;
 
-/// Every refusal there is, with these numbers in it.
+/// Every refusal of the library, with these numbers in it.
 fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
     let (name, allowed, n) = ("speed", "it must be greater than 0", u64::MAX);
     let (list, text) = (vec![x, y, z, x, y, z, x], String::from("floor"));
@@ -32,16 +32,6 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
         Error::NoMotion {
             energy: x,
             minimum: y,
-        },
-        Error::Parameter {
-            name,
-            value: x,
-            allowed: from_to(-y.abs(), y.abs()),
-        },
-        Error::Parameter {
-            name,
-            value: x,
-            allowed: above(z),
         },
         Error::RatesTooFarApart { fastest: x },
         Error::DerivativeNotFinite {
@@ -136,25 +126,6 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             start: y,
             end: z,
         },
-        Error::Contradicted {
-            key: text(),
-            value: x,
-            oracle: text(),
-            oracle_value: y,
-            bound: z,
-        },
-        Error::Text {
-            text: text(),
-            allowed,
-        },
-        Error::UnknownKey {
-            key: text(),
-            known: text(),
-        },
-        Error::File {
-            path: text(),
-            reason: text(),
-        },
         Error::NotRotation {
             deviation: x,
             determinant: y,
@@ -243,19 +214,63 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
     ]
 }
 
-/// The names of all refusals, as the library writes them.
+/// Every refusal that only pages raise, with these numbers in it.
+fn of_pages(x: f64, y: f64, z: f64) -> Vec<kit::Error> {
+    use kit::Error;
+    let (name, allowed) = ("speed", "it must be greater than 0");
+    let text = || String::from("floor");
+    vec![
+        Error::Parameter {
+            name,
+            value: x,
+            allowed: from_to(-y.abs(), y.abs()),
+        },
+        Error::Parameter {
+            name,
+            value: x,
+            allowed: above(z),
+        },
+        Error::Contradicted {
+            key: text(),
+            value: x,
+            oracle: text(),
+            oracle_value: y,
+            bound: z,
+        },
+        Error::Text {
+            text: text(),
+            allowed,
+        },
+        Error::UnknownKey {
+            key: text(),
+            known: text(),
+        },
+        Error::File {
+            path: text(),
+            reason: text(),
+        },
+    ]
+}
+
+/// The names of all refusals, as library and kit write them.
 fn names() -> Vec<&'static str> {
-    let source = include_str!("../../src/error.rs");
-    let (_, variants) = source
-        .split_once("pub enum Error {\n")
-        .expect("the refusals");
-    let (variants, _) = variants.split_once("\n}\n").expect("an end");
-    let lines = variants
-        .lines()
-        .filter_map(|line| line.strip_prefix("    "));
+    let sources = [
+        include_str!("../../src/error.rs"),
+        include_str!("../../book/kit/src/error.rs"),
+    ];
+    let lines = sources.iter().flat_map(|source| {
+        let (_, variants) = source
+            .split_once("pub enum Error {\n")
+            .expect("the refusals");
+        let (variants, _) = variants.split_once("\n}\n").expect("an end");
+        variants
+            .lines()
+            .filter_map(|line| line.strip_prefix("    "))
+    });
     lines
         .filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))
         .map(|line| line.split([' ', ',', '(']).next().expect("a name"))
+        .filter(|name| *name != "Library")
         .collect()
 }
 
@@ -287,7 +302,8 @@ fn messages_are_short() {
     for (i, x) in numbers.iter().enumerate() {
         for (j, y) in numbers.iter().enumerate() {
             let z = numbers[(i + 5 * j) % numbers.len()];
-            for error in all(*x, *y, z) {
+            let library = all(*x, *y, z).into_iter().map(kit::Error::from);
+            for error in library.chain(of_pages(*x, *y, z)) {
                 let message = error.to_string();
                 // Counts of the machine's own size have twenty.
                 let counts = message.replace(&u64::MAX.to_string(), "n");
@@ -301,10 +317,12 @@ fn messages_are_short() {
             }
         }
     }
-    let swept = all(1.0, 2.0, 3.0);
-    assert_eq!(cases, swept.len() * numbers.len() * numbers.len());
+    let library = all(1.0, 2.0, 3.0);
+    let pages = of_pages(1.0, 2.0, 3.0);
+    let swept = library.iter().map(|error| format!("{error:?}"));
+    let told: Vec<String> = (swept.chain(pages.iter().map(|error| format!("{error:?}")))).collect();
+    assert_eq!(cases, told.len() * numbers.len() * numbers.len());
     // None is left out.
-    let told: Vec<String> = swept.iter().map(|error| format!("{error:?}")).collect();
     let names = names();
     for name in &names {
         let is_told = told
@@ -313,7 +331,7 @@ fn messages_are_short() {
         assert!(is_told, "{name}");
     }
     // One stands twice.
-    assert_eq!(swept.len(), names.len() + 1);
+    assert_eq!(told.len(), names.len() + 1);
     // The damaged twin: the same number as it is printed without care.
     assert!(digits(&format!("{}", 1e300)) > 300);
 }

@@ -5,10 +5,10 @@
 
 use benches::readme::{RECORD, path};
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
+use kit::parse;
 use peers::contest::contestants;
 use peers::problem::PROBLEMS;
 use peers::record::claims;
-use kit::parse;
 use std::fs;
 use std::time::Duration;
 

@@ -9,12 +9,12 @@
 use benches::conditions::Conditions;
 use benches::readme::{OPEN_RECORD, RECORD, path, tables, with_tables};
 use benches::timing::{Clock, Task, interleaved_by};
+use kit::parse;
 use peers::open::OPEN;
 use peers::open_record;
 use peers::problem::{PROBLEMS, Problem};
 use peers::race::{Race, along_the_way, to_the_end};
 use peers::record::{DENSE, Races, text};
-use kit::parse;
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::{env, fs};

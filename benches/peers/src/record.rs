@@ -48,8 +48,8 @@ pub struct Races {
 
 pub(crate) type Outcome<T> = Result<T, String>;
 
-pub(crate) fn in_words(error: rotation_dynamics::Error) -> String {
-    error.to_string()
+pub(crate) fn in_words(error: impl Into<kit::Error>) -> String {
+    error.into().to_string()
 }
 
 /// An error as the head of a column: `1e-9`.

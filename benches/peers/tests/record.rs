@@ -2,11 +2,11 @@
 //! must reach it. Nothing is timed.
 
 use benches::readme::{OPEN_RECORD, RECORD, path};
+use kit::{Parsed, parse};
 use peers::contest::Setting;
 use peers::open::OPEN;
 use peers::problem::PROBLEMS;
 use peers::record::{Claim, DENSE, again, claims};
-use kit::{Parsed, parse};
 use std::fs;
 
 fn read(file: &str) -> Parsed {

@@ -68,7 +68,7 @@ fn samples(motion: &Motion) -> Outcome<[f64; 2]> {
             black_box(&one_by_one);
             Ok(())
         },
-        &|| closed.kinematics_at(black_box(&times), black_box(&mut batch.borrow_mut())),
+        &|| Ok(closed.kinematics_at(black_box(&times), black_box(&mut batch.borrow_mut()))?),
     ])?;
     same_bits(motion.name, &one_by_one.borrow(), &batch.borrow())?;
     Ok([found[1] / found[0], found[2] / found[0]])
@@ -91,7 +91,7 @@ fn side_by_side(motion: &Motion) -> Outcome<[f64; 2]> {
             many.one_by_one(black_box(late), black_box(&mut one_by_one.borrow_mut()));
             Ok(())
         },
-        &|| together.kinematics(black_box(late), black_box(&mut batch.borrow_mut())),
+        &|| Ok(together.kinematics(black_box(late), black_box(&mut batch.borrow_mut()))?),
     ])?;
     same_bits(motion.name, &one_by_one.borrow(), &batch.borrow())?;
     Ok([found[1] / found[0], found[2] / found[0]])

@@ -74,7 +74,12 @@ fn table(title: &str, exact: &Attitude, lines: &[Line]) -> Result<(), Box<dyn st
     }
     let runs: Vec<_> = lines
         .iter()
-        .map(|line| || (line.run)().map(|end| assert!(black_box(end).1.steps > 0)))
+        .map(|line| {
+            || {
+                assert!(black_box((line.run)()?).1.steps > 0);
+                Ok(())
+            }
+        })
         .collect();
     let tasks: Vec<Task> = runs.iter().map(|run| run as Task).collect();
     println!("{title}");

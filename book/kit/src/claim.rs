@@ -44,7 +44,7 @@ pub struct Slip {
 /// // A value that its oracle contradicts cannot be made into a claim.
 /// assert!(Claim::new("angle", "angle of release", 0.9, "rad", 1e-6,
 ///     Oracle::new("located event", 0.863_154_3)).is_err());
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Claim {

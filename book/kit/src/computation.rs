@@ -11,7 +11,7 @@ use std::sync::Arc;
 ///
 /// ```
 /// use kit::Computation;
-/// # fn main() -> rotation_dynamics::Result<()> {
+/// # fn main() -> kit::Result<()> {
 /// let halving = Computation::new(
 ///     || Ok((0..20).fold(1.0, |x: f64, _| 0.5 * (x + 2.0 / x))),
 ///     |root| Ok((root - 2.0_f64.sqrt()).abs()),
@@ -75,7 +75,9 @@ pub struct ClosedForm(Arc<dyn Fn(f64) -> Result<()> + Send + Sync>);
 
 impl ClosedForm {
     /// `state` gives what the scene is asked for, from 0 at the start to 1 at the end.
-    pub fn new<T>(state: impl Fn(f64) -> Result<T> + Send + Sync + 'static) -> Self {
+    pub fn new<T>(
+        state: impl Fn(f64) -> rotation_dynamics::Result<T> + Send + Sync + 'static,
+    ) -> Self {
         Self(Arc::new(move |part| {
             black_box(state(part)?);
             Ok(())

@@ -260,7 +260,7 @@ pub trait CardLine {
     /// use rotation_dynamics::inertia::PrincipalMoments;
     /// use kit::{CardLine, Report};
     /// use rotation_dynamics::scene::Scene;
-    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// # fn main() -> kit::Result<()> {
     /// let body = RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9.0e-4)?);
     /// let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 })?;
     /// let start = body.state(tilted, BodyVector::new(0.0, 0.0, 314.0))?;

@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 /// Nothing in them reads a clock or a file or starts a thread, so they run anywhere.
 ///
 /// ```
-/// use rotation_dynamics::Result;
+/// use kit::Result;
 /// use kit::{Example, Report, Trajectory, claim};
 ///
 /// kit::parameters! {
@@ -38,7 +38,7 @@ use crate::error::{Error, Result};
 /// let outcome = EXAMPLE.answer(["--length", "6", "--check", "inertia=3.0"]);
 /// assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "right: inertia = 3.00000000000000 m^2\n"));
 /// assert_eq!(EXAMPLE.answer(["--length", "-6"]).code, 2);
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 pub struct Example<P: 'static> {
     /// The stem that names the page, the example and the snapshot.
@@ -75,7 +75,8 @@ impl<P: ParameterSet> Example<P> {
     /// The moving picture at `t`; prepares everything anew: to draw many, keep the picture.
     ///
     /// # Errors
-    /// As [`Example::report`], and [`crate::Error::OutsideRun`]; `None` if nothing moves.
+    /// As [`Example::report`], and [`Error::OutsideRun`](rotation_dynamics::Error::OutsideRun);
+    /// `None` if nothing moves.
     pub fn frame(&self, parameters: &P, t: f64) -> Result<Option<Figure>> {
         parameters.check()?;
         let Some(picture) = self.moving_picture else {
@@ -208,7 +209,7 @@ fn set(parameters: &mut dyn Settings, flags: &[(&str, f64)]) -> Result<()> {
 /// functions that add its sections.
 ///
 /// ```
-/// use rotation_dynamics::Result;
+/// use kit::Result;
 /// use kit::{Figure, Page, Report, Trajectory};
 /// # fn figures(_: &Parameters) -> Result<Vec<Figure>> { Ok(Vec::new()) }
 /// # fn trajectory(_: &Parameters) -> Result<Trajectory> { Trajectory::new(["t [s]"]) }

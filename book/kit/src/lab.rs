@@ -1,8 +1,9 @@
 //! The methods of a problem at a reader's own choice: what this step, this tolerance costs.
 
 use super::json::quoted;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use core::fmt;
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::{Errors, Fineness, Problem, applies};
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::Effect;
@@ -75,7 +76,7 @@ type Try = dyn Fn(Option<Method>, f64) -> Result<Tried> + Send + Sync;
 /// let gain = coarse?.errors.attitude / fine?.errors.attitude;
 /// assert!((gain.log2() - 4.0).abs() < 0.1); // a method of order 4
 /// assert!(lab.dial(1e-9)?.errors.attitude <= 1e-9);
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Clone)]
 pub struct Lab {
@@ -118,7 +119,7 @@ impl Lab {
     /// let (coarse, fine) = (coarse?, fine?);
     /// assert_eq!(coarse.against, Some(1e-12));
     /// assert!(((coarse.errors.attitude / fine.errors.attitude).log2() - 4.0).abs() < 0.2);
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     pub fn against_the_dial<E>(scene: Scene<E>, start: State, end: f64) -> Self
     where
@@ -197,7 +198,7 @@ impl Lab {
 }
 
 /// The end by the dial at the least error that it grants.
-fn tightest<E: Effect>(problem: &Problem<E>) -> Result<Judge> {
+fn tightest<E: Effect>(problem: &Problem<E>) -> rotation_dynamics::Result<Judge> {
     let by = |tolerance| {
         let solved = (problem.scene).solve_by_stepping(&problem.start, problem.end, tolerance)?;
         Ok((solved.state, Some(tolerance)))

@@ -1,4 +1,4 @@
-//! Claims, tables, figures, and the command line of the examples.
+//! What the pages are made of: claims, tables, figures, and the command line of the examples.
 //!
 //! A [`Report`] is what an example says: claims that an independent route
 //! confirms, limits, the effects in and out, what accuracy costs. Its text is the
@@ -56,6 +56,7 @@ pub mod error;
 mod example;
 mod files;
 pub mod heavy_top;
+pub mod interval;
 mod json;
 mod lab;
 mod lines;
@@ -102,4 +103,3 @@ pub struct Figure {
     /// What is drawn.
     pub display: draw::Display,
 }
-pub use rotation_dynamics::interval;

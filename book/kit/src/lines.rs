@@ -25,7 +25,7 @@
 /// assert_eq!(report.claims().len(), 2);
 /// assert_eq!(report.claims()[0].slips().len(), 2);
 /// assert_eq!(report.claims().iter().map(|c| c.tolerance()).collect::<Vec<_>>(), [1e-3, 1e-2]);
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 ///
 /// A meaning that is put together at run time needs [`claim`](crate::claim).
@@ -73,7 +73,7 @@ macro_rules! claims {
 ///     /// the sine of a small angle is the angle
 ///     "small angles: omega tau": period(1.0) => core::f64::consts::TAU, within 1e-6;
 /// }.is_err());
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 ///
 /// A name or a reason that is put together at run time needs [`limit`](crate::limit).
@@ -115,11 +115,11 @@ macro_rules! limits {
 /// assert!(kit::effect_card! { report,
 ///     "air": "rho C S l/M" = drag, costs 1e-3, "of the swing", measured 4e-4;
 /// }.is_err());
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite) for a NaN or an infinity,
+/// [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) for a NaN or an infinity,
 /// [`Error::Contradicted`](crate::Error::Contradicted) for a small effect whose prediction is
 /// off by more than a factor 2.
 #[macro_export]
@@ -161,7 +161,7 @@ macro_rules! effect_card {
 /// let [setup, swing] = &figures(&Parameters { swing: 0.5 })?[..] else { unreachable!() };
 /// assert_eq!(setup.alt, "A weight hangs from a ceiling on a string of length l.");
 /// assert!(swing.name == "swing" && swing.alt.ends_with("height 0.5 rad."));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 ///
 /// # Errors

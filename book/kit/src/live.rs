@@ -40,7 +40,7 @@ use core::fmt::Write;
 /// assert_ne!(picture.frame(0.0)?, EXAMPLE.opened("")?.expect("it moves").frame(0.0)?);
 /// let refused = EXAMPLE.opened("length=-1").map(|_| ()).unwrap_err();
 /// assert_eq!(refused.to_string(), "length = -1 is not allowed: it must be greater than 0");
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 pub trait Moves: Sync {
     /// The moving picture with what these lines set, `NAME=VALUE` each; an effect without a

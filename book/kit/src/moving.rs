@@ -2,8 +2,9 @@
 
 use super::Figure;
 use super::draw::{Panel, Scene, Stack, Turn, plain, turned};
-use crate::error::{Error, Result, finite};
+use crate::error::{Result, finite};
 use core::ops::RangeInclusive;
+use rotation_dynamics::Error;
 
 /// A drawing at any time of a motion, in the language of the figures.
 ///
@@ -23,7 +24,7 @@ use core::ops::RangeInclusive;
 /// let picture = MovingPicture::new(0.0..=6.28, [0.0, 1.57, 3.14], hand)?;
 /// assert_eq!(picture.stills()?[2].name, "frame_3");
 /// assert!(picture.frame(7.0).is_err());
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 pub struct MovingPicture {
     span: RangeInclusive<f64>,
@@ -81,7 +82,7 @@ impl MovingPicture {
     ///     Ok((format!("a ball after {t} s of swinging; below it its place against time"), ball))
     /// })?;
     /// assert_eq!(picture.stills()?.len(), 2);
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     ///
     /// # Errors
@@ -126,13 +127,13 @@ impl MovingPicture {
     /// let picture = MovingPicture::new(0.0..=1.0, [0.0], |_| Sketch::new("rest", "rest").figure())?;
     /// assert_eq!(picture.time(), "t / s");
     /// assert_eq!(picture.timed(r"$\theta_{0}$ / rad").time(), "θ0 / rad");
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     pub fn time(&self) -> String {
         plain(&self.time)
     }
 
-    fn check(&self, t: f64) -> Result<()> {
+    fn check(&self, t: f64) -> rotation_dynamics::Result<()> {
         if self.span.contains(&t) {
             return Ok(());
         }
@@ -173,7 +174,7 @@ impl MovingPicture {
     /// let (turned, turns) = picture.seen(1.0, turn)?;
     /// assert!(turns && turned != picture.frame(1.0)?);
     /// assert_eq!(picture.seen(1.0, Turn::default())?.0, picture.frame(1.0)?);
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     ///
     /// # Errors

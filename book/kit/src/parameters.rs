@@ -11,7 +11,7 @@ use crate::interval::Interval;
 ///
 /// Each field has its meaning as a doc comment and one of
 /// - `number(DEFAULT, UNIT, ALLOWED)`: an `f64`; `ALLOWED` is an [`Interval`] by one of the
-///   functions of [`kit::interval`];
+///   functions of [`interval`](crate::interval);
 /// - `optional(UNIT, ALLOWED)`: an `Option<f64>`, `None` unless it is set;
 /// - `choice(DEFAULT, OTHERS…)`: one of these words, a `&'static str`;
 /// - `effect(USUAL, UNIT, ALLOWED)`: an `Option<f64>`, the strength of an effect, `None` while

@@ -1,6 +1,5 @@
 //! What a page prepares once for its parameters.
 
-use crate::error::Result;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Something that takes long to compute from parameters, kept for those who ask again: a
@@ -10,11 +9,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// ```
 /// use kit::Prepared;
 /// static SQUARES: Prepared<u32, Vec<u32>> = Prepared::new();
-/// let squares = |n: &u32| SQUARES.get(n, |n| Ok((0..*n).map(|i| i * i).collect()));
+/// fn squared(n: &u32) -> kit::Result<Vec<u32>> {
+///     Ok((0..*n).map(|i| i * i).collect())
+/// }
+/// let squares = |n: &u32| SQUARES.get(n, squared);
 /// let first = squares(&4)?;
 /// assert_eq!((first[3], squares(&5)?.len()), (9, 5));
 /// assert!(std::sync::Arc::ptr_eq(&first, &squares(&4)?));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Prepared<P, T>(Mutex<Vec<(P, Arc<T>)>>);
@@ -29,7 +31,11 @@ impl<P: PartialEq + Clone, T> Prepared<P, T> {
     ///
     /// # Errors
     /// Those of `make`; then nothing changes.
-    pub fn get(&self, parameters: &P, make: impl FnOnce(&P) -> Result<T>) -> Result<Arc<T>> {
+    pub fn get<E>(
+        &self,
+        parameters: &P,
+        make: impl FnOnce(&P) -> Result<T, E>,
+    ) -> Result<Arc<T>, E> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, made)) = kept.iter().find(|(of, _)| of == parameters) {
             return Ok(Arc::clone(made));

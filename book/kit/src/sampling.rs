@@ -25,7 +25,7 @@ pub fn times(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> + Clon
 /// use kit::{sampled, times};
 /// let squares = sampled(times(0.0, 2.0, 2), |t| Ok((t, t * t)))?;
 /// assert_eq!(squares, [(0.0, 0.0), (1.0, 1.0), (2.0, 4.0)]);
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 ///
 /// # Errors

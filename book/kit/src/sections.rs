@@ -132,16 +132,19 @@ impl Report {
     /// Adds a claim.
     ///
     /// # Errors
-    /// [`Error::Text`] if its key is taken, [`Error::OutOfRange`] if its tolerance is
-    /// not between 0 and 1, [`Error::NotFinite`] if a slip is NaN or infinite.
+    /// [`Error::Text`] if its key is taken,
+    /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) if its tolerance is not
+    /// between 0 and 1, [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) if a slip is
+    /// NaN or infinite.
     pub fn add_claim(&mut self, claim: Claim) -> Result<()> {
         let tolerance = claim.tolerance();
         if !(0.0 < tolerance && tolerance < 1.0) {
-            return Err(Error::OutOfRange {
+            return Err(rotation_dynamics::Error::OutOfRange {
                 name: "the relative tolerance of a check",
                 value: tolerance,
                 allowed: "it must lie between 0 and 1",
-            });
+            }
+            .into());
         }
         for slip in claim.slips() {
             finite("a slip", slip.value)?;
@@ -172,14 +175,15 @@ impl Report {
     /// one in a hundred if nothing is asked.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if it is not above 0 and finite.
+    /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) if it is not above 0 and finite.
     pub fn ask(&mut self, accuracy: f64) -> Result<()> {
         if !(accuracy > 0.0 && accuracy.is_finite()) {
-            return Err(Error::OutOfRange {
+            return Err(rotation_dynamics::Error::OutOfRange {
                 name: "the accuracy asked for",
                 value: accuracy,
                 allowed: "it must be above 0 and finite",
-            });
+            }
+            .into());
         }
         self.asked = accuracy;
         Ok(())
@@ -277,7 +281,8 @@ impl Report {
     ///
     /// # Errors
     /// [`Error::Text`] if an entry holds text that does not fit in a table,
-    /// [`Error::NotFinite`] if it holds a NaN or an infinity; those of [`Report::prices`].
+    /// [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) if it holds a NaN or an
+    /// infinity; those of [`Report::prices`].
     pub fn sections(&self) -> Result<Vec<Table>> {
         let mut all: Vec<Table> = self.parameters.iter().cloned().collect();
         all.push(self.claims_table()?);

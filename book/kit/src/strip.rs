@@ -1,8 +1,9 @@
 //! The accuracy strip: what the dial delivers and pays, and what each method would.
 
 use super::{ClosedForm, Computation, Lab, Price, Report};
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive};
 use core::fmt;
+use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::{Fineness, Problem, Solved, applies, largest};
 use rotation_dynamics::effects::Effect;
 #[cfg(doc)]
@@ -29,7 +30,7 @@ pub const STEPPING: &str = "dial, stepping";
 /// In place of the work of a run that was refused.
 const REFUSED: &str = "refused";
 
-type Solve<E> = fn(&Problem<E>, f64) -> Result<Solved>;
+type Solve<E> = fn(&Problem<E>, f64) -> rotation_dynamics::Result<Solved>;
 
 /// From the largest to the smallest, each once.
 fn descending(mut tolerances: Vec<f64>) -> Result<Vec<f64>> {
@@ -118,7 +119,7 @@ impl Report {
         &mut self,
         method: &str,
         tolerances: impl IntoIterator<Item = f64>,
-        run: impl Fn(f64) -> Result<T> + Clone + Send + Sync + 'static,
+        run: impl Fn(f64) -> rotation_dynamics::Result<T> + Clone + Send + Sync + 'static,
         work: fn(&T) -> Work,
         error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
     ) -> Result<()>
@@ -132,11 +133,11 @@ impl Report {
                 let (delivered, work, again) = match run(requested) {
                     Ok(done) => {
                         let run = run.clone();
-                        let again = Computation::new(move || run(requested), error.clone());
+                        let again = Computation::new(move || Ok(run(requested)?), error.clone());
                         (error(&done)?, work(&done).to_string(), Some(again))
                     }
                     Err(Error::NotDelivered { reached, .. }) => (reached, REFUSED.into(), None),
-                    Err(other) => return Err(other),
+                    Err(other) => return Err(other.into()),
                 };
                 let (method, requested) = (method.clone(), Some(requested));
                 Ok(Price {
@@ -166,7 +167,7 @@ impl Report {
     /// };
     /// report.dial_of_return([1e-3, 1e-6, 1e-9], swing, core::f64::consts::TAU, 1.0)?;
     /// assert!(report.prices()?[2].delivered < 1e-9);
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     ///
     /// # Errors
@@ -174,7 +175,11 @@ impl Report {
     pub fn dial_of_return<const N: usize>(
         &mut self,
         tolerances: impl IntoIterator<Item = f64>,
-        back: impl Fn(f64) -> Result<(LocatedEvent<N>, Work)> + Clone + Send + Sync + 'static,
+        back: impl Fn(f64) -> rotation_dynamics::Result<(LocatedEvent<N>, Work)>
+        + Clone
+        + Send
+        + Sync
+        + 'static,
         period: f64,
         place: f64,
     ) -> Result<()> {
@@ -217,7 +222,7 @@ where
         Ok(solved) => {
             let (run, judge) = (problem.clone(), problem.clone());
             let again = Computation::new(
-                move || solve(&run, requested),
+                move || Ok(solve(&run, requested)?),
                 move |solved| Ok(judge.error(&solved.state)),
             );
             let error = problem.error(&solved.state);
@@ -229,7 +234,7 @@ where
         {
             ("-", attainable, REFUSED.into(), None)
         }
-        Err(other) => return Err(other),
+        Err(other) => return Err(other.into()),
     };
     Ok(Price {
         method: format!("{label}: {method}"),
@@ -251,7 +256,7 @@ where
     let (runner, judge) = (problem.clone(), problem.clone());
     let setting = run.setting;
     let again = Computation::new(
-        move || runner.run_as_usual(method, Fineness::of(method, setting)),
+        move || Ok(runner.run_as_usual(method, Fineness::of(method, setting))?),
         move |(reached, _)| Ok(judge.error(reached)),
     );
     Ok(Some(Price {

@@ -54,7 +54,7 @@ impl Table {
     /// let cells = |n: u32| Ok([n.to_string(), (n * n).to_string()]);
     /// let table = Table::of("squares", "number, square".split(", "), 1..=3, cells)?;
     /// assert_eq!(table.rows()[2], ["3", "9"]);
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     ///
     /// # Errors

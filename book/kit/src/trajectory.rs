@@ -70,7 +70,7 @@ impl Trajectory {
     /// let run = Dop853::new(1e-9)?.solve(&second_order(|_, x, _| -x), 0.0, &[1.0, 0.0], 3.0, &[])?;
     /// let file = Trajectory::of(&run, ["t [s]", "x [m]"], 6, |t, [x, _]| [t, x])?;
     /// assert_eq!(file.rows()[6][0], 3.0);
-    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// # Ok::<(), kit::Error>(())
     /// ```
     ///
     /// # Errors
@@ -88,7 +88,8 @@ impl Trajectory {
     /// Appends the sample `row`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a NaN or an infinity, [`Error::Text`] for a wrong length.
+    /// [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) for a NaN or an infinity,
+    /// [`Error::Text`] for a wrong length.
     pub fn push(&mut self, row: impl Into<Vec<f64>>) -> Result<()> {
         self.append(row.into())
     }

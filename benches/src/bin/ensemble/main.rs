@@ -155,7 +155,7 @@ fn throughput<'a>(
     items: usize,
     table: &mut Table,
     pools: &'a [ThreadPool],
-    run: impl Fn() -> rotation_dynamics::Result<()> + Sync + 'a,
+    run: impl Fn() -> kit::Result<()> + Sync + 'a,
 ) -> Outcome<()> {
     let run = &run;
     let runs: Vec<_> = pools.iter().map(|pool| move || pool.install(run)).collect();
@@ -186,11 +186,14 @@ fn works<B: Send + Sync>(
     axis: impl Fn(&B, f64) -> SpaceVector + Sync + Copy,
 ) -> Outcome<()> {
     throughput(&format!("{kind}: set-up"), TIMED, table, pools, || {
-        set_up(TIMED, make).map(|made| drop(black_box(made)))
+        drop(black_box(set_up(TIMED, make)?));
+        Ok(())
     })?;
     let both = format!("{kind}: set-up and one state");
     throughput(&both, TIMED, table, pools, || {
-        set_up(TIMED, |body| Ok(state(&make(body)?, LATE))).map(|made| drop(black_box(made)))
+        let made = set_up(TIMED, |body| Ok(state(&make(body)?, LATE)))?;
+        drop(black_box(made));
+        Ok(())
     })?;
     let bodies = set_up(BODIES, make)?;
     let rest = Kinematics::REST;
@@ -271,7 +274,8 @@ fn record(conditions: &Conditions) -> Outcome<()> {
     ];
     let mut table = Table::new("throughput", columns)?;
     throughput("control", TIMED, &mut table, &pools, || {
-        set_up(TIMED, |body| Ok(control(body))).map(|made| drop(black_box(made)))
+        drop(black_box(set_up(TIMED, |body| Ok(control(body)))?));
+        Ok(())
     })?;
     let (top, body) = ("gyroscope", "tumbling body");
     works(

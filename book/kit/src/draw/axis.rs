@@ -1,7 +1,7 @@
 //! Axes: a label, a range that defaults to the data's, and where the ticks stand.
 
 use super::ticks::{Step, angle_ticks, decade_ticks, decimal_ticks, stepped_ticks};
-use crate::error::{Error, Result, finite};
+use rotation_dynamics::error::{Error, Result, finite};
 use rotation_dynamics::math::log10;
 
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -185,11 +185,12 @@ impl Frame<'_> {
             {
                 finite(name, value)?;
                 if ((value - from) / (to - from)).abs() > 100.0 {
-                    return Err(Error::OutOfRange {
+                    return Err(rotation_dynamics::Error::OutOfRange {
                         name,
                         value,
                         allowed: "it must not lie far outside the figure",
-                    });
+                    }
+                    .into());
                 }
             }
         }

@@ -51,7 +51,7 @@ impl Panel {
         Ok((x, y))
     }
 
-    fn y_ticks(&self, y: Point, height: f64) -> Result<Vec<(f64, String)>> {
+    fn y_ticks(&self, y: Point, height: f64) -> rotation_dynamics::Result<Vec<(f64, String)>> {
         self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)
     }
 

@@ -35,7 +35,7 @@ pub(super) struct Note {
 ///     .curve(Curve::of(times(0.0, 1.0, 50), |t| 5.0 * (1.0 - t * t), Ink::Body).label("$h(t)$"))
 ///     .figure()?;
 /// assert!(figure.svg().starts_with("<svg"));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
@@ -221,9 +221,10 @@ impl Panel {
     /// Draws it.
     ///
     /// # Errors
-    /// [`crate::Error::NotFinite`] for NaN and infinities,
-    /// [`crate::Error::OutOfRange`] for an axis without length or a logarithm of what is
-    /// not positive, [`crate::Error::Text`] for a bad name or a missing alternative text.
+    /// [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) for NaN and infinities,
+    /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) for an axis without length or
+    /// a logarithm of what is not positive, [`crate::Error::Text`] for a bad name or a missing
+    /// alternative text.
     pub fn figure(&self) -> Result<Figure> {
         let (x, y) = self.extents()?;
         let left = self.left_margin(y, f64::from(self.size.1) - 70.0)?;

@@ -7,7 +7,7 @@ use super::ink::Ink;
 use super::place::{GAP, Obstacles};
 use super::words::{Rect, Side, Words};
 use crate::Figure;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use rotation_dynamics::math::{hypot, sincos};
 
 #[derive(Debug, Clone)]
@@ -52,7 +52,7 @@ impl Element {
 ///     .arrow((0.75, 1.3), (0.75, 0.5), Ink::Force, "$mg$", Side::Right)
 ///     .figure()?;
 /// # assert!(figure.svg().contains("mg") || figure.svg().contains(">m"));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Sketch {
@@ -300,9 +300,10 @@ impl Sketch {
     /// Draws it.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a window without area or too tall (more than three
-    /// times its width) or a point far outside it, [`Error::NotFinite`] for NaN and
-    /// infinities, [`Error::Text`] for a bad name or a missing alternative text.
+    /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) for a window without area or
+    /// too tall (more than three times its width) or a point far outside it,
+    /// [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) for NaN and infinities,
+    /// [`Error::Text`](crate::Error::Text) for a bad name or a missing alternative text.
     pub fn figure(&self) -> Result<Figure> {
         let width = f64::from(self.width);
         let size = (self.width, self.height(width)? as u32);
@@ -316,11 +317,12 @@ impl Sketch {
         let (across, up) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
         let aspect = up / across;
         if !(across > 0.0 && aspect > 0.0 && aspect <= 3.0) {
-            return Err(Error::OutOfRange {
+            return Err(rotation_dynamics::Error::OutOfRange {
                 name: "height of the window over its width",
                 value: aspect,
                 allowed: "it must be greater than 0 and at most 3",
-            });
+            }
+            .into());
         }
         Ok(libm::round(width * aspect).max(20.0))
     }

@@ -60,7 +60,7 @@ impl Scene {
 ///     Stack::frame("a ball swings to and fro; below it its place against time", ball, &graph, t)
 /// };
 /// assert_eq!(frame(1.0)?.display.size, (340, 302));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Stack {

@@ -13,8 +13,8 @@ const FINE: f64 = 260.0;
 /// ```
 /// use rotation_dynamics::math::tanh;
 /// use kit::draw::Sweep;
-/// # fn simulate(x: f64) -> rotation_dynamics::Result<f64> { Ok(tanh(x)) }
-/// # fn main() -> rotation_dynamics::Result<()> {
+/// # fn simulate(x: f64) -> kit::Result<f64> { Ok(tanh(x)) }
+/// # fn main() -> kit::Result<()> {
 /// let depth = Sweep::over("depth / m", 0.0, 2.0).at([0.3, 0.8, 1.3, 1.8]);
 /// let panel = depth.exact_and_simulated("speed / (m/s)", tanh, simulate)?;
 /// // The same, with a label to the line.

@@ -1,8 +1,8 @@
 //! Where the ticks of an axis stand, and what they say.
 
-use crate::error::{Error, Result};
 use core::f64::consts::PI;
 use rotation_dynamics::math::log10;
+use rotation_dynamics::{Error, Result};
 
 /// The distance of ticks.
 #[derive(Debug, Clone, Copy, PartialEq)]

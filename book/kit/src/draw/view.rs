@@ -41,7 +41,7 @@ pub(super) enum Element {
 ///     .triad()
 ///     .figure()?;
 /// # assert!(figure.svg().contains("<path"));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct View {
@@ -273,9 +273,10 @@ impl View {
     /// Draws it.
     ///
     /// # Errors
-    /// [`crate::Error::NotFinite`] for NaN and infinities, [`crate::Error::OutOfRange`] for a reach
-    /// that is not positive or a point far outside the picture, [`crate::Error::Text`] for a
-    /// bad name or a missing alternative text.
+    /// [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) for NaN and infinities,
+    /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) for a reach that is not
+    /// positive or a point far outside the picture, [`crate::Error::Text`] for a bad name or a
+    /// missing alternative text.
     pub fn figure(&self) -> Result<Figure> {
         positive("the reach of a view", self.reach)?;
         figure(&self.name, &self.alt, self.size, |canvas| {

@@ -2,8 +2,9 @@
 
 use super::Motion;
 use super::routes::{Newton, Nod, greatest_tilt};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::{ClaimEntry, claim};
+use rotation_dynamics::Error;
 use rotation_dynamics::exact::heavy_top::Regime;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode};
 use rotation_dynamics::math::{EPS, atan2, cos, hypot, sin};
@@ -239,7 +240,7 @@ impl Motion {
         if !(0.0..=far).contains(&end) || self.exact.complementary_parameter() < 1e-6 {
             return Ok(Vec::new());
         }
-        let highest = |tolerance| -> Result<Option<[f64; 2]>> {
+        let highest = |tolerance| -> rotation_dynamics::Result<Option<[f64; 2]>> {
             // The rate of the height, times I1.
             let rate = |_: f64, &[lx, ly, _, ex, ey, _]: &[f64; 6]| lx * ey - ly * ex;
             let turns = Event::falling("highest", rate);

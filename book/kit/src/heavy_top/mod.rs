@@ -19,9 +19,9 @@ pub use strip::Gravity;
 
 use super::number::decimals;
 use super::{Trajectory, times};
-use crate::error::{Error, Result};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
 use rotation_dynamics::math::sin;
+use rotation_dynamics::{Error, Result};
 
 /// A motion of a top whose axis spins, with its closed form.
 ///
@@ -33,7 +33,7 @@ use rotation_dynamics::math::sin;
 /// let mut report = Report::new("A top", cusps.description())?;
 /// report.add(cusps.claims(&Equations(top))?)?;
 /// assert_eq!(report.claim("cusps_spin").map(|c| c.printed()), Some("3.141592653590".into()));
-/// # Ok::<(), rotation_dynamics::Error>(())
+/// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Motion {
@@ -173,7 +173,7 @@ impl Motion {
 ///
 /// # Errors
 /// None for sound motions.
-pub fn trajectory(motions: &[Motion]) -> Result<Trajectory> {
+pub fn trajectory(motions: &[Motion]) -> crate::Result<Trajectory> {
     let seconds = motions.iter().any(Motion::in_seconds);
     let mut table = Trajectory::new([
         "motion",

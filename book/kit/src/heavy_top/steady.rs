@@ -1,7 +1,6 @@
 //! A top in slow steady precession, and what a torque that its scene leaves out does to it.
 
 use super::Gravity;
-use crate::error::{Error, Result};
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::accuracy::CalledFor;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -10,6 +9,7 @@ use rotation_dynamics::effects::{Effect, GravityAtLever};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::scene::Scene;
+use rotation_dynamics::{Error, Result};
 
 /// The error asked of the motions that are compared, rad.
 const TOLERANCE: f64 = 1e-10;
@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-10;
 /// use rotation_dynamics::inertia::PrincipalMoments;
 /// use rotation_dynamics::math::sin;
 /// use kit::heavy_top::Steady;
-/// # fn main() -> rotation_dynamics::Result<()> {
+/// # fn main() -> kit::Result<()> {
 /// let body = RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9e-4)?);
 /// let steady = Steady::new(body, GravityAtLever::new(4.9, 0.1)?, 1.0, 314.0)?;
 /// let bearing = CoulombBearing::new(1e-4, &body, &steady.start, 0.0)?;

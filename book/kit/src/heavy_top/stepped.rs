@@ -152,12 +152,9 @@ impl Stepped {
         let plain = Scene::new(body).with(gravity);
         let dry = |torque| CoulombBearing::new(torque, &body, &start, 0.0);
         let dry = added.dry.map(dry).transpose()?;
-        let nodes = |friction| {
-            Ok(Nodes {
-                friction: not_negative("friction", friction)?,
-            })
-        };
+        let nodes = |friction| not_negative("friction", friction);
         let nodes = added.nodes.map(nodes).transpose()?;
+        let nodes = nodes.map(|friction| Nodes { friction });
         Ok(Self {
             plain,
             scene: plain.with(nodes).with(added.air).with(dry),
@@ -181,7 +178,7 @@ impl Stepped {
     }
 
     /// By the second route, from the start to the end.
-    fn vectors(&self) -> Result<Solution<7>> {
+    fn vectors(&self) -> rotation_dynamics::Result<Solution<7>> {
         let [lx, ly, lz] = self.start.angular_momentum.to_array();
         let [ex, ey, ez] = self.start.attitude.axis().to_array();
         let start = [lx, ly, lz, ex, ey, ez, 0.0];
@@ -295,7 +292,7 @@ impl Stepped {
     }
 
     /// The motion at every time, as a drawing needs it.
-    fn motion(&self) -> Result<Solution<7>> {
+    fn motion(&self) -> rotation_dynamics::Result<Solution<7>> {
         let start = components(&self.start);
         Dop853::new(1e-10)?.solve(&self.scene, 0.0, &start, self.end, &[])
     }

@@ -1,7 +1,8 @@
 //! Which values a parameter may take.
 
-use crate::error::{Error, Result, plain};
+use crate::error::{Error, Result};
 use core::fmt;
+use rotation_dynamics::error::plain;
 
 /// An interval of real numbers; infinite ends are never included.
 ///
