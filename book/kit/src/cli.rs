@@ -279,40 +279,7 @@ impl<P: ParameterSet> Example<P> {
         arguments: impl IntoIterator<Item = A>,
     ) -> Outcome {
         let arguments = arguments.into_iter().map(Into::into).collect();
-        answer(&mut self.run(), arguments, &mut on_disk)
-    }
-
-    /// What [`answer`](Self::answer) prints, and the files that it would write.
-    pub fn answer_with_files(&self, arguments: Vec<OsString>) -> (Outcome, Vec<Leaf>) {
-        let mut files = Vec::new();
-        let outcome = answer(&mut self.run(), arguments, &mut |_, written| {
-            files = written;
-            Ok(0)
-        });
-        (outcome, files)
-    }
-
-    /// The drawings for these arguments, with the stills; or what is printed instead.
-    ///
-    /// # Errors
-    /// The refusal.
-    pub fn figures_for(
-        &self,
-        arguments: Vec<OsString>,
-    ) -> core::result::Result<Vec<Figure>, Outcome> {
-        let mut run = self.run();
-        set_up(&mut run, arguments)?;
-        figures(&run).map_err(Outcome::refused)
-    }
-
-    /// The numbers for these arguments: its report, of which nothing is printed yet.
-    ///
-    /// # Errors
-    /// The refusal.
-    pub fn report_for(&self, arguments: Vec<OsString>) -> core::result::Result<Report, Outcome> {
-        let mut run = self.run();
-        set_up(&mut run, arguments)?;
-        report(&run).map_err(Outcome::refused)
+        answer(&mut self.run(), arguments)
     }
 }
 
@@ -345,7 +312,43 @@ pub fn only_checked() -> ExitCode {
     ExitCode::FAILURE
 }
 
-fn answer(run: &mut dyn Run, arguments: Vec<OsString>, keep: Keep<'_>) -> Outcome {
+/// What the example prints for these arguments; its files are written.
+pub(super) fn answer(run: &mut dyn Run, arguments: Vec<OsString>) -> Outcome {
+    answer_keeping(run, arguments, &mut on_disk)
+}
+
+/// What it prints, and the files that it would write.
+pub(super) fn answer_with_files(
+    run: &mut dyn Run,
+    arguments: Vec<OsString>,
+) -> (Outcome, Vec<Leaf>) {
+    let mut files = Vec::new();
+    let outcome = answer_keeping(run, arguments, &mut |_, written| {
+        files = written;
+        Ok(0)
+    });
+    (outcome, files)
+}
+
+/// The drawings for these arguments, with the stills; or what is printed instead.
+pub(super) fn figures_for(
+    run: &mut dyn Run,
+    arguments: Vec<OsString>,
+) -> core::result::Result<Vec<Figure>, Outcome> {
+    set_up(run, arguments)?;
+    figures(run).map_err(Outcome::refused)
+}
+
+/// The numbers for these arguments, of which nothing is printed yet; or what is printed instead.
+pub(super) fn report_for(
+    run: &mut dyn Run,
+    arguments: Vec<OsString>,
+) -> core::result::Result<Report, Outcome> {
+    set_up(run, arguments)?;
+    report(run).map_err(Outcome::refused)
+}
+
+fn answer_keeping(run: &mut dyn Run, arguments: Vec<OsString>, keep: Keep<'_>) -> Outcome {
     match set_up(run, arguments) {
         Ok(matches) => outcome(run, &matches, keep).unwrap_or_else(Outcome::refused),
         Err(told) => told,

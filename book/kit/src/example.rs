@@ -1,5 +1,6 @@
 //! An example: its name everywhere, what it can be told, what it computes and draws.
 
+use super::cli::{self, Leaf, Outcome};
 use super::live::set_lines;
 use super::parameters::{Settings, check, table};
 use super::{Figure, Flag, Grid, Lab, MovingPicture, ParameterSet, Report, Trajectory};
@@ -100,7 +101,7 @@ impl<P: ParameterSet> Example<P> {
 
 /// An example with its parameters, whatever their type: what is written for it is compiled once
 /// for all examples.
-pub(super) trait Run {
+pub trait Run {
     fn stem(&self) -> &'static str;
     fn about(&self) -> &'static str;
     fn parameters(&self) -> &dyn Settings;
@@ -296,120 +297,105 @@ macro_rules! example {
 /// An example whose type of parameters is not asked for: with their defaults it is what the
 /// tests lock and the book shows.
 pub trait Page: Sync {
+    /// It with its default parameters, of whatever type: the one thing that is compiled for each.
+    #[doc(hidden)]
+    fn with_defaults(&self) -> Box<dyn Run + '_>;
+
     /// The stem.
     fn stem(&self) -> &'static str;
     /// The names of the flags.
-    fn flags(&self) -> Vec<String>;
+    fn flags(&self) -> Vec<String> {
+        let run = self.with_defaults();
+        run.parameters().flags().iter().map(Flag::name).collect()
+    }
     /// The numbers.
     ///
     /// # Errors
     /// Those of the example; none for a sound one.
-    fn report(&self) -> Result<Report>;
+    fn report(&self) -> Result<Report> {
+        report(&*self.with_defaults())
+    }
     /// The drawings, with the stills.
     ///
     /// # Errors
     /// As [`Page::report`].
-    fn figures(&self) -> Result<Vec<Figure>>;
+    fn figures(&self) -> Result<Vec<Figure>> {
+        figures(&*self.with_defaults())
+    }
     /// The moving picture, if there is one.
     ///
     /// # Errors
     /// As [`Page::report`].
-    fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
+        self.with_defaults().moving_picture()
+    }
     /// What a problem sheet draws: the names of flags, and their values.
-    fn drawn(&self) -> Vec<(String, Grid)>;
+    fn drawn(&self) -> Vec<(String, Grid)> {
+        drawn(&*self.with_defaults())
+    }
     /// The numbers with these flags set.
     ///
     /// # Errors
     /// As [`Example::report`], and [`Error::UnknownKey`] for a flag that is none or no number.
-    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report>;
+    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
+        let mut run = self.with_defaults();
+        set(run.parameters_mut(), flags)?;
+        report(&*run)
+    }
     /// The drawings, without stills, with these flags set.
     ///
     /// # Errors
     /// As [`Page::report_with`].
-    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>>;
+    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
+        let mut run = self.with_defaults();
+        set(run.parameters_mut(), flags)?;
+        drawings(&*run)
+    }
     /// What it is and its parameters are, as JSON for the controls of its page.
-    fn declared(&self) -> String;
+    fn declared(&self) -> String {
+        super::live::declared(&*self.with_defaults())
+    }
     /// The methods for a reader to try, with these lines set as in
     /// [`Moves::opened`](super::Moves::opened); `None` where no motion is known exactly.
     ///
     /// # Errors
     /// As there, and as [`Page::report`].
-    fn lab(&self, settings: &str) -> Result<Option<Lab>>;
+    fn lab(&self, settings: &str) -> Result<Option<Lab>> {
+        lab(&mut *self.with_defaults(), settings)
+    }
     /// What it prints for these arguments, parted by spaces.
-    fn answer(&self, arguments: &str) -> super::cli::Outcome;
+    fn answer(&self, arguments: &str) -> Outcome {
+        let arguments = arguments.split_whitespace().map(Into::into).collect();
+        cli::answer(&mut *self.with_defaults(), arguments)
+    }
     /// The same for arguments one by one, with the files that it would write.
-    fn answer_with_files(
-        &self,
-        arguments: Vec<String>,
-    ) -> (super::cli::Outcome, Vec<super::cli::Leaf>);
+    fn answer_with_files(&self, arguments: Vec<String>) -> (Outcome, Vec<Leaf>) {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        cli::answer_with_files(&mut *self.with_defaults(), arguments)
+    }
     /// The numbers for these arguments; its accuracy strip is computed when it is read.
     ///
     /// # Errors
     /// What is printed instead of running.
-    fn report_for(&self, arguments: &str) -> core::result::Result<Report, super::cli::Outcome>;
+    fn report_for(&self, arguments: &str) -> core::result::Result<Report, Outcome> {
+        let arguments = arguments.split_whitespace().map(Into::into).collect();
+        cli::report_for(&mut *self.with_defaults(), arguments)
+    }
     /// The drawings for these arguments, with the stills.
     ///
     /// # Errors
     /// What is printed instead of running.
-    fn figures_for(
-        &self,
-        arguments: Vec<String>,
-    ) -> core::result::Result<Vec<Figure>, super::cli::Outcome>;
+    fn figures_for(&self, arguments: Vec<String>) -> core::result::Result<Vec<Figure>, Outcome> {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        cli::figures_for(&mut *self.with_defaults(), arguments)
+    }
 }
 
 impl<P: ParameterSet> Page for Example<P> {
+    fn with_defaults(&self) -> Box<dyn Run + '_> {
+        Box::new(self.run())
+    }
     fn stem(&self) -> &'static str {
         self.stem
-    }
-    fn flags(&self) -> Vec<String> {
-        P::FLAGS.iter().map(Flag::name).collect()
-    }
-    fn report(&self) -> Result<Report> {
-        report(&self.run())
-    }
-    fn figures(&self) -> Result<Vec<Figure>> {
-        figures(&self.run())
-    }
-    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
-        self.run().moving_picture()
-    }
-    fn drawn(&self) -> Vec<(String, Grid)> {
-        drawn(&self.run())
-    }
-    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
-        let mut run = self.run();
-        set(run.parameters_mut(), flags)?;
-        report(&run)
-    }
-    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
-        let mut run = self.run();
-        set(run.parameters_mut(), flags)?;
-        drawings(&run)
-    }
-    fn declared(&self) -> String {
-        super::live::declared(&self.run())
-    }
-    fn lab(&self, settings: &str) -> Result<Option<Lab>> {
-        lab(&mut self.run(), settings)
-    }
-    fn answer(&self, arguments: &str) -> super::cli::Outcome {
-        Example::answer(self, arguments.split_whitespace())
-    }
-    fn answer_with_files(
-        &self,
-        arguments: Vec<String>,
-    ) -> (super::cli::Outcome, Vec<super::cli::Leaf>) {
-        let arguments = arguments.into_iter().map(Into::into).collect();
-        Example::answer_with_files(self, arguments)
-    }
-    fn report_for(&self, arguments: &str) -> core::result::Result<Report, super::cli::Outcome> {
-        let arguments = arguments.split_whitespace().map(Into::into).collect();
-        Example::report_for(self, arguments)
-    }
-    fn figures_for(
-        &self,
-        arguments: Vec<String>,
-    ) -> core::result::Result<Vec<Figure>, super::cli::Outcome> {
-        Example::figures_for(self, arguments.into_iter().map(Into::into).collect())
     }
 }
