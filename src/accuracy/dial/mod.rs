@@ -42,6 +42,8 @@ pub use limits::Limits;
 
 use crate::body::State;
 use crate::effects::AnyEffect;
+#[cfg(doc)]
+use crate::effects::Effect;
 use crate::error::Result;
 use crate::integrators::Work;
 use crate::scene::Scene;

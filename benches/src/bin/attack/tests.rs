@@ -1,6 +1,6 @@
 //! A share of each attack: none that is granted exceeds its request.
 
-use benches::attack::hostile::{self, CAUGHT, CAUGHT_PULSES, unnamed_pulse};
+use benches::attack::hostile::{self, CAUGHT_PULSES, QUICKEST_PULSE, unnamed_pulse};
 use benches::attack::{Attacked, attacked, held, kinked, largest, resisted};
 use std::ops::RangeInclusive;
 
@@ -41,13 +41,15 @@ fn kinks_without_a_name_break_no_promise() {
     hold(&attacked, [457, 23], 0.056..=0.057);
 }
 
+/// The pulses of millions of steps; all others, and the quickest of these, are tried by the test of
+/// this name in `tests/accuracy`.
 #[test]
 fn what_was_caught_once_holds() {
     let mut counts = [0; 2];
-    for n in CAUGHT.into_iter().chain(CAUGHT_PULSES) {
+    for n in CAUGHT_PULSES.into_iter().filter(|n| *n != QUICKEST_PULSE) {
         let one = attacked(n..n + 1, hostile::KINDS, hostile::case).expect("a sound scene");
         let more = held(&one);
         counts = [0, 1].map(|i| counts[i] + more[i]);
     }
-    assert_eq!(counts, [55, 25]);
+    assert_eq!(counts, [11, 11]);
 }
