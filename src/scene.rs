@@ -3,8 +3,8 @@
 //! The effects are part of the type: `Scene<()>` is a free body, and
 //! `Scene<((), GravityAtLever)>` a heavy top; or they are chosen at run time,
 //! `Scene<EffectList>`. A scene knows which quantities
-//! its motion keeps. How it moves is for [`crate::exact`] and
-//! [`crate::integrators`].
+//! its motion keeps. How it moves is told by [`Scene::solve`] (in [`crate::accuracy`]), by
+//! [`crate::exact`] and by [`crate::integrators`].
 
 use crate::body::{RigidBody, State};
 use crate::effects::{AnyEffect, Effect, EffectList, Keeps};
@@ -72,7 +72,7 @@ impl Scene<()> {
         Self { body, effects: () }
     }
 
-    /// The body under effects that were chosen at run time.
+    /// The body under effects that were chosen at run time: all effects of the scene are in the list.
     pub fn with_list(self, effects: EffectList) -> Scene<EffectList> {
         Scene {
             body: self.body,
@@ -84,7 +84,8 @@ impl Scene<()> {
 impl<E: Effect> Scene<E> {
     /// The same scene with one more effect.
     ///
-    /// A body has one weight, at one place. A second gravity does not compile:
+    /// A body has one weight, at one place. A program with a second gravity does not build
+    /// (`cargo check` does not see it):
     ///
     /// ```compile_fail,E0080
     /// # use rotation_dynamics::{body::RigidBody, effects::GravityAtLever};

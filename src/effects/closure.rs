@@ -12,7 +12,8 @@ type OnSpace<'f> = dyn Fn(f64, &RigidBody, &State) -> SpaceVector + Send + Sync 
 
 /// The torque that a closure gives of time (s), body and state.
 ///
-/// Nothing is claimed of it but what is added: [`smooth`](Self::smooth),
+/// The closure is a function of time, body and state: it may not remember, and it is `Send + Sync`.
+/// Nothing else is claimed of it but what is added: [`smooth`](Self::smooth),
 /// [`with_break_points`](Self::with_break_points), [`with_narrowest`](Self::with_narrowest).
 ///
 /// ```

@@ -8,7 +8,8 @@ use crate::math::Lane;
 
 /// An [`Effect`] whose type is not asked for: what stands behind a pointer where the effects are
 /// chosen at run time ([`EffectList`](super::EffectList)). Every `Effect` is one; write an
-/// `Effect`, and box it. What each function gives is said there.
+/// `Effect`, and box it. What each function gives is said there. Do not import this trait beside
+/// `Effect`: their functions have the same names.
 pub trait AnyEffect {
     /// [`Effect::NATURE`].
     fn nature(&self) -> Nature;

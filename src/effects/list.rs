@@ -9,9 +9,10 @@ use core::fmt;
 /// Any number of effects behind pointers: from a file, a form, the command line.
 ///
 /// A scene on it ([`Scene::with_list`](crate::scene::Scene::with_list)) solves by the same code as
-/// one whose effects are part of its type, to the same bits. What is lost is what only the type can
-/// say: a second gravity is refused when the list is made, not when it is compiled, and each torque
-/// costs a call through a pointer.
+/// one whose effects are part of its type, to the same bits. A list costs a call through a pointer
+/// for each torque; it cannot be copied or compared; its effects are `Send + Sync` and own what they
+/// use; and a second gravity is refused when the list is made, not when it is built. A list may
+/// stand in another.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;

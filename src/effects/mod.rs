@@ -74,7 +74,7 @@ use crate::math::lane::WIDEST;
 /// Something that acts on a body.
 ///
 /// An effect of your own needs its nature, its name and its torque. [`Nature::ANYTHING`]
-/// claims nothing and is always true; every claim beyond it is checked ([`check`]), at the
+/// claims nothing and is always true of an effect that has no potential; every claim beyond it is checked ([`check`]), at the
 /// start of a solution and along the way, and one that the torque contradicts is refused.
 ///
 /// ```
@@ -110,7 +110,8 @@ use crate::math::lane::WIDEST;
 /// # }
 /// ```
 pub trait Effect {
-    /// What the torque depends on, and what it leaves alone, whatever the state.
+    /// What the torque depends on, and what it leaves alone, whatever the state: true of every value
+    /// of the type.
     const NATURE: Nature;
 
     /// What the effect is called.
@@ -154,7 +155,8 @@ pub trait Effect {
         SpaceVector::zero()
     }
 
-    /// The potential energy U (J); 0 for an effect that has none.
+    /// The potential energy U (J); 0 for an effect that has none. One that has a potential either
+    /// claims that it [keeps the energy](Keeps::energy) or gives its own [`power`](Self::power).
     fn potential_energy(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }

@@ -66,8 +66,8 @@ pub struct Nature {
     /// The effect turns the body beyond I^-1 L, by its [`slip`](super::Effect::slip). Without
     /// this the slip is not asked for; an effect that has one and does not say so is refused.
     pub slips: bool,
-    /// The effect is the weight of the body. A scene has one: a second does not compile
-    /// ([`Scene::with`](crate::scene::Scene::with)).
+    /// The effect is the weight of the body. A scene has one: a second does not build
+    /// ([`Scene::with`](crate::scene::Scene::with)), and a list with two is refused.
     pub weight: bool,
     /// What the effect leaves alone.
     pub keeps: Keeps,

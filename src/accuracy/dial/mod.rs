@@ -99,8 +99,7 @@ impl<E: AnyEffect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
-    /// Where the scene has a closed form, that is taken: which one is settled when its
-    /// type is. Every other scene is stepped. Mostly two runs of the span suffice, by the method
+    /// Where the scene has a closed form, that is taken. Every other scene is stepped. Mostly two runs of the span suffice, by the method
     /// that is expected to be cheapest: the coarser has all its inputs a little changed, so that
     /// the distance of the two bounds the error of the finer and the condition at once. Both
     /// show on the first turn of the motion whether they are fine enough, and go on from there.
@@ -218,7 +217,8 @@ impl<E: AnyEffect> Scene<E> {
     /// the torque with the state; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
     /// a torque that depends on the time and may have features shorter than was looked for;
     /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular;
-    /// [`Error::NotAFunction`](crate::Error::NotAFunction) if the torque remembers.
+    /// [`Error::NotAFunction`](crate::Error::NotAFunction) if the torque is seen
+    /// to remember: memory that shows late may go unnoticed.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())
     }
