@@ -52,13 +52,8 @@ impl EffectList {
     /// [`Error::TwoGravities`]: a body has one weight.
     pub fn new(effects: Vec<BoxedEffect>) -> Result<Self> {
         let list = Self(effects);
-        if list
-            .0
-            .iter()
-            .filter(|effect| effect.nature().weight)
-            .count()
-            > 1
-        {
+        let weights = list.0.iter().filter(|effect| effect.nature().weight);
+        if weights.count() > 1 {
             return Err(Error::TwoGravities {
                 effects: list.names().join(", "),
             });
