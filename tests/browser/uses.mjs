@@ -164,8 +164,8 @@ const benches = (browser, address, how) => opened(browser, address, how, async (
     await unfolded(page);
     await page.locator(".bench > button").click();
     const faults = [];
-    const [dial, , off] = await row(page, 1);
-    if (!dial.startsWith("dial") || !(number(off) < 1e-6)) faults.push(`the dial: ${dial}, off by ${off}`);
+    const [solved, , off] = await row(page, 1);
+    if (!solved.startsWith("solve") || !(number(off) < 1e-6)) faults.push(`solve: ${solved}, off by ${off}`);
     await page.locator(".bench select").selectOption("RK4");
     const errors = [];
     for (const steps of ["400", "800"]) {
@@ -188,7 +188,7 @@ const acts = (browser, address, how) => opened(browser, address, how, async (pag
     const [, , , , , before] = await row(page, 1);
     await page.locator(".bench .acting label").nth(1).click();
     const [, setting, error, , , work] = await row(page, 2);
-    if (!/; friction=0\.02; against the dial at 1e-1\d$/.test(setting)) faults.push(`it says: ${setting}`);
+    if (!/; friction=0\.02; against solve at 1e-1\d$/.test(setting)) faults.push(`it says: ${setting}`);
     if (!(number(error) < 1e-6) || work === before) faults.push(`off by ${error} for ${work}, before for ${before}`);
     if (!await page.locator(".player .knob[data-name=friction] [type=checkbox]").isChecked()) faults.push("the page's own control does not follow");
     if (faults.length > 0) return faults;

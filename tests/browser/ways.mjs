@@ -32,7 +32,14 @@ const keyboard = (browser, address, how) => opened(browser, address, how, async 
     if (!await tabTo(page, ".player .play", faults)) return faults;
     if (await pressed() === "false") await page.keyboard.press("Space");
     if (await pressed() !== "true") faults.push("Space does not play");
-    await paints(page, 0);
+    // Out of sight, and in a page behind others, nothing is painted.
+    await page.bringToFront();
+    await page.evaluate(() => document.querySelector("figure.moving .panel")?.scrollIntoView({ block: "nearest" }));
+    if (!await paints(page, 0)) {
+        const box = await page.locator("figure .panel").first().boundingBox();
+        const now = await page.locator(".player .now").first().innerText();
+        return [...faults, `nothing is painted: the time is '${now}', the picture ${box?.height} high from ${box?.y}`];
+    }
     await page.keyboard.press("Space");
     if (await pressed() !== "false") faults.push("Space does not pause");
     if (!await tabTo(page, ".player .time", faults)) return faults;
