@@ -2,14 +2,14 @@
 
 #[path = "accuracy/angles.rs"]
 mod angles;
-#[path = "accuracy/dial.rs"]
-mod dial;
+#[path = "accuracy/error_control.rs"]
+mod error_control;
 #[path = "accuracy/figures.rs"]
 mod figures;
 #[path = "accuracy/honesty.rs"]
 #[allow(
     dead_code,
-    reason = "the tests of the dial ask more of each case than this page"
+    reason = "the tests of the error control ask more of each case than this page"
 )]
 mod honesty;
 #[path = "accuracy/limits.rs"]
@@ -80,7 +80,7 @@ fn rk4(problem: &Problem<()>) -> Result<WorkPrecision> {
 }
 // ANCHOR_END: sweep
 
-// ANCHOR: dial
+// ANCHOR: error_control
 /// The end of a motion, off by `tolerance` (rad) or less. By stepping, though there may be
 /// a closed form: so the closed form can judge.
 fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
@@ -89,7 +89,7 @@ fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
     } = problem;
     scene.solve_by_stepping(start, *end, tolerance)
 }
-// ANCHOR_END: dial
+// ANCHOR_END: error_control
 
 /// Adds what RK4 pays for a digit.
 fn add_rk4(report: &mut Report, p: &Parameters) -> kit::Result<()> {
@@ -123,7 +123,7 @@ fn report(p: &Parameters) -> kit::Result<Report> {
         tables::add_claims(&mut report, &all)?;
     }
     tables::add(&mut report, &all)?;
-    dial::add(&mut report, &all)?;
+    error_control::add(&mut report, &all)?;
     limits::add(&mut report)?;
     let pushed = all.iter().find(|measured| measured.motion.key == "pushed");
     let condition = pushed.map_or(f64::NAN, |measured| measured.path_condition.1);

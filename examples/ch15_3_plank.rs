@@ -364,8 +364,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let (exact, plank, start) = (solved.exact.clone(), Plank::smooth(p), p.angle);
     let judge = exact.clone();
-    report.dial(
-        "dial: DOP853 on the contact",
+    report.controlled(
+        "solve: DOP853 on the contact",
         [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, p.tolerance],
         move |tolerance| plank.fall(tolerance, start, 0.0),
         Fall::work,

@@ -96,7 +96,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let run = move |tolerance| Blow::new(scene, tolerance, 0.5, END);
     let error = move |blow: &Blow| Ok::<_, rotation_dynamics::Error>(blow.end()?.q[2] - turned);
-    report.dial("contacts by DOP853", asked, run, Blow::work, move |blow| {
+    report.controlled("contacts by DOP853", asked, run, Blow::work, move |blow| {
         Ok(largest([error(blow)?]))
     })?;
     report.set_closed_form(ClosedForm::new(move |part| Ok(part * turned)));

@@ -426,7 +426,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let slip = move |part| Ok(a.common + (1.0 - part) * a.relative);
     report.set_closed_form(ClosedForm::new(slip));
     let run = move |step| fallen(&p, 0.0, 2.0, step);
-    report.dial("contacts by DOP853", asked, run, Fall::work, error)
+    report.controlled("contacts by DOP853", asked, run, Fall::work, error)
 }
 
 example! {

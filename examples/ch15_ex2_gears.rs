@@ -382,7 +382,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     report.set_closed_form(ClosedForm::new(move |part| Ok(b * part)));
     let run = move |step| spun_up(&p, true, step);
-    report.dial("contacts by DOP853", asked, run, Run::work, error)
+    report.controlled("contacts by DOP853", asked, run, Run::work, error)
 }
 
 example! {

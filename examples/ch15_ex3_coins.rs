@@ -262,7 +262,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     report.set_closed_form(ClosedForm::new(at));
     let run = move |step| rolled(r, TAU, step);
-    report.dial("DOP853, error of a step", asked, run, Solution::work, error)
+    report.controlled("DOP853, error of a step", asked, run, Solution::work, error)
 }
 
 example! {

@@ -269,7 +269,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let run = move |tolerance| Blow::new(scene, tolerance, 0.5, end);
     let error = |blow: &Blow| Ok(largest([blow.end()?.q[2].abs() - TAU]));
     report.set_closed_form(ClosedForm::new(move |part| Ok(part * TAU)));
-    report.dial("contacts by DOP853", asked, run, Blow::work, error)
+    report.controlled("contacts by DOP853", asked, run, Blow::work, error)
 }
 
 example! {

@@ -360,7 +360,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let line = p.clone();
     report.set_closed_form(ClosedForm::new(move |part| Ok(reaction(&at(&line, part)))));
     let run = move |tolerance| Blow::new(Strike::rigid(&p, true), tolerance);
-    report.dial(
+    report.controlled(
         "contacts by DOP853",
         asked,
         run,

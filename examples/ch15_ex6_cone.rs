@@ -308,7 +308,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
     report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
     let run = move |step| circuit(a, step);
-    report.dial("DOP853, error of a step", asked, run, |run| run.1, error)
+    report.controlled("DOP853, error of a step", asked, run, |run| run.1, error)
 }
 
 example! {

@@ -246,7 +246,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         let [x, y, _] = run.at(end)?.q;
         Ok(hypot(x - r * c, y - r * s) / r)
     };
-    report.dial("DOP853, error of a step", asked, run, Pulled::work, error)
+    report.controlled("DOP853, error of a step", asked, run, Pulled::work, error)
 }
 
 example! {

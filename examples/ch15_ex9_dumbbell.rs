@@ -274,7 +274,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.set_closed_form(ClosedForm::new(move |_| Ok(second(reach))));
     let error = move |blow: &Blow| Ok(blow.again()?.0 - time);
     let run = move |step| halved(reach, step);
-    report.dial("DOP853, error of a step", asked, run, Blow::work, error)
+    report.controlled("DOP853, error of a step", asked, run, Blow::work, error)
 }
 
 example! {

@@ -518,7 +518,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         let State { q, v: [back, ..] } = run.at(end)?;
         Ok(largest([q[0] / (v * end), back / v + 1.0]))
     };
-    report.dial(
+    report.controlled(
         "contact by DOP853",
         [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13],
         run,

@@ -373,7 +373,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     }));
     let error = move |run: &Run<Grip, 4>| Ok(run.transition("arrives")?.t / time - 1.0);
     let run = move |step| heavy.run(0.0, step, 2.0 * time);
-    report.dial("DOP853, error of a step", asked, run, Run::work, error)
+    report.controlled("DOP853, error of a step", asked, run, Run::work, error)
 }
 
 example! {

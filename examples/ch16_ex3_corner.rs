@@ -388,7 +388,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     }));
     let run = move |step| set_down(cylinder, spin, 2.0 * stop, step);
     let error = move |ride: &Ride| Ok((ride.event("floor sticks")?.t / stop - 1.0).abs());
-    report.dial("DOP853, error of a step", asked, run, Ride::work, error)
+    report.controlled("DOP853, error of a step", asked, run, Ride::work, error)
 }
 
 /// Other surfaces: forces and time to the stop, and the same time simulated.

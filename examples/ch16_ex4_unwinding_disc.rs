@@ -283,7 +283,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         Ok::<_, rotation_dynamics::Error>([a.velocity(part * end), a.angular_velocity(part * end)])
     }));
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    report.dial(
+    report.controlled(
         "DOP853, error of a step",
         asked,
         move |step| d.run(step),

@@ -422,7 +422,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let run = move |tolerance| ball.run(ball.ahead(), end, tolerance);
     let error = move |run: &Roll| Ok(largest([run.event("arrives")?.before.v[0] / speed - 1.0]));
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
-    report.dial("contact by DOP853", asked, run, Roll::work, error)?;
+    report.controlled("contact by DOP853", asked, run, Roll::work, error)?;
     report.set_closed_form(ClosedForm::new(move |part| {
         Ok::<_, Error>(part.sqrt() * speed)
     }));

@@ -260,8 +260,8 @@ fn limits(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
 fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     let (exact, ladder) = (solved.exact, solved.ladder);
     let (start, end) = (ladder.at_rest(p.angle), 2.0 * exact.landing_time());
-    report.dial(
-        "dial: DOP853, contact released",
+    report.controlled(
+        "solve: DOP853, contact released",
         REQUESTED.into_iter().chain([p.tolerance]),
         move |tolerance| motion_within(ladder, tolerance, start, end),
         Slide::work,
@@ -269,7 +269,7 @@ fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
     )?;
     let sample = move |part: f64| exact.at(part * exact.landing_time());
     report.set_closed_form(ClosedForm::new(sample));
-    report.dial(
+    report.controlled(
         "wrong: wall kept",
         [p.tolerance],
         move |tolerance| kept_within(ladder, tolerance, start, end),

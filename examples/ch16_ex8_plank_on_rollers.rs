@@ -463,7 +463,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (apart, start) = (plank(&p, -1.0)?, State::rest([p.offset, 0.0, 0.0]));
     let run = move |step| motion(apart.clone(), &Dop853::new(step)?, start, 2.0 * end);
     let error = move |ride: &Ride| Ok(largest([ride.event(lets_go)?.t / end - 1.0]));
-    report.dial("DOP853, error of a step", asked, run, Ride::work, error)?;
+    report.controlled("DOP853, error of a step", asked, run, Ride::work, error)?;
     report.set_closed_form(ClosedForm::new(move |_| Ok(caught(&p, -1.0))));
     Ok(())
 }

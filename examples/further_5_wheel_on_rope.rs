@@ -670,7 +670,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         Dop853::new(step)?.solve(&wheel.hung(), 0.0, &start, 10.0, &[])
     };
     report.set_closed_form(ClosedForm::new(move |_| wheel.steady(0.5)));
-    report.dial(
+    report.controlled(
         "DOP853, error of a step",
         asked,
         run,

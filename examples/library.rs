@@ -195,7 +195,7 @@ fn measured_period(p: &Parameters) -> Result<f64> {
 }
 
 /// The largest angle by which the satellite is elsewhere if it has a magnet, looked at every
-/// quarter of an hour of the day: by the dial, and by steps of DOP853 with this error.
+/// quarter of an hour of the day: by `solve`, and by steps of DOP853 with this error.
 pub fn led_astray(p: &Parameters, magnet: impl Effect + Clone, step: f64) -> Result<[f64; 2]> {
     let ((plain, start), limits) = (satellite(p)?, Limits::default());
     let scene = plain.with(magnet);

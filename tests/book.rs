@@ -66,7 +66,7 @@ const DERIVED: [(&str, &str); 7] = [
         "how_gauss_legendre",
         "src/integrators/gauss_legendre/mod.rs",
     ),
-    ("how_dial", "src/accuracy/dial/mod.rs"),
+    ("how_error_control", "src/accuracy/error_control/mod.rs"),
     ("how_events", "src/integrators/dop853/mod.rs"),
     ("how_contacts", "src/planar/contact/mod.rs"),
 ];

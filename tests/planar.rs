@@ -6,10 +6,10 @@ mod block;
 mod corner;
 #[path = "planar/declared.rs"]
 mod declared;
-#[path = "planar/dial.rs"]
-mod dial;
 #[path = "planar/drift.rs"]
 mod drift;
+#[path = "planar/error_control.rs"]
+mod error_control;
 #[path = "planar/impacts.rs"]
 mod impacts;
 #[path = "planar/ladder.rs"]
@@ -191,7 +191,7 @@ fn a_ball_leaves_the_dome_at_two_thirds() {
     pulls.exceed(0.5, 4);
 }
 
-/// The dial delivers what it is asked for, and refuses what doubles cannot hold.
+/// `solve` delivers what it is asked for, and refuses what doubles cannot hold.
 #[test]
 fn the_dial_delivers() {
     let ball = Ball { restitution: 0.5 };

@@ -1,6 +1,6 @@
 //! Benchmarks and the accuracy kit.
 
-#[path = "../../tests/accuracy/dial/attack/scenes/mod.rs"]
+#[path = "../../tests/accuracy/error_control/attack/scenes/mod.rs"]
 pub mod attack;
 pub mod conditions;
 pub mod ensemble;

@@ -177,7 +177,7 @@ pub extern "C" fn figures(n: usize) -> usize {
 }
 
 /// What accuracy costs, by the reader's choice: lines of settings, and of `method=NAME` with
-/// `setting=VALUE` (steps; of DOP853 a tolerance), or of `dial=TOLERANCE`. Leaves what the run
+/// `setting=VALUE` (steps; of DOP853 a tolerance), or of `solve=TOLERANCE`. Leaves what the run
 /// delivered and paid; without a choice `{"methods": [{"name", "order", "setting"}], "span"}`;
 /// or `{"error"}`.
 #[unsafe(no_mangle)]

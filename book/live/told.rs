@@ -75,7 +75,7 @@ pub struct Asked {
     pub settings: String,
     method: Option<String>,
     setting: Option<f64>,
-    dial: Option<f64>,
+    solve: Option<f64>,
 }
 
 impl Asked {
@@ -85,13 +85,13 @@ impl Asked {
             settings: String::new(),
             method: None,
             setting: None,
-            dial: None,
+            solve: None,
         };
         for line in text.lines() {
             match line.split_once('=') {
                 Some(("method", name)) => asked.method = Some(name.into()),
                 Some(("setting", value)) => asked.setting = value.parse().ok(),
-                Some(("dial", value)) => asked.dial = value.parse().ok(),
+                Some(("solve", value)) => asked.solve = value.parse().ok(),
                 _ => asked.settings += &format!("{line}\n"),
             }
         }
@@ -103,8 +103,8 @@ impl Asked {
         let Some(lab) = lab else {
             return "{\"methods\": []}".into();
         };
-        let tried = match (&self.method, self.setting, self.dial) {
-            (None, _, Some(tolerance)) => lab.dial(tolerance),
+        let tried = match (&self.method, self.setting, self.solve) {
+            (None, _, Some(tolerance)) => lab.solve(tolerance),
             (Some(name), Some(setting), _) => {
                 let known = lab.methods().iter().find(|method| method.name() == name);
                 match known {

@@ -115,7 +115,7 @@ const pages = each.declared.map((declared, n) => {
     run(ask, [answers(JSON.parse(stdout).claims)]);
     const { methods } = JSON.parse(ask('lab', '', n));
     for (const { name, setting } of methods) ask('lab', `method=${name}\nsetting=${setting === 'tolerance' ? 1e-6 : 100}`, n);
-    if (methods.length > 0) ask('lab', 'dial=1e-6', n);
+    if (methods.length > 0) ask('lab', 'solve=1e-6', n);
   });
   const full = traced((ask) => {
     ask('declared', undefined, n);

@@ -228,7 +228,7 @@
         });
     }
 
-    // ---- The bench: a method at the reader's own step, against the exact motion, or the dial.
+    // ---- The bench: a method at the reader's own step, against the exact motion, or `solve`.
     const UNKNOWN = "With these parameters there is no motion to compare with; the effects that a run lists tell what has changed";
     class Bench {
         constructor(root) {
@@ -274,7 +274,7 @@
             const { methods, span } = await this.machine.ask("lab", settings);
             if (span === undefined) throw new Error(UNKNOWN);
             const chosen = this.method.value;
-            this.method.replaceChildren(make("option", { value: "" }, "the dial: solve, stepping"),
+            this.method.replaceChildren(make("option", { value: "" }, "solve, stepping"),
                 ...methods.map(({ name, setting }) => make("option", { value: name, "data-setting": setting }, name)));
             this.method.value = methods.some(({ name }) => name === chosen) ? chosen : "";
             if (this.method.value !== chosen || this.settings === undefined) this.method.dispatchEvent(new Event("change"));
@@ -305,7 +305,7 @@
                 this.field.value = this.kind() === "steps" ? String(Math.round(value)) : value.toExponential(0);
             };
             const chosen = () => {
-                this.name.textContent = { steps: "Steps ", tolerance: "Tolerance ", dial: "Error asked for / rad " }[this.kind()];
+                this.name.textContent = { steps: "Steps ", tolerance: "Tolerance ", solve: "Error asked for / rad " }[this.kind()];
                 typed();
             };
             this.method.addEventListener("change", chosen);
@@ -325,7 +325,7 @@
         }
 
         kind() {
-            return this.method.selectedOptions[0].dataset.setting ?? "dial";
+            return this.method.selectedOptions[0].dataset.setting ?? "solve";
         }
 
         async run() {
@@ -334,15 +334,15 @@
             try {
                 await this.offer(lines.join("\n"));
                 const setting = this.field.value.trim();
-                const asked = this.kind() === "dial" ? [`dial=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
+                const asked = this.kind() === "solve" ? [`solve=${setting}`] : [`method=${this.method.value}`, `setting=${setting}`];
                 const told = await this.machine.ask("lab", [...lines, ...asked].join("\n"));
                 const raised = (digits) => [...digits].map((c) => c === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
                 const number = (x) => x === null ? "not finite" : x === 0 ? "0"
                     : x.toExponential(1).replace(/e\+?(-?\d+)/, (_, power) => `\u202f\u00d7\u202f10${raised(power)}`);
-                const what = { steps: `${setting} steps`, tolerance: `tolerance ${setting}`, dial: `${setting} rad asked for` }[this.kind()];
-                const against = told.against ? [`against the dial at ${told.against.toExponential()}`] : [];
+                const what = { steps: `${setting} steps`, tolerance: `tolerance ${setting}`, solve: `${setting} rad asked for` }[this.kind()];
+                const against = told.against ? [`against solve at ${told.against.toExponential()}`] : [];
                 const whole = [what, ...lines.map((line) => line.endsWith("=") ? `no ${line.slice(0, -1)}` : line), ...against].join("; ");
-                const name = this.kind() === "dial" ? `dial: ${told.method}` : told.method;
+                const name = this.kind() === "solve" ? `solve: ${told.method}` : told.method;
                 const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
                 this.rows.prepend(make("tr", {}, ...cells.map((text) => make("td", {}, text))));
                 this.status.textContent = `${name}, ${whole}: off by ${number(told.attitude)} rad for ${told.work}`;

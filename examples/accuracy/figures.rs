@@ -15,7 +15,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
         figures.push(work(one)?);
     }
     figures.push(digit(&measured)?);
-    figures.push(super::dial::figure()?);
+    figures.extend(super::error_control::figures()?);
     Ok(figures)
 }
 

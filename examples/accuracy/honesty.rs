@@ -1,4 +1,4 @@
-//! Is the dial honest? Random scenes whose ends are known exactly, solved by stepping
+//! Is `solve` honest? Random scenes whose ends are known exactly, solved by stepping
 //! alone at one tolerance after the other, and judged.
 
 use rotation_dynamics::accuracy::Solved;
@@ -270,7 +270,7 @@ fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
 /// What became of one request.
 #[derive(Debug, Clone)]
 pub enum Outcome {
-    /// Solved: the error delivered (rad), and what the dial said of itself.
+    /// Solved: the error delivered (rad), and what `solve` said of itself.
     Delivered { error: f64, solved: Box<Solved> },
     /// Refused: the smallest error that the condition allows.
     Refused { attainable: f64, condition: f64 },
@@ -279,7 +279,7 @@ pub enum Outcome {
 /// Solves a case to a tolerance and judges the answer.
 ///
 /// # Errors
-/// Those of the dial, but for a request beyond the condition.
+/// Those of `solve`, but for a request beyond the condition.
 pub fn judge(case: &Case, tolerance: f64) -> Result<Outcome> {
     match (case.solve)(tolerance) {
         Ok(solved) => Ok(Outcome::Delivered {
@@ -305,6 +305,8 @@ pub struct Spread {
     pub tolerance: f64,
     /// The errors delivered, in units of the request, from the least to the largest.
     pub ratios: Vec<f64>,
+    /// The estimates that came with them, in the same units and order of size.
+    pub estimates: Vec<f64>,
     /// How many requests were refused as beyond the condition.
     pub refused: usize,
     /// The work of all runs over that of the run returned: the median.
@@ -315,6 +317,11 @@ impl Spread {
     /// The ratio below which this part of all lie: 0.5 for the median.
     pub fn quantile(&self, part: f64) -> f64 {
         quantile(&self.ratios, part)
+    }
+
+    /// The same of the estimates.
+    pub fn estimate(&self, part: f64) -> f64 {
+        quantile(&self.estimates, part)
     }
 }
 
@@ -330,22 +337,26 @@ fn quantile(sorted: &[f64], part: f64) -> f64 {
 /// Those of [`judge`].
 pub fn spreads(cases: &[Case]) -> Result<Vec<Spread>> {
     let spread = |&tolerance: &f64| {
-        let (mut ratios, mut prices, mut refused) = (Vec::new(), Vec::new(), 0);
+        let [mut ratios, mut estimates, mut prices] = [const { Vec::new() }; 3];
+        let mut refused = 0;
         for case in cases {
             match judge(case, tolerance)? {
                 Outcome::Delivered { error, solved } => {
                     ratios.push(error / tolerance);
+                    estimates.push(solved.estimate / tolerance);
                     let torques = |work: Work| work.torques() as f64;
                     prices.push(torques(solved.work) / torques(solved.run));
                 }
                 Outcome::Refused { .. } => refused += 1,
             }
         }
-        ratios.sort_by(f64::total_cmp);
-        prices.sort_by(f64::total_cmp);
+        for sorted in [&mut ratios, &mut estimates, &mut prices] {
+            sorted.sort_by(f64::total_cmp);
+        }
         Ok(Spread {
             tolerance,
             ratios,
+            estimates,
             refused,
             price: quantile(&prices, 0.5),
         })

@@ -14,7 +14,7 @@ use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Scheme, 
 use rotation_dynamics::scene::Scene;
 
 /// Gravity, and no other effect.
-type Gravity = ((), GravityAtLever);
+pub type Gravity = ((), GravityAtLever);
 
 /// Steps of Gauss-Legendre in a second: many more than any method in a race needs.
 const STEPS: f64 = 8.0;
@@ -30,7 +30,8 @@ fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Resul
     Ok(fine([from, to])?.advance(&axes, from, state, to)?.0)
 }
 
-fn heavy() -> kit::Result<(Scene<Gravity>, State)> {
+/// The heavy body of three different moments, and how it starts.
+pub fn heavy() -> kit::Result<(Scene<Gravity>, State)> {
     let (body, start) = tilted(
         PrincipalMoments::new(1.0, 1.5, 0.8)?,
         BodyVector::new(0.3, 0.1, 2.0),

@@ -91,7 +91,7 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (passage, exact) = (Passage(p.closest), Passage(p.closest).attitude(1.0)?);
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12];
     let by_quaternion = move |tolerance| passage.by_quaternion(tolerance);
-    report.dial(
+    report.controlled(
         "DOP853, quaternion, error of a step",
         asked,
         by_quaternion,
@@ -99,7 +99,7 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         move |run| Ok(run.0.angle_to(&exact)),
     )?;
     let by_angles = move |tolerance| passage.by_angles(tolerance);
-    report.dial(
+    report.controlled(
         "DOP853, angles, error of a step",
         asked,
         by_angles,

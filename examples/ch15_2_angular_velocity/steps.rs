@@ -93,7 +93,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-4, 1e-8, 1e-12, 1e-15];
     let error = move |(reached, _): &(Attitude, Work)| Ok(reached.angle_to(&exact));
     let angles = move |step| by_angles(omega, &start, end, step);
-    report.dial(
+    report.controlled(
         "DOP853 on the angles, error of a step",
         asked,
         angles,
@@ -101,7 +101,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
         error,
     )?;
     let quaternion = move |step| by_quaternion(omega, &start, end, step);
-    report.dial(
+    report.controlled(
         "DOP853 on the quaternion, error of a step",
         asked,
         quaternion,

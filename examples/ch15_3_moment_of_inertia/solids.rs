@@ -256,8 +256,8 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
         .within(2.0 * p.tolerance),
     )?;
     let rules: [(&str, Rule); 2] = [
-        ("dial: slices at equal angles", equal_angles),
-        ("dial: slices of equal thickness", equal_slices),
+        ("solve: slices at equal angles", equal_angles),
+        ("solve: slices of equal thickness", equal_slices),
     ];
     let mut asked = vec![1e-3, 1e-5, 1e-7, p.tolerance, 1e-12];
     asked.sort_by(|a, b| b.total_cmp(a));

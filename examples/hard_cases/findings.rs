@@ -20,8 +20,8 @@ use rotation_dynamics::scene::Scene;
 pub const FAMILY: Family = Family {
     key: "findings",
     title: "Found by attack",
-    cure: "the dial feels the condition on changes down to the smallest that doubles have, counts its torques, and says no",
-    methods: &["the dial"],
+    cure: "solve measures the condition on changes down to the smallest that doubles have, counts its torques, and says no",
+    methods: &["solve"],
     forms: &Form::NAMES,
     rows,
 };
@@ -67,11 +67,7 @@ fn asked(
         // What is refused needs no truth.
         let off = |end| Ok(motion.truth_as_given(form)?.angle_to(&end));
         let answer = motion.reached(by, form, tolerance).and_then(off);
-        cells.push(Cell::of(
-            (case, "the dial", form.name()),
-            answer,
-            tolerance,
-        )?);
+        cells.push(Cell::of((case, "solve", form.name()), answer, tolerance)?);
     }
     let naive = Naive {
         method,
@@ -111,11 +107,7 @@ fn scene<E: Effect>(
         }
         let delivered = solved.and_then(|solved| form.through(solved.state.attitude));
         let answer = delivered.map(|end| truth.map_or(f64::NAN, |truth| truth.angle_to(&end)));
-        cells.push(Cell::of(
-            (case, "the dial", form.name()),
-            answer,
-            tolerance,
-        )?);
+        cells.push(Cell::of((case, "solve", form.name()), answer, tolerance)?);
     }
     let steps = Carrier::new(Method::Rk4, Fineness::Steps(1000))?;
     let start = scene.body().state(attitude, rates)?;
@@ -178,11 +170,11 @@ fn separatrices(rows: &mut Vec<Row>) -> Result<()> {
     let felt = "a condition felt on changes of 1e-12 is that of a tame motion";
     for (case, by, motion, tolerance) in [
         ("middle axis, 100 s", By::Request, &middle, 4e-5),
-        ("middle axis, 100 s, stepped", By::Dial, &middle, 4e-5),
+        ("middle axis, 100 s, stepped", By::Solve, &middle, 4e-5),
         ("5e-15 off the middle axis, 100 s", By::Request, &off, 1e-10),
         ("middle axis of another, 200 s", By::Request, &longer, 3e-3),
         ("a top that just gets up, 80 s", By::Request, &up, 1e-3),
-        ("the same, stepped", By::Dial, &up, 1e-3),
+        ("the same, stepped", By::Solve, &up, 1e-3),
     ] {
         rows.push(asked([case, felt], by, (motion, believed), tolerance)?);
     }
@@ -339,7 +331,7 @@ impl Effect for Pushes<'_> {
     }
 }
 
-/// What effects say of themselves, and what the dial says of its work.
+/// What effects say of themselves, and what `solve` says of its work.
 fn told(rows: &mut Vec<Row>) -> Result<()> {
     // Once compiled, and integrated without its torque.
     let (tilted, rates) = (turned(0.1, 0.8, 0.2)?, [0.3, 0.1, 2.0]);
@@ -415,7 +407,7 @@ fn held_to(scale: f64) -> Option<f64> {
     None
 }
 
-/// The torques that the dial says its runs took, against those that were asked for: once a
+/// The torques that `solve` says its runs took, against those that were asked for: once a
 /// tenth was left out, those of runs that failed. Before any run an effect is looked at, to see
 /// whether it is what it says; those looks are no work of a run, nor are a few along the way.
 fn counted(
@@ -437,7 +429,7 @@ fn counted(
         let counted = (asked.get() - looks) as f64;
         let off = (counted - solved.work.torques() as f64).abs() / counted;
         run = 1.0 - solved.run.torques() as f64 / counted;
-        cells.push(Cell::of((case, "the dial", form.name()), Ok(off), LOOKS)?);
+        cells.push(Cell::of((case, "solve", form.name()), Ok(off), LOOKS)?);
     }
     Ok(Row {
         case,
@@ -459,13 +451,13 @@ pub const ELSEWHERE: [[&str; 4]; 12] = [
     [
         "2",
         "pulses narrower than a step, unnamed",
-        "tests/accuracy/dial/attack/named.rs",
+        "tests/accuracy/error_control/attack/named.rs",
         "narrow_pulses_are_seen",
     ],
     [
         "5",
         "a start at rest, a million turns, without end",
-        "tests/accuracy/dial/attack/named.rs",
+        "tests/accuracy/error_control/attack/named.rs",
         "no_run_without_end",
     ],
     [
@@ -489,7 +481,7 @@ pub const ELSEWHERE: [[&str; 4]; 12] = [
     [
         "9",
         "jumps without a name, refused with a wrong reason",
-        "tests/accuracy/dial/causes.rs",
+        "tests/accuracy/error_control/causes.rs",
         "jumps_without_a_name_are_found",
     ],
     [
@@ -501,25 +493,25 @@ pub const ELSEWHERE: [[&str; 4]; 12] = [
     [
         "10",
         "up to 262 times the torques of the cheapest method",
-        "tests/accuracy/dial/causes.rs",
+        "tests/accuracy/error_control/causes.rs",
         "the_price_of_not_knowing_is_bounded",
     ],
     [
         "10",
         "the torques of a run that failed",
-        "tests/accuracy/dial/causes.rs",
+        "tests/accuracy/error_control/causes.rs",
         "work_that_came_to_nothing_is_counted",
     ],
     [
         "11",
-        "a dial of scenes in phases that takes 16 times the error",
-        "tests/planar/dial.rs",
+        "an error control of scenes in phases that takes 16 times the error",
+        "tests/planar/error_control.rs",
         "two_runs_agree_within_half_the_tolerance",
     ],
     [
         "11",
         "one that does not look at the states at events",
-        "tests/planar/dial.rs",
+        "tests/planar/error_control.rs",
         "states_at_events_are_compared",
     ],
     [

@@ -25,7 +25,7 @@ pub enum By {
     /// An error is asked for; the scene has a closed form, and that answers.
     Request,
     /// The same, answered by stepping all the same.
-    Dial,
+    Solve,
     Steps(Method),
 }
 
@@ -33,7 +33,7 @@ impl By {
     /// For a body on which nothing acts.
     pub const FREE: [Self; 5] = [
         Self::ClosedForm,
-        Self::Dial,
+        Self::Solve,
         Self::Steps(Method::GaussLegendre16),
         Self::Steps(Method::Dop853),
         Self::Steps(Method::Rk4),
@@ -41,14 +41,14 @@ impl By {
     /// For a symmetric top: a splitting too.
     pub const TOP: [Self; 6] = [
         Self::ClosedForm,
-        Self::Dial,
+        Self::Solve,
         Self::Steps(Method::Srkn14),
         Self::Steps(Method::GaussLegendre16),
         Self::Steps(Method::Dop853),
         Self::Steps(Method::Rk4),
     ];
 
-    /// Without steps: what a request to the dial is answered with too.
+    /// Without steps: what a request to `solve` is answered with too.
     pub const CLOSED: [Self; 2] = [Self::ClosedForm, Self::Request];
 
     /// Whether no step is made, so that only the start's own rounding is felt.
@@ -59,8 +59,8 @@ impl By {
     pub const fn name(self) -> &'static str {
         match self {
             Self::ClosedForm => "closed form",
-            Self::Request => "the dial",
-            Self::Dial => "the dial, stepping",
+            Self::Request => "solve",
+            Self::Solve => "solve, stepping",
             Self::Steps(method) => method.name(),
         }
     }
@@ -81,7 +81,7 @@ impl By {
         match self {
             Self::ClosedForm => 2.0,
             // What is asked for, and must be proved.
-            Self::Request | Self::Dial => 4096.0,
+            Self::Request | Self::Solve => 4096.0,
             Self::Steps(Method::GaussLegendre16 | Method::Srkn14) => 8.0,
             Self::Steps(Method::Dop853) => 32.0,
             Self::Steps(_) => 64.0,

@@ -23,7 +23,7 @@ pub const FAMILY: Family = Family {
     key: "torques",
     title: "Torques that jump, bend, stop and damp",
     cure: "a jump that is named ends a step; the stages of a Gauss method never stand on it",
-    methods: &["the dial", "Gauss-Legendre 16, piece by piece"],
+    methods: &["solve", "Gauss-Legendre 16, piece by piece"],
     forms: &Form::NAMES,
     rows,
 };
@@ -100,7 +100,7 @@ impl<E: Effect> Turned<E> {
             for form in Form::ALL {
                 let from = form.through(start()?)?;
                 let by = match *method {
-                    "the dial" => By::Dial,
+                    "solve" => By::Solve,
                     _ => By::Steps(Method::GaussLegendre16),
                 };
                 let held = bound(by.k(), condition);

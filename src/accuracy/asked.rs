@@ -1,6 +1,6 @@
-//! The dial's closed forms as a [`Motion`].
+//! `solve`'s closed forms as a [`Motion`].
 
-use super::dial::ExactMotion;
+use super::error_control::ExactMotion;
 use crate::body::State;
 use crate::error::{Error, Result, finite};
 use crate::motion::{Kept, Motion};

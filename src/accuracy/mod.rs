@@ -6,7 +6,7 @@
 //! | [`Carrier`] | a method made as fine as it is to run, and what it carries of a scene |
 //! | [`Errors`] | how far a state is from the exact one, measured in five ways |
 //! | [`Sweep`] | a method run coarser and finer: what each run cost and delivered |
-//! | [`dial`] | [`Scene::solve`](crate::scene::Scene::solve): an error asked for at the end, delivered or refused |
+//! | [`error_control`] | [`Scene::solve`](crate::scene::Scene::solve): an error asked for at the end, delivered or refused |
 //! | [`CalledFor`] | which effects a scene calls for: the predicted error of leaving each out |
 //! | [`WorkPrecision`] | such runs in one measure: least work, price of a digit, floor, Pareto front |
 //!
@@ -17,7 +17,7 @@
 mod asked;
 mod called_for;
 mod carry;
-pub mod dial;
+pub mod error_control;
 mod measures;
 mod problem;
 mod sweep;
@@ -25,7 +25,7 @@ mod sweep;
 pub(crate) use crate::math::larger;
 pub use called_for::{CalledFor, MARGIN, Measured, Weighed};
 pub use carry::{Carrier, Fineness, Variables, applies};
-pub use dial::{ExactMotion, Limits, Solved, SolvedMotion};
+pub use error_control::{ExactMotion, Limits, Solved, SolvedMotion};
 pub use measures::{Errors, Measure, largest};
 pub use problem::Problem;
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};

@@ -1,6 +1,6 @@
 //! The methods by name: what each is, what it keeps and where it comes from.
 //!
-//! This is the one list. The dial chooses from it, pages and figures name and colour
+//! This is the one list. `solve` takes its methods from it, pages and figures name and colour
 //! methods by it. How a method is run on a scene is in [`crate::accuracy`].
 
 use super::splitting::Scheme;

@@ -25,14 +25,14 @@
 mod asked;
 mod bilateral;
 pub mod contact;
-mod dial;
+mod error_control;
 mod run;
 
 use crate::error::Result;
 
 pub use asked::Moment;
 pub use bilateral::Bilateral;
-pub use dial::{Delivered, simulate_within};
+pub use error_control::{Delivered, simulate_within};
 pub use run::{Leg, Run, Transition, simulate};
 
 /// A scene with `N` coordinates and velocities that moves through phases.

@@ -122,7 +122,7 @@ fn a_symmetric_body_moves_as_a_rigid_one() {
             twin.push_at(end.attitude.angle_to(&rigid.attitude(20.0)), (i3, part));
         }
     }
-    delivered.attain(1.2e-3..=1.3e-3, 9);
+    delivered.attain(0.0028..=0.0029, 9);
     twin.exceed(0.03, 9);
 }
 
@@ -205,7 +205,7 @@ fn what_is_kept() {
             .all(|state| state.angular_momentum == start.angular_momentum)
     );
     let energy = drift(&|state| scene.energy(state), &states);
-    assert_error!(energy, 7.0 eps);
+    assert_error!(energy, 4.0 eps);
     // The motion's energy alone, with the strain's left out, is not kept.
     let twin = Scene::new(body).with(Unstrained(yielding));
     assert!(drift(&|state| twin.energy(state), &states) > 1e-4);
@@ -222,7 +222,7 @@ fn what_is_kept() {
     );
     let end = scene.solve(&start, 50.0, 1e-12).expect("solved").state;
     let axial = |state| scene.value(Invariant::AxialMomentum, state);
-    assert_error!(axial(&end), axial(&start), 1.5 eps);
+    assert_error!(axial(&end), axial(&start), 0.0 eps);
 }
 
 /// A heavy body that yields keeps its energy; friction takes what the power says.
@@ -232,7 +232,7 @@ fn a_heavy_body_keeps_its_energy_or_loses_what_its_power_says() {
     let gravity = GravityAtLever::new(2.0, 0.3).expect("gravity");
     let heavy = Scene::new(body).with(gravity).with(yielding);
     let end = heavy.solve(&start, 20.0, 1e-12).expect("solved").state;
-    assert_error!(heavy.energy(&end) / heavy.energy(&start), 1.0, 10.0 eps);
+    assert_error!(heavy.energy(&end) / heavy.energy(&start), 1.0, 5.0 eps);
     assert!(
         heavy.power(3.0, &end).abs() < 1e-9,
         "{}",
@@ -250,7 +250,7 @@ fn a_heavy_body_keeps_its_energy_or_loses_what_its_power_says() {
     // Without what the torques make of the strain.
     let alone = scene.effects().power(t, &body, &state);
     assert!((alone / slope - 1.0).abs() > 1e-2, "{alone} {slope}");
-    assert_error!(scene.power(t, &state), slope, 7.4e-11);
+    assert_error!(scene.power(t, &state), slope, 6.72e-11);
 }
 
 #[test]
@@ -334,5 +334,5 @@ fn every_method_carries_it() {
     let (body, yielding, start) = soft();
     let scene = Scene::new(body).with(yielding);
     let errors = by_four_methods(&scene, &start);
-    errors.attain(1.74e-13..=1.75e-13, 4);
+    errors.attain(1.7e-13..=1.8e-13, 4);
 }

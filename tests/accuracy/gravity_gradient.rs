@@ -198,7 +198,7 @@ fn jacobis_integral_is_kept() {
         kept.add(jacobi(t), jacobi(0.0), energy(0.0));
         lost = lost.max((energy(t) / energy(0.0) - 1.0).abs());
     }
-    kept.attain(2.2e-15..=2.3e-15, 50);
+    kept.attain(2.7e-15..=2.8e-15, 50);
     assert!(lost > 0.1, "{lost:e}");
     // The power is what the energy changes by.
     let (t, h) = (12_345.0, 2.0);
@@ -215,9 +215,9 @@ fn a_fixed_direction_keeps_the_energy() {
     let scene = Scene::new(body).with(GravityGradient::fixed(N0, towards).expect("a direction"));
     let start = tumbling(&body);
     let end = scene.solve(&start, 20_000.0, 1e-10).expect("solved").state;
-    assert_error!(scene.energy(&end), scene.energy(&start), 1.332e-15);
+    assert_error!(scene.energy(&end), scene.energy(&start), 0.0);
     let about = |state: &State| state.angular_momentum.dot(&towards);
-    assert_error!(about(&end), about(&start), 0.0);
+    assert_error!(about(&end), about(&start), 5.17e-16);
     assert!((end.angular_momentum - start.angular_momentum).norm() > 0.1 * about(&start).abs());
 }
 
@@ -286,7 +286,7 @@ fn a_satellites_day() {
     let (torques, off) = by(Method::Rk4, Fineness::Steps(10_000));
     assert_eq!(torques, 40_000);
     assert_error!(off, 2.595e-5);
-    // The dial delivers what it is asked for.
+    // `solve` delivers what it is asked for.
     let scene = Scene::new(body).with(tilted_orbit());
     let day = scene
         .solve(&tumbling(&body), 86_400.0, 1e-9)

@@ -306,7 +306,7 @@ fn the_mean_over_an_orbit_is_the_ring() {
     damaged.exceed(0.01, 3);
 }
 
-/// A flyby a five-hundredth as long as the span: the dial does not step over it. Another route:
+/// A flyby a five-hundredth as long as the span: `solve` does not step over it. Another route:
 /// Euler's equations, the path by its own numerical orbit.
 #[test]
 fn a_short_passage_is_met() {

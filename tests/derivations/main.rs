@@ -6,8 +6,8 @@
 //! one thing changed is its damaged twin, and must miss.
 
 mod contacts;
-mod dial;
 mod double_double;
+mod error_control;
 mod events;
 mod free_body;
 mod gauss_legendre;

@@ -1,4 +1,4 @@
-//! The closed form that a scene's type has is the one that the dial takes.
+//! The closed form that a scene's type has is the one that `solve` takes.
 
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};

@@ -64,7 +64,7 @@ fn no_hour_is_off_by_more_than_was_asked() {
             damaged.push(off(&other, &states).unwrap()[23] / tolerance);
         }
     }
-    errors.attain(3.5e-4..=3.6e-4, 384);
+    errors.attain(2.2e-4..=2.3e-4, 384);
     damaged.exceed(1.0, 16);
 }
 

@@ -172,7 +172,7 @@ fn there_and_back() {
     );
 }
 
-/// Two methods: the closed form, and the dial's stepping with the same scene.
+/// Two methods: the closed form, and `solve`'s stepping with the same scene.
 #[test]
 fn stepping_agrees() {
     let inputs = (

@@ -1,4 +1,4 @@
-//! Scenes with effects drawn at random, through the dial: an answer with a promise, or a
+//! Scenes with effects drawn at random, through `solve`: an answer with a promise, or a
 //! reason; never a panic, a NaN or a run without end.
 
 use crate::{Held, drawn, holds, or_refused, within};

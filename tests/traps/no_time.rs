@@ -570,7 +570,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
         row("gimbals/course.rs heat", move |t| {
             Ok(most.heat(t)?.to_vec())
         }),
-        row("accuracy/dial/exact_motion.rs at", move |t| {
+        row("accuracy/error_control/exact_motion.rs at", move |t| {
             exact.at(t).map(of_state)
         }),
     ])
@@ -617,8 +617,8 @@ fn a_time_that_is_none_gives_no_place() {
 
 /// Where only the library asks, or as the other test does, or for what is no motion.
 const INSIDE: [&str; 11] = [
-    "accuracy/dial/along.rs solve_at",
-    "accuracy/dial/stepping.rs",
+    "accuracy/error_control/along.rs solve_at",
+    "accuracy/error_control/stepping.rs",
     "effects/check.rs",
     "effects/closure.rs with_break_points",
     "exact/batch.rs",

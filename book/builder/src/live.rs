@@ -589,10 +589,10 @@ mod tests {
             table
         };
         let bench = |stem, method| modules().bench(stem, &table(method));
-        assert!(bench("rod", "dial, stepping: DOP853").contains(" data-stem=\"rod\">"));
+        assert!(bench("rod", "solve, stepping: DOP853").contains(" data-stem=\"rod\">"));
         // The damaged twins: no module, no problem.
-        assert_eq!(bench("other", "dial, stepping: DOP853"), "");
-        assert_eq!(bench("rod", "dial: DOP853"), "");
+        assert_eq!(bench("other", "solve, stepping: DOP853"), "");
+        assert_eq!(bench("rod", "solve: DOP853"), "");
     }
 
     #[test]

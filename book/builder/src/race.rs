@@ -57,7 +57,7 @@ fn drawn(name: &str, table: &Table) -> Result<String, String> {
     panel.figure().map(|f| f.svg()).map_err(|e| e.to_string())
 }
 
-/// A strip: one line for each method and error. What the dial chose changes from line to
+/// A strip: one line for each method and error. What `solve` chose changes from line to
 /// line, so all its lines are one.
 fn of_strip(table: &Table, error: usize, time: usize) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
@@ -105,16 +105,16 @@ mod tests {
         let strip = table(
             &["method", "requested", "delivered", "work", "time"],
             &[
-                &["dial: RK4", "1e-3", "2e-4", "9 steps", "300"],
+                &["solve: RK4", "1e-3", "2e-4", "9 steps", "300"],
                 &["RK4", "1e-3", "9e-4", "4 steps", "200"],
-                &["dial: DOP853", "1e-6", "2e-7", "9 steps", "900"],
+                &["solve: DOP853", "1e-6", "2e-7", "9 steps", "900"],
                 &["RK4", "1e-6", "9e-7", "4 steps", "2000"],
             ],
         );
         assert_eq!(
             of_strip(&strip, 2, 4),
             [
-                ("dial".into(), vec![(300.0, 2e-4), (900.0, 2e-7)]),
+                ("solve".into(), vec![(300.0, 2e-4), (900.0, 2e-7)]),
                 ("RK4".into(), vec![(200.0, 9e-4), (2000.0, 9e-7)]),
             ]
         );
@@ -130,7 +130,7 @@ mod tests {
             ]
         );
         let svg = drawn("a_b", &strip).expect("a drawing");
-        assert!(svg.contains("RK4") && svg.contains("dial"));
+        assert!(svg.contains("RK4") && svg.contains("solve"));
         // The damaged twin: a table without times is no drawing.
         let words = table(&["method", "work"], &[&["RK4", "4 steps"]]);
         assert!(drawn("a_b", &words).is_err());

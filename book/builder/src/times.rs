@@ -50,9 +50,9 @@ impl Line {
         self.delivered <= self.requested && self.work != REFUSED
     }
 
-    /// A line of the dial, which is asked for an error and finds method and step itself.
-    fn is_dial(&self) -> bool {
-        self.method.starts_with("dial")
+    /// A line of `solve`, which is asked for an error and finds method and step itself.
+    fn is_controlled(&self) -> bool {
+        self.method.starts_with("solve")
     }
 
     /// Method, work and time in words.
@@ -121,14 +121,14 @@ fn cells_number(table: &Table, row: &[String], name: &str) -> Option<f64> {
 }
 
 /// The two lines: the cheapest method that delivered the error at which most compete, and
-/// what the dial takes more. Without rivals: what the dial takes, and what digits cost.
+/// what `solve` takes more. Without rivals: what `solve` takes, and what digits cost.
 fn summary(lines: &[Line], more: &str) -> String {
     let delivering: Vec<&Line> = lines.iter().filter(|line| line.delivers()).collect();
     let rivals = |error: f64| {
         let same = delivering
             .iter()
             .filter(move |line| line.requested == error);
-        same.copied().filter(|line| !line.is_dial())
+        same.copied().filter(|line| !line.is_controlled())
     };
     // The greatest number of rivals; of equals, the last, which is the smallest error.
     let contested = delivering
@@ -146,27 +146,30 @@ fn summary(lines: &[Line], more: &str) -> String {
     let timed = rivals(error).filter(|line| line.time.is_some());
     let all = rivals(error).all(|line| line.time.is_some());
     let cheapest = timed.min_by(|a, b| by_time(a, b)).or(rivals(error).next());
-    let dials = delivering.iter().copied().filter(|line| line.is_dial());
+    let requests = delivering
+        .iter()
+        .copied()
+        .filter(|line| line.is_controlled());
     if let Some(cheapest) = cheapest {
-        let dial = dials.clone().find(|line| line.requested == error);
-        let sure = match dial {
-            Some(dial) => {
-                let ratio = dial
+        let solved = requests.clone().find(|line| line.requested == error);
+        let sure = match solved {
+            Some(solved) => {
+                let ratio = solved
                     .time
                     .zip(cheapest.time)
-                    .map(|(dial, least)| dial / least);
+                    .map(|(all, least)| all / least);
                 let ratio = match ratio {
                     Some(ratio) => format!("{} times as long", short(ratio, 2)),
                     None => "a time that has not been measured".into(),
                 };
                 format!(
-                    "The dial, which knows no answer to compare with, takes {ratio} and delivers \
+                    "`solve`, which knows no answer to compare with, takes {ratio} and delivers \
                      {}.{more}",
-                    power(dial.delivered)
+                    power(solved.delivered)
                 )
             }
             None => format!(
-                "It is not known here, because the dial was not used: each line was run at its own \
+                "It is not known here, because `solve` was not used: each line was run at its own \
                  setting, and its error was found afterwards, against a known result.{more}"
             ),
         };
@@ -185,10 +188,10 @@ fn summary(lines: &[Line], more: &str) -> String {
             cheapest.words() + ".",
         ) + &paragraph("The price of being sure:", sure);
     }
-    let first = dials
+    let first = requests
         .clone()
         .max_by(|a, b| a.requested.total_cmp(&b.requested));
-    let last = dials
+    let last = requests
         .clone()
         .min_by(|a, b| a.requested.total_cmp(&b.requested));
     let (Some(first), Some(last)) = (first, last) else {
@@ -336,7 +339,7 @@ mod tests {
     fn no_error_is_no_power_of_ten() {
         let columns = ["method", "requested", "delivered", "work", "time"];
         let mut table = Table::new(SECTION, columns).expect("sound");
-        for (method, delivered) in [("dial: exact", "0"), ("RK4", "5e-10")] {
+        for (method, delivered) in [("solve: exact", "0"), ("RK4", "5e-10")] {
             let row = [method, "1e-9", delivered, "9 steps", "-"];
             table.push(row).expect("sound");
         }
@@ -355,14 +358,14 @@ mod tests {
             ["half timed", "1e-3", "5e-4", "2 steps", "-"],
             ["half timed", "1e-3", "5e-4", "1 step", "3"],
             ["alone", "1e-6", "5e-7", "1 step", "10"],
-            ["no dial", "-", "5e-7", "1 step", "5"],
+            ["no request", "-", "5e-7", "1 step", "5"],
         ];
         let mut table = Table::new(SECTION, columns).expect("sound");
         for row in rows {
             table.push(row).expect("sound");
         }
         assert_eq!(least(&table), [2]);
-        // In words: what delivers and is timed is the cheapest, and the dial is compared with it.
+        // In words: what delivers and is timed is the cheapest, and `solve` is compared with it.
         let asked = ["DOP853, error of a step", "1e-9", "5e-10", "3 steps", "2"];
         let line = |row: [&str; 5]| {
             let mut table = Table::new(SECTION, columns).expect("sound");
@@ -373,7 +376,7 @@ mod tests {
             line(asked).starts_with("DOP853 with 10<sup>−9</sup> as the error of a step: 3 steps")
         );
         table
-            .push(["dial: slow", "1e-9", "1e-12", "90 steps", "50"])
+            .push(["solve: slow", "1e-9", "1e-12", "90 steps", "50"])
             .expect("sound");
         let words = summary(&lines(&table), "");
         for part in [
@@ -382,7 +385,10 @@ mod tests {
         ] {
             assert!(words.contains(part), "{words}");
         }
-        let alone: Vec<Line> = lines(&table).into_iter().filter(Line::is_dial).collect();
+        let alone: Vec<Line> = lines(&table)
+            .into_iter()
+            .filter(Line::is_controlled)
+            .collect();
         assert!(summary(&alone, "").contains("For an error of 10<sup>\u{2212}9</sup>"));
         assert_eq!(summary(&[], ""), "");
     }

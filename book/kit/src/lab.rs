@@ -14,13 +14,13 @@ use std::sync::{Arc, OnceLock};
 /// What a run of a reader's choice delivered and paid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tried {
-    /// The method: the one chosen, or the one that the dial chose.
+    /// The method: the one chosen, or the one that `solve` chose.
     pub method: &'static str,
     /// How far its end is from the exact one, or from what stands for it.
     pub errors: Errors,
     /// What it cost, all runs together.
     pub work: Work,
-    /// The error (rad) asked of the dial whose end stands for the exact one; `None` if that is known.
+    /// The error (rad) asked of `solve` whose end stands for the exact one; `None` if that is known.
     pub against: Option<f64>,
 }
 
@@ -75,7 +75,7 @@ type Try = dyn Fn(Option<Method>, f64) -> Result<Tried> + Send + Sync;
 /// let [coarse, fine] = [100.0, 200.0].map(|steps| lab.run(Method::Rk4, steps));
 /// let gain = coarse?.errors.attitude / fine?.errors.attitude;
 /// assert!((gain.log2() - 4.0).abs() < 0.1); // a method of order 4
-/// assert!(lab.dial(1e-9)?.errors.attitude <= 1e-9);
+/// assert!(lab.solve(1e-9)?.errors.attitude <= 1e-9);
 /// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Clone)]
@@ -85,11 +85,11 @@ pub struct Lab {
     run: Arc<Try>,
 }
 
-/// What a run is judged by: the end, and the error asked of the dial that gave it, if it did.
+/// What a run is judged by: the end, and the error asked of `solve` that gave it, if it did.
 type Judge = (State, Option<f64>);
 
 impl Lab {
-    /// The methods that apply to this problem, with the dial.
+    /// The methods that apply to this problem, with `solve`.
     pub fn new<E>(problem: &Problem<E>) -> Self
     where
         E: Effect + Clone + Send + Sync + 'static,
@@ -98,7 +98,7 @@ impl Lab {
     }
 
     /// The same for a motion that nothing knows exactly, of `scene` from `start` to `end` (s):
-    /// runs are judged by the dial at the least error that it grants, from 1e-12 rad upwards in
+    /// runs are judged by `solve` at the least error that it grants, from 1e-12 rad upwards in
     /// powers of ten, which is asked when the first is judged.
     ///
     /// ```
@@ -188,16 +188,16 @@ impl Lab {
         (self.run)(Some(method), setting)
     }
 
-    /// The dial, stepping: an attitude asked for within so many rad at the end.
+    /// `solve`, stepping: an attitude asked for within so many rad at the end.
     ///
     /// # Errors
     /// As [`Scene::solve_by_stepping`](rotation_dynamics::scene::Scene::solve_by_stepping).
-    pub fn dial(&self, tolerance: f64) -> Result<Tried> {
+    pub fn solve(&self, tolerance: f64) -> Result<Tried> {
         (self.run)(None, tolerance)
     }
 }
 
-/// The end by the dial at the least error that it grants.
+/// The end by `solve` at the least error that it grants.
 fn tightest<E: Effect>(problem: &Problem<E>) -> rotation_dynamics::Result<Judge> {
     let by = |tolerance| {
         let solved = (problem.scene).solve_by_stepping(&problem.start, problem.end, tolerance)?;

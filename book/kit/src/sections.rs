@@ -71,7 +71,7 @@ impl Limit {
 pub struct Price {
     /// The method: `"DOP853"`.
     pub method: String,
-    /// The global error asked for; `None` for a method without a dial.
+    /// The global error asked for; `None` for a method without one.
     pub requested: Option<f64>,
     /// The error found against the exact solution.
     pub delivered: f64,
@@ -252,7 +252,7 @@ impl Report {
     /// The accuracy strip, line by line; computed when it is first read.
     ///
     /// # Errors
-    /// What a run of the strip refuses; see [`Report::strip`] and [`Report::dial`].
+    /// What a run of the strip refuses; see [`Report::strip`] and [`Report::controlled`].
     pub fn prices(&self) -> Result<Vec<&Price>> {
         let lines: Vec<&[Price]> = self
             .accuracy

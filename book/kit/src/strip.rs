@@ -1,4 +1,4 @@
-//! The accuracy strip: what the dial delivers and pays, and what each method would.
+//! The accuracy strip: what `solve` delivers and pays, and what each method would.
 
 use super::{ClosedForm, Computation, Lab, Price, Report};
 use crate::error::{Result, positive};
@@ -21,11 +21,11 @@ const SHOWN: [Method; 6] = [
     Method::GaussLegendre16,
 ];
 
-/// The label of the dial where it takes the closed form.
-const CLOSED_FORM: &str = "dial";
+/// The label of `solve` where it takes the closed form.
+const CLOSED_FORM: &str = "solve";
 
-/// The label of the dial where it steps: the report then has a [`Lab`], too.
-pub const STEPPING: &str = "dial, stepping";
+/// The label of `solve` where it steps: the report then has a [`Lab`], too.
+pub const STEPPING: &str = "solve, stepping";
 
 /// In place of the work of a run that was refused.
 const REFUSED: &str = "refused";
@@ -79,8 +79,8 @@ impl fmt::Debug for Lines {
 impl Report {
     /// Adds the accuracy strip of a problem, from the largest error to the smallest.
     ///
-    /// For each of `tolerances` (rad) a line for the dial, stepping, with all its runs. For
-    /// the first, which is the page's own, also the dial as it is, where that takes the
+    /// For each of `tolerances` (rad) a line for `solve`, stepping, with all its runs. For
+    /// the first, which is the page's own, also `solve` as it is, where that takes the
     /// closed form, and the least work of each method, as hindsight knows it. Every line can
     /// be run again by those who measure time; the unit is a sample of the closed form. The
     /// problem is then the report's [`Lab`], too.
@@ -115,7 +115,7 @@ impl Report {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a tolerance that is not above 0 and finite.
-    pub fn dial<T>(
+    pub fn controlled<T>(
         &mut self,
         method: &str,
         tolerances: impl IntoIterator<Item = f64>,
@@ -153,7 +153,7 @@ impl Report {
         Ok(())
     }
 
-    /// The lines of [`dial`](Self::dial) for DOP853 by its error of a step, on a motion that
+    /// The lines of [`controlled`](Self::controlled) for DOP853 by its error of a step, on a motion that
     /// comes back: `back` finds that event (as [`Dop853::zero`] does), which is known to be at
     /// the time `period`, with `place` as the first of its components. The larger of the
     /// relative error of the time and the error of the place counts.
@@ -171,7 +171,7 @@ impl Report {
     /// ```
     ///
     /// # Errors
-    /// As [`dial`](Self::dial).
+    /// As [`controlled`](Self::controlled).
     pub fn dial_of_return<const N: usize>(
         &mut self,
         tolerances: impl IntoIterator<Item = f64>,
@@ -187,7 +187,7 @@ impl Report {
             Ok(largest([back.t / period - 1.0, back.state[0] - place]))
         };
         let label = "DOP853, error of a step";
-        self.dial(label, tolerances, back, |run| run.1, error)
+        self.controlled(label, tolerances, back, |run| run.1, error)
     }
 }
 
@@ -213,7 +213,7 @@ where
     Ok(lines)
 }
 
-/// What the dial delivers, or that it refuses and the least it could.
+/// What `solve` delivers, or that it refuses and the least it could.
 fn solved<E>(problem: &Problem<E>, label: &str, requested: f64, solve: Solve<E>) -> Result<Price>
 where
     E: Effect + Clone + Send + Sync + 'static,

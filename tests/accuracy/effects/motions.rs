@@ -65,7 +65,7 @@ fn viscous_friction_takes_the_spin_exponentially() {
         |t| spun(angle(t)),
         |t| spun(spin * t),
     );
-    delivered.attain(2.1e-2..=2.2e-2, 9);
+    delivered.attain(0.020..=0.021, 9);
     twin.exceed(0.1, 9);
 }
 
@@ -93,7 +93,7 @@ fn viscous_friction_slows_a_precession_like_a_clock() {
         |t| free.attitude((1.0 - exp(-k * t)) / k),
         |t| free.attitude(t),
     );
-    delivered.attain(0.022..=0.023, 9);
+    delivered.attain(0.0072..=0.0073, 9);
     twin.exceed(0.1, 9);
 }
 
@@ -139,7 +139,7 @@ fn disc_drag_slows_a_spin_by_a_power() {
             |t| angle(t, other),
         );
     }
-    delivered.attain(4.7e-3..=4.8e-3, 18);
+    delivered.attain(0.0024..=0.0025, 18);
     twin.exceed(1e-3, 18);
 }
 
@@ -175,7 +175,7 @@ fn gravity_anywhere_makes_a_physical_pendulum() {
             swing(0.0, z),
         );
     }
-    delivered.attain(1.0e-3..=1.1e-3, 27);
+    delivered.attain(0.0011..=0.0012, 27);
     twin.exceed(1e-2, 27);
 }
 
@@ -252,7 +252,7 @@ fn a_prescribed_torque_is_integrated() {
             |t| spun(angle(t, 0.01)),
         );
     }
-    delivered.attain(1.5e-3..=1.6e-3, 27);
+    delivered.attain(9.8e-4..=9.9e-4, 27);
     twin.exceed(3.5e-4, 27);
 }
 
@@ -306,32 +306,35 @@ impl Effect for Unnamed {
     }
 }
 
-/// No solution steps over a pulse of 2 ms in 20 s, for its width is named; the twin's does.
+/// No solution steps over a pulse of 2 ms in 20 s, for its width is named. One of 2 us whose width is
+/// not, the twin's, is met by chance or not at all.
 #[test]
 fn a_narrow_pulse_is_not_stepped_over() {
     let mut delivered = Errors::of("delivered over requested");
     let mut twin = Errors::of("twin: the width is not named");
     let body = body(1.0, 1.4, 0.5);
     let (torque, width, centre, spin) = (40.0, 2e-3, 7.3, 0.4);
-    let pulse = Profile::pulse(centre, width).expect("a pulse");
-    let kick = BodyVector::new(0.0, 0.0, torque);
-    let kick = PrescribedTorque::on_body(kick, pulse).expect("a torque");
+    let kick = |shorter: f64| {
+        let pulse = Profile::pulse(centre, width / shorter).expect("a pulse");
+        let kick = BodyVector::new(0.0, 0.0, torque * shorter);
+        PrescribedTorque::on_body(kick, pulse).expect("a torque")
+    };
     let start = spinning(&body, spin);
     // All of it lies between 0 and the end.
     let gained = torque * width * core::f64::consts::TAU.sqrt() / 0.5;
     let exact = spun(spin * 20.0 + gained * (20.0 - centre));
     for tolerance in TOLERANCES {
         let solved = Scene::new(body)
-            .with(kick.clone())
+            .with(kick(1.0))
             .solve(&start, 20.0, tolerance);
         let error = exact.angle_to(&solved.expect("solved").state.attitude);
         delivered.push_at(error / tolerance, tolerance);
         let solved = Scene::new(body)
-            .with(Unnamed(kick.clone()))
+            .with(Unnamed(kick(1e3)))
             .solve(&start, 20.0, tolerance);
         let error = exact.angle_to(&solved.expect("solved").state.attitude);
         twin.push_at(error / tolerance, tolerance);
     }
-    delivered.attain(1.6e-5..=1.7e-5, 3);
+    delivered.attain(0.0011..=0.0012, 3);
     twin.exceed(1.0, 3);
 }

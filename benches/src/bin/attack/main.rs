@@ -1,4 +1,4 @@
-//! Thousands of scenes made to break the dial, each asked for two tolerances. Prints what
+//! Thousands of scenes made to break `solve`, each asked for two tolerances. Prints what
 //! `benches/record/attack.txt` records.
 //!
 //! ```text
@@ -72,7 +72,7 @@ fn six_thousand_scenes_that_are_kinked() -> Result<()> {
     told(&attacked);
     let (_, above) = attacked;
     assert_eq!(above.len(), 1);
-    assert!(above[0].starts_with("3/2 in time 4532, 1e-12: 1.06"));
+    assert!(above[0].starts_with("jump in space 4247, 1e-12: 1.16"));
     Ok(())
 }
 

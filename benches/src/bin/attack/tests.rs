@@ -15,15 +15,15 @@ fn hold(attacked: &Attacked, counts: [usize; 2], range: RangeInclusive<f64>) {
 #[test]
 fn nothing_is_granted_that_does_not_hold() {
     let attacked = attacked(0..200, hostile::KINDS, hostile::case).expect("sound scenes");
-    hold(&attacked, [280, 120], 0.036..=0.037);
+    hold(&attacked, [280, 120], 0.035..=0.036);
 }
 
-/// Pulses and bursts that nothing names are seen where the dial says that it sees them, and no
+/// Pulses and bursts that nothing names are seen where `solve` says that it sees them, and no
 /// answer on them is above its request.
 #[test]
 fn pulses_without_a_name_are_seen() {
     let attacked = attacked(0..100, 1, unnamed_pulse).expect("sound scenes");
-    assert_eq!(held(&attacked), [193, 7]);
+    assert_eq!(held(&attacked), [196, 4]);
 }
 
 #[test]
@@ -31,14 +31,14 @@ fn nothing_that_resists_breaks_the_promise() {
     let chosen = resisted::Chosen::default();
     let case = |n| resisted::case(n, &chosen);
     let attacked = attacked(0..120, resisted::KINDS, case).expect("sound scenes");
-    hold(&attacked, [235, 5], 0.35..=0.36);
-    assert_eq!(resisted::by_splitting(&chosen), 183);
+    hold(&attacked, [235, 5], 0.039..=0.040);
+    assert_eq!(resisted::by_splitting(&chosen), 211);
 }
 
 #[test]
 fn kinks_without_a_name_break_no_promise() {
     let attacked = attacked(0..240, kinked::KINDS, kinked::case).expect("sound scenes");
-    hold(&attacked, [457, 23], 0.056..=0.057);
+    hold(&attacked, [457, 23], 0.20..=0.21);
 }
 
 /// The pulses of millions of steps; all others, and the quickest of these, are tried by the test of
@@ -51,5 +51,5 @@ fn what_was_caught_once_holds() {
         let more = held(&one);
         counts = [0, 1].map(|i| counts[i] + more[i]);
     }
-    assert_eq!(counts, [11, 11]);
+    assert_eq!(counts, [12, 12]);
 }

@@ -22,7 +22,7 @@ pub enum Way {
 }
 
 impl Way {
-    /// The name that the dial gives it.
+    /// The name that `solve` gives it.
     pub fn name(self) -> String {
         match self {
             Self::Plain(method, Variables::SpinFree) => format!("{}, spin-free", method.name()),
@@ -38,7 +38,7 @@ impl Way {
     }
 
     /// What a torque takes, in units of one derivative of DOP853: the times of `Method::cost` in
-    /// the dial, by which it chooses.
+    /// `solve`, by which it chooses.
     pub fn weight(self, motion: &Motion) -> f64 {
         let symmetric = motion.is_symmetric();
         let of = |round: f64, other: f64| if symmetric { round } else { other };
@@ -57,7 +57,7 @@ impl Way {
     }
 }
 
-/// The splittings that the dial chooses from.
+/// The splittings that `solve` chooses from.
 const SPLITTINGS: [Method; 4] = [
     Method::Srkn6,
     Method::Srkn14,

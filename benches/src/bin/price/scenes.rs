@@ -20,7 +20,7 @@ use rotation_dynamics::scene::Scene;
 
 use core::f64::consts::TAU;
 
-/// A scene, what the dial makes of it, its true end, and what hindsight would have taken.
+/// A scene, what `solve` makes of it, its true end, and what hindsight would have taken.
 pub struct Case {
     pub kind: &'static str,
     pub solve: Box<dyn Fn(f64) -> Result<Solved>>,
@@ -135,7 +135,7 @@ fn least(
     let mut all = motion.ways();
     all.sort_by_key(|way| way.name() != name);
     for way in all {
-        // What the dial chose is known to the end, the others after it while they may win.
+        // What `solve` chose is known to the end, the others after it while they may win.
         let chosen = way.name() == name;
         let most = if chosen {
             f64::INFINITY

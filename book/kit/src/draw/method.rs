@@ -28,7 +28,7 @@ pub enum Marker {
 /// | Strang, SRKN 6b, SRKN 14a, Kahan-Li 17b | olive |
 /// | ABA(8,2), ABA(10,4), ABA(10,6,4) | teal |
 /// | Gauss-Legendre 16: plain, projected, spin-free | violet |
-/// | closed form, exact flow, the dial | ink |
+/// | closed form, exact flow, `solve` | ink |
 /// | naive methods | vermillion, dashed |
 /// | others | grey, thin |
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,8 +37,8 @@ pub enum Method {
     Exact,
     /// The exact flow, step by step.
     Flow,
-    /// What the dial chooses.
-    Dial,
+    /// What `solve` chooses.
+    Solve,
     /// Classical Runge-Kutta of order 4.
     Rk4,
     /// Runge-Kutta of order 4 on the group.
@@ -75,7 +75,7 @@ pub enum Method {
 
 /// A part of a method's name, lower case, and who is meant. The first that fits counts.
 const NAMES: [(&str, Method); 20] = [
-    ("dial", Method::Dial),
+    ("solve", Method::Solve),
     ("closed form", Method::Exact),
     ("exact flow", Method::Flow),
     ("projected", Method::GaussProjected),
@@ -111,7 +111,7 @@ impl Method {
     /// Its ink.
     pub fn ink(self) -> Ink {
         match self {
-            Self::Exact | Self::Flow | Self::Dial => Ink::Ink,
+            Self::Exact | Self::Flow | Self::Solve => Ink::Ink,
             Self::Rk4 | Self::MuntheKaas4 => Ink::RungeKutta,
             Self::Dop853 | Self::Dop853Changed => Ink::Adaptive,
             Self::Strang | Self::Srkn6b | Self::Srkn14a | Self::KahanLi17b => Ink::Splitting,
@@ -129,7 +129,7 @@ impl Method {
             | Self::Aba104
             | Self::KahanLi17b
             | Self::GaussProjected
-            | Self::Dial
+            | Self::Solve
             | Self::Naive => Dash::Dashed,
             Self::Flow | Self::Strang | Self::Aba1064 => Dash::Dotted,
             _ => Dash::Solid,
@@ -153,7 +153,7 @@ impl Method {
         match self {
             Self::Exact => "closed form",
             Self::Flow => "exact flow",
-            Self::Dial => "dial",
+            Self::Solve => "solve",
             Self::Rk4 => "RK4",
             Self::MuntheKaas4 => "MK4",
             Self::Dop853 => "DOP853",
@@ -202,7 +202,7 @@ mod tests {
     fn names_of_tables_are_known() {
         for (name, method) in [
             ("RK4", Method::Rk4),
-            ("dial: RK4", Method::Dial),
+            ("solve: RK4", Method::Solve),
             ("Strang splitting", Method::Strang),
             ("Blanes-Moan SRKN 14a splitting", Method::Srkn14a),
             ("Blanes et al. ABA(10,4)", Method::Aba104),

@@ -1,0 +1,314 @@
+//! `solve`'s promise all along the way.
+
+use super::given::{Given, Places};
+use super::method::{Fine, Method, Passed, Runs, Steps};
+use super::refine::stops;
+use super::{ExactMotion, Limits, Solved};
+use crate::body::State;
+use crate::effects::AnyEffect;
+use crate::error::{Error, Result, finite};
+use crate::integrators::Work;
+use crate::motion::{Kept, Motion};
+use crate::scene::Scene;
+
+/// Runs are compared at so many places at most, one for every so many radians that the
+/// body turns.
+const ALONG: Places = Places::Along {
+    most: 128,
+    apart: 3.0,
+};
+
+/// A stretch between two known states is stepped in parts of so many steps of the run, of which every
+/// state between them is found from the last before it.
+const PART: u64 = 8;
+
+/// A motion whose states are known to a tolerance at every time of its span.
+///
+/// Runs are compared, and the condition is measured, at up to 128 places. A state between two
+/// of them is found by stepping on from the one before with the method and the fineness of
+/// the run that was verified, so it is as good as its
+/// neighbours, and it is the same whatever other times are asked for. Many times
+/// ([`Motion::try_states`]) cost some steps for each, and those of the run once; one alone costs
+/// the steps from the place before it. [`Limits::budget`] counts them with what was solved, and
+/// [`Limits::cancel`] ends them.
+pub struct SolvedMotion<'s> {
+    given: Given<'s>,
+    solved: Solved,
+    form: Form,
+    kept: Vec<Kept>,
+}
+
+pub(super) enum Form {
+    /// Start and end are one.
+    Still(State),
+    Exact(ExactMotion),
+    Stepped {
+        method: Method,
+        level: f64,
+        precision: f64,
+        /// The start, and the ends of the pieces of the run, with their times.
+        passed: Vec<(f64, State)>,
+        /// What was asked for on each piece, and made.
+        steps: Vec<Steps>,
+    },
+}
+
+/// How far the states of a stepped motion have been found.
+struct Found {
+    /// The part of a piece, by the numbers of both, and the state at its start; that of a slender body
+    /// as it is stepped too.
+    piece: usize,
+    part: u64,
+    state: State,
+    on_body: Option<[f64; 7]>,
+    /// What it has taken.
+    work: Work,
+}
+
+impl<E: AnyEffect> Scene<E> {
+    /// The motion from `start` to `t_end` (s) with an attitude that is off by `tolerance`
+    /// (rad) or less at every time between.
+    ///
+    /// ```
+    /// # use rotation_dynamics::{accuracy::Limits, attitude::Attitude, body::RigidBody};
+    /// # use rotation_dynamics::{effects::GravityAtLever, frame::BodyVector};
+    /// # use rotation_dynamics::{inertia::PrincipalMoments, scene::Scene};
+    /// use rotation_dynamics::motion::Motion;
+    /// # fn main() -> rotation_dynamics::Result<()> {
+    /// let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+    /// let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?);
+    /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+    /// let motion = scene.solve_along(&start, 20.0, 1e-9, &Limits::default())?;
+    /// let there = motion.try_state(7.3)?;
+    /// let alone = scene.solve(&start, 7.3, 1e-12)?;
+    /// assert!(there.attitude.angle_to(&alone.state.attitude) <= 1e-9);
+    /// assert!(motion.try_state(20.1).is_err());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Scene::solve_with`].
+    pub fn solve_along<'s>(
+        &'s self,
+        start: &State,
+        t_end: f64,
+        tolerance: f64,
+        limits: &Limits<'s>,
+    ) -> Result<SolvedMotion<'s>> {
+        let given = self.given(start, t_end, tolerance, limits)?;
+        let answer = given.answer(ALONG, false)?;
+        Ok(SolvedMotion {
+            given,
+            solved: answer.solved,
+            form: answer.form,
+            kept: (self.invariants())
+                .map(|invariant| {
+                    let (name, unit) = invariant.name_and_unit();
+                    Kept::new(name, unit, self.value(invariant, start))
+                })
+                .collect(),
+        })
+    }
+
+    /// The states at these times (s), each with an attitude that is off by `tolerance`
+    /// (rad) or less; they rise, or fall, from the time of the start.
+    ///
+    /// # Errors
+    /// As [`Scene::solve_with`]; no times, or times out of order.
+    pub fn solve_at(
+        &self,
+        start: &State,
+        times: &[f64],
+        tolerance: f64,
+        limits: &Limits,
+    ) -> Result<Vec<State>> {
+        let Some(&t_end) = times.last() else {
+            return Err(Error::Lengths {
+                name: "times",
+                found: 0,
+                expected: 1,
+            });
+        };
+        in_order(limits.t_start, times)?;
+        let motion = self.solve_along(start, t_end, tolerance, limits)?;
+        motion.try_states(times)
+    }
+}
+
+/// Times that lead away from the start, each no nearer than the one before.
+fn in_order(t_start: f64, times: &[f64]) -> Result<()> {
+    let mut before = finite("start time", t_start)?;
+    let direction = times[times.len() - 1] - t_start;
+    for (index, &t) in times.iter().enumerate() {
+        finite("time", t)?;
+        if (t - before) * direction < 0.0 {
+            return Err(Error::NotRising {
+                name: "time",
+                index,
+                before,
+                value: t,
+            });
+        }
+        before = t;
+    }
+    Ok(())
+}
+
+impl Motion for SolvedMotion<'_> {
+    type State = State;
+
+    fn name(&self) -> &'static str {
+        self.solved.method
+    }
+
+    fn try_state(&self, t: f64) -> Result<State> {
+        self.inside(t)?;
+        self.state(t, &mut self.found())
+    }
+
+    fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
+        let at = |index: usize, reason: Error| Error::AtIndex {
+            name: "times",
+            index,
+            reason: Box::new(reason),
+        };
+        for (index, t) in times.iter().enumerate() {
+            self.inside(*t).map_err(|reason| at(index, reason))?;
+        }
+        let [from, to] = self.span();
+        let mut order: Vec<usize> = (0..times.len()).collect();
+        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+        if to < from {
+            order.reverse();
+        }
+        let mut found = self.found();
+        let mut states = Vec::with_capacity(times.len());
+        for index in order {
+            match self.state(times[index], &mut found) {
+                Ok(state) => states.push((index, state)),
+                Err(error) if stops(&error) => return Err(error),
+                Err(error) => return Err(at(index, error)),
+            }
+        }
+        states.sort_by_key(|(index, _)| *index);
+        Ok(states.into_iter().map(|(_, state)| state).collect())
+    }
+
+    fn kept(&self) -> Vec<Kept> {
+        self.kept.clone()
+    }
+
+    /// The largest of the whole way.
+    fn condition(&self, t: f64) -> Result<f64> {
+        self.inside(t)?;
+        Ok(self.solved.condition)
+    }
+}
+
+impl SolvedMotion<'_> {
+    /// What was solved: the state at the end, the method, estimates for the whole of the
+    /// way, work.
+    pub const fn solved(&self) -> &Solved {
+        &self.solved
+    }
+
+    /// The time of the start and that of the end (s).
+    pub const fn span(&self) -> [f64; 2] {
+        self.given.span()
+    }
+
+    fn inside(&self, t: f64) -> Result<()> {
+        finite("time", t)?;
+        let [from, to] = self.span();
+        let (first, last) = (from.min(to), from.max(to));
+        if !(first..=last).contains(&t) {
+            return Err(Error::OutsideRun {
+                t,
+                start: first,
+                end: last,
+            });
+        }
+        Ok(())
+    }
+
+    /// Nothing yet.
+    fn found(&self) -> Found {
+        Found {
+            piece: usize::MAX,
+            part: 0,
+            state: self.given.start,
+            on_body: None,
+            work: Work::default(),
+        }
+    }
+
+    /// The state at a time, from where those before it were found.
+    fn state(&self, t: f64, here: &mut Found) -> Result<State> {
+        let [from, to] = self.span();
+        let (method, level, precision, passed, steps) = match &self.form {
+            Form::Still(state) => return Ok(*state),
+            Form::Exact(motion) => return motion.at(t - from),
+            Form::Stepped {
+                method,
+                level,
+                precision,
+                passed,
+                steps,
+            } => (*method, *level, *precision, passed, steps),
+        };
+        let is_after = |other: f64| if to < from { other < t } else { other > t };
+        let piece = passed.partition_point(|(at, _)| !is_after(*at)) - 1;
+        let (begun, state) = passed[piece];
+        if begun == t {
+            return Ok(state);
+        }
+        let (end, _) = passed[piece + 1];
+        let parts = steps[piece].made.div_ceil(PART).max(1);
+        let at = |part: u64| begun + part as f64 / parts as f64 * (end - begun);
+        if here.piece != piece {
+            (here.piece, here.part) = (piece, 0);
+            (here.state, here.on_body) = (state, None);
+        }
+        let problem = self.given.problem();
+        let mut fewest = steps[piece];
+        fewest.fewest = fewest.fewest.div_ceil(parts);
+        let limits = &self.given.limits;
+        let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Passed> {
+            let spent = self.solved.work.torques() + here.work.torques();
+            let over = Error::OverBudget {
+                t: self.span()[0],
+                t_end: self.span()[1],
+                budget: limits.budget,
+            };
+            let budget = limits.left(spent)?;
+            if budget == 0 {
+                return Err(over);
+            }
+            let fine = Fine {
+                level,
+                fewest: &[fewest],
+                precision,
+                budget,
+            };
+            let mut runs = Runs::default();
+            let (state, on_body) = (&here.state, here.on_body);
+            let passed = method.run(&problem, [from, to], state, on_body, fine, &mut runs);
+            here.work += runs.work;
+            match passed {
+                Err(Error::OverBudget { .. }) => Err(over),
+                passed => passed,
+            }
+        };
+        while here.part + 1 < parts && !is_after(at(here.part + 1)) {
+            let passed = go_on(at(here.part), at(here.part + 1), here)?;
+            (here.state, here.on_body) = (passed.state, passed.on_body);
+            here.part += 1;
+        }
+        let from = at(here.part);
+        if from == t {
+            return Ok(here.state);
+        }
+        Ok(go_on(from, t, here)?.state)
+    }
+}

@@ -1,0 +1,374 @@
+//! What is asked of `solve`, checked, and handed on.
+//!
+//! `solve` is compiled once, for effects behind a pointer: a program that solves ten scenes
+//! of its own compiles none of it.
+
+use super::along::Form;
+use super::limits::{LOOKS, Limits};
+use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
+use super::refine::Refinement;
+use super::slender::Slender;
+use super::{ExactMotion, Solved};
+use crate::body::{RigidBody, State};
+use crate::effects::{AnyEffect, Checked, NEAR};
+use crate::error::{Error, Result, finite};
+use crate::integrators::Work;
+use crate::math::EPS;
+
+/// The error of a closed form, in units of eps (1 + condition). Measured over the reference
+/// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
+const CLOSED_FORM: f64 = 8.0;
+
+/// The angle (rad) that a body turns at most between two places where its effects are tried, of
+/// which there are no more than so many.
+const CUT: f64 = 30.0;
+const MOST_CUTS: f64 = 8.0;
+
+/// Where the promise is to hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Places {
+    /// At the end.
+    End,
+    /// All along: at so many places, one for as many radians that the body turns.
+    Along { most: usize, apart: f64 },
+}
+
+/// What was solved, and what is needed to find any state on the way.
+pub(super) struct Answer {
+    pub solved: Solved,
+    pub form: Form,
+}
+
+/// What is asked: a scene, its start, its end, and within which limits.
+pub(super) struct Given<'s> {
+    effects: &'s dyn AnyEffect,
+    body: RigidBody,
+    pub start: State,
+    t_end: f64,
+    tolerance: f64,
+    pub limits: Limits<'s>,
+    checked: Checked<'s>,
+    acting: Acting<'s>,
+    damping: f64,
+    /// What the torque may be as large as, and where it jumps.
+    torque: f64,
+    breaks: Vec<f64>,
+    longest_step: f64,
+    /// What a trial run shows of a slender body, and what it took.
+    slender: Option<Slender>,
+    trial: Work,
+}
+
+impl<'s> Given<'s> {
+    pub fn new(
+        effects: &'s dyn AnyEffect,
+        body: &RigidBody,
+        start: &State,
+        t_end: f64,
+        tolerance: f64,
+        limits: &Limits<'s>,
+    ) -> Result<Self> {
+        finite("tolerance", tolerance)?;
+        if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
+            return Err(Error::OutOfRange {
+                name: "tolerance",
+                value: tolerance,
+                allowed: "above 0 and at most pi",
+            });
+        }
+        limits.checked(t_end)?;
+        State::new(start.attitude, start.angular_momentum)?;
+        let checked = Checked::new(effects, body, [limits.t_start, t_end], start)?;
+        let mut given = Self {
+            effects,
+            body: *body,
+            start: *start,
+            t_end,
+            tolerance,
+            limits: *limits,
+            acting: Acting::of(effects),
+            damping: 0.0,
+            torque: effects
+                .torque_scale(limits.t_start, body, start)
+                .max(checked.at_start()),
+            breaks: limits.breaks(effects, t_end),
+            longest_step: limits.longest_step,
+            checked,
+            slender: None,
+            trial: Work::default(),
+        };
+        finite("kinetic energy of the start", body.kinetic_energy(start))?;
+        let nature = effects.nature();
+        finite(
+            "the fastest rate that the energy allows",
+            given.problem().fastest(),
+        )?;
+        let seen = if nature.on_time && t_end != limits.t_start {
+            given.checked.looked(LOOKS as usize)
+        } else {
+            Vec::new()
+        };
+        if !nature.smooth && !seen.is_empty() {
+            let jumps = given.checked.jumps(&seen);
+            let kinks = given.checked.kinks(&seen, &given.breaks);
+            given.breaks.extend(jumps.into_iter().chain(kinks));
+            given.breaks = limits.sorted(given.breaks, t_end);
+        }
+        if given.problem().exact_motion().is_none() {
+            (given.slender, given.trial) = given.slender()?;
+        }
+        let rate = given.problem().fastest();
+        given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
+        if given.problem().exact_motion().is_none() {
+            // Runs are cut there too, and what effects say of themselves is tried.
+            let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
+            let problem = given.problem();
+            let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
+            let apart = |cut: &f64| given.breaks.iter().all(|t| (t - cut).abs() > near);
+            let cuts: Vec<f64> = (1..cuts)
+                .map(|n| problem.at_leg(n, cuts))
+                .filter(apart)
+                .collect();
+            given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
+        }
+        if let Acting::Anything(effects) = given.acting
+            && given.problem().stays_smooth()
+        {
+            given.acting = Acting::Smooth(effects);
+        }
+        given.damping = given.problem().fastest_damping();
+        Ok(given)
+    }
+
+    /// What a trial shows of a slender body, and what it took.
+    fn slender(&self) -> Result<(Option<Slender>, Work)> {
+        let mut trial = Work::default();
+        let slender = Slender::of(&self.problem(), self.limits.budget, &mut trial)?;
+        Ok((slender, trial))
+    }
+
+    /// The time of the start and that of the end (s).
+    pub const fn span(&self) -> [f64; 2] {
+        [self.limits.t_start, self.t_end]
+    }
+
+    pub fn problem(&self) -> Problem<'_> {
+        Problem {
+            body: self.body,
+            acting: self.acting,
+            strength: 1.0,
+            torque: self.torque,
+            start: self.start,
+            t_start: self.limits.t_start,
+            t_end: self.t_end,
+            breaks: &self.breaks,
+            longest_step: self.longest_step,
+            damping: self.damping,
+            checked: &self.checked,
+            known: self.effects.known(),
+            slender: self.slender,
+        }
+    }
+
+    /// What is asked for, in closed form unless it is to be stepped.
+    pub fn answer(&self, places: Places, step: bool) -> Result<Answer> {
+        let (mut problem, mut trial) = (self.problem(), self.trial);
+        if step && problem.exact_motion().is_some() {
+            (problem.slender, trial) = self.slender()?;
+        }
+        if let (Places::End, Some(slender)) = (places, &mut problem.slender) {
+            slender.held = 0.0;
+        }
+        let places = match places {
+            Places::End => 1,
+            Places::Along { most, apart } => {
+                let turned = problem.fastest() * problem.span().abs() / apart;
+                turned.clamp(1.0, most as f64) as usize
+            }
+        };
+        if !step && let Some(motion) = problem.exact_motion() {
+            match by_closed_form(&problem, &motion, self.tolerance, places) {
+                // At the edge of what a closed form can do: neighbours have none.
+                Err(Error::NotDelivered { .. }) => {}
+                solved => {
+                    return Ok(Answer {
+                        solved: solved?,
+                        form: Form::Exact(motion),
+                    });
+                }
+            }
+        }
+        if problem.span() == 0.0 {
+            return Ok(Answer {
+                solved: nothing_to_do(&problem)?,
+                form: Form::Still(problem.start),
+            });
+        }
+        let span = problem.span();
+        if span.abs() < f64::MIN_POSITIVE {
+            return Err(Error::OutOfRange {
+                name: "end time - start time",
+                value: span,
+                allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
+            });
+        }
+        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, places, trial);
+        let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
+        let solved = Solved::of(&delivered, &problem, self.looked_every());
+        let mut passed = vec![(problem.t_start, problem.start)];
+        passed.extend(delivered.run.passed);
+        Ok(Answer {
+            solved,
+            form: Form::Stepped {
+                method: delivered.method,
+                level: delivered.run.level,
+                precision: delivered.precision,
+                passed,
+                steps: delivered.run.steps.concat(),
+            },
+        })
+    }
+}
+
+impl Given<'_> {
+    /// The time between two looks at the torque, if it may have features that nothing names.
+    fn looked_every(&self) -> Option<f64> {
+        let unnamed = self.effects.nature().on_time && self.effects.narrowest().is_none();
+        unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
+    }
+
+    /// True if the torque on the body as it starts is another one just before this time and after.
+    fn jumps_at(&self, t: f64) -> bool {
+        let [from, to] = self.span();
+        let near = 1e-9 * (to - from).abs();
+        let [before, after] = [t - near, t + near].map(|t| {
+            let t = t.max(from.min(to)).min(from.max(to));
+            self.effects.torque(t, &self.body, &self.start)
+        });
+        (before - after).norm() > 1e-6 * before.norm().max(after.norm())
+    }
+
+    /// Why nothing comes of all runs, where it shows in the torque: it jumps with the state, or may
+    /// have what was not seen.
+    fn reason(&self, error: Error) -> Error {
+        let unclear = match error {
+            Error::OverBudget { .. } | Error::StepUnderflow { .. } => true,
+            Error::NotDelivered { reached, .. } => !reached.is_finite(),
+            Error::BeyondCondition { attainable, .. } => !attainable.is_finite(),
+            _ => false,
+        };
+        if !unclear {
+            return error;
+        }
+        let effect = || self.effects.names().join(" and ");
+        if let Some(t) = self.problem().slides(self.limits.budget) {
+            return Error::Sliding {
+                effect: effect(),
+                t,
+            };
+        }
+        if let Error::StepUnderflow { t, .. } = error
+            && !self.jumps_at(t)
+        {
+            return error;
+        }
+        match self.looked_every() {
+            Some(every)
+                if !self.effects.nature().smooth && !matches!(error, Error::OverBudget { .. }) =>
+            {
+                Error::Unseen {
+                    effect: effect(),
+                    requested: self.tolerance,
+                    every,
+                }
+            }
+            _ => error,
+        }
+    }
+}
+
+fn nothing_to_do(problem: &Problem) -> Result<Solved> {
+    let start = problem.start;
+    let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
+        let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
+        Ok((vec![start], changed.collect::<Result<_>>()?))
+    })?;
+    Ok(Solved {
+        state: start,
+        method: "nothing to do",
+        run: Work::default(),
+        work: Work::default(),
+        probes: Work::default(),
+        price: 1.0,
+        estimate: 0.0,
+        momentum_estimate: 0.0,
+        rates_estimate: 0.0,
+        condition,
+        longest_step: 0.0,
+        looked_every: None,
+    })
+}
+
+/// The state of a closed form, if its error is small enough at so many places on the way.
+fn by_closed_form(
+    problem: &Problem,
+    motion: &ExactMotion,
+    tolerance: f64,
+    places: usize,
+) -> Result<Solved> {
+    let on_the_way = |motion: &ExactMotion, changed: &Problem| -> Result<Vec<State>> {
+        (1..=places)
+            .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
+            .collect()
+    };
+    let states = on_the_way(motion, problem)?;
+    let mut work = Work {
+        samples: 1,
+        ..Work::default()
+    };
+    let run = work;
+    let neighbour = |row, by| {
+        let changed = problem.changed(row, by)?;
+        let motion = changed.exact_motion().ok_or(Error::NotDelivered {
+            requested: tolerance,
+            reached: f64::INFINITY,
+        })?;
+        on_the_way(&motion, &changed)
+    };
+    let feeler = if motion.is_near_separatrix() {
+        Feeler::STEEP
+    } else {
+        Feeler::EXACT
+    };
+    let condition: Apart = problem.condition(&feeler, |by| {
+        work.samples += ALL_ROWS as u64;
+        let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
+        Ok((states.clone(), changed.collect::<Result<_>>()?))
+    })?;
+    let [estimate, momentum_estimate, rates_estimate] =
+        condition.map(|condition| CLOSED_FORM * EPS * (1.0 + condition));
+    if estimate.is_nan() || estimate > tolerance {
+        return Err(Error::BeyondCondition {
+            requested: tolerance,
+            attainable: estimate,
+            condition: condition[0],
+        });
+    }
+    Ok(Solved {
+        state: states[places - 1],
+        method: motion.name(),
+        run,
+        work,
+        probes: Work {
+            samples: work.samples - 1,
+            ..Work::default()
+        },
+        price: work.samples as f64,
+        estimate,
+        momentum_estimate,
+        rates_estimate,
+        condition: condition[0],
+        longest_step: 0.0,
+        looked_every: None,
+    })
+}

@@ -1,0 +1,628 @@
+//! The error control of what must be stepped: a run, a finer run, and a run with its inputs a little
+//! changed, finer until their distances are small enough.
+
+use super::limits::Limits;
+use super::method::{Fine, LEVEL, Method, Runs, Steps};
+use super::problem::{Acting, Apart, Feeler, Problem};
+use super::slender::opposite_rows;
+use crate::accuracy::larger;
+use crate::body::State;
+use crate::error::{Error, Result};
+use crate::integrators::Work;
+use crate::math::{EPS, exp, expm1, log};
+
+/// An error is estimated as so many times the distance of two runs. The second is 40 times finer
+/// (DOP853: 13 times): where errors fall as they should the distance is 13 to 40 times the error.
+const SAFETY: f64 = 2.0;
+
+/// Over kinks that nothing names a run errs at each by what its steps happen to be off, and two may
+/// agree by chance: the distance of the last two counts as no less than that of the two before, fallen
+/// by this a level, and all of it [`SAFETY`] times.
+const KINKED: f64 = 8.0;
+
+/// Runs that are no further apart than this (rad) are of one motion.
+const APART: f64 = 0.2;
+
+/// A changed motion that moves by more than this (rad) shows no slope any more.
+const LINEAR: f64 = 0.03;
+
+/// By how much the inputs are changed to measure the condition: more than round-off by as many digits
+/// as it is below a turn,
+const CHANGE: f64 = 1e-8;
+/// and of DOP853, which answers with a jump of a part of its error, so much more,
+const CHANGE_ADAPTIVE: f64 = 1e-4;
+/// that its error is this part of the change at most.
+const NEARER: f64 = 0.1;
+
+/// The next change, where one moves the end too far; and the part of a change that sweeps may leave
+/// where it is measured with care.
+const SMALLER: f64 = 1e-3;
+
+/// The change of the inputs of the first run, as a part of the tolerance, for each radian that a motion
+/// is late: it moves the end of one that is only late by some hundredths of the tolerance.
+const CHANGED: f64 = 0.05;
+
+/// A floor that is so many times below the tolerance need not be known well. A single change of all
+/// inputs moves the end by a sum with signs; in one direction that is below 1/30 of its root mean
+/// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
+const FAR_BELOW: f64 = 30.0;
+
+/// A motion whose condition is no more than so many times that of one which is only late counts as one
+/// that passes no saddle.
+const TAME: f64 = 6.0;
+
+/// A floor so many times above the tolerance is refused at once.
+const HOPELESS: f64 = 10.0;
+
+/// Where the floor is not far below the tolerance, nor hopelessly above: so many changes,
+const ROWS: usize = 5;
+/// each with the state moved so many times on the way, at most.
+const LEGS: f64 = 512.0;
+
+/// The part of the tolerance that the sweeps of Gauss-Legendre may leave.
+const SWEEPS: f64 = 0.1;
+
+/// What the sweeps leave of n steps is the condition times n times this, in units of the
+/// precision: it is mostly on one side. Measured on 600 free bodies and tops over 30 to 30 000
+/// steps: 0.0038 at most, whatever their number.
+const SWEPT: f64 = 0.004;
+
+/// What rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
+/// runs of up to a million steps: 0.15. Of Gauss-Legendre over 155 000 steps of a pulse: 0.11.
+const ROUNDED: f64 = 0.5;
+
+/// So many levels are left to a run whose steps were short from the first.
+const LATER: f64 = 4.0;
+
+/// What runs come no nearer than, and is no more than so many times the floor, is round-off.
+const ROUND_OFF: f64 = 16.0;
+
+/// Where a run was at the places looked at, at which level, and what it cost.
+pub(super) struct Run {
+    pub level: f64,
+    places: Vec<State>,
+    /// What it took on the pieces of the way to each place.
+    pub steps: Vec<Vec<Steps>>,
+    pub work: Work,
+    pub longest_step: f64,
+    /// Where it was between two pieces, and at the end.
+    pub passed: Vec<(f64, State)>,
+}
+
+/// What a run delivers.
+pub(super) struct Delivered {
+    pub method: Method,
+    pub precision: f64,
+    pub run: Run,
+    pub work: Work,
+    pub probes: Work,
+    pub price: f64,
+    /// Upper estimates of the three errors, at the place where each is largest.
+    pub estimate: Apart,
+    pub condition: Apart,
+}
+
+/// How fine a run is to be: its level, with so many steps on each piece at least, and the precision
+/// of its sweeps.
+#[derive(Clone, Copy)]
+struct Asked<'s> {
+    level: f64,
+    fewest: &'s [Vec<Steps>],
+    precision: f64,
+}
+
+/// The runs of one solution.
+pub(super) struct Refinement<'p> {
+    problem: &'p Problem<'p>,
+    tolerance: f64,
+    limits: &'p Limits<'p>,
+    /// Where the motion is looked at, from the start to the end.
+    times: Vec<f64>,
+    work: Work,
+    /// What of that went into the condition.
+    probes: Work,
+    /// What all of it cost, in units of one derivative of DOP853.
+    cost: f64,
+}
+
+impl<'p> Refinement<'p> {
+    /// With the motion looked at in so many places, of equal distances; the end is the last.
+    pub fn new(
+        problem: &'p Problem<'p>,
+        tolerance: f64,
+        limits: &'p Limits<'p>,
+        places: usize,
+        trial: Work,
+    ) -> Self {
+        Self {
+            problem,
+            tolerance,
+            limits,
+            times: (0..=places).map(|n| problem.at_leg(n, places)).collect(),
+            work: trial,
+            probes: Work::default(),
+            cost: trial.torques() as f64,
+        }
+    }
+
+    /// The run of the first method that delivers.
+    ///
+    /// # Errors
+    /// What no method mends; else the least error that was reached, or why the last came to no end.
+    pub fn solve(mut self) -> Result<Delivered> {
+        let methods = Method::candidates(self.problem, self.tolerance);
+        self.affordable(methods)?;
+        let (mut best, mut why) = (f64::INFINITY, None);
+        for method in methods {
+            match self.refine(*method) {
+                Err(error) if stops(&error) => return Err(error),
+                Err(error @ Error::NotDelivered { reached, .. }) => {
+                    if why.is_none() || reached < best {
+                        (best, why) = (reached, Some(error));
+                    }
+                }
+                Err(error) => why = why.or(Some(error)),
+                delivered => return delivered,
+            }
+        }
+        Err(why.unwrap_or(self.not_delivered(best)))
+    }
+
+    /// Refuses before any run what takes more torques than are allowed even in the longest steps
+    /// that are.
+    fn affordable(&self, methods: &[Method]) -> Result<()> {
+        let problem = self.problem;
+        let steps = (problem.span() / problem.longest_step).abs();
+        let cheapest = (methods.iter()).map(|method| method.torques());
+        let cheapest = cheapest.fold(f64::INFINITY, f64::min);
+        if steps * cheapest > self.limits.budget as f64 {
+            return Err(self.over_budget());
+        }
+        Ok(())
+    }
+
+    /// The angle (rad) turned at the fastest rate: by so much a relative change of the time moves the
+    /// end.
+    fn late(&self) -> f64 {
+        self.problem.fastest() * self.problem.span().abs()
+    }
+
+    /// The least error that a motion of this condition leaves.
+    fn floor(&self, method: Method, condition: f64) -> f64 {
+        method.floor(self.problem) * EPS * (1.0 + condition)
+    }
+
+    /// Runs of one method, finer and finer until one delivers.
+    fn refine(&mut self, method: Method) -> Result<Delivered> {
+        let mut change = self.first_change(method);
+        let mut precision = self.first_precision(method);
+        let mut coarse = self.first(method, change, precision)?;
+        // Where steps are short for another reason than the rotation, their order begins later.
+        let later = if method.is_adaptive() {
+            0.0
+        } else {
+            coarse.level + LATER
+        };
+        let finest = method.finest().max(later);
+        let (mut condition, mut before): (Option<Apart>, Option<Apart>) = (None, None);
+        let (mut ahead, mut stuck) = (1.0, 0);
+        let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
+        loop {
+            let fine = self.finer(method, &coarse, ahead, precision)?;
+            let apart = self.distance(&coarse, &fine);
+            if let Some(by) = change.take() {
+                let (slopes, _) = self.problem.slopes(by, &fine.places, &[&coarse.places]);
+                condition = self.is_far_below(method, slopes[0]).then_some(slopes);
+            } else if condition.is_none() && self.is_near(method, apart[0]) {
+                condition = Some(self.condition(method, &coarse, precision)?);
+            }
+            let left = match condition {
+                Some(condition) => self.left(method, &fine, condition, precision)?,
+                None => [0.0; 3],
+            };
+            let step = fine.level - coarse.level;
+            if let Some(counted) = self.counted(method.falls(), apart, before, step) {
+                let estimate = [0, 1, 2].map(|n| SAFETY * counted[n] + left[n]);
+                if let Some(condition) = condition
+                    && estimate[0] <= self.tolerance
+                {
+                    return self.delivered(method, precision, fine, estimate, condition);
+                }
+                reached = reached.min(estimate[0]);
+            }
+            // The sweeps of what follows, now that the condition is known.
+            let kept = condition.map_or(precision, |condition| {
+                let swept = self.swept(fine.work.steps as f64);
+                SWEEPS * (self.tolerance - self.floor(method, condition[0]))
+                    / (swept * (1.0 + condition[0]))
+            });
+            let loosely = precision > 2.0 * kept;
+            precision = precision.min(kept);
+            let is_nearer = apart[0] <= 0.5 * nearest;
+            stuck = if is_nearer || apart[0] > APART {
+                0
+            } else {
+                stuck + 1
+            };
+            nearest = nearest.min(apart[0]);
+            if stuck > 2 && precision > 0.0 {
+                // It may be the sweeps that differ.
+                (precision, stuck) = (0.0, 0);
+            } else if stuck > 2 || fine.level + 0.1 >= finest && !loosely {
+                return Err(self.refused(method, &fine, reached));
+            }
+            let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
+            let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls());
+            // Where three runs count, one more is to have room.
+            let room = (finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
+            ahead = wanted.clamp(1.0, 3.0).min(room.max(0.0));
+            (coarse, before) = (fine, Some(apart));
+        }
+    }
+
+    /// The change of the inputs of the first run, where its distance from the second can show both the
+    /// error and the condition.
+    fn first_change(&self, method: Method) -> Option<f64> {
+        let by = CHANGED * self.tolerance / (1.0 + self.late());
+        let floor = self.floor(method, 0.5 * self.tolerance / by);
+        (!self.is_steep() && FAR_BELOW * floor < self.tolerance).then_some(by)
+    }
+
+    /// To what its sweeps are solved, at twice the condition of a motion that is only late.
+    fn first_precision(&self, method: Method) -> f64 {
+        if !method.sweeps() {
+            return 0.0;
+        }
+        let level = method.level_for(self.problem, self.tolerance);
+        let steps = method.steps(self.problem, self.problem.span(), level);
+        let steps = steps.max((self.problem.span() / self.problem.longest_step).abs());
+        let condition = 2.0 * self.late();
+        (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(1e-6)
+    }
+
+    /// What the sweeps of so many steps leave, in units of the precision and of 1 + condition.
+    fn swept(&self, steps: f64) -> f64 {
+        1.0 + SWEPT * steps
+    }
+
+    /// What rounding and sweeps leave, whatever the distance of two runs is.
+    fn left(&self, method: Method, run: &Run, condition: Apart, precision: f64) -> Result<Apart> {
+        let floor = self.floor(method, condition[0]);
+        if floor.is_nan() || floor >= self.tolerance {
+            return Err(self.beyond(floor, condition[0]));
+        }
+        let steps = run.work.steps as f64;
+        let rounded = if method.adds_rounding() {
+            ROUNDED * EPS * steps
+        } else {
+            0.0
+        };
+        let swept = precision * self.swept(steps);
+        Ok(condition
+            .map(|condition| self.floor(method, condition) + swept * (1.0 + condition) + rounded))
+    }
+
+    /// Why finer runs come no nearer: the condition, which is now measured with care, or the method.
+    fn refused(&mut self, method: Method, run: &Run, reached: f64) -> Error {
+        match self.slopes_with_care(method, run) {
+            Ok([condition, ..]) => {
+                let floor = self.floor(method, condition);
+                if floor >= self.tolerance {
+                    return self.beyond(floor, condition);
+                }
+                if reached < ROUND_OFF * floor {
+                    return self.beyond(reached, condition);
+                }
+                self.not_delivered(reached)
+            }
+            Err(error) if stops(&error) => error,
+            Err(_) => self.not_delivered(reached),
+        }
+    }
+
+    /// The distance of two runs as it counts, the second finer by so many levels: what is left of an
+    /// error that falls by x is x/(1 - x) of the distance, all of it at most where x is a half. Over what
+    /// may have kinks, with the distance of the two before.
+    fn counted(
+        &self,
+        falls: f64,
+        apart: Apart,
+        before: Option<Apart>,
+        levels: f64,
+    ) -> Option<Apart> {
+        let left = (1.0 / expm1(falls * levels * LEVEL)).max(1.0);
+        if !self.may_have_kinks() {
+            return Some(apart.map(|apart| left * apart));
+        }
+        let (before, fallen) = (before?, exp(log(KINKED) * levels));
+        Some([0, 1, 2].map(|n| SAFETY * larger(left * apart[n], before[n] / fallen)))
+    }
+
+    /// True if nothing is said of how smooth the torque is.
+    const fn may_have_kinks(&self) -> bool {
+        matches!(self.problem.acting, Acting::Anything(_))
+    }
+
+    /// True if two runs are so near that a changed one in the steps of the coarser shows a slope.
+    fn is_near(&self, method: Method, apart: f64) -> bool {
+        let most = if method.is_adaptive() {
+            (NEARER * CHANGE_ADAPTIVE)
+                .max(0.5 * self.tolerance)
+                .min(LINEAR)
+        } else {
+            LINEAR
+        };
+        apart <= most
+    }
+
+    /// The condition: by one change of all inputs in the steps of this run, or with care where the
+    /// floor that this puts is near the tolerance.
+    fn condition(&mut self, method: Method, run: &Run, precision: f64) -> Result<Apart> {
+        if self.is_steep() {
+            return self.slopes_with_care(method, run);
+        }
+        let before = self.work;
+        let slopes = self.slopes(method, run, precision);
+        self.probes += self.work.since(&before);
+        let slopes = slopes?;
+        let floor = self.floor(method, slopes[0]);
+        let is_hopeless = floor.is_finite() && floor > HOPELESS * self.tolerance;
+        // Two rows have told it of a slender body.
+        let is_known = self.problem.slender.is_some() || self.is_far_below(method, slopes[0]);
+        if is_hopeless || is_known {
+            return Ok(slopes);
+        }
+        self.slopes_with_care(method, run)
+    }
+
+    /// True near a separatrix, as the closed form knows: there a change of the start may die away that
+    /// would grow if it came later.
+    fn is_steep(&self) -> bool {
+        let exact = self.problem.exact_motion();
+        self.problem.slender.is_none() && exact.is_some_and(|motion| motion.is_near_separatrix())
+    }
+
+    /// True if the floor is so far below the tolerance that the condition need not be known well: so
+    /// much farther as the motion may pass a saddle.
+    fn is_far_below(&self, method: Method, condition: f64) -> bool {
+        let saddle = (condition / (TAME * (1.0 + self.late()))).max(1.0);
+        FAR_BELOW * saddle * self.floor(method, condition) < self.tolerance
+    }
+
+    fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Apart> {
+        let rows = match self.problem.slender {
+            Some(_) => opposite_rows(self.problem.body.moments().to_array()).to_vec(),
+            None => vec![self.problem.telling_row()?],
+        };
+        let again = |leg: &Vec<Steps>| leg.iter().map(|steps| steps.again(method)).collect();
+        let fewest: Vec<Vec<Steps>> = run.steps.iter().map(again).collect();
+        let mut by = if method.is_adaptive() {
+            CHANGE_ADAPTIVE
+        } else {
+            CHANGE.max(10.0 * precision)
+        };
+        while by > 64.0 * EPS {
+            let asked = Asked {
+                // Coarser by as much as the changed problem may seem to turn faster.
+                level: if method.is_adaptive() {
+                    run.level
+                } else {
+                    run.level - 0.1
+                },
+                fewest: &fewest,
+                precision: if method.sweeps() { NEARER * by } else { 0.0 },
+            };
+            let mut changed = Vec::new();
+            for row in &rows {
+                let problem = self.problem.changed(*row, by)?;
+                changed.push(self.run(&problem, method, asked)?);
+            }
+            // Nor may they part on the way and meet again.
+            let farthest = (changed.iter())
+                .flat_map(|changed| run.passed.iter().zip(&changed.passed))
+                .map(|(a, b)| self.problem.apart(&a.1, &b.1)[0])
+                .fold(0.0, larger);
+            if farthest <= LINEAR {
+                let places: Vec<_> = changed.iter().map(|run| run.places.as_slice()).collect();
+                return Ok(self.problem.slopes(by, &run.places, &places).0);
+            }
+            by *= SMALLER;
+        }
+        Ok([f64::INFINITY; 3])
+    }
+
+    /// The same by some changes, with the state moved on the way as rounding does.
+    fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Apart> {
+        let problem = self.problem;
+        // DOP853 answers a small change with a small jump, of its error.
+        let level = if method.is_adaptive() {
+            run.level.max(5.0)
+        } else {
+            run.level
+        };
+        // Every two radians at most: what passes a saddle must be moved on its way there.
+        let legs = (0.5 * method.turned(problem, problem.span())).clamp(1.0, LEGS) as usize;
+        let everywhere = self.times.len() > 2;
+        let mut all = Runs::default();
+        let this = &*self;
+        let condition = problem.condition(&Feeler::STEPPED, |by| {
+            let mut moved = |row: usize, by: f64, precision: f64| {
+                let mut places = Vec::new();
+                let end = problem.in_legs(row, by, legs, |changed, t, state, t_end| {
+                    let fine = Fine {
+                        level,
+                        fewest: &[],
+                        precision,
+                        budget: this.limits.left(this.work.torques() + all.work.torques())?,
+                    };
+                    let passed = method.run(changed, [t, t_end], state, None, fine, &mut all);
+                    let passed = passed.map_err(|error| this.of_whole_span(error))?;
+                    if everywhere {
+                        places.push(passed.state);
+                    }
+                    Ok(passed.state)
+                })?;
+                if !everywhere {
+                    places.push(end);
+                }
+                Ok(places)
+            };
+            // What the sweeps leave must not be mistaken for a change.
+            let precision = SMALLER * by;
+            let places = moved(0, 0.0, precision)?;
+            let changed = (0..ROWS).map(|row| moved(row, by, precision));
+            Ok((places, changed.collect::<Result<_>>()?))
+        });
+        self.work += all.work;
+        self.probes += all.work;
+        self.cost += method.cost(&all.work);
+        condition
+    }
+
+    /// What is delivered, unless an effect was seen to be another than it says.
+    fn delivered(
+        &self,
+        method: Method,
+        precision: f64,
+        run: Run,
+        estimate: Apart,
+        condition: Apart,
+    ) -> Result<Delivered> {
+        for (t, state) in &run.passed {
+            self.problem.checked.at(*t, state)?;
+        }
+        Ok(Delivered {
+            method,
+            precision,
+            work: self.work,
+            probes: self.probes,
+            price: self.cost / method.cost(&run.work),
+            run,
+            estimate,
+            condition,
+        })
+    }
+
+    fn not_delivered(&self, reached: f64) -> Error {
+        Error::NotDelivered {
+            requested: self.tolerance,
+            reached,
+        }
+    }
+
+    fn beyond(&self, attainable: f64, condition: f64) -> Error {
+        Error::BeyondCondition {
+            requested: self.tolerance,
+            attainable,
+            condition,
+        }
+    }
+
+    fn over_budget(&self) -> Error {
+        Error::OverBudget {
+            t: self.problem.t_start,
+            t_end: self.problem.t_end,
+            budget: self.limits.budget,
+        }
+    }
+
+    /// A budget that is used up is told as it was given, for the whole span.
+    fn of_whole_span(&self, error: Error) -> Error {
+        match error {
+            Error::OverBudget { .. } => self.over_budget(),
+            error => error,
+        }
+    }
+
+    /// The first run, its inputs changed if that is asked for: as fine as is expected to do, or at the
+    /// first finer level that comes to its end.
+    fn first(&mut self, method: Method, change: Option<f64>, precision: f64) -> Result<Run> {
+        let problem = match change {
+            Some(by) => &self.problem.changed(self.problem.telling_row()?, by)?,
+            None => self.problem,
+        };
+        let most = method.finest() - if self.may_have_kinks() { 2.0 } else { 1.0 };
+        let level = method.level_for(self.problem, self.tolerance / SAFETY);
+        let mut level = level.min(most);
+        loop {
+            let asked = Asked {
+                level,
+                fewest: &[],
+                precision,
+            };
+            match self.run(problem, method, asked) {
+                Err(error) if !stops(&error) && level + 1.0 < method.finest() => level += 1.0,
+                run => return run,
+            }
+        }
+    }
+
+    /// A run finer by so many levels, and by one step at least on every piece.
+    fn finer(&mut self, method: Method, coarse: &Run, ahead: f64, precision: f64) -> Result<Run> {
+        let finer = |leg: &Vec<Steps>| leg.iter().map(|steps| steps.finer(method, ahead)).collect();
+        let fewest: Vec<Vec<Steps>> = coarse.steps.iter().map(finer).collect();
+        let asked = Asked {
+            level: coarse.level + ahead,
+            fewest: &fewest,
+            precision,
+        };
+        self.run(self.problem, method, asked)
+    }
+
+    /// A run of the whole span; its work is counted.
+    fn run(&mut self, problem: &Problem, method: Method, asked: Asked) -> Result<Run> {
+        let mut run = Run {
+            level: f64::INFINITY,
+            places: Vec::new(),
+            steps: Vec::new(),
+            work: Work::default(),
+            longest_step: 0.0,
+            passed: Vec::new(),
+        };
+        let (mut state, mut on_body) = (problem.start, None);
+        for (n, leg) in self.times.windows(2).enumerate() {
+            let fine = Fine {
+                level: asked.level,
+                fewest: asked.fewest.get(n).map_or(&[], Vec::as_slice),
+                precision: asked.precision,
+                budget: self.limits.left(self.work.torques())?,
+            };
+            let mut runs = Runs::default();
+            let passed = method.run(problem, [leg[0], leg[1]], &state, on_body, fine, &mut runs);
+            self.work += runs.work;
+            self.cost += method.cost(&runs.work);
+            let passed = passed.map_err(|error| self.of_whole_span(error))?;
+            run.steps.push(runs.pieces);
+            run.passed.append(&mut runs.passed);
+            run.work += passed.work;
+            run.level = run.level.min(passed.level);
+            run.longest_step = run.longest_step.max(passed.longest_step);
+            (state, on_body) = (passed.state, passed.on_body);
+            run.places.push(state);
+        }
+        Ok(run)
+    }
+
+    /// How far two runs are apart, each measure at the place where it is largest.
+    fn distance(&self, a: &Run, b: &Run) -> Apart {
+        let mut most = [0.0; 3];
+        for (a, b) in a.places.iter().zip(&b.places) {
+            for (most, apart) in most.iter_mut().zip(self.problem.apart(a, b)) {
+                *most = larger(*most, apart);
+            }
+        }
+        most
+    }
+}
+
+/// True of errors that no finer run and no other method would mend.
+pub(super) const fn stops(error: &Error) -> bool {
+    matches!(
+        error,
+        Error::Cancelled { .. }
+            | Error::Contradiction { .. }
+            | Error::NotAFunction { .. }
+            | Error::OverBudget { .. }
+            | Error::BeyondCondition { .. }
+    )
+}
