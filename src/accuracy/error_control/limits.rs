@@ -48,7 +48,8 @@ pub(super) const LOOKS: f64 = 4096.0;
 const STEPS_IN_PULSE: f64 = 2.0;
 
 /// A jump that nothing names is met by a step that is not too long: two steps over a whole
-/// span may leave it between them.
+/// span may leave it between them. With 64 none of 11 478 answers of `attack -- kinked` was above its
+/// request, with 16 one of 11 485, for a quarter of the work over short spans.
 const STEPS_OVER_JUMPS: f64 = 16.0;
 
 impl Limits<'_> {

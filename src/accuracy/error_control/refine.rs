@@ -17,7 +17,8 @@ const SAFETY: f64 = 2.0;
 
 /// Over kinks that nothing names a run errs at each by what its steps happen to be off, and two may
 /// agree by chance: the distance of the last two counts as no less than that of the two before, fallen
-/// by this a level, and all of it [`SAFETY`] times.
+/// by this a level, and all of it [`SAFETY`] times. Over what is smooth DOP853 falls by 13 a level; with
+/// 8 one of 36 100 answers over kinks, cusps and jumps is above its request.
 const KINKED: f64 = 8.0;
 
 /// Runs that are no further apart than this (rad) are of one motion.
@@ -71,7 +72,8 @@ const SWEPT: f64 = 0.004;
 /// runs of up to a million steps: 0.15. Of Gauss-Legendre over 155 000 steps of a pulse: 0.11.
 const ROUNDED: f64 = 0.5;
 
-/// So many levels are left to a run whose steps were short from the first.
+/// So many levels are left to a run whose steps were short from the first: a bump whose width is named
+/// took one more at 1e-11.
 const LATER: f64 = 4.0;
 
 /// What runs come no nearer than, and is no more than so many times the floor, is round-off.
@@ -399,8 +401,10 @@ impl<'p> Refinement<'p> {
         let mut by = if method.is_adaptive() {
             CHANGE_ADAPTIVE
         } else {
+            // Ten times what the sweeps of this run leave.
             CHANGE.max(10.0 * precision)
         };
+        // A smaller change is mostly rounding.
         while by > 64.0 * EPS {
             let asked = Asked {
                 // Coarser by as much as the changed problem may seem to turn faster.
@@ -434,7 +438,7 @@ impl<'p> Refinement<'p> {
     /// The same by some changes, with the state moved on the way as rounding does.
     fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Apart> {
         let problem = self.problem;
-        // DOP853 answers a small change with a small jump, of its error.
+        // DOP853 answers a small change with a small jump, of its error: at level 5 of some 1e-11 a step.
         let level = if method.is_adaptive() {
             run.level.max(5.0)
         } else {
