@@ -286,9 +286,9 @@ pub fn judge(case: &Case, tolerance: f64) -> Result<Outcome> {
             error: case.exact.angle_to(&solved.state.attitude),
             solved: Box::new(solved),
         }),
-        Err(Error::BeyondCondition {
-            attainable,
-            condition,
+        Err(Error::NotDelivered {
+            best: attainable,
+            condition: Some(condition),
             ..
         }) => Ok(Outcome::Refused {
             attainable,

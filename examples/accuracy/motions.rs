@@ -154,11 +154,11 @@ pub fn free_problem(
     let exact = unpushed(&body, &start)?;
     let period = exact.rate_period();
     if !period.is_finite() {
-        return Err(Error::OutOfRange {
-            name: "I2",
-            value: moments.i2(),
-            allowed: "between I1 and I3, and equal to neither: the body must tumble",
-        });
+        return Err(Error::out_of_range(
+            "I2",
+            moments.i2(),
+            "between I1 and I3, and equal to neither: the body must tumble",
+        ));
     }
     let end = periods * period;
     let answer = State::new(exact.attitude(end), start.angular_momentum)?;

@@ -105,11 +105,11 @@ impl Carrier {
             }
             (Method::GaussLegendre16, _) => Self::GaussLegendre(GaussLegendre::new(steps)?),
             _ => {
-                let scheme = method.scheme().ok_or(Error::OutOfRange {
-                    name: "steps of DOP853",
-                    value: steps as f64,
-                    allowed: "none: it chooses its steps itself, by a tolerance",
-                })?;
+                let scheme = method.scheme().ok_or(Error::out_of_range(
+                    "steps of DOP853",
+                    steps as f64,
+                    "none: it chooses its steps itself, by a tolerance",
+                ))?;
                 Self::Splitting(Splitting::new(scheme, steps)?)
             }
         })
@@ -217,9 +217,7 @@ impl Carrier {
             (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            _ => Err(Error::SeesMore {
-                effects: scene.effects().names().join(", "),
-            }),
+            _ => Err(Error::sees_more(scene.effects().names().join(", "))),
         }
     }
 
@@ -266,11 +264,11 @@ impl Carrier {
 }
 
 fn no_such_variables() -> Error {
-    Error::OutOfRange {
-        name: "variables on the body's axes or without the spin",
-        value: 1.0,
-        allowed: "0 with this method: it has its own, or those in space",
-    }
+    Error::out_of_range(
+        "variables on the body's axes or without the spin",
+        1.0,
+        "0 with this method: it has its own, or those in space",
+    )
 }
 
 /// Whether `method` applies to a scene of this type.

@@ -144,9 +144,9 @@ impl<E: AnyEffect> Problem<E> {
             let rungs = match run {
                 // Steps far too long for a fast motion overflow, or their stages have no
                 // solution: not delivered.
-                Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => 1,
+                Err(Error::FunctionOutOfRange { .. } | Error::NoConvergence { .. }) => 1,
                 // More steps than a run may take, and a finer one would take more still.
-                Err(Error::TooManySteps { .. }) => return Ok(None),
+                Err(Error::LimitReached { .. }) => return Ok(None),
                 run => {
                     let (reached, work) = run?;
                     let error = self.error(&reached);

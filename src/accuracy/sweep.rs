@@ -162,11 +162,7 @@ impl WorkPrecision {
         for point in &points {
             positive("work", point.work)?;
             if finite("error", point.error)? < 0.0 {
-                return Err(Error::OutOfRange {
-                    name: "error",
-                    value: point.error,
-                    allowed: "0 or more",
-                });
+                return Err(Error::out_of_range("error", point.error, "0 or more"));
             }
         }
         sort_by_number(&mut points, |point| point.work);

@@ -10,7 +10,7 @@ use super::gravity::GRAVITY;
 use super::{AnyEffect, Feature, Known, Nature};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, FINITE, Result, finite, not_negative, positive};
 use crate::frame::SpaceVector;
 use crate::math::EPS;
 
@@ -64,9 +64,9 @@ const PULSE: f64 = 0.1;
 ///
 /// # Errors
 /// [`Error::Contradiction`] with the name of the effect, the claim, and by how much the
-/// torque differs from it; [`Error::NotAFunction`] if the torque of one time and state is not
-/// always the same; [`Error::TwoGravities`]; [`Error::TorqueNotFinite`];
-/// [`Error::TorqueTooLarge`]; a scale, a break point or a width that is not finite, or negative.
+/// torque differs from it, also if the torque of one time and state is not always the same;
+/// [`Error::Incompatible`] for two gravities; [`Error::FunctionOutOfRange`] for a torque that is
+/// not finite, or whose power is not; a scale, a break point or a width that is not finite, or negative.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -130,9 +130,7 @@ impl<'e> Checked<'e> {
     ) -> Result<Self> {
         let names = effect.names();
         if names.iter().filter(|name| **name == GRAVITY).count() > 1 {
-            return Err(Error::TwoGravities {
-                effects: names.join(", "),
-            });
+            return Err(Error::two_gravities(names.join(", ")));
         }
         effect.holds_from(span[0], body, state, &effect.about_axis())?;
         let mut checked = Self::unlooked(effect, body, span, state);
@@ -219,14 +217,27 @@ impl<'e> Checked<'e> {
         if torque.to_array().iter().all(|m| m.is_finite()) {
             return Ok(torque);
         }
-        let [w, x, y, z] = state.attitude.quaternion();
-        let [a, b, c] = state.angular_momentum.to_array();
-        Err(Error::TorqueNotFinite {
-            effect: self.name(),
+        Err(self.refused(t, state, torque, FINITE))
+    }
+
+    fn refused(
+        &self,
+        t: f64,
+        state: &State,
+        torque: SpaceVector,
+        allowed: impl Into<std::borrow::Cow<'static, str>>,
+    ) -> Error {
+        let state = [
+            &state.attitude.quaternion()[..],
+            &state.angular_momentum.to_array(),
+        ];
+        Error::of_function(
+            format!("torque of \"{}\"", self.name()),
             t,
-            state: [w, x, y, z, a, b, c],
-            torque: torque.to_array(),
-        })
+            ("quaternion and momentum", state.concat()),
+            &torque.to_array(),
+            allowed,
+        )
     }
 
     /// The torque, if it is the same again after it was asked for elsewhere: a function of time and
@@ -243,15 +254,12 @@ impl<'e> Checked<'e> {
             self.effect.torque(t, &self.body, &elsewhere);
         }
         let again = self.effect.torque(t, &self.body, state);
-        if again == torque {
-            return Ok(torque);
+        let claim = "that its torque is a function of time and state, which remembers nothing \
+                     (solve one that is held between samples from one sample to the next)";
+        match again == torque {
+            true => Ok(torque),
+            false => Err(self.contradicted(claim, t, (again - torque).norm(), 0.0)),
         }
-        Err(Error::NotAFunction {
-            effect: self.name(),
-            t,
-            first: torque.to_array(),
-            again: again.to_array(),
-        })
     }
 
     fn name(&self) -> String {
@@ -264,13 +272,17 @@ impl<'e> Checked<'e> {
         if off <= allowed.max(f64::MIN_POSITIVE) {
             return Ok(());
         }
-        Err(Error::Contradiction {
+        Err(self.contradicted(claim, t, off, allowed))
+    }
+
+    fn contradicted(&self, claim: &'static str, t: f64, off: f64, allowed: f64) -> Error {
+        Error::Contradiction {
             effect: self.name(),
             claim,
             t,
             off,
             allowed,
-        })
+        }
     }
 
     /// The scale of the torque against its length, both at the same time and in the same state.
@@ -641,12 +653,11 @@ impl<'e> Checked<'e> {
             return Ok(());
         }
         if !(torque.norm() * rate).is_finite() {
-            return Err(Error::TorqueTooLarge {
-                effect: self.name(),
-                t,
-                torque: torque.norm(),
-                rate,
-            });
+            let allowed = format!(
+                "on a body that may turn at {rate:.3e} rad/s its power must be finite, at most \
+                 1.8e308 W"
+            );
+            return Err(self.refused(t, state, torque, allowed));
         }
         let acting = self.acting(t, state);
         let size = self.size.max(torque.norm()).max(acting.norm());

@@ -119,12 +119,12 @@ pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
     }
     match times.windows(2).position(|pair| pair[0] >= pair[1]) {
         None => Ok(times.to_vec()),
-        Some(index) => Err(Error::NotRising {
+        Some(index) => Err(Error::not_rising(
             name,
-            index: index + 1,
-            before: times[index],
-            value: times[index + 1],
-        }),
+            index + 1,
+            times[index],
+            times[index + 1],
+        )),
     }
 }
 

@@ -117,11 +117,11 @@ impl ElasticYielding {
         positive("mean rate", rate)?;
         let following = part * bulge(body);
         if following < 0.0 || (following == 0.0 && part != 0.0) {
-            return Err(Error::OutOfRange {
-                name: "part of the bulge that follows times the bulge",
-                value: following,
-                allowed: "a part above 0 of a body with I3 above (I1 + I2)/2, or 0",
-            });
+            return Err(Error::out_of_range(
+                "part of the bulge that follows times the bulge",
+                following,
+                "a part above 0 of a body with I3 above (I1 + I2)/2, or 0",
+            ));
         }
         Self::new(following / (rate * rate), rate)
     }

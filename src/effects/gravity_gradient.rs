@@ -73,11 +73,11 @@ impl GravityGradient {
         let towards = unit(TOWARDS, towards)?;
         let along = normal.dot(&towards);
         if along.abs() > 1e-9 {
-            return Err(Error::OutOfRange {
-                name: "cosine of the angle between normal and towards",
-                value: along,
-                allowed: "0: the attracting body lies in the plane of the orbit",
-            });
+            return Err(Error::out_of_range(
+                "cosine of the angle between normal and towards",
+                along,
+                "0: the attracting body lies in the plane of the orbit",
+            ));
         }
         let towards = unit(TOWARDS, towards - normal * along)?;
         Ok(Self {

@@ -49,14 +49,12 @@ impl EffectList {
     /// These effects together, in this order.
     ///
     /// # Errors
-    /// [`Error::TwoGravities`]: a body has one weight.
+    /// [`Error::Incompatible`]: a body has one weight.
     pub fn new(effects: Vec<BoxedEffect>) -> Result<Self> {
         let list = Self(effects);
         let weights = list.0.iter().filter(|effect| effect.nature().weight);
         if weights.count() > 1 {
-            return Err(Error::TwoGravities {
-                effects: list.names().join(", "),
-            });
+            return Err(Error::two_gravities(list.names().join(", ")));
         }
         Ok(list)
     }

@@ -86,11 +86,11 @@ impl OrbitingBody {
     /// An orbit that does not close.
     pub fn averaged(&self) -> Result<OrbitingBody<true>> {
         if self.orbit.period() == f64::INFINITY {
-            return Err(Error::OutOfRange {
-                name: "eccentricity",
-                value: self.orbit.eccentricity(),
-                allowed: "less than 1: other orbits have no mean",
-            });
+            return Err(Error::out_of_range(
+                "eccentricity",
+                self.orbit.eccentricity(),
+                "less than 1: other orbits have no mean",
+            ));
         }
         Ok(OrbitingBody {
             gravitational_parameter: self.gravitational_parameter,

@@ -138,12 +138,12 @@ impl Ladder {
         in_range("gravity", gravity, 1e-100..=1e100, allowed)?;
         finite("theta0", theta0)?;
         if !(SMALLEST_ANGLE..core::f64::consts::FRAC_PI_2).contains(&theta0) {
-            return Err(Error::OutOfRange {
-                name: "theta0",
-                value: theta0,
-                allowed: "the ladder leans at an angle from the wall, in radians, between 0 \
+            return Err(Error::out_of_range(
+                "theta0",
+                theta0,
+                "the ladder leans at an angle from the wall, in radians, between 0 \
                           (upright: it never starts; at least 1e-140) and pi/2 = 1.5708 (flat)",
-            });
+            ));
         }
         let (l, g) = (DoubleDouble::from(length), DoubleDouble::from(gravity));
         let (sin0, cos0) = DoubleDouble::from(theta0).sin_cos();
@@ -440,11 +440,7 @@ fn in_range(
     if range.contains(&value) {
         Ok(())
     } else {
-        Err(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
+        Err(Error::out_of_range(name, value, allowed))
     }
 }
 

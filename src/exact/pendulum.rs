@@ -417,11 +417,7 @@ fn in_range(name: &'static str, value: f64, inside: bool, allowed: &'static str)
     if inside {
         Ok(())
     } else {
-        Err(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
+        Err(Error::out_of_range(name, value, allowed))
     }
 }
 

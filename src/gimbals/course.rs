@@ -94,11 +94,11 @@ impl Course {
             stop,
         };
         if start.theta >= stop {
-            return Err(Error::OutOfRange {
-                name: "theta",
-                value: start.theta,
-                allowed: "less than the tilt at the stop",
-            });
+            return Err(Error::out_of_range(
+                "theta",
+                start.theta,
+                "less than the tilt at the stop",
+            ));
         }
         let method = Dop853::new(tolerance)?;
         let mut state = [0.0; N];

@@ -134,7 +134,7 @@ impl Gimbals {
     /// the rotor.
     ///
     /// # Errors
-    /// A moment that is negative or not finite; [`Error::TriangleInequality`] for moments
+    /// A moment that is negative or not finite; [`Error::NotABody`] for moments
     /// that no ring has (a rod and nothing are allowed).
     pub fn new(rotor: SymmetricTop, ring: [f64; 3], fork: f64) -> Result<Self> {
         for (name, moment) in [
@@ -235,11 +235,11 @@ impl Gimbals {
         let (b, four) = (axial * s, 4.0 * self.excess() * s * c * torque);
         let square = b * b;
         if !(square >= four && square > 0.0) {
-            return Err(Error::OutOfRange {
-                name: "L_z^2/(4 D m g l cos(theta))",
-                value: square / four,
-                allowed: "1 or more: slower, the weight lets the axis fall",
-            });
+            return Err(Error::out_of_range(
+                "L_z^2/(4 D m g l cos(theta))",
+                square / four,
+                "1 or more: slower, the weight lets the axis fall",
+            ));
         }
         Ok(2.0 * torque / (b + b.signum() * (square - four).sqrt()))
     }

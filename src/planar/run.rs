@@ -78,9 +78,9 @@ impl<P: Copy + PartialEq + Debug, const N: usize> Ode<N> for InPhase<'_, P, N> {
 /// motion itself.
 ///
 /// # Errors
-/// [`Error::ConditionBroken`] if a phase begins although one of its conditions is negative by
+/// [`Error::CannotHold`] if a phase begins although one of its conditions is negative by
 /// more than round-off, or if one fails at once for the second time in an instant (the first time
-/// it is an event), [`Error::TooManyPhases`] after a thousand changes of phase,
+/// it is an event), [`Error::LimitReached`] after a thousand changes of phase,
 /// [`Error::OutOfRange`] for a negative `t_end` of a phase with conditions, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
@@ -102,12 +102,12 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
     t_end: f64,
 ) -> Result<Run<P, N>> {
     if t_end < 0.0 && !scene.conditions(phase).is_empty() {
-        return Err(Error::OutOfRange {
-            name: "t_end",
-            value: t_end,
-            allowed: "contacts, and whatever else ends a phase, cannot be run backward: it must \
+        return Err(Error::out_of_range(
+            "t_end",
+            t_end,
+            "contacts, and whatever else ends a phase, cannot be run backward: it must \
                       not be negative",
-        });
+        ));
     }
     let mut run = Run {
         legs: Vec::new(),
@@ -196,10 +196,22 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
         };
         (t, phase, state) = (when, to, after);
     }
-    Err(Error::TooManyPhases {
+    Err(Error::LimitReached {
+        what: "changes of phase",
         t,
-        limit: PHASE_LIMIT,
+        t_end,
+        limit: PHASE_LIMIT as u64,
     })
+}
+
+/// The refusal of a phase that begins with this margin of a condition.
+fn cannot_hold<P, const N: usize>(of: &Condition<'_, P, N>, t: f64, value: f64) -> Error {
+    Error::CannotHold {
+        name: of.name,
+        t,
+        value,
+        rate: None,
+    }
 }
 
 /// How long a phase lasts.
@@ -226,7 +238,7 @@ fn within_conditions<P, const N: usize>(
     for _ in 0..SHORTENINGS {
         let solution = match solve(&method, end) {
             // Shorter than the clock shows.
-            Err(Error::ClockTooCoarse { .. }) if broken.is_some() => break,
+            Err(Error::StepUnderflow { clock: Some(_), .. }) if broken.is_some() => break,
             solution => solution?,
         };
         let Some((index, value, when)) = failed_unseen(conditions, &solution)? else {
@@ -235,8 +247,8 @@ fn within_conditions<P, const N: usize>(
             }
             break;
         };
-        let (name, t) = (conditions[index].name, solution.start_time());
-        broken = Some((index, Error::ConditionBroken { name, value, t }));
+        let t = solution.start_time();
+        broken = Some((index, cannot_hold(&conditions[index], t, value)));
         method = method.with_longest_step((when - t) / 16.0)?;
         end = when;
     }
@@ -320,11 +332,7 @@ fn check_entry<P, const N: usize>(
         let value = (condition.margin)(state);
         // What is not a number does not hold either.
         if must_hold && !(value >= 0.0 || value >= -noise) {
-            return Err(Error::ConditionBroken {
-                name: condition.name,
-                value,
-                t,
-            });
+            return Err(cannot_hold(condition, t, value));
         }
     }
     Ok(())

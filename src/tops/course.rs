@@ -82,7 +82,7 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
     ///
     /// # Errors
     /// A throw that is not finite; a start that the floor would have to hold down or with the
-    /// rim in the floor ([`ConditionBroken`](crate::Error::ConditionBroken)); those of
+    /// rim in the floor ([`CannotHold`](crate::Error::CannotHold)); those of
     /// [`simulate`].
     pub fn simulate(&self, throw: &Throw, t_end: f64, tolerance: f64) -> Result<Course<F, R, E>> {
         let method = Dop853::new(tolerance)?;

@@ -223,12 +223,12 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         let refused = G::NATURE.on_time || G::NATURE.slips || G::NATURE.keeps.energy;
         let breaks = effect.break_points().len();
         if (refused && !G::NATURE.torque_free) || breaks > 0 {
-            return Err(Error::OutOfRange {
-                name: "effect's break points",
-                value: breaks as f64,
-                allowed: "an effect on a top is a torque that takes energy, without break \
+            return Err(Error::out_of_range(
+                "effect's break points",
+                breaks as f64,
+                "an effect on a top is a torque that takes energy, without break \
                           points, and does not depend on the time",
-            });
+            ));
         }
         Ok(self.changed(|friction, resistance, before| (friction, resistance, (before, effect))))
     }
@@ -241,11 +241,11 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     pub fn sloping(self, angle: f64) -> Result<Self> {
         finite("slope", angle)?;
         if angle.abs() >= 1.0 {
-            return Err(Error::OutOfRange {
-                name: "slope",
-                value: angle,
-                allowed: "its size must be less than 1 rad",
-            });
+            return Err(Error::out_of_range(
+                "slope",
+                angle,
+                "its size must be less than 1 rad",
+            ));
         }
         let (size, (s, c)) = (self.gravity.norm(), sincos(angle));
         let gravity = SpaceVector::new(size * s, 0.0, -size * c);

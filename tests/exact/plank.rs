@@ -67,7 +67,7 @@ fn what_does_not_fall_is_refused() {
     let message = Plank::new(1.0, G, 0.0, 5.0).unwrap_err().to_string();
     assert_eq!(
         message,
-        "at 5 rad/s the floor would have to pull to keep the foot down: at this angle at most \
+        "omega0 = 5 is not allowed: at this angle at most \
          4.428690551393267 rad/s"
     );
     let falling = plank(0.01, 0.0);

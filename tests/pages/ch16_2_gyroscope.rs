@@ -134,7 +134,7 @@ fn sound_far_from_the_notes() {
 const REFUSED: &[(&str, &str)] = &[
     (
         "--energy 0.40",
-        "no motion: E~ = 0.40 is below U_min = 0.404262",
+        "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262",
     ),
     ("--a 2.5", "no body has I3 > 2 I1"),
     ("--a 0", "a = 0"),

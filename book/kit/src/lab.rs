@@ -205,7 +205,7 @@ fn tightest<E: Effect>(problem: &Problem<E>) -> rotation_dynamics::Result<Judge>
     };
     for tolerance in [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7] {
         match by(tolerance) {
-            Err(Error::BeyondCondition { .. } | Error::NotDelivered { .. }) => {}
+            Err(Error::NotDelivered { .. }) => {}
             told => return told,
         }
     }

@@ -136,7 +136,11 @@ impl Report {
                         let again = Computation::new(move || Ok(run(requested)?), error.clone());
                         (error(&done)?, work(&done).to_string(), Some(again))
                     }
-                    Err(Error::NotDelivered { reached, .. }) => (reached, REFUSED.into(), None),
+                    Err(Error::NotDelivered {
+                        best,
+                        condition: None,
+                        ..
+                    }) => (best, REFUSED.into(), None),
                     Err(other) => return Err(other.into()),
                 };
                 let (method, requested) = (method.clone(), Some(requested));
@@ -229,11 +233,11 @@ where
             (solved.method, error, solved.work.to_string(), Some(again))
         }
         // What the reader asked for and cannot have is an error, with its reason.
-        Err(Error::BeyondCondition { attainable, .. })
-            if label != CLOSED_FORM && attainable.is_finite() =>
-        {
-            ("-", attainable, REFUSED.into(), None)
-        }
+        Err(Error::NotDelivered {
+            best,
+            condition: Some(_),
+            ..
+        }) if label != CLOSED_FORM && best.is_finite() => ("-", best, REFUSED.into(), None),
         Err(other) => return Err(other.into()),
     };
     Ok(Price {

@@ -154,7 +154,7 @@ impl<E: Effect> Scene<E> {
     ///
     /// # Errors
     /// As [`Scene::called_for`]; limits that contradict the span; with a candidate,
-    /// [`Error::OverBudget`] and [`Error::Cancelled`].
+    /// [`Error::LimitReached`] and [`Error::Cancelled`].
     pub fn called_for_with<'s>(
         &'s self,
         start: &State,
@@ -164,11 +164,11 @@ impl<E: Effect> Scene<E> {
     ) -> Result<CalledFor<'s, E>> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "above 0 and at most pi",
-            });
+            return Err(Error::out_of_range(
+                "tolerance",
+                tolerance,
+                "above 0 and at most pi",
+            ));
         }
         limits.checked(t_end)?;
         let start = State::new(start.attitude, start.angular_momentum)?;
@@ -312,7 +312,9 @@ impl<E: Effect> CalledFor<'_, E> {
         let [a, b] = loop {
             match motions(fine) {
                 // As close as doubles allow.
-                Err(Error::BeyondCondition { .. }) if fine < 1e-6 => fine *= 10.0,
+                Err(Error::NotDelivered {
+                    condition: Some(_), ..
+                }) if fine < 1e-6 => fine *= 10.0,
                 motions => break motions?,
             }
         };
@@ -363,7 +365,7 @@ impl Asked<'_> {
             }
             let solution = method.solve(&variation, from, &y, to, &[]);
             let solution = match solution {
-                Err(Error::TooManySteps { .. }) => return Err(self.over_budget()),
+                Err(Error::LimitReached { .. }) => return Err(self.over_budget()),
                 solution => solution?,
             };
             let looks = 1 + (LOOKS as f64 * ((to - from) / span).abs()) as usize;
@@ -396,10 +398,11 @@ impl Asked<'_> {
     }
 
     const fn over_budget(&self) -> Error {
-        Error::OverBudget {
+        Error::LimitReached {
+            what: "torques",
             t: self.limits.t_start,
             t_end: self.t_end,
-            budget: self.limits.budget,
+            limit: self.limits.budget,
         }
     }
 

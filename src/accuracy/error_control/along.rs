@@ -143,12 +143,7 @@ fn in_order(t_start: f64, times: &[f64]) -> Result<()> {
     for (index, &t) in times.iter().enumerate() {
         finite("time", t)?;
         if (t - before) * direction < 0.0 {
-            return Err(Error::NotRising {
-                name: "time",
-                index,
-                before,
-                value: t,
-            });
+            return Err(Error::not_rising("times", index, before, t));
         }
         before = t;
     }
@@ -276,10 +271,11 @@ impl SolvedMotion<'_> {
         let limits = &self.given.limits;
         let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Passed> {
             let spent = self.solved.work.torques() + here.work.torques();
-            let over = Error::OverBudget {
+            let over = Error::LimitReached {
+                what: "torques",
                 t: self.span()[0],
                 t_end: self.span()[1],
-                budget: limits.budget,
+                limit: limits.budget,
             };
             let budget = limits.left(spent)?;
             if budget == 0 {
@@ -296,7 +292,7 @@ impl SolvedMotion<'_> {
             let passed = method.run(&problem, [from, to], state, on_body, fine, &mut runs);
             here.work += runs.work;
             match passed {
-                Err(Error::OverBudget { .. }) => Err(over),
+                Err(Error::LimitReached { .. }) => Err(over),
                 passed => passed,
             }
         };

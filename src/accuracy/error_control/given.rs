@@ -70,11 +70,11 @@ impl<'s> Given<'s> {
     ) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "above 0 and at most pi",
-            });
+            return Err(Error::out_of_range(
+                "tolerance",
+                tolerance,
+                "above 0 and at most pi",
+            ));
         }
         limits.checked(t_end)?;
         State::new(start.attitude, start.angular_momentum)?;
@@ -189,7 +189,9 @@ impl<'s> Given<'s> {
         if !step && let Some(motion) = problem.exact_motion() {
             match by_closed_form(&problem, &motion, self.tolerance, places) {
                 // At the edge of what a closed form can do: neighbours have none.
-                Err(Error::NotDelivered { .. }) => {}
+                Err(Error::NotDelivered {
+                    condition: None, ..
+                }) => {}
                 solved => {
                     return Ok(Answer {
                         solved: solved?,
@@ -206,11 +208,11 @@ impl<'s> Given<'s> {
         }
         let span = problem.span();
         if span.abs() < f64::MIN_POSITIVE {
-            return Err(Error::OutOfRange {
-                name: "end time - start time",
-                value: span,
-                allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
-            });
+            return Err(Error::out_of_range(
+                "end time - start time",
+                span,
+                "0, or 2.3e-308 s at least, of which a step can be a part",
+            ));
         }
         let refinement = Refinement::new(&problem, self.tolerance, &self.limits, places, trial);
         let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
@@ -252,9 +254,8 @@ impl Given<'_> {
     /// have what was not seen.
     fn reason(&self, error: Error) -> Error {
         let unclear = match error {
-            Error::OverBudget { .. } | Error::StepUnderflow { .. } => true,
-            Error::NotDelivered { reached, .. } => !reached.is_finite(),
-            Error::BeyondCondition { attainable, .. } => !attainable.is_finite(),
+            Error::LimitReached { .. } | Error::StepUnderflow { clock: None, .. } => true,
+            Error::NotDelivered { best, .. } => !best.is_finite(),
             _ => false,
         };
         if !unclear {
@@ -274,7 +275,8 @@ impl Given<'_> {
         }
         match self.looked_every() {
             Some(every)
-                if !self.effects.nature().smooth && !matches!(error, Error::OverBudget { .. }) =>
+                if !self.effects.nature().smooth
+                    && !matches!(error, Error::LimitReached { .. }) =>
             {
                 Error::Unseen {
                     effect: effect(),
@@ -331,7 +333,8 @@ fn by_closed_form(
         let changed = problem.changed(row, by)?;
         let motion = changed.exact_motion().ok_or(Error::NotDelivered {
             requested: tolerance,
-            reached: f64::INFINITY,
+            best: f64::INFINITY,
+            condition: None,
         })?;
         on_the_way(&motion, &changed)
     };
@@ -348,10 +351,10 @@ fn by_closed_form(
     let [estimate, momentum_estimate, rates_estimate] =
         condition.map(|condition| CLOSED_FORM * EPS * (1.0 + condition));
     if estimate.is_nan() || estimate > tolerance {
-        return Err(Error::BeyondCondition {
+        return Err(Error::NotDelivered {
             requested: tolerance,
-            attainable: estimate,
-            condition: condition[0],
+            best: estimate,
+            condition: Some(condition[0]),
         });
     }
     Ok(Solved {

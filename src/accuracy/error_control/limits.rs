@@ -62,11 +62,7 @@ impl Limits<'_> {
             positive("longest step", self.longest_step)?;
         }
         if self.budget == 0 {
-            return Err(Error::OutOfRange {
-                name: "budget",
-                value: 0.0,
-                allowed: "at least 1 torque",
-            });
+            return Err(Error::out_of_range("budget", 0.0, "at least 1 torque"));
         }
         crate::effects::rising("break point", self.break_points)?;
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));

@@ -310,10 +310,11 @@ impl Method {
         spent: &mut Work,
     ) -> Result<Passed> {
         let span = (t_end - t).abs();
-        let over = Error::OverBudget {
+        let over = Error::LimitReached {
+            what: "torques",
             t,
             t_end,
-            budget: fine.budget,
+            limit: fine.budget,
         };
         let mut fewest = span / problem.longest_step;
         if self.is_adaptive() {
@@ -356,27 +357,14 @@ impl Method {
         };
         *spent += work;
         // A piece has its own time, from 0.
-        let (state, on_body) = run.map_err(|error| match error {
-            Error::TooManySteps { .. } => over,
-            Error::StepUnderflow {
-                t: since,
-                step,
-                state,
-            } => Error::StepUnderflow {
-                t: t + since,
-                step,
-                state,
-            },
-            Error::DerivativeNotFinite {
-                t: since,
-                state,
-                derivative,
-            } => Error::DerivativeNotFinite {
-                t: t + since,
-                state,
-                derivative,
-            },
-            error => error,
+        let (state, on_body) = run.map_err(|mut error| {
+            match &mut error {
+                Error::LimitReached { .. } => return over,
+                Error::StepUnderflow { t: since, .. }
+                | Error::FunctionOutOfRange { t: since, .. } => *since += t,
+                _ => {}
+            }
+            error
         })?;
         // Steps are whole: the level is that of the steps taken.
         let (level, longest_step) = if self.is_adaptive() {

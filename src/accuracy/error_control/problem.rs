@@ -264,9 +264,7 @@ impl<'e> Problem<'e> {
                 let scene = self.scene::<true, false>(effects, [from, to]);
                 carrier.advance_axis(&scene, variables, span, start, work)
             }
-            _ => Err(Error::SeesMore {
-                effects: "effects".to_owned(),
-            }),
+            _ => Err(Error::sees_more("effects".to_owned())),
         }
     }
 

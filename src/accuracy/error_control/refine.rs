@@ -158,7 +158,7 @@ impl<'p> Refinement<'p> {
         for method in methods {
             match self.refine(*method) {
                 Err(error) if stops(&error) => return Err(error),
-                Err(error @ Error::NotDelivered { reached, .. }) => {
+                Err(error @ Error::NotDelivered { best: reached, .. }) => {
                     if why.is_none() || reached < best {
                         (best, why) = (reached, Some(error));
                     }
@@ -510,30 +510,32 @@ impl<'p> Refinement<'p> {
     fn not_delivered(&self, reached: f64) -> Error {
         Error::NotDelivered {
             requested: self.tolerance,
-            reached,
+            best: reached,
+            condition: None,
         }
     }
 
     fn beyond(&self, attainable: f64, condition: f64) -> Error {
-        Error::BeyondCondition {
+        Error::NotDelivered {
             requested: self.tolerance,
-            attainable,
-            condition,
+            best: attainable,
+            condition: Some(condition),
         }
     }
 
     fn over_budget(&self) -> Error {
-        Error::OverBudget {
+        Error::LimitReached {
+            what: "torques",
             t: self.problem.t_start,
             t_end: self.problem.t_end,
-            budget: self.limits.budget,
+            limit: self.limits.budget,
         }
     }
 
     /// A budget that is used up is told as it was given, for the whole span.
     fn of_whole_span(&self, error: Error) -> Error {
         match error {
-            Error::OverBudget { .. } => self.over_budget(),
+            Error::LimitReached { .. } => self.over_budget(),
             error => error,
         }
     }
@@ -625,8 +627,10 @@ pub(super) const fn stops(error: &Error) -> bool {
         error,
         Error::Cancelled { .. }
             | Error::Contradiction { .. }
-            | Error::NotAFunction { .. }
-            | Error::OverBudget { .. }
-            | Error::BeyondCondition { .. }
+            | Error::LimitReached { .. }
+            | Error::NotDelivered {
+                condition: Some(_),
+                ..
+            }
     )
 }

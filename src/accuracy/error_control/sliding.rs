@@ -72,7 +72,7 @@ impl Problem<'_> {
             method.advance_counting(&scene, self.t_start, &self.start, self.span(), &mut work);
         let jumps = scene.effects().1.jumps.get();
         match end {
-            Err(Error::TooManySteps { t, .. } | Error::StepUnderflow { t, .. })
+            Err(Error::LimitReached { t, .. } | Error::StepUnderflow { t, clock: None, .. })
                 if jumps > work.steps + work.rejected =>
             {
                 Some(t)

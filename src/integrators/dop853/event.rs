@@ -9,7 +9,7 @@
 use super::segment::Segment;
 use super::system::System;
 use super::trial::Trial;
-use crate::error::{Error, Result};
+use crate::error::{Error, FINITE, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, sort_by_number};
 
@@ -140,11 +140,13 @@ impl<'f, const N: usize> Event<'f, N> {
         if value.is_finite() {
             Ok(value)
         } else {
-            Err(Error::EventNotFinite {
-                name: self.name,
+            Err(Error::of_function(
+                format!("function of the event \"{}\"", self.name),
                 t,
-                value,
-            })
+                ("y", y.to_vec()),
+                &[value],
+                FINITE,
+            ))
         }
     }
 

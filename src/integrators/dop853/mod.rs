@@ -95,11 +95,11 @@ impl Dop853 {
     pub fn new(tolerance: f64) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(Self::SMALLEST_TOLERANCE..=Self::LARGEST_TOLERANCE).contains(&tolerance) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "from 1e-15 to 0.1",
-            });
+            return Err(Error::out_of_range(
+                "tolerance",
+                tolerance,
+                "from 1e-15 to 0.1",
+            ));
         }
         Ok(Self {
             tolerance,

@@ -157,10 +157,10 @@ pub(super) fn sizes<const N: usize>(ode: &dyn System<N>, y: &[f64; N]) -> Result
     let sizes = ode.scale(y);
     match sizes.iter().find(|s| s.is_nan() || **s <= 0.0) {
         None => Ok(sizes),
-        Some(&value) => Err(Error::OutOfRange {
-            name: "scale of a component",
+        Some(&value) => Err(Error::out_of_range(
+            "scale of a component",
             value,
-            allowed: "it must be greater than 0",
-        }),
+            "it must be greater than 0",
+        )),
     }
 }

@@ -30,8 +30,8 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Modal<M, 
 ///
 /// # Errors
 /// [`crate::Error::CannotHold`] for a contact whose gap is negative or closing at the start,
-/// [`crate::Error::MassNotPositive`] and [`crate::Error::ForceNotFinite`] for a mechanism that has no
-/// motion, [`crate::Error::NoContactForces`], [`crate::Error::SeveralMotions`],
+/// [`crate::Error::FunctionOutOfRange`] for a mass matrix or a force that has no motion,
+/// [`crate::Error::ContactsUndetermined`],
 /// [`crate::Error::OutOfRange`] and [`crate::Error::NotFinite`] for coefficients.
 pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: &M,

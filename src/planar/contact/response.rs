@@ -232,7 +232,9 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         choices: &[Choices; C],
     ) -> Result<(Modes<C>, Response<N, C>), Unsolved<C>> {
         match self.search_within(choices, &[ZERO; C]) {
-            Err(Unsolved::None { .. }) if choices.iter().any(|c| c.decided) => {
+            Err(Unsolved { motions, .. })
+                if motions.is_empty() && choices.iter().any(|c| c.decided) =>
+            {
                 let within = |c: &Choices| if c.decided { DECIDED } else { ZERO };
                 self.search_within(choices, &choices.each_ref().map(within))
             }
@@ -258,7 +260,8 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                     None => found = Some((modes, response)),
                     Some((first, other)) if self.differ(other, &response) => {
                         if !self.held_by_rest(first, &modes) {
-                            return Err(Unsolved::Several(*first, modes));
+                            let motions = vec![*first, modes];
+                            return Err(Unsolved { tried, motions });
                         }
                     }
                     Some(_) => {}
@@ -266,7 +269,8 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
             }
             // The next set: the last contact counts fastest.
             let Some(next) = (0..C).rev().find(|&i| at[i] + 1 < choices[i].count) else {
-                return found.ok_or(Unsolved::None { tried });
+                let motions = Vec::new();
+                return found.ok_or(Unsolved { tried, motions });
             };
             at[next] += 1;
             at[next + 1..].fill(0);
@@ -369,7 +373,8 @@ impl Choices {
 
 /// No set of modes agrees with its response, or several do.
 #[derive(Debug)]
-pub(super) enum Unsolved<const C: usize> {
-    None { tried: usize },
-    Several(Modes<C>, Modes<C>),
+pub(super) struct Unsolved<const C: usize> {
+    pub tried: usize,
+    /// None, or two.
+    pub motions: Vec<Modes<C>>,
 }

@@ -77,7 +77,7 @@ fn bad_coefficients_are_named() {
         ),
         (
             steps(&[(0.0, 1.0), (0.0, 2.0)]),
-            "time of a profile 1 is 0, and the one before it 0: they must rise",
+            "time of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
         ),
         (
             lines(&[(0.0, 1.0), (2.0, 2.0), (1.0, 0.0)]),

@@ -74,10 +74,10 @@ fn what_is_beyond_the_condition_says_so() {
     let error = scene
         .solve(&start, 1e6, 1e-12)
         .expect_err("beyond the condition");
-    let Error::BeyondCondition {
+    let Error::NotDelivered {
         requested,
-        attainable,
-        condition,
+        best: attainable,
+        condition: Some(condition),
     } = error
     else {
         panic!("{error}");
@@ -217,7 +217,11 @@ fn a_torque_that_jumps_is_delivered_or_refused() {
                     );
                     delivered += 1;
                 }
-                Err(Error::NotDelivered { reached, .. }) => {
+                Err(Error::NotDelivered {
+                    best: reached,
+                    condition: None,
+                    ..
+                }) => {
                     println!("{t_end} {tolerance:e}: refused, {reached:.1e}");
                     assert!(reached > tolerance);
                     refused += 1;

@@ -338,7 +338,7 @@ fn what_is_not_the_same_in_all_directions_is_stepped_otherwise() -> Result<()> {
     let start = tilted(scene.body(), [0.3, -0.2, 5.0]);
     assert!(matches!(
         Resisted::new(&scene, 0.0),
-        Err(Error::SeesMore { .. })
+        Err(Error::Incompatible { .. })
     ));
     let silent = Scene::new(*scene.body()).with(silent(Uneven));
     let [told, untold] = [
@@ -446,7 +446,13 @@ fn limits_are_kept() -> Result<()> {
     };
     let refused = scene.solve_with(&start, 2.0, 1e-6, &less);
     assert!(
-        matches!(refused, Err(Error::OverBudget { .. })),
+        matches!(
+            refused,
+            Err(Error::LimitReached {
+                what: "torques",
+                ..
+            })
+        ),
         "{refused:?}"
     );
     let cancel = AtomicBool::new(true);
@@ -474,7 +480,13 @@ fn limits_are_kept() -> Result<()> {
     assert!(back.state.attitude.angle_to(&middle.attitude) <= 2e-6);
     // Doubles end, in words.
     let refused = scene.solve(&start, 2.0, 1e-14);
-    assert!(matches!(refused, Err(Error::BeyondCondition { .. })));
+    assert!(matches!(
+        refused,
+        Err(Error::NotDelivered {
+            condition: Some(_),
+            ..
+        })
+    ));
     Ok(())
 }
 

@@ -198,8 +198,9 @@ impl Motion {
 const EVER: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 fn no_such_way() -> Error {
-    Error::SeesMore {
-        effects: "effects".to_owned(),
+    Error::Incompatible {
+        effects: "effects".into(),
+        reason: "no such way".into(),
     }
 }
 

@@ -54,11 +54,11 @@ impl Steady {
         let four = 4.0 * i1 * gravity.moment() * cos(theta);
         let square = momentum * momentum;
         if !(square >= four && square > 0.0) {
-            return Err(Error::OutOfRange {
-                name: "L_z^2/(4 I1 m g l cos(theta))",
-                value: square / four,
-                allowed: "1 or more: slower, the weight lets the axis fall",
-            });
+            return Err(Error::out_of_range(
+                "L_z^2/(4 I1 m g l cos(theta))",
+                square / four,
+                "1 or more: slower, the weight lets the axis fall",
+            ));
         }
         // The small root of I1 cos(theta) p^2 - L_z p + m g l = 0.
         let root = momentum.signum() * (square - four).sqrt();

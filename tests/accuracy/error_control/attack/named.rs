@@ -50,7 +50,11 @@ fn on_a_separatrix_nothing_is_promised() {
                     scene.solve(&start, t_end, tolerance)
                 };
                 match solved {
-                    Err(Error::BeyondCondition { attainable, .. }) => {
+                    Err(Error::NotDelivered {
+                        best: attainable,
+                        condition: Some(_),
+                        ..
+                    }) => {
                         assert!(attainable > tolerance);
                         refused += 1;
                     }
@@ -79,7 +83,13 @@ fn on_a_separatrix_nothing_is_promised() {
     for tolerance in [1e-1, 1e-3, 1e-6] {
         let solved = scene.solve(&start, 80.0, tolerance);
         assert!(
-            matches!(solved, Err(Error::BeyondCondition { .. })),
+            matches!(
+                solved,
+                Err(Error::NotDelivered {
+                    condition: Some(_),
+                    ..
+                })
+            ),
             "{tolerance:e}: {solved:?}"
         );
     }
@@ -135,7 +145,16 @@ fn narrow_pulses_are_seen() -> Result<()> {
     let unnamed = Torque::on_space("unnamed", pulse);
     match Scene::new(body).with(unnamed).solve(&start, 60.0, 1e-6) {
         Ok(solved) => assert!(end.attitude.angle_to(&solved.state.attitude) <= 1e-6),
-        Err(error) => assert!(matches!(error, Error::NotDelivered { .. }), "{error}"),
+        Err(error) => assert!(
+            matches!(
+                error,
+                Error::NotDelivered {
+                    condition: None,
+                    ..
+                }
+            ),
+            "{error}"
+        ),
     }
     // A smooth one, its width named.
     let bump = move |t: f64, _: &RigidBody, _: &State| {
@@ -231,12 +250,16 @@ fn no_run_without_end() -> Result<()> {
     let mut refused = 0;
     let mut over = |solved: Result<rotation_dynamics::accuracy::Solved>| match solved {
         Err(
-            Error::OverBudget {
-                budget: 1_000_000, ..
+            Error::LimitReached {
+                what: "torques",
+                limit: 1_000_000,
+                ..
             }
             | Error::StepUnderflow { .. }
             | Error::Sliding { .. }
-            | Error::NotDelivered { .. },
+            | Error::NotDelivered {
+                condition: None, ..
+            },
         ) => refused += 1,
         other => panic!("{other:?}"),
     };
