@@ -81,7 +81,7 @@ fn bad_coefficients_are_named() {
         ),
         (
             lines(&[(0.0, 1.0), (2.0, 2.0), (1.0, 0.0)]),
-            "time of a profile 2 is 1, and the one before it 2",
+            "time of a profile[2]: value = 1 is not allowed: the one before it is 2",
         ),
         (lines(&[(NAN, 1.0)]), "time of a profile = NaN"),
         (lines(&[(0.0, INF)]), "value of a profile = inf"),

@@ -142,7 +142,7 @@ fn bad_limits_are_named() -> Result<()> {
             break_points: &[2.0, 1.0],
             ..limits
         },
-        "break point 1 is 1, and the one before it 2",
+        "break point[1]: value = 1 is not allowed: the one before it is 2",
     );
     says(
         Limits {

@@ -316,9 +316,7 @@ fn what_is_no_number_is_named() {
     };
     let huge = told(1e300);
     assert!(
-        huge.starts_with(
-            "the torque of \"push\" at t = 0 is 1.000e300 N m, on a body that may turn"
-        ),
+        huge.starts_with("the torque of \"push\" at t = 0, quaternion and momentum = ["),
         "{huge}"
     );
     assert!(!huge.contains("NaN"), "{huge}");

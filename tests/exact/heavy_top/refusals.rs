@@ -261,7 +261,7 @@ fn a_refused_energy_is_written_short() {
     let expected = [
         "E~ = 0.1 is not allowed: no motion is below U_min = 0.404262",
         "E~ = -0.08 is not allowed: no motion is below U_min = 1.0000000000000001e60",
-        "E~ = -1e4 is not allowed: no motion is below U_min = -1.999999999999997e30",
+        "E~ = -1e40 is not allowed: no motion is below U_min = -1.999999999999997e30",
         "E~ = -5 is not allowed: no motion is below U_min = -0.209903",
     ];
     assert_eq!(said, expected);
