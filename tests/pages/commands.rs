@@ -3,7 +3,7 @@
 //! also what the modules of the pages are held to.
 
 use crate::snapshots::settings;
-use crate::told::root;
+use crate::answers::root;
 use pages::{WHOLE, page};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

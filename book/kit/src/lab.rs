@@ -4,7 +4,7 @@ use super::json::quoted;
 use crate::error::Result;
 use core::fmt;
 use rotation_dynamics::Error;
-use rotation_dynamics::accuracy::{Errors, Fineness, Problem, applies};
+use rotation_dynamics::accuracy::{Errors, Problem, Resolution, applies};
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::Effect;
 use rotation_dynamics::integrators::{Method, Work};
@@ -149,8 +149,8 @@ impl Lab {
             run: Arc::new(move |method, setting| {
                 let (method, reached, work) = match method {
                     Some(method) => {
-                        let fineness = Fineness::of(method, setting);
-                        let (reached, work) = problem.run_as_usual(method, fineness)?;
+                        let resolution = Resolution::of(method, setting);
+                        let (reached, work) = problem.run_as_usual(method, resolution)?;
                         (method.name(), reached, work)
                     }
                     None => {
