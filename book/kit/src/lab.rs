@@ -114,14 +114,14 @@ impl Lab {
     /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.0, 4.0))?;
     /// let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?);
     /// let scene = scene.with(ViscousFriction::about_axis(0.05)?);
-    /// let lab = Lab::against_the_dial(scene, start, 5.0);
+    /// let lab = Lab::against_error_control(scene, start, 5.0);
     /// let [coarse, fine] = [100.0, 200.0].map(|steps| lab.run(Method::Rk4, steps));
     /// let (coarse, fine) = (coarse?, fine?);
     /// assert_eq!(coarse.against, Some(1e-12));
     /// assert!(((coarse.errors.attitude / fine.errors.attitude).log2() - 4.0).abs() < 0.2);
     /// # Ok::<(), kit::Error>(())
     /// ```
-    pub fn against_the_dial<E>(scene: Scene<E>, start: State, end: f64) -> Self
+    pub fn against_error_control<E>(scene: Scene<E>, start: State, end: f64) -> Self
     where
         E: Effect + Clone + Send + Sync + 'static,
     {

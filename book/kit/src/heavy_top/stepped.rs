@@ -290,7 +290,7 @@ impl Stepped {
         let mut report = Report::new(title, description)?;
         report.add(self.claims(tolerance)?)?;
         report.add(self.ledger(tolerance, names)?)?;
-        report.set_lab(Lab::against_the_dial(self.scene, self.start, self.end));
+        report.set_lab(Lab::against_error_control(self.scene, self.start, self.end));
         Ok(report)
     }
 
