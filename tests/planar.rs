@@ -186,7 +186,7 @@ fn a_ball_leaves_the_dome_at_two_thirds() {
         let [end, rate] = kept.transitions()[0].before;
         pulls.push((cos(end) - rate * rate).min(0.0));
         // The damaged twins: the event is one of the steps beside it.
-        let steps = kept.legs()[0].solution.step_times();
+        let steps = kept.pieces()[0].solution.step_times();
         let (before, after): (Vec<_>, Vec<_>) = steps.partition(|t| *t < leaves.t);
         for (errors, t) in [(&mut early, before.last()), (&mut late, after.first())] {
             errors.push(height(&kept.at(*t.unwrap()).unwrap().1) - 2.0 / 3.0);

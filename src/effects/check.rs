@@ -7,7 +7,7 @@ mod tests;
 pub(crate) use kinks::NEAR;
 
 use super::gravity::GRAVITY;
-use super::{AnyEffect, Feature, Known, Nature};
+use super::{AnyEffect, Feature, IntegrableCase, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, FINITE, Result, finite, not_negative, positive};
@@ -71,16 +71,16 @@ const PULSE: f64 = 0.1;
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
 /// use rotation_dynamics::body::{RigidBody, State};
-/// use rotation_dynamics::effects::{Effect, Nature, check};
+/// use rotation_dynamics::effects::{Effect, Properties, check};
 /// use rotation_dynamics::frame::{BodyVector, SpaceVector};
 /// use rotation_dynamics::inertia::PrincipalMoments;
 ///
 /// /// It brakes, and claims to keep the energy.
 /// struct Liar;
 /// impl Effect for Liar {
-///     const NATURE: Nature = Nature {
-///         keeps: rotation_dynamics::effects::Keeps { energy: true, ..Nature::ANYTHING.keeps },
-///         ..Nature::ANYTHING
+///     const PROPERTIES: Properties = Properties {
+///         conserved: rotation_dynamics::effects::Conserved { energy: true, ..Properties::ANYTHING.conserved },
+///         ..Properties::ANYTHING
 ///     };
 ///     fn name(&self) -> &'static str {
 ///         "liar"
@@ -109,7 +109,7 @@ pub fn check<E: AnyEffect>(
 /// An effect that has been looked at, and can be looked at again along its motion.
 pub(crate) struct Checked<'e> {
     effect: &'e dyn AnyEffect,
-    nature: Nature,
+    properties: Properties,
     body: RigidBody,
     start: State,
     /// The longest torque that was seen (N m).
@@ -136,7 +136,7 @@ impl<'e> Checked<'e> {
         let mut checked = Self::unlooked(effect, body, span, state);
         checked.function(span[0], state)?;
         checked.declared()?;
-        if checked.nature.torque_free && names.is_empty() {
+        if checked.properties.torque_free && names.is_empty() {
             return Ok(checked);
         }
         let places = checked.places(state)?;
@@ -164,7 +164,7 @@ impl<'e> Checked<'e> {
         breaks.sort_by(f64::total_cmp);
         Self {
             effect,
-            nature: effect.nature(),
+            properties: effect.properties(),
             body: *body,
             start: *state,
             largest: 0.0,
@@ -312,7 +312,7 @@ impl<'e> Checked<'e> {
     /// L x slip.
     fn acting(&self, t: f64, state: &State) -> SpaceVector {
         let torque = self.effect.torque(t, &self.body, state);
-        if !self.nature.slips {
+        if !self.properties.slips {
             return torque;
         }
         let slip = self.effect.slip(t, &self.body, state);
@@ -323,11 +323,11 @@ impl<'e> Checked<'e> {
     /// not while the body is turned about its axes or slows down and turns back.
     fn smooth(&self) -> Result<()> {
         let start = &self.start;
-        if !self.nature.smooth {
+        if !self.properties.smooth {
             return self.smooth_beside();
         }
         let [from, to] = self.span;
-        if self.nature.on_time {
+        if self.properties.on_time {
             let (first, last) = (from.min(to), from.max(to));
             let inside = |t: &f64| first < *t && *t < last;
             let breaks = self.breaks.iter().copied().filter(inside);
@@ -337,14 +337,14 @@ impl<'e> Checked<'e> {
             }
         }
         // What sees the axis only has been held to that: a turn about it changes nothing.
-        let axes = if self.nature.axis_only { 2 } else { 3 };
+        let axes = if self.properties.axis_only { 2 } else { 3 };
         for axis in 0..axes {
             self.no_jump([0.0, core::f64::consts::TAU], |angle| {
                 let attitude = start.attitude * Attitude::about_coordinate(axis, angle);
                 self.acting(from, &State { attitude, ..*start })
             })?;
         }
-        if self.nature.on_rates {
+        if self.properties.on_rates {
             self.no_jump([1.0, -1.1], |part| {
                 let angular_momentum = start.angular_momentum * part;
                 let state = State {
@@ -388,7 +388,7 @@ impl<'e> Checked<'e> {
             before = after;
         }
         let mut size = self.size;
-        if self.nature.slips {
+        if self.properties.slips {
             let rate = self.body.angular_velocity(&self.start).norm();
             size = size.max(self.start.angular_momentum.norm() * rate);
         }
@@ -499,11 +499,11 @@ impl<'e> Checked<'e> {
 
     /// Every claim, here and now.
     pub fn at(&self, t: f64, state: &State) -> Result<()> {
-        let (effect, body, nature) = (self.effect, &self.body, self.nature);
+        let (effect, body, properties) = (self.effect, &self.body, self.properties);
         let torque = self.function(t, state)?;
         let slack = ROUNDING * self.size.max(torque.norm());
         let off = |other: SpaceVector| (other - torque).norm();
-        if nature.torque_free {
+        if properties.torque_free {
             self.held("that there is no torque", t, torque.norm(), 0.0)?;
         }
         let pushed = State {
@@ -516,14 +516,14 @@ impl<'e> Checked<'e> {
         self.slip(t, state, later, &pushed)?;
         let rates = "that it does not depend on how the body turns";
         let time = "that it does not depend on the time";
-        if !nature.on_rates {
+        if !properties.on_rates {
             self.held(rates, t, off(effect.torque(t, body, &pushed)), slack)?;
         }
-        if !nature.on_time {
+        if !properties.on_time {
             self.held(time, t, off(effect.torque(later, body, state)), slack)?;
         }
         let axis = state.attitude.axis();
-        if nature.axis_only {
+        if properties.axis_only {
             let attitude = state.attitude * Attitude::about_coordinate(2, 1.2);
             let spun = State { attitude, ..pushed };
             let sees = "that it sees the body's axis only";
@@ -538,8 +538,8 @@ impl<'e> Checked<'e> {
             "that it has no torque about Y",
             "that it has no torque about Z",
         ];
-        for ((kept, m), claim) in nature
-            .keeps
+        for ((kept, m), claim) in properties
+            .conserved
             .momentum
             .into_iter()
             .zip(torque.to_array())
@@ -549,7 +549,7 @@ impl<'e> Checked<'e> {
                 self.held(claim, t, m.abs(), slack)?;
             }
         }
-        if nature.keeps.axial_momentum {
+        if properties.conserved.axial_momentum {
             let claim = "that it has no torque about the body's axis";
             self.held(claim, t, torque.dot(&axis).abs(), slack)?;
         }
@@ -583,7 +583,7 @@ impl<'e> Checked<'e> {
     /// What resists on the piece, with what sees the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (self.effect, &self.body);
-        let begun = if self.nature.on_time {
+        let begun = if self.properties.on_time {
             self.begun(t)
         } else {
             Some(t)
@@ -600,26 +600,26 @@ impl<'e> Checked<'e> {
 
     /// What turns the body beyond I^-1 L is said, and does what is claimed.
     fn slip(&self, t: f64, state: &State, later: f64, pushed: &State) -> Result<()> {
-        let (effect, body, nature) = (self.effect, &self.body, self.nature);
+        let (effect, body, properties) = (self.effect, &self.body, self.properties);
         let slip = effect.slip(t, body, state);
-        if !nature.slips {
+        if !properties.slips {
             let claim = "that nothing but its torque acts (slips: false)";
             return self.held(claim, t, slip.norm(), 0.0);
         }
         let claim = "that it slips and that only a torque on the axis acts, or none";
-        let both = nature.axis_only || nature.torque_free;
+        let both = properties.axis_only || properties.torque_free;
         self.held(claim, t, f64::from(u8::from(both)), 0.0)?;
         let slack = ROUNDING * slip.norm();
         let off = |other: SpaceVector| (other - slip).norm();
-        if !nature.on_rates {
+        if !properties.on_rates {
             let claim = "that its slip does not depend on how the body turns";
             self.held(claim, t, off(effect.slip(t, body, pushed)), slack)?;
         }
-        if !nature.on_time {
+        if !properties.on_time {
             let claim = "that its slip does not depend on the time";
             self.held(claim, t, off(effect.slip(later, body, state)), slack)?;
         }
-        if nature.keeps.axial_momentum && body.moments().is_symmetric() {
+        if properties.conserved.axial_momentum && body.moments().is_symmetric() {
             let claim = "that its slip leaves L_z alone";
             let rate = state.angular_momentum.cross(&slip);
             let slack = slack * state.angular_momentum.norm();
@@ -630,10 +630,10 @@ impl<'e> Checked<'e> {
 
     /// The closed form's torque is the effect's.
     fn known(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
-        let claimed = match self.effect.known() {
-            Known::No => return Ok(()),
-            Known::Free => SpaceVector::zero(),
-            Known::HeavyTop(gravity) => AnyEffect::torque(&gravity, t, &self.body, state),
+        let claimed = match self.effect.integrable_case() {
+            IntegrableCase::None => return Ok(()),
+            IntegrableCase::Free => SpaceVector::zero(),
+            IntegrableCase::HeavyTop(gravity) => AnyEffect::torque(&gravity, t, &self.body, state),
         };
         let claim = "that its motion has a closed form";
         self.held(claim, t, (torque - claimed).norm(), slack)
@@ -691,20 +691,20 @@ impl<'e> Checked<'e> {
         let late = 4.0 * EPS * t.abs() / step * moving.abs();
 
         let found = acting.dot(&omega) + turning + moving;
-        let power = if self.nature.keeps.energy {
+        let power = if self.properties.conserved.energy {
             0.0
         } else {
             effect.power(t, body, state)
         };
         let off = (found - power).abs();
         // The phases of torque and power are rounded too, by less than goes on in a step.
-        let (part, fastest) = if self.nature.on_time {
+        let (part, fastest) = if self.properties.on_time {
             (POWER.max(step * own), rate.max(own))
         } else {
             (POWER, rate)
         };
         let allowed = part * size * fastest + turning_rounding + moving_rounding + late;
-        let claim = if self.nature.keeps.energy {
+        let claim = if self.properties.conserved.energy {
             "that it keeps the energy"
         } else {
             "at what power it changes the energy"

@@ -1,6 +1,6 @@
 //! A torque from a closure.
 
-use super::{Effect, Feature, Nature};
+use super::{Effect, Feature, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -129,9 +129,9 @@ pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
 }
 
 impl<const SMOOTH: bool> Effect for Torque<'_, SMOOTH> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         smooth: SMOOTH,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! Dry friction about the axis, until the spin stops.
 
-use super::{Effect, Feature, Nature, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, not_negative, plain};
 use crate::frame::SpaceVector;
@@ -25,7 +25,7 @@ const ROUNDING: f64 = 64.0 * EPS;
 ///
 /// That is why the effect belongs to one body and one start, and to a scene without
 /// another torque about the axis. [`Scene::solve`](crate::scene::Scene::solve) and
-/// [`check`](super::check) refuse it in a scene with an effect whose nature does not keep
+/// [`check`](super::check) refuse it in a scene with an effect whose properties do not keep
 /// L_z ([`Error::Incompatible`]), and from a state that is not on the motion for which it was
 /// made (the same error). An integrator called by itself does not look.
 ///
@@ -129,10 +129,10 @@ fn symmetric(body: &RigidBody) -> Result<()> {
 }
 
 impl Effect for CoulombBearing {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

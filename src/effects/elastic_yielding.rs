@@ -1,6 +1,6 @@
 //! A body whose figure follows its axis of rotation, in part.
 
-use super::{Effect, Feature, Keeps, Nature};
+use super::{Conserved, Effect, Feature, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, not_negative, positive};
@@ -235,12 +235,12 @@ fn bulge(body: &RigidBody) -> f64 {
 }
 
 impl Effect for ElasticYielding {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
         slips: true,
-        keeps: Keeps::ALL,
-        ..Nature::ANYTHING
+        conserved: Conserved::ALL,
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

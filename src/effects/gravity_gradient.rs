@@ -1,6 +1,6 @@
 //! The torque of an attracting body on a satellite.
 
-use super::{Effect, Feature, Keeps, Nature};
+use super::{Conserved, Effect, Feature, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -192,15 +192,15 @@ pub(super) fn deviations(body: &RigidBody) -> [f64; 3] {
 }
 
 impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         on_time: !FIXED,
         smooth: true,
-        keeps: Keeps {
+        conserved: Conserved {
             energy: FIXED,
-            ..Keeps::NONE
+            ..Conserved::NONE
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! The torque of an attracting body on an orbit that is given: Sun, Moon, a planet.
 
 use super::gravity_gradient::{deviations, extremes, torque_towards};
-use super::{Effect, Feature, KeplerOrbit, Nature};
+use super::{Effect, Feature, KeplerOrbit, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
@@ -141,10 +141,10 @@ impl<const AVERAGED: bool> OrbitingBody<AVERAGED> {
 }
 
 impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -46,7 +46,7 @@ use super::extended::carlson_rf;
 use super::jacobi::Jacobi;
 use crate::error::{Error, Result, finite};
 use crate::math::{self, DoubleDouble};
-use crate::motion::{Kept, Motion, felt_of_each};
+use crate::motion::{Kept, Motion, condition_of_each};
 
 /// The smallest angle of release: below it `theta0^2` leaves the range of the
 /// double-double products.
@@ -412,7 +412,7 @@ impl Motion for Ladder {
         let here = self.at(t)?;
         let inputs = [self.length, self.gravity, self.theta0];
         let turned = here.omega * t;
-        let square = felt_of_each(turned * turned, inputs, |[length, gravity, theta0]| {
+        let square = condition_of_each(turned * turned, inputs, |[length, gravity, theta0]| {
             let other = Self::new(length, gravity, theta0)?;
             // One that lands before t is no neighbour: the other direction is felt.
             Ok((other.at(t)?.theta - here.theta).abs())

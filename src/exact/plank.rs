@@ -42,7 +42,7 @@
 use super::ladder::gauss_legendre;
 use crate::error::{Error, Result, finite, plain};
 use crate::math::{self, DoubleDouble as Dd, EPS};
-use crate::motion::{Kept, Motion, felt_of_each};
+use crate::motion::{Kept, Motion, condition_of_each};
 
 /// While X + V is below this, the integrand is 1 to 19 digits.
 const UPRIGHT: f64 = 1e-10;
@@ -364,7 +364,7 @@ impl Motion for Plank {
         let here = self.at(t)?;
         let inputs = [self.length, self.gravity, self.theta0, self.omega0];
         let turned = here.omega * t;
-        let square = felt_of_each(
+        let square = condition_of_each(
             turned * turned,
             inputs,
             |[length, gravity, theta0, omega0]| {

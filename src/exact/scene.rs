@@ -3,7 +3,7 @@
 //! `exact` is there for these types alone: for a scene with another effect the compiler finds
 //! none, so no program that asks for it exists. [`Scene::solve`] takes the same closed forms;
 //! since it takes every scene, it asks the effects themselves, once a solution
-//! ([`Effect::known`](crate::effects::Effect::known)).
+//! ([`Effect::integrable_case`](crate::effects::Effect::integrable_case)).
 
 use super::free_body::FreeBody;
 use super::heavy_top::{HeavyTop, SymmetricTop};

@@ -87,7 +87,7 @@ impl<E: Effect> Ode<7> for BodyFixed<'_, E> {
         let [k1, k2, k3] = self.coupling;
         let mut change = torque + BodyVector::new(k1 * l2 * l3, k2 * l3 * l1, k3 * l1 * l2);
         let mut omega = self.rates(y);
-        if E::NATURE.slips && self.slips {
+        if E::PROPERTIES.slips && self.slips {
             let slip = (self.scene.effects()).slip(t, self.scene.body(), &state);
             let slip = attitude.to_body(slip);
             omega += slip;

@@ -101,7 +101,7 @@ fn euler_work(steps: u64) -> Work {
 
 /// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.
 fn rigid<E: AnyEffect>(scene: &Scene<E>) -> Result<()> {
-    if scene.effects().nature().slips {
+    if scene.effects().properties().slips {
         let effects = scene.effects().names().join(", ");
         let reason = format!(
             "a method that steps the angular velocity turns the body by that alone: an effect \

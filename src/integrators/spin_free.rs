@@ -105,7 +105,7 @@ pub(super) fn symmetric(body: &RigidBody) -> Result<()> {
 
 /// Effects, if they see nothing but the axis of the body.
 pub(super) fn axis_only<E: Effect>(effects: &E) -> Result<()> {
-    if E::NATURE.axis_only {
+    if E::PROPERTIES.axis_only {
         return Ok(());
     }
     Err(Error::sees_more(effects.names().join(", ")))

@@ -21,7 +21,7 @@ const AT_ENTRY: f64 = 64.0 * EPS;
 
 /// The motion within one phase.
 #[derive(Debug, Clone)]
-pub struct Leg<P, const N: usize> {
+pub struct PhaseRun<P, const N: usize> {
     /// The phase.
     pub phase: P,
     /// The state at any time of the phase.
@@ -48,7 +48,7 @@ pub struct Transition<P, const N: usize> {
 /// A motion through phases.
 #[derive(Debug, Clone)]
 pub struct Run<P, const N: usize> {
-    legs: Vec<Leg<P, N>>,
+    pieces: Vec<PhaseRun<P, N>>,
     transitions: Vec<Transition<P, N>>,
     work: Work,
 }
@@ -110,7 +110,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
         ));
     }
     let mut run = Run {
-        legs: Vec::new(),
+        pieces: Vec::new(),
         transitions: Vec::new(),
         work: Work::default(),
     };
@@ -123,7 +123,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
         if let Some(end) = conditions
             .iter()
             .find(over)
-            .filter(|_| !run.legs.is_empty())
+            .filter(|_| !run.pieces.is_empty())
         {
             run.transitions.push(Transition {
                 name: end.name,
@@ -135,7 +135,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
             });
             return Ok(run);
         }
-        let noises = noises(scene, &conditions, run.legs.last(), &state);
+        let noises = noises(scene, &conditions, run.pieces.last(), &state);
         check_entry(&conditions, &noises, t, &state)?;
         let events: Vec<_> = conditions
             .iter()
@@ -157,7 +157,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
                 let failed = solution
                     .stopped_by()
                     .map(|event| (event.index, event.t, event.state));
-                run.legs.push(Leg { phase, solution });
+                run.pieces.push(PhaseRun { phase, solution });
                 let Some(failed) = failed else {
                     return Ok(run);
                 };
@@ -295,11 +295,11 @@ fn failed_unseen<P, const N: usize>(
 fn noises<P: Copy + PartialEq + Debug, const N: usize>(
     scene: &Scene<'_, P, N>,
     conditions: &[Condition<'_, P, N>],
-    before: Option<&Leg<P, N>>,
+    before: Option<&PhaseRun<P, N>>,
     state: &[f64; N],
 ) -> Vec<f64> {
     let size = scene.scale(state);
-    let earlier = before.and_then(|Leg { solution, .. }| {
+    let earlier = before.and_then(|PhaseRun { solution, .. }| {
         let end = solution.end_time();
         let t = (end - AT_ENTRY * end.abs()).max(solution.start_time());
         Some([*solution.end_state(), solution.at(t).ok()?])
@@ -340,8 +340,8 @@ fn check_entry<P, const N: usize>(
 
 impl<P: Copy, const N: usize> Run<P, N> {
     /// The phases in order, each with its motion.
-    pub fn legs(&self) -> &[Leg<P, N>] {
-        &self.legs
+    pub fn pieces(&self) -> &[PhaseRun<P, N>] {
+        &self.pieces
     }
 
     /// The changes of phase in order, the end of the scene included.
@@ -363,7 +363,9 @@ impl<P: Copy, const N: usize> Run<P, N> {
 
     /// When the run ended.
     pub fn end_time(&self) -> f64 {
-        self.legs.last().map_or(0.0, |leg| leg.solution.end_time())
+        self.pieces
+            .last()
+            .map_or(0.0, |piece| piece.solution.end_time())
     }
 
     /// Phase and state at `t`; at a change of phase, those before it.
@@ -376,15 +378,15 @@ impl<P: Copy, const N: usize> Run<P, N> {
             start: 0.0,
             end: self.end_time(),
         };
-        let holds = |leg: &&Leg<P, N>| t <= leg.solution.end_time();
-        let leg = self.legs.iter().find(holds).ok_or_else(outside)?;
-        let state = leg.solution.at(t).map_err(|_| outside())?;
-        Ok((leg.phase, state))
+        let holds = |piece: &&PhaseRun<P, N>| t <= piece.solution.end_time();
+        let piece = self.pieces.iter().find(holds).ok_or_else(outside)?;
+        let state = piece.solution.at(t).map_err(|_| outside())?;
+        Ok((piece.phase, state))
     }
 
     /// The state at the end of the run.
     pub fn end_state(&self) -> Option<&[f64; N]> {
-        self.legs.last().map(|leg| leg.solution.end_state())
+        self.pieces.last().map(|piece| piece.solution.end_state())
     }
 
     /// What the run cost.

@@ -220,9 +220,10 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     /// [`Error::OutOfRange`] for an effect that depends on the time, has break points or a
     /// potential of its own: none of them is looked at here.
     pub fn in_effect<G: Effect>(self, effect: G) -> Result<Top<F, R, (E, G)>> {
-        let refused = G::NATURE.on_time || G::NATURE.slips || G::NATURE.keeps.energy;
+        let refused =
+            G::PROPERTIES.on_time || G::PROPERTIES.slips || G::PROPERTIES.conserved.energy;
         let breaks = effect.break_points().len();
-        if (refused && !G::NATURE.torque_free) || breaks > 0 {
+        if (refused && !G::PROPERTIES.torque_free) || breaks > 0 {
             return Err(Error::out_of_range(
                 "effect's break points",
                 breaks as f64,

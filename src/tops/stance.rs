@@ -149,7 +149,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     /// What the floor does to a top in this stance.
     #[inline]
     pub fn forces(&self, phase: Phase, at: &Stance, coordinates: &Coordinates) -> Forces {
-        let torque = if E::NATURE.torque_free {
+        let torque = if E::PROPERTIES.torque_free {
             SpaceVector::zero()
         } else {
             let state = State {

@@ -1,6 +1,6 @@
 //! Section 15.1, Euler angles. That two routes agree on every number is part of the report.
 
-use crate::told::{confirmed, ledger, number, refused, value};
+use crate::answers::{confirmed, ledger, number, refused, value};
 use pages::ch15_1_euler_angles::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates, Sequence};

@@ -1,7 +1,7 @@
 //! Exercise 16.3, the cylinder in the corner. That simulations confirm the formulas is part of
 //! the report: a claim or a limit that differs from its oracle is an error.
 
-use crate::told::{cell, computed, confirmed, errors_of, refused};
+use crate::answers::{cell, computed, confirmed, errors_of, refused};
 use kit::Page;
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;

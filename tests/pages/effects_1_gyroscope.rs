@@ -1,7 +1,7 @@
 //! The damped gyroscope: its formulas hold for other gyroscopes too, within what they leave
 //! out, and damaged twins of them do not.
 
-use crate::told::{answer, confirmed, refused};
+use crate::answers::{answer, confirmed, refused};
 use kit::parse;
 use pages::effects_1_gyroscope::*;
 use rotation_dynamics::gimbals::{Bearing, Bearings, Fading, Nod, Pose};

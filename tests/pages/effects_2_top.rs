@@ -1,7 +1,7 @@
 //! The top from throw to fall. That simulations confirm the formulas is part of the report; here
 //! they are asked for other throws and tops, and damaged twins miss.
 
-use crate::told::{confirmed, ledger, refused};
+use crate::answers::{confirmed, ledger, refused};
 use core::f64::consts::TAU;
 use pages::effects_2_top::*;
 use rotation_dynamics::math::{cos, log, sin};

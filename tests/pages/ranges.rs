@@ -5,7 +5,7 @@
 //! `PROPERTY_CASES=N` tries N times as many values of each parameter (15 tries them all; without it
 //! one of two is tried), `PROPERTY_SEED=S` others, `PAGES=STEM` one page.
 
-use crate::told::asked;
+use crate::answers::asked;
 use kit::{Error, Page};
 use kit::interval::{Interval, above, from_to};
 use oorandom::Rand64;

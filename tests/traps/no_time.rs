@@ -175,9 +175,9 @@ impl Mechanism<1, 2, 1> for Falling {
 struct Swaying;
 
 impl Effect for Swaying {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         slips: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "swaying"
@@ -1002,7 +1002,7 @@ fn a_lost_attitude_reads_as_none() {
 struct Widthless;
 
 impl Effect for Widthless {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
     fn name(&self) -> &'static str {
         "widthless"
     }

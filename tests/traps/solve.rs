@@ -3,7 +3,7 @@
 use rotation_dynamics::accuracy::{Limits, Solved};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Nature, Torque, ViscousFriction};
+use rotation_dynamics::effects::{Effect, Properties, Torque, ViscousFriction};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator};
@@ -121,12 +121,12 @@ fn states_are_within_the_budget_and_can_be_cancelled() -> Result<()> {
 /// A torque that sees the axis alone, and says so.
 struct Pulled;
 impl Effect for Pulled {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         axis_only: true,
         on_rates: false,
         on_time: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "pulled"
@@ -169,10 +169,10 @@ struct Table {
     asked: Cell<usize>,
 }
 impl Effect for Table {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         smooth: true,
         on_rates: false,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "table"
@@ -324,7 +324,7 @@ fn a_sampled_torque_is_answered_between_its_samples() -> Result<()> {
 type Law<'l> = dyn Fn(f64, &State) -> SpaceVector + 'l;
 struct Controller<'l>(&'l Law<'l>);
 impl Effect for Controller<'_> {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
     fn name(&self) -> &'static str {
         "controller"
     }

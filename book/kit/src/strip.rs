@@ -4,7 +4,7 @@ use super::{ClosedForm, Computation, Lab, Price, Report};
 use crate::error::{Result, positive};
 use core::fmt;
 use rotation_dynamics::Error;
-use rotation_dynamics::accuracy::{Fineness, Problem, Solved, applies, largest};
+use rotation_dynamics::accuracy::{Problem, Resolution, Solved, applies, largest};
 use rotation_dynamics::effects::Effect;
 #[cfg(doc)]
 use rotation_dynamics::integrators::Dop853;
@@ -260,7 +260,7 @@ where
     let (runner, judge) = (problem.clone(), problem.clone());
     let setting = run.setting;
     let again = Computation::new(
-        move || Ok(runner.run_as_usual(method, Fineness::of(method, setting))?),
+        move || Ok(runner.run_as_usual(method, Resolution::of(method, setting))?),
         move |(reached, _)| Ok(judge.error(reached)),
     );
     Ok(Some(Price {

@@ -25,7 +25,7 @@ const PART: u64 = 8;
 /// A motion whose states are known to a tolerance at every time of its span.
 ///
 /// Runs are compared, and the condition is measured, at up to 128 places. A state between two
-/// of them is found by stepping on from the one before with the method and the fineness of
+/// of them is found by stepping on from the one before with the method and the resolution of
 /// the run that was verified, so it is as good as its
 /// neighbours, and it is the same whatever other times are asked for. Many times
 /// ([`Motion::try_states`]) cost some steps for each, and those of the run once; one alone costs

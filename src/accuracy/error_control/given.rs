@@ -5,7 +5,7 @@
 
 use super::along::Form;
 use super::limits::{LOOKS, Limits};
-use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
+use super::problem::{ALL_ROWS, Acting, Distances, Probe, Problem};
 use super::refine::Refinement;
 use super::slender::Slender;
 use super::{ExactMotion, Solved};
@@ -98,17 +98,17 @@ impl<'s> Given<'s> {
             trial: Work::default(),
         };
         finite("kinetic energy of the start", body.kinetic_energy(start))?;
-        let nature = effects.nature();
+        let properties = effects.properties();
         finite(
             "the fastest rate that the energy allows",
             given.problem().fastest(),
         )?;
-        let seen = if nature.on_time && t_end != limits.t_start {
+        let seen = if properties.on_time && t_end != limits.t_start {
             given.checked.looked(LOOKS as usize)
         } else {
             Vec::new()
         };
-        if !nature.smooth && !seen.is_empty() {
+        if !properties.smooth && !seen.is_empty() {
             let jumps = given.checked.jumps(&seen);
             let kinks = given.checked.kinks(&seen, &given.breaks);
             given.breaks.extend(jumps.into_iter().chain(kinks));
@@ -126,7 +126,7 @@ impl<'s> Given<'s> {
             let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
             let apart = |cut: &f64| given.breaks.iter().all(|t| (t - cut).abs() > near);
             let cuts: Vec<f64> = (1..cuts)
-                .map(|n| problem.at_leg(n, cuts))
+                .map(|n| problem.time_at(n, cuts))
                 .filter(apart)
                 .collect();
             given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
@@ -165,7 +165,7 @@ impl<'s> Given<'s> {
             longest_step: self.longest_step,
             damping: self.damping,
             checked: &self.checked,
-            known: self.effects.known(),
+            known: self.effects.integrable_case(),
             slender: self.slender,
         }
     }
@@ -235,7 +235,7 @@ impl<'s> Given<'s> {
 impl Given<'_> {
     /// The time between two looks at the torque, if it may have features that nothing names.
     fn looked_every(&self) -> Option<f64> {
-        let unnamed = self.effects.nature().on_time && self.effects.narrowest().is_none();
+        let unnamed = self.effects.properties().on_time && self.effects.narrowest().is_none();
         unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
     }
 
@@ -275,7 +275,7 @@ impl Given<'_> {
         }
         match self.looked_every() {
             Some(every)
-                if !self.effects.nature().smooth
+                if !self.effects.properties().smooth
                     && !matches!(error, Error::LimitReached { .. }) =>
             {
                 Error::Unseen {
@@ -291,7 +291,7 @@ impl Given<'_> {
 
 fn nothing_to_do(problem: &Problem) -> Result<Solved> {
     let start = problem.start;
-    let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
+    let [condition, ..] = problem.condition(&Probe::EXACT, |by| {
         let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
         Ok((vec![start], changed.collect::<Result<_>>()?))
     })?;
@@ -320,7 +320,7 @@ fn by_closed_form(
 ) -> Result<Solved> {
     let on_the_way = |motion: &ExactMotion, changed: &Problem| -> Result<Vec<State>> {
         (1..=places)
-            .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
+            .map(|n| motion.at(changed.time_at(n, places) - changed.t_start))
             .collect()
     };
     let states = on_the_way(motion, problem)?;
@@ -338,12 +338,12 @@ fn by_closed_form(
         })?;
         on_the_way(&motion, &changed)
     };
-    let feeler = if motion.is_near_separatrix() {
-        Feeler::STEEP
+    let probe = if motion.is_near_separatrix() {
+        Probe::STEEP
     } else {
-        Feeler::EXACT
+        Probe::EXACT
     };
-    let condition: Apart = problem.condition(&feeler, |by| {
+    let condition: Distances = problem.condition(&probe, |by| {
         work.samples += ALL_ROWS as u64;
         let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
         Ok((states.clone(), changed.collect::<Result<_>>()?))

@@ -126,12 +126,12 @@ impl Limits<'_> {
                     longest = longest.min(width.angle / rate / STEPS_IN_PULSE);
                 }
             }
-            None if effects.nature().on_time => {
+            None if effects.properties().on_time => {
                 let span = (t_end - self.t_start).abs();
                 if let Some(looks) = checked.looks_in_step(seen) {
                     longest = longest.min(span / LOOKS * looks as f64);
                 }
-                if !effects.nature().smooth {
+                if !effects.properties().smooth {
                     longest = longest.min(span / STEPS_OVER_JUMPS);
                 }
             }

@@ -1,12 +1,12 @@
-//! The methods that carry a motion, each with one knob.
+//! The methods that step a motion, each with one setting.
 //!
-//! The knob is the *level*: one level up, the error is 40 times smaller. A method of
+//! The setting is the *level*: one level up, the error is 40 times smaller. A method of
 //! order p then takes 40^(1/p) times as many steps, an adaptive one is given a 40 times
 //! smaller error of a step. So methods of any order are refined alike.
 
 use super::problem::{Acting, Problem};
 use super::slender;
-use crate::accuracy::{Carrier, Fineness, Variables};
+use crate::accuracy::{Resolution, Stepper, Variables};
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Method as Named, Work};
@@ -324,30 +324,30 @@ impl Method {
         }
         let fewest = steps.fewest.max(fewest.ceil() as u64);
         let affordable = fine.budget as f64 / self.torques();
-        let carrier = if self.is_adaptive() {
+        let stepper = if self.is_adaptive() {
             let tolerance = (1e-3 * exp(-LEVEL * fine.level))
                 .clamp(Dop853::SMALLEST_TOLERANCE, Dop853::LARGEST_TOLERANCE);
             let method = Dop853::new(tolerance)?
                 .with_longest_step(span / fewest as f64)?
                 .with_step_limit(affordable.max(1.0) as u64)?;
-            Carrier::Dop853(method)
+            Stepper::Dop853(method)
         } else {
             let steps = self.steps(problem, t_end - t, fine.level);
             if steps.is_nan() || steps.max(fewest as f64) > affordable {
                 return Err(over);
             }
             let steps = (steps.ceil() as u64).max(fewest);
-            Carrier::new(self.method(), Fineness::Stages(steps, fine.precision))?
+            Stepper::new(self.method(), Resolution::Stages(steps, fine.precision))?
         };
         let mut work = Work::default();
-        let run = match (problem.slender, carrier) {
-            (Some(_), Carrier::Dop853(dop853)) if self == Adaptive => {
+        let run = match (problem.slender, stepper) {
+            (Some(_), Stepper::Dop853(dop853)) if self == Adaptive => {
                 let (start, on_body) = (&start.state, start.on_body);
                 slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work)
                     .map(|(state, on_body)| (state, Some(on_body)))
             }
             _ => (problem.carried(
-                &carrier,
+                &stepper,
                 self.variables(),
                 [t, t_end],
                 &start.state,

@@ -2,7 +2,7 @@
 
 use super::problem::{Acting, Problem};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Effect, Nature};
+use crate::effects::{AnyEffect, Effect, Properties};
 use crate::error::Error;
 use crate::frame::SpaceVector;
 use crate::integrators::{Dop853, Integrator, Work};
@@ -27,7 +27,7 @@ struct Watched<'e> {
 }
 
 impl Effect for Watched<'_> {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
 
     fn name(&self) -> &'static str {
         "watched"
@@ -55,7 +55,7 @@ impl Problem<'_> {
         let Acting::Anything(effects) = self.acting else {
             return None;
         };
-        if effects.nature().slips {
+        if effects.properties().slips {
             return None;
         }
         let watched = Watched {

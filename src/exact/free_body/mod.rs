@@ -30,7 +30,7 @@ use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::math::DoubleDouble as Dd;
 
-mod asked;
+mod as_motion;
 mod asymmetric;
 mod bodies;
 mod flow;
@@ -40,7 +40,7 @@ mod sample;
 mod series;
 mod symmetric;
 
-pub(in crate::exact) use asked::first_bad;
+pub(in crate::exact) use as_motion::first_bad;
 use asymmetric::Asymmetric;
 pub use bodies::FreeBodies;
 pub use flow::FreeFlow;

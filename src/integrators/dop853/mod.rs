@@ -19,7 +19,7 @@ pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
 pub use zero::{after, small_frequency};
 
-use self::system::{Of, System};
+use self::system::{ByRef, System};
 use super::ode::check_span;
 use super::{Integrator, Ode, Work, advance_by_counting};
 use crate::error::{Error, Result, finite, positive};
@@ -154,7 +154,7 @@ impl Dop853 {
         t_end: f64,
         events: &[Event<'_, N>],
     ) -> Result<Solution<N>> {
-        self.solve_system(&Of(ode), t, start, t_end, events)
+        self.solve_system(&ByRef(ode), t, start, t_end, events)
     }
 
     fn solve_system<const N: usize>(
@@ -203,10 +203,17 @@ impl Dop853 {
         mut seen: impl FnMut(&[f64; N]),
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(&Of(ode), t, start, t_end, &mut done, &mut |trial, _, _| {
-            seen(&trial.end.value);
-            Ok(ControlFlow::Continue(()))
-        });
+        let end = self.drive(
+            &ByRef(ode),
+            t,
+            start,
+            t_end,
+            &mut done,
+            &mut |trial, _, _| {
+                seen(&trial.end.value);
+                Ok(ControlFlow::Continue(()))
+            },
+        );
         *work += done;
         end
     }
@@ -224,7 +231,7 @@ impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
         work: &mut Work,
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(&Of(ode), t, start, t_end, &mut done, &mut |_, _, _| {
+        let end = self.drive(&ByRef(ode), t, start, t_end, &mut done, &mut |_, _, _| {
             Ok(ControlFlow::Continue(()))
         });
         *work += done;

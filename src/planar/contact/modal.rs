@@ -13,7 +13,7 @@ use core::fmt;
 const FORCE_NOISE: f64 = 4.0 * EPS;
 /// Round-off of gaps and slips, in parts of their sizes.
 const NOISE: f64 = EPS;
-/// Round-off of forces over a whole leg, in parts of all contact forces.
+/// Round-off of forces over a whole piece, in parts of all contact forces.
 const FORCE_DRIFT: f64 = 1e-12;
 
 /// A [`Mechanism`] as a [`Phased`] scene.

@@ -4,7 +4,7 @@ use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    Effect, GravityAtLever, GravityGradient, Nature, PrescribedTorque, Profile, Torque, check,
+    Effect, GravityAtLever, GravityGradient, PrescribedTorque, Profile, Properties, Torque, check,
 };
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -179,7 +179,7 @@ impl Motor {
 }
 
 impl Effect for Motor {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
 
     fn name(&self) -> &'static str {
         "motor"
@@ -261,7 +261,7 @@ fn a_local_tolerance_is_no_error() {
 struct Broken;
 
 impl Effect for Broken {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
 
     fn name(&self) -> &'static str {
         "broken"
@@ -294,7 +294,7 @@ fn an_effect_that_fails_is_named() {
 fn what_is_no_number_is_named() {
     struct Lost;
     impl Effect for Lost {
-        const NATURE: Nature = Nature::ANYTHING;
+        const PROPERTIES: Properties = Properties::ANYTHING;
         fn name(&self) -> &'static str {
             "lost"
         }
