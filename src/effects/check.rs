@@ -122,7 +122,7 @@ pub(crate) struct Checked<'e> {
 }
 
 impl<'e> Checked<'e> {
-    pub fn new(
+    pub(crate) fn new(
         effect: &'e dyn AnyEffect,
         body: &RigidBody,
         span: [f64; 2],
@@ -154,7 +154,7 @@ impl<'e> Checked<'e> {
     }
 
     /// An effect that has been looked at before.
-    pub fn unlooked(
+    pub(crate) fn unlooked(
         effect: &'e dyn AnyEffect,
         body: &RigidBody,
         span: [f64; 2],
@@ -175,7 +175,7 @@ impl<'e> Checked<'e> {
     }
 
     /// The length of the torque at the start (N m).
-    pub fn at_start(&self) -> f64 {
+    pub(crate) fn at_start(&self) -> f64 {
         (self.effect)
             .torque(self.span[0], &self.body, &self.start)
             .norm()
@@ -419,7 +419,7 @@ impl<'e> Checked<'e> {
     }
 
     /// The torque on the body as it starts at so many times, of equal distances, and the end.
-    pub fn looked(&self, looks: usize) -> Vec<SpaceVector> {
+    pub(crate) fn looked(&self, looks: usize) -> Vec<SpaceVector> {
         let at = |n| self.torque_at_start(self.look(n, looks));
         (0..=looks).map(at).collect()
     }
@@ -438,7 +438,7 @@ impl<'e> Checked<'e> {
 
     /// The times at which the torque that was [looked at](Self::looked) jumps, each the
     /// first, in the order of the motion, with what it jumps to.
-    pub fn jumps(&self, seen: &[SpaceVector]) -> Vec<f64> {
+    pub(crate) fn jumps(&self, seen: &[SpaceVector]) -> Vec<f64> {
         let looks = seen.len() - 1;
         let step = |n: usize| (seen[n + 1] - seen[n]).norm();
         let size = seen.iter().map(SpaceVector::norm).fold(0.0, f64::max);
@@ -482,7 +482,7 @@ impl<'e> Checked<'e> {
     /// Let a change come and be gone again in s looks each at the least. Where such changes are few,
     /// a step passes 2 s. Where the torque goes to and fro all along, no run takes long steps in
     /// quiet and meets a pulse in one of them: 8 s, about as many s as a step has stages.
-    pub fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
+    pub(crate) fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
         let largest = seen
             .iter()
             .map(SpaceVector::norm)
@@ -498,7 +498,7 @@ impl<'e> Checked<'e> {
     }
 
     /// Every claim, here and now.
-    pub fn at(&self, t: f64, state: &State) -> Result<()> {
+    pub(crate) fn at(&self, t: f64, state: &State) -> Result<()> {
         let (effect, body, properties) = (self.effect, &self.body, self.properties);
         let torque = self.function(t, state)?;
         let slack = ROUNDING * self.size.max(torque.norm());

@@ -37,7 +37,7 @@ const ONSET: f64 = 1e-8;
 
 impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     /// A speed of the size of the top's own, sqrt(g (|l| + r)).
-    pub fn speed(&self) -> f64 {
+    pub(super) fn speed(&self) -> f64 {
         let shape = self.top.shape();
         (self.top.gravity().norm() * (shape.lever().abs() + shape.tip())).sqrt()
     }
@@ -53,7 +53,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     }
 
     /// The coordinates with height and momentum as the contact has them.
-    pub fn settled(&self, at: &Stance, y: &Coordinates) -> Coordinates {
+    pub(super) fn settled(&self, at: &Stance, y: &Coordinates) -> Coordinates {
         let mut settled = *y;
         settled[10] = at.centre.z();
         for (place, v) in settled[11..].iter_mut().zip(at.velocity.to_array()) {
@@ -64,7 +64,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
 
     /// A tip that does not move over the floor: it rolls if friction can hold it, and slides
     /// off otherwise.
-    pub fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
+    pub(super) fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
         let phase = Phase {
             contact: Contact::Rolling,
             passed,

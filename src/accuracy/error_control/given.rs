@@ -60,7 +60,7 @@ pub(super) struct Given<'s> {
 }
 
 impl<'s> Given<'s> {
-    pub fn new(
+    pub(super) fn new(
         effects: &'s dyn AnyEffect,
         body: &RigidBody,
         start: &State,
@@ -148,11 +148,11 @@ impl<'s> Given<'s> {
     }
 
     /// The time of the start and that of the end (s).
-    pub const fn span(&self) -> [f64; 2] {
+    pub(super) const fn span(&self) -> [f64; 2] {
         [self.limits.t_start, self.t_end]
     }
 
-    pub fn problem(&self) -> Problem<'_> {
+    pub(super) fn problem(&self) -> Problem<'_> {
         Problem {
             body: self.body,
             acting: self.acting,
@@ -171,7 +171,7 @@ impl<'s> Given<'s> {
     }
 
     /// What is asked for, in closed form unless it is to be stepped.
-    pub fn answer(&self, places: Places, step: bool) -> Result<Answer> {
+    pub(super) fn answer(&self, places: Places, step: bool) -> Result<Answer> {
         let (mut problem, mut trial) = (self.problem(), self.trial);
         if step && problem.exact_motion().is_some() {
             (problem.slender, trial) = self.slender()?;

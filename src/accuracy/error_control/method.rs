@@ -51,7 +51,7 @@ struct Model {
 
 impl Method {
     /// Those that are tried for this error, the first that converges to it delivers.
-    pub fn candidates(problem: &Problem, tolerance: f64) -> &'static [Self] {
+    pub(super) fn candidates(problem: &Problem, tolerance: f64) -> &'static [Self] {
         let symmetric = problem.body.moments().is_symmetric();
         // Where it is strong the steps would follow what resists, and not the rotation.
         let is_thick = Resisted14.angle() * problem.damping > problem.fastest();
@@ -72,7 +72,7 @@ impl Method {
     }
 
     /// The name that is printed.
-    pub const fn name(self) -> &'static str {
+    pub(super) const fn name(self) -> &'static str {
         match self {
             SpinFreeGauss => "Gauss-Legendre 16, spin-free",
             Resisted6 => "SRKN 6b, resisted",
@@ -124,13 +124,13 @@ impl Method {
     }
 
     /// By how many levels the error falls with each.
-    pub const fn falls(self) -> f64 {
+    pub(super) const fn falls(self) -> f64 {
         self.model().falls
     }
 
     /// The level at which this error (rad) is expected at the end: errors of a turn add up, and those
     /// of the energy, which DOP853 does not keep, do so once more.
-    pub fn level_for(self, problem: &Problem, error: f64) -> f64 {
+    pub(super) fn level_for(self, problem: &Problem, error: f64) -> f64 {
         let model = self.model();
         let energy = problem.body.kinetic_energy(&problem.start);
         let weight = if energy > 0.0 {
@@ -152,7 +152,7 @@ impl Method {
 
     /// The smallest error that it reaches, in units of eps (1 + condition): the largest of 600 random
     /// motions. The rates of a slender body are blurred besides.
-    pub fn floor(self, problem: &Problem) -> f64 {
+    pub(super) fn floor(self, problem: &Problem) -> f64 {
         let stepped = match self {
             Gauss | Adaptive => 24.0,
             FreeGauss | SpinFreeGauss | BodyGauss | Resisted6 | Resisted14 => 8.0,
@@ -164,29 +164,29 @@ impl Method {
     }
 
     /// True if its steps are solved by sweeps, which leave something.
-    pub const fn sweeps(self) -> bool {
+    pub(super) const fn sweeps(self) -> bool {
         matches!(self, FreeGauss | Gauss | SpinFreeGauss | BodyGauss)
     }
 
     /// True if it chooses its steps itself, and so answers a small change of the start
     /// with a small jump.
-    pub const fn is_adaptive(self) -> bool {
+    pub(super) const fn is_adaptive(self) -> bool {
         matches!(self, Adaptive)
     }
 
     /// True if the rounding of its steps adds up in the attitude.
-    pub const fn adds_rounding(self) -> bool {
+    pub(super) const fn adds_rounding(self) -> bool {
         matches!(self, Gauss | Adaptive)
     }
 
     /// The coarsest level that is tried: beyond it Gauss-Legendre's sweeps do not
     /// converge, and the others are no longer in their order.
-    pub const fn coarsest(self) -> f64 {
+    pub(super) const fn coarsest(self) -> f64 {
         if self.sweeps() { -2.0 } else { -0.5 }
     }
 
     /// The level beyond which there is nothing but round-off, whatever the scene.
-    pub const fn finest(self) -> f64 {
+    pub(super) const fn finest(self) -> f64 {
         if self.is_adaptive() { 7.4 } else { 12.0 }
     }
 
@@ -202,7 +202,7 @@ impl Method {
     /// What a run costs, in units of one derivative of DOP853: measured, as times of one
     /// run of 50 turns after the other, optimised and with AVX-512. It enters the price that is
     /// told, and no choice.
-    pub fn cost(self, work: &Work) -> f64 {
+    pub(super) fn cost(self, work: &Work) -> f64 {
         self.model().cost * work.torques() as f64
     }
 
@@ -236,12 +236,12 @@ impl Method {
 
     /// The angle (rad) turned until `t_end`, on which the number of steps rests; 1 at
     /// least, so that a finer level takes more steps of whatever seems at rest.
-    pub fn turned(self, problem: &Problem, t_end: f64) -> f64 {
+    pub(super) fn turned(self, problem: &Problem, t_end: f64) -> f64 {
         (self.rate(problem) * t_end.abs()).max(1.0)
     }
 
     /// The steps of this level until `t_end` (not for adaptive methods).
-    pub fn steps(self, problem: &Problem, t_end: f64, level: f64) -> f64 {
+    pub(super) fn steps(self, problem: &Problem, t_end: f64, level: f64) -> f64 {
         self.turned(problem, t_end) / self.angle() * self.more_steps(level)
     }
 
@@ -252,7 +252,7 @@ impl Method {
     }
 
     /// Torques that a step takes, at most.
-    pub const fn torques(self) -> f64 {
+    pub(super) const fn torques(self) -> f64 {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 8.0 * 12.0,
             Resisted6 | Resisted14 => 14.0,
@@ -262,7 +262,7 @@ impl Method {
 
     /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps;
     /// with how fine the run was: see [`Fine`]. What every piece took is added to `runs`.
-    pub fn run(
+    pub(super) fn run(
         self,
         problem: &Problem,
         [t, t_end]: [f64; 2],
@@ -400,14 +400,14 @@ const FEW: f64 = 8.0;
 
 impl Steps {
     /// Nothing is asked for.
-    pub const ONE: Self = Self {
+    pub(super) const ONE: Self = Self {
         made: 0,
         fewest: 1,
         asked: 1.0,
     };
 
     /// Of another run in the same steps; those of an adaptive method are its own.
-    pub fn again(self, method: Method) -> Self {
+    pub(super) fn again(self, method: Method) -> Self {
         Self {
             fewest: if method.is_adaptive() {
                 self.fewest
@@ -420,7 +420,7 @@ impl Steps {
 
     /// Of a run that is finer by so many levels, on every piece: runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
-    pub fn finer(self, method: Method, levels: f64) -> Self {
+    pub(super) fn finer(self, method: Method, levels: f64) -> Self {
         let asked = self.asked.max(FEW.min(self.made as f64)) * method.more_steps(levels);
         let fewest = if method.is_adaptive() {
             asked.ceil() as u64

@@ -32,7 +32,7 @@ pub(super) enum Acting<'e> {
 }
 
 impl<'e> Acting<'e> {
-    pub fn of(effects: &'e dyn AnyEffect) -> Self {
+    pub(super) fn of(effects: &'e dyn AnyEffect) -> Self {
         let properties = effects.properties();
         match effects.integrable_case() {
             IntegrableCase::Free => Self::Nothing,
@@ -180,18 +180,18 @@ pub(super) struct Probe {
 
 impl Probe {
     /// For closed forms, whose rounding is all that blurs a small change.
-    pub const EXACT: Self = Self {
+    pub(super) const EXACT: Self = Self {
         changes: &[1e-9, 1e-12, 8.0 * EPS],
         linear: 1e-4,
         again: None,
     };
     /// The same near a separatrix.
-    pub const STEEP: Self = Self {
+    pub(super) const STEEP: Self = Self {
         again: Some(16.0 * EPS),
         ..Self::EXACT
     };
     /// For stepping.
-    pub const STEPPED: Self = Self {
+    pub(super) const STEPPED: Self = Self {
         changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS],
         linear: 3e-3,
         again: None,
@@ -208,7 +208,7 @@ pub(super) type Distances = [f64; 3];
 
 impl<'e> Problem<'e> {
     /// A run between two times without a jump; its work is added to `work`.
-    pub fn carried(
+    pub(super) fn carried(
         &self,
         stepper: &Stepper,
         variables: Variables,
@@ -288,7 +288,7 @@ impl<'e> Problem<'e> {
 
     /// The state that `run` leads to between two times without a jump, by the scene on the body's
     /// axes and the components of the start; and its own components.
-    pub fn on_body_axes(
+    pub(super) fn on_body_axes(
         &self,
         [from, to]: [f64; 2],
         (start, on_body): (&State, Option<[f64; 7]>),
@@ -309,7 +309,7 @@ impl<'e> Problem<'e> {
 
     /// The times that cut the motion from `t` to `t_end` where the torque jumps, with
     /// both ends.
-    pub fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
+    pub(super) fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
         let backwards = self.t_end < self.t_start;
         let is_before = |a: f64, b: f64| if backwards { a > b } else { a < b };
         let passed = self.breaks.partition_point(|at| !is_before(t, *at));
@@ -320,7 +320,7 @@ impl<'e> Problem<'e> {
 
     /// True if something resists the rotation whose effect at a fixed attitude is known on
     /// every piece, and nothing acts beside it but what sees the axis only.
-    pub fn is_resisted(&self) -> bool {
+    pub(super) fn is_resisted(&self) -> bool {
         // Without symmetry l_3 passes through 0, where the other laws have a kink.
         let symmetric = self.body.moments().is_symmetric();
         self.resists(|resistance| symmetric || resistance.is_linear())
@@ -328,7 +328,7 @@ impl<'e> Problem<'e> {
 
     /// True if the torque is smooth all along the motion, whatever it does elsewhere: what
     /// resists has its kink where l_3 = 0, and never brings l_3 of a symmetric body there.
-    pub fn stays_smooth(&self) -> bool {
+    pub(super) fn stays_smooth(&self) -> bool {
         let symmetric = self.body.moments().is_symmetric();
         self.resists(|resistance| resistance.is_linear() || symmetric && !resistance.is_dry())
     }
@@ -347,7 +347,7 @@ impl<'e> Problem<'e> {
     }
 
     /// The fastest rate (1/s) at which what resists takes momentum in proportion to it.
-    pub fn fastest_damping(&self) -> f64 {
+    pub(super) fn fastest_damping(&self) -> f64 {
         let (Acting::Smooth(effects) | Acting::Anything(effects)) = self.acting else {
             return 0.0;
         };
@@ -360,24 +360,24 @@ impl<'e> Problem<'e> {
     }
 
     /// True if a symmetric body is stepped without its spin: what acts sees the axis only.
-    pub fn is_spin_free(&self) -> bool {
+    pub(super) fn is_spin_free(&self) -> bool {
         let on_axis = matches!(self.acting, Acting::Weight(_) | Acting::OnAxis(_));
         on_axis && self.body.moments().is_symmetric()
     }
 
     /// The time from start to end (s).
-    pub fn span(&self) -> f64 {
+    pub(super) fn span(&self) -> f64 {
         self.t_end - self.t_start
     }
 
     /// The closed form of this motion, if it has one.
-    pub fn exact_motion(&self) -> Option<ExactMotion> {
+    pub(super) fn exact_motion(&self) -> Option<ExactMotion> {
         ExactMotion::of(self.known, self.strength, &self.body, &self.start)
     }
 
     /// A bound on the rates (rad/s) that the body reaches: by its energy, or of a slender body as
     /// a trial run shows it.
-    pub fn fastest(&self) -> f64 {
+    pub(super) fn fastest(&self) -> f64 {
         if let Some(slender) = self.slender {
             return slender.rate;
         }
@@ -388,7 +388,7 @@ impl<'e> Problem<'e> {
 
     /// The size against which a change of the momentum counts: its length, or what the
     /// torques build up in the body's own time.
-    pub fn momentum_scale(&self, state: &State) -> f64 {
+    pub(super) fn momentum_scale(&self, state: &State) -> f64 {
         let [i1, i2, i3] = self.body.moments().to_array();
         let built_up = (i1.max(i2).max(i3) * self.torque).sqrt();
         state.angular_momentum.norm().max(built_up)
@@ -396,7 +396,7 @@ impl<'e> Problem<'e> {
 
     /// How far two states of this motion are apart: the angle between their attitudes
     /// (rad), and the differences of momentum and rates as parts of their scales.
-    pub fn apart(&self, a: &State, b: &State) -> Distances {
+    pub(super) fn apart(&self, a: &State, b: &State) -> Distances {
         let ratio = |difference: f64, scale: f64| {
             if difference == 0.0 {
                 0.0
@@ -417,7 +417,7 @@ impl<'e> Problem<'e> {
 
     /// The row of the design whose push turns the body fastest: of a single change of all inputs,
     /// what a small moment of inertia makes of the three pushes must not cancel.
-    pub fn most_sensitive_row(&self) -> Result<usize> {
+    pub(super) fn most_sensitive_row(&self) -> Result<usize> {
         let mut most = (0, 0.0);
         for row in 0..ALL_ROWS {
             let [_, _, _, x, y, z, ..] = signs(row);
@@ -431,7 +431,7 @@ impl<'e> Problem<'e> {
     }
 
     /// Every input changed by `by`, up or down.
-    pub fn changed(&self, row: usize, by: f64) -> Result<Self> {
+    pub(super) fn changed(&self, row: usize, by: f64) -> Result<Self> {
         self.changed_by(signs(row), by)
     }
 
@@ -489,7 +489,7 @@ impl<'e> Problem<'e> {
     /// the state moved before each of them: what rounding does on the way.
     ///
     /// Moved by 0 it is the motion itself.
-    pub fn in_intervals(
+    pub(super) fn in_intervals(
         &self,
         row: usize,
         by: f64,
@@ -509,7 +509,7 @@ impl<'e> Problem<'e> {
     }
 
     /// A state moved before a interval, by its number and that of all.
-    pub fn moved_before(
+    pub(super) fn moved_before(
         &self,
         state: &State,
         [interval, intervals]: [usize; 2],
@@ -525,7 +525,7 @@ impl<'e> Problem<'e> {
     }
 
     /// The time at which the interval of this number begins.
-    pub fn time_at(&self, interval: usize, intervals: usize) -> f64 {
+    pub(super) fn time_at(&self, interval: usize, intervals: usize) -> f64 {
         if interval == intervals {
             self.t_end
         } else {
@@ -540,7 +540,7 @@ impl<'e> Problem<'e> {
     /// signs of some rows.
     ///
     /// Infinite if the smallest change that doubles hold is one too many.
-    pub fn condition(
+    pub(super) fn condition(
         &self,
         probe: &Probe,
         mut motions: impl FnMut(f64) -> Result<(Vec<State>, Vec<Vec<State>>)>,
@@ -599,7 +599,12 @@ impl<'e> Problem<'e> {
 
     /// By how much the places move per change of the inputs, and how far (rad) the attitude
     /// moved farthest.
-    pub fn slopes(&self, by: f64, places: &[State], changed: &[&[State]]) -> (Distances, f64) {
+    pub(super) fn slopes(
+        &self,
+        by: f64,
+        places: &[State],
+        changed: &[&[State]],
+    ) -> (Distances, f64) {
         let mut slopes = [0.0; 3];
         let mut farthest: f64 = 0.0;
         for (n, place) in places.iter().enumerate() {

@@ -129,7 +129,7 @@ pub(super) struct Refinement<'p> {
 
 impl<'p> Refinement<'p> {
     /// With the motion looked at in so many places, of equal distances; the end is the last.
-    pub fn new(
+    pub(super) fn new(
         problem: &'p Problem<'p>,
         tolerance: f64,
         limits: &'p Limits<'p>,
@@ -151,7 +151,7 @@ impl<'p> Refinement<'p> {
     ///
     /// # Errors
     /// What no method mends; else the least error that was reached, or why the last came to no end.
-    pub fn solve(mut self) -> Result<Delivered> {
+    pub(super) fn solve(mut self) -> Result<Delivered> {
         let methods = Method::candidates(self.problem, self.tolerance);
         self.affordable(methods)?;
         let (mut best, mut why) = (f64::INFINITY, None);

@@ -51,7 +51,7 @@ impl Problem<'_> {
     /// About the time at which the motion begins to slide along a jump of the torque with the state,
     /// which then is between two stages of every step. (Measured on switches of four kinds: 2 to 6 times
     /// in a step of the whole run; on a jump that is crossed once in a turn, never.)
-    pub fn slides(&self, budget: u64) -> Option<f64> {
+    pub(super) fn slides(&self, budget: u64) -> Option<f64> {
         let Acting::Anything(effects) = self.acting else {
             return None;
         };

@@ -211,7 +211,7 @@ pub(super) struct Watch<'e, 'f, const N: usize> {
 type Met<const N: usize> = (Vec<LocatedEvent<N>>, Option<Trial<N>>);
 
 impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
-    pub fn new(events: &'e [Event<'f, N>], t: f64, y: &[f64; N]) -> Result<Self> {
+    pub(super) fn new(events: &'e [Event<'f, N>], t: f64, y: &[f64; N]) -> Result<Self> {
         let values = events
             .iter()
             .map(|e| e.value(t, y))
@@ -225,7 +225,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
 
     /// The events within an accepted step, in the order in which they happen,
     /// up to the first terminal one.
-    pub fn crossings(
+    pub(super) fn crossings(
         &mut self,
         ode: &dyn System<N>,
         step: &Trial<N>,

@@ -48,7 +48,7 @@ pub(super) struct Response<const N: usize, const C: usize> {
 
 impl<const N: usize, const C: usize> Problem<'_, N, C> {
     /// The response if the contacts are in these modes; `None` if they contradict each other.
-    pub fn respond(&self, modes: &Modes<C>) -> Option<Response<N, C>> {
+    pub(super) fn respond(&self, modes: &Modes<C>) -> Option<Response<N, C>> {
         // Unknowns: the rates, then both forces of each contact. The equations of the
         // contacts come first, those of Newton after them.
         let mut equations = Equations::new(N + 2 * C);
@@ -227,7 +227,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
     /// The modes whose response agrees with them, and that response: all sets are tried, in
     /// order. Where two agree and move differently, the error has both. Where none does, what
     /// an event has decided may be off by [`DECIDED`].
-    pub fn search(
+    pub(super) fn search(
         &self,
         choices: &[Choices; C],
     ) -> Result<(Modes<C>, Response<N, C>), Unsolved<C>> {
@@ -312,7 +312,7 @@ pub(super) struct Choices {
 
 impl Choices {
     /// This mode and no other, whatever its rates.
-    pub const fn only(mode: Mode) -> Self {
+    pub(super) const fn only(mode: Mode) -> Self {
         Self {
             modes: [mode; 4],
             count: 1,
@@ -323,7 +323,7 @@ impl Choices {
     }
 
     /// These modes of a shut contact, in this order; where the slip begins its sense is to be found.
-    pub fn of(modes: &[Mode], slip_begins: bool) -> Self {
+    pub(super) fn of(modes: &[Mode], slip_begins: bool) -> Self {
         let mut choices = Self {
             modes: [Mode::Open; 4],
             count: modes.len(),
@@ -336,7 +336,7 @@ impl Choices {
     }
 
     /// Everything that a shut contact with this friction can do.
-    pub fn shut(friction: bool, may_open: bool) -> Self {
+    pub(super) fn shut(friction: bool, may_open: bool) -> Self {
         let all = if friction {
             [
                 Mode::Stick,
@@ -353,7 +353,7 @@ impl Choices {
 
     /// The same where an event has decided: what is left of the rates there is the error of
     /// the run, which was put back onto its contacts since.
-    pub fn decided(self) -> Self {
+    pub(super) fn decided(self) -> Self {
         Self {
             decided: true,
             ..self
@@ -361,7 +361,7 @@ impl Choices {
     }
 
     /// The same without the modes that `keep` refuses.
-    pub fn retain(self, keep: impl Fn(Mode) -> bool) -> Self {
+    pub(super) fn retain(self, keep: impl Fn(Mode) -> bool) -> Self {
         let mut kept = Self { count: 0, ..self };
         for mode in self.modes[..self.count].iter().filter(|m| keep(**m)) {
             kept.modes[kept.count] = *mode;
