@@ -12,7 +12,7 @@
 //! | [`Nod`] | one nod without friction: turning points, period, advances, by quadrature |
 //! | [`Bearing`], [`Bearings`] | viscous and dry friction of the three bearings, and the air |
 //! | [`Course`] | a motion with friction, every stop and reversal of a bearing located |
-//! | [`Fading`] | what friction does by theory: decay of the nods, sag of the axis |
+//! | [`Decay`] | what friction does by theory: decay of the nods, sag of the axis |
 //!
 //! Coordinates are the notes' Euler angles. The tilt theta is that of the mechanism and not
 //! only of the axis: it may pass 0 and become negative, for with a fork there is no pole.
@@ -25,12 +25,12 @@
 
 mod bearings;
 mod course;
-mod fading;
+mod decay;
 mod nod;
 
 pub use bearings::{Bearing, Bearings, Hold, Holds};
 pub use course::{Change, Course};
-pub use fading::Fading;
+pub use decay::Decay;
 pub use nod::Nod;
 
 use crate::error::{Error, Result, finite, not_negative};

@@ -15,7 +15,7 @@
 //! | [`Drilling`], [`RollingResistance`] | resistances |
 //! | [`Throw`] | how it starts |
 //! | [`Course`] | the motion, with its events |
-//! | [`Stance`], [`Forces`] | what can be asked of a moment |
+//! | [`Configuration`], [`Forces`] | what can be asked of a moment |
 //!
 //! The friction of the tip acts at the contact, whose arm from the centre of mass is
 //! -(l e3 + r Z). So it leaves Jellett's integral alone, L . (l e3 + r Z), whatever its size
@@ -27,17 +27,17 @@
 //! Sources: J. H. Jellett, *A Treatise on the Theory of Friction* (1872); E. J. Routh,
 //! *Advanced Rigid Dynamics*; the laws of friction at their types.
 
+mod configuration;
 mod course;
 mod friction;
 mod motion;
-mod stance;
 
+pub use configuration::{Configuration, Forces, Powers};
 pub use course::{Course, Throw};
 pub use friction::{
     Drilling, Dry, Grip, NoSlip, Patch, Resistance, RollingResistance, Smooth, TipFriction,
 };
 pub use motion::{Contact, Phase};
-pub use stance::{Forces, Powers, Stance};
 
 use crate::body::RigidBody;
 use crate::effects::Effect;
@@ -165,7 +165,7 @@ pub struct Top<F = Smooth, R = (), E = ()> {
 #[derive(Debug, Clone, Copy)]
 struct Mark {
     name: &'static str,
-    margin: fn(&Stance, f64) -> f64,
+    margin: fn(&Configuration, f64) -> f64,
     value: f64,
 }
 
@@ -260,7 +260,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         mut self,
         name: &'static str,
         value: f64,
-        margin: fn(&Stance, f64) -> f64,
+        margin: fn(&Configuration, f64) -> f64,
     ) -> Self {
         self.marks.push(Mark {
             name,

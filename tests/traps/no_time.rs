@@ -556,7 +556,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
             Ok(second.coordinates(t)?.to_vec())
         }),
         row("tops/course.rs stance", move |t| {
-            Ok(third.stance(t)?.axis.to_array().to_vec())
+            Ok(third.configuration(t)?.axis.to_array().to_vec())
         }),
         row("tops/course.rs forces", move |t| {
             Ok(vec![fourth.forces(t)?.1.normal])
