@@ -555,7 +555,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
         row("tops/course.rs coordinates", move |t| {
             Ok(second.coordinates(t)?.to_vec())
         }),
-        row("tops/course.rs stance", move |t| {
+        row("tops/course.rs configuration", move |t| {
             Ok(third.configuration(t)?.axis.to_array().to_vec())
         }),
         row("tops/course.rs forces", move |t| {
