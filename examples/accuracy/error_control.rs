@@ -153,7 +153,7 @@ pub fn figures() -> Result<[Figure; 2]> {
     let honesty = panel(
         "honesty",
         "Error delivered over error requested against the request, from 1e-3 to 1e-13, for two hundred \
-         random scenes: the largest stays below one everywhere, the median lies near a thousandth and rises \
+         random scenes: the largest stays below one everywhere, the median lies below a thousandth and rises \
          towards the smallest requests",
         "delivered over requested",
         "median",
