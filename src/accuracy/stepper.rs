@@ -147,7 +147,7 @@ impl Stepper {
         self.advance(scene, variables, span, start)
     }
 
-    /// Takes one of six scenes with the same motion, so that the methods are compiled for six types
+    /// Takes one of five scenes with the same motion, so that the methods are compiled for six types
     /// and not for each scene.
     fn advance_any(
         &self,
@@ -162,8 +162,12 @@ impl Stepper {
         if properties.slips {
             let scene = body.with(EffectRef::<false, true, false>(effects));
             self.advance_anything(&scene, variables, span, start)
-        } else if properties.torque_free {
-            self.advance_seeing_axis(&body, variables, span, start)
+        } else if let (true, Self::GaussLegendre(_), Variables::Body) =
+            (properties.torque_free, self, variables)
+        {
+            let mut work = Work::default();
+            let end = self.advance_free(body.body(), span, start, &mut work)?;
+            Ok((end, work))
         } else if let (true, IntegrableCase::HeavyTop(gravity)) = (properties.axis_only, known) {
             self.advance_seeing_axis(&body.with(gravity), variables, span, start)
         } else if properties.axis_only && properties.conserved.momentum[2] {
@@ -190,9 +194,6 @@ impl Stepper {
         let end = match (self, variables) {
             (Self::Rk4(m), Variables::SpinFree) => {
                 return m.advance(&SpinFree::new(scene)?, t, start, t_end);
-            }
-            (Self::GaussLegendre(_), Variables::Body) if E::PROPERTIES.torque_free => {
-                self.advance_free(scene.body(), span, start, &mut work)
             }
             (Self::Splitting(_), _) | (_, Variables::Body | Variables::SpinFree) => {
                 self.advance_axis(scene, variables, span, start, &mut work)

@@ -5,8 +5,8 @@ use super::slender::Slender;
 use crate::accuracy::{Stepper, Variables, larger};
 use crate::body::{RigidBody, State};
 use crate::effects::{
-    AnyEffect, Checked, Conserved, Effect, GravityAtLever, IntegrableCase, Properties, Resistance,
-    each, one_by_one, piece,
+    AnyEffect, Checked, Conserved, Effect, EffectRef, GravityAtLever, IntegrableCase, Properties,
+    Resistance, each, one_by_one, piece,
 };
 use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
@@ -258,12 +258,14 @@ impl<'e> Problem<'e> {
                 m.advance_counting(&resisted, 0.0, start, to - from, work)
             }
             (Acting::Smooth(effects), Stepper::GaussLegendre(m), Variables::Space) => {
-                let scene = self.scene::<false, true>(effects, [from, to]);
+                let piece = self.strengthened::<false, true>(effects, [from, to]);
+                let scene = Scene::new(self.body).with(EffectRef::<false, true, false>(&piece));
                 let scene = SideBySide::new(&scene, effects.properties().slips);
                 m.advance_counting(&scene, 0.0, start, to - from, work)
             }
             (Acting::OnAxis(effects), ..) => {
-                let scene = self.scene::<true, false>(effects, [from, to]);
+                let piece = self.strengthened::<true, false>(effects, [from, to]);
+                let scene = Scene::new(self.body).with(EffectRef::<true, false, false>(&piece));
                 stepper.advance_axis(&scene, variables, span, start, work)
             }
             _ => Err(Error::sees_more("effects".to_owned())),
@@ -275,15 +277,25 @@ impl<'e> Problem<'e> {
     fn scene<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
         &self,
         effects: &'s dyn AnyEffect,
-        [from, to]: [f64; 2],
+        span: [f64; 2],
     ) -> Scene<((), Strengthened<'s, AXIS_ONLY, SLIPS>)> {
-        Scene::new(self.body).with(Strengthened {
+        Scene::new(self.body).with(self.strengthened(effects, span))
+    }
+
+    /// Effects between two times without a jump. What steps lanes side by side sees them behind a
+    /// pointer, so that it is compiled once for these and for all others.
+    fn strengthened<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
+        &self,
+        effects: &'s dyn AnyEffect,
+        [from, to]: [f64; 2],
+    ) -> Strengthened<'s, AXIS_ONLY, SLIPS> {
+        Strengthened {
             effects,
             strength: self.strength,
             torque: self.torque,
             origin: from,
             piece: piece([from, to]),
-        })
+        }
     }
 
     /// The state that `run` leads to between two times without a jump, by the scene on the body's
