@@ -86,6 +86,18 @@ impl<'f> Torque<'f> {
     }
 }
 
+impl<'f, const SMOOTH: bool> Torque<'f, SMOOTH> {
+    /// The same of which nothing is declared.
+    pub(super) fn undeclared(self) -> Torque<'f> {
+        Torque {
+            name: self.name,
+            on_space: self.on_space,
+            break_points: Vec::new(),
+            narrowest: None,
+        }
+    }
+}
+
 impl<const SMOOTH: bool> Torque<'_, SMOOTH> {
     /// The same with jumps or kinks at these times (s, rising).
     ///

@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Effect, Feature, Keeps, Known, Nature, Resistance, each};
+use super::{Effect, Feature, Keeps, Known, Nature, Part, Resistance, each};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -35,6 +35,8 @@ pub trait AnyEffect {
     fn narrowest(&self) -> Option<Feature>;
     /// [`Effect::known`].
     fn known(&self) -> Known;
+    /// [`Effect::parts`].
+    fn parts(&self) -> Vec<Part<'_>>;
     /// [`Effect::names`].
     fn names(&self) -> Vec<&'static str>;
     /// [`Effect::about_axis`].
@@ -93,6 +95,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn known(&self) -> Known {
         Effect::known(self)
+    }
+    fn parts(&self) -> Vec<Part<'_>> {
+        Effect::parts(self)
     }
     fn names(&self) -> Vec<&'static str> {
         Effect::names(self)

@@ -34,6 +34,8 @@ mod gravity_anywhere;
 mod gravity_gradient;
 mod internal_dissipation;
 mod kepler_orbit;
+mod law;
+mod limited;
 mod list;
 mod nature;
 mod optional;
@@ -41,6 +43,8 @@ mod orbiting_body;
 mod pair;
 mod prescribed;
 mod resistance;
+mod sampled;
+mod switched;
 mod viscous;
 
 pub use check::check;
@@ -57,11 +61,16 @@ pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
 pub use kepler_orbit::KeplerOrbit;
+pub(crate) use law::Holding;
+pub use law::{Law, Part};
+pub use limited::Limited;
 pub use list::{BoxedEffect, EffectList};
 pub use nature::{Feature, Keeps, Known, Nature};
 pub use orbiting_body::OrbitingBody;
 pub use prescribed::{PrescribedTorque, Profile};
 pub use resistance::Resistance;
+pub use sampled::SampledControl;
+pub use switched::Switched;
 pub use viscous::ViscousFriction;
 
 use crate::attitude::Attitude;
@@ -232,6 +241,15 @@ pub trait Effect {
         } else {
             vec![self.name()]
         }
+    }
+
+    /// The effects that this one is made of, and which of them go on in pieces by a [`Law`]: itself,
+    /// without a law.
+    fn parts(&self) -> Vec<Part<'_>>
+    where
+        Self: Sized,
+    {
+        vec![Part::without_law(self)]
     }
 
     /// The names of the effects that this one is made of.

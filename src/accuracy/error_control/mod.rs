@@ -9,6 +9,7 @@
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob, and the model of its first step |
 //! | `refine` | a run, a finer run, a run with changed inputs, until they are near enough |
+//! | `laws` | runs over what goes on in pieces: samples, and switches located as events |
 //! | `slender` | bodies with one small moment, in variables of their own |
 //! | `sliding` | why steps collapse |
 //!
@@ -20,6 +21,7 @@
 mod along;
 mod exact_motion;
 mod given;
+mod laws;
 mod limits;
 mod method;
 mod problem;
@@ -230,7 +232,7 @@ impl Solved {
     fn of(delivered: &Delivered, problem: &Problem, looked_every: Option<f64>) -> Self {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
-            state: (delivered.run.passed.last()).map_or(problem.start, |(_, state)| *state),
+            state: (delivered.run.passed.last()).map_or(problem.start, |(_, stop)| stop.state),
             method: delivered.method.name(),
             run: delivered.run.work,
             work: delivered.work,

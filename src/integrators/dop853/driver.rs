@@ -54,7 +54,11 @@ impl Dop853 {
         let direction = 1f64.copysign(t_end - t);
         work.derivatives += 1;
         let first = finite_derivative(t, start, ode.derivative(t, start))?;
-        let mut h = self.first_step(ode, t, start, &first, t_end, work)?;
+        let mut h = if self.first_step > 0.0 {
+            self.first_step
+        } else {
+            self.find_first_step(ode, t, start, &first, t_end, work)?
+        };
         let mut trial = Trial::new(t, *start, first, DRIFT * self.tolerance);
         // Of the last error, for the choice of the next step: a power of it by its logarithm takes
         // less than half the time.
@@ -136,7 +140,7 @@ impl Dop853 {
 
     /// A first step whose error should be near the tolerance (Hairer, Nørsett,
     /// Wanner I, II.4, starting step size).
-    fn first_step<const N: usize>(
+    fn find_first_step<const N: usize>(
         &self,
         ode: &dyn System<N>,
         t: f64,

@@ -80,6 +80,8 @@ pub struct Dop853 {
     tolerance: f64,
     longest_step: f64,
     step_limit: u64,
+    /// What is tried first; 0 if that is to be found.
+    first_step: f64,
 }
 
 impl Dop853 {
@@ -105,6 +107,7 @@ impl Dop853 {
             tolerance,
             longest_step: f64::INFINITY,
             step_limit: 1_000_000,
+            first_step: 0.0,
         })
     }
 
@@ -193,6 +196,58 @@ impl Dop853 {
 }
 
 impl Dop853 {
+    /// The same method that tries a step of this length first.
+    pub(crate) const fn with_first_step(self, first_step: f64) -> Self {
+        Self { first_step, ..self }
+    }
+
+    /// The longest step, and the most steps.
+    pub(crate) const fn limits(&self) -> (f64, u64) {
+        (self.longest_step, self.step_limit)
+    }
+
+    /// Carries `start` from `t` to `t_end` or to the first of these events, which all are terminal:
+    /// that time, the state there and the events met at it. `seen` is shown the length of every step
+    /// and the state at its end.
+    pub(crate) fn advance_to_event<const N: usize>(
+        &self,
+        ode: &dyn Ode<N>,
+        [t, t_end]: [f64; 2],
+        start: &[f64; N],
+        events: &[Event<'_, N>],
+        work: &mut Work,
+        mut seen: impl FnMut(f64, &[f64; N]),
+    ) -> Result<(f64, [f64; N], Vec<LocatedEvent<N>>)> {
+        let ode = Of(ode);
+        let mut done = Work::default();
+        let (mut to, mut all) = (t_end, Vec::new());
+        let mut watch = event::Watch::new(events, t, start)?;
+        let end = self.drive(
+            &ode,
+            t,
+            start,
+            t_end,
+            &mut done,
+            &mut |trial, last, work| {
+                seen(trial.t_end - trial.t, &trial.end.value);
+                if events.is_empty() {
+                    return Ok(ControlFlow::Continue(()));
+                }
+                let segment = trial.segment(&ode, last, work)?;
+                let (met, stopped) = watch.crossings(&ode, trial, &segment, work)?;
+                Ok(match stopped {
+                    None => ControlFlow::Continue(()),
+                    Some(stopped) => {
+                        (to, all) = (stopped.t_end, met);
+                        ControlFlow::Break(stopped.end.value)
+                    }
+                })
+            },
+        );
+        *work += done;
+        Ok((to, end?, all))
+    }
+
     /// [`Integrator::advance_counting`]; `seen` is shown the state at the end of every step.
     pub(crate) fn advance_watched<const N: usize>(
         &self,
