@@ -45,7 +45,7 @@ impl Profile {
 
     /// A natural cubic spline through each value at its time (s, rising); before the first and after
     /// the last it is 0. For values of something smooth, where straight lines would be too rough: it
-    /// may pass beyond the values, by a quarter of the step beside a step.
+    /// may pass beyond the values beside a step.
     ///
     /// Between two points a time h apart, with the part b of it gone and a = 1 - b left,
     ///

@@ -2,6 +2,7 @@
 
 pub mod hostile;
 pub mod kinked;
+pub mod laws;
 pub mod resisted;
 pub mod truth;
 
@@ -46,6 +47,7 @@ fn reason(error: &Error) -> Option<&'static str> {
         Error::NotDelivered { .. } => "not delivered",
         Error::OverBudget { .. } => "over the budget",
         Error::Contradiction { .. } => "contradiction",
+        Error::Sliding { .. } => "sliding",
         _ => return None,
     })
 }
