@@ -12,12 +12,12 @@ use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Work, scene};
 use crate::math::larger;
 
-/// A switch that comes after less than this part of a step is one back at once: on a surface on which
-/// the motion slides it comes after some roundings of the time, where it only grazes it after the root
-/// of that at the least.
-const AT_ONCE: f64 = 1e-9;
+/// A switch that comes after less than this part of a step is one back at once. On a surface on which
+/// the motion slides it comes after roundings of the time, or, where the torque does not change the
+/// rate of the signal itself, after the root of a rounding.
+const AT_ONCE: f64 = 1e-6;
 
-/// So many in a row are no accident of rounding: the motion slides.
+/// So many in a row are no graze, which is two: the motion slides.
 const SLIDES: u32 = 8;
 
 /// A run by DOP853 between two break points, with so many steps at least from each sample to the next.

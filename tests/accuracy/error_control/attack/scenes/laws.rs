@@ -144,15 +144,25 @@ impl Control {
     }
 }
 
+/// What becomes of a motion.
+#[derive(Clone, Copy, PartialEq)]
+enum End {
+    At(Attitude),
+    /// It comes to a surface on which it slides.
+    Slides,
+    /// It switches more often than is worth waiting for, or steps are too long for it.
+    Unknown,
+}
+
 /// The end of a motion, by more and more steps until it does not change by more than the first number
-/// here (rad); where it slides, no motion's.
+/// here (rad).
 fn truth(
     body: &RigidBody,
     others: &EffectList,
     controls: &[Control],
     start: &State,
     t_end: f64,
-) -> Attitude {
+) -> End {
     const SAME: f64 = 1e-13;
     let by = |steps| end(body, others, controls, start, t_end, steps);
     let mut steps = (4.0 * t_end).ceil() as usize;
@@ -160,29 +170,30 @@ fn truth(
     while steps < MOST_STEPS {
         steps *= 2;
         let now = by(steps);
-        let (Some(was), Some(is)) = (before, now) else {
-            if before.or(now).is_none() {
-                break;
+        if let (End::At(was), End::At(is)) = (before, now) {
+            let nearer = is.angle_to(&was);
+            // Where they come no nearer they differ by rounding.
+            if nearer < SAME || nearer < 1e-10 && nearer > 0.1 * apart {
+                return now;
             }
-            before = now;
-            continue;
-        };
-        let nearer = is.angle_to(&was);
-        // Where they come no nearer they differ by rounding.
-        if nearer < SAME || nearer < 1e-10 && nearer > 0.1 * apart {
-            return is;
+            apart = nearer;
+        } else if before == now && now == End::Slides {
+            return now;
         }
-        (before, apart) = (now, nearer);
+        before = now;
     }
-    before.unwrap_or(Attitude::IDENTITY)
+    End::Unknown
 }
 
 const MOST_STEPS: usize = 20_000;
 
-/// More switches than these of a motion are those of one that slides.
 const MOST_SWITCHES: usize = 500;
 
-/// The end of a motion by so many steps at least; none where it slides.
+/// So many switches in a row, after less than this part of the span each, are those of a motion that
+/// slides.
+const SLIDES: (usize, f64) = (8, 1e-7);
+
+/// The end of a motion by so many steps at least.
 fn end(
     body: &RigidBody,
     others: &EffectList,
@@ -190,7 +201,7 @@ fn end(
     start: &State,
     t_end: f64,
     steps: usize,
-) -> Option<Attitude> {
+) -> End {
     let mut cuts: Vec<f64> = (0..=steps)
         .map(|n| t_end * n as f64 / steps as f64)
         .collect();
@@ -214,7 +225,7 @@ fn end(
         .iter()
         .map(|c| c.held(0.0, body, &state(&now)))
         .collect();
-    let mut switches = 0;
+    let (mut switches, mut at_once) = (0, 0);
     for cut in cuts.windows(2) {
         for (control, held) in controls.iter().zip(&mut held) {
             let is_sample = match control.rule {
@@ -255,20 +266,35 @@ fn end(
                 *(if is_beyond { &mut high } else { &mut low }) = middle;
             }
             switches += 1;
+            at_once = if h * high < SLIDES.1 * t_end {
+                at_once + 1
+            } else {
+                0
+            };
+            if at_once > SLIDES.0 {
+                return End::Slides;
+            }
             if switches > MOST_SWITCHES {
-                return None;
+                return End::Unknown;
             }
             let (next, beyond) = (to(high), sides(t + h * high, &to(high)));
             (t, now, held) = (t + h * high, next, beyond);
         }
     }
-    Some(state(&now).attitude)
+    if now.iter().all(|y| y.is_finite()) {
+        End::At(state(&now).attitude)
+    } else {
+        End::Unknown
+    }
 }
 
 fn state([w, x, y, z, a, b, c]: &[f64; 7]) -> State {
-    let attitude = Attitude::from_quaternion([*w, *x, *y, *z]).expect("a rotation");
-    let momentum = attitude.to_space(BodyVector::new(*a, *b, *c));
-    State::new(attitude, momentum).expect("finite")
+    // Steps that are too long for the motion blow up: shorter ones follow.
+    let attitude = Attitude::from_quaternion([*w, *x, *y, *z]).unwrap_or(Attitude::IDENTITY);
+    State {
+        attitude,
+        angular_momentum: attitude.to_space(BodyVector::new(*a, *b, *c)),
+    }
 }
 
 /// Euler's equations.
@@ -341,37 +367,52 @@ fn extrapolated(
 pub fn case(n: u64) -> Result<Case> {
     let mut dice = Dice(n + 5_000_000);
     dice.part();
+    loop {
+        if let Some(case) = thrown(n, &mut dice)? {
+            return Ok(case);
+        }
+    }
+}
+
+/// A scene, if its end is known; of one that slides the end is none's.
+fn thrown(n: u64, dice: &mut Dice) -> Result<Option<Case>> {
     let body = RigidBody::new(dice.moments()?);
     let rates = dice.vector() * dice.scale(0.1, 2.0);
     let start = body.state(Attitude::from_euler(dice.attitude())?, rates)?;
     let t_end = dice.scale(2.0, 20.0);
     let kind = n % KINDS;
-    let mut controls = vec![control(kind, &body, &mut dice, t_end)?];
+    let mut controls = vec![control(kind, &body, dice, t_end)?];
     if n % 3 == 2 {
         let other = (dice.part() * KINDS as f64) as u64;
-        controls.push(control(other, &body, &mut dice, t_end)?);
+        controls.push(control(other, &body, dice, t_end)?);
     }
-    let background = Background::thrown(&mut dice);
+    let background = Background::thrown(dice);
     let others = background.list(&[])?;
-    let exact = truth(&body, &others, &controls, &start, t_end);
+    let (kind, exact) = match truth(&body, &others, &controls, &start, t_end) {
+        End::Unknown => return Ok(None),
+        End::Slides => ("it slides", Attitude::IDENTITY),
+        End::At(end) => (NAMES[kind as usize], end),
+    };
     let text = format!("{:?} {rates:?} {t_end} {background:?}", body.moments());
-    Ok(Case {
-        kind: [
-            "a table",
-            "sampled",
-            "saturated",
-            "dead band",
-            "at an angle",
-            "at a rate",
-        ][kind as usize],
+    Ok(Some(Case {
+        kind,
         text,
         exact,
         solve: Box::new(move |tolerance| {
             let scene = Scene::new(body).with_list(background.list(&controls)?);
             scene.solve(&start, t_end, tolerance)
         }),
-    })
+    }))
 }
+
+const NAMES: [&str; KINDS as usize] = [
+    "a table",
+    "sampled",
+    "saturated",
+    "dead band",
+    "at an angle",
+    "at a rate",
+];
 
 /// What acts besides.
 #[derive(Debug, Clone, Copy)]
