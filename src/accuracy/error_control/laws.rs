@@ -10,7 +10,6 @@ use crate::body::State;
 use crate::effects::{Holding, Law, is_same, piece};
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Work, scene};
-use crate::math::larger;
 
 /// A switch that comes after less than this part of a step is one back at once. On a surface on which
 /// the motion slides it comes after roundings of the time, or, where the torque does not change the
@@ -52,7 +51,7 @@ pub(super) fn carried(
         }
         is_sample = sample < t_end && !is_same(sample, t_end);
         let to = if is_sample { sample } else { t_end };
-        let (s, y, met, taken) = {
+        let (s, y, met) = {
             let on_piece = problem.scene::<false, true>(&holding, [now, to]);
             let ode: &dyn Ode<7> = &on_piece;
             let watched: Vec<_> = (holding.laws())
@@ -66,22 +65,13 @@ pub(super) fn carried(
                 .with_longest_step(longest.min((to - now).abs() / least as f64))?
                 .with_step_limit(limit.saturating_sub(used).max(1))?
                 .with_first_step(step);
-            let (before, mut taken) = (work.steps, 0.0);
             let y = scene::components(&state);
-            let span = [0.0, to - now];
-            let (s, y, met) = method
-                .advance_to_event(ode, span, &y, &events, work, |h, _| {
-                    taken = larger(taken, h.abs());
-                })
+            let (s, y, met, next) = method
+                .advance_to_event(ode, [0.0, to - now], &y, &events, work)
                 .map_err(|error| later(error, now - t))?;
-            // A step that was cut short by the end tells nothing of the next.
-            step = if work.steps > before + 1 {
-                taken
-            } else {
-                larger(step, taken)
-            };
+            step = next;
             let met: Vec<_> = met.iter().map(|event| watched[event.index]).collect();
-            (s, y, met, taken)
+            (s, y, met)
         };
         state = scene::state(&y)?;
         let there = now + s;
@@ -89,7 +79,7 @@ pub(super) fn carried(
         is_sample &= is_there;
         now = if is_there { to } else { there };
         for (n, law) in met {
-            back_at_once[n] = if s.abs() <= AT_ONCE * taken {
+            back_at_once[n] = if s.abs() <= AT_ONCE * step {
                 back_at_once[n] + 1
             } else {
                 0

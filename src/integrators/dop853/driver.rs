@@ -36,8 +36,8 @@ type Accepted<'a, const N: usize> =
 
 impl Dop853 {
     /// Carries `start` from `t` to `t_end`; `accepted` sees every accepted step
-    /// with the derivative at its end and may stop the run. Its work, from
-    /// none, is in `work` also if it fails.
+    /// with the derivative at its end and may stop the run. With the end comes the length of a
+    /// step that is as good as the last. Its work, from none, is in `work` also if it fails.
     pub(super) fn drive<const N: usize>(
         &self,
         ode: &dyn System<N>,
@@ -46,10 +46,10 @@ impl Dop853 {
         t_end: f64,
         work: &mut Work,
         accepted: Accepted<'_, N>,
-    ) -> Result<[f64; N]> {
+    ) -> Result<([f64; N], f64)> {
         check_span(t, start, t_end)?;
         if t == t_end {
-            return Ok(*start);
+            return Ok((*start, 0.0));
         }
         let direction = 1f64.copysign(t_end - t);
         work.derivatives += 1;
@@ -105,16 +105,16 @@ impl Dop853 {
                 let first = trial.last(ode, work)?;
                 work.steps += 1;
                 if let ControlFlow::Break(end) = accepted(&trial, first, work)? {
-                    return Ok(end);
+                    return Ok((end, made));
                 }
-                if last {
-                    return Ok(trial.end.value);
-                }
-                trial.go_on(first);
                 let now = log(error);
                 let change = SAFETY * exp(MEMORY * memory - RESPONSE * now);
                 let change = change.clamp(SHRINK, if after_rejection { 1.0 } else { GROW });
                 h = made * change;
+                if last {
+                    return Ok((trial.end.value, h));
+                }
+                trial.go_on(first);
                 memory = now.max(least);
                 after_rejection = false;
                 if vanishes(to, h) {

@@ -172,7 +172,7 @@ impl Dop853 {
         let mut solution = Solution::new(t, *start);
         let mut watch = event::Watch::new(events, t, start)?;
         let mut work = Work::default();
-        let end = self.drive(ode, t, start, t_end, &mut work, &mut |trial, last, work| {
+        let (end, _) = self.drive(ode, t, start, t_end, &mut work, &mut |trial, last, work| {
             let segment = trial.segment(ode, last, work)?;
             let (met, stopped) = watch.crossings(ode, trial, &segment, work)?;
             solution.events.extend(met);
@@ -207,8 +207,7 @@ impl Dop853 {
     }
 
     /// Carries `start` from `t` to `t_end` or to the first of these events, which all are terminal:
-    /// that time, the state there and the events met at it. `seen` is shown the length of every step
-    /// and the state at its end.
+    /// that time, the state there, the events met at it, and the length of a step to go on with.
     pub(crate) fn advance_to_event<const N: usize>(
         &self,
         ode: &dyn Ode<N>,
@@ -216,11 +215,10 @@ impl Dop853 {
         start: &[f64; N],
         events: &[Event<'_, N>],
         work: &mut Work,
-        mut seen: impl FnMut(f64, &[f64; N]),
-    ) -> Result<(f64, [f64; N], Vec<LocatedEvent<N>>)> {
+    ) -> Result<(f64, [f64; N], Vec<LocatedEvent<N>>, f64)> {
         let ode = Of(ode);
         let mut done = Work::default();
-        let (mut to, mut all) = (t_end, Vec::new());
+        let (mut to, mut all, mut longest) = (t_end, Vec::new(), 0.0_f64);
         let mut watch = event::Watch::new(events, t, start)?;
         let end = self.drive(
             &ode,
@@ -229,7 +227,7 @@ impl Dop853 {
             t_end,
             &mut done,
             &mut |trial, last, work| {
-                seen(trial.t_end - trial.t, &trial.end.value);
+                longest = longest.max((trial.t_end - trial.t).abs());
                 if events.is_empty() {
                     return Ok(ControlFlow::Continue(()));
                 }
@@ -245,7 +243,8 @@ impl Dop853 {
             },
         );
         *work += done;
-        Ok((to, end?, all))
+        let (end, next) = end?;
+        Ok((to, end, all, longest.max(next)))
     }
 
     /// [`Integrator::advance_counting`]; `seen` is shown the state at the end of every step.
@@ -263,7 +262,7 @@ impl Dop853 {
             Ok(ControlFlow::Continue(()))
         });
         *work += done;
-        end
+        Ok(end?.0)
     }
 }
 
@@ -283,6 +282,6 @@ impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
             Ok(ControlFlow::Continue(()))
         });
         *work += done;
-        end
+        Ok(end?.0)
     }
 }

@@ -365,17 +365,22 @@ fn extrapolated(
 
 /// The n-th scene; the kinds come in turn, and every third has a second control of another kind.
 pub fn case(n: u64) -> Result<Case> {
+    stronger(n, 1.0)
+}
+
+/// The same with controls so many times as strong as those whose end is known: another motion.
+pub fn stronger(n: u64, times: f64) -> Result<Case> {
     let mut dice = Dice(n + 5_000_000);
     dice.part();
     loop {
-        if let Some(case) = thrown(n, &mut dice)? {
+        if let Some(case) = thrown(n, times, &mut dice)? {
             return Ok(case);
         }
     }
 }
 
 /// A scene, if its end is known; of one that slides the end is none's.
-fn thrown(n: u64, dice: &mut Dice) -> Result<Option<Case>> {
+fn thrown(n: u64, times: f64, dice: &mut Dice) -> Result<Option<Case>> {
     let body = RigidBody::new(dice.moments()?);
     let rates = dice.vector() * dice.scale(0.1, 2.0);
     let start = body.state(Attitude::from_euler(dice.attitude())?, rates)?;
@@ -393,6 +398,13 @@ fn thrown(n: u64, dice: &mut Dice) -> Result<Option<Case>> {
         End::Slides => ("it slides", Attitude::IDENTITY),
         End::At(end) => (NAMES[kind as usize], end),
     };
+    for control in &mut controls {
+        let law = control.law.clone();
+        control.law = Arc::new(move |t, b, s| law(t, b, s) * times);
+        if let Rule::Table(torque, ..) | Rule::Switched(_, torque) = &mut control.rule {
+            *torque = *torque * times;
+        }
+    }
     let text = format!("{:?} {rates:?} {t_end} {background:?}", body.moments());
     Ok(Some(Case {
         kind,
