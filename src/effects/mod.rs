@@ -18,8 +18,15 @@
 //! | [`ViscousFriction`] | friction in proportion to the rates |
 //! | [`CoulombBearing`] | dry friction about the axis, until the spin stops |
 //! | [`DiscDrag`] | the drag of still air on a disc that spins, laminar or turbulent |
-//! | [`PrescribedTorque`] | a torque known as a function of time, with jumps or as a pulse |
+//! | [`PrescribedTorque`] | a torque known as a function of time: a table, held, linear or cubic, or a pulse |
 //! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
+//! | [`SampledControl`] | a closure that is called at a rate, and held in between: a digital controller |
+//! | [`Limited`] | a closure that saturates, or has a dead band |
+//! | [`Switched`] | one closure or another, by the sign of a third: a relay, a thruster, a brake |
+//!
+//! The last three go on in pieces, by a [`Law`]: only [`Scene::solve`](crate::scene::Scene::solve) and
+//! its kin hold what is held, and locate switches; an integrator that is used by itself sees the
+//! torque as if it were sampled or switched just there.
 //!
 //! Not for: contacts, which switch on and off ([`crate::planar`]).
 

@@ -90,8 +90,8 @@ impl<E: AnyEffect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
-    /// *The contract.* For torques that are smooth, or smooth between declared break points, and without
-    /// features narrower than a declared width or the looks below, the attitude at the end is within the
+    /// *The contract.* For torques that are smooth, or smooth between declared break points, samples
+    /// and located switches ([`Law`](crate::effects::Law)), and without features narrower than a declared width or the looks below, the attitude at the end is within the
     /// error asked for, or the call is refused with the reason and, if runs bear one out, the error that
     /// can be had. For a torque of which nothing is declared the answer carries an *estimate*: of
     /// 36 100 over kinks, cusps and jumps one was above its request, by a sixth
@@ -113,6 +113,7 @@ impl<E: AnyEffect> Scene<E> {
     /// | nothing (when stepped), or what is smooth and sees the axis only | Gauss-Legendre 16; of a symmetric body without its spin |
     /// | what resists in a known way ([`Effect::resistance`]) beside that, unless steps would have to follow it | splittings of order 4 (above 1e-5) and 6 with the resistance in their kick ([`Resisted`](crate::integrators::Resisted)) |
     /// | what is smooth between its break points | DOP853, below 1e-8 Gauss-Legendre 16 |
+    /// | what is [sampled](crate::effects::SampledControl), [limited](crate::effects::Limited) or [switched](crate::effects::Switched) | DOP853 from sample to sample and from switch to switch |
     /// | whatever acts on a slender body, unless that is symmetric and its axis alone is seen | DOP853 with the momentum on the body's axes |
     /// | whatever else | DOP853, by three runs at least |
     ///
@@ -180,8 +181,8 @@ impl<E: AnyEffect> Scene<E> {
     /// way; [`Error::BeyondCondition`](crate::Error::BeyondCondition) if the inputs, as doubles, do not determine the end
     /// so closely; [`Error::NotDelivered`](crate::Error::NotDelivered) if no method converges to it;
     /// [`Error::OverBudget`](crate::Error::OverBudget) if it takes more torques than
-    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where steps collapse at a jump of
-    /// the torque with the state; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
+    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where the torque jumps with the
+    /// state and drives the motion back from both sides; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
     /// a torque that depends on the time and may have features shorter than was looked for;
     /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular;
     /// [`Error::NotAFunction`](crate::Error::NotAFunction) if the torque is seen
