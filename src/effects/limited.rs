@@ -46,7 +46,7 @@ use crate::math::{EPS, smaller};
 ///
 /// Source: the characteristics of J.-J. E. Slotine, W. Li, *Applied Nonlinear Control* (1991), 5.2.
 #[derive(Debug, Clone)]
-pub struct Limited<'f, const SMOOTH: bool> {
+pub struct Limited<'f, const SMOOTH: bool = false> {
     law: Torque<'f, SMOOTH>,
     limit: f64,
     saturates: bool,

@@ -16,7 +16,8 @@ use crate::math::EPS;
 /// Made by [`Torque::sampled`]. [`Scene::solve`](crate::scene::Scene::solve) calls the law once a sample
 /// in each of its runs, and once at the start: a run that starts between two samples holds what the
 /// law says there until the next sample. Between samples the torque is smooth whatever the law
-/// does, so that a law may round, saturate or look things up. There is no way back in time.
+/// does: it may saturate, round or look things up. Where a sample falls beside a step of a law that
+/// rounds, two runs may round apart, and finer ones follow. There is no way back in time.
 ///
 /// As an [`Effect`] it is the law as if it were called just there; an integrator that is used by itself
 /// sees that.

@@ -61,9 +61,16 @@ pub(super) fn carried(
                 .map(|(n, law)| margin(problem, *law, &holding, *n, [now, to]))
                 .collect();
             let used = work.steps + work.rejected - begun;
+            if used >= limit {
+                return Err(Error::TooManySteps {
+                    t: now,
+                    t_end,
+                    limit,
+                });
+            }
             let method = method
                 .with_longest_step(longest.min((to - now).abs() / least as f64))?
-                .with_step_limit(limit.saturating_sub(used).max(1))?
+                .with_step_limit(limit - used)?
                 .with_first_step(step);
             let y = scene::components(&state);
             let (s, y, met, next) = method

@@ -165,7 +165,7 @@ fn truth(
 ) -> End {
     const SAME: f64 = 1e-13;
     let by = |steps| end(body, others, controls, start, t_end, steps);
-    let mut steps = (4.0 * t_end).ceil() as usize;
+    let mut steps = (16.0 * t_end).ceil() as usize;
     let (mut before, mut apart) = (by(steps), f64::INFINITY);
     while steps < MOST_STEPS {
         steps *= 2;
@@ -264,6 +264,9 @@ fn end(
                 let middle = 0.5 * (low + high);
                 let is_beyond = sides(t + h * middle, &to(middle)) != held;
                 *(if is_beyond { &mut high } else { &mut low }) = middle;
+            }
+            if !to(high).iter().all(|y| y.is_finite()) {
+                return End::Unknown;
             }
             switches += 1;
             at_once = if h * high < SLIDES.1 * t_end {
