@@ -20,11 +20,15 @@
 //! | [`DiscDrag`] | the drag of still air on a disc that spins, laminar or turbulent |
 //! | [`PrescribedTorque`] | a torque known as a function of time: a table, held, linear or cubic, or a pulse |
 //! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
-//! | [`SampledControl`] | a closure that is called at a rate, and held in between: a digital controller |
-//! | [`Limited`] | a closure that saturates, or has a dead band |
-//! | [`Switched`] | one closure or another, by the sign of a third: a relay, a thruster, a brake |
 //!
-//! The last three go on in pieces, by a [`Law`]: only [`Scene::solve`](crate::scene::Scene::solve) and
+//! | for what engineers have in hand | take |
+//! |---|---|
+//! | a table of times | [`PrescribedTorque`] with [`Profile::steps`], [`Profile::lines`] or [`Profile::cubic`] |
+//! | a law called at a rate, and held in between: a digital controller | [`Torque::sampled`] |
+//! | a law with a largest torque, or that leaves small errors alone | [`Torque::saturated`], [`Torque::dead_band`] |
+//! | one law or another, by the sign of a signal: a relay, a thruster, a brake | [`Switched`] |
+//!
+//! The last three rows are effects that go on in pieces, by a [`Law`]: only [`Scene::solve`](crate::scene::Scene::solve) and
 //! its kin hold what is held, and locate switches; an integrator that is used by itself sees the
 //! torque as if it were sampled or switched just there.
 //!
