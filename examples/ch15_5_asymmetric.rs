@@ -291,11 +291,11 @@ fn tumble(p: &Parameters) -> Result<Tumble> {
         .iter()
         .any(|ratio| !(1e-3..=1.0 - 1e-3).contains(ratio))
     {
-        return Err(Error::OutOfRange {
-            name: "I1/I2 or I2/I3, the larger of the two,",
-            value: gaps[0].max(gaps[1]),
-            allowed: "from 0.001 to 0.999: length, width and thickness must differ, in this order",
-        }
+        return Err(Error::out_of_range(
+            "I1/I2 or I2/I3, the larger of the two,",
+            gaps[0].max(gaps[1]),
+            "from 0.001 to 0.999: length, width and thickness must differ, in this order",
+        )
         .into());
     }
     let about = if p.toward == "largest" { 2 } else { 0 };

@@ -282,12 +282,12 @@ fn top(p: &Parameters) -> Result<Top> {
     let wobbles = from_to(1e-6, 1e6).because("one part is lost beside the other");
     wobbles.check("omega_y/omega_z", top.omega_y / top.omega_z)?;
     if top.spin().abs() < 1e-3 * rate {
-        return Err(Error::OutOfRange {
-            name: "Omega_S/Omega",
-            value: top.spin() / rate,
-            allowed: "at least 0.001 in size: three equal moments do not wobble, and what \
+        return Err(Error::out_of_range(
+            "Omega_S/Omega",
+            top.spin() / rate,
+            "at least 0.001 in size: three equal moments do not wobble, and what \
                       tumbles end over end does not spin",
-        }
+        )
         .into());
     }
     Ok(top)

@@ -398,7 +398,7 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
         let method = Dop853::new(tolerance)?.with_step_limit(10_000)?;
         let (steps, t) = match method.advance(&sign(p), 0.0, &start, end) {
             Ok((_, work)) => (work.steps, end),
-            Err(Error::TooManySteps { t, limit, .. }) => (limit, t),
+            Err(Error::LimitReached { t, limit, .. }) => (limit, t),
             Err(other) => return Err(other.into()),
         };
         row(&format!("sign, DOP853 with {tolerance:e}"), steps, t, None)?;

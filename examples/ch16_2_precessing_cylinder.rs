@@ -73,11 +73,11 @@ impl Cylinder {
         let told = from_to(0.0, most).because("so near to upright or level the swing goes over");
         told.check("tolerance", p.tolerance)?;
         if p.rate == 0.0 {
-            return Err(Error::OutOfRange {
-                name: "rate",
-                value: p.rate,
-                allowed: "at rest the cylinder needs no torque and stays",
-            }
+            return Err(Error::out_of_range(
+                "rate",
+                p.rate,
+                "at rest the cylinder needs no torque and stays",
+            )
             .into());
         }
         Ok(body)

@@ -330,13 +330,16 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let gradient = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum().abs() * round;
     let body = RigidBody::new(PrincipalMoments::symmetric(top.i1, top.i3)?);
     let (scene, start) = (Scene::new(body), free.state(0.0));
-    let weaker = scene.called_for(&start, round, 1e-3)?.of_axis().line(
-        "gravity of the Earth weaker at the upper end",
-        "3 g (I1 - I3) T/(2 R_E L)",
-        gradient,
-        &pull,
-        "rad of the axis, a nod",
-    )?;
+    let weaker = scene
+        .neglected_effects(&start, round, 1e-3)?
+        .of_axis()
+        .line(
+            "gravity of the Earth weaker at the upper end",
+            "3 g (I1 - I3) T/(2 R_E L)",
+            gradient,
+            &pull,
+            "rad of the axis, a nod",
+        )?;
     effect_card! { report,
         "Z fixed to the turning Earth": "Omega_E T" = earth * round, costs earth * round, "rad of theta, a nod",
             measured leans, within 1e-12;

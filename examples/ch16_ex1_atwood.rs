@@ -302,12 +302,12 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let m = machine(p)?;
     let (held, [m1, m2]) = (Answer::new(&m), m.masses);
     if held.slips || m1 == m2 {
-        return Err(Error::OutOfRange {
-            name: "the acceleration of a rope that slips or rests, with air",
-            value: held.acceleration,
-            allowed: "the claims about the air are for a rope that holds and moves: more friction, \
+        return Err(Error::out_of_range(
+            "the acceleration of a rope that slips or rests, with air",
+            held.acceleration,
+            "the claims about the air are for a rope that holds and moves: more friction, \
                       a lighter pulley, or unequal masses",
-        }
+        )
         .into());
     }
     let drag = QuadraticDrag::in_air(1.204, 1.0, area)?;

@@ -31,13 +31,7 @@ parameters! {
 /// q = g/(l w^2), the one number that decides: infinite in a plane that does not turn.
 fn ratio(p: &Parameters) -> rotation_dynamics::Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
-    let refused = |name, value, allowed| {
-        Err(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
-    };
+    let refused = |name, value, allowed| Err(Error::out_of_range(name, value, allowed));
     let off = (1.0 - q).abs();
     if off < NEAREST || off.is_nan() {
         let allowed = "it must differ from 1 by 1e-8: at this threshold nothing drives the bob \

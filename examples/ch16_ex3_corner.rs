@@ -160,11 +160,11 @@ fn units(p: &Parameters) -> Result<Units> {
     let time = (p.radius / p.gravity).sqrt();
     let spin = p.spin.abs() * time;
     if spin == 0.0 {
-        return Err(Error::OutOfRange {
-            name: "spin",
-            value: p.spin,
-            allowed: "without spin the cylinder stays at rest where it is set down",
-        }
+        return Err(Error::out_of_range(
+            "spin",
+            p.spin,
+            "without spin the cylinder stays at rest where it is set down",
+        )
         .into());
     }
     let turns = from_to(1e-9, 1e9).because("the turn in rad while a stone falls by R/2");
@@ -325,12 +325,13 @@ fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
     let (u, cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
     let [floor, wall] = cylinder.pressed();
     if !(floor > 0.0 && wall > 0.0) {
-        return Err(Error::OutOfRange {
-            name: "lean",
-            value: lean,
-            allowed: "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
+        return Err(Error::out_of_range(
+            "lean",
+            lean,
+            "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
                       or nothing rubs",
-        }.into());
+        )
+        .into());
     }
     let (time, stop) = (u.time, u.spin / cylinder.braking());
     let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance.min(1e-9))?;

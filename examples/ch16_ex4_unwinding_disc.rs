@@ -276,7 +276,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         let last = run
             .transitions()
             .last()
-            .map_or(run.legs()[0].solution.end_state(), |event| &event.before);
+            .map_or(run.pieces()[0].solution.end_state(), |event| &event.before);
         Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
     };
     report.set_closed_form(ClosedForm::new(move |part| {

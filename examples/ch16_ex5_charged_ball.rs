@@ -107,11 +107,11 @@ impl Ball {
         let pull = p.charge * p.field / p.mass;
         let weights = pull / p.gravity;
         if !(1e-9..=1e9).contains(&weights.abs()) {
-            return Err(Error::OutOfRange {
-                name: "q E/(m g)",
-                value: weights,
-                allowed: "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
-            }
+            return Err(Error::out_of_range(
+                "q E/(m g)",
+                weights,
+                "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
+            )
             .into());
         }
         let told = "contacts do not tell a smaller part of the weight from none";

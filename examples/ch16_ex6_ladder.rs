@@ -129,12 +129,13 @@ struct Solved {
 fn solve(p: &Parameters) -> Result<Solved> {
     let exact = Exact::new(p.length, p.gravity, p.angle)?;
     if rounding(p) > 0.1 {
-        return Err(Error::OutOfRange {
-            name: "angle",
-            value: p.angle,
-            allowed: "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
+        return Err(Error::out_of_range(
+            "angle",
+            p.angle,
+            "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
                       its elevation",
-        }.into());
+        )
+        .into());
     }
     let ladder = Ladder::smooth(p);
     let start = ladder.at_rest(p.angle);

@@ -95,13 +95,7 @@ pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> rotation_dynamics:
 /// The release, where a swing follows.
 fn swings(p: &Parameters) -> rotation_dynamics::Result<()> {
     let (release, size) = (p.release, p.release.abs());
-    let refused = |allowed| {
-        Err(Error::OutOfRange {
-            name: "release",
-            value: release,
-            allowed,
-        })
-    };
+    let refused = |allowed| Err(Error::out_of_range("release", release, allowed));
     if size < 1e-6 {
         return refused("it must be off the vertical by 1e-6 rad: smaller swings are small swings");
     }
@@ -523,7 +517,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         // Released high up, a coarse run goes over the top.
         Err(Error::NotReached { .. }) => Err(Error::NotDelivered {
             requested: step,
-            reached: PI,
+            best: PI,
+            condition: None,
         }),
         swing => Ok(swing?),
     };

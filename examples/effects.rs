@@ -183,7 +183,10 @@ fn upright(p: &Parameters) -> rotation_dynamics::Result<State> {
 /// The card: what acts on the desk beside the weight.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rotor, q) = (gyroscope(p), question(p)?);
-    let left_out = q.scene.called_for(&q.start, q.end, p.tolerance)?.of_axis();
+    let left_out = q
+        .scene
+        .neglected_effects(&q.start, q.end, p.tolerance)?
+        .of_axis();
     let (l, t, rate) = (rotor.momentum(), q.end, rotor.weight() / rotor.momentum());
     let of = "rad, of the axis";
     let ratio = rotor.weight() * rotor.moments[0] / (l * l);

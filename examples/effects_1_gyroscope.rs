@@ -14,7 +14,7 @@ use rotation_dynamics::Error;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::SymmetricTop;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Fading, Gimbals, Nod, Pose};
+use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Decay, Gimbals, Nod, Pose};
 use rotation_dynamics::integrators::Dop853;
 
 parameters! {
@@ -137,9 +137,9 @@ impl Gyroscope {
     }
 
     /// Theory of friction at the bottom.
-    pub fn fading(&self) -> rotation_dynamics::Result<Fading> {
+    pub fn fading(&self) -> rotation_dynamics::Result<Decay> {
         let axial = self.start.axial_momentum;
-        Fading::of(&self.gimbals, &self.bearings, self.bottom()?, axial)
+        Decay::of(&self.gimbals, &self.bearings, self.bottom()?, axial)
     }
 
     /// How long nods of this size (rad) last: until they are a fiftieth, or stick.

@@ -10,7 +10,7 @@ use kit::prelude::*;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::integrators::Work;
 use rotation_dynamics::tops::{
-    Course, Dry, NoSlip, Patch, Shape, Smooth, Stance, Throw, TipFriction, Top,
+    Configuration, Course, Dry, NoSlip, Patch, Shape, Smooth, Throw, TipFriction, Top,
 };
 
 parameters! {
@@ -200,7 +200,7 @@ pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
     let turn = TAU / p.precession(spin.max(1.02 * p.rolling_spin()));
     let mean = |from: f64| -> Result<f64> {
         let sizes = sampled(times(from, from + turn, 200), |t| {
-            Ok(log(run.stance(t)?.tilt()))
+            Ok(log(run.configuration(t)?.tilt()))
         })?;
         Ok(sizes.iter().sum::<f64>() / 201.0)
     };
@@ -243,17 +243,19 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         p.spin / p.least_spin(),
     )?;
     let (life, again) = (p.life(p.tolerance)?, p.life(0.1 * p.tolerance)?);
-    let at = |name| -> Result<[Stance; 2]> {
+    let at = |name| -> Result<[Configuration; 2]> {
         Ok([
-            life.stance_at(life.event(name)?),
-            again.stance_at(again.event(name)?),
+            life.configuration_at(life.event(name)?),
+            again.configuration_at(again.event(name)?),
         ])
     };
     let when = |name| -> Result<[f64; 2]> { Ok([life.event(name)?.t, again.event(name)?.t]) };
-    let first = life.stance(0.0)?;
+    let first = life.configuration(0.0)?;
     // With so little friction it goes on at one rate, and without a nod.
     let gentle = Top::new(p.shape()?, GRAVITY)?.on(Dry::new(1e-3 * p.friction)?);
-    let gentle = gentle.simulate(&p.throw(), 3.0, 1e-12)?.stance(3.0)?;
+    let gentle = gentle
+        .simulate(&p.throw(), 3.0, 1e-12)?
+        .configuration(3.0)?;
     let risen = 1e3 * (p.tilt - gentle.tilt()) / 3.0;
     let [creeps, creeps_again] = when("creeps")?;
     let [asleep, asleep_again] = when("sleeps")?;
@@ -266,14 +268,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         life.event("unstable")?.t * 0.5,
         life.event("unstable")?.t * 0.9,
     );
-    let (fast, slow) = (life.stance(early)?.spin(), life.stance(late)?.spin());
+    let (fast, slow) = (
+        life.configuration(early)?.spin(),
+        life.configuration(late)?.spin(),
+    );
     let slept = simpson(slow, fast, 200, |w| Ok(1.0 / p.braking(w)?))?;
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
     // What wakes it is a tiny deviation, to which the steps add. A tenth of the tolerance leaves no
     // less than a twentieth of it: that takes at most so much longer (s) to grow.
-    let grown = log(life.stance(wakes)?.tilt() / life.stance(wakes - 1.0)?.tilt());
+    let grown = log(life.configuration(wakes)?.tilt() / life.configuration(wakes - 1.0)?.tilt());
     let later = log(20.0) / grown;
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
     let grip = |step: f64| -> Result<[f64; 2]> {
@@ -281,7 +286,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             .toy(Dry::new(p.friction)?)?
             .simulate(&p.throw(), 5.0, step)?;
         let event = point.event("grips")?;
-        Ok([event.t, point.stance_at(event).tilt()])
+        Ok([event.t, point.configuration_at(event).tilt()])
     };
     let ([grips, gripped], [grips_again, gripped_again]) =
         (grip(p.tolerance)?, grip(0.01 * p.tolerance)?);
@@ -308,7 +313,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// it is asleep from this time on
         asleep: asleep, "s", "finer steps" => asleep_again, within bound * asleep;
         /// tilt in its sleep, by the slope of the floor
-        leans: leans, "rad", "simulated" => life.stance(late)?.tilt(), within 1e-3 * leans, in "Sleeping":
+        leans: leans, "rad", "simulated" => life.configuration(late)?.tilt(), within 1e-3 * leans, in "Sleeping":
             p.slope => "the centre of mass stands above the contact, not above the centre of the tip";
         /// time in which it sleeps from a half to nine tenths of the way to instability
         slept: slept, "s", "simulated" => late - early, within 5e-4 * slept;
@@ -334,22 +339,22 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let point = top()?
         .on(Dry::new(p.friction)?)
         .simulate(&p.throw(), 2.0, p.tolerance)?;
-    let ends = |f: &dyn Fn(&Stance) -> f64| -> Result<[f64; 2]> {
-        Ok([f(&point.stance(0.0)?), f(&point.stance(2.0)?)])
+    let ends = |f: &dyn Fn(&Configuration) -> f64| -> Result<[f64; 2]> {
+        Ok([f(&point.configuration(0.0)?), f(&point.configuration(2.0)?)])
     };
     let jellett = ends(&|at| point.top().jellett(at))?;
     let smooth = top()?.simulate(&p.throw(), 2.0, p.tolerance)?;
-    let first = smooth.stance(0.0)?;
+    let first = smooth.configuration(0.0)?;
     let energies = [
         smooth.top().energy(&first),
-        smooth.top().energy(&smooth.stance(2.0)?),
+        smooth.top().energy(&smooth.configuration(2.0)?),
     ];
     let rolls = top()?
         .on(NoSlip)
         .simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
     let held = [0.0, 2.0].map(|t| {
         rolls
-            .stance(t)
+            .configuration(t)
             .map_or(f64::NAN, |at| rolls.top().energy(&at))
     });
     // The spins at which a top can sleep, for a tip that shrinks to a point.

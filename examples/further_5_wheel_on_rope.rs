@@ -232,11 +232,7 @@ impl Wheel {
         let found = steps.windows(2).find(|w| missing(w[1]) <= 0.0);
         let slow = "it must be faster, or the axle lower: no slow precession holds the axle up";
         let (name, value) = ("spin", self.momentum / (2.0 * self.transverse));
-        let found = found.ok_or(Error::OutOfRange {
-            name,
-            value,
-            allowed: slow,
-        })?;
+        let found = found.ok_or(Error::out_of_range(name, value, slow))?;
         let (mut low, mut high) = (found[0], found[1]);
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
@@ -344,11 +340,7 @@ impl Wheel {
             [0, 1, 2].map(|i| [0, 1, 2].map(|j| -(0..4).map(|k| c[i][k] * b[k][j]).sum::<f64>()));
         let (name, value) = ("spin", self.momentum / (2.0 * self.transverse));
         let allowed = "another one is needed: this steady precession is not stable";
-        eigen(squared).ok_or(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
+        eigen(squared).ok_or(Error::out_of_range(name, value, allowed))
     }
 }
 // ANCHOR_END: modes

@@ -380,7 +380,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sunlight = Torque::on_space("sunlight", |_, _, _| SpaceVector::new(0.0, 0.0, light));
     let (sunlight, magnet) = (sunlight.smooth(), magnet(MAGNET));
     let (left_out, formula) = (
-        scene.called_for(&start, DAY, p.tolerance)?,
+        scene.neglected_effects(&start, DAY, p.tolerance)?,
         "torque / 3 n0^2 (I2 - I1)",
     );
     let [lit, drawn] = [light, MAGNET].map(|torque| torque / stiff);

@@ -97,7 +97,7 @@ const LINEAR: f64 = 1e-3;
 
 /// The condition of one input. `moved`: the movement of the state (rad) when that input is
 /// changed by this part; nothing if no double is that near to it.
-pub(crate) fn felt(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
+pub(crate) fn condition_by_difference(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
     let mut by = 1e-6;
     let mut known = 0.0_f64;
     let mut refused = None;
@@ -126,13 +126,13 @@ pub(crate) fn felt(moved: impl Fn(f64) -> Result<Option<f64>>) -> Result<f64> {
 
 /// `square` and the squares of the conditions of these inputs, each changed by a part of itself.
 /// `moved`: the movement of the state (rad) for other inputs.
-pub(crate) fn felt_of_each<const N: usize>(
+pub(crate) fn condition_of_each<const N: usize>(
     square: f64,
     inputs: [f64; N],
     moved: impl Fn([f64; N]) -> Result<f64>,
 ) -> Result<f64> {
     (0..N).try_fold(square, |square, i| {
-        let felt = felt(|by| {
+        let felt = condition_by_difference(|by| {
             let Some(input) = changed(inputs[i], by) else {
                 return Ok(None);
             };

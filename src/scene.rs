@@ -7,7 +7,7 @@
 //! [`crate::exact`] and by [`crate::integrators`].
 
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Effect, EffectList, Keeps};
+use crate::effects::{AnyEffect, Conserved, Effect, EffectList};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::larger;
 
@@ -100,7 +100,7 @@ impl<E: Effect> Scene<E> {
     pub fn with<F: Effect>(self, effect: F) -> Scene<(E, F)> {
         const {
             assert!(
-                !(E::NATURE.weight && F::NATURE.weight),
+                !(E::PROPERTIES.weight && F::PROPERTIES.weight),
                 "gravity would act twice in this scene: one weight at one place is allowed"
             );
         }
@@ -135,7 +135,7 @@ impl<E: AnyEffect> Scene<E> {
     #[inline(always)]
     pub fn angular_velocity(&self, t: f64, state: &State) -> BodyVector {
         let omega = self.body.angular_velocity(state);
-        if !self.effects.nature().slips {
+        if !self.effects.properties().slips {
             return omega;
         }
         let slip = self.effects.slip(t, &self.body, state);
@@ -154,7 +154,7 @@ impl<E: AnyEffect> Scene<E> {
     /// depends on L, that part is differenced, to 1e-10 of it.
     pub fn power(&self, t: f64, state: &State) -> f64 {
         let power = self.effects.power(t, &self.body, state);
-        if !self.effects.nature().slips {
+        if !self.effects.properties().slips {
             return power;
         }
         let slip = self.effects.slip(t, &self.body, state);
@@ -186,11 +186,11 @@ impl<E: AnyEffect> Scene<E> {
 
     /// The quantities that every motion of this scene keeps.
     pub fn invariants(&self) -> impl Iterator<Item = Invariant> + use<E> {
-        let Keeps {
+        let Conserved {
             energy,
             momentum: [x, y, z],
             axial_momentum,
-        } = self.effects.nature().keeps;
+        } = self.effects.properties().conserved;
         // Without symmetry the body's own motion changes L_z.
         let axial = axial_momentum && self.body.moments().is_symmetric();
         [

@@ -93,7 +93,14 @@ fn bounces_without_end_are_refused() {
     let ball = Ball { restitution: 0.5 };
     let error = simulate(&ball, &method(), (), [5.0, 0.0], 4.0).unwrap_err();
     assert!(
-        matches!(error, Error::TooManyPhases { limit: 1000, .. }),
+        matches!(
+            error,
+            Error::LimitReached {
+                what: "changes of phase",
+                limit: 1000,
+                ..
+            }
+        ),
         "{error}"
     );
 }
@@ -102,10 +109,11 @@ fn bounces_without_end_are_refused() {
 fn a_phase_must_be_entered_in_its_own_conditions() {
     let ball = Ball { restitution: 0.5 };
     let error = simulate(&ball, &method(), (), [-1.0, 0.0], 1.0).unwrap_err();
-    let broken = Error::ConditionBroken {
+    let broken = Error::CannotHold {
         name: "height",
-        value: -1.0,
         t: 0.0,
+        value: -1.0,
+        rate: None,
     };
     assert_eq!(error, broken);
     assert!(simulate(&ball, &method(), (), [f64::NAN, 0.0], 1.0).is_err());
@@ -178,7 +186,7 @@ fn a_ball_leaves_the_dome_at_two_thirds() {
         let [end, rate] = kept.transitions()[0].before;
         pulls.push((cos(end) - rate * rate).min(0.0));
         // The damaged twins: the event is one of the steps beside it.
-        let steps = kept.legs()[0].solution.step_times();
+        let steps = kept.pieces()[0].solution.step_times();
         let (before, after): (Vec<_>, Vec<_>) = steps.partition(|t| *t < leaves.t);
         for (errors, t) in [(&mut early, before.last()), (&mut late, after.first())] {
             errors.push(height(&kept.at(*t.unwrap()).unwrap().1) - 2.0 / 3.0);
@@ -213,7 +221,13 @@ fn the_dial_delivers() {
     // A start 1e-12 from the top of the dome: its growth of errors leaves no 1e-13.
     let error = simulate_within(&Dome, 1e-13, (), [1e-12, 0.0], 100.0);
     assert!(
-        matches!(error, Err(Error::NotDelivered { .. })),
+        matches!(
+            error,
+            Err(Error::NotDelivered {
+                condition: None,
+                ..
+            })
+        ),
         "{error:?}"
     );
 }

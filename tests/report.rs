@@ -438,7 +438,12 @@ fn the_card_becomes_a_ledger_where_something_is_measured() {
 
 /// What the card says of an effect whose error of this size and unit is asked for, beside some
 /// claims.
-fn called_for(asked: f64, error: f64, unit: &str, beside: Option<&str>) -> Result<String, String> {
+fn neglected_effects(
+    asked: f64,
+    error: f64,
+    unit: &str,
+    beside: Option<&str>,
+) -> Result<String, String> {
     let mut report = Report::new("A title", "What the scene is.").expect("sound");
     for (key, value, unit) in [
         ("mass", 3.0, "kg"),
@@ -512,7 +517,7 @@ fn an_effect_is_in_or_out_at_the_accuracy_asked_for() {
         (0.1, 0.1, "turns", Some("turns"), "out, 0.40"),
     ] {
         assert_eq!(
-            called_for(asked, error, unit, beside).as_deref(),
+            neglected_effects(asked, error, unit, beside).as_deref(),
             Ok(told),
             "{error} {unit}"
         );
@@ -529,7 +534,7 @@ fn an_effect_is_in_or_out_at_the_accuracy_asked_for() {
         (f64::NAN, "-", None, "the accuracy asked for"),
         (f64::INFINITY, "-", None, "the accuracy asked for"),
     ] {
-        let told = called_for(asked, 0.5, unit, beside).expect_err("it is refused");
+        let told = neglected_effects(asked, 0.5, unit, beside).expect_err("it is refused");
         assert!(told.contains(words), "{told}");
     }
 }

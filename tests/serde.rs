@@ -95,7 +95,7 @@ fn an_invalid_document_is_refused_with_its_numbers() {
         ),
         (
             refusal::<InertiaTensor>("[[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]"),
-            "differ by 1e-1",
+            "across the diagonal = 0.1",
         ),
         (
             refusal::<InertiaTensor>("[[1, 2, 0], [2, 1, 0], [0, 0, 1]]"),

@@ -5,7 +5,7 @@
 //! [`input`] says. A page is a number, its place among the stems in their order. `open` and
 //! `frame` need none of the rest: a module of moving pictures alone is small.
 
-mod told;
+mod answers;
 
 use every_example::{ALL, MOVING};
 use kit::draw::Turn;
@@ -85,11 +85,11 @@ pub extern "C" fn open(n: usize) -> usize {
             text: "a moving picture".into(),
             allowed: "this page has none",
         })?;
-        let told = told::opened(&picture)?;
+        let told = answers::opened(&picture)?;
         kept().picture = Some(picture);
         Ok(told)
     });
-    leave(told.unwrap_or_else(|error| told::error(&error)))
+    leave(told.unwrap_or_else(|error| answers::error(&error)))
 }
 
 /// Leaves the display list of the picture that is open, at a time, seen from elsewhere by so
@@ -151,7 +151,7 @@ pub extern "C" fn declared(n: usize) -> usize {
 /// Leaves the inks, `[{"name", "line", "text", "lit", "shade"}]`, in the order of their numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn palette() -> usize {
-    leave(told::palette())
+    leave(answers::palette())
 }
 
 /// Leaves what the example prints without arguments, with all its sections, as the tests lock it; or the error.
@@ -166,14 +166,14 @@ pub extern "C" fn report(n: usize) -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn run(n: usize) -> usize {
     let (outcome, files) = page(n).answer_with_files(arguments());
-    leave(told::outcome(&outcome, &files))
+    leave(answers::outcome(&outcome, &files))
 }
 
 /// Draws all figures for the arguments that were written. Leaves `{"figures": [{"name", "alt",
 /// "svg"}]}` or `{"error"}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures(n: usize) -> usize {
-    leave(told::figures(page(n).figures_for(arguments())))
+    leave(answers::figures(page(n).figures_for(arguments())))
 }
 
 /// What accuracy costs, by the reader's choice: lines of settings, and of `method=NAME` with
@@ -182,7 +182,7 @@ pub extern "C" fn figures(n: usize) -> usize {
 /// or `{"error"}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn lab(n: usize) -> usize {
-    let asked = told::Asked::read(&taken());
+    let asked = answers::Asked::read(&taken());
     let known = kept().lab.take();
     let known = known.filter(|(of, settings, _)| *of == n && *settings == asked.settings);
     let told = match known {
@@ -194,5 +194,5 @@ pub extern "C" fn lab(n: usize) -> usize {
         kept().lab = Some((n, asked.settings.clone(), lab));
         told
     });
-    leave(told.unwrap_or_else(|error| told::error(&error)))
+    leave(told.unwrap_or_else(|error| answers::error(&error)))
 }

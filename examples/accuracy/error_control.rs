@@ -38,14 +38,8 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
                     solved.run.torques().to_string(),
                     solved.work.torques().to_string(),
                 ]),
-                Err(
-                    Error::BeyondCondition { attainable, .. }
-                    | Error::NotDelivered {
-                        reached: attainable,
-                        ..
-                    },
-                ) => {
-                    row.push(format!("refused: at best {}", rounded_up(attainable)));
+                Err(Error::NotDelivered { best, .. }) => {
+                    row.push(format!("refused: at best {}", rounded_up(best)));
                     row.resize(7, "-".into());
                 }
                 Err(other) => return Err(other.into()),

@@ -4,7 +4,7 @@
 use rotation_dynamics::accuracy::Solved;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Properties};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -86,9 +86,9 @@ struct Governor {
 }
 
 impl Effect for Governor {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {
@@ -286,9 +286,9 @@ pub fn judge(case: &Case, tolerance: f64) -> Result<Outcome> {
             error: case.exact.angle_to(&solved.state.attitude),
             solved: Box::new(solved),
         }),
-        Err(Error::BeyondCondition {
-            attainable,
-            condition,
+        Err(Error::NotDelivered {
+            best: attainable,
+            condition: Some(condition),
             ..
         }) => Ok(Outcome::Refused {
             attainable,

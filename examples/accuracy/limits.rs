@@ -83,7 +83,7 @@ fn effects(report: &mut Report) -> Result<()> {
     let number = 3.0 * gravity / radius * (8.0 / 3.0 - 1.0) / 2.0 / (rate * rate);
     let down = SpaceVector::new(0.0, 0.0, -1.0);
     let gradient = GravityGradient::fixed((gravity / radius).sqrt(), down)?;
-    let candidates = (block.scene).called_for(&block.start, block.end, 1e-3)?;
+    let candidates = (block.scene).neglected_effects(&block.start, block.end, 1e-3)?;
     let formula = "3 g (I3 - I1) / (R_E I2 omega^2)";
     let pulled = candidates.line(
         "gravity gradient of the Earth",

@@ -2,7 +2,7 @@
 //! different moments, and a body pushed for a while.
 
 use kit::Report;
-use rotation_dynamics::accuracy::{Errors, Fineness, Problem, Solved, Sweep, Variables, applies};
+use rotation_dynamics::accuracy::{Errors, Problem, Resolution, Solved, Sweep, Variables, applies};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever};
@@ -36,7 +36,7 @@ impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
 
     fn run(&self, method: Method, setting: f64) -> Result<(State, Work)> {
         let variables = Variables::best(method, &self.scene);
-        Problem::run(self, method, variables, Fineness::of(method, setting))
+        Problem::run(self, method, variables, Resolution::of(method, setting))
     }
 
     fn sweep(&self, method: Method, settings: &[f64]) -> Sweep {
@@ -154,11 +154,11 @@ pub fn free_problem(
     let exact = unpushed(&body, &start)?;
     let period = exact.rate_period();
     if !period.is_finite() {
-        return Err(Error::OutOfRange {
-            name: "I2",
-            value: moments.i2(),
-            allowed: "between I1 and I3, and equal to neither: the body must tumble",
-        });
+        return Err(Error::out_of_range(
+            "I2",
+            moments.i2(),
+            "between I1 and I3, and equal to neither: the body must tumble",
+        ));
     }
     let end = periods * period;
     let answer = State::new(exact.attitude(end), start.angular_momentum)?;

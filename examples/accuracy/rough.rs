@@ -6,7 +6,7 @@ use kit::Report;
 use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Keeps, Nature};
+use rotation_dynamics::effects::{Conserved, Effect, GravityAtLever, Properties};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
@@ -59,14 +59,14 @@ pub struct Push {
 }
 
 impl Effect for Push {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true, // but for its jumps
-        keeps: Keeps {
+        conserved: Conserved {
             momentum: [true, true, false],
-            ..Keeps::NONE
+            ..Conserved::NONE
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {
@@ -97,10 +97,10 @@ impl Effect for Push {
 struct Steady(Push);
 
 impl Effect for Steady {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
-        ..Push::NATURE
+        ..Push::PROPERTIES
     };
 
     fn name(&self) -> &'static str {

@@ -36,7 +36,7 @@ fn methods() -> Result<Table> {
             about.name.to_owned(),
             about.order.to_string(),
             about.idea.to_owned(),
-            about.keeps.to_owned(),
+            about.conserved.to_owned(),
             about.source.to_owned(),
         ])?;
     }

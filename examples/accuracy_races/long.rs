@@ -55,8 +55,8 @@ fn effects(report: &mut Report, tolerance: f64) -> Result<()> {
     let number = 3.0 * gravity / radius * (8.0 / 3.0 - 1.0) / 2.0 / (rate * rate);
     let down = SpaceVector::new(0.0, 0.0, -1.0);
     let gradient = GravityGradient::fixed((gravity / radius).sqrt(), down)?;
-    let candidates = (block.scene).called_for(&block.start, block.end, 1e-3)?;
-    let predicted = candidates.weigh(&gradient, number)?.predicted;
+    let candidates = (block.scene).neglected_effects(&block.start, block.end, 1e-3)?;
+    let predicted = candidates.predict(&gradient, number)?.predicted;
     let (seen, work) = astray(&block, gradient)?;
     // The start, rounded: two motions whose momenta are a part of 2^-24 apart.
     let (body, apart) = (block.scene.body(), exp2(-24.0));

@@ -234,7 +234,8 @@ fn agreed(rule: Rule, tolerance: f64) -> rotation_dynamics::Result<(f64, u32)> {
         if n >= MOST {
             return Err(Error::NotDelivered {
                 requested: tolerance,
-                reached,
+                best: reached,
+                condition: None,
             });
         }
         last = next;
@@ -276,7 +277,7 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
                         Some(again),
                     )
                 }
-                Err(Error::NotDelivered { reached, .. }) => (reached, "refused".into(), None),
+                Err(Error::NotDelivered { best, .. }) => (best, "refused".into(), None),
                 Err(other) => return Err(other.into()),
             };
             let (method, requested) = (method.into(), Some(requested));

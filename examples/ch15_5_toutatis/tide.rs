@@ -1,7 +1,7 @@
 //! The tide: the side near a planet or the Sun is attracted more than the far side.
 
 use super::*;
-use rotation_dynamics::accuracy::{Fineness, Variables};
+use rotation_dynamics::accuracy::{Resolution, Variables};
 use rotation_dynamics::body::State;
 use rotation_dynamics::integrators::Method;
 
@@ -121,7 +121,7 @@ pub fn number(start: &Start, path: &Path) -> Result<f64> {
 pub fn under_the_sun(start: &Start, end: f64) -> Result<Attitude> {
     let scene = Scene::new(start.body()?).with(tide(Path::orbit(), 0.0)?);
     let from = start.motion()?.state(0.0);
-    let steps = Fineness::Steps((end / (1.5 * DAY)) as u64);
+    let steps = Resolution::Steps((end / (1.5 * DAY)) as u64);
     let problem = Problem::new(scene, from, end, from);
     Ok(problem
         .run(Method::GaussLegendre16, Variables::Space, steps)?

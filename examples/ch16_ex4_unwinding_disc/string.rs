@@ -110,7 +110,7 @@ impl Disc {
     /// The largest tension on the knot.
     pub fn peak(&self, run: &Run<Leaves, 6>) -> Result<f64> {
         let [from, to] = ["all unwound", "winds up"].map(|name| run.transition(name));
-        let turn = &run.legs()[1].solution;
+        let turn = &run.pieces()[1].solution;
         let pull = |t| Ok(self.taut(Leaves::Knot, &turn.at(t)?).tension);
         Ok(highest([from?.t, to?.t], pull)?[1])
     }

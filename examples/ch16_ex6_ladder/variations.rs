@@ -48,11 +48,11 @@ fn holding_friction(p: &Parameters) -> f64 {
 /// How the motion goes with this part of the friction that would hold the ladder.
 pub fn rubbing(p: &Parameters, part: f64) -> rotation_dynamics::Result<Slide> {
     if p.angle < RUBS_FROM {
-        return Err(Error::OutOfRange {
-            name: "angle",
-            value: p.angle,
-            allowed: "friction is simulated from 1e-9 rad on",
-        });
+        return Err(Error::out_of_range(
+            "angle",
+            p.angle,
+            "friction is simulated from 1e-9 rad on",
+        ));
     }
     let mut ladder = Ladder::smooth(p);
     ladder.mu = part * holding_friction(p);

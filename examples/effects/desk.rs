@@ -6,7 +6,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, GravityAtLever, GravityGradient, Nature, Torque,
+    CoulombBearing, DiscDrag, Effect, GravityAtLever, GravityGradient, Properties, Torque,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -157,11 +157,11 @@ pub struct Turning {
 }
 
 impl Effect for Turning {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
         slips: true, // it turns the body without a torque
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -7,7 +7,9 @@ use core::f64::consts::{PI, TAU};
 use kit::{Result, Table, short};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityGradient, InternalDissipation, Nature, Torque};
+use rotation_dynamics::effects::{
+    Effect, GravityGradient, InternalDissipation, Properties, Torque,
+};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, ode};
@@ -170,11 +172,11 @@ struct Yielding {
 }
 
 impl Effect for Yielding {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
         slips: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -42,7 +42,7 @@ impl Paid {
             let method = Dop853::new(1e-3 * pow(10.0, -0.25 * level))?;
             Ok(method.advance(scene, 0.0, start, end)?)
         });
-        let split = if E::NATURE.torque_free || Resisted::new(scene, 0.0).is_err() {
+        let split = if E::PROPERTIES.torque_free || Resisted::new(scene, 0.0).is_err() {
             None
         } else {
             least(&exact, |level| {

@@ -1,7 +1,7 @@
 //! One effect after the other: what leaving it out costs, predicted and simulated.
 
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Limits, Weighed};
+use rotation_dynamics::accuracy::{Limits, PredictedError};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::Effect;
@@ -55,10 +55,10 @@ impl<E: Effect + Clone> Question<E> {
 
     // ANCHOR: weigh
     /// What leaving out `effect` costs, by the linear response of the motion to it.
-    pub fn predicted(&self, effect: &impl Effect) -> Result<Weighed> {
-        let asked = self.scene.called_for(&self.start, self.end, 1e-3)?;
+    pub fn predicted(&self, effect: &impl Effect) -> Result<PredictedError> {
+        let asked = self.scene.neglected_effects(&self.start, self.end, 1e-3)?;
         let asked = if self.of_axis { asked.of_axis() } else { asked };
-        asked.weigh(effect, 0.0)
+        asked.predict(effect, 0.0)
     }
 
     /// The same by two simulations, with it and without.

@@ -168,7 +168,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
         let minutes = |t: f64| t / 60.0;
         let end = whole.end_time();
         let line = tilt(&whole, end, 500)?.into_iter().map(|(t, theta)| (minutes(t), theta));
-        let slow = Dop853::new(1e-9)?.solve(&Fading::slow(y.gimbals, y.bearings), 0.0,
+        let slow = Dop853::new(1e-9)?.solve(&Decay::slow(y.gimbals, y.bearings), 0.0,
             &[y.bottom()?, 0.0, y.start.axial_momentum], 0.999 * end, &[])?;
         let dots = sampled(times(0.02 * end, 0.98 * end, 12), |t| Ok((minutes(t), slow.at(t)?[0])))?;
         let formula = times(0.0, 0.95 * end, 200).filter_map(|t| Some((minutes(t), y.sunk(t)?)));

@@ -53,7 +53,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
     let steady = y.fading()?;
     let turn = TAU / steady.precession;
     let only = |bearings: Bearings| -> Result<[f64; 2]> {
-        let theory = Fading::of(g, &bearings, y.bottom()?, axial)?;
+        let theory = Decay::of(g, &bearings, y.bottom()?, axial)?;
         Ok([
             theory.sag * turn,
             measured::sinking(y, bearings, p.tolerance)? * turn,

@@ -178,7 +178,7 @@ pub fn to_the_stop(y: &Gyroscope, p: &Parameters) -> Result<Option<End>> {
         return Ok(None);
     }
     let spin = course.at(t)?.axial_momentum / i3;
-    let slow = Fading::slow(y.gimbals, y.bearings);
+    let slow = Decay::slow(y.gimbals, y.bearings);
     // While it sinks, dry friction of the tilt bears a part of the weight.
     let from = y.bottom_at(&y.start, y.bearings.tilt.dry())?;
     let start = [from, 0.0, y.start.axial_momentum];

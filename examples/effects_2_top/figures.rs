@@ -29,7 +29,7 @@ fn body(p: &Parameters, centre: SpaceVector, axis: SpaceVector) -> Solid {
 }
 
 /// The top seen from the side, its centre of mass above the middle of the picture.
-fn view(p: &Parameters, at: &Stance) -> View {
+fn view(p: &Parameters, at: &Configuration) -> View {
     let floor = SpaceVector::new(0.0, 0.0, 0.0);
     let centre = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
     View::of(SpaceVector::new(0.0, 0.0, 38.0), 66.0)
@@ -39,7 +39,7 @@ fn view(p: &Parameters, at: &Stance) -> View {
 }
 
 /// A point of the floor or the body, seen from below the centre of mass.
-fn seen(at: &Stance, point: SpaceVector) -> SpaceVector {
+fn seen(at: &Configuration, point: SpaceVector) -> SpaceVector {
     (point - SpaceVector::new(at.centre.x(), at.centre.y(), 0.0)) * MM
 }
 
@@ -48,7 +48,7 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect>(
     run: &Course<F, (), E>,
     span: impl IntoIterator<Item = f64>,
 ) -> Result<Vec<(f64, f64)>> {
-    sampled(span, |t| Ok((t, run.stance(t)?.tilt())))
+    sampled(span, |t| Ok((t, run.configuration(t)?.tilt())))
 }
 
 figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
@@ -87,7 +87,7 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
     /// The spin against time: it falls slowly from that of the throw, passes the least spin at
     /// which the top can sleep, and at the end goes up a little before the fall.
     spin: {
-        let spins = sampled(times(0.0, end, 500), |t| Ok((t, life.stance(t)?.spin())))?;
+        let spins = sampled(times(0.0, end, 500), |t| Ok((t, life.configuration(t)?.spin())))?;
         Panel::over_axes("$t$ / s", Axis::linear(r"spin $\omega$ / (rad/s)").range(80.0, 160.0))
             .level(p.least_spin(), Ink::Ink, "least to sleep")
             .curve(Curve::new(spins, Ink::Velocity))
@@ -102,9 +102,9 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
         let grips = point.event("grips")?;
         Panel::over_axes("$t$ / s", Axis::linear("tilt / rad").range(0.0, 1.2 * p.tilt))
             .curve(Curve::new(tilts(&held, span())?, Ink::Wrong).dashed().label_at("wrong: no slip", 3.4, 1.03 * p.tilt, Side::Above))
-            .curve(Curve::new(tilts(&point, span())?, Ink::Frame).label_at("a point", 3.6, point.stance(3.6)?.tilt(), Side::Above))
-            .curve(Curve::new(tilts(&life, span())?, Ink::Body).label_at("a patch", 2.4, life.stance(2.4)?.tilt(), Side::Below))
-            .ring(grips.t, point.stance_at(grips).tilt(), Ink::Frame, "grips", Side::AboveRight)
+            .curve(Curve::new(tilts(&point, span())?, Ink::Frame).label_at("a point", 3.6, point.configuration(3.6)?.tilt(), Side::Above))
+            .curve(Curve::new(tilts(&life, span())?, Ink::Body).label_at("a patch", 2.4, life.configuration(2.4)?.tilt(), Side::Below))
+            .ring(grips.t, point.configuration_at(grips).tilt(), Ink::Frame, "grips", Side::AboveRight)
     };
 
     /// The tilt at which a tip with dry friction at a point grips, against the coefficient of
@@ -114,7 +114,7 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
         let gripped = |friction| {
             let top = Top::new(p.shape()?, GRAVITY)?.on(Dry::new(friction)?);
             let run = top.simulate(&p.throw(), 5.0, 1e-9)?;
-            Ok(run.stance_at(run.event("grips")?).tilt())
+            Ok(run.configuration_at(run.event("grips")?).tilt())
         };
         let most = 0.08_f64;
         Sweep::over(r"friction $\mu$", 0.0, most)
@@ -125,12 +125,12 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
     /// Paths on the floor seen from above, in the first eight seconds. The contact runs round in
     /// loops that shrink; the centre of mass goes round in smaller loops inside them.
     paths: {
-        let path = |f: fn(&Stance) -> SpaceVector| sampled(times(0.0, 8.0, 1600), |t| {
-            let at = f(&life.stance(t)?);
+        let path = |f: fn(&Configuration) -> SpaceVector| sampled(times(0.0, 8.0, 1600), |t| {
+            let at = f(&life.configuration(t)?);
             Ok((MM * at.x(), MM * at.y()))
         });
         Panel::over_axes("$x$ / mm", "$y$ / mm").equal_aspect()
-            .curve(Curve::new(path(Stance::contact)?, Ink::Velocity).thin().label("contact"))
+            .curve(Curve::new(path(Configuration::contact)?, Ink::Velocity).thin().label("contact"))
             .curve(Curve::new(path(|at| at.centre)?, Ink::Body).label("centre of mass"))
     };
 
@@ -213,7 +213,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         )
     });
     let line = sampled(times(0.0, ACTS[5], 900), |u| {
-        Ok((u, life.stance(pace(u))?.tilt()))
+        Ok((u, life.configuration(pace(u))?.tilt()))
     })?;
     let graph = Panel::over_axes(
         Axis::linear("$t$ / s, each part at its own pace")
@@ -228,7 +228,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let height = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
         let contact = seen(&at, at.contact());
         let trail = sampled(times((t - 1.0).max(0.0), t, 120), |t| {
-            Ok(seen(&at, life.stance(t)?.contact()))
+            Ok(seen(&at, life.configuration(t)?.contact()))
         })?;
         let friction = forces.friction * (30.0 / (p.friction * WEIGHT));
         let alt = format!(

@@ -20,7 +20,7 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
         let to = life.event(end)?.t;
         let work = works(&life, from, to)?;
         lost += work.iter().sum::<f64>();
-        let at = life.stance(to)?;
+        let at = life.configuration(to)?;
         let cells = [
             format!("{from:.2}"),
             format!("{to:.2}"),
@@ -35,7 +35,7 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
     }
     report.add(table)?;
     estimates(p, &life, report)?;
-    let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.stance(t)?)) };
+    let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.configuration(t)?)) };
     let change = energy(from)? - energy(0.0)?;
     let claim = claim(
         "lost",
@@ -163,13 +163,13 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
     let run = top.simulate(&p.throw(), 20.0, 10.0 * p.tolerance)?;
     // Over half a second, so that nods count little.
     let tilt = |t: f64| -> Result<f64> {
-        let tilts = sampled(times(t - 0.5, t, 100), |t| Ok(run.stance(t)?.tilt()))?;
+        let tilts = sampled(times(t - 0.5, t, 100), |t| Ok(run.configuration(t)?.tilt()))?;
         Ok(tilts.iter().sum::<f64>() / 101.0)
     };
     let tilts = [tilt(1.0)?, tilt(5.0)?, tilt(20.0)?];
     let grips = run
         .event("grips")
-        .map(|event| (event.t, run.stance_at(event).tilt()));
+        .map(|event| (event.t, run.configuration_at(event).tilt()));
     let fate = match (grips, tilts[2] < ASLEEP) {
         (Ok((t, tilt)), _) => format!("grips after {t:.2} s at {tilt:.3} rad and rises no more"),
         (_, true) => "falls asleep".into(),
@@ -232,7 +232,9 @@ fn risen(p: &Parameters, arm: f64) -> Result<f64> {
     let top = top.resisted_by(RollingResistance::new(arm, 1e-2)?);
     let run = top.simulate(&p.throw().rolling(), 3.0, 1e-10)?;
     let mean = |from: f64| -> Result<f64> {
-        let tilts = sampled(times(from, from + 0.99, 99), |t| Ok(run.stance(t)?.tilt()))?;
+        let tilts = sampled(times(from, from + 0.99, 99), |t| {
+            Ok(run.configuration(t)?.tilt())
+        })?;
         Ok(tilts.iter().sum::<f64>() / 100.0)
     };
     Ok(0.5 * (mean(0.0)? - mean(2.0)?))
@@ -243,7 +245,7 @@ fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
     let point = p
         .toy(Dry::new(p.friction)?)?
         .simulate(&p.throw(), 5.0, p.tolerance)?;
-    let grips = point.stance_at(point.event("grips")?).tilt();
+    let grips = point.configuration_at(point.event("grips")?).tilt();
     let upright = p.tilt / p.rise_rate();
     let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
@@ -270,13 +272,13 @@ fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
             "spin at which it wakes, sharp tip held",
             "rad/s",
             notes,
-            life.stance(when("wakes")?)?.spin(),
+            life.configuration(when("wakes")?)?.spin(),
         ),
         (
             "the same, tip that creeps",
             "rad/s",
             p.least_spin(),
-            life.stance(when("wakes")?)?.spin(),
+            life.configuration(when("wakes")?)?.spin(),
         ),
     ];
     for (what, unit, told, simulated) in rows {

@@ -220,7 +220,7 @@ fn guarded_at(moment: f64) -> Result<[f64; 2]> {
 
 /// How much a change of the start by so much moves the end, over that change: a body that
 /// turns about its middle axis for 100 s.
-fn felt(panel: Panel) -> Result<Panel> {
+fn condition_by_difference(panel: Panel) -> Result<Panel> {
     let end = |off: f64| {
         let motion = findings::off_the_middle(off)?;
         closed(&motion)
@@ -317,7 +317,7 @@ figures! { p: &Parameters;
     /// How much the end moves over how much the start was moved, against the latter, both
     /// logarithmic. For changes below 1e-20 it is level at 1e19; for larger ones it falls in
     /// proportion. A mark stands at 1e-12, where it is 1e12.
-    findings: felt(Panel::over_axes(Axis::log("change of the start"), Axis::log("magnified")))?;
+    findings: condition_by_difference(Panel::over_axes(Axis::log("change of the start"), Axis::log("magnified")))?;
 
     /// The error of the end against the depth of a graze, both logarithmic. Looked at every 0.03 s
     /// it is from a third of a millimetre to centimetres; with the event located it is a rounding, growing as the graze

@@ -6,10 +6,10 @@ use super::motions::{By, Motion};
 use super::naive::{on_euler_angles, on_quaternion};
 use super::table::{Cell, Family, Naive, Row};
 use kit::{Report, Result, Table};
-use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
+use rotation_dynamics::accuracy::{Limits, Resolution, Stepper};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Nature, Torque, check};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Properties, Torque, check};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -109,7 +109,7 @@ fn scene<E: Effect>(
         let answer = delivered.map(|end| truth.map_or(f64::NAN, |truth| truth.angle_to(&end)));
         cells.push(Cell::of((case, "solve", form.name()), answer, tolerance)?);
     }
-    let steps = Carrier::new(Method::Rk4, Fineness::Steps(1000))?;
+    let steps = Stepper::new(Method::Rk4, Resolution::Steps(1000))?;
     let start = scene.body().state(attitude, rates)?;
     let plain = || {
         let plain = steps.advance_as_usual(scene, [0.0, end], &start);
@@ -289,7 +289,7 @@ fn endless(rows: &mut Vec<Row>) -> Result<()> {
 struct Plain(GravityAtLever);
 
 impl Effect for Plain {
-    const NATURE: Nature = GravityAtLever::NATURE;
+    const PROPERTIES: Properties = GravityAtLever::PROPERTIES;
     fn name(&self) -> &'static str {
         "plain gravity"
     }
@@ -314,10 +314,10 @@ struct Pushes<'a> {
 const PUSH: f64 = 0.5;
 
 impl Effect for Pushes<'_> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "push"

@@ -5,7 +5,7 @@ use super::table::{Cell, Naive, Row, bound};
 use super::truth::{Place, Truth};
 use kit::Prepared;
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Carrier, Fineness};
+use rotation_dynamics::accuracy::{Resolution, Stepper};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever};
@@ -300,13 +300,13 @@ impl Motion {
             .state(attitude, BodyVector::from_array(self.rates))?;
         match by {
             By::Steps(method) => {
-                let carrier = match method {
+                let stepper = match method {
                     Method::Dop853 => {
-                        Carrier::Dop853(Dop853::new(1e-15)?.with_step_limit(STEPS_ALLOWED)?)
+                        Stepper::Dop853(Dop853::new(1e-15)?.with_step_limit(STEPS_ALLOWED)?)
                     }
-                    _ => Carrier::new(method, Fineness::Steps(self.steps(by)))?,
+                    _ => Stepper::new(method, Resolution::Steps(self.steps(by)))?,
                 };
-                Ok(carrier.advance_as_usual(scene, [0.0, self.end], &start)?.0)
+                Ok(stepper.advance_as_usual(scene, [0.0, self.end], &start)?.0)
             }
             By::Request => Ok(scene.solve(&start, self.end, asked)?.state),
             _ => Ok(scene.solve_by_stepping(&start, self.end, asked)?.state),

@@ -7,7 +7,7 @@
 
 use super::table::{Cell, Family, Naive, Row, bound};
 use kit::Result;
-use rotation_dynamics::accuracy::{Carrier, Fineness};
+use rotation_dynamics::accuracy::{Resolution, Stepper};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{Torque, ViscousFriction};
@@ -55,8 +55,8 @@ fn braked(words: [&'static str; 2], z: f64, steps: u32) -> Result<Row> {
     let scene = Scene::new(body).with(ViscousFriction::about_axis(RATE * 1.6)?);
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 1.0))?;
     let end = f64::from(steps) * z / RATE;
-    let carrier = Carrier::new(Method::Rk4, Fineness::Steps(u64::from(steps)))?;
-    let spin = carrier
+    let stepper = Stepper::new(Method::Rk4, Resolution::Steps(u64::from(steps)))?;
+    let spin = stepper
         .advance_as_usual(&scene, [0.0, end], &start)
         .map(|(end, _)| body.angular_velocity(&end).z());
     let grown = 1.0 - z * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0)));
@@ -85,14 +85,14 @@ fn resonance(words: [&'static str; 2], method: Method, steps: u64) -> Result<Row
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, spin))?;
     let (s, c) = sincos(nutation * end);
     let grown = push * end / i1;
-    let off = |carrier: Carrier| -> rotation_dynamics::Result<f64> {
-        let (end, _) = carrier.advance_as_usual(&scene, [0.0, end], &start)?;
+    let off = |stepper: Stepper| -> rotation_dynamics::Result<f64> {
+        let (end, _) = stepper.advance_as_usual(&scene, [0.0, end], &start)?;
         let [p, q, _] = body.angular_velocity(&end).to_array();
         let (p, q) = (p - grown * c, q - grown * s);
         Ok((p * p + q * q).sqrt() / grown)
     };
-    let answer = off(Carrier::new(method, Fineness::Steps(steps))?);
-    let naive = off(Carrier::new(Method::Rk4, Fineness::Steps(1000))?);
+    let answer = off(Stepper::new(method, Resolution::Steps(steps))?);
+    let naive = off(Stepper::new(Method::Rk4, Resolution::Steps(1000))?);
     // The transverse part of a momentum that is mostly spin, turned with it.
     let condition = (nutation + spin) * end * (i3 * spin / (i1 * grown) + 1.0);
     let naive = ("RK4, 1000 steps", naive.unwrap_or(f64::NAN));

@@ -124,7 +124,7 @@ impl Cell {
     }
 }
 
-/// The name of an error: `AtPole`.
+/// The name of an error: `GimbalLock`.
 pub fn name_of(error: &Error) -> String {
     let told = format!("{error:?}");
     told.split([' ', '{', '('])
@@ -144,7 +144,11 @@ impl Row {
     pub fn least_bound(&self) -> f64 {
         let bounds = self.cells.iter().filter_map(|cell| match cell.verdict {
             Verdict::Holds { bound, .. } => Some(bound),
-            Verdict::Refuses(Error::BeyondCondition { requested, .. }) => Some(requested),
+            Verdict::Refuses(Error::NotDelivered {
+                requested,
+                condition: Some(_),
+                ..
+            }) => Some(requested),
             Verdict::Refuses(_) => None,
         });
         let held = bounds.fold(f64::INFINITY, f64::min);

@@ -7,7 +7,7 @@ use super::forms::Form;
 use super::motions::By;
 use super::table::{Cell, Family, Naive, Row, bound};
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
+use rotation_dynamics::accuracy::{Limits, Resolution, Stepper};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
@@ -76,9 +76,9 @@ impl<E: Effect> Turned<E> {
         let (mut t, mut now) = (0.0, state(attitude)?);
         for next in &self.pieces {
             let steps = ((next - t) / self.step).ceil().max(1.0) as u64;
-            let fineness = Fineness::Steps(steps);
-            let carrier = Carrier::new(method, fineness)?;
-            (now, _) = carrier.advance_as_usual(&self.scene, [t, *next], &now)?;
+            let resolution = Resolution::Steps(steps);
+            let stepper = Stepper::new(method, resolution)?;
+            (now, _) = stepper.advance_as_usual(&self.scene, [t, *next], &now)?;
             t = *next;
         }
         Ok(now.attitude)
@@ -125,8 +125,8 @@ impl<E: Effect> Turned<E> {
 
     /// RK4 in so many equal steps, whatever the torque does.
     fn straight(&self, method: &'static str, steps: u64) -> Result<Naive> {
-        let carrier = Carrier::new(Method::Rk4, Fineness::Steps(steps))?;
-        let end = carrier.advance_as_usual(&self.scene, [0.0, self.end()], &state(start()?)?);
+        let stepper = Stepper::new(Method::Rk4, Resolution::Steps(steps))?;
+        let end = stepper.advance_as_usual(&self.scene, [0.0, self.end()], &state(start()?)?);
         let truth = self.truth(start()?)?;
         let error = end.map_or(f64::NAN, |(end, _)| truth.angle_to(&end.attitude));
         Ok(Naive { method, error })

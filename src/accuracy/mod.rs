@@ -3,29 +3,29 @@
 //! | part | what it holds |
 //! |---|---|
 //! | [`Problem`] | a motion with a start, an end and the exact answer: what a method is judged by |
-//! | [`Carrier`] | a method made as fine as it is to run, and what it carries of a scene |
+//! | [`Stepper`] | a method made as fine as it is to run, and what it carries of a scene |
 //! | [`Errors`] | how far a state is from the exact one, measured in five ways |
 //! | [`Sweep`] | a method run coarser and finer: what each run cost and delivered |
 //! | [`error_control`] | [`Scene::solve`](crate::scene::Scene::solve): an error asked for at the end, delivered or refused |
-//! | [`CalledFor`] | which effects a scene calls for: the predicted error of leaving each out |
+//! | [`NeglectedEffects`] | which effects a scene calls for: the predicted error of leaving each out |
 //! | [`WorkPrecision`] | such runs in one measure: least work, price of a digit, floor, Pareto front |
 //!
 //! Not for: the exact solutions that errors are measured against
 //! ([`crate::exact`]), and time, which this library never reads; work is counted
 //! ([`Work`](crate::integrators::Work)).
 
-mod asked;
-mod called_for;
-mod carry;
+mod as_motion;
 pub mod error_control;
 mod measures;
+mod neglected;
 mod problem;
+mod stepper;
 mod sweep;
 
 pub(crate) use crate::math::larger;
-pub use called_for::{CalledFor, MARGIN, Measured, Weighed};
-pub use carry::{Carrier, Fineness, Variables, applies};
 pub use error_control::{ExactMotion, Limits, Solved, SolvedMotion};
 pub use measures::{Errors, Measure, largest};
+pub use neglected::{MARGIN, Measured, NeglectedEffects, PredictedError};
 pub use problem::Problem;
+pub use stepper::{Resolution, Stepper, Variables, applies};
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};

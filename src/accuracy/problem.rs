@@ -1,6 +1,6 @@
 //! A problem: a motion from a start to an end whose answer is known.
 
-use super::{Carrier, Errors, Fineness, Run, Sweep, Variables};
+use super::{Errors, Resolution, Run, Stepper, Sweep, Variables};
 use crate::attitude::Attitude;
 use crate::body::State;
 use crate::effects::AnyEffect;
@@ -98,22 +98,22 @@ impl<E: AnyEffect> Problem<E> {
         &self,
         method: Method,
         variables: Variables,
-        fineness: Fineness,
+        resolution: Resolution,
     ) -> Result<(State, Work)> {
-        let carrier = Carrier::new(method, fineness)?;
-        carrier.advance(&self.scene, variables, [0.0, self.end], &self.start)
+        let stepper = Stepper::new(method, resolution)?;
+        stepper.advance(&self.scene, variables, [0.0, self.end], &self.start)
     }
 
     /// The same in the variables of [`Problem::usual`].
     ///
     /// # Errors
     /// What the method refuses.
-    pub fn run_as_usual(&self, method: Method, fineness: Fineness) -> Result<(State, Work)> {
-        let carrier = Carrier::new(method, fineness)?;
-        carrier.advance_as_usual(&self.scene, [0.0, self.end], &self.start)
+    pub fn run_as_usual(&self, method: Method, resolution: Resolution) -> Result<(State, Work)> {
+        let stepper = Stepper::new(method, resolution)?;
+        stepper.advance_as_usual(&self.scene, [0.0, self.end], &self.start)
     }
 
-    /// A method with each setting ([`Fineness::of`]), in the order given.
+    /// A method with each setting ([`Resolution::of`]), in the order given.
     pub fn sweep(
         &self,
         method: Method,
@@ -121,7 +121,7 @@ impl<E: AnyEffect> Problem<E> {
         settings: impl IntoIterator<Item = f64>,
     ) -> Sweep {
         Sweep::over(settings, |setting| {
-            let (reached, work) = self.run(method, variables, Fineness::of(method, setting))?;
+            let (reached, work) = self.run(method, variables, Resolution::of(method, setting))?;
             Ok((self.errors(&reached), work))
         })
     }
@@ -140,13 +140,13 @@ impl<E: AnyEffect> Problem<E> {
         let mut level = 0_u32;
         while level <= finest(method) {
             let setting = at(method, level);
-            let run = self.run_as_usual(method, Fineness::of(method, setting));
+            let run = self.run_as_usual(method, Resolution::of(method, setting));
             let rungs = match run {
                 // Steps far too long for a fast motion overflow, or their stages have no
                 // solution: not delivered.
-                Err(Error::DerivativeNotFinite { .. } | Error::NoConvergence { .. }) => 1,
+                Err(Error::FunctionOutOfRange { .. } | Error::NoConvergence { .. }) => 1,
                 // More steps than a run may take, and a finer one would take more still.
-                Err(Error::TooManySteps { .. }) => return Ok(None),
+                Err(Error::LimitReached { .. }) => return Ok(None),
                 run => {
                     let (reached, work) = run?;
                     let error = self.error(&reached);

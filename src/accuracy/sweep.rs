@@ -114,7 +114,7 @@ pub struct Point {
 /// The runs of a method on one problem, in one measure, from the cheapest to the dearest.
 ///
 /// *Luck.* An error that changes its sign on the way down is tiny in one run and not
-/// in the next. So a level counts as reached only where the next dearer run is below
+/// in the next. So a level counts as reached only where the next more expensive run is below
 /// it too (of the dearest run nothing more can be asked).
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorkPrecision {
@@ -162,11 +162,7 @@ impl WorkPrecision {
         for point in &points {
             positive("work", point.work)?;
             if finite("error", point.error)? < 0.0 {
-                return Err(Error::OutOfRange {
-                    name: "error",
-                    value: point.error,
-                    allowed: "0 or more",
-                });
+                return Err(Error::out_of_range("error", point.error, "0 or more"));
             }
         }
         sort_by_number(&mut points, |point| point.work);
@@ -178,7 +174,7 @@ impl WorkPrecision {
         &self.points
     }
 
-    /// For each run, its error or that of the next dearer run, whichever is larger.
+    /// For each run, its error or that of the next more expensive run, whichever is larger.
     fn dependable(&self) -> impl Iterator<Item = Point> + '_ {
         self.points.iter().enumerate().map(|(i, point)| Point {
             work: point.work,

@@ -141,7 +141,7 @@ impl EulerAngles {
     /// phi' = (w1 sin zeta + w2 cos zeta)/sin theta,
     /// theta' = w1 cos zeta - w2 sin zeta, zeta' = w3 - phi' cos theta.
     ///
-    /// Errors: [`Error::AtPole`] when theta is a multiple of pi to the last
+    /// Errors: [`Error::GimbalLock`] when theta is a multiple of pi to the last
     /// bit: the body axis is vertical, precession and spin are about one line
     /// and cannot be told apart; angles or components that are not finite;
     /// rates beyond the range of `f64`.
@@ -160,7 +160,11 @@ impl EulerAngles {
         let (sin_theta, cos_theta) = math::sincos(self.theta);
         // The double nearest a multiple of pi stands for it.
         if sin_theta.abs() <= EPS * self.theta.abs() {
-            return Err(Error::AtPole { theta: self.theta });
+            return Err(Error::GimbalLock {
+                sequence: "phi, theta, zeta",
+                angle: self.theta,
+                locked: "a multiple of pi, where the body axis is vertical",
+            });
         }
         let (sin_zeta, cos_zeta) = math::sincos(self.zeta);
         let [w1, w2, w3] = angular_velocity.to_array();

@@ -76,11 +76,11 @@ impl Attitude {
         }
         let largest = quaternion.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
         if largest == 0.0 {
-            return Err(Error::OutOfRange {
-                name: "norm of the quaternion",
-                value: 0.0,
-                allowed: "it must be greater than 0",
-            });
+            return Err(Error::out_of_range(
+                "norm of the quaternion",
+                0.0,
+                "it must be greater than 0",
+            ));
         }
         let scale = scale_for_squares(largest);
         let scaled = quaternion.map(|c| c * scale);

@@ -75,7 +75,7 @@ impl DesignedBody {
     /// point. A lever on the principal axes, such as that of a weight, is
     /// [`DesignedBody::to_principal`] of the vector on the drawing.
     ///
-    /// Errors: [`Error::OnALine`](crate::Error::OnALine) for a rod or a point mass, whose
+    /// Errors: [`Error::NotABody`](crate::Error::NotABody) for a rod or a point mass, whose
     /// smallest moment is zero or not above [`InertiaTensor::known_within`].
     /// Tensors of no body are refused by [`InertiaTensor::new`].
     /// Accuracy: moments of a tensor that is given within 15.9 eps of the largest (2.7 where

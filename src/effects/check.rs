@@ -7,10 +7,10 @@ mod tests;
 pub(crate) use kinks::NEAR;
 
 use super::gravity::GRAVITY;
-use super::{AnyEffect, Feature, Holding, Known, Nature};
+use super::{AnyEffect, Feature, Holding, IntegrableCase, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, FINITE, Result, finite, not_negative, positive};
 use crate::frame::SpaceVector;
 use crate::math::EPS;
 
@@ -64,23 +64,23 @@ const PULSE: f64 = 0.1;
 ///
 /// # Errors
 /// [`Error::Contradiction`] with the name of the effect, the claim, and by how much the
-/// torque differs from it; [`Error::NotAFunction`] if the torque of one time and state is not
-/// always the same; [`Error::TwoGravities`]; [`Error::TorqueNotFinite`];
-/// [`Error::TorqueTooLarge`]; a scale, a break point or a width that is not finite, or negative.
+/// torque differs from it, also if the torque of one time and state is not always the same;
+/// [`Error::Incompatible`] for two gravities; [`Error::FunctionOutOfRange`] for a torque that is
+/// not finite, or whose power is not; a scale, a break point or a width that is not finite, or negative.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
 /// use rotation_dynamics::body::{RigidBody, State};
-/// use rotation_dynamics::effects::{Effect, Nature, check};
+/// use rotation_dynamics::effects::{Effect, Properties, check};
 /// use rotation_dynamics::frame::{BodyVector, SpaceVector};
 /// use rotation_dynamics::inertia::PrincipalMoments;
 ///
 /// /// It brakes, and claims to keep the energy.
 /// struct Liar;
 /// impl Effect for Liar {
-///     const NATURE: Nature = Nature {
-///         keeps: rotation_dynamics::effects::Keeps { energy: true, ..Nature::ANYTHING.keeps },
-///         ..Nature::ANYTHING
+///     const PROPERTIES: Properties = Properties {
+///         conserved: rotation_dynamics::effects::Conserved { energy: true, ..Properties::ANYTHING.conserved },
+///         ..Properties::ANYTHING
 ///     };
 ///     fn name(&self) -> &'static str {
 ///         "liar"
@@ -110,7 +110,7 @@ pub fn check<E: AnyEffect>(
 pub(crate) struct Checked<'e> {
     /// With what its laws hold at the start.
     effect: Holding<'e>,
-    nature: Nature,
+    properties: Properties,
     body: RigidBody,
     start: State,
     /// The longest torque that was seen (N m).
@@ -123,7 +123,7 @@ pub(crate) struct Checked<'e> {
 }
 
 impl<'e> Checked<'e> {
-    pub fn new(
+    pub(crate) fn new(
         effect: &'e dyn AnyEffect,
         body: &RigidBody,
         span: [f64; 2],
@@ -131,16 +131,14 @@ impl<'e> Checked<'e> {
     ) -> Result<Self> {
         let names = effect.names();
         if names.iter().filter(|name| **name == GRAVITY).count() > 1 {
-            return Err(Error::TwoGravities {
-                effects: names.join(", "),
-            });
+            return Err(Error::two_gravities(names.join(", ")));
         }
         effect.holds_from(span[0], body, state, &effect.about_axis())?;
         let mut checked = Self::unlooked(effect, body, span, state);
         checked.effect.hold(span[0], body, state)?;
         checked.function(span[0], state)?;
         checked.declared()?;
-        if checked.nature.torque_free && names.is_empty() {
+        if checked.properties.torque_free && names.is_empty() {
             return Ok(checked);
         }
         let places = checked.places(state)?;
@@ -159,7 +157,7 @@ impl<'e> Checked<'e> {
     }
 
     /// An effect that has been looked at before.
-    pub fn unlooked(
+    pub(crate) fn unlooked(
         effect: &'e dyn AnyEffect,
         body: &RigidBody,
         span: [f64; 2],
@@ -169,7 +167,7 @@ impl<'e> Checked<'e> {
         breaks.sort_by(f64::total_cmp);
         Self {
             effect: Holding::new(effect),
-            nature: effect.nature(),
+            properties: effect.properties(),
             body: *body,
             start: *state,
             largest: 0.0,
@@ -180,12 +178,12 @@ impl<'e> Checked<'e> {
     }
 
     /// The effect, with what its laws hold at the start.
-    pub const fn holding(&self) -> &Holding<'e> {
+    pub(crate) const fn holding(&self) -> &Holding<'e> {
         &self.effect
     }
 
     /// The length of the torque at the start (N m).
-    pub fn at_start(&self) -> f64 {
+    pub(crate) fn at_start(&self) -> f64 {
         (self.effect)
             .torque(self.span[0], &self.body, &self.start)
             .norm()
@@ -227,14 +225,27 @@ impl<'e> Checked<'e> {
         if torque.to_array().iter().all(|m| m.is_finite()) {
             return Ok(torque);
         }
-        let [w, x, y, z] = state.attitude.quaternion();
-        let [a, b, c] = state.angular_momentum.to_array();
-        Err(Error::TorqueNotFinite {
-            effect: self.name(),
+        Err(self.refused(t, state, torque, FINITE))
+    }
+
+    fn refused(
+        &self,
+        t: f64,
+        state: &State,
+        torque: SpaceVector,
+        allowed: impl Into<std::borrow::Cow<'static, str>>,
+    ) -> Error {
+        let state = [
+            &state.attitude.quaternion()[..],
+            &state.angular_momentum.to_array(),
+        ];
+        Error::of_function(
+            format!("torque of \"{}\"", self.name()),
             t,
-            state: [w, x, y, z, a, b, c],
-            torque: torque.to_array(),
-        })
+            ("quaternion and momentum", state.concat()),
+            &torque.to_array(),
+            allowed,
+        )
     }
 
     /// The torque, if it is the same again after it was asked for elsewhere: a function of time and
@@ -251,15 +262,12 @@ impl<'e> Checked<'e> {
             self.effect.torque(t, &self.body, &elsewhere);
         }
         let again = self.effect.torque(t, &self.body, state);
-        if again == torque {
-            return Ok(torque);
+        let claim = "that its torque is a function of time and state, which remembers nothing \
+                     (solve one that is held between samples from one sample to the next)";
+        match again == torque {
+            true => Ok(torque),
+            false => Err(self.contradicted(claim, t, (again - torque).norm(), 0.0)),
         }
-        Err(Error::NotAFunction {
-            effect: self.name(),
-            t,
-            first: torque.to_array(),
-            again: again.to_array(),
-        })
     }
 
     fn name(&self) -> String {
@@ -272,13 +280,17 @@ impl<'e> Checked<'e> {
         if off <= allowed.max(f64::MIN_POSITIVE) {
             return Ok(());
         }
-        Err(Error::Contradiction {
+        Err(self.contradicted(claim, t, off, allowed))
+    }
+
+    fn contradicted(&self, claim: &'static str, t: f64, off: f64, allowed: f64) -> Error {
+        Error::Contradiction {
             effect: self.name(),
             claim,
             t,
             off,
             allowed,
-        })
+        }
     }
 
     /// The scale of the torque against its length, both at the same time and in the same state.
@@ -308,7 +320,7 @@ impl<'e> Checked<'e> {
     /// L x slip.
     fn acting(&self, t: f64, state: &State) -> SpaceVector {
         let torque = self.effect.torque(t, &self.body, state);
-        if !self.nature.slips {
+        if !self.properties.slips {
             return torque;
         }
         let slip = self.effect.slip(t, &self.body, state);
@@ -319,11 +331,11 @@ impl<'e> Checked<'e> {
     /// not while the body is turned about its axes or slows down and turns back.
     fn smooth(&self) -> Result<()> {
         let start = &self.start;
-        if !self.nature.smooth {
+        if !self.properties.smooth {
             return self.smooth_beside();
         }
         let [from, to] = self.span;
-        if self.nature.on_time {
+        if self.properties.on_time {
             let (first, last) = (from.min(to), from.max(to));
             let inside = |t: &f64| first < *t && *t < last;
             let breaks = self.breaks.iter().copied().filter(inside);
@@ -333,14 +345,14 @@ impl<'e> Checked<'e> {
             }
         }
         // What sees the axis only has been held to that: a turn about it changes nothing.
-        let axes = if self.nature.axis_only { 2 } else { 3 };
+        let axes = if self.properties.axis_only { 2 } else { 3 };
         for axis in 0..axes {
             self.no_jump([0.0, core::f64::consts::TAU], |angle| {
                 let attitude = start.attitude * Attitude::about_coordinate(axis, angle);
                 self.acting(from, &State { attitude, ..*start })
             })?;
         }
-        if self.nature.on_rates {
+        if self.properties.on_rates {
             self.no_jump([1.0, -1.1], |part| {
                 let angular_momentum = start.angular_momentum * part;
                 let state = State {
@@ -384,7 +396,7 @@ impl<'e> Checked<'e> {
             before = after;
         }
         let mut size = self.size;
-        if self.nature.slips {
+        if self.properties.slips {
             let rate = self.body.angular_velocity(&self.start).norm();
             size = size.max(self.start.angular_momentum.norm() * rate);
         }
@@ -415,7 +427,7 @@ impl<'e> Checked<'e> {
     }
 
     /// The torque on the body as it starts at so many times, of equal distances, and the end.
-    pub fn looked(&self, looks: usize) -> Vec<SpaceVector> {
+    pub(crate) fn looked(&self, looks: usize) -> Vec<SpaceVector> {
         let at = |n| self.torque_at_start(self.look(n, looks));
         (0..=looks).map(at).collect()
     }
@@ -434,7 +446,7 @@ impl<'e> Checked<'e> {
 
     /// The times at which the torque that was [looked at](Self::looked) jumps, each the
     /// first, in the order of the motion, with what it jumps to.
-    pub fn jumps(&self, seen: &[SpaceVector]) -> Vec<f64> {
+    pub(crate) fn jumps(&self, seen: &[SpaceVector]) -> Vec<f64> {
         let looks = seen.len() - 1;
         let step = |n: usize| (seen[n + 1] - seen[n]).norm();
         let size = seen.iter().map(SpaceVector::norm).fold(0.0, f64::max);
@@ -478,7 +490,7 @@ impl<'e> Checked<'e> {
     /// Let a change come and be gone again in s looks each at the least. Where such changes are few,
     /// a step passes 2 s. Where the torque goes to and fro all along, no run takes long steps in
     /// quiet and meets a pulse in one of them: 8 s, about as many s as a step has stages.
-    pub fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
+    pub(crate) fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
         let largest = seen
             .iter()
             .map(SpaceVector::norm)
@@ -494,12 +506,12 @@ impl<'e> Checked<'e> {
     }
 
     /// Every claim, here and now.
-    pub fn at(&self, t: f64, state: &State) -> Result<()> {
-        let (effect, body, nature) = (&self.effect, &self.body, self.nature);
+    pub(crate) fn at(&self, t: f64, state: &State) -> Result<()> {
+        let (effect, body, properties) = (&self.effect, &self.body, self.properties);
         let torque = self.function(t, state)?;
         let slack = ROUNDING * self.size.max(torque.norm());
         let off = |other: SpaceVector| (other - torque).norm();
-        if nature.torque_free {
+        if properties.torque_free {
             self.held("that there is no torque", t, torque.norm(), 0.0)?;
         }
         let pushed = State {
@@ -512,14 +524,14 @@ impl<'e> Checked<'e> {
         self.slip(t, state, later, &pushed)?;
         let rates = "that it does not depend on how the body turns";
         let time = "that it does not depend on the time";
-        if !nature.on_rates {
+        if !properties.on_rates {
             self.held(rates, t, off(effect.torque(t, body, &pushed)), slack)?;
         }
-        if !nature.on_time {
+        if !properties.on_time {
             self.held(time, t, off(effect.torque(later, body, state)), slack)?;
         }
         let axis = state.attitude.axis();
-        if nature.axis_only {
+        if properties.axis_only {
             let attitude = state.attitude * Attitude::about_coordinate(2, 1.2);
             let spun = State { attitude, ..pushed };
             let sees = "that it sees the body's axis only";
@@ -534,8 +546,8 @@ impl<'e> Checked<'e> {
             "that it has no torque about Y",
             "that it has no torque about Z",
         ];
-        for ((kept, m), claim) in nature
-            .keeps
+        for ((kept, m), claim) in properties
+            .conserved
             .momentum
             .into_iter()
             .zip(torque.to_array())
@@ -545,7 +557,7 @@ impl<'e> Checked<'e> {
                 self.held(claim, t, m.abs(), slack)?;
             }
         }
-        if nature.keeps.axial_momentum {
+        if properties.conserved.axial_momentum {
             let claim = "that it has no torque about the body's axis";
             self.held(claim, t, torque.dot(&axis).abs(), slack)?;
         }
@@ -579,7 +591,7 @@ impl<'e> Checked<'e> {
     /// What resists on the piece, with what sees the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (&self.effect, &self.body);
-        let begun = if self.nature.on_time {
+        let begun = if self.properties.on_time {
             self.begun(t)
         } else {
             Some(t)
@@ -596,26 +608,26 @@ impl<'e> Checked<'e> {
 
     /// What turns the body beyond I^-1 L is said, and does what is claimed.
     fn slip(&self, t: f64, state: &State, later: f64, pushed: &State) -> Result<()> {
-        let (effect, body, nature) = (&self.effect, &self.body, self.nature);
+        let (effect, body, properties) = (&self.effect, &self.body, self.properties);
         let slip = effect.slip(t, body, state);
-        if !nature.slips {
+        if !properties.slips {
             let claim = "that nothing but its torque acts (slips: false)";
             return self.held(claim, t, slip.norm(), 0.0);
         }
         let claim = "that it slips and that only a torque on the axis acts, or none";
-        let both = nature.axis_only || nature.torque_free;
+        let both = properties.axis_only || properties.torque_free;
         self.held(claim, t, f64::from(u8::from(both)), 0.0)?;
         let slack = ROUNDING * slip.norm();
         let off = |other: SpaceVector| (other - slip).norm();
-        if !nature.on_rates {
+        if !properties.on_rates {
             let claim = "that its slip does not depend on how the body turns";
             self.held(claim, t, off(effect.slip(t, body, pushed)), slack)?;
         }
-        if !nature.on_time {
+        if !properties.on_time {
             let claim = "that its slip does not depend on the time";
             self.held(claim, t, off(effect.slip(later, body, state)), slack)?;
         }
-        if nature.keeps.axial_momentum && body.moments().is_symmetric() {
+        if properties.conserved.axial_momentum && body.moments().is_symmetric() {
             let claim = "that its slip leaves L_z alone";
             let rate = state.angular_momentum.cross(&slip);
             let slack = slack * state.angular_momentum.norm();
@@ -626,10 +638,10 @@ impl<'e> Checked<'e> {
 
     /// The closed form's torque is the effect's.
     fn known(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
-        let claimed = match self.effect.known() {
-            Known::No => return Ok(()),
-            Known::Free => SpaceVector::zero(),
-            Known::HeavyTop(gravity) => AnyEffect::torque(&gravity, t, &self.body, state),
+        let claimed = match self.effect.integrable_case() {
+            IntegrableCase::None => return Ok(()),
+            IntegrableCase::Free => SpaceVector::zero(),
+            IntegrableCase::HeavyTop(gravity) => AnyEffect::torque(&gravity, t, &self.body, state),
         };
         let claim = "that its motion has a closed form";
         self.held(claim, t, (torque - claimed).norm(), slack)
@@ -649,12 +661,11 @@ impl<'e> Checked<'e> {
             return Ok(());
         }
         if !(torque.norm() * rate).is_finite() {
-            return Err(Error::TorqueTooLarge {
-                effect: self.name(),
-                t,
-                torque: torque.norm(),
-                rate,
-            });
+            let allowed = format!(
+                "on a body that may turn at {rate:.3e} rad/s its power must be finite, at most \
+                 1.8e308 W"
+            );
+            return Err(self.refused(t, state, torque, allowed));
         }
         let acting = self.acting(t, state);
         let size = self.size.max(torque.norm()).max(acting.norm());
@@ -688,20 +699,20 @@ impl<'e> Checked<'e> {
         let late = 4.0 * EPS * t.abs() / step * moving.abs();
 
         let found = acting.dot(&omega) + turning + moving;
-        let power = if self.nature.keeps.energy {
+        let power = if self.properties.conserved.energy {
             0.0
         } else {
             effect.power(t, body, state)
         };
         let off = (found - power).abs();
         // The phases of torque and power are rounded too, by less than goes on in a step.
-        let (part, fastest) = if self.nature.on_time {
+        let (part, fastest) = if self.properties.on_time {
             (POWER.max(step * own), rate.max(own))
         } else {
             (POWER, rate)
         };
         let allowed = part * size * fastest + turning_rounding + moving_rounding + late;
-        let claim = if self.nature.keeps.energy {
+        let claim = if self.properties.conserved.energy {
             "that it keeps the energy"
         } else {
             "at what power it changes the energy"

@@ -1,6 +1,6 @@
 //! A torque from a closure.
 
-use super::{Effect, Feature, Nature};
+use super::{Effect, Feature, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -133,19 +133,19 @@ pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
     }
     match times.windows(2).position(|pair| pair[0] >= pair[1]) {
         None => Ok(times.to_vec()),
-        Some(index) => Err(Error::NotRising {
+        Some(index) => Err(Error::not_rising(
             name,
-            index: index + 1,
-            before: times[index],
-            value: times[index + 1],
-        }),
+            index + 1,
+            times[index],
+            times[index + 1],
+        )),
     }
 }
 
 impl<const SMOOTH: bool> Effect for Torque<'_, SMOOTH> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         smooth: SMOOTH,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

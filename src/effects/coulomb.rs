@@ -1,8 +1,8 @@
 //! Dry friction about the axis, until the spin stops.
 
-use super::{Effect, Feature, Nature, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result, finite, not_negative};
+use crate::error::{Error, Result, finite, not_negative, plain};
 use crate::frame::SpaceVector;
 use crate::math::{EPS, Lane};
 
@@ -25,9 +25,9 @@ const ROUNDING: f64 = 64.0 * EPS;
 ///
 /// That is why the effect belongs to one body and one start, and to a scene without
 /// another torque about the axis. [`Scene::solve`](crate::scene::Scene::solve) and
-/// [`check`](super::check) refuse it in a scene with an effect whose nature does not keep
-/// L_z ([`Error::NotAlone`]), and from a state that is not on the motion for which it was
-/// made ([`Error::OtherMotion`]). An integrator called by itself does not look.
+/// [`check`](super::check) refuse it in a scene with an effect whose properties do not keep
+/// L_z ([`Error::Incompatible`]), and from a state that is not on the motion for which it was
+/// made (the same error). An integrator called by itself does not look.
 ///
 /// Valid for dry and rolling bearings under constant load at speeds at which the
 /// coefficient of friction is constant: tau = mu N r for a bearing of radius r that
@@ -120,19 +120,19 @@ fn symmetric(body: &RigidBody) -> Result<()> {
     if moments.is_symmetric() {
         return Ok(());
     }
-    Err(Error::OutOfRange {
-        name: "I2 - I1",
-        value: moments.i2() - moments.i1(),
-        allowed: "0, a symmetric body: of another the motion itself changes L_z, so the \
+    Err(Error::out_of_range(
+        "I2 - I1",
+        moments.i2() - moments.i1(),
+        "0, a symmetric body: of another the motion itself changes L_z, so the \
                   time at which a Coulomb bearing stops it is not known",
-    })
+    ))
 }
 
 impl Effect for CoulombBearing {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {
@@ -191,22 +191,24 @@ impl Effect for CoulombBearing {
             others.remove(this);
         }
         if !others.is_empty() {
-            return Err(Error::NotAlone {
-                effect: NAME,
-                others: others.join(", "),
-            });
+            let others = others.join(", ");
+            let reason = format!(
+                "\"{NAME}\" must be the only torque about the body's axis; here are also: {others}"
+            );
+            return Err(Error::incompatible(others, reason));
         }
         let (value, expected) = (body.angular_momentum(start).z(), self.axial_momentum(t));
         let scale = start.angular_momentum.norm().max(self.axial_momentum.abs());
         if (value - expected).abs() <= ROUNDING * scale {
             return Ok(());
         }
-        Err(Error::OtherMotion {
-            effect: NAME,
-            name: "L_z",
-            t,
-            value,
-            expected,
-        })
+        let reason = format!(
+            "\"{NAME}\" was made for a motion in which L_z is {} at t = {}, and here it is {}: \
+             make it anew from this body and this start",
+            plain(expected),
+            plain(t),
+            plain(value)
+        );
+        Err(Error::incompatible(NAME.into(), reason))
     }
 }

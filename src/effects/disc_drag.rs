@@ -1,6 +1,6 @@
 //! The drag of still air on a disc that spins.
 
-use super::{Effect, Feature, Nature, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
@@ -147,9 +147,9 @@ fn regime(reynolds: f64) -> Regime {
 }
 
 impl Effect for DiscDrag {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

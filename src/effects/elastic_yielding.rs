@@ -1,6 +1,6 @@
 //! A body whose figure follows its axis of rotation, in part.
 
-use super::{Effect, Feature, Keeps, Nature};
+use super::{Conserved, Effect, Feature, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, not_negative, positive};
@@ -117,11 +117,11 @@ impl ElasticYielding {
         positive("mean rate", rate)?;
         let following = part * bulge(body);
         if following < 0.0 || (following == 0.0 && part != 0.0) {
-            return Err(Error::OutOfRange {
-                name: "part of the bulge that follows times the bulge",
-                value: following,
-                allowed: "a part above 0 of a body with I3 above (I1 + I2)/2, or 0",
-            });
+            return Err(Error::out_of_range(
+                "part of the bulge that follows times the bulge",
+                following,
+                "a part above 0 of a body with I3 above (I1 + I2)/2, or 0",
+            ));
         }
         Self::new(following / (rate * rate), rate)
     }
@@ -235,12 +235,12 @@ fn bulge(body: &RigidBody) -> f64 {
 }
 
 impl Effect for ElasticYielding {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
         slips: true,
-        keeps: Keeps::ALL,
-        ..Nature::ANYTHING
+        conserved: Conserved::ALL,
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Effect, Feature, Keeps, Known, Nature, Part, Resistance, each};
+use super::{Conserved, Effect, Feature, IntegrableCase, Part, Properties, Resistance, each};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -11,8 +11,8 @@ use crate::math::Lane;
 /// `Effect`, and box it. What each function gives is said there. Do not import this trait beside
 /// `Effect`: their functions have the same names.
 pub trait AnyEffect {
-    /// [`Effect::NATURE`].
-    fn nature(&self) -> Nature;
+    /// [`Effect::PROPERTIES`].
+    fn properties(&self) -> Properties;
     /// [`Effect::torque`].
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     /// [`Effect::torques_on_axis`] of one axis.
@@ -33,8 +33,8 @@ pub trait AnyEffect {
     fn break_points(&self) -> Vec<f64>;
     /// [`Effect::narrowest`].
     fn narrowest(&self) -> Option<Feature>;
-    /// [`Effect::known`].
-    fn known(&self) -> Known;
+    /// [`Effect::integrable_case`].
+    fn integrable_case(&self) -> IntegrableCase;
     /// [`Effect::parts`].
     fn parts(&self) -> Vec<Part<'_>>;
     /// [`Effect::names`].
@@ -56,8 +56,8 @@ pub trait AnyEffect {
 
 impl<E: Effect> AnyEffect for E {
     #[inline]
-    fn nature(&self) -> Nature {
-        E::NATURE
+    fn properties(&self) -> Properties {
+        E::PROPERTIES
     }
     #[inline]
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
@@ -93,8 +93,8 @@ impl<E: Effect> AnyEffect for E {
     fn narrowest(&self) -> Option<Feature> {
         Effect::narrowest(self)
     }
-    fn known(&self) -> Known {
-        Effect::known(self)
+    fn integrable_case(&self) -> IntegrableCase {
+        Effect::integrable_case(self)
     }
     fn parts(&self) -> Vec<Part<'_>> {
         Effect::parts(self)
@@ -119,21 +119,21 @@ impl<E: Effect> AnyEffect for E {
 /// Effects behind a pointer as an effect again, so that methods are compiled once for all that
 /// see the axis only (and, if `VERTICAL`, leave L_Z alone), for all that slip, and for all others.
 /// On lanes one torque after the other: the same bits.
-pub(crate) struct Behind<'e, const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool>(
+pub(crate) struct EffectRef<'e, const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool>(
     pub &'e dyn AnyEffect,
 );
 
 impl<const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool> Effect
-    for Behind<'_, AXIS_ONLY, SLIPS, VERTICAL>
+    for EffectRef<'_, AXIS_ONLY, SLIPS, VERTICAL>
 {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         axis_only: AXIS_ONLY,
         slips: SLIPS,
-        keeps: Keeps {
+        conserved: Conserved {
             momentum: [false, false, VERTICAL],
-            ..Keeps::NONE
+            ..Conserved::NONE
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

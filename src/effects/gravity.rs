@@ -1,6 +1,6 @@
 //! Gravity on a body held at a point of its axis.
 
-use super::{Effect, Feature, Keeps, Known, Nature};
+use super::{Conserved, Effect, Feature, IntegrableCase, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
@@ -73,18 +73,18 @@ impl GravityAtLever {
 }
 
 impl Effect for GravityAtLever {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         axis_only: true,
         on_rates: false,
         on_time: false,
         smooth: true,
         weight: true,
-        keeps: Keeps {
+        conserved: Conserved {
             energy: true,
             momentum: [false, false, true],
             axial_momentum: true,
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {
@@ -116,7 +116,7 @@ impl Effect for GravityAtLever {
         Some(Feature::WIDE)
     }
 
-    fn known(&self) -> Known {
-        Known::HeavyTop(*self)
+    fn integrable_case(&self) -> IntegrableCase {
+        IntegrableCase::HeavyTop(*self)
     }
 }

@@ -1,7 +1,10 @@
 //! Gravity on a body held at any of its points.
 
 use super::gravity::GRAVITY;
-use super::{Effect, Feature, GravityAtLever, Keeps, Known, Nature, Resistance, part_per_radian};
+use super::{
+    Conserved, Effect, Feature, GravityAtLever, IntegrableCase, Properties, Resistance,
+    part_per_radian,
+};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -87,17 +90,17 @@ impl Gravity {
 }
 
 impl Effect for Gravity {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         on_time: false,
         smooth: true,
         weight: true,
-        keeps: Keeps {
+        conserved: Conserved {
             energy: true,
             momentum: [false, false, true],
             axial_momentum: false,
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {
@@ -125,15 +128,15 @@ impl Effect for Gravity {
 
     /// On the axis it sees nothing else.
     fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
-        (self.known() != Known::No).then_some(Resistance::NONE)
+        (self.integrable_case() != IntegrableCase::None).then_some(Resistance::NONE)
     }
 
     /// On the axis it is the gravity of a top.
-    fn known(&self) -> Known {
+    fn integrable_case(&self) -> IntegrableCase {
         let [x, y, z] = self.centre_of_mass.to_array();
         match GravityAtLever::new(self.weight, z) {
-            Ok(on_axis) if x == 0.0 && y == 0.0 => Known::HeavyTop(on_axis),
-            _ => Known::No,
+            Ok(on_axis) if x == 0.0 && y == 0.0 => IntegrableCase::HeavyTop(on_axis),
+            _ => IntegrableCase::None,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The torque of an attracting body on a satellite.
 
-use super::{Effect, Feature, Keeps, Nature};
+use super::{Conserved, Effect, Feature, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -73,11 +73,11 @@ impl GravityGradient {
         let towards = unit(TOWARDS, towards)?;
         let along = normal.dot(&towards);
         if along.abs() > 1e-9 {
-            return Err(Error::OutOfRange {
-                name: "cosine of the angle between normal and towards",
-                value: along,
-                allowed: "0: the attracting body lies in the plane of the orbit",
-            });
+            return Err(Error::out_of_range(
+                "cosine of the angle between normal and towards",
+                along,
+                "0: the attracting body lies in the plane of the orbit",
+            ));
         }
         let towards = unit(TOWARDS, towards - normal * along)?;
         Ok(Self {
@@ -192,15 +192,15 @@ pub(super) fn deviations(body: &RigidBody) -> [f64; 3] {
 }
 
 impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         on_time: !FIXED,
         smooth: true,
-        keeps: Keeps {
+        conserved: Conserved {
             energy: FIXED,
-            ..Keeps::NONE
+            ..Conserved::NONE
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! A body that loses energy inside, with nothing from outside acting.
 
-use super::{Effect, Feature, Keeps, Nature};
+use super::{Conserved, Effect, Feature, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, positive};
 use crate::frame::SpaceVector;
@@ -84,15 +84,15 @@ impl InternalDissipation {
 }
 
 impl Effect for InternalDissipation {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
         slips: true,
-        keeps: Keeps {
+        conserved: Conserved {
             momentum: [true; 3],
-            ..Keeps::NONE
+            ..Conserved::NONE
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

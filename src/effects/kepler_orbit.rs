@@ -88,11 +88,11 @@ impl KeplerOrbit {
         positive("period", period)?;
         eccentric(eccentricity)?;
         if eccentricity >= 1.0 {
-            return Err(Error::OutOfRange {
-                name: "eccentricity",
-                value: eccentricity,
-                allowed: "less than 1: other orbits have no period",
-            });
+            return Err(Error::out_of_range(
+                "eccentricity",
+                eccentricity,
+                "less than 1: other orbits have no period",
+            ));
         }
         let alpha = 1.0 - eccentricity;
         let rate = TAU / period / (alpha * alpha.sqrt());
@@ -321,11 +321,11 @@ const NOWHERE: SpaceVector = SpaceVector::new(f64::NAN, f64::NAN, f64::NAN);
 fn eccentric(eccentricity: f64) -> Result<()> {
     finite("eccentricity", eccentricity)?;
     if eccentricity < 0.0 {
-        return Err(Error::OutOfRange {
-            name: "eccentricity",
-            value: eccentricity,
-            allowed: "0 for a circle, or more",
-        });
+        return Err(Error::out_of_range(
+            "eccentricity",
+            eccentricity,
+            "0 for a circle, or more",
+        ));
     }
     Ok(())
 }

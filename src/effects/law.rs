@@ -1,8 +1,8 @@
 //! Effects that go on in pieces: what a run holds of them from one time to the next.
 
-use super::{AnyEffect, Effect, Feature, Known, Nature, Resistance};
+use super::{AnyEffect, Effect, Feature, IntegrableCase, Properties, Resistance};
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result};
+use crate::error::{Error, FINITE, Result};
 use crate::frame::SpaceVector;
 
 /// An effect that goes on in pieces, each of them smooth: a command that is sampled and held, a
@@ -75,7 +75,7 @@ pub(crate) struct Holding<'e> {
 }
 
 impl<'e> Holding<'e> {
-    pub fn new(whole: &'e dyn AnyEffect) -> Self {
+    pub(crate) fn new(whole: &'e dyn AnyEffect) -> Self {
         let mut parts = whole.parts();
         if parts.iter().all(|part| part.law.is_none()) {
             parts.clear();
@@ -88,27 +88,27 @@ impl<'e> Holding<'e> {
     }
 
     /// The laws, with their numbers among the parts.
-    pub fn laws(&self) -> impl Iterator<Item = (usize, &'e dyn Law)> + '_ {
+    pub(crate) fn laws(&self) -> impl Iterator<Item = (usize, &'e dyn Law)> + '_ {
         (self.parts.iter().enumerate()).filter_map(|(n, part)| Some((n, part.law?)))
     }
 
-    pub fn has_laws(&self) -> bool {
+    pub(crate) fn has_laws(&self) -> bool {
         !self.parts.is_empty()
     }
 
     /// What the part of this number is called.
-    pub fn name_of(&self, part: usize) -> String {
+    pub(crate) fn name_of(&self, part: usize) -> String {
         self.parts[part].effect.names().join(" and ")
     }
 
     /// The first sample after `t`.
-    pub fn next_sample(&self, t: f64) -> f64 {
+    pub(crate) fn next_sample(&self, t: f64) -> f64 {
         let samples = self.laws().map(|(_, law)| law.next_sample(t));
         samples.fold(f64::INFINITY, f64::min)
     }
 
     /// About how many samples there are between two times.
-    pub fn samples(&self, [from, to]: [f64; 2]) -> f64 {
+    pub(crate) fn samples(&self, [from, to]: [f64; 2]) -> f64 {
         let of_law = |(_, law): (usize, &dyn Law)| {
             let first = law.next_sample(from);
             let dt = law.next_sample(first) - first;
@@ -122,21 +122,24 @@ impl<'e> Holding<'e> {
     }
 
     /// Holds what every law holds from `t` on.
-    pub fn hold(&mut self, t: f64, body: &RigidBody, state: &State) -> Result<()> {
+    pub(crate) fn hold(&mut self, t: f64, body: &RigidBody, state: &State) -> Result<()> {
         let before = core::mem::replace(&mut self.held, vec![[0.0; 3]; self.parts.len()]);
         for (n, part) in self.parts.iter().enumerate() {
             let Some(law) = part.law else { continue };
             let held = law.held(before.get(n).copied(), t, body, state);
             self.held[n] = held;
             if !held.iter().all(|h| h.is_finite()) {
-                let [w, x, y, z] = state.attitude.quaternion();
-                let [a, b, c] = state.angular_momentum.to_array();
-                return Err(Error::TorqueNotFinite {
-                    effect: self.name_of(n),
+                let state = [
+                    &state.attitude.quaternion()[..],
+                    &state.angular_momentum.to_array(),
+                ];
+                return Err(Error::of_function(
+                    format!("torque of \"{}\"", self.name_of(n)),
                     t,
-                    state: [w, x, y, z, a, b, c],
-                    torque: held,
-                });
+                    ("quaternion and momentum", state.concat()),
+                    &held,
+                    FINITE,
+                ));
             }
         }
         Ok(())
@@ -201,8 +204,8 @@ impl AnyEffect for Holding<'_> {
         self.sum(t, body, state, size, |torque| torque.norm())
     }
 
-    fn nature(&self) -> Nature {
-        self.whole.nature()
+    fn properties(&self) -> Properties {
+        self.whole.properties()
     }
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
         self.whole.torque_on_axis(body, axis)
@@ -222,8 +225,8 @@ impl AnyEffect for Holding<'_> {
     fn narrowest(&self) -> Option<Feature> {
         self.whole.narrowest()
     }
-    fn known(&self) -> Known {
-        self.whole.known()
+    fn integrable_case(&self) -> IntegrableCase {
+        self.whole.integrable_case()
     }
     fn parts(&self) -> Vec<Part<'_>> {
         self.whole.parts()

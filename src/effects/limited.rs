@@ -1,6 +1,6 @@
 //! A law that saturates, and one with a dead band.
 
-use super::{Effect, Feature, Law, Nature, Part, Torque};
+use super::{Effect, Feature, Law, Part, Properties, Torque};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -100,7 +100,7 @@ impl<const SMOOTH: bool> Limited<'_, SMOOTH> {
 }
 
 impl<const SMOOTH: bool> Effect for Limited<'_, SMOOTH> {
-    const NATURE: Nature = Torque::<SMOOTH>::NATURE;
+    const PROPERTIES: Properties = Torque::<SMOOTH>::PROPERTIES;
 
     fn name(&self) -> &'static str {
         self.law.name()

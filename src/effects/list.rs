@@ -1,6 +1,6 @@
 //! Effects that are chosen at run time.
 
-use super::{AnyEffect, Feature, Known, Nature, Part, Resistance};
+use super::{AnyEffect, Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result};
 use crate::frame::SpaceVector;
@@ -49,14 +49,12 @@ impl EffectList {
     /// These effects together, in this order.
     ///
     /// # Errors
-    /// [`Error::TwoGravities`]: a body has one weight.
+    /// [`Error::Incompatible`]: a body has one weight.
     pub fn new(effects: Vec<BoxedEffect>) -> Result<Self> {
         let list = Self(effects);
-        let weights = list.0.iter().filter(|effect| effect.nature().weight);
+        let weights = list.0.iter().filter(|effect| effect.properties().weight);
         if weights.count() > 1 {
-            return Err(Error::TwoGravities {
-                effects: list.names().join(", "),
-            });
+            return Err(Error::two_gravities(list.names().join(", ")));
         }
         Ok(list)
     }
@@ -78,9 +76,9 @@ impl fmt::Debug for EffectList {
 
 /// As pairs are effects, one after the other.
 impl AnyEffect for EffectList {
-    fn nature(&self) -> Nature {
-        let natures = self.0.iter().map(|effect| effect.nature());
-        natures.fold(Nature::NOTHING, Nature::and)
+    fn properties(&self) -> Properties {
+        let natures = self.0.iter().map(|effect| effect.properties());
+        natures.fold(Properties::NOTHING, Properties::and)
     }
 
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
@@ -101,7 +99,7 @@ impl AnyEffect for EffectList {
     }
 
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        let slipping = self.0.iter().filter(|effect| effect.nature().slips);
+        let slipping = self.0.iter().filter(|effect| effect.properties().slips);
         let slips = slipping.map(|effect| effect.slip(t, body, state));
         slips
             .reduce(|sum, slip| sum + slip)
@@ -134,10 +132,10 @@ impl AnyEffect for EffectList {
         })
     }
 
-    fn known(&self) -> Known {
-        self.0
-            .iter()
-            .fold(Known::Free, |all, effect| all.and(effect.known()))
+    fn integrable_case(&self) -> IntegrableCase {
+        self.0.iter().fold(IntegrableCase::Free, |all, effect| {
+            all.and(effect.integrable_case())
+        })
     }
 
     fn parts(&self) -> Vec<Part<'_>> {

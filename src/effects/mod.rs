@@ -1,7 +1,7 @@
 //! Effects: what acts on a body, one file per effect.
 //!
 //! An [`Effect`] says its torque once, from time, body and state. What else it says of
-//! itself (its [`Nature`], its potential, the times at which it jumps) opens faster roads,
+//! itself (its [`Properties`], its potential, the times at which it jumps) opens faster roads,
 //! and all of it is held against that torque by [`check`]. Effects are composed in the
 //! type: `()` is no effect, and a pair of effects is an effect. What a scene does not name
 //! is not stored, not called and not asked about. An effect that a flag may leave out is an
@@ -48,11 +48,11 @@ mod kepler_orbit;
 mod law;
 mod limited;
 mod list;
-mod nature;
 mod optional;
 mod orbiting_body;
 mod pair;
 mod prescribed;
+mod properties;
 mod resistance;
 mod sampled;
 mod switched;
@@ -66,7 +66,7 @@ pub use coulomb::CoulombBearing;
 pub use disc_drag::{DiscDrag, Regime};
 pub use elastic_yielding::ElasticYielding;
 pub use erased::AnyEffect;
-pub(crate) use erased::Behind;
+pub(crate) use erased::EffectRef;
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
@@ -76,9 +76,9 @@ pub(crate) use law::Holding;
 pub use law::{Law, Part};
 pub use limited::Limited;
 pub use list::{BoxedEffect, EffectList};
-pub use nature::{Feature, Keeps, Known, Nature};
 pub use orbiting_body::OrbitingBody;
 pub use prescribed::{PrescribedTorque, Profile};
+pub use properties::{Conserved, Feature, IntegrableCase, Properties};
 pub use resistance::Resistance;
 pub use sampled::SampledControl;
 pub use switched::Switched;
@@ -93,13 +93,13 @@ use crate::math::lane::WIDEST;
 
 /// Something that acts on a body.
 ///
-/// An effect of your own needs its nature, its name and its torque. [`Nature::ANYTHING`]
+/// An effect of your own needs its properties, its name and its torque. [`Properties::ANYTHING`]
 /// claims nothing and is always true of an effect that has no potential; every claim beyond it is checked ([`check`]), at the
 /// start of a solution and along the way, and one that the torque contradicts is refused.
 ///
 /// ```
 /// use rotation_dynamics::body::{RigidBody, State};
-/// use rotation_dynamics::effects::{Effect, Nature};
+/// use rotation_dynamics::effects::{Effect, Properties};
 /// use rotation_dynamics::frame::SpaceVector;
 ///
 /// /// A brake that takes a part of the momentum every second.
@@ -108,7 +108,7 @@ use crate::math::lane::WIDEST;
 /// }
 ///
 /// impl Effect for Brake {
-///     const NATURE: Nature = Nature { on_time: false, smooth: true, ..Nature::ANYTHING };
+///     const PROPERTIES: Properties = Properties { on_time: false, smooth: true, ..Properties::ANYTHING };
 ///
 ///     fn name(&self) -> &'static str {
 ///         "brake"
@@ -132,7 +132,7 @@ use crate::math::lane::WIDEST;
 pub trait Effect {
     /// What the torque depends on, and what it leaves alone, whatever the state: true of every value
     /// of the type.
-    const NATURE: Nature;
+    const PROPERTIES: Properties;
 
     /// What the effect is called.
     fn name(&self) -> &'static str;
@@ -145,7 +145,7 @@ pub trait Effect {
 
     /// The torque on bodies whose axes have these directions, side by side, with the same
     /// bits: asked for only of effects that see nothing but the axis
-    /// ([`Nature::axis_only`]), and of those with a [`resistance`](Self::resistance), which
+    /// ([`Properties::axis_only`]), and of those with a [`resistance`](Self::resistance), which
     /// leave it out here.
     ///
     /// This form asks for [`torque`](Self::torque) one after the other. An effect that
@@ -163,20 +163,20 @@ pub trait Effect {
     /// [`torques_on_axis`](Self::torques_on_axis) gives: nothing, or an effect that sees the
     /// axis only and is smooth. `None` makes no claim.
     fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
-        let nature = Self::NATURE;
-        (nature.axis_only && nature.smooth).then_some(Resistance::NONE)
+        let properties = Self::PROPERTIES;
+        (properties.axis_only && properties.smooth).then_some(Resistance::NONE)
     }
 
     /// The angular velocity, on the fixed axes (rad/s), that the body's axes have beyond
-    /// I^-1 L: of a body that is not quite rigid. Asked for only of effects whose nature
-    /// says that they slip ([`Nature::slips`]).
+    /// I^-1 L: of a body that is not quite rigid. Asked for only of effects whose properties
+    /// says that they slip ([`Properties::slips`]).
     #[inline(always)]
     fn slip(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
         SpaceVector::zero()
     }
 
     /// The potential energy U (J); 0 for an effect that has none. One that has a potential either
-    /// claims that it [keeps the energy](Keeps::energy) or gives its own [`power`](Self::power).
+    /// claims that it [keeps the energy](Conserved::energy) or gives its own [`power`](Self::power).
     fn potential_energy(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }
@@ -187,12 +187,12 @@ pub trait Effect {
     /// Where the body slips, too, through a potential, [`Scene::power`](crate::scene::Scene::power)
     /// adds what that makes.
     fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        if Self::NATURE.keeps.energy {
+        if Self::PROPERTIES.conserved.energy {
             return 0.0;
         }
         let omega = state.attitude.to_space(body.angular_velocity(state));
         let torque = self.torque(t, body, state);
-        if Self::NATURE.slips {
+        if Self::PROPERTIES.slips {
             let slip = self.slip(t, body, state);
             return (torque + state.angular_momentum.cross(&slip)).dot(&omega);
         }
@@ -213,7 +213,7 @@ pub trait Effect {
     }
 
     /// The times (s) at which the torque jumps or has a kink: solutions are cut there, and
-    /// between them the effect is as smooth as its nature says.
+    /// between them the effect is as smooth as its properties says.
     fn break_points(&self) -> Vec<f64> {
         Vec::new()
     }
@@ -225,8 +225,8 @@ pub trait Effect {
     }
 
     /// The motion under this effect alone, if it is one of those with a closed form.
-    fn known(&self) -> Known {
-        Known::No
+    fn integrable_case(&self) -> IntegrableCase {
+        IntegrableCase::None
     }
 
     /// Whether the effect holds in a scene with this body and a start at the time `t` (s),
@@ -247,7 +247,7 @@ pub trait Effect {
 
     /// The names of those that may have a torque about the body's axis.
     fn about_axis(&self) -> Vec<&'static str> {
-        if Self::NATURE.keeps.axial_momentum {
+        if Self::PROPERTIES.conserved.axial_momentum {
             Vec::new()
         } else {
             vec![self.name()]

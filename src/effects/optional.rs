@@ -1,6 +1,6 @@
 //! An effect that a program decides on while it runs.
 
-use super::{Effect, Feature, Known, Nature, Part, Resistance};
+use super::{Effect, Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -35,7 +35,7 @@ use crate::math::Lane;
 /// # }
 /// ```
 impl<E: Effect> Effect for Option<E> {
-    const NATURE: Nature = E::NATURE;
+    const PROPERTIES: Properties = E::PROPERTIES;
 
     fn name(&self) -> &'static str {
         self.as_ref().map_or("nothing", E::name)
@@ -96,8 +96,9 @@ impl<E: Effect> Effect for Option<E> {
         self.as_ref().map_or(Some(Feature::WIDE), E::narrowest)
     }
 
-    fn known(&self) -> Known {
-        self.as_ref().map_or(Known::Free, E::known)
+    fn integrable_case(&self) -> IntegrableCase {
+        self.as_ref()
+            .map_or(IntegrableCase::Free, E::integrable_case)
     }
 
     fn holds_from(

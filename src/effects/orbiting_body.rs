@@ -1,7 +1,7 @@
 //! The torque of an attracting body on an orbit that is given: Sun, Moon, a planet.
 
 use super::gravity_gradient::{deviations, extremes, torque_towards};
-use super::{Effect, Feature, KeplerOrbit, Nature};
+use super::{Effect, Feature, KeplerOrbit, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
@@ -86,11 +86,11 @@ impl OrbitingBody {
     /// An orbit that does not close.
     pub fn averaged(&self) -> Result<OrbitingBody<true>> {
         if self.orbit.period() == f64::INFINITY {
-            return Err(Error::OutOfRange {
-                name: "eccentricity",
-                value: self.orbit.eccentricity(),
-                allowed: "less than 1: other orbits have no mean",
-            });
+            return Err(Error::out_of_range(
+                "eccentricity",
+                self.orbit.eccentricity(),
+                "less than 1: other orbits have no mean",
+            ));
         }
         Ok(OrbitingBody {
             gravitational_parameter: self.gravitational_parameter,
@@ -141,10 +141,10 @@ impl<const AVERAGED: bool> OrbitingBody<AVERAGED> {
 }
 
 impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

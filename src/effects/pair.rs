@@ -1,6 +1,6 @@
 //! No effect, and two effects together.
 
-use super::{Effect, Feature, Known, Nature, Part, Resistance};
+use super::{Effect, Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -8,7 +8,7 @@ use crate::math::Lane;
 
 /// No effect.
 impl Effect for () {
-    const NATURE: Nature = Nature::NOTHING;
+    const PROPERTIES: Properties = Properties::NOTHING;
 
     fn name(&self) -> &'static str {
         "nothing"
@@ -33,8 +33,8 @@ impl Effect for () {
         Some(Feature::WIDE)
     }
 
-    fn known(&self) -> Known {
-        Known::Free
+    fn integrable_case(&self) -> IntegrableCase {
+        IntegrableCase::Free
     }
 
     fn parts(&self) -> Vec<Part<'_>> {
@@ -48,7 +48,7 @@ impl Effect for () {
 
 /// Two effects together.
 impl<A: Effect, B: Effect> Effect for (A, B) {
-    const NATURE: Nature = A::NATURE.and(B::NATURE);
+    const PROPERTIES: Properties = A::PROPERTIES.and(B::PROPERTIES);
 
     fn name(&self) -> &'static str {
         "two effects"
@@ -73,7 +73,7 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
 
     #[inline(always)]
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        match (A::NATURE.slips, B::NATURE.slips) {
+        match (A::PROPERTIES.slips, B::PROPERTIES.slips) {
             (false, false) => SpaceVector::zero(),
             (true, false) => self.0.slip(t, body, state),
             (false, true) => self.1.slip(t, body, state),
@@ -110,8 +110,8 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         Some(self.0.narrowest()?.and(self.1.narrowest()?))
     }
 
-    fn known(&self) -> Known {
-        self.0.known().and(self.1.known())
+    fn integrable_case(&self) -> IntegrableCase {
+        self.0.integrable_case().and(self.1.integrable_case())
     }
 
     fn holds_from(

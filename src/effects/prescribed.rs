@@ -1,6 +1,6 @@
 //! A torque known as a function of time.
 
-use super::{Effect, Feature, Nature, part_per_radian, rising};
+use super::{Effect, Feature, Properties, part_per_radian, rising};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -264,10 +264,10 @@ impl PrescribedTorque {
 }
 
 impl Effect for PrescribedTorque {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

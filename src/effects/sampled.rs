@@ -1,6 +1,6 @@
 //! A command that is sampled and held.
 
-use super::{Effect, Feature, Law, Nature, Part, Torque};
+use super::{Effect, Feature, Law, Part, Properties, Torque};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -90,11 +90,11 @@ impl SampledControl<'_> {
 }
 
 impl Effect for SampledControl<'_> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         on_time: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

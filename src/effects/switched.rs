@@ -1,6 +1,6 @@
 //! A torque that switches with the state.
 
-use super::{Effect, Feature, Law, Nature, Part, Torque};
+use super::{Effect, Feature, Law, Part, Properties, Torque};
 use crate::body::{RigidBody, State};
 use crate::frame::SpaceVector;
 use core::fmt;
@@ -71,7 +71,7 @@ impl<'f, const SMOOTH: bool> Switched<'f, SMOOTH> {
 }
 
 impl<const SMOOTH: bool> Effect for Switched<'_, SMOOTH> {
-    const NATURE: Nature = Torque::<SMOOTH>::NATURE;
+    const PROPERTIES: Properties = Torque::<SMOOTH>::PROPERTIES;
 
     fn name(&self) -> &'static str {
         self.name

@@ -1,6 +1,6 @@
 //! Friction in proportion to the rates.
 
-use super::{Effect, Feature, Nature, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance, part_per_radian};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, not_negative};
 use crate::frame::{BodyVector, SpaceVector};
@@ -87,10 +87,10 @@ impl ViscousFriction {
 }
 
 impl Effect for ViscousFriction {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -126,7 +126,7 @@ impl<B: Branchless<Row>> Sampler<7> for Block<B> {
 
 impl<B: Branchless<Row>> Blocks<B> {
     /// Of motions with their numbers.
-    pub fn new<M: Gathered<Rows = B>>(motions: &[(usize, M)]) -> Self {
+    pub(super) fn new<M: Gathered<Rows = B>>(motions: &[(usize, M)]) -> Self {
         let block = |motions: &[(usize, M)]| {
             let each: [_; WIDEST] = core::array::from_fn(|k| motions[k.min(motions.len() - 1)]);
             Block {
@@ -141,7 +141,7 @@ impl<B: Branchless<Row>> Blocks<B> {
 
     /// Puts the state of each motion at time `t` where its number says: `near` reads it from
     /// what the lanes give, `far` is asked for those of a block that does not reach as far.
-    pub fn fill(
+    pub(super) fn fill(
         &self,
         t: f64,
         states: &mut [Kinematics],

@@ -126,13 +126,7 @@ impl Scaling {
         arguments: [(&'static str, f64); N],
         not_zero: &[&'static str],
     ) -> Result<Self> {
-        let refused = |(name, value), allowed| {
-            Err(Error::OutOfRange {
-                name,
-                value,
-                allowed,
-            })
-        };
+        let refused = |(name, value), allowed| Err(Error::out_of_range(name, value, allowed));
         let mut largest = arguments[0];
         let mut zero_before = false;
         for (name, value) in arguments {
@@ -175,11 +169,11 @@ impl Scaling {
             Ok(result)
         } else {
             let (name, value) = self.largest;
-            Err(Error::OutOfRange {
+            Err(Error::out_of_range(
                 name,
                 value,
-                allowed: "the integral must lie between 2.3e-308 and 1.7e308",
-            })
+                "the integral must lie between 2.3e-308 and 1.7e308",
+            ))
         }
     }
 }

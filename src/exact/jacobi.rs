@@ -166,11 +166,11 @@ impl Jacobi {
     fn evaluate(&self, u: f64) -> Result<(f64, [Dd; 3])> {
         finite("u", u)?;
         if u.abs() > 1e15 * self.quarter_period() {
-            return Err(Error::OutOfRange {
-                name: "u",
-                value: u,
-                allowed: "its size must not exceed 1e15 quarter periods",
-            });
+            return Err(Error::out_of_range(
+                "u",
+                u,
+                "its size must not exceed 1e15 quarter periods",
+            ));
         }
         let u = Dd::from(u);
         match &self.regime {

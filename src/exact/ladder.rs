@@ -46,7 +46,7 @@ use super::extended::carlson_rf;
 use super::jacobi::Jacobi;
 use crate::error::{Error, Result, finite};
 use crate::math::{self, DoubleDouble};
-use crate::motion::{Kept, Motion, felt_of_each};
+use crate::motion::{Kept, Motion, condition_of_each};
 
 /// The smallest angle of release: below it `theta0^2` leaves the range of the
 /// double-double products.
@@ -138,12 +138,12 @@ impl Ladder {
         in_range("gravity", gravity, 1e-100..=1e100, allowed)?;
         finite("theta0", theta0)?;
         if !(SMALLEST_ANGLE..core::f64::consts::FRAC_PI_2).contains(&theta0) {
-            return Err(Error::OutOfRange {
-                name: "theta0",
-                value: theta0,
-                allowed: "the ladder leans at an angle from the wall, in radians, between 0 \
+            return Err(Error::out_of_range(
+                "theta0",
+                theta0,
+                "the ladder leans at an angle from the wall, in radians, between 0 \
                           (upright: it never starts; at least 1e-140) and pi/2 = 1.5708 (flat)",
-            });
+            ));
         }
         let (l, g) = (DoubleDouble::from(length), DoubleDouble::from(gravity));
         let (sin0, cos0) = DoubleDouble::from(theta0).sin_cos();
@@ -412,7 +412,7 @@ impl Motion for Ladder {
         let here = self.at(t)?;
         let inputs = [self.length, self.gravity, self.theta0];
         let turned = here.omega * t;
-        let square = felt_of_each(turned * turned, inputs, |[length, gravity, theta0]| {
+        let square = condition_of_each(turned * turned, inputs, |[length, gravity, theta0]| {
             let other = Self::new(length, gravity, theta0)?;
             // One that lands before t is no neighbour: the other direction is felt.
             Ok((other.at(t)?.theta - here.theta).abs())
@@ -440,11 +440,7 @@ fn in_range(
     if range.contains(&value) {
         Ok(())
     } else {
-        Err(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
+        Err(Error::out_of_range(name, value, allowed))
     }
 }
 

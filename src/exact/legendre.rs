@@ -182,11 +182,11 @@ pub fn pi(characteristic: Characteristic, phi: f64, modulus: Modulus) -> Result<
         below_one(characteristic)?;
     }
     if rest.pole_gap(characteristic) <= 0.0 {
-        return Err(Error::OutOfRange {
-            name: "n",
-            value: characteristic.n(),
-            allowed: "n sin^2 phi must be less than 1",
-        });
+        return Err(Error::out_of_range(
+            "n",
+            characteristic.n(),
+            "n sin^2 phi must be less than 1",
+        ));
     }
     let within = rest.pi(characteristic, modulus);
     Ok(with_halves(halves, within, || {
@@ -261,11 +261,11 @@ impl Amplitude {
 fn reduced(phi: f64) -> Result<(f64, Amplitude)> {
     finite("phi", phi)?;
     if phi.abs() > 1e15 {
-        return Err(Error::OutOfRange {
-            name: "phi",
-            value: phi,
-            allowed: "its size must not exceed 1e15",
-        });
+        return Err(Error::out_of_range(
+            "phi",
+            phi,
+            "its size must not exceed 1e15",
+        ));
     }
     let quarters = (phi * core::f64::consts::FRAC_2_PI).round();
     // The rest keeps relative accuracy next to multiples of pi/2: the first
@@ -339,11 +339,11 @@ fn not_one(modulus: Modulus) -> Result<()> {
     if modulus.m1_extended() > 0.0 {
         Ok(())
     } else {
-        Err(Error::OutOfRange {
-            name: "m1",
-            value: modulus.m1(),
-            allowed: "it must be greater than 0: the integral is infinite at m = 1",
-        })
+        Err(Error::out_of_range(
+            "m1",
+            modulus.m1(),
+            "it must be greater than 0: the integral is infinite at m = 1",
+        ))
     }
 }
 
@@ -351,10 +351,10 @@ fn below_one(characteristic: Characteristic) -> Result<()> {
     if characteristic.n1_extended() > 0.0 {
         Ok(())
     } else {
-        Err(Error::OutOfRange {
-            name: "n",
-            value: characteristic.n(),
-            allowed: "it must be less than 1 if the path passes pi/2",
-        })
+        Err(Error::out_of_range(
+            "n",
+            characteristic.n(),
+            "it must be less than 1 if the path passes pi/2",
+        ))
     }
 }

@@ -161,11 +161,7 @@ fn unit_interval(name: &'static str, value: f64, allowed: &'static str) -> Resul
     if (0.0..=1.0).contains(&value) {
         Ok(value)
     } else {
-        Err(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
+        Err(Error::out_of_range(name, value, allowed))
     }
 }
 
@@ -174,10 +170,10 @@ fn not_huge(name: &'static str, value: f64) -> Result<f64> {
     if value.abs() <= 1e300 {
         Ok(value)
     } else {
-        Err(Error::OutOfRange {
+        Err(Error::out_of_range(
             name,
             value,
-            allowed: "its size must not exceed 1e300",
-        })
+            "its size must not exceed 1e300",
+        ))
     }
 }

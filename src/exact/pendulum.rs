@@ -24,7 +24,7 @@
 use super::phase::Phase;
 use crate::error::{Error, Result, finite, known};
 use crate::math::{DoubleDouble as Dd, atan2, latest, ldexp};
-use crate::motion::{Kept, Motion, felt_of_each};
+use crate::motion::{Kept, Motion, condition_of_each};
 
 /// A rigid body on a fixed horizontal axis.
 ///
@@ -394,7 +394,7 @@ impl Motion for Pendulum {
             self.omega0,
         ];
         let turned = here.omega * t;
-        let square = felt_of_each(turned * turned, inputs, |inputs| {
+        let square = condition_of_each(turned * turned, inputs, |inputs| {
             let [moment, mass, gravity, lever, theta0, omega0] = inputs;
             let other = Self::new(
                 Suspension {
@@ -417,11 +417,7 @@ fn in_range(name: &'static str, value: f64, inside: bool, allowed: &'static str)
     if inside {
         Ok(())
     } else {
-        Err(Error::OutOfRange {
-            name,
-            value,
-            allowed,
-        })
+        Err(Error::out_of_range(name, value, allowed))
     }
 }
 

@@ -40,9 +40,9 @@
 //! the form of N are ours.
 
 use super::ladder::gauss_legendre;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, plain};
 use crate::math::{self, DoubleDouble as Dd, EPS};
-use crate::motion::{Kept, Motion, felt_of_each};
+use crate::motion::{Kept, Motion, condition_of_each};
 
 /// While X + V is below this, the integrand is 1 to 19 digits.
 const UPRIGHT: f64 = 1e-10;
@@ -97,7 +97,7 @@ impl Plank {
     /// `omega0` (rad/s, not negative). Not both may be 0: it would stand for ever.
     ///
     /// # Errors
-    /// `NotFinite` and `OutOfRange`; `FloorWouldPull` if the start is so fast that the
+    /// `NotFinite` and `OutOfRange`, also if the start is so fast that the
     /// plank leaves the floor at once, `omega0^2 cos(theta0) > 2 g/l`.
     pub fn new(length: f64, gravity: f64, theta0: f64, omega0: f64) -> Result<Self> {
         let size = "it must lie between 1e-100 and 1e100";
@@ -118,20 +118,21 @@ impl Plank {
         ] {
             finite(name, value)?;
             if !inside {
-                return Err(Error::OutOfRange {
-                    name,
-                    value,
-                    allowed,
-                });
+                return Err(Error::out_of_range(name, value, allowed));
             }
         }
         let (sin0, cos0) = Dd::from(theta0).sin_cos();
         let limit = (2.0 * gravity / length / cos0.to_f64()).sqrt();
         if omega0 > limit {
-            return Err(Error::FloorWouldPull {
-                rate: omega0,
-                limit,
-            });
+            return Err(Error::out_of_range(
+                "omega0",
+                omega0,
+                format!(
+                    "at this angle at most {} rad/s; faster, the floor would have to pull to keep \
+                     the foot down",
+                    plain(limit)
+                ),
+            ));
         }
         let rate = (Dd::from(gravity) * 6.0 / length).sqrt();
         let (sin_half, cos_half) = Dd::from(0.5 * theta0).sin_cos();
@@ -141,12 +142,12 @@ impl Plank {
         let (x0, c) = (sin_half * factor.sqrt(), cos_half * factor.sqrt());
         let begin = x0 + v0;
         if begin < 1e-280 {
-            return Err(Error::OutOfRange {
-                name: "theta0",
-                value: theta0,
-                allowed: "at 0 at rest the plank stands for ever; theta0 or omega0/sqrt(6g/l) \
+            return Err(Error::out_of_range(
+                "theta0",
+                theta0,
+                "at 0 at rest the plank stands for ever; theta0 or omega0/sqrt(6g/l) \
                           must be at least 1e-280",
-            });
+            ));
         }
         // C^2 - X0^2 without cancellation, which is also V^2 - V0^2 at the landing.
         let rise = factor * cos0;
@@ -363,7 +364,7 @@ impl Motion for Plank {
         let here = self.at(t)?;
         let inputs = [self.length, self.gravity, self.theta0, self.omega0];
         let turned = here.omega * t;
-        let square = felt_of_each(
+        let square = condition_of_each(
             turned * turned,
             inputs,
             |[length, gravity, theta0, omega0]| {

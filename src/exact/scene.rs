@@ -3,7 +3,7 @@
 //! `exact` is there for these types alone: for a scene with another effect the compiler finds
 //! none, so no program that asks for it exists. [`Scene::solve`] takes the same closed forms;
 //! since it takes every scene, it asks the effects themselves, once a solution
-//! ([`Effect::known`](crate::effects::Effect::known)).
+//! ([`Effect::integrable_case`](crate::effects::Effect::integrable_case)).
 
 use super::free_body::FreeBody;
 use super::heavy_top::{HeavyTop, SymmetricTop};
@@ -59,11 +59,11 @@ impl Scene<((), GravityAtLever)> {
     pub fn exact(&self, start: &State) -> Result<HeavyTop> {
         let (moments, gravity) = (self.body().moments(), self.effects().1);
         if !moments.is_symmetric() {
-            return Err(Error::OutOfRange {
-                name: "I2 - I1",
-                value: moments.i2() - moments.i1(),
-                allowed: "0: the heavy top has a closed form if it is symmetric",
-            });
+            return Err(Error::out_of_range(
+                "I2 - I1",
+                moments.i2() - moments.i1(),
+                "0: the heavy top has a closed form if it is symmetric",
+            ));
         }
         let (weight, lever) = (gravity.weight(), gravity.lever());
         let top = SymmetricTop::formal(moments.i1(), moments.i3(), weight, lever)?;

@@ -20,7 +20,7 @@ pub(super) struct Periods {
 
 impl Periods {
     /// For the parameter m and 1 - m, by the nome of m while that is at most `most`.
-    pub fn new(m: Dd, m1: Dd, most: f64) -> Self {
+    pub(super) fn new(m: Dd, m1: Dd, most: f64) -> Self {
         let hyperbolic = m > most;
         let nome = if hyperbolic {
             Nome::new(m1, m)
@@ -39,7 +39,7 @@ impl Periods {
     }
 
     /// The argument u <= K/2 with sc^2(u|m) = `num`/`den`.
-    pub fn argument(&self, num: Dd, den: Dd) -> Dd {
+    pub(super) fn argument(&self, num: Dd, den: Dd) -> Dd {
         self.nome.argument(if self.hyperbolic {
             self.nome.depth(num, den).y()
         } else {
@@ -49,7 +49,7 @@ impl Periods {
 
     /// The argument u, 0 <= u <= K, with sc^2(u|m) = `num`/`den`, as its distance from the nearer
     /// of 0 and K; true if that is K.
-    pub fn nearer_end(&self, num: Dd, den: Dd) -> (bool, Dd) {
+    pub(super) fn nearer_end(&self, num: Dd, den: Dd) -> (bool, Dd) {
         let nome = &self.nome;
         let m1 = if self.hyperbolic { nome.m } else { nome.m1 };
         // Half-way, sc^2 = 1/sqrt(1-m); sc^2(K - u) = cs^2(u)/(1-m).
@@ -62,7 +62,7 @@ impl Periods {
 
     /// The zero i eta, 0 <= eta <= K', from sc^2(eta|m1) and sc^2(K' - eta|m1), each as a
     /// quotient.
-    pub fn zero(&self, eta: (Dd, Dd), rest: (Dd, Dd)) -> Zero {
+    pub(super) fn zero(&self, eta: (Dd, Dd), rest: (Dd, Dd)) -> Zero {
         let (nearer, (num, den)) = nearer_zero(eta, rest);
         if self.hyperbolic {
             self.along(nearer, self.nome.angle(num, den))
@@ -72,7 +72,7 @@ impl Periods {
     }
 
     /// Two of them.
-    pub fn zeros(&self, zeros: [[(Dd, Dd); 2]; 2]) -> [Zero; 2] {
+    pub(super) fn zeros(&self, zeros: [[(Dd, Dd); 2]; 2]) -> [Zero; 2] {
         let [(first, of_first), (second, of_second)] =
             zeros.map(|[eta, rest]| nearer_zero(eta, rest));
         if self.hyperbolic {
@@ -157,7 +157,7 @@ pub(super) struct Waves {
 impl Waves {
     /// For the nome e^{-`width`}.
     #[inline(always)]
-    pub fn new(w: f64, width: f64) -> Self {
+    pub(super) fn new(w: f64, width: f64) -> Self {
         let minus = -expm1(-2.0 * w);
         let decay = 1.0 - minus;
         let growth = exp(2.0 * w - width);

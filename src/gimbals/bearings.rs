@@ -192,7 +192,7 @@ impl Rubbing {
     ///
     /// The friction torques of bearings at rest and their accelerations are the one solution
     /// of Coulomb's law, since the mass matrix is positive definite: found by trying all.
-    pub fn decide(&self, holds: Holds, still: [bool; 3], y: &[f64; N]) -> (Holds, [f64; N]) {
+    pub(super) fn decide(&self, holds: Holds, still: [bool; 3], y: &[f64; N]) -> (Holds, [f64; N]) {
         let mut y = *y;
         for (i, at) in [(0, 1), (1, 3)] {
             if still[i] {
@@ -237,7 +237,7 @@ impl Rubbing {
     }
 
     /// What the bearings do at the start.
-    pub fn at_start(&self, y: &[f64; N]) -> (Holds, [f64; N]) {
+    pub(super) fn at_start(&self, y: &[f64; N]) -> (Holds, [f64; N]) {
         let rates = self.bearing_rates(&pose(y));
         let all = self.bearings.all();
         let still = core::array::from_fn(|i| rates[i] == 0.0 && all[i].dry > 0.0);

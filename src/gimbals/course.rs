@@ -94,11 +94,11 @@ impl Course {
             stop,
         };
         if start.theta >= stop {
-            return Err(Error::OutOfRange {
-                name: "theta",
-                value: start.theta,
-                allowed: "less than the tilt at the stop",
-            });
+            return Err(Error::out_of_range(
+                "theta",
+                start.theta,
+                "less than the tilt at the stop",
+            ));
         }
         let method = Dop853::new(tolerance)?;
         let mut state = [0.0; N];
@@ -127,7 +127,7 @@ impl Course {
                 to: change.to,
             });
             course.changes.extend(changes);
-            let (Some(last), Some(end)) = (run.legs().last(), run.end_state()) else {
+            let (Some(last), Some(end)) = (run.pieces().last(), run.end_state()) else {
                 break;
             };
             (phase, state) = (last.phase, *end);
@@ -202,14 +202,14 @@ impl Course {
     pub fn turning_points(&self) -> Vec<(f64, Pose)> {
         let mut found = Vec::new();
         for (start, run) in &self.pieces {
-            for (i, leg) in run.legs().iter().enumerate() {
-                let mut from = leg.solution.start_time();
-                for to in leg.solution.step_times() {
+            for (i, piece) in run.pieces().iter().enumerate() {
+                let mut from = piece.solution.start_time();
+                for to in piece.solution.step_times() {
                     for k in 0..8 {
                         let part = |k: u32| from + (to - from) * f64::from(k) / 8.0;
-                        let rate = |t: f64| leg.solution.at(t).map_or(f64::NAN, |y| y[1]);
+                        let rate = |t: f64| piece.solution.at(t).map_or(f64::NAN, |y| y[1]);
                         if let Some(t) = crossing(rate, [part(k), part(k + 1)])
-                            && let Ok(y) = leg.solution.at(t)
+                            && let Ok(y) = piece.solution.at(t)
                         {
                             found.push((start + t, pose(&y)));
                         }
@@ -218,10 +218,10 @@ impl Course {
                 }
                 // A dry bearing stops there, by a rate that round-off leaves on either side.
                 let next = run
-                    .legs()
+                    .pieces()
                     .get(i + 1)
                     .map(|next| next.solution.start_state());
-                let last = leg.solution.end_state();
+                let last = piece.solution.end_state();
                 if next.is_some_and(|y| y[1] == 0.0)
                     && last[1] != 0.0
                     && found.last().is_none_or(|(t, _)| *t < start + from)

@@ -12,7 +12,7 @@
 //! | [`Nod`] | one nod without friction: turning points, period, advances, by quadrature |
 //! | [`Bearing`], [`Bearings`] | viscous and dry friction of the three bearings, and the air |
 //! | [`Course`] | a motion with friction, every stop and reversal of a bearing located |
-//! | [`Fading`] | what friction does by theory: decay of the nods, sag of the axis |
+//! | [`Decay`] | what friction does by theory: decay of the nods, sag of the axis |
 //!
 //! Coordinates are the notes' Euler angles. The tilt theta is that of the mechanism and not
 //! only of the axis: it may pass 0 and become negative, for with a fork there is no pole.
@@ -25,12 +25,12 @@
 
 mod bearings;
 mod course;
-mod fading;
+mod decay;
 mod nod;
 
 pub use bearings::{Bearing, Bearings, Hold, Holds};
 pub use course::{Change, Course};
-pub use fading::Fading;
+pub use decay::Decay;
 pub use nod::Nod;
 
 use crate::error::{Error, Result, finite, not_negative};
@@ -134,7 +134,7 @@ impl Gimbals {
     /// the rotor.
     ///
     /// # Errors
-    /// A moment that is negative or not finite; [`Error::TriangleInequality`] for moments
+    /// A moment that is negative or not finite; [`Error::NotABody`] for moments
     /// that no ring has (a rod and nothing are allowed).
     pub fn new(rotor: SymmetricTop, ring: [f64; 3], fork: f64) -> Result<Self> {
         for (name, moment) in [
@@ -235,11 +235,11 @@ impl Gimbals {
         let (b, four) = (axial * s, 4.0 * self.excess() * s * c * torque);
         let square = b * b;
         if !(square >= four && square > 0.0) {
-            return Err(Error::OutOfRange {
-                name: "L_z^2/(4 D m g l cos(theta))",
-                value: square / four,
-                allowed: "1 or more: slower, the weight lets the axis fall",
-            });
+            return Err(Error::out_of_range(
+                "L_z^2/(4 D m g l cos(theta))",
+                square / four,
+                "1 or more: slower, the weight lets the axis fall",
+            ));
         }
         Ok(2.0 * torque / (b + b.signum() * (square - four).sqrt()))
     }

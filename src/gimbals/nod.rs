@@ -242,6 +242,7 @@ fn around(f: impl Fn(f64) -> [f64; 3]) -> Result<[f64; 3]> {
     }
     Err(Error::NotDelivered {
         requested: 4.0 * EPS,
-        reached: change,
+        best: change,
+        condition: None,
     })
 }

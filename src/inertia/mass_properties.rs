@@ -48,7 +48,7 @@ impl MassProperties {
     ///
     /// The parallel-axis theorem backwards: I_cm = I_P - m (d^2 1 - d d^T).
     ///
-    /// Errors: as [`MassProperties::new`]; [`Error::TriangleInequality`](crate::Error) if no
+    /// Errors: as [`MassProperties::new`]; [`Error::NotABody`](crate::Error) if no
     /// body has this tensor about that point: what is left about the centre of mass is not a
     /// body's, by more than rounding of what cancels, [`InertiaTensor::known_within`].
     /// Accuracy: moments within a twentieth of that, measured in `tests/traps/cancellation`.

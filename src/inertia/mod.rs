@@ -59,7 +59,7 @@ pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<f64> {
     // In this order nothing overflows.
     let excess = (high - middle) - low;
     match excess > slack {
-        true => Err(Error::TriangleInequality {
+        true => Err(Error::NotABody {
             moments,
             excess,
             slack,
@@ -72,9 +72,9 @@ impl PrincipalMoments {
     /// The moments about the first, second and third body axis.
     ///
     /// Errors: a moment that is negative or not finite;
-    /// [`Error::TriangleInequality`] if one exceeds the sum of the others by
+    /// [`Error::NotABody`] if one exceeds the sum of the others by
     /// more than 32 eps of the largest (a flat body given in decimals passes);
-    /// [`Error::OnALine`] for (0, I, I), a rod, and (0, 0, 0), a point mass.
+    /// also for (0, I, I), a rod, and (0, 0, 0), a point mass.
     pub fn new(i1: f64, i2: f64, i3: f64) -> Result<Self> {
         Self::known_within([i1, i2, i3], 0.0)
     }
@@ -88,9 +88,10 @@ impl PrincipalMoments {
         }
         possible(moments, ROUNDING * moments.into_iter().fold(0.0, f64::max))?;
         if moments.contains(&0.0) {
-            return Err(Error::OnALine {
+            return Err(Error::NotABody {
                 moments,
-                known_within,
+                excess: 0.0,
+                slack: known_within,
             });
         }
         Ok(Self { moments })

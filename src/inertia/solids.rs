@@ -56,11 +56,11 @@ pub fn hollow_cylinder(
     positive("inner radius", inner_radius)?;
     positive("outer radius", outer_radius)?;
     if inner_radius >= outer_radius {
-        return Err(Error::OutOfRange {
-            name: "inner radius",
-            value: inner_radius,
-            allowed: "it must be less than the outer radius",
-        });
+        return Err(Error::out_of_range(
+            "inner radius",
+            inner_radius,
+            "it must be less than the outer radius",
+        ));
     }
     hollow_cylinder_of(mass, inner_radius, outer_radius, length)
 }
@@ -103,11 +103,11 @@ pub fn torus(mass: f64, radius: f64, tube: f64) -> Result<MassProperties> {
     let ring = positive("radius", radius)?;
     let r = positive("radius of the tube", tube)?;
     if r > ring {
-        return Err(Error::OutOfRange {
-            name: "radius of the tube",
-            value: r,
-            allowed: "it must not exceed the radius of the ring",
-        });
+        return Err(Error::out_of_range(
+            "radius of the tube",
+            r,
+            "it must not exceed the radius of the ring",
+        ));
     }
     let across = ring * ring / 2.0 + 5.0 * r * r / 8.0;
     solid(mass, [across, across, ring * ring + 3.0 * r * r / 4.0])

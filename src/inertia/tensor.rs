@@ -31,9 +31,9 @@ impl PartialEq for InertiaTensor {
 impl InertiaTensor {
     /// The tensor with these elements, which must be those of some body.
     ///
-    /// Errors: an element that is not finite; [`Error::NotSymmetric`] if
+    /// Errors: an element that is not finite; [`Error::OutOfRange`] if
     /// elements across the diagonal differ by more than 4 eps of the largest
-    /// element; [`Error::TriangleInequality`] for principal moments of no body,
+    /// element; [`Error::NotABody`] for principal moments of no body,
     /// which exceed the sum of the others, or are negative, by more than 32 eps of
     /// the largest.
     pub fn new(matrix: [[f64; 3]; 3]) -> Result<Self> {
@@ -46,7 +46,11 @@ impl InertiaTensor {
             for j in 0..i {
                 let difference = (matrix[i][j] - matrix[j][i]).abs();
                 if difference > 4.0 * EPS * largest {
-                    return Err(Error::NotSymmetric { difference });
+                    return Err(Error::out_of_range(
+                        "difference of elements across the diagonal",
+                        difference,
+                        "the tensor must be symmetric",
+                    ));
                 }
                 let mean = 0.5 * matrix[i][j] + 0.5 * matrix[j][i];
                 symmetric[i][j] = mean;
@@ -167,11 +171,11 @@ impl InertiaTensor {
     pub fn moment_about(&self, direction: DesignVector) -> Result<f64> {
         let length = finite("length of the direction", direction.norm())?;
         if length == 0.0 {
-            return Err(Error::OutOfRange {
-                name: "length of the direction",
-                value: 0.0,
-                allowed: "it must be greater than 0",
-            });
+            return Err(Error::out_of_range(
+                "length of the direction",
+                0.0,
+                "it must be greater than 0",
+            ));
         }
         let unit = direction / length;
         Ok(unit.dot(&self.angular_momentum(unit)) / unit.dot(&unit))

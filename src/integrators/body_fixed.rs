@@ -36,7 +36,7 @@ pub(crate) struct BodyFixed<'s, E> {
 
 impl<'s, E: Effect> BodyFixed<'s, E> {
     /// The scene, under torques of this size (N m); of effects that may slip, whether they do.
-    pub fn new(scene: &'s Scene<E>, torque: f64, slips: bool) -> Self {
+    pub(crate) fn new(scene: &'s Scene<E>, torque: f64, slips: bool) -> Self {
         let [i1, i2, i3] = scene.body().moments().to_array();
         Self {
             scene,
@@ -49,7 +49,7 @@ impl<'s, E: Effect> BodyFixed<'s, E> {
     }
 
     /// The state as it is carried; each l_i is R^T L of these doubles to eps of itself.
-    pub fn components(&self, state: &State) -> [f64; 7] {
+    pub(crate) fn components(&self, state: &State) -> [f64; 7] {
         let [w, x, y, z] = state.attitude.quaternion();
         let largest =
             (state.angular_momentum.to_array().iter()).fold(0.0_f64, |m, l| m.max(l.abs()));
@@ -62,13 +62,13 @@ impl<'s, E: Effect> BodyFixed<'s, E> {
     ///
     /// # Errors
     /// A component that is not finite; a quaternion of length 0.
-    pub fn state(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> Result<State> {
+    pub(crate) fn state(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> Result<State> {
         let attitude = Attitude::from_quaternion([w, x, y, z])?;
         State::new(attitude, attitude.to_space(BodyVector::new(l1, l2, l3)))
     }
 
     /// The angular velocity I^-1 l (rad/s), without what slips.
-    pub fn rates(&self, &[.., l1, l2, l3]: &[f64; 7]) -> BodyVector {
+    pub(crate) fn rates(&self, &[.., l1, l2, l3]: &[f64; 7]) -> BodyVector {
         BodyVector::from_array(rates_of(&self.inverse, [l1, l2, l3]))
     }
 }
@@ -87,7 +87,7 @@ impl<E: Effect> Ode<7> for BodyFixed<'_, E> {
         let [k1, k2, k3] = self.coupling;
         let mut change = torque + BodyVector::new(k1 * l2 * l3, k2 * l3 * l1, k3 * l1 * l2);
         let mut omega = self.rates(y);
-        if E::NATURE.slips && self.slips {
+        if E::PROPERTIES.slips && self.slips {
             let slip = (self.scene.effects()).slip(t, self.scene.body(), &state);
             let slip = attitude.to_body(slip);
             omega += slip;

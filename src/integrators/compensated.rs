@@ -15,7 +15,7 @@ pub(super) struct Compensated<const N: usize> {
 }
 
 impl<const N: usize> Compensated<N> {
-    pub fn new(value: [f64; N]) -> Self {
+    pub(super) fn new(value: [f64; N]) -> Self {
         Self {
             value,
             carry: [0.0; N],
@@ -24,7 +24,7 @@ impl<const N: usize> Compensated<N> {
 
     /// This state plus an increment.
     #[inline(always)]
-    pub fn plus(&self, increment: &[f64; N]) -> Self {
+    pub(super) fn plus(&self, increment: &[f64; N]) -> Self {
         let mut sum = *self;
         let parts = sum.value.iter_mut().zip(&mut sum.carry).zip(increment);
         for ((value, carry), more) in parts {
@@ -36,7 +36,7 @@ impl<const N: usize> Compensated<N> {
     /// Adds an increment and its own, much smaller rest to component `i`: nothing is
     /// rounded away but in the carry.
     #[inline(always)]
-    pub fn add(&mut self, i: usize, more: f64, rest: f64) {
+    pub(super) fn add(&mut self, i: usize, more: f64, rest: f64) {
         let (sum, lost) = two_sum(more, self.carry[i]);
         let (value, carry) = two_sum(self.value[i], sum);
         self.value[i] = value;

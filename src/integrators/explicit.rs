@@ -123,9 +123,5 @@ impl<const S: usize> Tableau<S> {
 
 /// The error of asking for no steps at all.
 pub(super) fn no_steps() -> Error {
-    Error::OutOfRange {
-        name: "steps",
-        value: 0.0,
-        allowed: "at least 1 step",
-    }
+    Error::out_of_range("steps", 0.0, "at least 1 step")
 }

@@ -22,7 +22,7 @@ use crate::scene::Scene;
 ///
 /// How it fails: the rates have 1/sin theta in them, so a passage near the pole
 /// needs ever smaller steps, and a start on it is refused
-/// ([`Error::AtPole`]). As measured, with steps of 1e-3 rad past
+/// ([`Error::GimbalLock`]). As measured, with steps of 1e-3 rad past
 /// the pole: 6.1e-3 rad off, where [`SemiImplicitEuler`] is off by 9.5e-6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EulerOnAngles {
@@ -101,10 +101,13 @@ fn euler_work(steps: u64) -> Work {
 
 /// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.
 fn rigid<E: AnyEffect>(scene: &Scene<E>) -> Result<()> {
-    if scene.effects().nature().slips {
-        return Err(Error::Slips {
-            effects: scene.effects().names().join(", "),
-        });
+    if scene.effects().properties().slips {
+        let effects = scene.effects().names().join(", ");
+        let reason = format!(
+            "a method that steps the angular velocity turns the body by that alone: an effect \
+             that turns it further ({effects}) is not allowed there"
+        );
+        return Err(Error::incompatible(effects, reason));
     }
     Ok(())
 }

@@ -48,7 +48,7 @@ pub struct About {
     /// The error at a fixed time shrinks as this power of the step.
     pub order: u32,
     /// What it keeps to round-off, and how it treats the energy.
-    pub keeps: &'static str,
+    pub conserved: &'static str,
     /// Paper or book, with the place in it.
     pub source: &'static str,
 }
@@ -113,7 +113,7 @@ impl Method {
                 name: "Euler on angles",
                 idea: "add rate times step to each Euler angle",
                 order: 1,
-                keeps: "-",
+                conserved: "-",
                 source: "L. Euler, Institutionum calculi integralis I, ch. 7 (1768)",
             },
             SemiImplicitEuler => About {
@@ -121,7 +121,7 @@ impl Method {
                 name: "semi-implicit Euler",
                 idea: "the rates first, then the attitude with the new rates",
                 order: 1,
-                keeps: "-",
+                conserved: "-",
                 source: "the stepping of rigid bodies in game engines",
             },
             Rk4 => About {
@@ -129,7 +129,7 @@ impl Method {
                 name: "RK4",
                 idea: "four slopes a step, averaged",
                 order: 4,
-                keeps: "L_Z; loses energy",
+                conserved: "L_Z; loses energy",
                 source: "W. Kutta, Z. Math. Phys. 46, 435 (1901)",
             },
             MuntheKaas4 => About {
@@ -137,7 +137,7 @@ impl Method {
                 name: "Munthe-Kaas 4",
                 idea: "RK4 for the turn of a step, which is then applied to the attitude",
                 order: 4,
-                keeps: "L_Z; loses energy",
+                conserved: "L_Z; loses energy",
                 source: "H. Munthe-Kaas, Appl. Numer. Math. 29, 115 (1999)",
             },
             Strang => split(
@@ -180,7 +180,7 @@ impl Method {
                 name: "DOP853",
                 idea: "twelve slopes a step; two inner estimates of the error choose the step",
                 order: 8,
-                keeps: "L_Z; loses energy",
+                conserved: "L_Z; loses energy",
                 source: "E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.5",
             },
             GaussLegendre16 => About {
@@ -188,7 +188,7 @@ impl Method {
                 name: "Gauss-Legendre 16",
                 idea: "eight slopes a step that depend on each other, found by sweeps",
                 order: 16,
-                keeps: "L_Z and what is quadratic: energy, |L| of a free body",
+                conserved: "L_Z and what is quadratic: energy, |L| of a free body",
                 source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
             },
         }
@@ -201,7 +201,7 @@ const fn split(key: &'static str, idea: &'static str, scheme: Scheme) -> About {
         name: scheme.name,
         idea,
         order: scheme.order,
-        keeps: "L_Z, L_z; energy swings, does not drift",
+        conserved: "L_Z, L_z; energy swings, does not drift",
         source: scheme.source,
     }
 }

@@ -1,6 +1,6 @@
 //! A system of first-order differential equations.
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, FINITE, Result, finite};
 use crate::frame::SpaceVector;
 use crate::math::hypot;
 
@@ -159,9 +159,5 @@ pub(super) fn finite_derivative<const N: usize>(
 #[cold]
 #[inline(never)]
 pub(super) fn not_finite(t: f64, y: &[f64], derivative: &[f64]) -> Error {
-    Error::DerivativeNotFinite {
-        t,
-        state: y.to_vec(),
-        derivative: derivative.to_vec(),
-    }
+    Error::of_function("derivative", t, ("y", y.to_vec()), derivative, FINITE)
 }

@@ -96,21 +96,19 @@ pub(super) fn symmetric(body: &RigidBody) -> Result<()> {
     if moments.is_symmetric() {
         return Ok(());
     }
-    Err(Error::OutOfRange {
-        name: "I1 - I2",
-        value: moments.i1() - moments.i2(),
-        allowed: "0: only the spin of a symmetric body can be taken out",
-    })
+    Err(Error::out_of_range(
+        "I1 - I2",
+        moments.i1() - moments.i2(),
+        "0: only the spin of a symmetric body can be taken out",
+    ))
 }
 
 /// Effects, if they see nothing but the axis of the body.
 pub(super) fn axis_only<E: Effect>(effects: &E) -> Result<()> {
-    if E::NATURE.axis_only {
+    if E::PROPERTIES.axis_only {
         return Ok(());
     }
-    Err(Error::SeesMore {
-        effects: effects.names().join(", "),
-    })
+    Err(Error::sees_more(effects.names().join(", ")))
 }
 
 /// Omega_S = L_z (1/I3 - 1/I1) of a symmetric body.

@@ -19,14 +19,14 @@
 //! Not for: elementary functions of `libm`, or anything with a branch (what samples need of them
 //! is in `turns` and `hyperbolic`).
 
-#[cfg(all(target_arch = "x86_64", registers))]
-use asked::widest;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+#[cfg(all(target_arch = "x86_64", registers))]
+use registers::widest;
 
 #[cfg(target_arch = "aarch64")]
 mod aarch64;
 #[cfg(all(target_arch = "x86_64", registers))]
-mod asked;
+mod registers;
 #[cfg(test)]
 mod tests;
 #[cfg(target_feature = "simd128")]

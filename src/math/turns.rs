@@ -49,13 +49,13 @@ pub(crate) struct Reduced<N> {
 impl<N: Number> Reduced<N> {
     /// How many were dropped.
     #[inline(always)]
-    pub fn count(&self) -> N {
+    pub(crate) fn count(&self) -> N {
         self.whole - ROUNDER
     }
 
     /// This less another.
     #[inline(always)]
-    pub fn less(&self, other: &Self) -> Self {
+    pub(crate) fn less(&self, other: &Self) -> Self {
         let rest = self.rest - other.rest;
         let more = rest + ROUNDER;
         Self {
@@ -110,7 +110,7 @@ pub(crate) struct Time<N> {
 
 impl<L: Phased> Time<L> {
     #[inline(always)]
-    pub fn new(t: L) -> Self {
+    pub(crate) fn new(t: L) -> Self {
         let leading = t.leading();
         Self {
             whole: t,
@@ -121,7 +121,7 @@ impl<L: Phased> Time<L> {
 
     /// The same time twice.
     #[inline(always)]
-    pub fn twice(&self) -> Time<L::Pair> {
+    pub(crate) fn twice(&self) -> Time<L::Pair> {
         let twice = |value| L::Pair::new(value, value);
         Time {
             whole: twice(self.whole),
@@ -155,7 +155,7 @@ pub(crate) struct Clock<V> {
 
 impl Clock<f64> {
     /// Both in quarter turns.
-    pub fn new(rate: DoubleDouble, start: DoubleDouble) -> Self {
+    pub(crate) fn new(rate: DoubleDouble, start: DoubleDouble) -> Self {
         let leading = rate.hi().leading();
         Self {
             rate: rate.hi(),
@@ -168,12 +168,12 @@ impl Clock<f64> {
     }
 
     /// The greatest |t| at which it can be read; infinite times are none.
-    pub fn until(&self) -> f64 {
+    pub(crate) fn until(&self) -> f64 {
         ((4.0 * MOST_TURNS - self.start.abs()) / self.rate.abs()).min(f64::MAX)
     }
 
     /// Two clocks that are read together.
-    pub fn beside(&self, other: &Self) -> Clock<[f64; 2]> {
+    pub(crate) fn beside(&self, other: &Self) -> Clock<[f64; 2]> {
         Clock {
             rate: [self.rate, other.rate],
             leading: [self.leading, other.leading],
@@ -187,7 +187,7 @@ impl Clock<f64> {
 
 impl Clock<[f64; 2]> {
     /// Either of two.
-    pub fn one(&self, i: usize) -> Clock<f64> {
+    pub(crate) fn one(&self, i: usize) -> Clock<f64> {
         Clock {
             rate: self.rate[i],
             leading: self.leading[i],
@@ -217,7 +217,7 @@ impl<V: Gathered> Gathered for Clock<V> {
 impl<V: Constant> Clock<V> {
     /// [`Clock::read`], in lanes that start with the motion number `first`.
     #[inline(always)]
-    pub fn at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L> {
+    pub(crate) fn at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L> {
         self.read(|value| value.lane(first), t)
     }
 }
@@ -225,7 +225,7 @@ impl<V: Constant> Clock<V> {
 impl<V: Constant> Clock<[V; 2]> {
     /// The same of two clocks.
     #[inline(always)]
-    pub fn both_at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L::Pair> {
+    pub(crate) fn both_at<L: Phased>(&self, t: &Time<L>, first: usize) -> Reduced<L::Pair> {
         self.read(|two| V::pair::<L>(two, first), &t.twice())
     }
 }
@@ -233,7 +233,7 @@ impl<V: Constant> Clock<[V; 2]> {
 impl<V> Clock<V> {
     /// Both parts of rate and start as numbers.
     #[inline(always)]
-    pub fn read<N: Number>(&self, number: impl Fn(&V) -> N, t: &Time<N>) -> Reduced<N> {
+    pub(crate) fn read<N: Number>(&self, number: impl Fn(&V) -> N, t: &Time<N>) -> Reduced<N> {
         let (leading, trailing) = (number(&self.leading), number(&self.trailing));
         // Dekker's product, exact, of numbers already in halves.
         let product = number(&self.rate) * t.whole;

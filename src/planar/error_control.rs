@@ -56,11 +56,11 @@ fn within<P: Copy + PartialEq + Debug, const N: usize>(
 ) -> Result<Delivered<P, N>> {
     finite("tolerance", tolerance)?;
     if !(STRIDE * Dop853::SMALLEST_TOLERANCE..=Dop853::LARGEST_TOLERANCE).contains(&tolerance) {
-        return Err(Error::OutOfRange {
-            name: "tolerance",
-            value: tolerance,
-            allowed: "from 3.2e-14 to 0.1",
-        });
+        return Err(Error::out_of_range(
+            "tolerance",
+            tolerance,
+            "from 3.2e-14 to 0.1",
+        ));
     }
     let run = |step_error: f64| run(scene, &Dop853::new(step_error)?, phase, start, t_end);
     let mut step_error = tolerance;
@@ -73,7 +73,8 @@ fn within<P: Copy + PartialEq + Debug, const N: usize>(
         if step_error < Dop853::SMALLEST_TOLERANCE {
             return Err(Error::NotDelivered {
                 requested: tolerance,
-                reached,
+                best: reached,
+                condition: None,
             });
         }
         let fine = run(step_error)?;

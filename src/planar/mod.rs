@@ -22,7 +22,7 @@
 //! Not for: rotation in three dimensions ([`crate::scene`]); but [`crate::tops`] go through
 //! phases as well, and are run by what is here.
 
-mod asked;
+mod as_motion;
 mod bilateral;
 pub mod contact;
 mod error_control;
@@ -30,10 +30,10 @@ mod run;
 
 use crate::error::Result;
 
-pub use asked::Moment;
+pub use as_motion::Moment;
 pub use bilateral::Bilateral;
 pub use error_control::{Delivered, simulate_within};
-pub use run::{Leg, Run, Transition, simulate};
+pub use run::{PhaseRun, Run, Transition, simulate};
 
 /// A scene with `N` coordinates and velocities that moves through phases.
 ///

@@ -21,7 +21,7 @@ const AT_ENTRY: f64 = 64.0 * EPS;
 
 /// The motion within one phase.
 #[derive(Debug, Clone)]
-pub struct Leg<P, const N: usize> {
+pub struct PhaseRun<P, const N: usize> {
     /// The phase.
     pub phase: P,
     /// The state at any time of the phase.
@@ -48,7 +48,7 @@ pub struct Transition<P, const N: usize> {
 /// A motion through phases.
 #[derive(Debug, Clone)]
 pub struct Run<P, const N: usize> {
-    legs: Vec<Leg<P, N>>,
+    pieces: Vec<PhaseRun<P, N>>,
     transitions: Vec<Transition<P, N>>,
     work: Work,
 }
@@ -78,9 +78,9 @@ impl<P: Copy + PartialEq + Debug, const N: usize> Ode<N> for InPhase<'_, P, N> {
 /// motion itself.
 ///
 /// # Errors
-/// [`Error::ConditionBroken`] if a phase begins although one of its conditions is negative by
+/// [`Error::CannotHold`] if a phase begins although one of its conditions is negative by
 /// more than round-off, or if one fails at once for the second time in an instant (the first time
-/// it is an event), [`Error::TooManyPhases`] after a thousand changes of phase,
+/// it is an event), [`Error::LimitReached`] after a thousand changes of phase,
 /// [`Error::OutOfRange`] for a negative `t_end` of a phase with conditions, and those of
 /// [`Dop853::solve`].
 pub fn simulate<const N: usize, S: Phased<N>>(
@@ -102,15 +102,15 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
     t_end: f64,
 ) -> Result<Run<P, N>> {
     if t_end < 0.0 && !scene.conditions(phase).is_empty() {
-        return Err(Error::OutOfRange {
-            name: "t_end",
-            value: t_end,
-            allowed: "contacts, and whatever else ends a phase, cannot be run backward: it must \
+        return Err(Error::out_of_range(
+            "t_end",
+            t_end,
+            "contacts, and whatever else ends a phase, cannot be run backward: it must \
                       not be negative",
-        });
+        ));
     }
     let mut run = Run {
-        legs: Vec::new(),
+        pieces: Vec::new(),
         transitions: Vec::new(),
         work: Work::default(),
     };
@@ -123,7 +123,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
         if let Some(end) = conditions
             .iter()
             .find(over)
-            .filter(|_| !run.legs.is_empty())
+            .filter(|_| !run.pieces.is_empty())
         {
             run.transitions.push(Transition {
                 name: end.name,
@@ -135,7 +135,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
             });
             return Ok(run);
         }
-        let noises = noises(scene, &conditions, run.legs.last(), &state);
+        let noises = noises(scene, &conditions, run.pieces.last(), &state);
         check_entry(&conditions, &noises, t, &state)?;
         let events: Vec<_> = conditions
             .iter()
@@ -157,7 +157,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
                 let failed = solution
                     .stopped_by()
                     .map(|event| (event.index, event.t, event.state));
-                run.legs.push(Leg { phase, solution });
+                run.pieces.push(PhaseRun { phase, solution });
                 let Some(failed) = failed else {
                     return Ok(run);
                 };
@@ -196,10 +196,22 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
         };
         (t, phase, state) = (when, to, after);
     }
-    Err(Error::TooManyPhases {
+    Err(Error::LimitReached {
+        what: "changes of phase",
         t,
-        limit: PHASE_LIMIT,
+        t_end,
+        limit: PHASE_LIMIT as u64,
     })
+}
+
+/// The refusal of a phase that begins with this margin of a condition.
+fn cannot_hold<P, const N: usize>(of: &Condition<'_, P, N>, t: f64, value: f64) -> Error {
+    Error::CannotHold {
+        name: of.name,
+        t,
+        value,
+        rate: None,
+    }
 }
 
 /// How long a phase lasts.
@@ -226,7 +238,7 @@ fn within_conditions<P, const N: usize>(
     for _ in 0..SHORTENINGS {
         let solution = match solve(&method, end) {
             // Shorter than the clock shows.
-            Err(Error::ClockTooCoarse { .. }) if broken.is_some() => break,
+            Err(Error::StepUnderflow { clock: Some(_), .. }) if broken.is_some() => break,
             solution => solution?,
         };
         let Some((index, value, when)) = failed_unseen(conditions, &solution)? else {
@@ -235,8 +247,8 @@ fn within_conditions<P, const N: usize>(
             }
             break;
         };
-        let (name, t) = (conditions[index].name, solution.start_time());
-        broken = Some((index, Error::ConditionBroken { name, value, t }));
+        let t = solution.start_time();
+        broken = Some((index, cannot_hold(&conditions[index], t, value)));
         method = method.with_longest_step((when - t) / 16.0)?;
         end = when;
     }
@@ -283,11 +295,11 @@ fn failed_unseen<P, const N: usize>(
 fn noises<P: Copy + PartialEq + Debug, const N: usize>(
     scene: &Scene<'_, P, N>,
     conditions: &[Condition<'_, P, N>],
-    before: Option<&Leg<P, N>>,
+    before: Option<&PhaseRun<P, N>>,
     state: &[f64; N],
 ) -> Vec<f64> {
     let size = scene.scale(state);
-    let earlier = before.and_then(|Leg { solution, .. }| {
+    let earlier = before.and_then(|PhaseRun { solution, .. }| {
         let end = solution.end_time();
         let t = (end - AT_ENTRY * end.abs()).max(solution.start_time());
         Some([*solution.end_state(), solution.at(t).ok()?])
@@ -320,11 +332,7 @@ fn check_entry<P, const N: usize>(
         let value = (condition.margin)(state);
         // What is not a number does not hold either.
         if must_hold && !(value >= 0.0 || value >= -noise) {
-            return Err(Error::ConditionBroken {
-                name: condition.name,
-                value,
-                t,
-            });
+            return Err(cannot_hold(condition, t, value));
         }
     }
     Ok(())
@@ -332,8 +340,8 @@ fn check_entry<P, const N: usize>(
 
 impl<P: Copy, const N: usize> Run<P, N> {
     /// The phases in order, each with its motion.
-    pub fn legs(&self) -> &[Leg<P, N>] {
-        &self.legs
+    pub fn pieces(&self) -> &[PhaseRun<P, N>] {
+        &self.pieces
     }
 
     /// The changes of phase in order, the end of the scene included.
@@ -355,7 +363,9 @@ impl<P: Copy, const N: usize> Run<P, N> {
 
     /// When the run ended.
     pub fn end_time(&self) -> f64 {
-        self.legs.last().map_or(0.0, |leg| leg.solution.end_time())
+        self.pieces
+            .last()
+            .map_or(0.0, |piece| piece.solution.end_time())
     }
 
     /// Phase and state at `t`; at a change of phase, those before it.
@@ -368,15 +378,15 @@ impl<P: Copy, const N: usize> Run<P, N> {
             start: 0.0,
             end: self.end_time(),
         };
-        let holds = |leg: &&Leg<P, N>| t <= leg.solution.end_time();
-        let leg = self.legs.iter().find(holds).ok_or_else(outside)?;
-        let state = leg.solution.at(t).map_err(|_| outside())?;
-        Ok((leg.phase, state))
+        let holds = |piece: &&PhaseRun<P, N>| t <= piece.solution.end_time();
+        let piece = self.pieces.iter().find(holds).ok_or_else(outside)?;
+        let state = piece.solution.at(t).map_err(|_| outside())?;
+        Ok((piece.phase, state))
     }
 
     /// The state at the end of the run.
     pub fn end_state(&self) -> Option<&[f64; N]> {
-        self.legs.last().map(|leg| leg.solution.end_state())
+        self.pieces.last().map(|piece| piece.solution.end_state())
     }
 
     /// What the run cost.

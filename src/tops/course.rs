@@ -1,8 +1,8 @@
 //! From a throw to the end.
 
+use super::configuration::Coordinates;
 use super::motion::{Scene, checked};
-use super::stance::Coordinates;
-use super::{Contact, Forces, Phase, Resistance, Stance, TipFriction, Top};
+use super::{Configuration, Contact, Forces, Phase, Resistance, TipFriction, Top};
 use crate::effects::Effect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -82,7 +82,7 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
     ///
     /// # Errors
     /// A throw that is not finite; a start that the floor would have to hold down or with the
-    /// rim in the floor ([`ConditionBroken`](crate::Error::ConditionBroken)); those of
+    /// rim in the floor ([`CannotHold`](crate::Error::CannotHold)); those of
     /// [`simulate`].
     pub fn simulate(&self, throw: &Throw, t_end: f64, tolerance: f64) -> Result<Course<F, R, E>> {
         let method = Dop853::new(tolerance)?;
@@ -117,8 +117,8 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
             [Contact::Sliding, Contact::Rolling].map(|contact| Phase { contact, passed: 0 });
         let rolls = throw.velocity.is_none() || !F::SLIDES;
         let first = if rolls { rolling } else { sliding };
-        let start = scene.settled(&self.stance(first, &start), &start);
-        let slip = self.stance(sliding, &start).slip;
+        let start = scene.settled(&self.configuration(first, &start), &start);
+        let slip = self.configuration(sliding, &start).slip;
         let still = hypot(slip.x(), slip.y()) <= 1e-7 * scene.speed();
         Ok(match (F::STICKS, F::SLIDES) {
             (true, false) => (rolling, start),
@@ -158,8 +158,8 @@ impl<F: TipFriction, R: Resistance, E: Effect> Course<F, R, E> {
     }
 
     /// The top as it is when an event comes, before anything changes.
-    pub fn stance_at(&self, event: &Transition<Phase, 14>) -> Stance {
-        self.top.stance(event.from, &event.before)
+    pub fn configuration_at(&self, event: &Transition<Phase, 14>) -> Configuration {
+        self.top.configuration(event.from, &event.before)
     }
 
     /// The phase at the time `t`.
@@ -176,15 +176,15 @@ impl<F: TipFriction, R: Resistance, E: Effect> Course<F, R, E> {
     }
 
     /// The top at the time `t`.
-    pub fn stance(&self, t: f64) -> Result<Stance> {
+    pub fn configuration(&self, t: f64) -> Result<Configuration> {
         let (phase, y) = self.run.at(t)?;
-        Ok(self.top.stance(phase, &y))
+        Ok(self.top.configuration(phase, &y))
     }
 
     /// The top at the time `t`, and what the floor does to it.
-    pub fn forces(&self, t: f64) -> Result<(Stance, Forces)> {
+    pub fn forces(&self, t: f64) -> Result<(Configuration, Forces)> {
         let (phase, y) = self.run.at(t)?;
-        let at = self.top.stance(phase, &y);
+        let at = self.top.configuration(phase, &y);
         Ok((at, self.top.forces(phase, &at, &y)))
     }
 }

@@ -15,7 +15,7 @@
 //! | [`Drilling`], [`RollingResistance`] | resistances |
 //! | [`Throw`] | how it starts |
 //! | [`Course`] | the motion, with its events |
-//! | [`Stance`], [`Forces`] | what can be asked of a moment |
+//! | [`Configuration`], [`Forces`] | what can be asked of a moment |
 //!
 //! The friction of the tip acts at the contact, whose arm from the centre of mass is
 //! -(l e3 + r Z). So it leaves Jellett's integral alone, L . (l e3 + r Z), whatever its size
@@ -27,17 +27,17 @@
 //! Sources: J. H. Jellett, *A Treatise on the Theory of Friction* (1872); E. J. Routh,
 //! *Advanced Rigid Dynamics*; the laws of friction at their types.
 
+mod configuration;
 mod course;
 mod friction;
 mod motion;
-mod stance;
 
+pub use configuration::{Configuration, Forces, Powers};
 pub use course::{Course, Throw};
 pub use friction::{
     Drilling, Dry, Grip, NoSlip, Patch, Resistance, RollingResistance, Smooth, TipFriction,
 };
 pub use motion::{Contact, Phase};
-pub use stance::{Forces, Powers, Stance};
 
 use crate::body::RigidBody;
 use crate::effects::Effect;
@@ -165,7 +165,7 @@ pub struct Top<F = Smooth, R = (), E = ()> {
 #[derive(Debug, Clone, Copy)]
 struct Mark {
     name: &'static str,
-    margin: fn(&Stance, f64) -> f64,
+    margin: fn(&Configuration, f64) -> f64,
     value: f64,
 }
 
@@ -220,15 +220,16 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     /// [`Error::OutOfRange`] for an effect that depends on the time, has break points or a
     /// potential of its own: none of them is looked at here.
     pub fn in_effect<G: Effect>(self, effect: G) -> Result<Top<F, R, (E, G)>> {
-        let refused = G::NATURE.on_time || G::NATURE.slips || G::NATURE.keeps.energy;
+        let refused =
+            G::PROPERTIES.on_time || G::PROPERTIES.slips || G::PROPERTIES.conserved.energy;
         let breaks = effect.break_points().len();
-        if (refused && !G::NATURE.torque_free) || breaks > 0 {
-            return Err(Error::OutOfRange {
-                name: "effect's break points",
-                value: breaks as f64,
-                allowed: "an effect on a top is a torque that takes energy, without break \
+        if (refused && !G::PROPERTIES.torque_free) || breaks > 0 {
+            return Err(Error::out_of_range(
+                "effect's break points",
+                breaks as f64,
+                "an effect on a top is a torque that takes energy, without break \
                           points, and does not depend on the time",
-            });
+            ));
         }
         Ok(self.changed(|friction, resistance, before| (friction, resistance, (before, effect))))
     }
@@ -241,11 +242,11 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     pub fn sloping(self, angle: f64) -> Result<Self> {
         finite("slope", angle)?;
         if angle.abs() >= 1.0 {
-            return Err(Error::OutOfRange {
-                name: "slope",
-                value: angle,
-                allowed: "its size must be less than 1 rad",
-            });
+            return Err(Error::out_of_range(
+                "slope",
+                angle,
+                "its size must be less than 1 rad",
+            ));
         }
         let (size, (s, c)) = (self.gravity.norm(), sincos(angle));
         let gravity = SpaceVector::new(size * s, 0.0, -size * c);
@@ -259,7 +260,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         mut self,
         name: &'static str,
         value: f64,
-        margin: fn(&Stance, f64) -> f64,
+        margin: fn(&Configuration, f64) -> f64,
     ) -> Self {
         self.marks.push(Mark {
             name,

@@ -1,7 +1,7 @@
 //! The equations of motion, phase by phase.
 
-use super::stance::{Coordinates, axis};
-use super::{Forces, Resistance, Stance, TipFriction, Top};
+use super::configuration::{Coordinates, axis};
+use super::{Configuration, Forces, Resistance, TipFriction, Top};
 use crate::effects::Effect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -37,7 +37,7 @@ const ONSET: f64 = 1e-8;
 
 impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     /// A speed of the size of the top's own, sqrt(g (|l| + r)).
-    pub fn speed(&self) -> f64 {
+    pub(super) fn speed(&self) -> f64 {
         let shape = self.top.shape();
         (self.top.gravity().norm() * (shape.lever().abs() + shape.tip())).sqrt()
     }
@@ -47,13 +47,13 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
         10.0 * self.step * self.speed()
     }
 
-    fn seen(&self, phase: Phase, y: &Coordinates) -> (Stance, Forces) {
-        let at = self.top.stance(phase, y);
+    fn seen(&self, phase: Phase, y: &Coordinates) -> (Configuration, Forces) {
+        let at = self.top.configuration(phase, y);
         (at, self.top.forces(phase, &at, y))
     }
 
     /// The coordinates with height and momentum as the contact has them.
-    pub fn settled(&self, at: &Stance, y: &Coordinates) -> Coordinates {
+    pub(super) fn settled(&self, at: &Configuration, y: &Coordinates) -> Coordinates {
         let mut settled = *y;
         settled[10] = at.centre.z();
         for (place, v) in settled[11..].iter_mut().zip(at.velocity.to_array()) {
@@ -64,7 +64,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
 
     /// A tip that does not move over the floor: it rolls if friction can hold it, and slides
     /// off otherwise.
-    pub fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
+    pub(super) fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
         let phase = Phase {
             contact: Contact::Rolling,
             passed,
@@ -157,7 +157,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E>
                 Contact::Sliding => conditions.push(Condition::gap(
                     "grips",
                     move |y| {
-                        let slip = self.top.stance(phase, y).slip;
+                        let slip = self.top.configuration(phase, y).slip;
                         hypot(slip.x(), slip.y()) - self.stopped()
                     },
                     Next::decide(move |_, y| Ok(self.stuck(passed, y))),
@@ -179,7 +179,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E>
                 ..phase
             };
             let margin =
-                move |y: &Coordinates| (mark.margin)(&self.top.stance(phase, y), mark.value);
+                move |y: &Coordinates| (mark.margin)(&self.top.configuration(phase, y), mark.value);
             conditions.push(Condition::gap(mark.name, margin, Next::Enter(next)));
         }
         conditions

@@ -133,7 +133,7 @@ fn plain(problem: &impl Ode<7>, y: &mut [f64; 7], h: f64, steps: u64) {
     }
 }
 
-/// The invariants of tops stepped sixty times a period, by the carrier given.
+/// The invariants of tops stepped sixty times a period, by the stepper given.
 fn with_small_steps(carry: impl Fn(&SpinFree<'_, Gravity>, &mut [f64; 7], f64, u64)) -> Vec<f64> {
     let times = times(400.0);
     let mut squares = vec![0.0; times.len()];

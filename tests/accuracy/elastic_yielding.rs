@@ -6,7 +6,8 @@ use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    Effect, ElasticYielding, GravityAtLever, InternalDissipation, Nature, ViscousFriction, check,
+    Effect, ElasticYielding, GravityAtLever, InternalDissipation, Properties, ViscousFriction,
+    check,
 };
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -169,7 +170,7 @@ fn the_free_period_grows_by_what_follows() {
 /// The yielding without its strain: the potential is what it is not.
 struct Unstrained(ElasticYielding);
 impl Effect for Unstrained {
-    const NATURE: Nature = ElasticYielding::NATURE;
+    const PROPERTIES: Properties = ElasticYielding::PROPERTIES;
     fn name(&self) -> &'static str {
         "unstrained"
     }

@@ -1,7 +1,7 @@
 //! The gravity gradient: point masses, claims, libration, Jacobi's integral.
 
 use super::twin::{KEEPS_ENERGY, NOT_ON_TIME, OTHER_POTENTIAL, OTHER_POWER, Twin, refused};
-use rotation_dynamics::accuracy::{Carrier, Fineness, Limits};
+use rotation_dynamics::accuracy::{Limits, Resolution, Stepper};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityGradient, check};
@@ -258,10 +258,10 @@ fn after_a_day() -> Attitude {
 }
 
 /// Torques taken, and how far its attitude is off at the end (rad).
-fn a_day(method: Method, fineness: Fineness, body: &RigidBody) -> (u64, f64) {
+fn a_day(method: Method, resolution: Resolution, body: &RigidBody) -> (u64, f64) {
     let scene = Scene::new(*body).with(tilted_orbit());
-    let carrier = Carrier::new(method, fineness).expect("a setting");
-    let (end, work) = carrier
+    let stepper = Stepper::new(method, resolution).expect("a setting");
+    let (end, work) = stepper
         .advance_as_usual(&scene, [0.0, 86_400.0], &tumbling(body))
         .expect("solved");
     (work.torques(), end.attitude.angle_to(&after_a_day()))
@@ -270,20 +270,20 @@ fn a_day(method: Method, fineness: Fineness, body: &RigidBody) -> (u64, f64) {
 #[test]
 fn a_satellites_day() {
     let body = satellite();
-    let by = |method, fineness| a_day(method, fineness, &body);
-    let (torques, off) = by(Method::GaussLegendre16, Fineness::Steps(200));
+    let by = |method, resolution| a_day(method, resolution, &body);
+    let (torques, off) = by(Method::GaussLegendre16, Resolution::Steps(200));
     assert_eq!(torques, 36_856);
     assert_error!(off, 2.655e-8);
-    let (torques, off) = by(Method::GaussLegendre16, Fineness::Steps(400));
+    let (torques, off) = by(Method::GaussLegendre16, Resolution::Steps(400));
     assert_eq!(torques, 48_064);
     assert_error!(off, 1.96e-12);
-    let (torques, off) = by(Method::Dop853, Fineness::Tolerance(1e-9));
+    let (torques, off) = by(Method::Dop853, Resolution::Tolerance(1e-9));
     assert_eq!(torques, 9_158);
     assert_error!(off, 1.171e-5);
-    let (torques, off) = by(Method::Dop853, Fineness::Tolerance(1e-12));
+    let (torques, off) = by(Method::Dop853, Resolution::Tolerance(1e-12));
     assert_eq!(torques, 21_206);
     assert_error!(off, 8.838e-9);
-    let (torques, off) = by(Method::Rk4, Fineness::Steps(10_000));
+    let (torques, off) = by(Method::Rk4, Resolution::Steps(10_000));
     assert_eq!(torques, 40_000);
     assert_error!(off, 2.595e-5);
     // `solve` delivers what it is asked for.
@@ -294,7 +294,7 @@ fn a_satellites_day() {
     assert!(day.state.attitude.angle_to(&after_a_day()) <= 1e-9);
     // A moment that is off by 1e-12 of itself is seen.
     let other = PrincipalMoments::new(20.0, 90.0, 100.0 * (1.0 + 1e-12)).expect("a body");
-    let steps = Fineness::Steps(400);
+    let steps = Resolution::Steps(400);
     let (_, off) = a_day(Method::GaussLegendre16, steps, &RigidBody::new(other));
     assert!(off > 1e-9, "{off:e}");
 }

@@ -5,10 +5,10 @@ use super::twin::{
     AXIS_ONLY, KEEPS_AXIAL, KEEPS_ENERGY, NO_SLIP, NOT_ON_RATES, TORQUE_FREE, Twin, refused,
 };
 use rotation_dynamics::Error;
-use rotation_dynamics::accuracy::{Carrier, Fineness, Limits, Variables};
+use rotation_dynamics::accuracy::{Limits, Resolution, Stepper, Variables};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, InternalDissipation, Nature, check};
+use rotation_dynamics::effects::{Effect, GravityAtLever, InternalDissipation, Properties, check};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::Method;
@@ -31,7 +31,7 @@ fn rod() -> (RigidBody, State) {
 /// The loss with its sign turned round: it gains.
 struct Gain(InternalDissipation);
 impl Effect for Gain {
-    const NATURE: Nature = InternalDissipation::NATURE;
+    const PROPERTIES: Properties = InternalDissipation::PROPERTIES;
     fn name(&self) -> &'static str {
         "gain"
     }
@@ -207,14 +207,14 @@ fn a_heavy_body_loses_what_its_power_says() {
 pub fn by_four_methods<E: Effect>(scene: &Scene<E>, start: &State) -> Errors {
     let reference = scene.solve(start, 10.0, 1e-11).expect("solved").state;
     let mut errors = Errors::of("attitude by four methods");
-    for (method, fineness) in [
-        (Method::Rk4, Fineness::Steps(20_000)),
-        (Method::MuntheKaas4, Fineness::Steps(20_000)),
-        (Method::Dop853, Fineness::Tolerance(1e-13)),
-        (Method::GaussLegendre16, Fineness::Steps(400)),
+    for (method, resolution) in [
+        (Method::Rk4, Resolution::Steps(20_000)),
+        (Method::MuntheKaas4, Resolution::Steps(20_000)),
+        (Method::Dop853, Resolution::Tolerance(1e-13)),
+        (Method::GaussLegendre16, Resolution::Steps(400)),
     ] {
-        let carrier = Carrier::new(method, fineness).expect("a method");
-        let (end, _) = carrier
+        let stepper = Stepper::new(method, resolution).expect("a method");
+        let (end, _) = stepper
             .advance(scene, Variables::Space, [0.0, 10.0], start)
             .expect("carried");
         errors.push_at(end.attitude.angle_to(&reference.attitude), method);
@@ -230,15 +230,18 @@ fn every_method_carries_it_or_refuses() {
     let errors = by_four_methods(&scene, &start);
     errors.attain(3.4e-13..=3.5e-13, 4);
     for method in [Method::EulerOnAngles, Method::SemiImplicitEuler] {
-        let carrier = Carrier::new(method, Fineness::Steps(10)).expect("a method");
-        let refused = carrier.advance(&scene, Variables::Space, [0.0, 1.0], &start);
-        assert!(matches!(refused, Err(Error::Slips { .. })), "{refused:?}");
+        let stepper = Stepper::new(method, Resolution::Steps(10)).expect("a method");
+        let refused = stepper.advance(&scene, Variables::Space, [0.0, 1.0], &start);
+        assert!(
+            matches!(refused, Err(Error::Incompatible { .. })),
+            "{refused:?}"
+        );
     }
-    let gauss = Carrier::new(Method::GaussLegendre16, Fineness::Steps(10)).expect("a method");
+    let gauss = Stepper::new(Method::GaussLegendre16, Resolution::Steps(10)).expect("a method");
     for variables in [Variables::Body, Variables::SpinFree] {
         let refused = gauss.advance(&scene, variables, [0.0, 1.0], &start);
         assert!(
-            matches!(refused, Err(Error::SeesMore { .. })),
+            matches!(refused, Err(Error::Incompatible { .. })),
             "{refused:?}"
         );
     }

@@ -1,8 +1,6 @@
 //! Measures of error, work-precision curves, long-time drift, `solve`, and effects that it
 //! solves.
 
-mod called_for;
-mod called_for_axis;
 mod drift;
 mod effects;
 mod elastic_yielding;
@@ -10,6 +8,8 @@ mod error_control;
 mod gravity_gradient;
 mod internal_dissipation;
 mod measures;
+mod neglected;
+mod neglected_axis;
 mod orbiting_body;
 mod sweep;
 mod twin;

@@ -9,7 +9,7 @@ use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    Effect, Feature, GravityGradient, KeplerOrbit, Nature, OrbitingBody, check,
+    Effect, Feature, GravityGradient, KeplerOrbit, OrbitingBody, Properties, check,
 };
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -186,7 +186,7 @@ fn a_circle_is_the_gravity_gradient() {
 struct Erring<const SQUARED: bool>(OrbitingBody);
 
 impl<const SQUARED: bool> Effect for Erring<SQUARED> {
-    const NATURE: Nature = OrbitingBody::<false>::NATURE;
+    const PROPERTIES: Properties = OrbitingBody::<false>::PROPERTIES;
     fn name(&self) -> &'static str {
         "erring"
     }

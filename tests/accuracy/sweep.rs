@@ -125,7 +125,8 @@ fn refusals_are_kept_with_their_reason() {
             ..Work::default()
         };
         match setting {
-            1.0 => Err(Error::TooManySteps {
+            1.0 => Err(Error::LimitReached {
+                what: "steps",
                 t: 0.0,
                 t_end: 1.0,
                 limit: 1,
@@ -149,7 +150,7 @@ fn refusals_are_kept_with_their_reason() {
     assert_eq!((sweep.runs().len(), sweep.refused().len()), (2, 2));
     assert!(matches!(
         sweep.refused()[0],
-        (1.0, Error::TooManySteps { .. })
+        (1.0, Error::LimitReached { what: "steps", .. })
     ));
     assert!(matches!(sweep.refused()[1], (2.0, Error::NotFinite { .. })));
     let points = sweep.curve(Measure::Attitude, Work::torques).unwrap();

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Feature, Known, Nature};
+use rotation_dynamics::effects::{Effect, Feature, IntegrableCase, Properties};
 use rotation_dynamics::frame::SpaceVector;
 
 /// What a twin says that may be false. One claim is left out: that a torque is an analytic
@@ -39,26 +39,26 @@ pub const OTHER_POWER: usize = 10;
 pub const NO_SLIP: usize = 15;
 
 /// The nature of the twin that tells this lie.
-pub const fn damaged(mut nature: Nature, lie: usize) -> Nature {
+pub const fn damaged(mut properties: Properties, lie: usize) -> Properties {
     match lie {
-        TORQUE_FREE => nature.torque_free = true,
-        AXIS_ONLY => nature.axis_only = true,
-        NOT_ON_RATES => nature.on_rates = false,
-        NOT_ON_TIME => nature.on_time = false,
-        KEEPS_ENERGY => nature.keeps.energy = true,
-        5..=7 => nature.keeps.momentum[lie - 5] = true,
-        KEEPS_AXIAL => nature.keeps.axial_momentum = true,
-        NO_SLIP => nature.slips = false,
+        TORQUE_FREE => properties.torque_free = true,
+        AXIS_ONLY => properties.axis_only = true,
+        NOT_ON_RATES => properties.on_rates = false,
+        NOT_ON_TIME => properties.on_time = false,
+        KEEPS_ENERGY => properties.conserved.energy = true,
+        5..=7 => properties.conserved.momentum[lie - 5] = true,
+        KEEPS_AXIAL => properties.conserved.axial_momentum = true,
+        NO_SLIP => properties.slips = false,
         _ => {}
     }
-    nature
+    properties
 }
 
 /// An effect that says the same of itself but for one thing.
 pub struct Twin<'e, E, const LIE: usize>(pub &'e E);
 
 impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
-    const NATURE: Nature = damaged(E::NATURE, LIE);
+    const PROPERTIES: Properties = damaged(E::PROPERTIES, LIE);
 
     fn name(&self) -> &'static str {
         self.0.name()
@@ -106,11 +106,11 @@ impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
         self.0.narrowest()
     }
 
-    fn known(&self) -> Known {
+    fn integrable_case(&self) -> IntegrableCase {
         if LIE == 14 {
-            Known::Free
+            IntegrableCase::Free
         } else {
-            self.0.known()
+            self.0.integrable_case()
         }
     }
 }

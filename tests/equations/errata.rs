@@ -119,7 +119,7 @@ fn e33_energy_of_figure_3() {
     let refused = HeavyTop::from_energy(top, 0.40, Start::ThetaMin, 0.0, 0.0);
     let told = refused.expect_err("below the minimum").to_string();
     assert!(
-        told == "no motion: E~ = 0.40 is below U_min = 0.404262",
+        told == "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262",
         "{told}"
     );
 

@@ -9,7 +9,7 @@ use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Fading, Gimbals, Hold, Nod, Pose};
+use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Decay, Gimbals, Hold, Nod, Pose};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, small_frequency};
 use rotation_dynamics::math::{EPS, cos, log, sin, sincos};
 use support::{Errors, assert_error};
@@ -390,7 +390,7 @@ fn viscous_friction_takes_small_nods_as_linear_theory_says() {
         for (tilt, azimuth) in [(2e-3, 0.0), (0.0, 1e-5), (2e-3, 1e-5), (2e-2, 1e-5)] {
             let b = rubbing([tilt, 0.0], [azimuth, 0.0], [0.0; 2], false);
             let (theta, axial) = (1.0, 0.9);
-            let theory = Fading::of(&g, &b, theta, axial).unwrap();
+            let theory = Decay::of(&g, &b, theta, axial).unwrap();
             let start = Pose {
                 theta_rate: 1e-3 * theory.frequency,
                 phi_rate: theory.precession,
@@ -423,7 +423,7 @@ fn dry_friction_takes_equal_steps() {
     let vertical = g.vertical_momentum(&start);
     let nod = nod(&g, &start);
     let bottom = 0.5 * (nod.theta_min + nod.theta_max);
-    let theory = Fading::of(&g, &b, bottom, axial).unwrap();
+    let theory = Decay::of(&g, &b, bottom, axial).unwrap();
     let course = Course::new(g, b, start, None, 1.0, 1e-13).unwrap();
     let stops: Vec<f64> = course
         .changes()
@@ -438,7 +438,7 @@ fn dry_friction_takes_equal_steps() {
         stops.len()
     );
     let (mut errors, mut damaged) = (Errors::of("shortening"), Errors::of("of the rotor alone"));
-    let bare = Fading::of(&with([0.0; 3], 0.0), &b, bottom, axial)
+    let bare = Decay::of(&with([0.0; 3], 0.0), &b, bottom, axial)
         .unwrap()
         .shortening;
     for three in stops.windows(3).take(50) {
@@ -476,7 +476,7 @@ fn the_axis_sinks_and_rises_as_the_slow_motion_says() {
             ..g.released(1.0, 314.0)
         };
         let course = Course::new(g, b, start, None, 30.0, 1e-11).unwrap();
-        let slow = Fading::slow(g, b);
+        let slow = Decay::slow(g, b);
         let (end, _) = Dop853::new(1e-12)
             .unwrap()
             .advance(&slow, 0.0, &[1.0, 0.0, axial], 30.0)

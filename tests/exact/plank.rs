@@ -67,8 +67,8 @@ fn what_does_not_fall_is_refused() {
     let message = Plank::new(1.0, G, 0.0, 5.0).unwrap_err().to_string();
     assert_eq!(
         message,
-        "at 5 rad/s the floor would have to pull to keep the foot down: at this angle at most \
-         4.428690551393267 rad/s"
+        "omega0 = 5 is not allowed: at this angle at most \
+         4.428690551393267 rad/s; faster, the floor would have to pull to keep the foot down"
     );
     let falling = plank(0.01, 0.0);
     for t in [-1e-9, 0.9, f64::NAN] {

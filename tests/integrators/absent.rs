@@ -9,7 +9,9 @@ use core::cell::Cell;
 use core::mem::size_of;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{CoulombBearing, Effect, GravityAtLever, Nature, ViscousFriction};
+use rotation_dynamics::effects::{
+    CoulombBearing, Effect, GravityAtLever, Properties, ViscousFriction,
+};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::{BodyAxes, LaneByLane};
@@ -233,7 +235,7 @@ struct Counted<'c> {
 }
 
 impl Effect for Counted<'_> {
-    const NATURE: Nature = GravityAtLever::NATURE;
+    const PROPERTIES: Properties = GravityAtLever::PROPERTIES;
 
     fn name(&self) -> &'static str {
         "counted gravity"

@@ -144,7 +144,7 @@ fn the_angles_fail_at_the_pole() {
     let (scene, start, _) = tumbling(0.0);
     let refused = on_angles(10).advance(&scene, 0.0, &start, 1.0);
     assert!(
-        matches!(refused, Err(Error::AtPole { theta: 0.0 })),
+        matches!(refused, Err(Error::GimbalLock { angle: 0.0, .. })),
         "{refused:?}"
     );
     assert!(semi_implicit(10).advance(&scene, 0.0, &start, 1.0).is_ok());

@@ -1,7 +1,7 @@
 //! What is kept through very many steps: a share of it here, the whole by hand
 //! (`benches/record/long.txt`).
 
-use rotation_dynamics::accuracy::{Carrier, Fineness};
+use rotation_dynamics::accuracy::{Resolution, Stepper};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever};
@@ -60,21 +60,21 @@ type Off = [f64; 3];
 
 impl<E: Effect> Long<E> {
     fn after(&self, method: Method, steps: u64) -> Off {
-        let carrier = Carrier::new(method, Fineness::Steps(steps)).unwrap();
+        let stepper = Stepper::new(method, Resolution::Steps(steps)).unwrap();
         let span = [0.0, self.step * steps as f64];
-        let (end, _) = carrier
+        let (end, _) = stepper
             .advance_as_usual(&self.scene, span, &self.start)
             .unwrap();
         let norm: f64 = end.attitude.quaternion().iter().map(|c| c * c).sum();
         let size = self.start.angular_momentum.norm();
         let gained = end.angular_momentum - self.start.angular_momentum;
-        let gained = if E::NATURE.torque_free {
+        let gained = if E::PROPERTIES.torque_free {
             gained.norm()
         } else {
             gained.dot(&self.vertical)
         };
         let energy = |state| self.scene.energy(state);
-        let lifted = if E::NATURE.torque_free {
+        let lifted = if E::PROPERTIES.torque_free {
             energy(&self.start)
         } else {
             0.8
@@ -93,7 +93,7 @@ impl<E: Effect> Long<E> {
         let name = method.name();
         println!("{name}, {steps} steps: norm {norm:e}, momentum {momentum:e}, energy {energy:e}");
         assert!(norm.abs() <= 4.0 * EPS, "{name}: {norm:e}");
-        let turned = if E::NATURE.torque_free {
+        let turned = if E::PROPERTIES.torque_free {
             0.0
         } else {
             roundings(steps)

@@ -2,7 +2,7 @@
 //! a clear error. `PROPERTY_CASES=N` tries N times as much, `PROPERTY_SEED=S` other things; without
 //! the first a quarter is tried.
 
-use crate::told::{asked, thinned};
+use crate::answers::{asked, thinned};
 use kit::{Answer, claim, Report};
 use pages::ALL;
 use proptest::prelude::*;

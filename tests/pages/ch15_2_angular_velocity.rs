@@ -1,7 +1,7 @@
 //! Angular velocity: equations (1) to (6) and the theorem, by where points and bodies are a
 //! little earlier and later; what the notes leave open or misstate.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::answers::{confirmed, ledger, refused, value};
 use pages::ch15_2_angular_velocity::{filmed as pictured, *};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::SpaceVector;

@@ -1,7 +1,7 @@
 //! The day and the stars: the notes' numbers by a turning arrow, the equation of time by an
 //! orbit that is integrated, and what the notes slip in or leave out.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::answers::{confirmed, ledger, refused, value};
 use pages::ch15_2_days::left_out::{by_jupiter, by_light, by_the_moon, later, simulated, spread};
 use pages::ch15_2_days::*;
 use rotation_dynamics::math::{atan2, cos, sin, tan};

@@ -1,7 +1,7 @@
 //! Rolling: each formula of the page by a route of its own, the slips of the notes, and far
 //! from the notes' numbers. That simulations confirm the claims is part of the report.
 
-use crate::told::{computed, confirmed, errors_of, ledger, refused, value};
+use crate::answers::{computed, confirmed, errors_of, ledger, refused, value};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use pages::ch15_2_rolling::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};

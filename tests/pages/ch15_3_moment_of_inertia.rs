@@ -1,6 +1,6 @@
 //! Section 15.3: each equation by a route that does not use it, and the slips of the notes.
 
-use crate::told::{cell, confirmed, ledger, refused, value};
+use crate::answers::{cell, confirmed, ledger, refused, value};
 use pages::ch15_3_moment_of_inertia::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::DesignVector;

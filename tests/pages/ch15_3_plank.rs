@@ -1,6 +1,6 @@
 //! Section 15.3, example 3: the falling plank.
 
-use crate::told::{answer, confirmed, refused, value};
+use crate::answers::{answer, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
 use kit::{parse, times};
 use pages::ch15_3_plank::*;

@@ -1,7 +1,7 @@
 //! Angular momentum. The other route is everywhere the sum over grains whose velocities come
 //! from their places at neighbouring times: it knows no tensor and no v = Omega x r.
 
-use crate::told::{cell, confirmed, ledger, number, refused, value};
+use crate::answers::{cell, confirmed, ledger, number, refused, value};
 use pages::ch15_4_angular_momentum::left_out::{blown, whirled};
 use pages::ch15_4_angular_momentum::swarm::{Swarm, angle, ball, cuboid, cylinder, rate};
 use pages::ch15_4_angular_momentum::worked::{Earth, Runner, plate, rolling, runner};

@@ -1,7 +1,7 @@
 //! Three different moments. That stepped motions confirm the formulas is part of the report;
 //! here for other bodies, with what the page says of the curves and of the naive solver.
 
-use crate::told::{cell, confirmed, measured, number, refused, value};
+use crate::answers::{cell, confirmed, measured, number, refused, value};
 use pages::ch15_5_asymmetric::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;

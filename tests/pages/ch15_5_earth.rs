@@ -1,7 +1,7 @@
 //! Section 15.5, the wobble of the Earth. That counting, stepping and averaging confirm the
 //! formulas is part of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, refused, value};
+use crate::answers::{confirmed, refused, value};
 use pages::ch15_5_earth::equinoxes::{ARCSEC, SUN, ripple, year};
 use pages::ch15_5_earth::*;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};

@@ -1,7 +1,7 @@
 //! The hinged rod that is hit by a particle. The simulation knows contacts and impulses and
 //! no conservation law; a claim that it does not confirm is an error.
 
-use crate::told::{confirmed, measured, refused, value};
+use crate::answers::{confirmed, measured, refused, value};
 use pages::ch15_5_rod_and_particle::strike::Blow;
 use pages::ch15_5_rod_and_particle::{Answer, EXAMPLE, Parameters, scene};
 use rotation_dynamics::math::{cbrt, cos, sin};

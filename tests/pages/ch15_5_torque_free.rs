@@ -1,7 +1,7 @@
 //! Torque-free motion of a symmetric top. The equations are judged by bodies of six particles
 //! that move by Newton's law in steps: what is measured on them knows none of (1) to (17).
 
-use crate::told::{self, confirmed, refused, value};
+use crate::answers::{self, confirmed, refused, value};
 use core::ops::RangeInclusive;
 use pages::ch15_5_torque_free::*;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -406,7 +406,7 @@ fn what_is_no_wobbling_top_is_refused() {
 /// axis is along L; a rotation that loses in proportion to its power 3/2; the average over a round.
 #[test]
 fn what_the_card_measures() {
-    let [tipped, braked, twisted] = told::measured(&EXAMPLE);
+    let [tipped, braked, twisted] = answers::measured(&EXAMPLE);
     let (disc, top) = (Top::cylinder(&DISC), Top::cylinder(&Parameters::default()));
     let mut errors = Errors::of("measured over another route, less one");
     errors.push(tipped[1] / (tipped[0] * cos(disc.tilt())) - 1.0);

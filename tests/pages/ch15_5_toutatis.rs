@@ -1,7 +1,7 @@
 //! Section 15.5, a tumbling asteroid. That two routes agree on every number is part of the
 //! report; here are the data, the fit, the paths and the tide by routes of their own.
 
-use crate::told::{cell, confirmed, ledger, number as said, refused, value};
+use crate::answers::{cell, confirmed, ledger, number as said, refused, value};
 use pages::ch15_5_toutatis::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;

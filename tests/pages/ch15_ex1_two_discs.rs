@@ -1,7 +1,7 @@
 //! Exercise 15.1. The simulation knows the friction of two faces and no conservation law; that it
 //! confirms the formulas is part of the report.
 
-use crate::told::{cell, confirmed, refused, value};
+use crate::answers::{cell, confirmed, refused, value};
 use pages::ch15_ex1_two_discs::*;
 use support::{Errors, assert_error};
 

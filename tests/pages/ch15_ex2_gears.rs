@@ -1,7 +1,7 @@
 //! Exercise 15.2. That simulation, particles and formulas agree is part of the report: a claim that
 //! differs from its oracle is an error.
 
-use crate::told::{confirmed, measured, refused, value};
+use crate::answers::{confirmed, measured, refused, value};
 use pages::ch15_ex2_gears::*;
 use rotation_dynamics::math::exp;
 use support::Errors;

@@ -1,7 +1,7 @@
 //! Exercise 15.3, coins of two sizes. That simulations and formulas agree is part of the report:
 //! a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, errors_of, measured, refused};
+use crate::answers::{confirmed, errors_of, measured, refused};
 use core::f64::consts::{PI, TAU};
 use pages::ch15_ex3_coins::*;
 use rotation_dynamics::math::{atan2, cos, sin};

@@ -1,7 +1,7 @@
 //! Exercise 15.4. The simulation knows contacts and impulses and no conservation law; that it
 //! confirms the formulas is part of the report.
 
-use crate::told::{confirmed, measured, refused, value};
+use crate::answers::{confirmed, measured, refused, value};
 use pages::ch15_ex4_rod_and_particle::strike::Blow;
 use pages::ch15_ex4_rod_and_particle::{Answer, EXAMPLE, Parameters, ratio, scene};
 use rotation_dynamics::integrators::{Ode, after, ode};

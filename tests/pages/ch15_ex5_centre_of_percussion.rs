@@ -1,7 +1,7 @@
 //! Exercise 15.5. The simulation knows contacts and a hinge and no formula for the place; that it
 //! confirms them is part of the report.
 
-use crate::told::{cell, confirmed, measured, refused, value, with_report};
+use crate::answers::{cell, confirmed, measured, refused, value, with_report};
 use pages::ch15_ex5_centre_of_percussion::bat::{Blow, Strike};
 use pages::ch15_ex5_centre_of_percussion::*;
 use rotation_dynamics::integrators::{after, ode};

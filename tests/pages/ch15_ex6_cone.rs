@@ -1,7 +1,7 @@
 //! Exercise 15.6, the cone that rolls about its vertex. That particles and formulas agree is
 //! part of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, errors_of, ledger, refused};
+use crate::answers::{confirmed, errors_of, ledger, refused};
 use pages::ch15_ex6_cone::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::solids;

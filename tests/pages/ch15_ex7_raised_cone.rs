@@ -1,7 +1,7 @@
 //! Exercise 15.7, the cone with its vertex raised. That particles and formulas agree is part of
 //! the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, errors_of, ledger, refused};
+use crate::answers::{confirmed, errors_of, ledger, refused};
 use pages::ch15_ex7_raised_cone::*;
 use core::f64::consts::TAU;
 use rotation_dynamics::math::{cos, exp, sin, tan};

@@ -1,7 +1,7 @@
 //! Exercise 15.8, a string pulled in. That the simulated string confirms the formulas is part of
 //! the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, errors_of, refused};
+use crate::answers::{confirmed, errors_of, refused};
 use pages::ch15_ex8_string::pull::{Pulled, across, energy, radius};
 use pages::ch15_ex8_string::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};

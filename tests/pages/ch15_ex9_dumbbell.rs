@@ -1,7 +1,7 @@
 //! Exercise 15.9, a dumbbell hit. The simulation knows contacts and impulses and no conservation
 //! law; that it confirms the formulas is part of the report.
 
-use crate::told::{confirmed, errors_of, ledger, refused, value};
+use crate::answers::{confirmed, errors_of, ledger, refused, value};
 use core::f64::consts::{PI, TAU};
 use pages::ch15_ex9_dumbbell::hit::{Blow, Hit, distances, places, velocities};
 use pages::ch15_ex9_dumbbell::*;

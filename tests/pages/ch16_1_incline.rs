@@ -1,6 +1,6 @@
 //! Section 16.1: rolling on an incline.
 
-use crate::told::{answer, confirmed, refused, value};
+use crate::answers::{answer, confirmed, refused, value};
 use kit::prelude::*;
 use pages::ch16_1_incline::*;
 use rotation_dynamics::math::log1p;

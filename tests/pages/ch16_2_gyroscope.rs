@@ -1,7 +1,7 @@
 //! The gyroscope: any motion asked for is confirmed by a second route or refused in words,
 //! its picture moves, and what the page says of limits and errors holds elsewhere too.
 
-use crate::told::answer;
+use crate::answers::answer;
 use kit::cli::Outcome;
 use kit::{MovingPicture, Page};
 use pages::ch16_2_gyroscope as gyroscope;
@@ -60,7 +60,7 @@ fn near_a_pole_nothing_is_left_out() {
             ("theta_max", exact.theta_max()),
             ("period", exact.nutation_period()),
         ] {
-            let told = crate::told::computed(&gyroscope::EXAMPLE, &flags, key);
+            let told = crate::answers::computed(&gyroscope::EXAMPLE, &flags, key);
             assert!((told - value).abs() <= 1e-6 * value.max(1e-3), "{flags}, {key}: {told}");
             ran += 1;
         }
@@ -134,7 +134,7 @@ fn sound_far_from_the_notes() {
 const REFUSED: &[(&str, &str)] = &[
     (
         "--energy 0.40",
-        "no motion: E~ = 0.40 is below U_min = 0.404262",
+        "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262",
     ),
     ("--a 2.5", "no body has I3 > 2 I1"),
     ("--a 0", "a = 0"),
@@ -332,7 +332,7 @@ fn what_is_put_in_is_confirmed_by_a_second_route() {
 fn a_bearing_that_takes_the_nods_is_weighed_to_first_order() {
     let mut ran = 0;
     for (flags, strong) in [("--with friction", true), ("--with friction=0.001", false)] {
-        let [[said, found]] = crate::told::ledger(&gyroscope::EXAMPLE, flags)[..] else { panic!("{flags}") };
+        let [[said, found]] = crate::answers::ledger(&gyroscope::EXAMPLE, flags)[..] else { panic!("{flags}") };
         assert_eq!(told(flags).stdout.contains(", of the axis, to first order"), strong, "{flags}");
         assert_eq!(found < 0.6 * said, strong, "{flags}: {said} {found}");
         assert_eq!(found > 0.9 * said, !strong, "{flags}: {said} {found}");

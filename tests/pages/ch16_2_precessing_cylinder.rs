@@ -1,6 +1,6 @@
 //! Section 16.2 (1): a cylinder made to precess.
 
-use crate::told::{computed, confirmed, ledger, refused, value};
+use crate::answers::{computed, confirmed, ledger, refused, value};
 use kit::prelude::*;
 use pages::ch16_2_precessing_cylinder::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};

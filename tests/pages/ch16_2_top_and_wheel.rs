@@ -1,7 +1,7 @@
 //! The top and the wheel: any motion asked for is either confirmed by a second route or
 //! refused in words; and what the page's tries say.
 
-use crate::told::{self, cell, confirmed, refused};
+use crate::answers::{self, cell, confirmed, refused};
 use pages::ch16_2_top_and_wheel::{EXAMPLE, TOP};
 use rotation_dynamics::math::sin;
 use support::Errors;
@@ -42,7 +42,7 @@ fn what_cannot_be_is_refused_in_words() {
 
 /// The number that this run prints under `key`.
 fn number(flags: &str, key: &str) -> f64 {
-    told::number(&EXAMPLE, flags, key)
+    answers::number(&EXAMPLE, flags, key)
 }
 
 /// The commands of the page's tries print what their folded answers say.

@@ -1,7 +1,7 @@
 //! Section 16.2 (2): the free top by Lagrange's equations, judged by the library's free body,
 //! whose closed form works with quaternions and knows no angle.
 
-use crate::told::{computed, confirmed, ledger, refused, value};
+use crate::answers::{computed, confirmed, ledger, refused, value};
 use kit::prelude::*;
 use pages::ch16_2_torque_free::*;
 use rotation_dynamics::exact::free_body::FreeBody;

@@ -1,7 +1,7 @@
 //! Exercise 16.1, Atwood's machine. That Newton's law for each body confirms the formulas is part
 //! of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{confirmed, errors_of, number, refused, value};
+use crate::answers::{confirmed, errors_of, number, refused, value};
 use pages::ch16_ex1_atwood::machine::{Grip, Machine};
 use pages::ch16_ex1_atwood::*;
 use rotation_dynamics::math::log;

@@ -1,6 +1,6 @@
 //! Exercise 16.2, the conical pendulum; a claim that its simulation does not confirm is an error.
 
-use crate::told::{confirmed, refused, value};
+use crate::answers::{confirmed, refused, value};
 use kit::prelude::*;
 use pages::ch16_ex2_conical_pendulum::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};

@@ -1,7 +1,7 @@
 //! Exercise 16.4, a disc that unwinds from a string. That Newton's law in the plane and Lagrange's
 //! equations in angles confirm each other is part of the report.
 
-use crate::told::{confirmed, errors_of, number, refused};
+use crate::answers::{confirmed, errors_of, number, refused};
 use pages::ch16_ex4_unwinding_disc::string::{Disc, Leaves};
 use pages::ch16_ex4_unwinding_disc::*;
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};

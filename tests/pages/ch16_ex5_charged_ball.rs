@@ -1,7 +1,7 @@
 //! Exercise 16.5, the charged ball. The simulation knows masses, pull and one contact with dry
 //! friction; that it confirms the formulas is part of the report.
 
-use crate::told::{answer, computed, confirmed, errors_of, refused, value};
+use crate::answers::{answer, computed, confirmed, errors_of, refused, value};
 use kit::prelude::*;
 use pages::ch16_ex5_charged_ball::*;
 use rotation_dynamics::planar::contact::{Mode, misdeclared};

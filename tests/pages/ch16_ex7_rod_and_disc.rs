@@ -1,7 +1,7 @@
 //! Exercise 16.7, the pendulum of rod and disc. That simulations confirm the formulas is part of
 //! the report: a claim or a limit that differs from its oracle is an error.
 
-use crate::told::{computed, confirmed, refused, value};
+use crate::answers::{computed, confirmed, refused, value};
 use kit::times;
 use pages::ch16_ex7_rod_and_disc::*;
 use rotation_dynamics::integrators::{Integrator, Rk4};

@@ -1,7 +1,7 @@
 //! Exercise 16.8, the plank on rollers. That simulations confirm the formulas is part of the
 //! report: a claim or a limit that differs from its oracle is an error.
 
-use crate::told::{computed, confirmed, errors_of, refused, value};
+use crate::answers::{computed, confirmed, errors_of, refused, value};
 use core::f64::consts::TAU;
 use pages::ch16_ex8_plank_on_rollers::*;
 use rotation_dynamics::integrators::{Dop853, second_order};
@@ -133,7 +133,7 @@ fn only_wide_swings_end_in_the_cycle() {
 /// The period by the smooth law is too long by less, the sharper it is, and costs more.
 #[test]
 fn a_smooth_law_is_late_and_dear() {
-    let cell = |width, column| crate::told::cell(&EXAMPLE, "", ["table smooth", width, column]);
+    let cell = |width, column| crate::answers::cell(&EXAMPLE, "", ["table smooth", width, column]);
     let late = ["1e-1", "1e-2", "1e-3"].map(|width| cell(width, "too long, as a part of the period"));
     let work = ["1e-1", "1e-2", "1e-3"].map(|width| cell(width, "evaluations in a period"));
     assert!(late.windows(2).all(|pair| pair[0] / pair[1] < 5.0 && pair[0] / pair[1] > 3.0), "{late:?}");

@@ -3,12 +3,12 @@
 //! also what the modules of the pages are held to.
 
 use crate::snapshots::settings;
-use crate::told::root;
+use crate::answers::root;
 use pages::{WHOLE, page};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use std::fs;
-use std::thread;
+use std::sync::Mutex;
+use std::{fs, thread};
 
 const COMMAND: &str = "cargo run --example ";
 
@@ -58,13 +58,14 @@ fn every_command_that_a_reader_is_given_runs() {
             given.insert(command, None);
         }
     }
-    let mut all: Vec<_> = given.iter_mut().collect();
-    let part = all.len().div_ceil(2);
+    // Each thread takes the next command, for a few take as long as all others.
+    let queue = Mutex::new(given.iter_mut());
+    let next = || queue.lock().expect("no thread has failed").next();
     thread::scope(|scope| {
-        for part in all.chunks_mut(part) {
+        for _ in 0..2 {
             scope.spawn(|| {
-                for ((stem, arguments), ended) in part {
-                    **ended = told(stem, arguments);
+                while let Some(((stem, arguments), ended)) = next() {
+                    *ended = told(stem, arguments);
                 }
             });
         }

@@ -1,6 +1,6 @@
 //! The page on effects: predictions hold for all parameters, and what is refused.
 
-use crate::told::{confirmed, refused};
+use crate::answers::{confirmed, refused};
 use pages::effects::*;
 use support::Errors;
 

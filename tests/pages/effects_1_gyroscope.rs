@@ -1,10 +1,10 @@
 //! The damped gyroscope: its formulas hold for other gyroscopes too, within what they leave
 //! out, and damaged twins of them do not.
 
-use crate::told::{answer, confirmed, refused};
+use crate::answers::{answer, confirmed, refused};
 use kit::parse;
 use pages::effects_1_gyroscope::*;
-use rotation_dynamics::gimbals::{Bearing, Bearings, Fading, Nod, Pose};
+use rotation_dynamics::gimbals::{Bearing, Bearings, Decay, Nod, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
 use support::{Errors, assert_error};
 
@@ -131,7 +131,7 @@ fn eq_6_the_sag() {
         let y = with(|p| p.rpm = rpm);
         let bearings = Bearings { tilt: Bearing::SMOOTH, air: None, ..y.bearings };
         let axial = y.start.axial_momentum;
-        let theory = Fading::of(&y.gimbals, &bearings, 1.0, axial).unwrap();
+        let theory = Decay::of(&y.gimbals, &bearings, 1.0, axial).unwrap();
         let (pivot, axle) = (bearings.azimuth, bearings.axle.dry());
         let about = pivot.dry() + pivot.viscous() * theory.precession - sign * axle * cos(1.0);
         about / (axial * sin(1.0)) / theory.sag - 1.0

@@ -1,7 +1,7 @@
 //! The top from throw to fall. That simulations confirm the formulas is part of the report; here
 //! they are asked for other throws and tops, and damaged twins miss.
 
-use crate::told::{confirmed, ledger, refused};
+use crate::answers::{confirmed, ledger, refused};
 use core::f64::consts::TAU;
 use pages::effects_2_top::*;
 use rotation_dynamics::math::{cos, log, sin};
@@ -44,9 +44,9 @@ fn eq_1_jellett() {
     for mu in [0.02, 0.05, 0.1] {
         let top = top(0.005, Dry::new(mu).unwrap());
         let run = top.simulate(&Throw::spinning(0.25, 150.0).precessing(6.5), 1.5, 1e-12).unwrap();
-        let [first, last] = [0.0, 1.5].map(|t| run.stance(t).unwrap());
+        let [first, last] = [0.0, 1.5].map(|t| run.configuration(t).unwrap());
         errors.push(top.jellett(&last) / top.jellett(&first) - 1.0);
-        let along = |at: &rotation_dynamics::tops::Stance| at.angular_momentum.dot(&at.axis);
+        let along = |at: &rotation_dynamics::tops::Configuration| at.angular_momentum.dot(&at.axis);
         damaged.push(along(&last) / along(&first) - 1.0);
     }
     errors.attain(1.99e-15..=2.0e-15, 3);
@@ -61,7 +61,7 @@ fn eq_2_friction_turns_the_axis_up() {
         let p = Parameters { tip, tilt, spin, friction: 1e-5, ..Parameters::default() };
         // Over many nods, with so little friction that it goes on at one rate.
         let top = top(tip, Dry::new(p.friction).unwrap());
-        let end = top.simulate(&p.throw(), 3.0, 1e-13).unwrap().stance(3.0).unwrap();
+        let end = top.simulate(&p.throw(), 3.0, 1e-13).unwrap().configuration(3.0).unwrap();
         let rate = (tilt - end.tilt()) / 3.0;
         errors.push_at(rate / p.rise_rate() - 1.0, (tip, tilt));
         let plain = p.friction * 0.1 * G * (0.04 + tip * cos(tilt)) / (4e-5 * spin);
@@ -78,7 +78,7 @@ fn eq_3_it_grips_near_the_estimate() {
     for (friction, tip) in [(0.01, 0.005), (0.02, 0.005), (0.05, 0.005), (0.05, 0.007), (0.03, 0.004), (0.08, 0.005)] {
         let p = Parameters { friction, tip, ..Parameters::default() };
         let run = top(tip, Dry::new(friction).unwrap()).simulate(&p.throw(), 9.0, 1e-9).unwrap();
-        seen.push(run.stance_at(run.event("grips").unwrap()).tilt() / p.grip_tilt());
+        seen.push(run.configuration_at(run.event("grips").unwrap()).tilt() / p.grip_tilt());
     }
     let [low, high] = [0.5, 1.1];
     assert!(seen.len() == 6 && seen.iter().all(|r| (low..high).contains(r)), "{seen:?}");
@@ -146,7 +146,7 @@ fn eq_7_the_least_spin() {
     assert!(p.rolling_spin() < 0.998 * p.least_spin());
     let held = top(p.tip, NoSlip);
     let run = held.simulate(&Throw::spinning(1e-5, 0.998 * p.least_spin()).rolling(), 18.0, 1e-11).unwrap();
-    assert!((0..=180).all(|i| run.stance(0.1 * f64::from(i)).unwrap().tilt() < 2e-4));
+    assert!((0..=180).all(|i| run.configuration(0.1 * f64::from(i)).unwrap().tilt() < 2e-4));
 }
 
 /// The precession axis passes through the centre of mass at the least spin: above it the centre
@@ -177,7 +177,7 @@ fn the_card_is_right_to_a_factor_of_two() {
     let rolls = top(p.tip, NoSlip).resisted_by(RollingResistance::new(0.01 * p.tip, 1e-2).unwrap());
     let risen = |t: f64| {
         let run = rolls.simulate(&p.throw().rolling(), t + 1.0, 1e-12).unwrap();
-        (0..200).map(|i| run.stance(t + 0.005 * f64::from(i)).unwrap().tilt()).sum::<f64>() / 200.0
+        (0..200).map(|i| run.configuration(t + 0.005 * f64::from(i)).unwrap().tilt()).sum::<f64>() / 200.0
     };
     let rate = 0.5 * (risen(0.0) - risen(2.0));
     let mut errors = Errors::of("measured, against other steps");

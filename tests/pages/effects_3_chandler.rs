@@ -1,7 +1,7 @@
 //! The Chandler wobble, effect by effect. That simulations confirm the formulas is part of the
 //! report; here they are asked far from the Earth's numbers, and damaged twins miss.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::answers::{confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
 use pages::effects_3_chandler::excited::{Dice, Excited};
 use pages::effects_3_chandler::parts::{CORE, CoreAndMantle};

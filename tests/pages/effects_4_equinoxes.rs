@@ -1,7 +1,7 @@
 //! The precession of the equinoxes. That each level of simulation confirms the formulas is part
 //! of the report; here they are asked for other Earths and Moons, and damaged twins miss.
 
-use crate::told::{answer, confirmed, refused, value};
+use crate::answers::{answer, confirmed, refused, value};
 use core::f64::consts::TAU;
 use kit::{Parsed, parse};
 use pages::effects_4_equinoxes::*;

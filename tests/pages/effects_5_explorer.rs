@@ -1,7 +1,7 @@
 //! Flips that end. That simulations confirm the formulas is part of the report; here for other
 //! bodies, with what the page says of averages, bands and methods.
 
-use crate::told::{confirmed, ledger, refused, value};
+use crate::answers::{confirmed, ledger, refused, value};
 use pages::effects_5_explorer::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;

@@ -1,7 +1,7 @@
 //! The phone thrown up. That stepped motions confirm the formulas is part of the report; here for
 //! many throws, each numbered result with a twin that must fail.
 
-use crate::told::{answer, confirmed, refused};
+use crate::answers::{answer, confirmed, refused};
 use core::f64::consts::{PI, TAU};
 use kit::Page;
 use pages::further_1_phone::throw::*;

@@ -1,7 +1,7 @@
 //! A further problem, the gyrocompass. That simulations confirm the formulas is part of the
 //! report; here they are asked far from the numbers of a ship, and damaged twins miss.
 
-use crate::told::{confirmed, refused};
+use crate::answers::{confirmed, refused};
 use kit::{Page, sampled};
 use pages::further_2_gyrocompass::*;
 use rotation_dynamics::integrators::{Ode, after};

@@ -1,7 +1,7 @@
 //! Euler's disc. That simulations confirm the formulas is part of the report: a claim or a limit
 //! that differs from its oracle is an error.
 
-use crate::told::{cell, computed, confirmed, ledger, refused, value};
+use crate::answers::{cell, computed, confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
 use kit::Page;
 use pages::further_3_euler_disc::*;

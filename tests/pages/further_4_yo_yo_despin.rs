@@ -1,7 +1,7 @@
 //! Further problem 4, yo-yo de-spin. That Lagrange's equations and Newton's law confirm the formulas
 //! is part of the report: a claim that differs from its oracle is an error.
 
-use crate::told::{answer, cell, computed, confirmed, refused, value};
+use crate::answers::{answer, cell, computed, confirmed, refused, value};
 use kit::Page;
 use pages::further_4_yo_yo_despin::strings::{Hangs, Reel, YoYo};
 use pages::further_4_yo_yo_despin::*;

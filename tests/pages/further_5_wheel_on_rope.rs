@@ -1,7 +1,7 @@
 //! A further problem, the wheel on a rope. Newton's law with the rope's pull and Lagrange's
 //! equations share no line; here they and the formulas of the page are asked off its numbers.
 
-use crate::told::{computed, confirmed, refused, value};
+use crate::answers::{computed, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
 use kit::Page;
 use pages::further_5_wheel_on_rope::*;

@@ -1,7 +1,7 @@
 //! The ball on a turntable and the one in a cylinder. The simulation knows Newton's and Euler's
 //! laws and one contact; that it confirms the formulas is part of the report.
 
-use crate::told::{computed, confirmed, refused, value};
+use crate::answers::{computed, confirmed, refused, value};
 use kit::Page;
 use kit::prelude::*;
 use pages::further_6_turntable::rolling::{Ball, Moving, Surface, Touch, at};

@@ -1,7 +1,7 @@
 //! The library alone: the day's promise is kept, the card is right about the magnet, and what
 //! is refused is refused with its reason.
 
-use crate::told::{answer, cell, confirmed, number, refused, value};
+use crate::answers::{answer, cell, confirmed, number, refused, value};
 use kit::{Page, parse};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
@@ -75,7 +75,7 @@ fn the_card_is_right_about_the_magnet() {
     let p = asked(0.1, 1e-9);
     let (scene, start) = satellite(&p).unwrap();
     let small = magnet(0.01 * MAGNET);
-    let weighed = scene.called_for(&start, DAY, 1e-3).unwrap().weigh(&small, 0.0).unwrap();
+    let weighed = scene.neglected_effects(&start, DAY, 1e-3).unwrap().predict(&small, 0.0).unwrap();
     let with = scene.with(small);
     let with = with.solve_along(&start, DAY, p.tolerance, &Limits::default()).unwrap();
     let without = scene.solve_along(&start, DAY, p.tolerance, &Limits::default()).unwrap();
@@ -91,7 +91,7 @@ fn the_card_is_right_about_the_magnet() {
     // The same number stands on the card, to two digits, for the whole magnet.
     let card = cell(&EXAMPLE, "", ["effects", "magnet on board", "error if left out"]);
     assert!((100.0 * weighed.predicted - card).abs() < 0.005, "{card}");
-    assert!(!scene.called_for(&start, DAY, 1e-3).unwrap().weigh(&magnet(MAGNET), 0.0).unwrap().linear);
+    assert!(!scene.neglected_effects(&start, DAY, 1e-3).unwrap().predict(&magnet(MAGNET), 0.0).unwrap().linear);
 }
 
 /// The first of the page's tries: its answer is what the page says of a tenth of the swing.

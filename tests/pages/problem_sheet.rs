@@ -5,7 +5,7 @@
 #[allow(dead_code, reason = "a program of its own, whose main is not called here")]
 mod sheet;
 
-use crate::told::thinned;
+use crate::answers::thinned;
 use kit::cli::joined;
 use kit::{Answer, Claim, Grid, Page};
 use serde_json::{Value, json};

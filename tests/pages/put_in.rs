@@ -1,7 +1,7 @@
 //! What `--with` puts in: the claims that only then are told, on the pages that simulate one effect
 //! of their card for it.
 
-use crate::told::{computed, refused, with_report};
+use crate::answers::{computed, refused, with_report};
 use kit::Page;
 use pages::ALL;
 use support::Errors;

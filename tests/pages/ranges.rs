@@ -5,7 +5,7 @@
 //! `PROPERTY_CASES=N` tries N times as many values of each parameter (15 tries them all; without it
 //! one of two is tried), `PROPERTY_SEED=S` others, `PAGES=STEM` one page.
 
-use crate::told::asked;
+use crate::answers::asked;
 use kit::{Error, Page};
 use kit::interval::{Interval, above, from_to};
 use oorandom::Rand64;
@@ -114,23 +114,16 @@ fn unexplained_of_library(error: &Refusal) -> bool {
     match error {
         Refusal::AtIndex { reason, .. } => unexplained_of_library(reason),
         // What doubles reach is said beside what was asked for, unless there is no such thing.
-        Refusal::NotDelivered { reached, .. } => !reached.is_finite(),
+        Refusal::NotDelivered { best, condition: None, .. } => !best.is_finite(),
+        Refusal::LimitReached { what, .. } => *what != "torques",
         Refusal::Contradiction { .. }
         | Refusal::NotFinite { .. }
-        | Refusal::DerivativeNotFinite { .. }
-        | Refusal::TorqueNotFinite { .. }
-        | Refusal::ForceNotFinite { .. }
-        | Refusal::EventNotFinite { .. }
-        | Refusal::StepUnderflow { .. }
+        | Refusal::FunctionOutOfRange { .. }
+        | Refusal::StepUnderflow { clock: None, .. }
         | Refusal::NoConvergence { .. }
-        | Refusal::TooManySteps { .. }
-        | Refusal::TooManyPhases { .. }
         | Refusal::OutsideRun { .. }
-        | Refusal::NotRising { .. }
         | Refusal::NotReached { .. }
-        | Refusal::ConditionBroken { .. }
         | Refusal::CannotHold { .. }
-        | Refusal::MassNotPositive { .. }
         | Refusal::Lengths { .. } => true,
         error => senseless(&error.to_string()),
     }
@@ -240,7 +233,7 @@ fn a_refusal_without_a_reason_is_seen() {
         oracle_value: 2.0,
         bound: 1e-3,
     };
-    let nan = Refusal::OutOfRange { name: "rate", value: f64::NAN, allowed: "a number" };
+    let nan = Refusal::out_of_range("rate", f64::NAN, "a number");
     for fault in [contradicted, nan.into(), Refusal::NotReached { name: "stop", until: 1.0 }.into()] {
         assert!(unexplained(&fault, &number("rate", true)), "{fault}");
     }

@@ -5,7 +5,7 @@
 //! `REFERENCE_CASES=FILE` asks the cases of another file of the same schema instead; one that no
 //! page answers, or that its page refuses, is named.
 
-use crate::told::claimed;
+use crate::answers::claimed;
 use pages::{WHOLE, page};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::DesignVector;

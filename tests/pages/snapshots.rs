@@ -6,7 +6,7 @@
 //! difference before you commit it.
 
 use insta::Settings;
-use crate::told::{root, with_report};
+use crate::answers::{root, with_report};
 use kit::draw::PALETTE;
 use kit::{Figure, Page, parse};
 use pages::{ALL, WHOLE};

@@ -14,7 +14,7 @@ use rotation_dynamics::integrators::{Integrator, Rk4};
 use rotation_dynamics::scene::Scene;
 use support::{EPS, Errors};
 
-use crate::told::ledger;
+use crate::answers::ledger;
 
 /// Asserts that the page measures these two after so many periods, to the digits that it prints.
 #[track_caller]

@@ -172,7 +172,8 @@ fn wrong_starts_are_refused() {
             matches!(
                 error,
                 Error::CannotHold {
-                    contact: "slope",
+                    name: "slope",
+                    rate: Some(_),
                     ..
                 }
             ),

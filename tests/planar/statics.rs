@@ -217,7 +217,8 @@ fn a_disc_unwinds_from_its_string() {
         matches!(
             error,
             Error::CannotHold {
-                contact: "string",
+                name: "string",
+                rate: Some(_),
                 ..
             }
         ),

@@ -116,7 +116,7 @@ fn what_has_no_motion_is_refused() {
         [1.0, 1.0, f64::INFINITY],
     ] {
         let error = refused(&Rod { mass, ..one() });
-        let Error::MassNotPositive { mass: told, .. } = &error else {
+        let Error::FunctionOutOfRange { value: told, .. } = &error else {
             panic!("{error}")
         };
         let [x, y, turning] = mass.map(f64::to_bits);
@@ -131,7 +131,7 @@ fn what_has_no_motion_is_refused() {
     for gravity in [f64::NAN, f64::INFINITY] {
         let error = refused(&Rod { gravity, ..one() });
         assert!(
-            matches!(&error, Error::ForceNotFinite { t: 0.0, force, .. } if !force[1].is_finite()),
+            matches!(&error, Error::FunctionOutOfRange { t: 0.0, value: force, .. } if !force[1].is_finite()),
             "{error}"
         );
     }

@@ -104,7 +104,7 @@ fn a_ball_slides_then_rolls() {
                 .simulate(&throw, 10.0 * speed / (mu * G), 1e-13)
                 .unwrap();
             let grips = rolled.event("grips").unwrap().t;
-            let end = rolled.stance(rolled.end_time()).unwrap();
+            let end = rolled.configuration(rolled.end_time()).unwrap();
             [
                 grips * 3.5 * mu * G / speed - 1.0,
                 end.velocity.norm() * 1.4 / speed - 1.0,
@@ -164,7 +164,7 @@ fn an_upright_top_runs_down() {
     let upright = Throw::spinning(0.0, spin);
     let top = || Top::new(shape, G).unwrap();
     let air = DiscDrag::new(0.03, 1.2, 1.5e-5, spin).unwrap();
-    let lost = |end: Stance| spin - end.spin();
+    let lost = |end: Configuration| spin - end.spin();
     let by_air = {
         let rate = -air.axial_torque(1.0) / axial;
         let root = 1.0 / spin.sqrt() + 0.5 * rate * t;
@@ -176,7 +176,7 @@ fn an_upright_top_runs_down() {
                 .resisted_by(Drilling::new(0.2, 1e-4).unwrap())
                 .simulate(&upright, t, 1e-12)
                 .unwrap()
-                .stance(t)
+                .configuration(t)
                 .unwrap(),
         ) - drilled,
         lost(
@@ -184,7 +184,7 @@ fn an_upright_top_runs_down() {
                 .on(Patch::new(0.2, 1e-4).unwrap())
                 .simulate(&upright, t, 1e-12)
                 .unwrap()
-                .stance(t)
+                .configuration(t)
                 .unwrap(),
         ) - drilled,
         lost(
@@ -193,7 +193,7 @@ fn an_upright_top_runs_down() {
                 .unwrap()
                 .simulate(&upright, t, 1e-12)
                 .unwrap()
-                .stance(t)
+                .configuration(t)
                 .unwrap(),
         ) - by_air,
     ];

@@ -9,7 +9,7 @@ use support::Errors;
 fn drift<F: TipFriction, R: Resistance, E: Effect>(run: &Course<F, R, E>) -> [f64; 4] {
     let (top, end) = (run.top(), run.end_time());
     let values = |t: f64| {
-        let at = run.stance(t).unwrap();
+        let at = run.configuration(t).unwrap();
         let along = at.angular_momentum.dot(&at.axis);
         [
             top.energy(&at),
@@ -78,7 +78,7 @@ fn the_energy_goes_where_the_powers_say() {
         let top = top.resisted_by(RollingResistance::new(1e-4, 10.0).unwrap());
         let top = top.in_effect(air).unwrap().sloping(0.05).unwrap();
         let run = top.simulate(&THROW, 1.0, 1e-12).unwrap();
-        let energy = |t: f64| top.energy(&run.stance(t).unwrap());
+        let energy = |t: f64| top.energy(&run.configuration(t).unwrap());
         let power = |t: f64, part: f64| {
             let (at, forces) = run.forces(t).unwrap();
             let powers = top.powers(&at, &forces);

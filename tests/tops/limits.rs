@@ -32,7 +32,7 @@ fn a_sharp_tip_that_holds_is_the_heavy_top() {
             for t in [0.5, 1.7, 3.0] {
                 let turned = top.attitude(&run.coordinates(t).unwrap());
                 errors.push_at(
-                    apart(run.stance(t).unwrap().axis, exact.attitude(t).axis()),
+                    apart(run.configuration(t).unwrap().axis, exact.attitude(t).axis()),
                     tilt,
                 );
                 errors.push_at(turned.angle_to(&exact.attitude(t)), tilt);
@@ -90,7 +90,7 @@ fn on_a_smooth_floor_the_nutation_is_an_integral() {
             .unwrap();
         let met = run.event("outer").unwrap();
         errors.push(met.t / period(0.0) - 1.0);
-        errors.push(run.stance_at(met).tilt() - low);
+        errors.push(run.configuration_at(met).tilt() - low);
         damaged.push(met.t / period(1.0) - 1.0);
     }
     errors.attain(2.8e-12..=2.82e-12, 6);
@@ -143,7 +143,7 @@ fn a_rolling_top_goes_round_steadily() {
 fn growth<F: TipFriction>(top: &Top<F>, throw: &Throw, [from, to]: [f64; 2]) -> f64 {
     let run = top.simulate(throw, to, 1e-13).unwrap();
     let size = |t: f64| {
-        let at = run.stance(t).unwrap();
+        let at = run.configuration(t).unwrap();
         log(hypot(at.axis.x(), at.axis.y()))
     };
     (size(to) - size(from)) / (to - from)
@@ -182,7 +182,7 @@ fn a_rolling_tip_lets_a_top_sleep_at_a_lower_spin() {
                 1e-12,
             )
             .unwrap();
-        assert!((0..200).all(|i| run.stance(0.1 * f64::from(i)).unwrap().tilt() < 2e-5));
+        assert!((0..200).all(|i| run.configuration(0.1 * f64::from(i)).unwrap().tilt() < 2e-5));
     }
     errors.attain(2.12e-6..=2.13e-6, 8);
     damaged.exceed(0.01, 6);

@@ -422,7 +422,14 @@ fn what_is_beyond_is_refused() -> Result<()> {
     for x in [0.29, 0.3 - 1e-12] {
         let error = simulate(&relay, &method, true, [x, 0.0], 1.0).expect_err("beyond");
         assert!(
-            matches!(error, Error::ConditionBroken { name: "switch", .. }),
+            matches!(
+                error,
+                Error::CannotHold {
+                    name: "switch",
+                    rate: None,
+                    ..
+                }
+            ),
             "{error}"
         );
     }

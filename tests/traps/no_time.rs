@@ -175,9 +175,9 @@ impl Mechanism<1, 2, 1> for Falling {
 struct Swaying;
 
 impl Effect for Swaying {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         slips: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "swaying"
@@ -556,8 +556,8 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
         row("tops/course.rs coordinates", move |t| {
             Ok(second.coordinates(t)?.to_vec())
         }),
-        row("tops/course.rs stance", move |t| {
-            Ok(third.stance(t)?.axis.to_array().to_vec())
+        row("tops/course.rs configuration", move |t| {
+            Ok(third.configuration(t)?.axis.to_array().to_vec())
         }),
         row("tops/course.rs forces", move |t| {
             Ok(vec![fourth.forces(t)?.1.normal])
@@ -613,7 +613,7 @@ fn a_time_that_is_none_gives_no_place() {
         .filter(|name| !is_inside(name))
         .collect();
     assert!(missing.is_empty(), "not asked: {missing:?}");
-    assert!(found.len() > 60, "{}", found.len());
+    assert!(found.len() > 55, "{}", found.len());
 }
 
 /// Where only the library asks, or as the other test does, or for what is no motion.
@@ -1005,7 +1005,7 @@ fn a_lost_attitude_reads_as_none() {
 struct Widthless;
 
 impl Effect for Widthless {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
     fn name(&self) -> &'static str {
         "widthless"
     }

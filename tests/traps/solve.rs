@@ -3,7 +3,7 @@
 use rotation_dynamics::accuracy::{Limits, Solved};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Nature, Torque, ViscousFriction};
+use rotation_dynamics::effects::{Effect, Properties, Torque, ViscousFriction};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator};
@@ -96,7 +96,9 @@ fn states_are_within_the_budget_and_can_be_cancelled() -> Result<()> {
         ..Limits::default()
     };
     let over = scene.solve_at(&start, &times, 1e-6, &limits);
-    assert!(matches!(over, Err(Error::OverBudget { budget, .. }) if budget == work + 5000));
+    assert!(
+        matches!(over, Err(Error::LimitReached { what: "torques", limit, .. }) if limit == work + 5000)
+    );
     // The same budget is enough for the run, and for one state.
     let motion = scene.solve_along(&start, 1000.0, 1e-6, &limits)?;
     motion.try_state(1.0)?;
@@ -119,12 +121,12 @@ fn states_are_within_the_budget_and_can_be_cancelled() -> Result<()> {
 /// A torque that sees the axis alone, and says so.
 struct Pulled;
 impl Effect for Pulled {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         axis_only: true,
         on_rates: false,
         on_time: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "pulled"
@@ -167,10 +169,10 @@ struct Table {
     asked: Cell<usize>,
 }
 impl Effect for Table {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         smooth: true,
         on_rates: false,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
     fn name(&self) -> &'static str {
         "table"
@@ -322,7 +324,7 @@ fn a_sampled_torque_is_answered_between_its_samples() -> Result<()> {
 type Law<'l> = dyn Fn(f64, &State) -> SpaceVector + 'l;
 struct Controller<'l>(&'l Law<'l>);
 impl Effect for Controller<'_> {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
     fn name(&self) -> &'static str {
         "controller"
     }
@@ -469,14 +471,29 @@ fn sliding_motion_is_called_so() -> Result<()> {
         .with(plate)
         .solve_with(&start, 1e5, 1e-6, &limits);
     assert!(
-        matches!(crossed, Err(Error::OverBudget { .. })),
+        matches!(
+            crossed,
+            Err(Error::LimitReached {
+                what: "torques",
+                ..
+            })
+        ),
         "{crossed:?}"
     );
     let smooth = Torque::on_space("weight", weight(0.05));
     let dear = Scene::new(body)
         .with(smooth)
         .solve_with(&start, 1e5, 1e-6, &limits);
-    assert!(matches!(dear, Err(Error::OverBudget { .. })), "{dear:?}");
+    assert!(
+        matches!(
+            dear,
+            Err(Error::LimitReached {
+                what: "torques",
+                ..
+            })
+        ),
+        "{dear:?}"
+    );
     Ok(())
 }
 
@@ -518,7 +535,14 @@ fn what_looks_may_miss_is_said() -> Result<()> {
                     assert!(effect == name && every == day / 4096.0);
                     unseen += 1;
                 }
-                Err(Error::OverBudget { .. } | Error::NotDelivered { .. }) => refused += 1,
+                Err(
+                    Error::LimitReached {
+                        what: "torques", ..
+                    }
+                    | Error::NotDelivered {
+                        condition: None, ..
+                    },
+                ) => refused += 1,
                 Err(error) => panic!("{n} {name}: {error}"),
             }
         }
@@ -571,7 +595,12 @@ fn what_is_hopeless_is_refused_at_once() -> Result<()> {
         };
         let (refused, dear) = solve(1e-14);
         let error = refused.expect_err("hopeless");
-        let Error::BeyondCondition { attainable, .. } = error else {
+        let Error::NotDelivered {
+            best: attainable,
+            condition: Some(_),
+            ..
+        } = error
+        else {
             panic!("{n}: {error}");
         };
         let (solved, cheap) = solve(20.0 * attainable);
@@ -606,7 +635,7 @@ fn a_motion_that_ends_is_told_with_its_time() -> Result<()> {
             .with(driven)
             .solve_with(&start, 1.5 * end, 1e-6, &limits);
         match solved.expect_err("it ends") {
-            Error::StepUnderflow { t, .. } | Error::DerivativeNotFinite { t, .. } => {
+            Error::StepUnderflow { t, .. } | Error::FunctionOutOfRange { t, .. } => {
                 assert!((t - end).abs() < 1e-3 * end, "{n}: {t} for {end}");
                 ran += 1;
             }

@@ -137,7 +137,9 @@ impl Table {
         );
         let solved = match case.scene.solve(&case.start(), case.t_end, tolerance) {
             Ok(solved) => solved,
-            Err(Error::BeyondCondition { .. }) => {
+            Err(Error::NotDelivered {
+                condition: Some(_), ..
+            }) => {
                 self.refused += 1;
                 return;
             }
@@ -249,7 +251,7 @@ fn a_needle_under_gravity_gradient_for_a_day() {
     let steps = 10 * derivatives / 12;
     assert!(matches!(
         needle.in_momentum(1e-10, steps),
-        Err(Error::TooManySteps { .. })
+        Err(Error::LimitReached { what: "steps", .. })
     ));
 }
 

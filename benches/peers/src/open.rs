@@ -171,9 +171,5 @@ pub fn driven(body: RigidBody, torque: [f64; 3], rate: f64) -> Scene<impl Effect
 
 /// What a motion of the other kind is told.
 pub(crate) fn no_closed_form() -> Error {
-    Error::OutOfRange {
-        name: "closed form",
-        value: 0.0,
-        allowed: "a motion that has one",
-    }
+    Error::out_of_range("closed form", 0.0, "a motion that has one")
 }

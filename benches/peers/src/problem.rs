@@ -306,9 +306,5 @@ impl Problem {
 }
 
 fn other_kind(torque: f64) -> Error {
-    Error::OutOfRange {
-        name: "m g l",
-        value: torque,
-        allowed: "a free body has none, a top has some",
-    }
+    Error::out_of_range("m g l", torque, "a free body has none, a top has some")
 }

@@ -190,7 +190,7 @@ fn carried<E: Effect>(scene: &Scene<E>, method: &str, seconds: u64) -> Result<u6
             .map(|(_, work)| ((), work))?,
         _ => {
             let split = Splitting::new(Scheme::ABA104, steps)?;
-            if const { E::NATURE.axis_only } {
+            if const { E::PROPERTIES.axis_only } {
                 split
                     .advance(scene, 0.0, &start, end)
                     .map(|(_, work)| ((), work))?

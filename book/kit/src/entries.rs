@@ -5,7 +5,7 @@ use super::claim::{Claim, Oracle, Slip};
 use super::sections::{Limit, Price, Report};
 use super::table::Table;
 use crate::error::Result;
-use rotation_dynamics::accuracy::{CalledFor, Measured, Weighed};
+use rotation_dynamics::accuracy::{Measured, NeglectedEffects, PredictedError};
 use rotation_dynamics::effects::Effect;
 use rotation_dynamics::integrators::Work;
 
@@ -244,7 +244,7 @@ impl EffectLine {
     }
 }
 
-/// A line of the card of effects from what [`CalledFor`] finds.
+/// A line of the card of effects from what [`NeglectedEffects`] finds.
 pub trait CardLine {
     /// The line of the card for an effect that the scene leaves out: what the page calls it,
     /// the number that measures it, as a formula and its value, the effect, and what the
@@ -267,7 +267,7 @@ pub trait CardLine {
     /// let scene = Scene::new(body).with(GravityAtLever::new(4.9, 0.1)?);
     /// let air = DiscDrag::new(0.06, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, 314.0)?;
     ///
-    /// let left_out = scene.called_for(&start, 0.2, 1e-3)?.of_axis();
+    /// let left_out = scene.neglected_effects(&start, 0.2, 1e-3)?.of_axis();
     /// let mut report = Report::new("A rotor", "a disc on an axle")?;
     /// let number = air.number(&body, &start);
     /// report.add(left_out.line("air", "torque / |L| omega", number, &air, "rad in 0.2 s")?)?;
@@ -278,7 +278,7 @@ pub trait CardLine {
     /// ```
     ///
     /// # Errors
-    /// As [`CalledFor::weigh`] and [`CalledFor::measure`].
+    /// As [`NeglectedEffects::predict`] and [`NeglectedEffects::measure`].
     fn line<C: Effect + Clone>(
         &self,
         name: impl Into<String>,
@@ -289,7 +289,7 @@ pub trait CardLine {
     ) -> Result<EffectLine>;
 }
 
-impl<E: Effect + Clone> CardLine for CalledFor<'_, E> {
+impl<E: Effect + Clone> CardLine for NeglectedEffects<'_, E> {
     fn line<C: Effect + Clone>(
         &self,
         name: impl Into<String>,
@@ -298,7 +298,7 @@ impl<E: Effect + Clone> CardLine for CalledFor<'_, E> {
         candidate: &C,
         of: &str,
     ) -> Result<EffectLine> {
-        let weighed = self.weigh(candidate, number)?;
+        let weighed = self.predict(candidate, number)?;
         let measured = self.measure(candidate)?;
         let line = effect(name).number(formula, number);
         Ok(line.weighed(&weighed, &measured, of, self.tolerance()))
@@ -306,8 +306,14 @@ impl<E: Effect + Clone> CardLine for CalledFor<'_, E> {
 }
 
 impl EffectLine {
-    /// With what [`CalledFor`] has found.
-    fn weighed(self, weighed: &Weighed, measured: &Measured, of: &str, tolerance: f64) -> Self {
+    /// With what [`NeglectedEffects`] has found.
+    fn weighed(
+        self,
+        weighed: &PredictedError,
+        measured: &Measured,
+        of: &str,
+        tolerance: f64,
+    ) -> Self {
         let torques = |work: Work| match work.torques() {
             0 => "closed form".into(),
             torques => format!("{torques} torques"),

@@ -100,6 +100,7 @@ macro_rules! parameters {
     ) => {
         $(#[$about])*
         #[derive(Debug, Clone, PartialEq)]
+        #[allow(unreachable_pub, reason = "the fields are public, the set as its page wants it")]
         $visibility struct $set {
             $( $(#[doc = $meaning])+ pub $field: $crate::parameters!(@type $kind), )*
         }

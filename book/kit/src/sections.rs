@@ -139,11 +139,11 @@ impl Report {
     pub fn add_claim(&mut self, claim: Claim) -> Result<()> {
         let tolerance = claim.tolerance();
         if !(0.0 < tolerance && tolerance < 1.0) {
-            return Err(rotation_dynamics::Error::OutOfRange {
-                name: "the relative tolerance of a check",
-                value: tolerance,
-                allowed: "it must lie between 0 and 1",
-            }
+            return Err(rotation_dynamics::Error::out_of_range(
+                "the relative tolerance of a check",
+                tolerance,
+                "it must lie between 0 and 1",
+            )
             .into());
         }
         for slip in claim.slips() {
@@ -178,11 +178,11 @@ impl Report {
     /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) if it is not above 0 and finite.
     pub fn ask(&mut self, accuracy: f64) -> Result<()> {
         if !(accuracy > 0.0 && accuracy.is_finite()) {
-            return Err(rotation_dynamics::Error::OutOfRange {
-                name: "the accuracy asked for",
-                value: accuracy,
-                allowed: "it must be above 0 and finite",
-            }
+            return Err(rotation_dynamics::Error::out_of_range(
+                "the accuracy asked for",
+                accuracy,
+                "it must be above 0 and finite",
+            )
             .into());
         }
         self.asked = accuracy;

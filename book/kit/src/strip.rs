@@ -4,7 +4,7 @@ use super::{ClosedForm, Computation, Lab, Price, Report};
 use crate::error::{Result, positive};
 use core::fmt;
 use rotation_dynamics::Error;
-use rotation_dynamics::accuracy::{Fineness, Problem, Solved, applies, largest};
+use rotation_dynamics::accuracy::{Problem, Resolution, Solved, applies, largest};
 use rotation_dynamics::effects::Effect;
 #[cfg(doc)]
 use rotation_dynamics::integrators::Dop853;
@@ -136,7 +136,11 @@ impl Report {
                         let again = Computation::new(move || Ok(run(requested)?), error.clone());
                         (error(&done)?, work(&done).to_string(), Some(again))
                     }
-                    Err(Error::NotDelivered { reached, .. }) => (reached, REFUSED.into(), None),
+                    Err(Error::NotDelivered {
+                        best,
+                        condition: None,
+                        ..
+                    }) => (best, REFUSED.into(), None),
                     Err(other) => return Err(other.into()),
                 };
                 let (method, requested) = (method.clone(), Some(requested));
@@ -229,11 +233,11 @@ where
             (solved.method, error, solved.work.to_string(), Some(again))
         }
         // What the reader asked for and cannot have is an error, with its reason.
-        Err(Error::BeyondCondition { attainable, .. })
-            if label != CLOSED_FORM && attainable.is_finite() =>
-        {
-            ("-", attainable, REFUSED.into(), None)
-        }
+        Err(Error::NotDelivered {
+            best,
+            condition: Some(_),
+            ..
+        }) if label != CLOSED_FORM && best.is_finite() => ("-", best, REFUSED.into(), None),
         Err(other) => return Err(other.into()),
     };
     Ok(Price {
@@ -256,7 +260,7 @@ where
     let (runner, judge) = (problem.clone(), problem.clone());
     let setting = run.setting;
     let again = Computation::new(
-        move || Ok(runner.run_as_usual(method, Fineness::of(method, setting))?),
+        move || Ok(runner.run_as_usual(method, Resolution::of(method, setting))?),
         move |(reached, _)| Ok(judge.error(reached)),
     );
     Ok(Some(Price {

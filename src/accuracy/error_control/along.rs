@@ -25,7 +25,7 @@ const PART: u64 = 8;
 /// A motion whose states are known to a tolerance at every time of its span.
 ///
 /// Runs are compared, and the condition is measured, at up to 128 places. A state between two
-/// of them is found by stepping on from the one before with the method and the fineness of
+/// of them is found by stepping on from the one before with the method and the resolution of
 /// the run that was verified, so it is as good as its
 /// neighbours, and it is the same whatever other times are asked for. Many times
 /// ([`Motion::try_states`]) cost some steps for each, and those of the run once; one alone costs
@@ -141,12 +141,7 @@ fn in_order(t_start: f64, times: &[f64]) -> Result<()> {
     for (index, &t) in times.iter().enumerate() {
         finite("time", t)?;
         if (t - before) * direction < 0.0 {
-            return Err(Error::NotRising {
-                name: "time",
-                index,
-                before,
-                value: t,
-            });
+            return Err(Error::not_rising("times", index, before, t));
         }
         before = t;
     }
@@ -277,10 +272,11 @@ impl SolvedMotion<'_> {
         let limits = &self.given.limits;
         let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Passed> {
             let spent = self.solved.work.torques() + here.work.torques();
-            let over = Error::OverBudget {
+            let over = Error::LimitReached {
+                what: "torques",
                 t: self.span()[0],
                 t_end: self.span()[1],
-                budget: limits.budget,
+                limit: limits.budget,
             };
             let budget = limits.left(spent)?;
             if budget == 0 {
@@ -296,7 +292,7 @@ impl SolvedMotion<'_> {
             let passed = method.run(&problem, [from, to], here.stop.clone(), fine, &mut runs);
             here.work += runs.work;
             match passed {
-                Err(Error::OverBudget { .. }) => Err(over),
+                Err(Error::LimitReached { .. }) => Err(over),
                 passed => passed,
             }
         };

@@ -1,7 +1,7 @@
 //! Closed forms, picked by what acts.
 
 use crate::body::{RigidBody, State};
-use crate::effects::{GravityAtLever, Known};
+use crate::effects::{GravityAtLever, IntegrableCase};
 use crate::error::Result;
 use crate::exact::free_body::FreeBody;
 use crate::exact::heavy_top::{HeavyTop, SymmetricTop};
@@ -26,12 +26,17 @@ impl ExactMotion {
     /// The motion of this body from `start` at t = 0 under what is `known`, if it has a
     /// closed form. `strength` multiplies the torque: it is 1, or so near to 1 that the
     /// change tells the condition of the motion.
-    pub fn of(known: Known, strength: f64, body: &RigidBody, start: &State) -> Option<Self> {
+    pub fn of(
+        known: IntegrableCase,
+        strength: f64,
+        body: &RigidBody,
+        start: &State,
+    ) -> Option<Self> {
         match known {
-            Known::No => None,
-            Known::Free => free(body, start),
-            Known::HeavyTop(gravity) if gravity.moment() == 0.0 => free(body, start),
-            Known::HeavyTop(gravity) => heavy_top(&gravity, strength, body, start),
+            IntegrableCase::None => None,
+            IntegrableCase::Free => free(body, start),
+            IntegrableCase::HeavyTop(gravity) if gravity.moment() == 0.0 => free(body, start),
+            IntegrableCase::HeavyTop(gravity) => heavy_top(&gravity, strength, body, start),
         }
     }
 

@@ -6,7 +6,7 @@
 use super::along::Form;
 use super::limits::{LOOKS, Limits};
 use super::method::Stop;
-use super::problem::{ALL_ROWS, Acting, Apart, Feeler, Problem};
+use super::problem::{ALL_ROWS, Acting, Distances, Probe, Problem};
 use super::refine::Refinement;
 use super::slender::Slender;
 use super::{ExactMotion, Solved};
@@ -61,7 +61,7 @@ pub(super) struct Given<'s> {
 }
 
 impl<'s> Given<'s> {
-    pub fn new(
+    pub(super) fn new(
         effects: &'s dyn AnyEffect,
         body: &RigidBody,
         start: &State,
@@ -71,11 +71,11 @@ impl<'s> Given<'s> {
     ) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "above 0 and at most pi",
-            });
+            return Err(Error::out_of_range(
+                "tolerance",
+                tolerance,
+                "above 0 and at most pi",
+            ));
         }
         limits.checked(t_end)?;
         State::new(start.attitude, start.angular_momentum)?;
@@ -85,7 +85,7 @@ impl<'s> Given<'s> {
             return Err(Error::OutOfRange {
                 name: "end time - start time",
                 value: t_end - limits.t_start,
-                allowed: "at least 0: a control that is sampled and held has no way back",
+                allowed: "at least 0: a control that is sampled and held has no way back".into(),
             });
         }
         let mut given = Self {
@@ -107,17 +107,17 @@ impl<'s> Given<'s> {
             trial: Work::default(),
         };
         finite("kinetic energy of the start", body.kinetic_energy(start))?;
-        let nature = effects.nature();
+        let properties = effects.properties();
         finite(
             "the fastest rate that the energy allows",
             given.problem().fastest(),
         )?;
-        let seen = if nature.on_time && t_end != limits.t_start {
+        let seen = if properties.on_time && t_end != limits.t_start {
             given.checked.looked(LOOKS as usize)
         } else {
             Vec::new()
         };
-        if !nature.smooth && !seen.is_empty() {
+        if !properties.smooth && !seen.is_empty() {
             let jumps = given.checked.jumps(&seen);
             let kinks = given.checked.kinks(&seen, &given.breaks);
             given.breaks.extend(jumps.into_iter().chain(kinks));
@@ -135,7 +135,7 @@ impl<'s> Given<'s> {
             let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
             let apart = |cut: &f64| given.breaks.iter().all(|t| (t - cut).abs() > near);
             let cuts: Vec<f64> = (1..cuts)
-                .map(|n| problem.at_leg(n, cuts))
+                .map(|n| problem.time_at(n, cuts))
                 .filter(apart)
                 .collect();
             given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
@@ -157,11 +157,11 @@ impl<'s> Given<'s> {
     }
 
     /// The time of the start and that of the end (s).
-    pub const fn span(&self) -> [f64; 2] {
+    pub(super) const fn span(&self) -> [f64; 2] {
         [self.limits.t_start, self.t_end]
     }
 
-    pub fn problem(&self) -> Problem<'_> {
+    pub(super) fn problem(&self) -> Problem<'_> {
         Problem {
             body: self.body,
             acting: self.acting,
@@ -174,13 +174,13 @@ impl<'s> Given<'s> {
             longest_step: self.longest_step,
             damping: self.damping,
             checked: &self.checked,
-            known: self.effects.known(),
+            known: self.effects.integrable_case(),
             slender: self.slender,
         }
     }
 
     /// What is asked for, in closed form unless it is to be stepped.
-    pub fn answer(&self, places: Places, step: bool) -> Result<Answer> {
+    pub(super) fn answer(&self, places: Places, step: bool) -> Result<Answer> {
         let (mut problem, mut trial) = (self.problem(), self.trial);
         if step && problem.exact_motion().is_some() {
             (problem.slender, trial) = self.slender()?;
@@ -198,7 +198,9 @@ impl<'s> Given<'s> {
         if !step && let Some(motion) = problem.exact_motion() {
             match by_closed_form(&problem, &motion, self.tolerance, places) {
                 // At the edge of what a closed form can do: neighbours have none.
-                Err(Error::NotDelivered { .. }) => {}
+                Err(Error::NotDelivered {
+                    condition: None, ..
+                }) => {}
                 solved => {
                     return Ok(Answer {
                         solved: solved?,
@@ -215,11 +217,11 @@ impl<'s> Given<'s> {
         }
         let span = problem.span();
         if span.abs() < f64::MIN_POSITIVE {
-            return Err(Error::OutOfRange {
-                name: "end time - start time",
-                value: span,
-                allowed: "0, or 2.3e-308 s at least, of which a step can be a part",
-            });
+            return Err(Error::out_of_range(
+                "end time - start time",
+                span,
+                "0, or 2.3e-308 s at least, of which a step can be a part",
+            ));
         }
         let refinement = Refinement::new(&problem, self.tolerance, &self.limits, places, trial);
         let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
@@ -242,7 +244,7 @@ impl<'s> Given<'s> {
 impl Given<'_> {
     /// The time between two looks at the torque, if it may have features that nothing names.
     fn looked_every(&self) -> Option<f64> {
-        let unnamed = self.effects.nature().on_time && self.effects.narrowest().is_none();
+        let unnamed = self.effects.properties().on_time && self.effects.narrowest().is_none();
         unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
     }
 
@@ -261,9 +263,8 @@ impl Given<'_> {
     /// have what was not seen.
     fn reason(&self, error: Error) -> Error {
         let unclear = match error {
-            Error::OverBudget { .. } | Error::StepUnderflow { .. } => true,
-            Error::NotDelivered { reached, .. } => !reached.is_finite(),
-            Error::BeyondCondition { attainable, .. } => !attainable.is_finite(),
+            Error::LimitReached { .. } | Error::StepUnderflow { clock: None, .. } => true,
+            Error::NotDelivered { best, .. } => !best.is_finite(),
             _ => false,
         };
         if !unclear {
@@ -283,7 +284,8 @@ impl Given<'_> {
         }
         match self.looked_every() {
             Some(every)
-                if !self.effects.nature().smooth && !matches!(error, Error::OverBudget { .. }) =>
+                if !self.effects.properties().smooth
+                    && !matches!(error, Error::LimitReached { .. }) =>
             {
                 Error::Unseen {
                     effect: effect(),
@@ -298,7 +300,7 @@ impl Given<'_> {
 
 fn nothing_to_do(problem: &Problem) -> Result<Solved> {
     let start = problem.start;
-    let [condition, ..] = problem.condition(&Feeler::EXACT, |by| {
+    let [condition, ..] = problem.condition(&Probe::EXACT, |by| {
         let changed = (0..ALL_ROWS).map(|row| Ok(vec![problem.changed(row, by)?.start]));
         Ok((vec![start], changed.collect::<Result<_>>()?))
     })?;
@@ -327,7 +329,7 @@ fn by_closed_form(
 ) -> Result<Solved> {
     let on_the_way = |motion: &ExactMotion, changed: &Problem| -> Result<Vec<State>> {
         (1..=places)
-            .map(|n| motion.at(changed.at_leg(n, places) - changed.t_start))
+            .map(|n| motion.at(changed.time_at(n, places) - changed.t_start))
             .collect()
     };
     let states = on_the_way(motion, problem)?;
@@ -340,16 +342,17 @@ fn by_closed_form(
         let changed = problem.changed(row, by)?;
         let motion = changed.exact_motion().ok_or(Error::NotDelivered {
             requested: tolerance,
-            reached: f64::INFINITY,
+            best: f64::INFINITY,
+            condition: None,
         })?;
         on_the_way(&motion, &changed)
     };
-    let feeler = if motion.is_near_separatrix() {
-        Feeler::STEEP
+    let probe = if motion.is_near_separatrix() {
+        Probe::STEEP
     } else {
-        Feeler::EXACT
+        Probe::EXACT
     };
-    let condition: Apart = problem.condition(&feeler, |by| {
+    let condition: Distances = problem.condition(&probe, |by| {
         work.samples += ALL_ROWS as u64;
         let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
         Ok((states.clone(), changed.collect::<Result<_>>()?))
@@ -357,10 +360,10 @@ fn by_closed_form(
     let [estimate, momentum_estimate, rates_estimate] =
         condition.map(|condition| CLOSED_FORM * EPS * (1.0 + condition));
     if estimate.is_nan() || estimate > tolerance {
-        return Err(Error::BeyondCondition {
+        return Err(Error::NotDelivered {
             requested: tolerance,
-            attainable: estimate,
-            condition: condition[0],
+            best: estimate,
+            condition: Some(condition[0]),
         });
     }
     Ok(Solved {

@@ -43,9 +43,11 @@ pub(super) fn carried(
             back_at_once.resize(holding.held.len(), 0);
             sample = holding.next_sample(now);
             if sample <= now {
-                return Err(Error::ClockTooCoarse {
+                return Err(Error::StepUnderflow {
                     t: now,
                     step: sample - now,
+                    clock: Some(now.abs().next_up() - now.abs()),
+                    state: scene::components(&state).to_vec(),
                 });
             }
         }
@@ -62,7 +64,8 @@ pub(super) fn carried(
                 .collect();
             let used = work.steps + work.rejected - begun;
             if used >= limit {
-                return Err(Error::TooManySteps {
+                return Err(Error::LimitReached {
+                    what: "steps",
                     t: now,
                     t_end,
                     limit,

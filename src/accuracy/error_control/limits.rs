@@ -62,11 +62,7 @@ impl Limits<'_> {
             positive("longest step", self.longest_step)?;
         }
         if self.budget == 0 {
-            return Err(Error::OutOfRange {
-                name: "budget",
-                value: 0.0,
-                allowed: "at least 1 torque",
-            });
+            return Err(Error::out_of_range("budget", 0.0, "at least 1 torque"));
         }
         crate::effects::rising("break point", self.break_points)?;
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
@@ -130,12 +126,12 @@ impl Limits<'_> {
                     longest = longest.min(width.angle / rate / STEPS_IN_PULSE);
                 }
             }
-            None if effects.nature().on_time => {
+            None if effects.properties().on_time => {
                 let span = (t_end - self.t_start).abs();
                 if let Some(looks) = checked.looks_in_step(seen) {
                     longest = longest.min(span / LOOKS * looks as f64);
                 }
-                if !effects.nature().smooth {
+                if !effects.properties().smooth {
                     longest = longest.min(span / STEPS_OVER_JUMPS);
                 }
             }

@@ -1,13 +1,13 @@
-//! The methods that carry a motion, each with one knob.
+//! The methods that step a motion, each with one setting.
 //!
-//! The knob is the *level*: one level up, the error is 40 times smaller. A method of
+//! The setting is the *level*: one level up, the error is 40 times smaller. A method of
 //! order p then takes 40^(1/p) times as many steps, an adaptive one is given a 40 times
 //! smaller error of a step. So methods of any order are refined alike.
 
 use super::laws;
 use super::problem::{Acting, Problem};
 use super::slender;
-use crate::accuracy::{Carrier, Fineness, Variables};
+use crate::accuracy::{Resolution, Stepper, Variables};
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Method as Named, Work};
@@ -52,7 +52,7 @@ struct Model {
 
 impl Method {
     /// Those that are tried for this error, the first that converges to it delivers.
-    pub fn candidates(problem: &Problem, tolerance: f64) -> &'static [Self] {
+    pub(super) fn candidates(problem: &Problem, tolerance: f64) -> &'static [Self] {
         let symmetric = problem.body.moments().is_symmetric();
         // Where it is strong the steps would follow what resists, and not the rotation.
         let is_thick = Resisted14.angle() * problem.damping > problem.fastest();
@@ -73,7 +73,7 @@ impl Method {
     }
 
     /// The name that is printed.
-    pub const fn name(self) -> &'static str {
+    pub(super) const fn name(self) -> &'static str {
         match self {
             SpinFreeGauss => "Gauss-Legendre 16, spin-free",
             Resisted6 => "SRKN 6b, resisted",
@@ -125,13 +125,13 @@ impl Method {
     }
 
     /// By how many levels the error falls with each.
-    pub const fn falls(self) -> f64 {
+    pub(super) const fn falls(self) -> f64 {
         self.model().falls
     }
 
     /// The level at which this error (rad) is expected at the end: errors of a turn add up, and those
     /// of the energy, which DOP853 does not keep, do so once more.
-    pub fn level_for(self, problem: &Problem, error: f64) -> f64 {
+    pub(super) fn level_for(self, problem: &Problem, error: f64) -> f64 {
         let model = self.model();
         let energy = problem.body.kinetic_energy(&problem.start);
         let weight = if energy > 0.0 {
@@ -153,7 +153,7 @@ impl Method {
 
     /// The smallest error that it reaches, in units of eps (1 + condition): the largest of 600 random
     /// motions. The rates of a slender body are blurred besides.
-    pub fn floor(self, problem: &Problem) -> f64 {
+    pub(super) fn floor(self, problem: &Problem) -> f64 {
         let stepped = match self {
             Gauss | Adaptive => 24.0,
             FreeGauss | SpinFreeGauss | BodyGauss | Resisted6 | Resisted14 => 8.0,
@@ -165,29 +165,29 @@ impl Method {
     }
 
     /// True if its steps are solved by sweeps, which leave something.
-    pub const fn sweeps(self) -> bool {
+    pub(super) const fn sweeps(self) -> bool {
         matches!(self, FreeGauss | Gauss | SpinFreeGauss | BodyGauss)
     }
 
     /// True if it chooses its steps itself, and so answers a small change of the start
     /// with a small jump.
-    pub const fn is_adaptive(self) -> bool {
+    pub(super) const fn is_adaptive(self) -> bool {
         matches!(self, Adaptive)
     }
 
     /// True if the rounding of its steps adds up in the attitude.
-    pub const fn adds_rounding(self) -> bool {
+    pub(super) const fn adds_rounding(self) -> bool {
         matches!(self, Gauss | Adaptive)
     }
 
     /// The coarsest level that is tried: beyond it Gauss-Legendre's sweeps do not
     /// converge, and the others are no longer in their order.
-    pub const fn coarsest(self) -> f64 {
+    pub(super) const fn coarsest(self) -> f64 {
         if self.sweeps() { -2.0 } else { -0.5 }
     }
 
     /// The level beyond which there is nothing but round-off, whatever the scene.
-    pub const fn finest(self) -> f64 {
+    pub(super) const fn finest(self) -> f64 {
         if self.is_adaptive() { 7.4 } else { 12.0 }
     }
 
@@ -203,7 +203,7 @@ impl Method {
     /// What a run costs, in units of one derivative of DOP853: measured, as times of one
     /// run of 50 turns after the other, optimised and with AVX-512. It enters the price that is
     /// told, and no choice.
-    pub fn cost(self, work: &Work) -> f64 {
+    pub(super) fn cost(self, work: &Work) -> f64 {
         self.model().cost * work.torques() as f64
     }
 
@@ -237,12 +237,12 @@ impl Method {
 
     /// The angle (rad) turned until `t_end`, on which the number of steps rests; 1 at
     /// least, so that a finer level takes more steps of whatever seems at rest.
-    pub fn turned(self, problem: &Problem, t_end: f64) -> f64 {
+    pub(super) fn turned(self, problem: &Problem, t_end: f64) -> f64 {
         (self.rate(problem) * t_end.abs()).max(1.0)
     }
 
     /// The steps of this level until `t_end` (not for adaptive methods).
-    pub fn steps(self, problem: &Problem, t_end: f64, level: f64) -> f64 {
+    pub(super) fn steps(self, problem: &Problem, t_end: f64, level: f64) -> f64 {
         self.turned(problem, t_end) / self.angle() * self.more_steps(level)
     }
 
@@ -253,7 +253,7 @@ impl Method {
     }
 
     /// Torques that a step takes, at most.
-    pub const fn torques(self) -> f64 {
+    pub(super) const fn torques(self) -> f64 {
         match self {
             FreeGauss | Gauss | SpinFreeGauss | BodyGauss => 8.0 * 12.0,
             Resisted6 | Resisted14 => 14.0,
@@ -263,7 +263,7 @@ impl Method {
 
     /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps;
     /// with how fine the run was: see [`Fine`]. What every piece took is added to `runs`.
-    pub fn run(
+    pub(super) fn run(
         self,
         problem: &Problem,
         [t, t_end]: [f64; 2],
@@ -310,10 +310,11 @@ impl Method {
         spent: &mut Work,
     ) -> Result<Passed> {
         let span = (t_end - t).abs();
-        let over = Error::OverBudget {
+        let over = Error::LimitReached {
+            what: "torques",
             t,
             t_end,
-            budget: fine.budget,
+            limit: fine.budget,
         };
         let mut fewest = span / problem.longest_step;
         if self.is_adaptive() {
@@ -323,28 +324,28 @@ impl Method {
         }
         let fewest = steps.fewest.max(fewest.ceil() as u64);
         let affordable = fine.budget as f64 / self.torques();
-        let carrier = if self.is_adaptive() {
+        let stepper = if self.is_adaptive() {
             let tolerance = (1e-3 * exp(-LEVEL * fine.level))
                 .clamp(Dop853::SMALLEST_TOLERANCE, Dop853::LARGEST_TOLERANCE);
             let method = Dop853::new(tolerance)?
                 .with_longest_step(span / fewest as f64)?
                 .with_step_limit(affordable.max(1.0) as u64)?;
-            Carrier::Dop853(method)
+            Stepper::Dop853(method)
         } else {
             let steps = self.steps(problem, t_end - t, fine.level);
             if steps.is_nan() || steps.max(fewest as f64) > affordable {
                 return Err(over);
             }
             let steps = (steps.ceil() as u64).max(fewest);
-            Carrier::new(self.method(), Fineness::Stages(steps, fine.precision))?
+            Stepper::new(self.method(), Resolution::Stages(steps, fine.precision))?
         };
         let mut work = Work::default();
-        let run = match (problem.slender, carrier) {
-            (_, Carrier::Dop853(dop853)) if problem.has_laws() => {
+        let run = match (problem.slender, stepper) {
+            (_, Stepper::Dop853(dop853)) if problem.has_laws() => {
                 let least = steps.of_a_sample();
                 laws::carried(problem, dop853, [t, t_end], start, least, &mut work)
             }
-            (Some(_), Carrier::Dop853(dop853)) if self == Adaptive => {
+            (Some(_), Stepper::Dop853(dop853)) if self == Adaptive => {
                 let (start, on_body) = (&start.state, start.on_body);
                 slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work).map(
                     |(state, on_body)| Stop {
@@ -354,7 +355,7 @@ impl Method {
                 )
             }
             _ => (problem.carried(
-                &carrier,
+                &stepper,
                 self.variables(),
                 [t, t_end],
                 &start.state,
@@ -365,7 +366,7 @@ impl Method {
         *spent += work;
         // A piece has its own time, from 0.
         let stop = run.map_err(|error| match later(error, t) {
-            Error::TooManySteps { .. } => over,
+            Error::LimitReached { .. } => over,
             error => error,
         })?;
         // Steps are whole: the level is that of the steps taken.
@@ -385,28 +386,13 @@ impl Method {
 }
 
 /// An error with a time that counts from `t`, at its own time.
-pub(super) fn later(error: Error, t: f64) -> Error {
-    match error {
-        Error::StepUnderflow {
-            t: since,
-            step,
-            state,
-        } => Error::StepUnderflow {
-            t: t + since,
-            step,
-            state,
-        },
-        Error::DerivativeNotFinite {
-            t: since,
-            state,
-            derivative,
-        } => Error::DerivativeNotFinite {
-            t: t + since,
-            state,
-            derivative,
-        },
-        error => error,
+pub(super) fn later(mut error: Error, t: f64) -> Error {
+    if let Error::StepUnderflow { t: since, .. } | Error::FunctionOutOfRange { t: since, .. } =
+        &mut error
+    {
+        *since += t;
     }
+    error
 }
 
 /// The steps of a run over a piece of its way: between two places looked at, and two jumps.
@@ -428,7 +414,7 @@ const FEW: f64 = 8.0;
 
 impl Steps {
     /// Nothing is asked for.
-    pub const ONE: Self = Self {
+    pub(super) const ONE: Self = Self {
         made: 0,
         fewest: 1,
         asked: 1.0,
@@ -437,12 +423,12 @@ impl Steps {
 
     /// So many steps at least from each sample to the next: runs that crossed all of them in one
     /// would agree.
-    pub fn of_a_sample(self) -> u64 {
+    pub(super) fn of_a_sample(self) -> u64 {
         self.sampled.ceil() as u64
     }
 
     /// Of another run in the same steps; those of an adaptive method are its own.
-    pub fn again(self, method: Method) -> Self {
+    pub(super) fn again(self, method: Method) -> Self {
         Self {
             fewest: if method.is_adaptive() {
                 self.fewest
@@ -455,7 +441,7 @@ impl Steps {
 
     /// Of a run that is finer by so many levels, on every piece: runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
-    pub fn finer(self, method: Method, levels: f64) -> Self {
+    pub(super) fn finer(self, method: Method, levels: f64) -> Self {
         let asked = self.asked.max(FEW.min(self.made as f64)) * method.more_steps(levels);
         let fewest = if method.is_adaptive() {
             asked.ceil() as u64
@@ -504,7 +490,7 @@ pub(super) struct Stop {
 }
 
 impl Stop {
-    pub const fn at(state: State) -> Self {
+    pub(super) const fn at(state: State) -> Self {
         Self {
             state,
             on_body: None,

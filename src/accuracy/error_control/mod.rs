@@ -184,9 +184,7 @@ impl<E: AnyEffect> Scene<E> {
     /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where the torque jumps with the
     /// state and drives the motion back from both sides; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
     /// a torque that depends on the time and may have features shorter than was looked for;
-    /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular;
-    /// [`Error::NotAFunction`](crate::Error::NotAFunction) if the torque is seen
-    /// to remember: memory that shows late may go unnoticed.
+    /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())
     }

@@ -2,11 +2,11 @@
 
 use super::exact_motion::ExactMotion;
 use super::slender::Slender;
-use crate::accuracy::{Carrier, Variables, larger};
+use crate::accuracy::{Stepper, Variables, larger};
 use crate::body::{RigidBody, State};
 use crate::effects::{
-    AnyEffect, Checked, Effect, GravityAtLever, Keeps, Known, Nature, Resistance, each, one_by_one,
-    piece,
+    AnyEffect, Checked, Conserved, Effect, GravityAtLever, IntegrableCase, Properties, Resistance,
+    each, one_by_one, piece,
 };
 use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
@@ -32,14 +32,16 @@ pub(super) enum Acting<'e> {
 }
 
 impl<'e> Acting<'e> {
-    pub fn of(effects: &'e dyn AnyEffect) -> Self {
-        let nature = effects.nature();
-        match effects.known() {
-            Known::Free => Self::Nothing,
-            Known::HeavyTop(gravity) => Self::Weight(gravity),
-            Known::No if nature.axis_only && nature.smooth => Self::OnAxis(effects),
-            Known::No if nature.smooth => Self::Smooth(effects),
-            Known::No => Self::Anything(effects),
+    pub(super) fn of(effects: &'e dyn AnyEffect) -> Self {
+        let properties = effects.properties();
+        match effects.integrable_case() {
+            IntegrableCase::Free => Self::Nothing,
+            IntegrableCase::HeavyTop(gravity) => Self::Weight(gravity),
+            IntegrableCase::None if properties.axis_only && properties.smooth => {
+                Self::OnAxis(effects)
+            }
+            IntegrableCase::None if properties.smooth => Self::Smooth(effects),
+            IntegrableCase::None => Self::Anything(effects),
         }
     }
 }
@@ -63,7 +65,7 @@ pub(super) struct Problem<'e> {
     /// The [fastest rate](Self::fastest_damping) of what resists.
     pub damping: f64,
     pub checked: &'e Checked<'e>,
-    pub known: Known,
+    pub known: IntegrableCase,
     /// What a trial run shows of a slender body.
     pub slender: Option<Slender>,
 }
@@ -93,7 +95,7 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool> Strengthened<'_, AXIS_ONLY, SLIPS
 }
 
 impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_ONLY, SLIPS> {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         axis_only: AXIS_ONLY,
         on_rates: !AXIS_ONLY,
         on_time: !AXIS_ONLY,
@@ -101,7 +103,7 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_
         slips: SLIPS,
         weight: false,
         torque_free: false,
-        keeps: Keeps::NONE,
+        conserved: Conserved::NONE,
     };
 
     fn name(&self) -> &'static str {
@@ -166,7 +168,7 @@ pub(super) fn signs(row: usize) -> [f64; INPUTS] {
 pub(super) const ALL_ROWS: usize = 12;
 
 /// How the condition is measured.
-pub(super) struct Feeler {
+pub(super) struct Probe {
     /// Relative changes that are tried, one after the other, until the end moves by
     /// little: a change that grows beyond that is no measure of a slope.
     pub changes: &'static [f64],
@@ -176,20 +178,20 @@ pub(super) struct Feeler {
     pub again: Option<f64>,
 }
 
-impl Feeler {
+impl Probe {
     /// For closed forms, whose rounding is all that blurs a small change.
-    pub const EXACT: Self = Self {
+    pub(super) const EXACT: Self = Self {
         changes: &[1e-9, 1e-12, 8.0 * EPS],
         linear: 1e-4,
         again: None,
     };
     /// The same near a separatrix.
-    pub const STEEP: Self = Self {
+    pub(super) const STEEP: Self = Self {
         again: Some(16.0 * EPS),
         ..Self::EXACT
     };
     /// For stepping.
-    pub const STEPPED: Self = Self {
+    pub(super) const STEPPED: Self = Self {
         changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS],
         linear: 3e-3,
         again: None,
@@ -202,28 +204,28 @@ impl Feeler {
 
 /// Of two states: the angle between the attitudes (rad), and the differences of momentum
 /// and of rates, each as a part of its scale.
-pub(super) type Apart = [f64; 3];
+pub(super) type Distances = [f64; 3];
 
 impl<'e> Problem<'e> {
     /// A run between two times without a jump; its work is added to `work`.
-    pub fn carried(
+    pub(super) fn carried(
         &self,
-        carrier: &Carrier,
+        stepper: &Stepper,
         variables: Variables,
         [from, to]: [f64; 2],
         start: &State,
         work: &mut Work,
     ) -> Result<State> {
         let span = [0.0, to - from];
-        match (self.acting, carrier, variables) {
+        match (self.acting, stepper, variables) {
             (Acting::Nothing, _, Variables::Body) => {
-                carrier.advance_free(&self.body, span, start, work)
+                stepper.advance_free(&self.body, span, start, work)
             }
-            (Acting::Nothing, Carrier::Dop853(m), _) => {
+            (Acting::Nothing, Stepper::Dop853(m), _) => {
                 let scene = self.scene::<false, false>(&(), [from, to]);
                 m.advance_counting(&scene, 0.0, start, to - from, work)
             }
-            (Acting::Weight(gravity), Carrier::Dop853(m), Variables::Space) => {
+            (Acting::Weight(gravity), Stepper::Dop853(m), Variables::Space) => {
                 let scene = self.scene::<false, false>(&gravity, [from, to]);
                 m.advance_counting(&scene, 0.0, start, to - from, work)
             }
@@ -231,14 +233,14 @@ impl<'e> Problem<'e> {
                 let weight = gravity.weight() * self.strength;
                 let gravity = GravityAtLever::new(weight, gravity.lever())?;
                 let scene = Scene::new(self.body).with(gravity);
-                carrier.advance_axis(&scene, variables, span, start, work)
+                stepper.advance_axis(&scene, variables, span, start, work)
             }
             (
                 Acting::OnAxis(effects) | Acting::Smooth(effects) | Acting::Anything(effects),
-                Carrier::Dop853(m),
+                Stepper::Dop853(m),
                 Variables::Space,
             ) => {
-                if effects.nature().slips {
+                if effects.properties().slips {
                     let scene = self.scene::<false, true>(effects, [from, to]);
                     m.advance_counting(&scene, 0.0, start, to - from, work)
                 } else {
@@ -248,31 +250,29 @@ impl<'e> Problem<'e> {
             }
             (
                 Acting::Smooth(effects) | Acting::Anything(effects),
-                Carrier::Splitting(m),
+                Stepper::Splitting(m),
                 Variables::Space,
             ) => {
                 let scene = self.scene::<false, false>(effects, [from, to]);
                 let resisted = Resisted::new(&scene, 0.0)?;
                 m.advance_counting(&resisted, 0.0, start, to - from, work)
             }
-            (Acting::Smooth(effects), Carrier::GaussLegendre(m), Variables::Space) => {
+            (Acting::Smooth(effects), Stepper::GaussLegendre(m), Variables::Space) => {
                 let scene = self.scene::<false, true>(effects, [from, to]);
-                let scene = SideBySide::new(&scene, effects.nature().slips);
+                let scene = SideBySide::new(&scene, effects.properties().slips);
                 m.advance_counting(&scene, 0.0, start, to - from, work)
             }
             (Acting::OnAxis(effects), ..) => {
                 let scene = self.scene::<true, false>(effects, [from, to]);
-                carrier.advance_axis(&scene, variables, span, start, work)
+                stepper.advance_axis(&scene, variables, span, start, work)
             }
-            _ => Err(Error::SeesMore {
-                effects: "effects".to_owned(),
-            }),
+            _ => Err(Error::sees_more("effects".to_owned())),
         }
     }
 
     /// The scene as the integrators see it, between two times without a jump; its time
     /// begins at the first of them.
-    pub fn scene<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
+    pub(super) fn scene<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
         &self,
         effects: &'s dyn AnyEffect,
         [from, to]: [f64; 2],
@@ -288,7 +288,7 @@ impl<'e> Problem<'e> {
 
     /// The state that `run` leads to between two times without a jump, by the scene on the body's
     /// axes and the components of the start; and its own components.
-    pub fn on_body_axes(
+    pub(super) fn on_body_axes(
         &self,
         [from, to]: [f64; 2],
         (start, on_body): (&State, Option<[f64; 7]>),
@@ -302,14 +302,14 @@ impl<'e> Problem<'e> {
             }
         };
         let scene = self.scene::<false, true>(effects, [from, to]);
-        let fixed = BodyFixed::new(&scene, self.torque, effects.nature().slips);
+        let fixed = BodyFixed::new(&scene, self.torque, effects.properties().slips);
         let end = run(&fixed, on_body.unwrap_or_else(|| fixed.components(start)))?;
         Ok((fixed.state(&end)?, end))
     }
 
     /// The times that cut the motion from `t` to `t_end` where the torque jumps, with
     /// both ends.
-    pub fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
+    pub(super) fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
         let backwards = self.t_end < self.t_start;
         let is_before = |a: f64, b: f64| if backwards { a > b } else { a < b };
         let passed = self.breaks.partition_point(|at| !is_before(t, *at));
@@ -320,7 +320,7 @@ impl<'e> Problem<'e> {
 
     /// True if something resists the rotation whose effect at a fixed attitude is known on
     /// every piece, and nothing acts beside it but what sees the axis only.
-    pub fn is_resisted(&self) -> bool {
+    pub(super) fn is_resisted(&self) -> bool {
         // Without symmetry l_3 passes through 0, where the other laws have a kink.
         let symmetric = self.body.moments().is_symmetric();
         self.resists(|resistance| symmetric || resistance.is_linear())
@@ -328,7 +328,7 @@ impl<'e> Problem<'e> {
 
     /// True if the torque is smooth all along the motion, whatever it does elsewhere: what
     /// resists has its kink where l_3 = 0, and never brings l_3 of a symmetric body there.
-    pub fn stays_smooth(&self) -> bool {
+    pub(super) fn stays_smooth(&self) -> bool {
         let symmetric = self.body.moments().is_symmetric();
         self.resists(|resistance| resistance.is_linear() || symmetric && !resistance.is_dry())
     }
@@ -343,11 +343,11 @@ impl<'e> Problem<'e> {
             Resisted::new(&scene, 0.0).is_ok_and(|resisted| kind(resisted.resistance()))
         };
         let pieces = self.pieces([self.t_start, self.t_end]);
-        !effects.nature().slips && pieces.windows(2).all(known)
+        !effects.properties().slips && pieces.windows(2).all(known)
     }
 
     /// The fastest rate (1/s) at which what resists takes momentum in proportion to it.
-    pub fn fastest_damping(&self) -> f64 {
+    pub(super) fn fastest_damping(&self) -> f64 {
         let (Acting::Smooth(effects) | Acting::Anything(effects)) = self.acting else {
             return 0.0;
         };
@@ -360,29 +360,29 @@ impl<'e> Problem<'e> {
     }
 
     /// True if effects go on in pieces.
-    pub fn has_laws(&self) -> bool {
+    pub(super) fn has_laws(&self) -> bool {
         self.checked.holding().has_laws()
     }
 
     /// True if a symmetric body is stepped without its spin: what acts sees the axis only.
-    pub fn is_spin_free(&self) -> bool {
+    pub(super) fn is_spin_free(&self) -> bool {
         let on_axis = matches!(self.acting, Acting::Weight(_) | Acting::OnAxis(_));
         on_axis && self.body.moments().is_symmetric()
     }
 
     /// The time from start to end (s).
-    pub fn span(&self) -> f64 {
+    pub(super) fn span(&self) -> f64 {
         self.t_end - self.t_start
     }
 
     /// The closed form of this motion, if it has one.
-    pub fn exact_motion(&self) -> Option<ExactMotion> {
+    pub(super) fn exact_motion(&self) -> Option<ExactMotion> {
         ExactMotion::of(self.known, self.strength, &self.body, &self.start)
     }
 
     /// A bound on the rates (rad/s) that the body reaches: by its energy, or of a slender body as
     /// a trial run shows it.
-    pub fn fastest(&self) -> f64 {
+    pub(super) fn fastest(&self) -> f64 {
         if let Some(slender) = self.slender {
             return slender.rate;
         }
@@ -393,7 +393,7 @@ impl<'e> Problem<'e> {
 
     /// The size against which a change of the momentum counts: its length, or what the
     /// torques build up in the body's own time.
-    pub fn momentum_scale(&self, state: &State) -> f64 {
+    pub(super) fn momentum_scale(&self, state: &State) -> f64 {
         let [i1, i2, i3] = self.body.moments().to_array();
         let built_up = (i1.max(i2).max(i3) * self.torque).sqrt();
         state.angular_momentum.norm().max(built_up)
@@ -401,7 +401,7 @@ impl<'e> Problem<'e> {
 
     /// How far two states of this motion are apart: the angle between their attitudes
     /// (rad), and the differences of momentum and rates as parts of their scales.
-    pub fn apart(&self, a: &State, b: &State) -> Apart {
+    pub(super) fn apart(&self, a: &State, b: &State) -> Distances {
         let ratio = |difference: f64, scale: f64| {
             if difference == 0.0 {
                 0.0
@@ -422,7 +422,7 @@ impl<'e> Problem<'e> {
 
     /// The row of the design whose push turns the body fastest: of a single change of all inputs,
     /// what a small moment of inertia makes of the three pushes must not cancel.
-    pub fn telling_row(&self) -> Result<usize> {
+    pub(super) fn most_sensitive_row(&self) -> Result<usize> {
         let mut most = (0, 0.0);
         for row in 0..ALL_ROWS {
             let [_, _, _, x, y, z, ..] = signs(row);
@@ -436,7 +436,7 @@ impl<'e> Problem<'e> {
     }
 
     /// Every input changed by `by`, up or down.
-    pub fn changed(&self, row: usize, by: f64) -> Result<Self> {
+    pub(super) fn changed(&self, row: usize, by: f64) -> Result<Self> {
         self.changed_by(signs(row), by)
     }
 
@@ -490,51 +490,51 @@ impl<'e> Problem<'e> {
         )
     }
 
-    /// The motion in legs of equal time by `leg` (from a time and state to a time), with
+    /// The motion in intervals of equal time by `interval` (from a time and state to a time), with
     /// the state moved before each of them: what rounding does on the way.
     ///
     /// Moved by 0 it is the motion itself.
-    pub fn in_legs(
+    pub(super) fn in_intervals(
         &self,
         row: usize,
         by: f64,
-        legs: usize,
-        mut leg: impl FnMut(&Self, f64, &State, f64) -> Result<State>,
+        intervals: usize,
+        mut interval: impl FnMut(&Self, f64, &State, f64) -> Result<State>,
     ) -> Result<State> {
         let problem = self.changed(row, by)?;
         let mut state = problem.start;
-        for k in 0..legs {
+        for k in 0..intervals {
             if k > 0 {
-                state = problem.moved_before(&state, [k, legs], row, by)?;
+                state = problem.moved_before(&state, [k, intervals], row, by)?;
             }
-            let [from, to] = [k, k + 1].map(|k| self.at_leg(k, legs));
-            state = leg(&problem, from, &state, to)?;
+            let [from, to] = [k, k + 1].map(|k| self.time_at(k, intervals));
+            state = interval(&problem, from, &state, to)?;
         }
         Ok(state)
     }
 
-    /// A state moved before a leg, by its number and that of all.
-    pub fn moved_before(
+    /// A state moved before a interval, by its number and that of all.
+    pub(super) fn moved_before(
         &self,
         state: &State,
-        [leg, legs]: [usize; 2],
+        [interval, intervals]: [usize; 2],
         row: usize,
         by: f64,
     ) -> Result<State> {
         // So much less that on a regular motion all of them together count as much as
         // the change of the start.
-        let on_the_way = 2.0 * by / (legs as f64).sqrt();
+        let on_the_way = 2.0 * by / (intervals as f64).sqrt();
         // Other signs every time, so that nothing is undone by the next.
-        let [a, b, c, x, y, z, ..] = signs((row + 5 * leg) % ALL_ROWS);
+        let [a, b, c, x, y, z, ..] = signs((row + 5 * interval) % ALL_ROWS);
         self.moved(state, [a, b, c, x, y, z], on_the_way)
     }
 
-    /// The time at which the leg of this number begins.
-    pub fn at_leg(&self, leg: usize, legs: usize) -> f64 {
-        if leg == legs {
+    /// The time at which the interval of this number begins.
+    pub(super) fn time_at(&self, interval: usize, intervals: usize) -> f64 {
+        if interval == intervals {
             self.t_end
         } else {
-            self.t_start + leg as f64 / legs as f64 * self.span()
+            self.t_start + interval as f64 / intervals as f64 * self.span()
         }
     }
 
@@ -545,24 +545,24 @@ impl<'e> Problem<'e> {
     /// signs of some rows.
     ///
     /// Infinite if the smallest change that doubles hold is one too many.
-    pub fn condition(
+    pub(super) fn condition(
         &self,
-        feeler: &Feeler,
+        probe: &Probe,
         mut motions: impl FnMut(f64) -> Result<(Vec<State>, Vec<Vec<State>>)>,
-    ) -> Result<Apart> {
+    ) -> Result<Distances> {
         let mut slopes_of = |by: f64| {
             let (places, changed) = motions(by)?;
             let changed: Vec<_> = changed.iter().map(Vec::as_slice).collect();
             Ok(self.slopes(by, &places, &changed))
         };
         // The change before this one, its slopes, and how far it went.
-        let mut coarser: Option<(f64, Apart, f64)> = None;
+        let mut coarser: Option<(f64, Distances, f64)> = None;
         // Slopes that wait for a finer change to bear them out.
-        let mut waiting: Option<Apart> = None;
-        for &by in feeler.changes {
+        let mut waiting: Option<Distances> = None;
+        for &by in probe.changes {
             let (slopes, farthest) = slopes_of(by)?;
-            let smallest = by <= feeler.smallest();
-            if farthest <= feeler.linear {
+            let smallest = by <= probe.smallest();
+            if farthest <= probe.linear {
                 let unsure = waiting.is_none();
                 let slopes = waiting.map_or(slopes, |waiting| {
                     [0, 1, 2].map(|i| larger(slopes[i], waiting[i]))
@@ -575,11 +575,11 @@ impl<'e> Problem<'e> {
                         waiting = Some(slopes);
                         continue;
                     }
-                    if slopes[0] * before < GATHERED * feeler.linear {
+                    if slopes[0] * before < GATHERED * probe.linear {
                         return Ok([f64::INFINITY; 3]);
                     }
                 }
-                let Some(again) = feeler.again.filter(|again| *again < by) else {
+                let Some(again) = probe.again.filter(|again| *again < by) else {
                     return Ok(slopes);
                 };
                 // Near a separatrix a change may carry the motion past its own steepness.
@@ -604,7 +604,12 @@ impl<'e> Problem<'e> {
 
     /// By how much the places move per change of the inputs, and how far (rad) the attitude
     /// moved farthest.
-    pub fn slopes(&self, by: f64, places: &[State], changed: &[&[State]]) -> (Apart, f64) {
+    pub(super) fn slopes(
+        &self,
+        by: f64,
+        places: &[State],
+        changed: &[&[State]],
+    ) -> (Distances, f64) {
         let mut slopes = [0.0; 3];
         let mut farthest: f64 = 0.0;
         for (n, place) in places.iter().enumerate() {

@@ -3,7 +3,7 @@
 
 use super::limits::Limits;
 use super::method::{Fine, LEVEL, Method, Runs, Steps, Stop};
-use super::problem::{Acting, Apart, Feeler, Problem};
+use super::problem::{Acting, Distances, Probe, Problem};
 use super::slender::opposite_rows;
 use crate::accuracy::larger;
 use crate::body::State;
@@ -50,7 +50,7 @@ const FAR_BELOW: f64 = 30.0;
 
 /// A motion whose condition is no more than so many times that of one which is only late counts as one
 /// that passes no saddle.
-const TAME: f64 = 6.0;
+const REGULAR: f64 = 6.0;
 
 /// A floor so many times above the tolerance is refused at once.
 const HOPELESS: f64 = 10.0;
@@ -58,7 +58,7 @@ const HOPELESS: f64 = 10.0;
 /// Where the floor is not far below the tolerance, nor hopelessly above: so many changes,
 const ROWS: usize = 5;
 /// each with the state moved so many times on the way, at most.
-const LEGS: f64 = 512.0;
+const INTERVALS: f64 = 512.0;
 
 /// The part of the tolerance that the sweeps of Gauss-Legendre may leave.
 const SWEEPS: f64 = 0.1;
@@ -100,8 +100,8 @@ pub(super) struct Delivered {
     pub probes: Work,
     pub price: f64,
     /// Upper estimates of the three errors, at the place where each is largest.
-    pub estimate: Apart,
-    pub condition: Apart,
+    pub estimate: Distances,
+    pub condition: Distances,
 }
 
 /// How fine a run is to be: its level, with so many steps on each piece at least, and the precision
@@ -129,7 +129,7 @@ pub(super) struct Refinement<'p> {
 
 impl<'p> Refinement<'p> {
     /// With the motion looked at in so many places, of equal distances; the end is the last.
-    pub fn new(
+    pub(super) fn new(
         problem: &'p Problem<'p>,
         tolerance: f64,
         limits: &'p Limits<'p>,
@@ -140,7 +140,7 @@ impl<'p> Refinement<'p> {
             problem,
             tolerance,
             limits,
-            times: (0..=places).map(|n| problem.at_leg(n, places)).collect(),
+            times: (0..=places).map(|n| problem.time_at(n, places)).collect(),
             work: trial,
             probes: Work::default(),
             cost: trial.torques() as f64,
@@ -151,14 +151,14 @@ impl<'p> Refinement<'p> {
     ///
     /// # Errors
     /// What no method mends; else the least error that was reached, or why the last came to no end.
-    pub fn solve(mut self) -> Result<Delivered> {
+    pub(super) fn solve(mut self) -> Result<Delivered> {
         let methods = Method::candidates(self.problem, self.tolerance);
         self.affordable(methods)?;
         let (mut best, mut why) = (f64::INFINITY, None);
         for method in methods {
             match self.refine(*method) {
                 Err(error) if stops(&error) => return Err(error),
-                Err(error @ Error::NotDelivered { reached, .. }) => {
+                Err(error @ Error::NotDelivered { best: reached, .. }) => {
                     if why.is_none() || reached < best {
                         (best, why) = (reached, Some(error));
                     }
@@ -189,7 +189,7 @@ impl<'p> Refinement<'p> {
 
     /// The angle (rad) turned at the fastest rate: by so much a relative change of the time moves the
     /// end.
-    fn late(&self) -> f64 {
+    fn angle_turned(&self) -> f64 {
         self.problem.fastest() * self.problem.span().abs()
     }
 
@@ -210,7 +210,7 @@ impl<'p> Refinement<'p> {
             coarse.level + LATER
         };
         let finest = method.finest().max(later);
-        let (mut condition, mut before): (Option<Apart>, Option<Apart>) = (None, None);
+        let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
         loop {
@@ -269,7 +269,7 @@ impl<'p> Refinement<'p> {
     /// The change of the inputs of the first run, where its distance from the second can show both the
     /// error and the condition.
     fn first_change(&self, method: Method) -> Option<f64> {
-        let by = CHANGED * self.tolerance / (1.0 + self.late());
+        let by = CHANGED * self.tolerance / (1.0 + self.angle_turned());
         let floor = self.floor(method, 0.5 * self.tolerance / by);
         (!self.is_steep() && FAR_BELOW * floor < self.tolerance).then_some(by)
     }
@@ -282,7 +282,7 @@ impl<'p> Refinement<'p> {
         let level = method.level_for(self.problem, self.tolerance);
         let steps = method.steps(self.problem, self.problem.span(), level);
         let steps = steps.max((self.problem.span() / self.problem.longest_step).abs());
-        let condition = 2.0 * self.late();
+        let condition = 2.0 * self.angle_turned();
         (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(1e-6)
     }
 
@@ -292,7 +292,13 @@ impl<'p> Refinement<'p> {
     }
 
     /// What rounding and sweeps leave, whatever the distance of two runs is.
-    fn left(&self, method: Method, run: &Run, condition: Apart, precision: f64) -> Result<Apart> {
+    fn left(
+        &self,
+        method: Method,
+        run: &Run,
+        condition: Distances,
+        precision: f64,
+    ) -> Result<Distances> {
         let floor = self.floor(method, condition[0]);
         if floor.is_nan() || floor >= self.tolerance {
             return Err(self.beyond(floor, condition[0]));
@@ -332,10 +338,10 @@ impl<'p> Refinement<'p> {
     fn counted(
         &self,
         falls: f64,
-        apart: Apart,
-        before: Option<Apart>,
+        apart: Distances,
+        before: Option<Distances>,
         levels: f64,
-    ) -> Option<Apart> {
+    ) -> Option<Distances> {
         let left = (1.0 / expm1(falls * levels * LEVEL)).max(1.0);
         if !self.may_have_kinks() {
             return Some(apart.map(|apart| left * apart));
@@ -363,7 +369,7 @@ impl<'p> Refinement<'p> {
 
     /// The condition: by one change of all inputs in the steps of this run, or with care where the
     /// floor that this puts is near the tolerance.
-    fn condition(&mut self, method: Method, run: &Run, precision: f64) -> Result<Apart> {
+    fn condition(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
         if self.is_steep() {
             return self.slopes_with_care(method, run);
         }
@@ -391,16 +397,17 @@ impl<'p> Refinement<'p> {
     /// True if the floor is so far below the tolerance that the condition need not be known well: so
     /// much farther as the motion may pass a saddle.
     fn is_far_below(&self, method: Method, condition: f64) -> bool {
-        let saddle = (condition / (TAME * (1.0 + self.late()))).max(1.0);
+        let saddle = (condition / (REGULAR * (1.0 + self.angle_turned()))).max(1.0);
         FAR_BELOW * saddle * self.floor(method, condition) < self.tolerance
     }
 
-    fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Apart> {
+    fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
         let rows = match self.problem.slender {
             Some(_) => opposite_rows(self.problem.body.moments().to_array()).to_vec(),
-            None => vec![self.problem.telling_row()?],
+            None => vec![self.problem.most_sensitive_row()?],
         };
-        let again = |leg: &Vec<Steps>| leg.iter().map(|steps| steps.again(method)).collect();
+        let again =
+            |interval: &Vec<Steps>| interval.iter().map(|steps| steps.again(method)).collect();
         let fewest: Vec<Vec<Steps>> = run.steps.iter().map(again).collect();
         let mut by = if method.is_adaptive() {
             CHANGE_ADAPTIVE
@@ -440,7 +447,7 @@ impl<'p> Refinement<'p> {
     }
 
     /// The same by some changes, with the state moved on the way as rounding does.
-    fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Apart> {
+    fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
         let problem = self.problem;
         // DOP853 answers a small change with a small jump, of its error: at level 5 of some 1e-11 a step.
         let level = if method.is_adaptive() {
@@ -449,32 +456,34 @@ impl<'p> Refinement<'p> {
             run.level
         };
         // Every two radians at most: what passes a saddle must be moved on its way there.
-        let legs = (0.5 * method.turned(problem, problem.span())).clamp(1.0, LEGS) as usize;
+        let intervals =
+            (0.5 * method.turned(problem, problem.span())).clamp(1.0, INTERVALS) as usize;
         let everywhere = self.times.len() > 2;
         let mut all = Runs::default();
         let this = &*self;
-        let condition = problem.condition(&Feeler::STEPPED, |by| {
+        let condition = problem.condition(&Probe::STEPPED, |by| {
             let mut moved = |row: usize, by: f64, precision: f64| {
                 let (mut places, mut held) = (Vec::new(), Vec::new());
-                let end = problem.in_legs(row, by, legs, |changed, t, state, t_end| {
-                    let fine = Fine {
-                        level,
-                        fewest: &[],
-                        precision,
-                        budget: this.limits.left(this.work.torques() + all.work.torques())?,
-                    };
-                    let start = Stop {
-                        held: core::mem::take(&mut held),
-                        ..Stop::at(*state)
-                    };
-                    let passed = method.run(changed, [t, t_end], start, fine, &mut all);
-                    let stop = passed.map_err(|error| this.of_whole_span(error))?.stop;
-                    if everywhere {
-                        places.push(stop.state);
-                    }
-                    held = stop.held;
-                    Ok(stop.state)
-                })?;
+                let end =
+                    problem.in_intervals(row, by, intervals, |changed, t, state, t_end| {
+                        let fine = Fine {
+                            level,
+                            fewest: &[],
+                            precision,
+                            budget: this.limits.left(this.work.torques() + all.work.torques())?,
+                        };
+                        let start = Stop {
+                            held: core::mem::take(&mut held),
+                            ..Stop::at(*state)
+                        };
+                        let passed = method.run(changed, [t, t_end], start, fine, &mut all);
+                        let stop = passed.map_err(|error| this.of_whole_span(error))?.stop;
+                        if everywhere {
+                            places.push(stop.state);
+                        }
+                        held = stop.held;
+                        Ok(stop.state)
+                    })?;
                 if !everywhere {
                     places.push(end);
                 }
@@ -498,8 +507,8 @@ impl<'p> Refinement<'p> {
         method: Method,
         precision: f64,
         run: Run,
-        estimate: Apart,
-        condition: Apart,
+        estimate: Distances,
+        condition: Distances,
     ) -> Result<Delivered> {
         for (t, stop) in &run.passed {
             self.problem.checked.at(*t, &stop.state)?;
@@ -519,30 +528,32 @@ impl<'p> Refinement<'p> {
     fn not_delivered(&self, reached: f64) -> Error {
         Error::NotDelivered {
             requested: self.tolerance,
-            reached,
+            best: reached,
+            condition: None,
         }
     }
 
     fn beyond(&self, attainable: f64, condition: f64) -> Error {
-        Error::BeyondCondition {
+        Error::NotDelivered {
             requested: self.tolerance,
-            attainable,
-            condition,
+            best: attainable,
+            condition: Some(condition),
         }
     }
 
     fn over_budget(&self) -> Error {
-        Error::OverBudget {
+        Error::LimitReached {
+            what: "torques",
             t: self.problem.t_start,
             t_end: self.problem.t_end,
-            budget: self.limits.budget,
+            limit: self.limits.budget,
         }
     }
 
     /// A budget that is used up is told as it was given, for the whole span.
     fn of_whole_span(&self, error: Error) -> Error {
         match error {
-            Error::OverBudget { .. } => self.over_budget(),
+            Error::LimitReached { .. } => self.over_budget(),
             error => error,
         }
     }
@@ -551,7 +562,9 @@ impl<'p> Refinement<'p> {
     /// first finer level that comes to its end.
     fn first(&mut self, method: Method, change: Option<f64>, precision: f64) -> Result<Run> {
         let problem = match change {
-            Some(by) => &self.problem.changed(self.problem.telling_row()?, by)?,
+            Some(by) => &self
+                .problem
+                .changed(self.problem.most_sensitive_row()?, by)?,
             None => self.problem,
         };
         let most = method.finest() - if self.may_have_kinks() { 2.0 } else { 1.0 };
@@ -572,7 +585,12 @@ impl<'p> Refinement<'p> {
 
     /// A run finer by so many levels, and by one step at least on every piece.
     fn finer(&mut self, method: Method, coarse: &Run, ahead: f64, precision: f64) -> Result<Run> {
-        let finer = |leg: &Vec<Steps>| leg.iter().map(|steps| steps.finer(method, ahead)).collect();
+        let finer = |interval: &Vec<Steps>| {
+            interval
+                .iter()
+                .map(|steps| steps.finer(method, ahead))
+                .collect()
+        };
         let fewest: Vec<Vec<Steps>> = coarse.steps.iter().map(finer).collect();
         let asked = Asked {
             level: coarse.level + ahead,
@@ -593,7 +611,7 @@ impl<'p> Refinement<'p> {
             passed: Vec::new(),
         };
         let mut stop = Stop::at(problem.start);
-        for (n, leg) in self.times.windows(2).enumerate() {
+        for (n, interval) in self.times.windows(2).enumerate() {
             let fine = Fine {
                 level: asked.level,
                 fewest: asked.fewest.get(n).map_or(&[], Vec::as_slice),
@@ -601,7 +619,7 @@ impl<'p> Refinement<'p> {
                 budget: self.limits.left(self.work.torques())?,
             };
             let mut runs = Runs::default();
-            let passed = method.run(problem, [leg[0], leg[1]], stop, fine, &mut runs);
+            let passed = method.run(problem, [interval[0], interval[1]], stop, fine, &mut runs);
             self.work += runs.work;
             self.cost += method.cost(&runs.work);
             let passed = passed.map_err(|error| self.of_whole_span(error))?;
@@ -617,7 +635,7 @@ impl<'p> Refinement<'p> {
     }
 
     /// How far two runs are apart, each measure at the place where it is largest.
-    fn distance(&self, a: &Run, b: &Run) -> Apart {
+    fn distance(&self, a: &Run, b: &Run) -> Distances {
         let mut most = [0.0; 3];
         for (a, b) in a.places.iter().zip(&b.places) {
             for (most, apart) in most.iter_mut().zip(self.problem.apart(a, b)) {
@@ -634,8 +652,10 @@ pub(super) const fn stops(error: &Error) -> bool {
         error,
         Error::Cancelled { .. }
             | Error::Contradiction { .. }
-            | Error::NotAFunction { .. }
-            | Error::OverBudget { .. }
-            | Error::BeyondCondition { .. }
+            | Error::LimitReached { .. }
+            | Error::NotDelivered {
+                condition: Some(_),
+                ..
+            }
     )
 }

@@ -44,7 +44,7 @@ pub(super) struct Slender {
 impl Slender {
     /// What the trial shows, if the body is slender and its motion too. `None` also where it comes to
     /// no end within its part of this budget of torques.
-    pub fn of(problem: &Problem, budget: u64, work: &mut Work) -> Result<Option<Self>> {
+    pub(super) fn of(problem: &Problem, budget: u64, work: &mut Work) -> Result<Option<Self>> {
         let moments = problem.body.moments().to_array();
         let [least, most] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
         if most <= APART * least || problem.span() == 0.0 || problem.is_spin_free() {

@@ -2,7 +2,7 @@
 
 use super::problem::{Acting, Problem};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Effect, Nature};
+use crate::effects::{AnyEffect, Effect, Properties};
 use crate::error::Error;
 use crate::frame::SpaceVector;
 use crate::integrators::{Dop853, Integrator, Work};
@@ -27,7 +27,7 @@ struct Watched<'e> {
 }
 
 impl Effect for Watched<'_> {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
 
     fn name(&self) -> &'static str {
         "watched"
@@ -51,11 +51,11 @@ impl Problem<'_> {
     /// About the time at which the motion begins to slide along a jump of the torque with the state,
     /// which then is between two stages of every step. (Measured on switches of four kinds: 2 to 6 times
     /// in a step of the whole run; on a jump that is crossed once in a turn, never.)
-    pub fn slides(&self, budget: u64) -> Option<f64> {
+    pub(super) fn slides(&self, budget: u64) -> Option<f64> {
         let Acting::Anything(effects) = self.acting else {
             return None;
         };
-        if effects.nature().slips || self.has_laws() {
+        if effects.properties().slips || self.has_laws() {
             return None;
         }
         let watched = Watched {
@@ -72,7 +72,7 @@ impl Problem<'_> {
             method.advance_counting(&scene, self.t_start, &self.start, self.span(), &mut work);
         let jumps = scene.effects().1.jumps.get();
         match end {
-            Err(Error::TooManySteps { t, .. } | Error::StepUnderflow { t, .. })
+            Err(Error::LimitReached { t, .. } | Error::StepUnderflow { t, clock: None, .. })
                 if jumps > work.steps + work.rejected =>
             {
                 Some(t)

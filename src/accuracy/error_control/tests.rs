@@ -4,7 +4,7 @@ use super::Limits;
 use super::problem::{Acting, Problem};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
-use crate::effects::{Checked, Known, Torque};
+use crate::effects::{Checked, IntegrableCase, Torque};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
 
@@ -44,7 +44,7 @@ fn a_symmetric_body_stays_one() {
         breaks: &[],
         longest_step: f64::INFINITY,
         checked: &checked,
-        known: Known::Free,
+        known: IntegrableCase::Free,
         damping: 0.0,
         slender: None,
     };

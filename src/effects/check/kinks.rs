@@ -24,7 +24,7 @@ const ROUNDED: f64 = 16.0;
 const ALIKE: f64 = 3.0;
 
 /// Nearer to another or a known time than this part of the time between two looks a kink is that.
-pub const NEAR: f64 = 1e-3;
+pub(crate) const NEAR: f64 = 1e-3;
 
 /// A piece of time that is halved, with the torque at both ends and in the middle.
 #[derive(Clone, Copy)]
@@ -100,7 +100,7 @@ impl Piece {
 
 impl Checked<'_> {
     /// The times at which the torque that was [looked at](Self::looked) has a kink; of a known one, that.
-    pub fn kinks(&self, seen: &[SpaceVector], known: &[f64]) -> Vec<f64> {
+    pub(crate) fn kinks(&self, seen: &[SpaceVector], known: &[f64]) -> Vec<f64> {
         let looks = seen.len() - 1;
         let size = seen.iter().map(SpaceVector::norm).fold(0.0, f64::max);
         let rounding = ROUNDING * size;

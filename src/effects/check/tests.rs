@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::effects::Effect;
-use crate::effects::{GravityAtLever, Keeps};
+use crate::effects::{Conserved, GravityAtLever};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
 
@@ -10,14 +10,14 @@ use crate::inertia::PrincipalMoments;
 struct Stronger(GravityAtLever, f64);
 
 impl Effect for Stronger {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_rates: false,
         on_time: false,
-        keeps: Keeps {
+        conserved: Conserved {
             energy: true,
-            ..Keeps::NONE
+            ..Conserved::NONE
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

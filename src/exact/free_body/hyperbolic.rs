@@ -40,7 +40,7 @@ const ENDLESS: f64 = 1_152_921_504_606_846_976.0; // 2^60
 impl Late {
     /// tau = 0 at -`start`, 2K in time `half_period`, and the phase grows by `local` rad/s;
     /// `winding` is dropped from it by the series in each half-period.
-    pub fn new(
+    pub(super) fn new(
         series: &Hyperbolic,
         sense: f64,
         start: Dd,
@@ -76,7 +76,7 @@ impl Late {
     }
 
     /// The same seen from space, on the body's axes: the frames on either side.
-    pub fn seen(self, outer: [f64; 4], inner: [f64; 4]) -> Self {
+    pub(super) fn seen(self, outer: [f64; 4], inner: [f64; 4]) -> Self {
         Self {
             columns: columns(|quaternion| product(product(outer, quaternion), inner)),
             ..self
@@ -84,7 +84,7 @@ impl Late {
     }
 
     /// The attitude alone costs less.
-    pub fn attitude(&self, t: f64) -> Attitude {
+    pub(super) fn attitude(&self, t: f64) -> Attitude {
         Attitude::from_unit(if t.abs() <= self.until {
             self.near(t, 0).quaternion(&self.columns, 0)
         } else {

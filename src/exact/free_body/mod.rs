@@ -30,7 +30,7 @@ use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::math::DoubleDouble as Dd;
 
-mod asked;
+mod as_motion;
 mod asymmetric;
 mod bodies;
 mod flow;
@@ -40,7 +40,7 @@ mod sample;
 mod series;
 mod symmetric;
 
-pub(in crate::exact) use asked::first_bad;
+pub(in crate::exact) use as_motion::first_bad;
 use asymmetric::Asymmetric;
 pub use bodies::FreeBodies;
 pub use flow::FreeFlow;
@@ -119,11 +119,11 @@ impl FreeBody {
         }
         let fastest = omega.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
         if fastest > 0.0 && !(1e-230..=1e230).contains(&fastest) {
-            return Err(Error::OutOfRange {
-                name: "fastest rate",
-                value: fastest,
-                allowed: "0, or from 1e-230 to 1e230 rad/s",
-            });
+            return Err(Error::out_of_range(
+                "fastest rate",
+                fastest,
+                "0, or from 1e-230 to 1e230 rad/s",
+            ));
         }
         for (moment, rate) in moments.iter().zip(omega) {
             finite("I omega^2", moment * rate * rate)?;
@@ -138,11 +138,11 @@ impl FreeBody {
             Motion::Symmetric(Symmetric::new(moments, omega, axis, attitude))
         } else {
             if least < THINNEST * most {
-                return Err(Error::OutOfRange {
-                    name: "I_min/I_max",
-                    value: least / most,
-                    allowed: "at least 1e-120 for three different moments",
-                });
+                return Err(Error::out_of_range(
+                    "I_min/I_max",
+                    least / most,
+                    "at least 1e-120 for three different moments",
+                ));
             }
             Motion::Asymmetric(Box::new(Asymmetric::new(moments, omega, attitude)))
         };
@@ -154,11 +154,11 @@ impl FreeBody {
         };
         // Three moments within their range are held: only a needle of two can be too thin.
         if least / most < 1e-120 && !made.kinematics(0.0).is_finite() {
-            return Err(Error::OutOfRange {
-                name: "I_min/I_max",
-                value: least / most,
-                allowed: "a ratio whose products with the rates doubles hold",
-            });
+            return Err(Error::out_of_range(
+                "I_min/I_max",
+                least / most,
+                "a ratio whose products with the rates doubles hold",
+            ));
         }
         Ok(made)
     }

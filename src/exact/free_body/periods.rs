@@ -6,7 +6,7 @@ use crate::math::DoubleDouble as Dd;
 
 impl Periods {
     /// F of the amplitude with sin : cos = `sin` : `cos`, in (-2K, 2K].
-    pub fn first_kind(&self, sin: Dd, cos: Dd) -> Dd {
+    pub(crate) fn first_kind(&self, sin: Dd, cos: Dd) -> Dd {
         let (beyond, distance) = self.nearer_end(sin.square(), cos.square());
         let f = if beyond {
             self.quarter - distance
@@ -31,7 +31,7 @@ impl Periods {
     /// The periods for 1 - m = `m1` s^2, and F of the amplitude with sin : cos = `sin` :
     /// `cos` s, with an s = exp(`ln_unit`) so small that its square need not be a double:
     /// K = ln(4/sqrt(1 - m)) and sc u = sinh u there.
-    pub fn beside_the_saddle(m1: Dd, ln_unit: Dd, sin: Dd, cos: Dd) -> (Self, Dd) {
+    pub(crate) fn beside_the_saddle(m1: Dd, ln_unit: Dd, sin: Dd, cos: Dd) -> (Self, Dd) {
         let nome = Nome::new(Dd::ZERO, Dd::ONE);
         let quarter = if m1 == 0.0 {
             Dd::from(f64::INFINITY)

@@ -54,7 +54,7 @@ pub(super) struct Rates<V = f64> {
 impl<V: Constant> Rates<V> {
     /// On the body's own axes.
     #[inline(always)]
-    pub fn of<L: Phased>(&self, l1: L, l2: L, first: usize) -> [L; 3] {
+    pub(super) fn of<L: Phased>(&self, l1: L, l2: L, first: usize) -> [L; 3] {
         let square = l1 * self.m_over_l1.lane::<L>(first) * l1;
         let l3 = (square + self.m1.lane::<L>(first)).sqrt() * self.c.lane::<L>(first);
         let [one, two, three] = &self.rate;
@@ -115,7 +115,7 @@ pub(super) struct Sample<L: Phased> {
 impl Sampler {
     /// z grows by a quarter in `quarter` seconds and the phase by `local` rad/s, both
     /// from zero at -`start`.
-    pub fn new(
+    pub(super) fn new(
         series: &Trigonometric,
         sense: f64,
         start: Dd,
@@ -139,7 +139,7 @@ impl Sampler {
     }
 
     /// The same between other frames: `turned` is what becomes of a quaternion.
-    pub fn seen(self, turned: impl Fn([f64; 4]) -> [f64; 4]) -> Self {
+    pub(super) fn seen(self, turned: impl Fn([f64; 4]) -> [f64; 4]) -> Self {
         Self {
             columns: columns(turned),
             ..self
@@ -147,7 +147,7 @@ impl Sampler {
     }
 
     /// The attitude alone costs less.
-    pub fn attitude(&self, t: f64) -> Attitude {
+    pub(super) fn attitude(&self, t: f64) -> Attitude {
         Attitude::from_unit(if t.abs() <= self.until {
             let clocks = self.clocks.both_at(&Time::new(t), 0);
             self.quaternion_of(&self.sample::<f64>(clocks, 0), 0)
@@ -180,7 +180,11 @@ impl<L: Phased> Sample<L> {
     /// Of the sums for alpha and beta, and sine and cosine of the phase; `twice` is
     /// 2/(|alpha|^2 + |beta|^2) from that sum and one over its root.
     #[inline(always)]
-    pub fn new([re, im]: [L::Pair; 2], [sin, cos]: [L; 2], twice: impl Fn(L, L) -> L) -> Self {
+    pub(super) fn new(
+        [re, im]: [L::Pair; 2],
+        [sin, cos]: [L; 2],
+        twice: impl Fn(L, L) -> L,
+    ) -> Self {
         let (first, second) = (re * re + im * im).parts();
         let norm = first + second;
         let scale = L::of(1.0) / norm.sqrt();
@@ -195,13 +199,13 @@ impl<L: Phased> Sample<L> {
     }
 
     #[inline(always)]
-    pub fn quaternion<V: Constant>(&self, columns: &Columns<V>, first: usize) -> [L; 4] {
+    pub(super) fn quaternion<V: Constant>(&self, columns: &Columns<V>, first: usize) -> [L; 4] {
         let ((alpha_re, beta_re), (alpha_im, beta_im)) = (self.re.parts(), self.im.parts());
         combined(columns, [alpha_re, beta_re, beta_im, alpha_im], first)
     }
 
     #[inline(always)]
-    pub fn rates<V: Constant>(&self, rates: &Rates<V>, first: usize) -> [L; 3] {
+    pub(super) fn rates<V: Constant>(&self, rates: &Rates<V>, first: usize) -> [L; 3] {
         // 2 alpha conj(beta) = l2 + i l1.
         let [re, im] = self.sums;
         let ((ar, br), (ai, bi)) = (re.parts(), im.parts());

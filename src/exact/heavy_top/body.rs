@@ -52,11 +52,11 @@ impl SymmetricTop {
     fn checked(i1: f64, i3: f64, weight: f64, lever: f64, moment: Dd) -> Result<Self> {
         let top = Self::of(i1, i3, weight, lever, moment)?;
         if i3 > 2.0 * i1 || (i3 == 2.0 * i1 && lever != 0.0) {
-            return Err(Error::OutOfRange {
-                name: "I3/I1",
-                value: i3 / i1,
-                allowed: "I3 <= 2 I1 for every body, and I3 < 2 I1 if the centre of mass is off the pivot",
-            });
+            return Err(Error::out_of_range(
+                "I3/I1",
+                i3 / i1,
+                "I3 <= 2 I1 for every body, and I3 < 2 I1 if the centre of mass is off the pivot",
+            ));
         }
         Ok(top)
     }
@@ -72,11 +72,11 @@ impl SymmetricTop {
         finite("l", lever)?;
         finite("m g l", moment.hi())?;
         if weight < 0.0 {
-            return Err(Error::OutOfRange {
-                name: "m g",
-                value: weight,
-                allowed: "a weight is 0 or more; let the lever carry the sign",
-            });
+            return Err(Error::out_of_range(
+                "m g",
+                weight,
+                "a weight is 0 or more; let the lever carry the sign",
+            ));
         }
         Ok(Self {
             i1,

@@ -2,12 +2,13 @@
 
 use super::hyperbolic::Late;
 use super::motion::{Motion, Rates};
+use super::reduced::too_far_apart;
 use super::roots::{Conserved, Origin, Roots, State};
 use super::sample::Sampler;
 use super::{Course, Form, Given, HeavyTop, ReducedTop, Start, SymmetricTop, Turns};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::Kinematics;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, plain};
 use crate::frame::BodyVector;
 use crate::math::{self, DoubleDouble as Dd};
 
@@ -51,7 +52,7 @@ impl HeavyTop {
     /// at the pole, arriving with the given phi0 and zeta0 (for c < 0: leaving).
     ///
     /// # Errors
-    /// [`Error::NoMotion`] if E~ is below U_min; `NotFinite`; phi0 or zeta0 beyond 1e15 rad.
+    /// [`Error::OutOfRange`] if E~ is below U_min; `NotFinite`; phi0 or zeta0 beyond 1e15 rad.
     pub fn from_energy(
         top: ReducedTop,
         energy: f64,
@@ -63,10 +64,7 @@ impl HeavyTop {
         if !top.is_well_above_minimum(energy) {
             let (_, minimum, size) = top.minimum_dd();
             if energy < (minimum - ReducedTop::energy_slack(size)).to_f64() {
-                return Err(Error::NoMotion {
-                    energy,
-                    minimum: minimum.to_f64(),
-                });
+                return Err(below(energy, minimum.to_f64()));
             }
         }
         let excess = Dd::from(energy).scaled(2.0);
@@ -95,11 +93,11 @@ impl HeavyTop {
         let root_a = Dd::from(top.a()).sqrt();
         let nodal_y = if theta0 == 0.0 {
             if top.b() != 1.0 {
-                return Err(Error::OutOfRange {
-                    name: "theta0",
-                    value: theta0,
-                    allowed: "an axis starts at theta = 0 only if b = 1",
-                });
+                return Err(Error::out_of_range(
+                    "theta0",
+                    theta0,
+                    "an axis starts at theta = 0 only if b = 1",
+                ));
             }
             Dd::ZERO
         } else {
@@ -177,7 +175,7 @@ impl HeavyTop {
     /// next to 0 and not next to pi: a body with its axis exactly down is exactly down.
     ///
     /// # Errors
-    /// A rate that is not finite; [`Error::RatesTooFarApart`].
+    /// A rate that is not finite; [`Error::OutOfRange`] of the fastest.
     pub fn new(body: SymmetricTop, attitude: Attitude, omega_body: BodyVector) -> Result<Self> {
         let EulerAngles { phi, theta, zeta } = attitude.euler_angles();
         let [w, x, y, z] = attitude.quaternion();
@@ -235,7 +233,7 @@ impl HeavyTop {
             if speed.hi() == 0.0 {
                 // It moves, by less than the squares of doubles hold.
                 let fastest = x.abs().max(y.abs());
-                return Err(Error::RatesTooFarApart { fastest });
+                return Err(too_far_apart(fastest));
             }
             start = Beginning::Angle {
                 theta,
@@ -365,9 +363,7 @@ impl HeavyTop {
             _ => None,
         };
         // Squares of the rates are formed, in pairs of doubles.
-        let far_apart = || Error::RatesTooFarApart {
-            fastest: (strength + spin.square() + excess.abs()).to_f64().sqrt(),
-        };
+        let far_apart = || too_far_apart((strength + spin.square() + excess.abs()).to_f64().sqrt());
         let course = if let Some(theta) = fixed {
             Course::Fixed { theta }
         } else {
@@ -520,11 +516,11 @@ fn known_turn(name: &'static str, angle: f64) -> Result<f64> {
     if finite(name, angle)?.abs() <= 1e15 {
         Ok(angle)
     } else {
-        Err(Error::OutOfRange {
+        Err(Error::out_of_range(
             name,
-            value: angle,
-            allowed: "its size must not exceed 1e15 rad",
-        })
+            angle,
+            "its size must not exceed 1e15 rad",
+        ))
     }
 }
 
@@ -532,11 +528,21 @@ fn known_turn(name: &'static str, angle: f64) -> Result<f64> {
 fn half_angle(theta: f64) -> Result<(Dd, Dd)> {
     finite("theta", theta)?;
     if !(0.0..=core::f64::consts::PI).contains(&theta) {
-        return Err(Error::OutOfRange {
-            name: "theta",
-            value: theta,
-            allowed: "theta lies in [0, pi]",
-        });
+        return Err(Error::out_of_range("theta", theta, "theta lies in [0, pi]"));
     }
     Ok(Dd::from(theta * 0.5).sin_cos())
+}
+
+/// The refusal of an energy; the minimum with six places, or all of them if six do not show the
+/// difference.
+fn below(energy: f64, minimum: f64) -> Error {
+    let short = format!("{minimum:.6}");
+    let off = short
+        .parse::<f64>()
+        .map_or(f64::NAN, |m| (m - minimum).abs());
+    let said = match off < 0.1 * (minimum - energy) && short.len() < 16 {
+        true => short,
+        false => plain(minimum),
+    };
+    Error::out_of_range("E~", energy, format!("no motion is below U_min = {said}"))
 }

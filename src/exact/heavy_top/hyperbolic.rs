@@ -75,7 +75,7 @@ fn flat<L: Phased>(w: L) -> [L; 3] {
 impl Late {
     /// For a motion whose gravity is turned if `flip` < 0, with the phases of alpha and
     /// beta in `turns` and omega_3 = `spin`.
-    pub fn new(
+    pub(super) fn new(
         motion: &Motion,
         RateRipple([around_lower, around_upper]): &RateRipple,
         turns: &[Turns; 2],
@@ -151,14 +151,14 @@ impl Late {
     }
 
     /// The greatest |t| at which the phases are known.
-    pub fn latest(&self) -> f64 {
+    pub(super) fn latest(&self) -> f64 {
         if self.periodic {
             return self.until;
         }
         self.phases.one(0).until().min(self.phases.one(1).until())
     }
 
-    pub fn attitude(&self, t: f64) -> Attitude {
+    pub(super) fn attitude(&self, t: f64) -> Attitude {
         Attitude::from_unit(if t.abs() <= self.until {
             self.quaternion(t)
         } else {
@@ -168,7 +168,7 @@ impl Late {
 
     /// The unit quaternion at time `t`.
     #[inline(always)]
-    pub fn quaternion<L: Phased>(&self, t: L) -> [L; 4] {
+    pub(super) fn quaternion<L: Phased>(&self, t: L) -> [L; 4] {
         self.axis(&self.place(t, 0), 0).0.quaternion()
     }
 }

@@ -33,7 +33,7 @@
 //! E. T. Whittaker, *Analytical Dynamics*, 71-72. The forms without cancellation are
 //! ours.
 
-mod asked;
+mod as_motion;
 mod batch;
 mod body;
 mod construct;

@@ -72,7 +72,7 @@ pub(super) struct Place {
 
 impl Motion {
     /// The motion through `origin` with these roots, neither at rest nor upright.
-    pub fn new(conserved: &Conserved, origin: &Origin, roots: Roots) -> Box<Self> {
+    pub(super) fn new(conserved: &Conserved, origin: &Origin, roots: Roots) -> Box<Self> {
         let span = roots.span();
         let p = span.sqrt().scaled(0.5);
         let [m, m1] = roots.parameters(span);
@@ -158,7 +158,7 @@ impl Motion {
 
     /// Where the time `t` falls, if the phases are known there.
     #[inline]
-    pub fn place(&self, t: f64) -> Place {
+    pub(super) fn place(&self, t: f64) -> Place {
         let since = self.offset + t;
         let (count, rest) = if self.homoclinic {
             (0.0, since.hi())
@@ -180,19 +180,19 @@ impl Motion {
 
     /// Both series there.
     #[inline]
-    pub fn pair(&self, place: &Place) -> Pair {
+    pub(super) fn pair(&self, place: &Place) -> Pair {
         self.series.at(place.upper, place.x)
     }
 
     /// Both series and their derivatives by z or w.
     #[inline]
-    pub fn pair_with_slopes(&self, place: &Place) -> (Pair, Pair) {
+    pub(super) fn pair_with_slopes(&self, place: &Place) -> (Pair, Pair) {
         self.series.with_slopes(place.upper, place.x)
     }
 
     /// The arguments of both series without their whole turns: continuous in time
     /// once [`Self::turns`] is added.
-    pub fn arguments(&self, place: &Place, pair: &Pair) -> [f64; 2] {
+    pub(super) fn arguments(&self, place: &Place, pair: &Pair) -> [f64; 2] {
         let argument = |value: Complex<f64>, channel: &Channel| {
             if channel.reached {
                 // A signed real factor: a half turn at each passage.
@@ -214,7 +214,7 @@ impl Motion {
     }
 
     /// Half turns of the arguments at a place, beyond [`Self::arguments`].
-    pub fn half_turns(&self, place: &Place) -> [f64; 2] {
+    pub(super) fn half_turns(&self, place: &Place) -> [f64; 2] {
         let [a, b] = &self.channels;
         [
             place.period as f64 * a.sign,

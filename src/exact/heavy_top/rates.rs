@@ -25,7 +25,11 @@ pub(super) struct RateRipple(pub [Factor; 2]);
 impl RateRipple {
     /// From the angles of the Cayley-Klein parameters' zeros, with their signs; `size` is the
     /// value at w = 0.
-    pub fn new(nome: &Nome, [(sign_a, a), (sign_b, b)]: [(f64, Angle); 2], size: Dd) -> Self {
+    pub(super) fn new(
+        nome: &Nome,
+        [(sign_a, a), (sign_b, b)]: [(f64, Angle); 2],
+        size: Dd,
+    ) -> Self {
         let sin = b.sin * a.cos * sign_b - b.cos * a.sin * sign_a;
         let cos = b.cos * a.cos + b.sin * a.sin * (sign_a * sign_b);
         // theta_3(d) = theta_4(d - pi/2).
@@ -49,7 +53,7 @@ impl RateRipple {
 
 impl RateWave {
     /// From the zeros of the Cayley-Klein parameters; `size` is the value at z = 0.
-    pub fn new(nome: &Nome, a: &Zero, b: &Zero, size: Dd) -> Self {
+    pub(super) fn new(nome: &Nome, a: &Zero, b: &Zero, size: Dd) -> Self {
         let (sense, zero) = zero(a, b);
         let wave = Wave::new(&zero.across(), nome);
         let terms = wave.times(size / wave.at_zero);

@@ -34,15 +34,15 @@ impl ReducedTop {
     ///
     /// # Errors
     /// A parameter that is not finite; a outside (0, 2];
-    /// [`Error::RatesTooFarApart`] for parameters whose squares leave the range of doubles.
+    /// [`Error::OutOfRange`] for parameters whose squares leave the range of doubles.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self> {
         positive("a", a)?;
         if a > 2.0 {
-            return Err(Error::OutOfRange {
-                name: "a",
-                value: a,
-                allowed: "a = I3/I1 lies in (0, 2]: no body has I3 > 2 I1",
-            });
+            return Err(Error::out_of_range(
+                "a",
+                a,
+                "a = I3/I1 lies in (0, 2]: no body has I3 > 2 I1",
+            ));
         }
         Self::formal(a, b, c)
     }
@@ -51,7 +51,7 @@ impl ReducedTop {
     ///
     /// # Errors
     /// A parameter that is not finite; a <= 0;
-    /// [`Error::RatesTooFarApart`] for parameters whose squares leave the range of doubles.
+    /// [`Error::OutOfRange`] for parameters whose squares leave the range of doubles.
     pub fn formal(a: f64, b: f64, c: f64) -> Result<Self> {
         let top = Self {
             a: positive("a", a)?,
@@ -68,9 +68,7 @@ impl ReducedTop {
         } else {
             // In units of t': the spin 1/sqrt(a), the precession, the fall.
             let fastest = (1.0 / a.sqrt()).max(a.sqrt() * (1.0 + b.abs()));
-            Err(Error::RatesTooFarApart {
-                fastest: fastest.max(c.abs().sqrt()),
-            })
+            Err(too_far_apart(fastest.max(c.abs().sqrt())))
         }
     }
 
@@ -287,4 +285,14 @@ fn newton_from_left(p: f64, q: f64, r: f64, start: f64) -> f64 {
 /// f'(T).
 fn slope(p: f64, r: f64, t: f64) -> f64 {
     2.0 * (p / (t * t * t) + r / ((1.0 + t) * (1.0 + t) * (1.0 + t)))
+}
+
+/// The refusal of rates (or parameters) of which the squares are no doubles.
+pub(super) fn too_far_apart(fastest: f64) -> Error {
+    Error::out_of_range(
+        "fastest rate",
+        fastest,
+        "the rates of this motion are too large, too small or too far apart; their squares, and the \
+         products and quotients of the squares, must stay within doubles, from 1e-308 to 1e299",
+    )
 }

@@ -25,7 +25,7 @@ pub(super) struct Ripple {
 }
 
 impl Ripple {
-    pub fn new(sign: f64, y: Angle, nome: &Nome) -> Self {
+    pub(super) fn new(sign: f64, y: Angle, nome: &Nome) -> Self {
         let (sin2, cos2) = (
             (y.sin * y.cos).scaled(2.0),
             1.0 - y.sin.square().scaled(2.0),
@@ -63,7 +63,7 @@ impl Ripple {
 
     /// sum (-1)^n q'^(n(n+1)) [cos(2n+1)y' sinh(2n+1)w - i sin(2n+1)y' cosh(2n+1)w],
     /// in powers of q' 2 cosh 2w.
-    pub fn h(&self, scale: Dd) -> Factor {
+    pub(super) fn h(&self, scale: Dd) -> Factor {
         let factor = scale.hi();
         // q'^(n(n+1) - j) belongs to the power j <= n of the variable.
         let weight = |n: usize, j: usize| alternating(n) * self.nome[n * (n + 1) - j];
@@ -87,7 +87,7 @@ impl Ripple {
     }
 
     /// 1 + 2 sum (-1)^n q'^(n^2) [cos 2ny' cosh 2nw - i sin 2ny' sinh 2nw].
-    pub fn h1(&self, scale: Dd) -> Factor {
+    pub(super) fn h1(&self, scale: Dd) -> Factor {
         let factor = scale.hi();
         let weight = |n: usize, j: usize| alternating(n) * self.nome[n * n - j] * factor;
         let re = |n: usize, j: usize| weight(n, j) * self.even[n - 1].1;

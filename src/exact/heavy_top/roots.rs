@@ -37,7 +37,7 @@ pub(super) struct Conserved {
 
 impl Conserved {
     /// The largest of the squares of rates, to a double's digits.
-    pub fn largest_square(&self) -> f64 {
+    pub(super) fn largest_square(&self) -> f64 {
         [self.spin, self.difference, self.sum]
             .map(|rate| rate.hi() * rate.hi())
             .into_iter()
@@ -94,7 +94,7 @@ pub(super) struct Roots {
 impl Roots {
     /// The roots. Inner roots that rounding has made a complex pair are taken as
     /// equal; that the energy allows a motion is the caller's to check.
-    pub fn new(conserved: &Conserved, origin: &Origin) -> Self {
+    pub(super) fn new(conserved: &Conserved, origin: &Origin) -> Self {
         let Conserved {
             spin,
             difference,
@@ -172,13 +172,13 @@ impl Roots {
     }
 
     /// beta (v3 - v1), four times the square of the rate p of the argument.
-    pub fn span(&self) -> Dd {
+    pub(super) fn span(&self) -> Dd {
         self.outer + self.gravity * self.x1
     }
 
     /// The parameter m = (v2 - v1)/(v3 - v1), and 1 - m = (v3 - v2)/(v3 - v1): a sum of gaps,
     /// nothing cancels. `span` is that of the roots.
-    pub fn parameters(&self, span: Dd) -> [Dd; 2] {
+    pub(super) fn parameters(&self, span: Dd) -> [Dd; 2] {
         [
             self.gravity * self.gap / span,
             (self.outer + self.gravity * self.x2) / span,

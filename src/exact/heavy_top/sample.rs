@@ -50,7 +50,7 @@ pub(super) struct Axis<L: Phased> {
 impl<L: Phased> Axis<L> {
     /// Of both series and phases; negative where the last bit but one of `whole` is set.
     #[inline(always)]
-    pub fn new(re: L::Pair, im: L::Pair, phases: Reduced<L::Pair>, whole: L) -> Self {
+    pub(super) fn new(re: L::Pair, im: L::Pair, phases: Reduced<L::Pair>, whole: L) -> Self {
         let (first, second) = (re * re + im * im).parts();
         let scale = L::of(1.0) / (first + second).sqrt();
         let (sin, cos) = sincos_of(phases);
@@ -66,14 +66,14 @@ impl<L: Phased> Axis<L> {
 
     /// The unit quaternion.
     #[inline(always)]
-    pub fn quaternion(&self) -> [L; 4] {
+    pub(super) fn quaternion(&self) -> [L; 4] {
         let ((w, x), (z, y)) = (self.re.parts(), self.im.parts());
         [w, x, y, z]
     }
 
     /// The transverse rate by its series, before it is turned by both phases.
     #[inline(always)]
-    pub fn transverse(&self, re: L, im: L) -> [L; 2] {
+    pub(super) fn transverse(&self, re: L, im: L) -> [L; 2] {
         // conj(e^{i psi_a}) e^{i psi_b}
         let [phase_sin, phase_cos] = self.phase;
         let ((sin_a, sin_b), (cos_a, cos_b)) = (phase_sin.parts(), phase_cos.parts());
@@ -89,7 +89,13 @@ impl<L: Phased> Axis<L> {
 impl Sampler {
     /// For a motion whose gravity is turned if `flip` < 0, with the phases of alpha and
     /// beta in `turns` and omega_3 = `spin`.
-    pub fn new(motion: &Motion, wave: &RateWave, turns: &[Turns; 2], flip: f64, spin: f64) -> Self {
+    pub(super) fn new(
+        motion: &Motion,
+        wave: &RateWave,
+        turns: &[Turns; 2],
+        flip: f64,
+        spin: f64,
+    ) -> Self {
         let [a, b] = &motion.series.sides[0];
         let flipped = flip < 0.0;
         let per = motion.half_period.recip();
@@ -115,7 +121,7 @@ impl Sampler {
         }
     }
 
-    pub fn attitude(&self, t: f64) -> Attitude {
+    pub(super) fn attitude(&self, t: f64) -> Attitude {
         Attitude::from_unit(if t.abs() <= self.until {
             self.quaternion(t)
         } else {
@@ -125,7 +131,7 @@ impl Sampler {
 
     /// The unit quaternion at time `t`.
     #[inline(always)]
-    pub fn quaternion<L: Phased>(&self, t: L) -> [L; 4] {
+    pub(super) fn quaternion<L: Phased>(&self, t: L) -> [L; 4] {
         self.axis(self.phases(t, 0), 0).0.quaternion()
     }
 }

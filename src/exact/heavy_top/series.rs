@@ -50,7 +50,7 @@ pub(super) struct Series {
 impl Series {
     /// Both parameters at the distance `x` (z or w) from a turning point.
     #[inline]
-    pub fn at(&self, upper: bool, x: f64) -> Pair {
+    pub(super) fn at(&self, upper: bool, x: f64) -> Pair {
         let [h, h1] = &self.sides[usize::from(upper)];
         let (k, odd, even, re1, im1) = if self.hyperbolic {
             let (odd, even, e, sum, difference) = self.hyperbolic_functions(x);
@@ -76,7 +76,7 @@ impl Series {
 
     /// The same with the derivatives by `x`.
     #[inline]
-    pub fn with_slopes(&self, upper: bool, x: f64) -> (Pair, Pair) {
+    pub(super) fn with_slopes(&self, upper: bool, x: f64) -> (Pair, Pair) {
         let [h, h1] = &self.sides[usize::from(upper)];
         // Factors and k with their derivatives; the common e^-|w| counts as constant.
         let (k, dk, odd, even, d_even, re1, d_re1, im1, d_im1);

@@ -30,7 +30,7 @@ pub(super) struct Matched {
 impl Series {
     /// `a` and `b` are the zeros; at the upper turning point |a| is the first size, at the lower
     /// one |b| is the second.
-    pub fn matched(nome: &Nome, a: &Zero, b: &Zero, sizes: [Dd; 2]) -> Matched {
+    pub(super) fn matched(nome: &Nome, a: &Zero, b: &Zero, sizes: [Dd; 2]) -> Matched {
         let [size_a, size_b] = sizes;
         match [a.place, b.place] {
             [theta::Zero::Along(angle_a), theta::Zero::Along(angle_b)] => {
@@ -85,7 +85,7 @@ impl Series {
 
 impl Zero {
     /// Its terms in the series in q.
-    pub fn across(&self) -> Across {
+    pub(super) fn across(&self) -> Across {
         match self.place {
             theta::Zero::Across(across) => across,
             theta::Zero::Along(_) => Across {
@@ -124,7 +124,7 @@ pub(super) struct Wave<L = f64> {
 
 impl<L: Exact> Wave<L> {
     #[inline]
-    pub fn new(zero: &Across<L>, nome: &Nome) -> Self {
+    pub(super) fn new(zero: &Across<L>, nome: &Nome) -> Self {
         let Across { decay, fall, rest } = *zero;
         // 1 - E^{2n+1} = (1 - E)(1 + E + ... + E^{2n}), E = e^{-2y}.
         let (square, rest2) = (decay.square(), rest.square());
@@ -163,7 +163,7 @@ impl<L: Exact> Wave<L> {
 
     /// The terms times `scale`, the first of each as a pair.
     #[inline]
-    pub fn times(&self, scale: Dd<L>) -> Terms<L> {
+    pub(super) fn times(&self, scale: Dd<L>) -> Terms<L> {
         let factor = scale.hi();
         let terms = |[first, b, c, d]: [Dd<L>; LEADING]| Leading {
             first: first * scale,
@@ -218,7 +218,7 @@ impl Terms {
 
     /// H1(x - i eta) = sum [cos(2n+1)z cosh(2n+1)y + i sin(2n+1)z sinh(2n+1)y].
     #[inline]
-    pub fn h1(&self, sign: f64) -> Factor {
+    pub(super) fn h1(&self, sign: f64) -> Factor {
         Factor {
             re: self.cosh.polynomial(1.0, 1.0, even_polynomial),
             im: self.sinh.polynomial(sign, 1.0, odd_polynomial),

@@ -68,18 +68,21 @@ impl Dop853 {
         let mut longest = 0.0_f64;
         let underflow = |t: f64, step: f64, longest: f64, y: &Compensated<N>| {
             // Where the clock is too coarse all steps are near what it shows.
-            if longest.max(step) < COARSE * EPS * t.abs() {
-                return Error::ClockTooCoarse { t, step };
+            let coarse = longest.max(step) < COARSE * EPS * t.abs();
+            Error::StepUnderflow {
+                t,
+                step,
+                clock: coarse.then(|| t.abs().next_up() - t.abs()),
+                state: y.value.to_vec(),
             }
-            let state = y.value.to_vec();
-            Error::StepUnderflow { t, step, state }
         };
         // A step that the clock does not show, or with no digits of its own.
         let vanishes = |t: f64, h: f64| t + direction * h == t || h < 4.0 * EPS * t.abs();
         loop {
             let t = trial.t;
             if work.steps + work.rejected >= self.step_limit {
-                return Err(Error::TooManySteps {
+                return Err(Error::LimitReached {
+                    what: "steps",
                     t,
                     t_end,
                     limit: self.step_limit,

@@ -9,7 +9,7 @@
 use super::segment::Segment;
 use super::system::System;
 use super::trial::Trial;
-use crate::error::{Error, Result};
+use crate::error::{Error, FINITE, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, sort_by_number};
 
@@ -140,11 +140,13 @@ impl<'f, const N: usize> Event<'f, N> {
         if value.is_finite() {
             Ok(value)
         } else {
-            Err(Error::EventNotFinite {
-                name: self.name,
+            Err(Error::of_function(
+                format!("function of the event \"{}\"", self.name),
                 t,
-                value,
-            })
+                ("y", y.to_vec()),
+                &[value],
+                FINITE,
+            ))
         }
     }
 
@@ -209,7 +211,7 @@ pub(super) struct Watch<'e, 'f, const N: usize> {
 type Met<const N: usize> = (Vec<LocatedEvent<N>>, Option<Trial<N>>);
 
 impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
-    pub fn new(events: &'e [Event<'f, N>], t: f64, y: &[f64; N]) -> Result<Self> {
+    pub(super) fn new(events: &'e [Event<'f, N>], t: f64, y: &[f64; N]) -> Result<Self> {
         let values = events
             .iter()
             .map(|e| e.value(t, y))
@@ -223,7 +225,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
 
     /// The events within an accepted step, in the order in which they happen,
     /// up to the first terminal one.
-    pub fn crossings(
+    pub(super) fn crossings(
         &mut self,
         ode: &dyn System<N>,
         step: &Trial<N>,

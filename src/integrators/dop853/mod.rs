@@ -19,7 +19,7 @@ pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
 pub use zero::{after, small_frequency};
 
-use self::system::{Of, System};
+use self::system::{ByRef, System};
 use super::ode::check_span;
 use super::{Integrator, Ode, Work, advance_by_counting};
 use crate::error::{Error, Result, finite, positive};
@@ -97,11 +97,11 @@ impl Dop853 {
     pub fn new(tolerance: f64) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(Self::SMALLEST_TOLERANCE..=Self::LARGEST_TOLERANCE).contains(&tolerance) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "from 1e-15 to 0.1",
-            });
+            return Err(Error::out_of_range(
+                "tolerance",
+                tolerance,
+                "from 1e-15 to 0.1",
+            ));
         }
         Ok(Self {
             tolerance,
@@ -157,7 +157,7 @@ impl Dop853 {
         t_end: f64,
         events: &[Event<'_, N>],
     ) -> Result<Solution<N>> {
-        self.solve_system(&Of(ode), t, start, t_end, events)
+        self.solve_system(&ByRef(ode), t, start, t_end, events)
     }
 
     fn solve_system<const N: usize>(
@@ -216,7 +216,7 @@ impl Dop853 {
         events: &[Event<'_, N>],
         work: &mut Work,
     ) -> Result<(f64, [f64; N], Vec<LocatedEvent<N>>, f64)> {
-        let ode = Of(ode);
+        let ode = ByRef(ode);
         let mut done = Work::default();
         let (mut to, mut all, mut longest) = (t_end, Vec::new(), 0.0_f64);
         let mut watch = event::Watch::new(events, t, start)?;
@@ -257,10 +257,17 @@ impl Dop853 {
         mut seen: impl FnMut(&[f64; N]),
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(&Of(ode), t, start, t_end, &mut done, &mut |trial, _, _| {
-            seen(&trial.end.value);
-            Ok(ControlFlow::Continue(()))
-        });
+        let end = self.drive(
+            &ByRef(ode),
+            t,
+            start,
+            t_end,
+            &mut done,
+            &mut |trial, _, _| {
+                seen(&trial.end.value);
+                Ok(ControlFlow::Continue(()))
+            },
+        );
         *work += done;
         Ok(end?.0)
     }
@@ -278,7 +285,7 @@ impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
         work: &mut Work,
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(&Of(ode), t, start, t_end, &mut done, &mut |_, _, _| {
+        let end = self.drive(&ByRef(ode), t, start, t_end, &mut done, &mut |_, _, _| {
             Ok(ControlFlow::Continue(()))
         });
         *work += done;

@@ -1,7 +1,7 @@
 //! Steps in another time than that of the motion, for motions that are now slow, now fast.
 
 use super::event::Watch;
-use super::system::Of;
+use super::system::ByRef;
 use super::{Dop853, Event, Ode, Work};
 use crate::error::{Error, Result, finite, positive};
 use core::ops::ControlFlow;
@@ -79,7 +79,7 @@ impl Dop853 {
         }
         // Longer than any step is: the run ends at `t_end`, unless time comes to a stand.
         let far = 1e12 * left / positive("pace", pace(start))?;
-        let paced = &Of(&Paced { ode, pace });
+        let paced = &ByRef(&Paced { ode, pace });
         let ends = [Event::rising("end time", |_, y: &[f64; N]| {
             (y[N - 1] - t_end) * left.signum()
         })

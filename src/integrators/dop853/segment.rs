@@ -17,7 +17,7 @@ impl<const N: usize> Segment<N> {
     ///
     /// Counted from the nearer end, so that the ends come out bit for bit and
     /// the polynomial adds only what lies between.
-    pub fn at(&self, t: f64) -> [f64; N] {
+    pub(super) fn at(&self, t: f64) -> [f64; N] {
         let h = self.t_end - self.t;
         let (s, r) = ((t - self.t) / h, (self.t_end - t) / h);
         let [d, b, w, c3, c4, c5, c6] = &self.coefficients;

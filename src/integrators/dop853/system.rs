@@ -16,9 +16,9 @@ pub(super) trait System<const N: usize>: Ode<N> {
 }
 
 /// An [`Ode`] of any type, a pointer among them.
-pub(super) struct Of<'o, O: ?Sized>(pub &'o O);
+pub(super) struct ByRef<'o, O: ?Sized>(pub &'o O);
 
-impl<const N: usize, O: Ode<N> + ?Sized> Ode<N> for Of<'_, O> {
+impl<const N: usize, O: Ode<N> + ?Sized> Ode<N> for ByRef<'_, O> {
     fn derivative(&self, t: f64, y: &[f64; N]) -> [f64; N] {
         self.0.derivative(t, y)
     }
@@ -30,7 +30,7 @@ impl<const N: usize, O: Ode<N> + ?Sized> Ode<N> for Of<'_, O> {
     }
 }
 
-impl<const N: usize, O: Ode<N> + ?Sized> System<N> for Of<'_, O> {
+impl<const N: usize, O: Ode<N> + ?Sized> System<N> for ByRef<'_, O> {
     fn stages(&self, step: &mut Trial<N>, h: f64, work: &mut Work) -> Result<()> {
         let start = step.start.value;
         let mut newest = step.k[0];

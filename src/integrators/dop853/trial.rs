@@ -29,7 +29,7 @@ pub(super) struct Trial<const N: usize> {
 impl<const N: usize> Trial<N> {
     /// No step yet from `start` at `t`, where the derivative is `first`; a drift beyond `within`
     /// will be put back.
-    pub fn new(t: f64, start: [f64; N], first: [f64; N], within: f64) -> Self {
+    pub(super) fn new(t: f64, start: [f64; N], first: [f64; N], within: f64) -> Self {
         let start = Compensated::new(start);
         let mut k = [[0.0; N]; STAGES];
         k[0] = first;
@@ -46,7 +46,12 @@ impl<const N: usize> Trial<N> {
     }
 
     /// The step to `t_end`. Eleven derivatives.
-    pub fn step_to(&mut self, ode: &dyn System<N>, t_end: f64, work: &mut Work) -> Result<()> {
+    pub(super) fn step_to(
+        &mut self,
+        ode: &dyn System<N>,
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<()> {
         ode.stages(self, t_end - self.t, work)?;
         self.end_at(t_end);
         let drift = ode.drift(t_end, &self.end.value, self.within);
@@ -65,21 +70,26 @@ impl<const N: usize> Trial<N> {
     }
 
     /// Goes on from the end of the step, where the derivative is `first`.
-    pub fn go_on(&mut self, first: [f64; N]) {
+    pub(super) fn go_on(&mut self, first: [f64; N]) {
         self.t = self.t_end;
         self.start = self.end;
         write_finite(&first, &mut self.k[0]);
     }
 
     /// The step from the same start to an earlier end: where an event is.
-    pub fn shortened(&self, ode: &dyn System<N>, t_end: f64, work: &mut Work) -> Result<Self> {
+    pub(super) fn shortened(
+        &self,
+        ode: &dyn System<N>,
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<Self> {
         let mut shorter = *self;
         shorter.step_to(ode, t_end, work)?;
         Ok(shorter)
     }
 
     /// The derivative at the end of the step.
-    pub fn last(&self, ode: &dyn System<N>, work: &mut Work) -> Result<[f64; N]> {
+    pub(super) fn last(&self, ode: &dyn System<N>, work: &mut Work) -> Result<[f64; N]> {
         work.derivatives += 1;
         let y = &self.end.value;
         finite_derivative(self.t_end, y, ode.derivative(self.t_end, y))
@@ -89,7 +99,7 @@ impl<const N: usize> Trial<N> {
     ///
     /// The estimate of order 5, steadied by that of order 3:
     /// e5^2 / sqrt(e5^2 + e3^2 / 100), in the mean over the components.
-    pub fn error(&self, ode: &dyn System<N>, tolerance: f64) -> Result<f64> {
+    pub(super) fn error(&self, ode: &dyn System<N>, tolerance: f64) -> Result<f64> {
         let size = sizes(ode, &self.start.value)?;
         let size_end = sizes(ode, &self.end.value)?;
         Ok(self.error_by(&size, &size_end, tolerance))
@@ -114,7 +124,7 @@ impl<const N: usize> Trial<N> {
 
     /// The interpolant over this step. Three derivatives and the one at the end,
     /// which the next step uses again.
-    pub fn segment(
+    pub(super) fn segment(
         &self,
         ode: &dyn System<N>,
         last: [f64; N],
@@ -157,10 +167,10 @@ pub(super) fn sizes<const N: usize>(ode: &dyn System<N>, y: &[f64; N]) -> Result
     let sizes = ode.scale(y);
     match sizes.iter().find(|s| s.is_nan() || **s <= 0.0) {
         None => Ok(sizes),
-        Some(&value) => Err(Error::OutOfRange {
-            name: "scale of a component",
+        Some(&value) => Err(Error::out_of_range(
+            "scale of a component",
             value,
-            allowed: "it must be greater than 0",
-        }),
+            "it must be greater than 0",
+        )),
     }
 }

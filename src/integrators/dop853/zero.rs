@@ -1,6 +1,6 @@
 //! Zeros of a function along a motion, and frequencies measured by them.
 
-use super::system::{Of, System};
+use super::system::{ByRef, System};
 use super::{Dop853, Event, Integrator, LocatedEvent, Ode, Work};
 use crate::error::{Error, Result};
 use core::f64::consts::PI;
@@ -30,7 +30,7 @@ impl Dop853 {
         until: f64,
         f: impl Fn(&[f64; N]) -> f64,
     ) -> Result<(LocatedEvent<N>, Work)> {
-        self.zero_of(&Of(ode), start, count, until, &f)
+        self.zero_of(&ByRef(ode), start, count, until, &f)
     }
 
     fn zero_of<const N: usize>(

@@ -84,7 +84,7 @@ impl<E: AnyEffect> StageOde<7> for SideBySide<'_, E> {
         let [a, b, c] = one_by_one(t, unit, [lx, ly, lz], torque);
         let l = turned_back(unit, [lx, ly, lz]);
         let [mut p, mut q, mut r] = rates_of(&self.inverse, l);
-        if self.scene.effects().nature().slips && self.slips {
+        if self.scene.effects().properties().slips && self.slips {
             let slip = |t, state: &State| self.scene.effects().slip(t, self.scene.body(), state);
             let slip = turned_back(unit, one_by_one(t, unit, [lx, ly, lz], slip));
             (p, q, r) = (p + slip[0], q + slip[1], r + slip[2]);
@@ -229,7 +229,7 @@ impl<'s, E: Effect, const STEADY: bool> Integrator<SpinFree<'s, E>, State>
             scale: core::array::from_fn(|i| if i < 4 { scale[i] } else { scale[i] / twice }),
         };
         let [_, _, vertical] = start.angular_momentum.to_array();
-        let ([w, x, y, z], [lx, ly, lz]) = if const { E::NATURE.keeps.momentum[2] } {
+        let ([w, x, y, z], [lx, ly, lz]) = if const { E::PROPERTIES.conserved.momentum[2] } {
             let from = Compensated {
                 value: [w, x, y1, z, p.hi(), q.hi()],
                 carry: [0.0, 0.0, 0.0, 0.0, p.lo(), q.lo()],

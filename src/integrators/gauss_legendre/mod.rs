@@ -165,11 +165,11 @@ impl GaussLegendre {
             return Err(no_steps());
         }
         if !(0.0..=0.1).contains(&precision) {
-            return Err(Error::OutOfRange {
-                name: "precision",
-                value: precision,
-                allowed: "it must lie between 0 and 0.1",
-            });
+            return Err(Error::out_of_range(
+                "precision",
+                precision,
+                "it must lie between 0 and 0.1",
+            ));
         }
         Ok(Self {
             steps,

@@ -115,7 +115,7 @@ impl<E: Effect> Separable for Scene<E> {
 
     /// The momentum changes by the torque times dt; nothing moves.
     fn kick(&self, point: &mut BodyPoint, dt: f64) {
-        if const { E::NATURE.torque_free } {
+        if const { E::PROPERTIES.torque_free } {
             return;
         }
         let axis = Attitude::from_unit(point.quaternion.value).axis();

@@ -75,9 +75,8 @@ impl<'s, E: Effect> Resisted<'s, E> {
         let body = scene.body();
         let known = (scene.effects().resistance(t, body))
             .filter(|r| r.is_round() || !body.moments().is_symmetric());
-        let resistance = known.ok_or_else(|| Error::SeesMore {
-            effects: scene.effects().names().join(", "),
-        })?;
+        let resistance =
+            known.ok_or_else(|| Error::sees_more(scene.effects().names().join(", ")))?;
         Ok(Self { scene, resistance })
     }
 

@@ -138,7 +138,7 @@ macro_rules! register {
 
 /// Eight numbers in a register of AVX-512.
 #[derive(Clone, Copy)]
-pub struct Eight(__m512d);
+pub(crate) struct Eight(__m512d);
 
 register!(
     Eight(__m512d),
@@ -172,7 +172,7 @@ register!(
 
 /// Four numbers in a register of AVX.
 #[derive(Clone, Copy)]
-pub struct Four(__m256d);
+pub(crate) struct Four(__m256d);
 
 register!(
     Four(__m256d),
@@ -206,7 +206,7 @@ register!(
 );
 
 /// Eight numbers in two registers of AVX.
-pub type FourTwice = Both<Four>;
+pub(crate) type FourTwice = Both<Four>;
 
 /// Two numbers in a register of SSE2: a pair of single ones.
 #[derive(Clone, Copy)]

@@ -21,7 +21,7 @@ pub(super) struct Root {
 }
 
 impl Equations {
-    pub const fn new(n: usize) -> Self {
+    pub(super) const fn new(n: usize) -> Self {
         Self {
             rows: [[0.0; SIZE]; SIZE],
             right: [0.0; SIZE],
@@ -32,7 +32,7 @@ impl Equations {
     /// The solution by Gauss-Jordan elimination with complete pivoting after scaling, which
     /// begins with these `units` of the unknowns; unknowns that are not determined are 0. `None`
     /// if the equations contradict each other.
-    pub fn solve(mut self, units: &[f64; SIZE]) -> Option<Root> {
+    pub(super) fn solve(mut self, units: &[f64; SIZE]) -> Option<Root> {
         let n = self.n;
         let scale = self.scale(units);
         let mut columns: [usize; SIZE] = core::array::from_fn(|j| j);

@@ -13,7 +13,7 @@ use core::fmt;
 const FORCE_NOISE: f64 = 4.0 * EPS;
 /// Round-off of gaps and slips, in parts of their sizes.
 const NOISE: f64 = EPS;
-/// Round-off of forces over a whole leg, in parts of all contact forces.
+/// Round-off of forces over a whole piece, in parts of all contact forces.
 const FORCE_DRIFT: f64 = 1e-12;
 
 /// A [`Mechanism`] as a [`Phased`] scene.
@@ -30,8 +30,8 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Modal<M, 
 ///
 /// # Errors
 /// [`crate::Error::CannotHold`] for a contact whose gap is negative or closing at the start,
-/// [`crate::Error::MassNotPositive`] and [`crate::Error::ForceNotFinite`] for a mechanism that has no
-/// motion, [`crate::Error::NoContactForces`], [`crate::Error::SeveralMotions`],
+/// [`crate::Error::FunctionOutOfRange`] for a mass matrix or a force that has no motion,
+/// [`crate::Error::ContactsUndetermined`],
 /// [`crate::Error::OutOfRange`] and [`crate::Error::NotFinite`] for coefficients.
 pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: &M,

@@ -145,11 +145,11 @@ impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
 
     fn drift(&self, mechanism: &AnyMechanism<'_, N, S, C>) -> Result<(f64, f64)> {
         let (mut gap, mut slip) = (0.0, 0.0);
-        for leg in self.run.legs() {
-            for t in leg.solution.step_times() {
-                let state: State<N> = split(&leg.solution.at(t)?);
+        for piece in self.run.pieces() {
+            for t in piece.solution.step_times() {
+                let state: State<N> = split(&piece.solution.at(t)?);
                 let contacts = mechanism.contacts(&state);
-                for (contact, mode) in contacts.iter().zip(leg.phase) {
+                for (contact, mode) in contacts.iter().zip(piece.phase) {
                     if mode != Mode::Open {
                         gap = larger(gap, contact.gap.abs());
                     }

@@ -4,7 +4,7 @@ use super::declare::{Contact, Mode, Press, Sense, State, dot};
 use super::modal::{Modal, join, split};
 use super::response::{Choices, Problem, Response, Unsolved, ZERO};
 use super::{Mechanism, Modes};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, FINITE, Result, finite};
 use crate::math::EPS;
 
 /// Corrections of coordinates that are brought back onto their contacts, at most.
@@ -266,19 +266,23 @@ fn check_masses<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: 
 ) -> Result<()> {
     let mass = scene.0.mass(&state.q);
     if !is_positive(&mass) {
-        return Err(Error::MassNotPositive {
+        return Err(Error::of_function(
+            "mass matrix, row after row,",
             t,
-            coordinates: state.q.to_vec(),
-            mass: mass.concat(),
-        });
+            ("coordinates", state.q.to_vec()),
+            &mass.concat(),
+            "it must be symmetric and positive definite",
+        ));
     }
     let force = scene.0.force(state);
     if !force.iter().all(|f| f.is_finite()) {
-        return Err(Error::ForceNotFinite {
+        return Err(Error::of_function(
+            "force",
             t,
-            state: [state.q, state.v].concat(),
-            force: force.to_vec(),
-        });
+            ("coordinates and velocities", [state.q, state.v].concat()),
+            &force,
+            FINITE,
+        ));
     }
     Ok(())
 }
@@ -344,11 +348,7 @@ fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: u
         ] {
             finite(name, value)?;
             if !good {
-                return Err(Error::OutOfRange {
-                    name,
-                    value,
-                    allowed,
-                });
+                return Err(Error::out_of_range(name, value, allowed));
             }
         }
         let speed = contact.normal.speed(&state.v);
@@ -367,21 +367,21 @@ fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: u
             Press::By(by) => {
                 let other = contacts.get(by).map(|other| other.press);
                 if by == i || matches!(other, None | Some(Press::By(_) | Press::TwoSided)) {
-                    return Err(Error::OutOfRange {
-                        name: "place of the contact that presses",
-                        value: by as f64,
-                        allowed: "that of another contact, which pushes and does not pull",
-                    });
+                    return Err(Error::out_of_range(
+                        "place of the contact that presses",
+                        by as f64,
+                        "that of another contact, which pushes and does not pull",
+                    ));
                 }
                 true
             }
         };
         if !holds {
             return Err(Error::CannotHold {
-                contact: contact.name,
+                name: contact.name,
                 t,
-                gap,
-                speed,
+                value: gap,
+                rate: Some(speed),
             });
         }
     }
@@ -411,14 +411,10 @@ fn named<const N: usize, const C: usize>(
             .collect();
         each.join(", ")
     };
-    let state = [state.q, state.v].concat();
-    match unsolved {
-        Unsolved::None { tried } => Error::NoContactForces { t, state, tried },
-        Unsolved::Several(first, second) => Error::SeveralMotions {
-            t,
-            state,
-            first: say(&first),
-            second: say(&second),
-        },
+    Error::ContactsUndetermined {
+        t,
+        state: [state.q, state.v].concat(),
+        tried: unsolved.tried,
+        motions: unsolved.motions.iter().map(say).collect(),
     }
 }

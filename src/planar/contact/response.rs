@@ -48,7 +48,7 @@ pub(super) struct Response<const N: usize, const C: usize> {
 
 impl<const N: usize, const C: usize> Problem<'_, N, C> {
     /// The response if the contacts are in these modes; `None` if they contradict each other.
-    pub fn respond(&self, modes: &Modes<C>) -> Option<Response<N, C>> {
+    pub(super) fn respond(&self, modes: &Modes<C>) -> Option<Response<N, C>> {
         // Unknowns: the rates, then both forces of each contact. The equations of the
         // contacts come first, those of Newton after them.
         let mut equations = Equations::new(N + 2 * C);
@@ -227,12 +227,14 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
     /// The modes whose response agrees with them, and that response: all sets are tried, in
     /// order. Where two agree and move differently, the error has both. Where none does, what
     /// an event has decided may be off by [`DECIDED`].
-    pub fn search(
+    pub(super) fn search(
         &self,
         choices: &[Choices; C],
     ) -> Result<(Modes<C>, Response<N, C>), Unsolved<C>> {
         match self.search_within(choices, &[ZERO; C]) {
-            Err(Unsolved::None { .. }) if choices.iter().any(|c| c.decided) => {
+            Err(Unsolved { motions, .. })
+                if motions.is_empty() && choices.iter().any(|c| c.decided) =>
+            {
                 let within = |c: &Choices| if c.decided { DECIDED } else { ZERO };
                 self.search_within(choices, &choices.each_ref().map(within))
             }
@@ -258,7 +260,8 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
                     None => found = Some((modes, response)),
                     Some((first, other)) if self.differ(other, &response) => {
                         if !self.held_by_rest(first, &modes) {
-                            return Err(Unsolved::Several(*first, modes));
+                            let motions = vec![*first, modes];
+                            return Err(Unsolved { tried, motions });
                         }
                     }
                     Some(_) => {}
@@ -266,7 +269,8 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
             }
             // The next set: the last contact counts fastest.
             let Some(next) = (0..C).rev().find(|&i| at[i] + 1 < choices[i].count) else {
-                return found.ok_or(Unsolved::None { tried });
+                let motions = Vec::new();
+                return found.ok_or(Unsolved { tried, motions });
             };
             at[next] += 1;
             at[next + 1..].fill(0);
@@ -308,7 +312,7 @@ pub(super) struct Choices {
 
 impl Choices {
     /// This mode and no other, whatever its rates.
-    pub const fn only(mode: Mode) -> Self {
+    pub(super) const fn only(mode: Mode) -> Self {
         Self {
             modes: [mode; 4],
             count: 1,
@@ -319,7 +323,7 @@ impl Choices {
     }
 
     /// These modes of a shut contact, in this order; where the slip begins its sense is to be found.
-    pub fn of(modes: &[Mode], slip_begins: bool) -> Self {
+    pub(super) fn of(modes: &[Mode], slip_begins: bool) -> Self {
         let mut choices = Self {
             modes: [Mode::Open; 4],
             count: modes.len(),
@@ -332,7 +336,7 @@ impl Choices {
     }
 
     /// Everything that a shut contact with this friction can do.
-    pub fn shut(friction: bool, may_open: bool) -> Self {
+    pub(super) fn shut(friction: bool, may_open: bool) -> Self {
         let all = if friction {
             [
                 Mode::Stick,
@@ -349,7 +353,7 @@ impl Choices {
 
     /// The same where an event has decided: what is left of the rates there is the error of
     /// the run, which was put back onto its contacts since.
-    pub fn decided(self) -> Self {
+    pub(super) fn decided(self) -> Self {
         Self {
             decided: true,
             ..self
@@ -357,7 +361,7 @@ impl Choices {
     }
 
     /// The same without the modes that `keep` refuses.
-    pub fn retain(self, keep: impl Fn(Mode) -> bool) -> Self {
+    pub(super) fn retain(self, keep: impl Fn(Mode) -> bool) -> Self {
         let mut kept = Self { count: 0, ..self };
         for mode in self.modes[..self.count].iter().filter(|m| keep(**m)) {
             kept.modes[kept.count] = *mode;
@@ -369,7 +373,8 @@ impl Choices {
 
 /// No set of modes agrees with its response, or several do.
 #[derive(Debug)]
-pub(super) enum Unsolved<const C: usize> {
-    None { tried: usize },
-    Several(Modes<C>, Modes<C>),
+pub(super) struct Unsolved<const C: usize> {
+    pub tried: usize,
+    /// None, or two.
+    pub motions: Vec<Modes<C>>,
 }

@@ -6,7 +6,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
     CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, GravityGradient,
-    KeplerOrbit, Nature, OrbitingBody, PrescribedTorque, Profile, Resistance, Torque,
+    KeplerOrbit, OrbitingBody, PrescribedTorque, Profile, Properties, Resistance, Torque,
     ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -50,13 +50,13 @@ impl Tally {
             let true_all_the_same = match lie {
                 // Of an effect that keeps no energy it is true where there is no potential.
                 9 => effect.potential_energy(SPAN[0], body, state) == 0.0,
-                10 => E::NATURE.keeps.energy,
+                10 => E::PROPERTIES.conserved.energy,
                 11 => false,
                 // It may be that none of the places lie where it is that large.
                 12 => breaks || effect.narrowest() != Some(Feature::WIDE),
                 13 => !breaks,
                 14 => false,
-                _ => damaged(E::NATURE, lie) == E::NATURE,
+                _ => damaged(E::PROPERTIES, lie) == E::PROPERTIES,
             };
             let name = effect.name();
             assert_eq!(
@@ -143,7 +143,7 @@ fn every_claim_is_true_and_its_twin_is_refused() {
 struct Overstated<E>(E);
 
 impl<E: Effect> Effect for Overstated<E> {
-    const NATURE: Nature = E::NATURE;
+    const PROPERTIES: Properties = E::PROPERTIES;
 
     fn name(&self) -> &'static str {
         self.0.name()
@@ -253,7 +253,7 @@ fn nothing_is_claimed_of_nothing() {
 struct Powered<E>(E, f64);
 
 impl<E: Effect> Effect for Powered<E> {
-    const NATURE: Nature = E::NATURE;
+    const PROPERTIES: Properties = E::PROPERTIES;
 
     fn name(&self) -> &'static str {
         self.0.name()

@@ -1,4 +1,4 @@
-//! Every effect alone: what its nature says it keeps is kept at every moment to a few eps a
+//! Every effect alone: what its properties says it keeps is kept at every moment to a few eps a
 //! step, and where it keeps no energy, the energy changes by the work that is done, to the
 //! error of the method.
 
@@ -6,8 +6,8 @@ use super::pairs::{ALL, WithWork, air, anywhere, creaks, held, lever, motor, oil
 use super::{body, tilted};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, Effect, ElasticYielding, KeplerOrbit, Nature, OrbitingBody, PrescribedTorque,
-    Profile, check,
+    CoulombBearing, Effect, ElasticYielding, KeplerOrbit, OrbitingBody, PrescribedTorque, Profile,
+    Properties, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::scene::{components, state};
@@ -25,11 +25,11 @@ const PLACES: u32 = 50;
 /// The steps (s) of the runs whose balance shows its order.
 const STEPS: [f64; 4] = [END / 8.0, END / 10.0, END / 13.0, END / 16.0];
 
-/// An effect through which a little momentum leaks in, though its nature says as before.
+/// An effect through which a little momentum leaks in, though its properties says as before.
 struct Leaky<'e, E>(&'e E);
 
 impl<E: Effect> Effect for Leaky<'_, E> {
-    const NATURE: Nature = E::NATURE;
+    const PROPERTIES: Properties = E::PROPERTIES;
 
     fn name(&self) -> &'static str {
         self.0.name()
@@ -185,7 +185,7 @@ impl Book {
         for (quantity, drift) in drifts(&leaky, &start, &leaked) {
             self.leaked.push_at(drift, (name, quantity));
         }
-        if E::NATURE.keeps.energy {
+        if E::PROPERTIES.conserved.energy {
             return;
         }
         let worst = |places: &[Place]| places.iter().map(|p| p.balance.abs()).fold(0.0, f64::max);

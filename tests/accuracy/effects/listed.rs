@@ -85,7 +85,7 @@ fn a_list_and_a_type_give_the_same_bits() {
 fn a_list_with_two_weights_is_refused() -> Result<()> {
     let anywhere = Gravity::new(0.5, BodyVector::new(0.3, -0.2, 0.7))?;
     let refused = EffectList::new(vec![Box::new(lever()), Box::new(oil()), Box::new(anywhere)]);
-    let Err(Error::TwoGravities { effects }) = refused else {
+    let Err(Error::Incompatible { effects, .. }) = refused else {
         panic!("{refused:?}")
     };
     assert_eq!(effects, "gravity, viscous friction, gravity");

@@ -5,8 +5,8 @@ use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    DiscDrag, Effect, Feature, Gravity, GravityAtLever, Nature, PrescribedTorque, Profile, Regime,
-    ViscousFriction, check,
+    DiscDrag, Effect, Feature, Gravity, GravityAtLever, PrescribedTorque, Profile, Properties,
+    Regime, ViscousFriction, check,
 };
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
@@ -284,7 +284,7 @@ fn a_prescribed_torque_on_space_axes_adds_to_the_momentum() {
 struct Unnamed(PrescribedTorque);
 
 impl Effect for Unnamed {
-    const NATURE: Nature = PrescribedTorque::NATURE;
+    const PROPERTIES: Properties = PrescribedTorque::PROPERTIES;
 
     fn name(&self) -> &'static str {
         "unnamed"

@@ -243,7 +243,7 @@ fn all_pairs_keep_what_they_say_and_do_the_work_they_say() {
     round.half.exceed(2e-5, round.ran - round.energy);
     brick.half.exceed(3e-3, brick.ran - brick.energy);
     brick.not_kept.exceed(5e-4, 5 * 77 - 12);
-    // That the gradient has no torque about the axis of a symmetric body its nature, which
+    // That the gradient has no torque about the axis of a symmetric body its properties, which
     // holds for all bodies, cannot say.
     round.not_kept.exceed(1e-6, 5 * 79 - 12 - 8);
     let of_gradients = |((a, b), quantity): &((&str, &str), Invariant)| {

@@ -77,11 +77,11 @@ fn bad_coefficients_are_named() {
         ),
         (
             steps(&[(0.0, 1.0), (0.0, 2.0)]),
-            "time of a profile 1 is 0, and the one before it 0: they must rise",
+            "time of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
         ),
         (
             lines(&[(0.0, 1.0), (2.0, 2.0), (1.0, 0.0)]),
-            "time of a profile 2 is 1, and the one before it 2",
+            "time of a profile[2]: value = 1 is not allowed: the one before it is 2",
         ),
         (lines(&[(NAN, 1.0)]), "time of a profile = NaN"),
         (lines(&[(0.0, INF)]), "value of a profile = inf"),

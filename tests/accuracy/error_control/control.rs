@@ -409,11 +409,11 @@ fn bad_controls_are_named() {
         Scene::new(body()).with_list(list).solve(&start, 2.0, 1e-6)
     };
     let sampled = solve(Box::new(late().sampled(0.1).expect("a rate")));
-    assert!(matches!(sampled, Err(Error::TorqueNotFinite { t, .. }) if (t - 0.5).abs() < 1e-9));
+    assert!(matches!(sampled, Err(Error::FunctionOutOfRange { t, .. }) if (t - 0.5).abs() < 1e-9));
     for effect in [late().saturated(2.0), late().dead_band(0.1)] {
         let limited = solve(Box::new(effect.expect("a limit")));
         assert!(
-            matches!(limited, Err(Error::TorqueNotFinite { .. })),
+            matches!(limited, Err(Error::FunctionOutOfRange { .. })),
             "{limited:?}"
         );
     }
@@ -421,7 +421,7 @@ fn bad_controls_are_named() {
     let lost = |_: f64, _: &RigidBody, _: &State| f64::NAN;
     let switch = solve(Box::new(Switched::new("lost", lost, none(), none())));
     assert!(
-        matches!(switch, Err(Error::TorqueNotFinite { .. })),
+        matches!(switch, Err(Error::FunctionOutOfRange { .. })),
         "{switch:?}"
     );
 
@@ -456,7 +456,10 @@ fn bad_controls_are_named() {
 
     // More samples than the budget allows, and a clock that does not show them.
     let quick = solve(Box::new(pd([1.0, 0.1]).sampled(1e-9).expect("a rate")));
-    assert!(matches!(quick, Err(Error::OverBudget { .. })), "{quick:?}");
+    assert!(
+        matches!(quick, Err(Error::LimitReached { .. })),
+        "{quick:?}"
+    );
     let law = pd([1.0, 0.1]).sampled(1e-3).expect("a rate");
     let limits = Limits {
         t_start: 1e14,

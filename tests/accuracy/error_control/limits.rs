@@ -142,7 +142,7 @@ fn bad_limits_are_named() -> Result<()> {
             break_points: &[2.0, 1.0],
             ..limits
         },
-        "break point 1 is 1, and the one before it 2",
+        "break point[1]: value = 1 is not allowed: the one before it is 2",
     );
     says(
         Limits {
@@ -174,7 +174,7 @@ fn bad_limits_are_named() -> Result<()> {
         .to_string();
     assert_eq!(
         error,
-        "time 2 is 2, and the one before it 3: they must rise"
+        "times[2]: value = 2 is not allowed: the one before it is 3, and they must rise"
     );
     let motion = scene.solve_along(&start, 5.0, 1e-6, &Limits::default())?;
     assert!(matches!(
@@ -231,7 +231,13 @@ fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
         torques.store(0, Relaxed);
         let refused = counted.solve_with(&start, 20.0, 1e-8, &of(20.0 / steps, 12_000));
         assert!(
-            matches!(refused, Err(Error::OverBudget { .. })),
+            matches!(
+                refused,
+                Err(Error::LimitReached {
+                    what: "torques",
+                    ..
+                })
+            ),
             "{refused:?}"
         );
         taken.push(torques.load(Relaxed));

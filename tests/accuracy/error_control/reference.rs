@@ -145,7 +145,11 @@ fn judge(
                 tally.failures.push(failure);
             }
         }
-        Err(Error::BeyondCondition { attainable, .. }) => {
+        Err(Error::NotDelivered {
+            best: attainable,
+            condition: Some(_),
+            ..
+        }) => {
             tally.refused += 1;
             // What the reference's own condition lets a careful method reach.
             // A state holds L to eps |L|, and so a rate to eps |L|/I at best.

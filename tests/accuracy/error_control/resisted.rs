@@ -5,8 +5,8 @@ use rotation_dynamics::accuracy::{Limits, Solved};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, Known, Nature, Resistance,
-    ViscousFriction, check,
+    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, IntegrableCase, Properties,
+    Resistance, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -33,9 +33,9 @@ const fn unsaid<E>(effects: E) -> Said<E, true, false> {
 }
 
 impl<E: Effect, const RESISTS: bool, const SMOOTH: bool> Effect for Said<E, RESISTS, SMOOTH> {
-    const NATURE: Nature = Nature {
-        smooth: E::NATURE.smooth && SMOOTH,
-        ..E::NATURE
+    const PROPERTIES: Properties = Properties {
+        smooth: E::PROPERTIES.smooth && SMOOTH,
+        ..E::PROPERTIES
     };
 
     fn name(&self) -> &'static str {
@@ -78,8 +78,8 @@ impl<E: Effect, const RESISTS: bool, const SMOOTH: bool> Effect for Said<E, RESI
         self.0.narrowest()
     }
 
-    fn known(&self) -> Known {
-        self.0.known()
+    fn integrable_case(&self) -> IntegrableCase {
+        self.0.integrable_case()
     }
 
     fn holds_from(
@@ -315,7 +315,7 @@ fn drag_is_smooth_where_it_stops_no_spin() -> Result<()> {
 struct Uneven;
 
 impl Effect for Uneven {
-    const NATURE: Nature = ViscousFriction::NATURE;
+    const PROPERTIES: Properties = ViscousFriction::PROPERTIES;
 
     fn name(&self) -> &'static str {
         "uneven"
@@ -338,7 +338,7 @@ fn what_is_not_the_same_in_all_directions_is_stepped_otherwise() -> Result<()> {
     let start = tilted(scene.body(), [0.3, -0.2, 5.0]);
     assert!(matches!(
         Resisted::new(&scene, 0.0),
-        Err(Error::SeesMore { .. })
+        Err(Error::Incompatible { .. })
     ));
     let silent = Scene::new(*scene.body()).with(silent(Uneven));
     let [told, untold] = [
@@ -364,7 +364,7 @@ struct Brake {
 }
 
 impl Effect for Brake {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
 
     fn name(&self) -> &'static str {
         "brake"
@@ -446,7 +446,13 @@ fn limits_are_kept() -> Result<()> {
     };
     let refused = scene.solve_with(&start, 2.0, 1e-6, &less);
     assert!(
-        matches!(refused, Err(Error::OverBudget { .. })),
+        matches!(
+            refused,
+            Err(Error::LimitReached {
+                what: "torques",
+                ..
+            })
+        ),
         "{refused:?}"
     );
     let cancel = AtomicBool::new(true);
@@ -474,7 +480,13 @@ fn limits_are_kept() -> Result<()> {
     assert!(back.state.attitude.angle_to(&middle.attitude) <= 2e-6);
     // Doubles end, in words.
     let refused = scene.solve(&start, 2.0, 1e-14);
-    assert!(matches!(refused, Err(Error::BeyondCondition { .. })));
+    assert!(matches!(
+        refused,
+        Err(Error::NotDelivered {
+            condition: Some(_),
+            ..
+        })
+    ));
     Ok(())
 }
 

@@ -100,7 +100,7 @@ fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     let small = InertiaTensor::diagonal([1.0, 1.0, 1.0]).expect("a body");
     let far = DesignVector::new(10.0, 0.0, 0.0);
     let refused = MassProperties::from_tensor_about(far, 1.0, DesignVector::zero(), small);
-    assert!(matches!(refused, Err(Error::TriangleInequality { excess, .. }) if excess == 199.0));
+    assert!(matches!(refused, Err(Error::NotABody { excess, .. }) if excess == 199.0));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Properties};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::scene::Scene;
@@ -56,7 +56,7 @@ fn torque_is_the_slope_of_the_potential() {
     // The sign of the torque turned round: measured 2.8, twice the largest torque.
     struct Wrong(GravityAtLever);
     impl Effect for Wrong {
-        const NATURE: Nature = GravityAtLever::NATURE;
+        const PROPERTIES: Properties = GravityAtLever::PROPERTIES;
         fn name(&self) -> &'static str {
             "wrong"
         }

@@ -2,7 +2,7 @@
 
 use crate::top::figure_3;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Nature};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Properties};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, Scheme, Splitting};
@@ -125,7 +125,7 @@ fn a_wrong_kick_is_seen() {
     // e3 as well, and L_z is kept no longer.
     struct OffAxis(GravityAtLever);
     impl Effect for OffAxis {
-        const NATURE: Nature = GravityAtLever::NATURE;
+        const PROPERTIES: Properties = GravityAtLever::PROPERTIES;
         fn name(&self) -> &'static str {
             "off axis"
         }

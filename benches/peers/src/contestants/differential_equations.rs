@@ -17,7 +17,7 @@ impl<const N: usize, F: Form<N>> ODE<f64, [f64; N]> for Rates<F> {
     }
 }
 
-/// Keeps the last state alone.
+/// Conserved the last state alone.
 struct Last<const N: usize>([f64; N]);
 
 impl<const N: usize> Solout<f64, [f64; N]> for Last<N> {

@@ -23,7 +23,7 @@ impl<const N: usize, F: Form<N>> FirstOrderSystem for System<N, F> {
     }
 }
 
-/// Keeps the last state; with times, samples each step where it is asked for.
+/// Conserved the last state; with times, samples each step where it is asked for.
 struct Watch<'a, const N: usize, F> {
     form: F,
     last: [f64; N],

@@ -1,24 +1,24 @@
 //! An effect behind a pointer: every method is compiled once for all of them.
 
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Known, Nature, Resistance};
+use rotation_dynamics::effects::{Effect, IntegrableCase, Properties, Resistance};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::Lane;
 use rotation_dynamics::math::lane::WIDEST;
 
 /// What a run asks of an effect, whatever its type.
 pub trait AnyEffect {
-    fn nature(&self) -> Nature;
+    fn properties(&self) -> Properties;
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
     fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3];
     fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance>;
     fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64;
-    fn known(&self) -> Known;
+    fn integrable_case(&self) -> IntegrableCase;
 }
 
 impl<E: Effect> AnyEffect for E {
-    fn nature(&self) -> Nature {
-        E::NATURE
+    fn properties(&self) -> Properties {
+        E::PROPERTIES
     }
 
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
@@ -37,8 +37,8 @@ impl<E: Effect> AnyEffect for E {
         Effect::torque_scale(self, t, body, state)
     }
 
-    fn known(&self) -> Known {
-        Effect::known(self)
+    fn integrable_case(&self) -> IntegrableCase {
+        Effect::integrable_case(self)
     }
 }
 
@@ -55,7 +55,7 @@ impl Behind<'_> {
 }
 
 impl Effect for Behind<'_> {
-    const NATURE: Nature = Nature::ANYTHING;
+    const PROPERTIES: Properties = Properties::ANYTHING;
 
     fn name(&self) -> &'static str {
         "effects"

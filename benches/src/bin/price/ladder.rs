@@ -1,10 +1,10 @@
 //! The cheapest single run as hindsight knows it: every method on a fine ladder of its steps.
 
 use crate::behind::{AnyEffect, Behind};
-use rotation_dynamics::accuracy::{Carrier, Fineness, Variables};
+use rotation_dynamics::accuracy::{Resolution, Stepper, Variables};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::Known;
+use rotation_dynamics::effects::IntegrableCase;
 use rotation_dynamics::integrators::gauss_legendre::{BodyAxes, FreeRotation};
 use rotation_dynamics::integrators::{Dop853, Integrator, Method, Resisted, SpinFree, Work};
 use rotation_dynamics::math::pow;
@@ -46,10 +46,12 @@ impl Way {
             Self::Plain(Method::Dop853, Variables::SpinFree) => 0.62,
             Self::Plain(Method::Dop853, _) => 1.0,
             Self::Plain(Method::GaussLegendre16, Variables::SpinFree) => 0.07,
-            Self::Plain(Method::GaussLegendre16, Variables::Body) => match motion.effects.known() {
-                Known::Free => 0.09,
-                _ => 0.12,
-            },
+            Self::Plain(Method::GaussLegendre16, Variables::Body) => {
+                match motion.effects.integrable_case() {
+                    IntegrableCase::Free => 0.09,
+                    _ => 0.12,
+                }
+            }
             Self::Plain(Method::GaussLegendre16, _) => 0.84,
             Self::Plain(..) => of(0.57, 1.50),
             Self::Resisted(_) => of(1.2, 2.2),
@@ -86,9 +88,9 @@ impl Motion {
 
     /// Gauss-Legendre in the variables in which it takes the fewest steps.
     pub fn gauss(&self) -> Way {
-        let variables = match self.effects.known() {
-            Known::HeavyTop(_) if self.is_symmetric() => Variables::SpinFree,
-            Known::HeavyTop(_) => Variables::Body,
+        let variables = match self.effects.integrable_case() {
+            IntegrableCase::HeavyTop(_) if self.is_symmetric() => Variables::SpinFree,
+            IntegrableCase::HeavyTop(_) => Variables::Body,
             _ => Variables::Space,
         };
         Way::Plain(Method::GaussLegendre16, variables)
@@ -98,21 +100,21 @@ impl Motion {
     pub fn ways(&self) -> Vec<Way> {
         let symmetric = self.is_symmetric();
         let mut all = vec![Way::Plain(Method::Dop853, Variables::Space)];
-        match self.effects.known() {
-            Known::Free => all.push(Way::Plain(Method::GaussLegendre16, Variables::Body)),
-            Known::HeavyTop(_) => {
+        match self.effects.integrable_case() {
+            IntegrableCase::Free => all.push(Way::Plain(Method::GaussLegendre16, Variables::Body)),
+            IntegrableCase::HeavyTop(_) => {
                 all.extend(SPLITTINGS.map(|method| Way::Plain(method, Variables::Space)));
                 all.push(self.gauss());
                 if symmetric {
                     all.push(Way::Plain(Method::Dop853, Variables::SpinFree));
                 }
             }
-            Known::No => {
+            IntegrableCase::None => {
                 // On a symmetric body what resists is smooth along the motion.
                 let scene = self.on(EVER);
                 let resisted = Resisted::new(&scene, 0.0)
                     .is_ok_and(|r| symmetric || r.resistance().is_linear());
-                if self.effects.nature().smooth || resisted {
+                if self.effects.properties().smooth || resisted {
                     all.push(self.gauss());
                 }
                 if resisted {
@@ -123,9 +125,9 @@ impl Motion {
         all
     }
 
-    /// The attitude at the end and the torques taken, of a run by `fineness` (steps over the whole,
+    /// The attitude at the end and the torques taken, of a run by `resolution` (steps over the whole,
     /// or a tolerance).
-    pub fn run(&self, way: Way, fineness: Fineness) -> Result<(Attitude, u64)> {
+    pub fn run(&self, way: Way, resolution: Resolution) -> Result<(Attitude, u64)> {
         let times = &self.times;
         let whole = times[times.len() - 1] - times[0];
         let (mut state, mut torques) = (self.start, 0);
@@ -133,9 +135,9 @@ impl Motion {
             let span = [span[0], span[1]];
             let part =
                 |steps: u64| ((steps as f64 * (span[1] - span[0]) / whole).ceil() as u64).max(1);
-            let fineness = match fineness {
-                Fineness::Steps(steps) => Fineness::Steps(part(steps)),
-                Fineness::Stages(steps, precision) => Fineness::Stages(part(steps), precision),
+            let resolution = match resolution {
+                Resolution::Steps(steps) => Resolution::Steps(part(steps)),
+                Resolution::Stages(steps, precision) => Resolution::Stages(part(steps), precision),
                 tolerance => tolerance,
             };
             // At a jump, what acts on this side.
@@ -144,8 +146,8 @@ impl Motion {
             } else {
                 [span[0].next_up(), span[1].next_down()]
             };
-            let carrier = Carrier::new(way.method(), fineness)?;
-            let (end, work) = self.carried(way, &carrier, &self.on(piece), span, &state)?;
+            let stepper = Stepper::new(way.method(), resolution)?;
+            let (end, work) = self.carried(way, &stepper, &self.on(piece), span, &state)?;
             state = end;
             torques += work.torques();
         }
@@ -155,35 +157,35 @@ impl Motion {
     fn carried(
         &self,
         way: Way,
-        carrier: &Carrier,
+        stepper: &Stepper,
         scene: &Scene<((), Behind)>,
         [t, t_end]: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        match (way, carrier, self.effects.known()) {
-            (Way::Plain(_, Variables::Space), Carrier::Dop853(m), _) => {
+        match (way, stepper, self.effects.integrable_case()) {
+            (Way::Plain(_, Variables::Space), Stepper::Dop853(m), _) => {
                 m.advance(scene, t, start, t_end)
             }
-            (Way::Plain(_, Variables::Space), Carrier::GaussLegendre(m), _) => {
+            (Way::Plain(_, Variables::Space), Stepper::GaussLegendre(m), _) => {
                 m.advance(scene, t, start, t_end)
             }
-            (Way::Resisted(_), Carrier::Splitting(m), _) => {
+            (Way::Resisted(_), Stepper::Splitting(m), _) => {
                 m.advance(&Resisted::new(scene, t)?, t, start, t_end)
             }
-            (_, Carrier::GaussLegendre(m), Known::Free) => {
+            (_, Stepper::GaussLegendre(m), IntegrableCase::Free) => {
                 m.advance(&FreeRotation::new(&Scene::new(self.body)), t, start, t_end)
             }
-            (Way::Plain(_, variables), _, Known::HeavyTop(gravity)) => {
+            (Way::Plain(_, variables), _, IntegrableCase::HeavyTop(gravity)) => {
                 let scene = Scene::new(self.body).with(gravity);
-                match (carrier, variables) {
-                    (Carrier::Splitting(m), Variables::Space) => m.advance(&scene, t, start, t_end),
-                    (Carrier::GaussLegendre(m), Variables::Body) => {
+                match (stepper, variables) {
+                    (Stepper::Splitting(m), Variables::Space) => m.advance(&scene, t, start, t_end),
+                    (Stepper::GaussLegendre(m), Variables::Body) => {
                         m.advance(&BodyAxes::new(&scene)?, t, start, t_end)
                     }
-                    (Carrier::GaussLegendre(m), Variables::SpinFree) => {
+                    (Stepper::GaussLegendre(m), Variables::SpinFree) => {
                         m.advance(&SpinFree::new(&scene)?, t, start, t_end)
                     }
-                    (Carrier::Dop853(m), Variables::SpinFree) => {
+                    (Stepper::Dop853(m), Variables::SpinFree) => {
                         m.advance(&SpinFree::new(&scene)?, t, start, t_end)
                     }
                     _ => Err(no_such_way()),
@@ -198,8 +200,9 @@ impl Motion {
 const EVER: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 fn no_such_way() -> Error {
-    Error::SeesMore {
-        effects: "effects".to_owned(),
+    Error::Incompatible {
+        effects: "effects".into(),
+        reason: "no such way".into(),
     }
 }
 
@@ -210,7 +213,7 @@ pub fn cheapest(
     turned: f64,
     tolerance: f64,
     most: f64,
-    mut error: impl FnMut(Fineness) -> Option<(f64, f64)>,
+    mut error: impl FnMut(Resolution) -> Option<(f64, f64)>,
 ) -> Option<f64> {
     let precisions: &[f64] = match way.method() {
         Method::GaussLegendre16 => &[1e-2, 1e-4],
@@ -221,13 +224,13 @@ pub fn cheapest(
         let mut before: Option<f64> = None;
         let mut last = 0;
         for rung in 0..160 {
-            let fineness = match way.method() {
+            let resolution = match way.method() {
                 Method::Dop853 => {
                     let local = 0.1 * pow(RUNG, -8.0 * f64::from(rung));
                     if local < Dop853::SMALLEST_TOLERANCE {
                         break;
                     }
-                    Fineness::Tolerance(local)
+                    Resolution::Tolerance(local)
                 }
                 method => {
                     let steps = (turned / 12.0).max(1.0) * pow(RUNG, f64::from(rung));
@@ -237,13 +240,13 @@ pub fn cheapest(
                     }
                     last = steps;
                     if method == Method::GaussLegendre16 {
-                        Fineness::Stages(steps, part * tolerance)
+                        Resolution::Stages(steps, part * tolerance)
                     } else {
-                        Fineness::Steps(steps)
+                        Resolution::Steps(steps)
                     }
                 }
             };
-            let Some((error, cost)) = error(fineness) else {
+            let Some((error, cost)) = error(resolution) else {
                 before = None;
                 continue;
             };

@@ -4,7 +4,7 @@ use crate::ladder::{Motion, Way, cheapest};
 use benches::attack::truth::{self, Law, Resisting};
 use benches::honesty::Dice;
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Fineness, Solved, Variables};
+use rotation_dynamics::accuracy::{Resolution, Solved, Variables};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
@@ -77,10 +77,10 @@ pub fn case(kind: usize, n: u64) -> Result<Case> {
 
 /// The end by the fine runs of two methods, if they agree.
 fn by_two_routes(motion: &Motion, turned: f64) -> Result<Option<Attitude>> {
-    let steps = Fineness::Steps((2.0 * turned).ceil() as u64 + 8);
+    let steps = Resolution::Steps((2.0 * turned).ceil() as u64 + 8);
     let (exact, _) = motion.run(motion.gauss(), steps)?;
     let adaptive = Way::Plain(Method::Dop853, Variables::Space);
-    let (other, _) = motion.run(adaptive, Fineness::Tolerance(1e-15))?;
+    let (other, _) = motion.run(adaptive, Resolution::Tolerance(1e-15))?;
     Ok((exact.angle_to(&other) < 1e-10).then_some(exact))
 }
 
@@ -149,8 +149,8 @@ fn least(
         if chosen {
             unit = weight;
         }
-        let found = cheapest(way, turned, tolerance, most, |fineness| {
-            let (end, torques) = motion.run(way, fineness).ok()?;
+        let found = cheapest(way, turned, tolerance, most, |resolution| {
+            let (end, torques) = motion.run(way, resolution).ok()?;
             Some((exact.angle_to(&end), weight * torques as f64))
         });
         if let Some(found) = found {

@@ -107,11 +107,11 @@ impl Axis {
     pub(super) fn place(&self, value: f64) -> Result<f64> {
         finite("a value in a figure", value)?;
         match self.scale {
-            Scale::Log if value <= 0.0 => Err(Error::OutOfRange {
-                name: "a value on a logarithmic axis",
+            Scale::Log if value <= 0.0 => Err(Error::out_of_range(
+                "a value on a logarithmic axis",
                 value,
-                allowed: "it must be greater than 0",
-            }),
+                "it must be greater than 0",
+            )),
             Scale::Log => Ok(log10(value)),
             _ => Ok(value),
         }
@@ -128,11 +128,11 @@ impl Axis {
         if low < high {
             Ok((low, high))
         } else {
-            Err(Error::OutOfRange {
-                name: "the length of an axis",
-                value: high - low,
-                allowed: "it must be greater than 0: give the axis a range",
-            })
+            Err(Error::out_of_range(
+                "the length of an axis",
+                high - low,
+                "it must be greater than 0: give the axis a range",
+            ))
         }
     }
 

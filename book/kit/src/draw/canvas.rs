@@ -185,11 +185,11 @@ impl Frame<'_> {
             {
                 finite(name, value)?;
                 if ((value - from) / (to - from)).abs() > 100.0 {
-                    return Err(rotation_dynamics::Error::OutOfRange {
+                    return Err(rotation_dynamics::Error::out_of_range(
                         name,
                         value,
-                        allowed: "it must not lie far outside the figure",
-                    }
+                        "it must not lie far outside the figure",
+                    )
                     .into());
                 }
             }

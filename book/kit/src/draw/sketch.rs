@@ -317,11 +317,11 @@ impl Sketch {
         let (across, up) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
         let aspect = up / across;
         if !(across > 0.0 && aspect > 0.0 && aspect <= 3.0) {
-            return Err(rotation_dynamics::Error::OutOfRange {
-                name: "height of the window over its width",
-                value: aspect,
-                allowed: "it must be greater than 0 and at most 3",
-            }
+            return Err(rotation_dynamics::Error::out_of_range(
+                "height of the window over its width",
+                aspect,
+                "it must be greater than 0 and at most 3",
+            )
             .into());
         }
         Ok(libm::round(width * aspect).max(20.0))

@@ -54,11 +54,11 @@ pub(super) fn stepped_ticks(low: f64, high: f64, step: Step) -> Result<Vec<(f64,
     };
     // Also what is not a number is not within the bounds.
     if !(length > 0.0 && (high - low) / length <= 100.0) {
-        return Err(Error::OutOfRange {
-            name: "the step of the ticks of an axis",
-            value: length,
-            allowed: "it must be greater than 0, and at least a hundredth of the axis",
-        });
+        return Err(Error::out_of_range(
+            "the step of the ticks of an axis",
+            length,
+            "it must be greater than 0, and at least a hundredth of the axis",
+        ));
     }
     let digits = |d: &i32| {
         let scaled = length * rotation_dynamics::math::pow(10.0, f64::from(*d));

@@ -104,7 +104,7 @@ impl Motion {
         let (start, end) = (self.start(), self.end_reduced());
         let run = |tolerance| Dop853::new(tolerance)?.advance(equations, 0.0, &start, end);
         let (fine, coarse) = match (run(1e-14), run(1e-12)) {
-            (Err(Error::TooManySteps { .. }), _) => return Ok(None),
+            (Err(Error::LimitReached { .. }), _) => return Ok(None),
             (fine, coarse) => (fine?.0, coarse?.0),
         };
         let apart = (0..4).map(|i| (fine[i] - coarse[i]).abs());
@@ -205,7 +205,7 @@ impl Motion {
         let run = |tolerance| Dop853::new(tolerance)?.advance(&newton, 0.0, &start, end);
         let (fine, coarse) = match (run(1e-14), run(1e-12)) {
             // Millions of turns: no run in steps can confirm their end.
-            (Err(Error::TooManySteps { .. }), _) => return Ok(claims),
+            (Err(Error::LimitReached { .. }), _) => return Ok(claims),
             (fine, coarse) => (fine?.0, coarse?.0),
         };
         // Each passage near the separatrix divides an error of the energy by 1 - m, the
@@ -254,7 +254,7 @@ impl Motion {
             })
         };
         let (fine, coarse) = match (highest(1e-14), highest(1e-12)) {
-            (Err(Error::TooManySteps { .. }), _) => return Ok(Vec::new()),
+            (Err(Error::LimitReached { .. }), _) => return Ok(Vec::new()),
             (fine, coarse) => (fine?, coarse?),
         };
         let (Some(fine), Some(coarse)) = (fine, coarse) else {

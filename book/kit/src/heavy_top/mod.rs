@@ -62,11 +62,11 @@ impl Motion {
         let (Some(top), Some(energy), Some(unit)) =
             (exact.reduced(), exact.energy_reduced(), exact.time_unit())
         else {
-            return Err(Error::OutOfRange {
-                name: "L_z",
-                value: exact.momenta().1,
-                allowed: "the axis must spin: the notes' unit of time is sqrt(I1 I3)/L_z",
-            });
+            return Err(Error::out_of_range(
+                "L_z",
+                exact.momenta().1,
+                "the axis must spin: the notes' unit of time is sqrt(I1 I3)/L_z",
+            ));
         };
         let end = if exact.body().is_some() { 1.0 } else { 20.0 };
         Ok(Self {

@@ -42,7 +42,7 @@ impl Drawn {
     /// The moving picture: `body` draws the body and what holds it, with its centre of mass at
     /// `hub` along an axis of length 1, whose end draws on a sphere; below, what `panel` makes
     /// of the tilt against time.
-    pub fn moving(
+    pub(super) fn moving(
         self,
         panel: impl FnOnce(Vec<(f64, f64)>) -> Panel,
         hub: f64,

@@ -2,7 +2,7 @@
 
 use super::Gravity;
 use core::f64::consts::{PI, TAU};
-use rotation_dynamics::accuracy::CalledFor;
+use rotation_dynamics::accuracy::NeglectedEffects;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever};
@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 1e-10;
 /// let bearing = CoulombBearing::new(1e-4, &body, &steady.start, 0.0)?;
 /// // Slower, it precesses faster: its axis is ahead after a turn, by both routes.
 /// let [_, lead] = steady.changed_by(bearing)?;
-/// let predicted = steady.left_out()?.weigh(&bearing, 0.0)?.predicted;
+/// let predicted = steady.left_out()?.predict(&bearing, 0.0)?.predicted;
 /// assert!((predicted / (sin(1.0) * lead) - 1.0).abs() < 0.01);
 /// # Ok(())
 /// # }
@@ -54,11 +54,11 @@ impl Steady {
         let four = 4.0 * i1 * gravity.moment() * cos(theta);
         let square = momentum * momentum;
         if !(square >= four && square > 0.0) {
-            return Err(Error::OutOfRange {
-                name: "L_z^2/(4 I1 m g l cos(theta))",
-                value: square / four,
-                allowed: "1 or more: slower, the weight lets the axis fall",
-            });
+            return Err(Error::out_of_range(
+                "L_z^2/(4 I1 m g l cos(theta))",
+                square / four,
+                "1 or more: slower, the weight lets the axis fall",
+            ));
         }
         // The small root of I1 cos(theta) p^2 - L_z p + m g l = 0.
         let root = momentum.signum() * (square - four).sqrt();
@@ -78,8 +78,8 @@ impl Steady {
     ///
     /// # Errors
     /// None for a motion that [`Steady::new`] made.
-    pub fn left_out(&self) -> Result<CalledFor<'_, Gravity>> {
-        let candidates = self.scene.called_for(&self.start, self.turn, 1e-3)?;
+    pub fn left_out(&self) -> Result<NeglectedEffects<'_, Gravity>> {
+        let candidates = self.scene.neglected_effects(&self.start, self.turn, 1e-3)?;
         Ok(candidates.of_axis())
     }
 

@@ -10,7 +10,7 @@ use crate::{claim, times};
 use core::f64::consts::TAU;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Feature, GravityAtLever, Keeps, Nature,
+    Conserved, CoulombBearing, DiscDrag, Effect, Feature, GravityAtLever, Properties,
 };
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::scene::{components, state};
@@ -55,14 +55,14 @@ struct Nodes {
 
 impl Effect for Nodes {
     /// It acts along the line of nodes: neither about the vertical nor about the axis.
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
-        keeps: Keeps {
+        conserved: Conserved {
             energy: false,
             momentum: [false, false, true],
             axial_momentum: true,
         },
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {
@@ -189,9 +189,12 @@ impl Stepped {
     /// beside the weight, and whether the tolerance (rad) needs it.
     ///
     /// # Errors
-    /// As [`CalledFor::line`](rotation_dynamics::accuracy::CalledFor::line).
+    /// As [`NeglectedEffects::line`](rotation_dynamics::accuracy::NeglectedEffects::line).
     pub fn ledger(&self, tolerance: f64, [nodes, air, dry]: [&str; 3]) -> Result<Vec<EffectLine>> {
-        let candidates = (self.plain.called_for(&self.start, self.end, tolerance)?).of_axis();
+        let candidates = (self
+            .plain
+            .neglected_effects(&self.start, self.end, tolerance)?)
+        .of_axis();
         let ([i1, _], body) = (self.moments(), self.scene.body());
         let momentum = body.angular_momentum(&self.start).z().abs();
         let of = format!("rad in {} s, of the axis", exactly(self.end));
@@ -287,7 +290,7 @@ impl Stepped {
         let mut report = Report::new(title, description)?;
         report.add(self.claims(tolerance)?)?;
         report.add(self.ledger(tolerance, names)?)?;
-        report.set_lab(Lab::against_the_dial(self.scene, self.start, self.end));
+        report.set_lab(Lab::against_error_control(self.scene, self.start, self.end));
         Ok(report)
     }
 

@@ -4,7 +4,7 @@ use super::truth;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Feature, GravityAtLever, Keeps, Nature, Torque};
+use rotation_dynamics::effects::{Conserved, Effect, Feature, GravityAtLever, Properties, Torque};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{exp, log};
@@ -50,7 +50,11 @@ fn on_a_separatrix_nothing_is_promised() {
                     scene.solve(&start, t_end, tolerance)
                 };
                 match solved {
-                    Err(Error::BeyondCondition { attainable, .. }) => {
+                    Err(Error::NotDelivered {
+                        best: attainable,
+                        condition: Some(_),
+                        ..
+                    }) => {
                         assert!(attainable > tolerance);
                         refused += 1;
                     }
@@ -79,7 +83,13 @@ fn on_a_separatrix_nothing_is_promised() {
     for tolerance in [1e-1, 1e-3, 1e-6] {
         let solved = scene.solve(&start, 80.0, tolerance);
         assert!(
-            matches!(solved, Err(Error::BeyondCondition { .. })),
+            matches!(
+                solved,
+                Err(Error::NotDelivered {
+                    condition: Some(_),
+                    ..
+                })
+            ),
             "{tolerance:e}: {solved:?}"
         );
     }
@@ -135,7 +145,16 @@ fn narrow_pulses_are_seen() -> Result<()> {
     let unnamed = Torque::on_space("unnamed", pulse);
     match Scene::new(body).with(unnamed).solve(&start, 60.0, 1e-6) {
         Ok(solved) => assert!(end.attitude.angle_to(&solved.state.attitude) <= 1e-6),
-        Err(error) => assert!(matches!(error, Error::NotDelivered { .. }), "{error}"),
+        Err(error) => assert!(
+            matches!(
+                error,
+                Error::NotDelivered {
+                    condition: None,
+                    ..
+                }
+            ),
+            "{error}"
+        ),
     }
     // A smooth one, its width named.
     let bump = move |t: f64, _: &RigidBody, _: &State| {
@@ -161,7 +180,7 @@ fn no_torque_is_forgotten() -> Result<()> {
     #[derive(Clone, Copy)]
     struct Plain(GravityAtLever);
     impl Effect for Plain {
-        const NATURE: Nature = GravityAtLever::NATURE;
+        const PROPERTIES: Properties = GravityAtLever::PROPERTIES;
         fn name(&self) -> &'static str {
             "plain"
         }
@@ -231,12 +250,16 @@ fn no_run_without_end() -> Result<()> {
     let mut refused = 0;
     let mut over = |solved: Result<rotation_dynamics::accuracy::Solved>| match solved {
         Err(
-            Error::OverBudget {
-                budget: 1_000_000, ..
+            Error::LimitReached {
+                what: "torques",
+                limit: 1_000_000,
+                ..
             }
             | Error::StepUnderflow { .. }
             | Error::Sliding { .. }
-            | Error::NotDelivered { .. },
+            | Error::NotDelivered {
+                condition: None, ..
+            },
         ) => refused += 1,
         other => panic!("{other:?}"),
     };
@@ -275,7 +298,7 @@ fn no_run_without_end() -> Result<()> {
 fn contradictions_are_named() -> Result<()> {
     struct Scaled(f64);
     impl Effect for Scaled {
-        const NATURE: Nature = Nature::ANYTHING;
+        const PROPERTIES: Properties = Properties::ANYTHING;
         fn name(&self) -> &'static str {
             "scaled"
         }
@@ -311,22 +334,22 @@ fn contradictions_are_named() -> Result<()> {
     /// A torque, and what is claimed of it by a number.
     struct Claimed<const CLAIM: usize>;
     impl<const CLAIM: usize> Effect for Claimed<CLAIM> {
-        const NATURE: Nature = {
-            let mut nature = Nature::ANYTHING;
+        const PROPERTIES: Properties = {
+            let mut properties = Properties::ANYTHING;
             match CLAIM {
-                0 => nature.torque_free = true,
-                1 => nature.axis_only = true,
-                2 => nature.on_rates = false,
-                3 => nature.on_time = false,
-                4 => nature.smooth = true,
-                5 => nature.keeps.energy = true,
-                6 => nature.keeps.momentum = [true, false, false],
-                7 => nature.keeps.momentum = [false, true, false],
-                8 => nature.keeps.momentum = [false, false, true],
-                9 => nature.keeps.axial_momentum = true,
-                _ => nature.keeps = Keeps::NONE,
+                0 => properties.torque_free = true,
+                1 => properties.axis_only = true,
+                2 => properties.on_rates = false,
+                3 => properties.on_time = false,
+                4 => properties.smooth = true,
+                5 => properties.conserved.energy = true,
+                6 => properties.conserved.momentum = [true, false, false],
+                7 => properties.conserved.momentum = [false, true, false],
+                8 => properties.conserved.momentum = [false, false, true],
+                9 => properties.conserved.axial_momentum = true,
+                _ => properties.conserved = Conserved::NONE,
             }
-            nature
+            properties
         };
         fn name(&self) -> &'static str {
             "claimed"

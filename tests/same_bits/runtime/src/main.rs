@@ -14,7 +14,7 @@
 mod locked;
 mod module;
 mod page;
-mod told;
+mod answers;
 
 use locked::Locked;
 use page::{Declared, Modules, inflated};
@@ -22,7 +22,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::{env, fs, thread};
-use told::{Held, moved, told};
+use answers::{Held, moved, told};
 use wasmtime::{Error, Result};
 
 /// Whether a changed letter of a page's text is told, and a pack that is cut off does not join.

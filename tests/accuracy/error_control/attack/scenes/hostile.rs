@@ -7,7 +7,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::{Limits, Solved};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Feature, GravityAtLever, Nature, Torque};
+use rotation_dynamics::effects::{Effect, Feature, GravityAtLever, Properties, Torque};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -328,10 +328,10 @@ struct Misreported {
 }
 
 impl Effect for Misreported {
-    const NATURE: Nature = Nature {
+    const PROPERTIES: Properties = Properties {
         on_time: false,
         smooth: true,
-        ..Nature::ANYTHING
+        ..Properties::ANYTHING
     };
 
     fn name(&self) -> &'static str {

@@ -43,9 +43,15 @@ impl Tally {
 /// The reason of a refusal, if it is one that `solve` may give.
 fn reason(error: &Error) -> Option<&'static str> {
     Some(match error {
-        Error::BeyondCondition { .. } => "beyond the condition",
-        Error::NotDelivered { .. } => "not delivered",
-        Error::OverBudget { .. } => "over the budget",
+        Error::NotDelivered {
+            condition: Some(_), ..
+        } => "beyond the condition",
+        Error::NotDelivered {
+            condition: None, ..
+        } => "not delivered",
+        Error::LimitReached {
+            what: "torques", ..
+        } => "over the budget",
         Error::Contradiction { .. } => "contradiction",
         Error::Sliding { .. } => "sliding",
         _ => return None,

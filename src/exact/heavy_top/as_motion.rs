@@ -6,7 +6,7 @@ use crate::body::{Kinematics, State};
 use crate::error::Result;
 use crate::exact::free_body::first_bad;
 use crate::frame::{BodyVector, SpaceVector};
-use crate::motion::{Kept, Motion, felt, felt_of_each, pushed};
+use crate::motion::{Kept, Motion, condition_by_difference, condition_of_each, pushed};
 
 /// The inputs of the condition are, for a body, three turns of the start (per rad), three
 /// pushes (per |L|: each rate changed by a part of |L|/I), both moments, the torque of gravity,
@@ -84,7 +84,7 @@ impl HeavyTop {
         make: impl Fn([f64; N]) -> Result<Self>,
     ) -> Result<f64> {
         let here = self.try_attitude(t)?;
-        felt_of_each(0.0, inputs, |inputs| {
+        condition_of_each(0.0, inputs, |inputs| {
             Ok(make(inputs)?.try_attitude(t)?.angle_to(&here))
         })
     }
@@ -105,7 +105,7 @@ impl HeavyTop {
         })?;
         let momentum = base.angular_momentum(0.0).norm();
         for i in 0..3 {
-            let by_turn = felt(|by| {
+            let by_turn = condition_by_difference(|by| {
                 let mut axis = [0.0; 3];
                 axis[i] = by;
                 let turn = Attitude::from_rotation_vector(SpaceVector::from_array(axis))?;
@@ -119,7 +119,7 @@ impl HeavyTop {
                 ))
             })?;
             let size = momentum / if i == 2 { body.i3() } else { body.i1() };
-            let by_push = felt(|by| match pushed(omega[i], by * size) {
+            let by_push = condition_by_difference(|by| match pushed(omega[i], by * size) {
                 Some(rate) if size > 0.0 => {
                     let mut omega = omega;
                     omega[i] = rate;

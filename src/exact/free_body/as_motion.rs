@@ -5,7 +5,7 @@ use crate::body::{Kinematics, State};
 use crate::error::{Error, Result, known};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
-use crate::motion::{Kept, Motion, changed, felt, pushed};
+use crate::motion::{Kept, Motion, changed, condition_by_difference, pushed};
 
 /// The inputs of the condition are three turns of the start (per rad), three pushes (per |L|:
 /// each rate changed by a part of |L|/I), three moments, and the time.
@@ -57,12 +57,12 @@ impl Motion for FreeBody {
         let turned = self.angular_velocity(t).norm() * t;
         square += turned * turned;
         for i in 0..3 {
-            let by_moment = felt(|by| match changed(self.moments[i], by) {
+            let by_moment = condition_by_difference(|by| match changed(self.moments[i], by) {
                 Some(moment) => moved(with(self.moments, i, moment), rates),
                 None => Ok(None),
             })?;
             let size = momentum / self.moments[i];
-            let by_push = felt(|by| match pushed(rates[i], by * size) {
+            let by_push = condition_by_difference(|by| match pushed(rates[i], by * size) {
                 Some(rate) if size > 0.0 => moved(self.moments, with(rates, i, rate)),
                 _ => Ok(None),
             })?;

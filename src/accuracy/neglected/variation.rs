@@ -67,7 +67,7 @@ impl Variation<'_> {
         let at = state(y)?;
         let [a, b, c] = self.effect.torque(t, self.scene.body, &at).to_array();
         let mut added = [0.0, 0.0, 0.0, 0.0, a, b, c];
-        if self.effect.nature().slips {
+        if self.effect.properties().slips {
             let [w, x, v, z, ..] = *y;
             let [p, q, r] = (self.effect.slip(t, self.scene.body, &at) * 0.5).to_array();
             // (0, slip) q / 2: the slip is on the fixed axes.
@@ -130,7 +130,7 @@ impl Ode<14> for Variation<'_> {
         };
         let rate = self.scene.body.angular_velocity(&at).norm();
         let torque = self.effect.torque_scale(self.t_start, self.scene.body, &at);
-        let slip = if self.effect.nature().slips {
+        let slip = if self.effect.properties().slips {
             self.effect.slip(self.piece[0], self.scene.body, &at).norm()
         } else {
             0.0

@@ -31,7 +31,7 @@ use crate::math::sincos;
 /// nearly (tau_phi - tau_axle cos theta)/(L_z sin theta). Friction of the axle *raises* the axis, and
 /// the air does neither: its L_z cos theta is what it takes of L_Z.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fading {
+pub struct Decay {
     /// The steady precession, rad/s.
     pub precession: f64,
     /// Angular frequency of the nods, with viscous friction, rad/s.
@@ -44,7 +44,7 @@ pub struct Fading {
     pub sag: f64,
 }
 
-impl Fading {
+impl Decay {
     /// Of these gimbals and bearings, at the tilt `theta` (rad) and L_z = `axial` (kg m^2/s).
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! What leaving an effect out is predicted to cost, against what it costs.
 
-use rotation_dynamics::accuracy::{Limits, Weighed};
+use rotation_dynamics::accuracy::{Limits, PredictedError};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
@@ -20,7 +20,7 @@ const TIMES: i32 = 200;
 /// simulation took over those of the prediction.
 struct Held {
     what: &'static str,
-    weighed: Weighed,
+    weighed: PredictedError,
     simulated: f64,
     price: f64,
 }
@@ -32,7 +32,7 @@ fn held<E: Effect + Clone, C: Effect>(
     start: &State,
     t_end: f64,
 ) -> Held {
-    let rows = (scene.called_for(start, t_end, 1e-3))
+    let rows = (scene.neglected_effects(start, t_end, 1e-3))
         .and_then(|called| called.candidate(&effect, 0.0))
         .expect("weighed");
     let weighed = rows.rows()[0];
@@ -227,7 +227,7 @@ fn a_body_at_rest_has_a_response() {
         .smooth()
         .with_break_points(&[from])
         .expect("rising");
-        let called = scene.called_for(&start, 10.0, 1e-3).expect("posed");
+        let called = scene.neglected_effects(&start, 10.0, 1e-3).expect("posed");
         let called = called.candidate(&push, f64::INFINITY).expect("weighed");
         let time: f64 = 10.0 - from;
         let angle = 0.5e-9 * time * time / i3;
@@ -246,7 +246,7 @@ fn the_tolerance_decides() {
     let loss = InternalDissipation::new(1e-5).expect("a coefficient");
     let push = Torque::on_space("push", |_, _, _| SpaceVector::new(1e-8, 0.0, 0.0)).smooth();
     let table = |tolerance: f64| {
-        let called = scene.called_for(&start, 10.0, tolerance)?;
+        let called = scene.neglected_effects(&start, 10.0, tolerance)?;
         let called = called.candidate(&loss, loss.number(&start))?;
         Ok::<_, rotation_dynamics::Error>(called.candidate(&push, 1e-8)?.rows().to_vec())
     };
@@ -268,17 +268,17 @@ fn the_tolerance_decides() {
     assert_eq!(inside(1.5 * loss_error), [true, false]);
     assert_eq!(inside(0.5 * push_error), [true, true]);
     // Nothing happens in no time, and backwards it is a motion like any other.
-    let still = scene.called_for(&start, 0.0, 1e-9).expect("posed");
+    let still = scene.neglected_effects(&start, 0.0, 1e-9).expect("posed");
     let still = still.candidate(&push, 1e-8).expect("weighed");
     assert_eq!(still.rows()[0].predicted, 0.0);
-    let back = scene.called_for(&start, -10.0, 1e-3).expect("posed");
+    let back = scene.neglected_effects(&start, -10.0, 1e-3).expect("posed");
     let back = back.candidate(&push, 1e-8).expect("weighed");
     assert!(back.rows()[0].predicted > 0.1 * push_error);
     for tolerance in [0.0, -1.0, f64::NAN, 4.0] {
-        assert!(scene.called_for(&start, 1.0, tolerance).is_err());
+        assert!(scene.neglected_effects(&start, 1.0, tolerance).is_err());
     }
-    assert!(scene.called_for(&start, f64::NAN, 1e-3).is_err());
-    let called = scene.called_for(&start, 1.0, 1e-3).expect("posed");
+    assert!(scene.neglected_effects(&start, f64::NAN, 1e-3).is_err());
+    let called = scene.neglected_effects(&start, 1.0, 1e-3).expect("posed");
     assert!(called.candidate(&push, f64::NAN).is_err());
 }
 
@@ -298,7 +298,7 @@ fn a_start_at_another_time_and_limits() {
     };
     let weighed = |t_start: f64, t_end: f64, from: f64, limits: Limits| {
         let limits = Limits { t_start, ..limits };
-        (scene.called_for_with(&start, t_end, 1e-3, &limits))
+        (scene.neglected_effects_with(&start, t_end, 1e-3, &limits))
             .and_then(|called| called.candidate(&push(from), 0.0))
             .map(|called| called.rows()[0])
     };
@@ -306,7 +306,7 @@ fn a_start_at_another_time_and_limits() {
     let whole = weighed(0.0, 10.0, 4.0, limits).expect("weighed").predicted;
     let later = weighed(5.0, 15.0, 9.0, limits).expect("weighed").predicted;
     assert!((later / whole - 1.0).abs() < 1e-9, "{later:e} {whole:e}");
-    let plain = (scene.called_for(&start, 10.0, 1e-3))
+    let plain = (scene.neglected_effects(&start, 10.0, 1e-3))
         .and_then(|called| called.candidate(&push(4.0), 0.0))
         .expect("weighed");
     assert_eq!(plain.rows()[0].predicted, whole);

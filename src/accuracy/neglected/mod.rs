@@ -52,7 +52,7 @@ pub const MARGIN: f64 = 2.0;
 
 /// What leaving an effect out of a scene would cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Weighed {
+pub struct PredictedError {
     /// What the effect is called.
     pub name: &'static str,
     /// Its dimensionless number, as given.
@@ -74,7 +74,7 @@ pub struct Weighed {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
     /// The largest angle (rad) between the attitudes with and without it, at 200 times of the
-    /// span; of the axes alone after [`CalledFor::of_axis`].
+    /// span; of the axes alone after [`NeglectedEffects::of_axis`].
     pub error: f64,
     /// By how much it and a prediction may differ by their own errors (rad).
     pub within: f64,
@@ -84,7 +84,7 @@ pub struct Measured {
 
 /// Candidates for a scene, weighed one by one.
 #[derive(Debug, Clone)]
-pub struct CalledFor<'s, E> {
+pub struct NeglectedEffects<'s, E> {
     scene: &'s Scene<E>,
     asked: Asked<'s>,
 }
@@ -100,13 +100,13 @@ struct Asked<'s> {
     /// and that between two attitudes.
     apart: fn(&Attitude, &Attitude) -> f64,
     limits: Limits<'s>,
-    rows: Vec<Weighed>,
+    rows: Vec<PredictedError>,
 }
 
 impl<E: Effect> Scene<E> {
     /// Which effects the motion from `start` at t = 0 to `t_end` (s; may be negative) calls
     /// for, if its attitude is wanted to `tolerance` (rad, above 0, at most pi); from another
-    /// time and within limits by [`Scene::called_for_with`].
+    /// time and within limits by [`Scene::neglected_effects_with`].
     ///
     /// The scene is the one that leaves the candidates out.
     ///
@@ -123,7 +123,7 @@ impl<E: Effect> Scene<E> {
     /// let sunlight = Torque::on_space("sunlight", |_, _, _| SpaceVector::new(0.0, 1e-9, 0.0));
     /// let scene = Scene::new(body);
     /// let weighed = scene
-    ///     .called_for(&start, 900.0, 1e-3)?
+    ///     .neglected_effects(&start, 900.0, 1e-3)?
     ///     .candidate(&gradient, gradient.number(&body, &start))?
     ///     .candidate(&sunlight, 1e-9 * 120.0 / start.angular_momentum.norm())?;
     /// let [gradient, sunlight] = weighed.rows() else { unreachable!() };
@@ -133,42 +133,42 @@ impl<E: Effect> Scene<E> {
     /// ```
     ///
     /// Accuracy: predicted and simulated errors differ by 0.4 % at most, for 21 effects of
-    /// up to 0.03 rad (`tests/accuracy/called_for.rs`). An effect that is 0 all along the
+    /// up to 0.03 rad (`tests/accuracy/neglected.rs`). An effect that is 0 all along the
     /// motion without it has no linear response, and none is predicted, though that motion
     /// may be unstable with it.
     ///
     /// # Errors
     /// A tolerance outside its range, an end or a start that is not finite, or what
     /// [`check`] finds wrong with the scene's own effects.
-    pub fn called_for(
+    pub fn neglected_effects(
         &self,
         start: &State,
         t_end: f64,
         tolerance: f64,
-    ) -> Result<CalledFor<'_, E>> {
-        self.called_for_with(start, t_end, tolerance, &Limits::default())
+    ) -> Result<NeglectedEffects<'_, E>> {
+        self.neglected_effects_with(start, t_end, tolerance, &Limits::default())
     }
 
-    /// As [`Scene::called_for`], from another time than 0, with break points, a longest step,
+    /// As [`Scene::neglected_effects`], from another time than 0, with break points, a longest step,
     /// a budget for all candidates of the list, or a way to cancel.
     ///
     /// # Errors
-    /// As [`Scene::called_for`]; limits that contradict the span; with a candidate,
-    /// [`Error::OverBudget`] and [`Error::Cancelled`].
-    pub fn called_for_with<'s>(
+    /// As [`Scene::neglected_effects`]; limits that contradict the span; with a candidate,
+    /// [`Error::LimitReached`] and [`Error::Cancelled`].
+    pub fn neglected_effects_with<'s>(
         &'s self,
         start: &State,
         t_end: f64,
         tolerance: f64,
         limits: &Limits<'s>,
-    ) -> Result<CalledFor<'s, E>> {
+    ) -> Result<NeglectedEffects<'s, E>> {
         finite("tolerance", tolerance)?;
         if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::OutOfRange {
-                name: "tolerance",
-                value: tolerance,
-                allowed: "above 0 and at most pi",
-            });
+            return Err(Error::out_of_range(
+                "tolerance",
+                tolerance,
+                "above 0 and at most pi",
+            ));
         }
         limits.checked(t_end)?;
         let start = State::new(start.attitude, start.angular_momentum)?;
@@ -182,11 +182,11 @@ impl<E: Effect> Scene<E> {
             limits: *limits,
             rows: Vec::new(),
         };
-        Ok(CalledFor { scene: self, asked })
+        Ok(NeglectedEffects { scene: self, asked })
     }
 }
 
-impl<E: Effect> CalledFor<'_, E> {
+impl<E: Effect> NeglectedEffects<'_, E> {
     /// The same for the direction of the axis e3 alone: how far the body has spun about it
     /// is not asked. For a symmetric body, whose motion does not depend on that.
     ///
@@ -200,10 +200,10 @@ impl<E: Effect> CalledFor<'_, E> {
     /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 4.0))?;
     /// let bearing = CoulombBearing::new(1e-4, &body, &start, 0.0)?;
     /// let scene = Scene::new(body);
-    /// let candidates = scene.called_for(&start, 10.0, 1e-3)?;
+    /// let candidates = scene.neglected_effects(&start, 10.0, 1e-3)?;
     /// let number = bearing.number(&body, &start);
-    /// assert!((candidates.weigh(&bearing, number)?.predicted - 1e-2).abs() < 1e-5);
-    /// assert!(candidates.of_axis().weigh(&bearing, number)?.predicted < 1e-9);
+    /// assert!((candidates.predict(&bearing, number)?.predicted - 1e-2).abs() < 1e-5);
+    /// assert!(candidates.of_axis().predict(&bearing, number)?.predicted < 1e-9);
     /// # Ok(())
     /// # }
     /// ```
@@ -225,9 +225,9 @@ impl<E: Effect> CalledFor<'_, E> {
     /// The same with this effect weighed, whose dimensionless number is `number`.
     ///
     /// # Errors
-    /// As [`CalledFor::weigh`].
+    /// As [`NeglectedEffects::predict`].
     pub fn candidate<C: Effect>(mut self, effect: &C, number: f64) -> Result<Self> {
-        self.asked.rows.push(self.weigh(effect, number)?);
+        self.asked.rows.push(self.predict(effect, number)?);
         Ok(self)
     }
 
@@ -236,7 +236,7 @@ impl<E: Effect> CalledFor<'_, E> {
     /// # Errors
     /// A number that is NaN; what [`check`] finds wrong with the effect; what stepping
     /// refuses.
-    pub fn weigh<C: Effect>(&self, effect: &C, number: f64) -> Result<Weighed> {
+    pub fn predict<C: Effect>(&self, effect: &C, number: f64) -> Result<PredictedError> {
         if number.is_nan() {
             return Err(Error::NotFinite {
                 name: "dimensionless number",
@@ -248,7 +248,7 @@ impl<E: Effect> CalledFor<'_, E> {
         check(effect, self.scene.body(), span, &asked.start)?;
         let (predicted, work) = asked.response(self.scene.into(), effect)?;
         let linear = predicted <= LINEAR;
-        Ok(Weighed {
+        Ok(PredictedError {
             name: effect.name(),
             number,
             predicted,
@@ -272,7 +272,7 @@ impl<E: Effect> CalledFor<'_, E> {
     /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 4.0))?;
     /// let scene = Scene::new(body);
     /// let bearing = ViscousFriction::about_axis(1e-5)?;
-    /// let candidates = scene.called_for(&start, 10.0, 1e-3)?;
+    /// let candidates = scene.neglected_effects(&start, 10.0, 1e-3)?;
     /// let measured = candidates.measure(&bearing)?;
     /// // The spin falls behind by c omega t^2/(2 I3).
     /// assert!((measured.error / 4e-3 - 1.0).abs() < 1e-3);
@@ -284,12 +284,12 @@ impl<E: Effect> CalledFor<'_, E> {
     /// ```
     ///
     /// # Errors
-    /// As [`CalledFor::weigh`] and [`Scene::solve_along`].
+    /// As [`NeglectedEffects::predict`] and [`Scene::solve_along`].
     pub fn measure<C: Effect + Clone>(&self, effect: &C) -> Result<Measured>
     where
         E: Clone,
     {
-        let predicted = self.weigh(effect, 0.0)?.predicted;
+        let predicted = self.predict(effect, 0.0)?.predicted;
         let Asked {
             start,
             t_end,
@@ -312,7 +312,9 @@ impl<E: Effect> CalledFor<'_, E> {
         let [a, b] = loop {
             match motions(fine) {
                 // As close as doubles allow.
-                Err(Error::BeyondCondition { .. }) if fine < 1e-6 => fine *= 10.0,
+                Err(Error::NotDelivered {
+                    condition: Some(_), ..
+                }) if fine < 1e-6 => fine *= 10.0,
                 motions => break motions?,
             }
         };
@@ -333,7 +335,7 @@ impl<E: Effect> CalledFor<'_, E> {
     }
 
     /// What has been weighed, in order.
-    pub fn rows(&self) -> &[Weighed] {
+    pub fn rows(&self) -> &[PredictedError] {
         &self.asked.rows
     }
 }
@@ -363,7 +365,7 @@ impl Asked<'_> {
             }
             let solution = method.solve(&variation, from, &y, to, &[]);
             let solution = match solution {
-                Err(Error::TooManySteps { .. }) => return Err(self.over_budget()),
+                Err(Error::LimitReached { .. }) => return Err(self.over_budget()),
                 solution => solution?,
             };
             let looks = 1 + (LOOKS as f64 * ((to - from) / span).abs()) as usize;
@@ -396,10 +398,11 @@ impl Asked<'_> {
     }
 
     const fn over_budget(&self) -> Error {
-        Error::OverBudget {
+        Error::LimitReached {
+            what: "torques",
             t: self.limits.t_start,
             t_end: self.t_end,
-            budget: self.limits.budget,
+            limit: self.limits.budget,
         }
     }
 

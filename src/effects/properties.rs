@@ -5,7 +5,7 @@ use crate::math::smaller;
 
 /// Which quantities of a motion an effect leaves alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Keeps {
+pub struct Conserved {
     /// Kinetic plus potential energy.
     pub energy: bool,
     /// L_X, L_Y and L_Z: the effect has no torque about that fixed axis.
@@ -14,7 +14,7 @@ pub struct Keeps {
     pub axial_momentum: bool,
 }
 
-impl Keeps {
+impl Conserved {
     /// Leaves everything alone.
     pub const ALL: Self = Self {
         energy: true,
@@ -43,11 +43,11 @@ impl Keeps {
 
 /// What a torque depends on, how smoothly, and what it leaves alone.
 ///
-/// Each field is a claim, weakest in [`Nature::ANYTHING`]: write
-/// `Nature { smooth: true, ..Nature::ANYTHING }` and claim what is so. A claim opens faster
+/// Each field is a claim, weakest in [`Properties::ANYTHING`]: write
+/// `Properties { smooth: true, ..Properties::ANYTHING }` and claim what is so. A claim opens faster
 /// methods; [`check`](super::check) holds it against the torque.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Nature {
+pub struct Properties {
     /// There is never a torque.
     pub torque_free: bool,
     /// The torque sees nothing of the body and its motion but the direction of the axis
@@ -70,10 +70,10 @@ pub struct Nature {
     /// ([`Scene::with`](crate::scene::Scene::with)), and a list with two is refused.
     pub weight: bool,
     /// What the effect leaves alone.
-    pub keeps: Keeps,
+    pub conserved: Conserved,
 }
 
-impl Nature {
+impl Properties {
     /// No torque at all.
     pub const NOTHING: Self = Self {
         torque_free: true,
@@ -83,7 +83,7 @@ impl Nature {
         smooth: true,
         slips: false,
         weight: false,
-        keeps: Keeps::ALL,
+        conserved: Conserved::ALL,
     };
 
     /// No claim: true of every effect that is a torque and nothing else.
@@ -95,7 +95,7 @@ impl Nature {
         smooth: false,
         slips: false,
         weight: false,
-        keeps: Keeps::NONE,
+        conserved: Conserved::NONE,
     };
 
     /// What is true of both together.
@@ -108,7 +108,7 @@ impl Nature {
             smooth: self.smooth && other.smooth,
             slips: self.slips || other.slips,
             weight: self.weight || other.weight,
-            keeps: self.keeps.and(other.keeps),
+            conserved: self.conserved.and(other.conserved),
         }
     }
 }
@@ -141,21 +141,21 @@ impl Feature {
 
 /// The motions that have a closed form, by the effect that acts alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Known {
+pub enum IntegrableCase {
     /// None of them.
-    No,
+    None,
     /// No torque: any body.
     Free,
     /// The weight at a point of the axis: symmetric bodies.
     HeavyTop(GravityAtLever),
 }
 
-impl Known {
+impl IntegrableCase {
     /// Of two effects together: a closed form if one of them does nothing.
     pub const fn and(self, other: Self) -> Self {
         match (self, other) {
             (Self::Free, other) | (other, Self::Free) => other,
-            _ => Self::No,
+            _ => Self::None,
         }
     }
 }

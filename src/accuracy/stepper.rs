@@ -1,7 +1,7 @@
 //! A method made ready to run, and what it carries of a scene.
 
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Behind, Effect, Known};
+use crate::effects::{AnyEffect, Effect, EffectRef, IntegrableCase};
 use crate::error::{Error, Result};
 use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
 use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};
@@ -12,7 +12,7 @@ use crate::scene::Scene;
 
 /// How fine a run is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Fineness {
+pub enum Resolution {
     /// So many equal steps.
     Steps(u64),
     /// The same, the equations of each step solved to a precision: Gauss-Legendre only.
@@ -21,7 +21,7 @@ pub enum Fineness {
     Tolerance(f64),
 }
 
-impl Fineness {
+impl Resolution {
     /// What a number means to a method: a tolerance to DOP853, steps to the others.
     pub const fn of(method: Method, setting: f64) -> Self {
         match method {
@@ -47,15 +47,15 @@ impl Variables {
     /// The variables in which `method` carries this scene in the fewest steps.
     pub fn best<E: AnyEffect>(method: Method, scene: &Scene<E>) -> Self {
         let symmetric = scene.body().moments().is_symmetric();
-        let nature = scene.effects().nature();
+        let properties = scene.effects().properties();
         match method {
-            Method::GaussLegendre16 if nature.torque_free => Self::Body,
+            Method::GaussLegendre16 if properties.torque_free => Self::Body,
             Method::Rk4 | Method::Dop853 | Method::GaussLegendre16
-                if nature.axis_only && symmetric && !nature.torque_free =>
+                if properties.axis_only && symmetric && !properties.torque_free =>
             {
                 Self::SpinFree
             }
-            Method::GaussLegendre16 if nature.axis_only => Self::Body,
+            Method::GaussLegendre16 if properties.axis_only => Self::Body,
             _ => Self::Space,
         }
     }
@@ -63,7 +63,7 @@ impl Variables {
 
 /// A method, made as fine as it is to run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Carrier {
+pub enum Stepper {
     /// [`Method::EulerOnAngles`].
     EulerOnAngles(EulerOnAngles),
     /// [`Method::SemiImplicitEuler`].
@@ -80,36 +80,36 @@ pub enum Carrier {
     GaussLegendre(GaussLegendre),
 }
 
-impl Carrier {
+impl Stepper {
     /// The method, so fine.
     ///
     /// # Errors
     /// Steps for DOP853, a tolerance for any other; no steps; what the method refuses.
-    pub fn new(method: Method, fineness: Fineness) -> Result<Self> {
-        let steps = match fineness {
-            Fineness::Steps(steps) | Fineness::Stages(steps, _) => steps,
-            Fineness::Tolerance(tolerance) if method == Method::Dop853 => {
+    pub fn new(method: Method, resolution: Resolution) -> Result<Self> {
+        let steps = match resolution {
+            Resolution::Steps(steps) | Resolution::Stages(steps, _) => steps,
+            Resolution::Tolerance(tolerance) if method == Method::Dop853 => {
                 return Ok(Self::Dop853(Dop853::new(tolerance)?));
             }
-            Fineness::Tolerance(_) => 0,
+            Resolution::Tolerance(_) => 0,
         };
-        Ok(match (method, fineness) {
+        Ok(match (method, resolution) {
             (Method::EulerOnAngles, _) => Self::EulerOnAngles(EulerOnAngles::new(steps)?),
             (Method::SemiImplicitEuler, _) => {
                 Self::SemiImplicitEuler(SemiImplicitEuler::new(steps)?)
             }
             (Method::Rk4, _) => Self::Rk4(Rk4::new(steps)?),
             (Method::MuntheKaas4, _) => Self::MuntheKaas4(MuntheKaas4::new(steps)?),
-            (Method::GaussLegendre16, Fineness::Stages(_, precision)) => {
+            (Method::GaussLegendre16, Resolution::Stages(_, precision)) => {
                 Self::GaussLegendre(GaussLegendre::with_precision(steps, precision)?)
             }
             (Method::GaussLegendre16, _) => Self::GaussLegendre(GaussLegendre::new(steps)?),
             _ => {
-                let scheme = method.scheme().ok_or(Error::OutOfRange {
-                    name: "steps of DOP853",
-                    value: steps as f64,
-                    allowed: "none: it chooses its steps itself, by a tolerance",
-                })?;
+                let scheme = method.scheme().ok_or(Error::out_of_range(
+                    "steps of DOP853",
+                    steps as f64,
+                    "none: it chooses its steps itself, by a tolerance",
+                ))?;
                 Self::Splitting(Splitting::new(scheme, steps)?)
             }
         })
@@ -157,23 +157,23 @@ impl Carrier {
         span: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        let (nature, known) = (effects.nature(), effects.known());
+        let (properties, known) = (effects.properties(), effects.integrable_case());
         let body = Scene::new(*body);
-        if nature.slips {
-            let scene = body.with(Behind::<false, true, false>(effects));
+        if properties.slips {
+            let scene = body.with(EffectRef::<false, true, false>(effects));
             self.advance_anything(&scene, variables, span, start)
-        } else if nature.torque_free {
+        } else if properties.torque_free {
             self.advance_seeing_axis(&body, variables, span, start)
-        } else if let (true, Known::HeavyTop(gravity)) = (nature.axis_only, known) {
+        } else if let (true, IntegrableCase::HeavyTop(gravity)) = (properties.axis_only, known) {
             self.advance_seeing_axis(&body.with(gravity), variables, span, start)
-        } else if nature.axis_only && nature.keeps.momentum[2] {
-            let scene = body.with(Behind::<true, false, true>(effects));
+        } else if properties.axis_only && properties.conserved.momentum[2] {
+            let scene = body.with(EffectRef::<true, false, true>(effects));
             self.advance_seeing_axis(&scene, variables, span, start)
-        } else if nature.axis_only {
-            let scene = body.with(Behind::<true, false, false>(effects));
+        } else if properties.axis_only {
+            let scene = body.with(EffectRef::<true, false, false>(effects));
             self.advance_seeing_axis(&scene, variables, span, start)
         } else {
-            let scene = body.with(Behind::<false, false, false>(effects));
+            let scene = body.with(EffectRef::<false, false, false>(effects));
             self.advance_anything(&scene, variables, span, start)
         }
     }
@@ -191,7 +191,7 @@ impl Carrier {
             (Self::Rk4(m), Variables::SpinFree) => {
                 return m.advance(&SpinFree::new(scene)?, t, start, t_end);
             }
-            (Self::GaussLegendre(_), Variables::Body) if E::NATURE.torque_free => {
+            (Self::GaussLegendre(_), Variables::Body) if E::PROPERTIES.torque_free => {
                 self.advance_free(scene.body(), span, start, &mut work)
             }
             (Self::Splitting(_), _) | (_, Variables::Body | Variables::SpinFree) => {
@@ -217,9 +217,7 @@ impl Carrier {
             (Self::Rk4(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::Dop853(m), Variables::Space) => m.advance(scene, t, start, t_end),
             (Self::GaussLegendre(m), Variables::Space) => m.advance(scene, t, start, t_end),
-            _ => Err(Error::SeesMore {
-                effects: scene.effects().names().join(", "),
-            }),
+            _ => Err(Error::sees_more(scene.effects().names().join(", "))),
         }
     }
 
@@ -266,14 +264,14 @@ impl Carrier {
 }
 
 fn no_such_variables() -> Error {
-    Error::OutOfRange {
-        name: "variables on the body's axes or without the spin",
-        value: 1.0,
-        allowed: "0 with this method: it has its own, or those in space",
-    }
+    Error::out_of_range(
+        "variables on the body's axes or without the spin",
+        1.0,
+        "0 with this method: it has its own, or those in space",
+    )
 }
 
 /// Whether `method` applies to a scene of this type.
 pub const fn applies<E: Effect>(method: Method) -> bool {
-    method.scheme().is_none() || (E::NATURE.axis_only && !E::NATURE.torque_free)
+    method.scheme().is_none() || (E::PROPERTIES.axis_only && !E::PROPERTIES.torque_free)
 }

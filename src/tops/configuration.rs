@@ -10,7 +10,7 @@ use crate::math::{atan2, hypot, sincos};
 
 /// A top at a moment, on the axes of the floor: Z is its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stance {
+pub struct Configuration {
     /// The axis e3.
     pub axis: SpaceVector,
     /// Angular velocity (rad/s).
@@ -27,7 +27,7 @@ pub struct Stance {
     pub slip: SpaceVector,
 }
 
-impl Stance {
+impl Configuration {
     /// The angle between the axis and the normal of the floor (rad).
     pub fn tilt(&self) -> f64 {
         atan2(hypot(self.axis.x(), self.axis.y()), self.axis.z())
@@ -104,7 +104,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
 
     /// The moment with these coordinates, in this phase.
     #[inline]
-    pub fn stance(&self, phase: Phase, coordinates: &Coordinates) -> Stance {
+    pub fn configuration(&self, phase: Phase, coordinates: &Coordinates) -> Configuration {
         let [_, _, _, _, _, l1, l2, l3, x, y, _, p1, p2, _] = *coordinates;
         let shape = &self.shape;
         let axis = axis(coordinates);
@@ -120,7 +120,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
             Contact::Sliding => SpaceVector::new(p1 / shape.mass, p2 / shape.mass, -turning.z()),
         };
         let slip = velocity + turning;
-        Stance {
+        Configuration {
             axis,
             angular_velocity,
             angular_momentum,
@@ -141,15 +141,15 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
 
     /// The acceleration that a force at the contact and a torque give the contact.
     #[inline]
-    fn response(&self, at: &Stance, force: SpaceVector, torque: SpaceVector) -> SpaceVector {
+    fn response(&self, at: &Configuration, force: SpaceVector, torque: SpaceVector) -> SpaceVector {
         let spun = self.turned_by(at.axis, at.arm.cross(&force) + torque);
         force / self.shape.mass + spun.cross(&at.arm)
     }
 
     /// What the floor does to a top in this stance.
     #[inline]
-    pub fn forces(&self, phase: Phase, at: &Stance, coordinates: &Coordinates) -> Forces {
-        let torque = if E::NATURE.torque_free {
+    pub fn forces(&self, phase: Phase, at: &Configuration, coordinates: &Coordinates) -> Forces {
+        let torque = if E::PROPERTIES.torque_free {
             SpaceVector::zero()
         } else {
             let state = State {
@@ -195,20 +195,20 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     }
 
     /// Kinetic and potential energy (J), the latter from the origin of the floor.
-    pub fn energy(&self, at: &Stance) -> f64 {
+    pub fn energy(&self, at: &Configuration) -> f64 {
         let turning = 0.5 * at.angular_velocity.dot(&at.angular_momentum);
         let moving = 0.5 * self.shape.mass * at.velocity.dot(&at.velocity);
         turning + moving - self.shape.mass * self.gravity.dot(&at.centre)
     }
 
     /// Jellett's integral L . (l e3 + r Z), N m s m: kept by every force at the contact.
-    pub fn jellett(&self, at: &Stance) -> f64 {
+    pub fn jellett(&self, at: &Configuration) -> f64 {
         -at.angular_momentum.dot(&at.arm)
     }
 
     /// The power of friction, of the couples and of the effects; together they change the
     /// energy.
-    pub fn powers(&self, at: &Stance, forces: &Forces) -> Powers {
+    pub fn powers(&self, at: &Configuration, forces: &Forces) -> Powers {
         Powers {
             sliding: forces.friction.dot(&at.slip),
             couple: forces.couple.dot(&at.angular_velocity),
@@ -232,7 +232,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     pub fn point(
         &self,
         coordinates: &Coordinates,
-        at: &Stance,
+        at: &Configuration,
         from_centre: BodyVector,
     ) -> SpaceVector {
         at.centre + self.attitude(coordinates).to_space(from_centre)
@@ -252,7 +252,7 @@ mod tests {
         let y = [
             0.8, 0.36, 0.48, 0.0, 0.0, 2e-3, -1e-3, 5e-3, 0.1, 0.2, 0.02, 0.03, -0.01, 0.0,
         ];
-        let at = |contact| top.stance(Phase { contact, passed: 0 }, &y);
+        let at = |contact| top.configuration(Phase { contact, passed: 0 }, &y);
         assert_eq!(at(Contact::Rolling).slip, SpaceVector::zero());
         let sliding = at(Contact::Sliding);
         let want = sliding.velocity + sliding.angular_velocity.cross(&sliding.arm);

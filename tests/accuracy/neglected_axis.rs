@@ -23,7 +23,9 @@ fn gyroscope(theta: f64, spin: f64) -> Steady {
 /// The largest angle between the axes with the effect and without it, over the prediction,
 /// and that between the attitudes over it.
 fn over_prediction(steady: &Steady, effect: impl Effect) -> [f64; 2] {
-    let weighed = steady.left_out().and_then(|left| left.weigh(&effect, 0.0));
+    let weighed = steady
+        .left_out()
+        .and_then(|left| left.predict(&effect, 0.0));
     let predicted = weighed.expect("weighed").predicted;
     let (limits, scene) = (Limits::default(), &steady.scene);
     let with = scene.with(effect);
@@ -76,9 +78,11 @@ fn the_spin_alone_does_not_count() {
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 4.0));
     let (start, scene) = (start.expect("a start"), Scene::new(body));
     let bearing = CoulombBearing::new(1e-4, &body, &start, 0.0).expect("a bearing");
-    let candidates = scene.called_for(&start, 10.0, 1e-3).expect("candidates");
+    let candidates = scene
+        .neglected_effects(&start, 10.0, 1e-3)
+        .expect("candidates");
     let [all, axis] = [candidates.clone(), candidates.of_axis()]
-        .map(|c| c.weigh(&bearing, 0.0).expect("weighed"));
+        .map(|c| c.predict(&bearing, 0.0).expect("weighed"));
     assert!(
         all.called_for && !axis.called_for && axis.predicted == 0.0,
         "{axis:?}"
@@ -110,7 +114,7 @@ fn what_is_measured_is_what_was_predicted() {
     for torque in [3e-6, 3e-7, 3e-8] {
         let bearing = |torque| CoulombBearing::new(torque, body, start, 0.0).expect("a bearing");
         let predicted = candidates
-            .weigh(&bearing(torque), 0.0)
+            .predict(&bearing(torque), 0.0)
             .expect("weighed")
             .predicted;
         let measured = candidates.measure(&bearing(torque)).expect("measured");
