@@ -7,7 +7,7 @@ mod tests;
 pub(crate) use kinks::NEAR;
 
 use super::gravity::GRAVITY;
-use super::{AnyEffect, Feature, IntegrableCase, Properties};
+use super::{AnyEffect, Feature, Holding, IntegrableCase, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, FINITE, Result, finite, not_negative, positive};
@@ -108,7 +108,8 @@ pub fn check<E: AnyEffect>(
 
 /// An effect that has been looked at, and can be looked at again along its motion.
 pub(crate) struct Checked<'e> {
-    effect: &'e dyn AnyEffect,
+    /// With what its laws hold at the start.
+    effect: Holding<'e>,
     properties: Properties,
     body: RigidBody,
     start: State,
@@ -134,6 +135,7 @@ impl<'e> Checked<'e> {
         }
         effect.holds_from(span[0], body, state, &effect.about_axis())?;
         let mut checked = Self::unlooked(effect, body, span, state);
+        checked.effect.hold(span[0], body, state)?;
         checked.function(span[0], state)?;
         checked.declared()?;
         if checked.properties.torque_free && names.is_empty() {
@@ -143,7 +145,8 @@ impl<'e> Checked<'e> {
         for (t, state) in &places {
             let torque = checked.finite_torque(*t, state)?;
             checked.largest = checked.largest.max(torque.norm());
-            checked.size = checked.size.max(effect.torque_size(*t, body, state));
+            let size = checked.effect.torque_size(*t, body, state);
+            checked.size = checked.size.max(size);
         }
         checked.scale(&places)?;
         for (t, state) in &places {
@@ -163,7 +166,7 @@ impl<'e> Checked<'e> {
         let mut breaks = effect.break_points();
         breaks.sort_by(f64::total_cmp);
         Self {
-            effect,
+            effect: Holding::new(effect),
             properties: effect.properties(),
             body: *body,
             start: *state,
@@ -172,6 +175,11 @@ impl<'e> Checked<'e> {
             span,
             breaks,
         }
+    }
+
+    /// The effect, with what its laws hold at the start.
+    pub(crate) const fn holding(&self) -> &Holding<'e> {
+        &self.effect
     }
 
     /// The length of the torque at the start (N m).
@@ -289,7 +297,7 @@ impl<'e> Checked<'e> {
     /// So what states no scale, whose length then is its scale, counts on both sides, and nothing
     /// is claimed of it.
     fn scale(&self, places: &[(f64, State)]) -> Result<()> {
-        let (effect, body) = (self.effect, &self.body);
+        let (effect, body) = (&self.effect, &self.body);
         let below = "that its torque is not a thousand times longer than torque_scale";
         for (t, state) in places {
             let length = effect.torque(*t, body, state).norm();
@@ -359,7 +367,7 @@ impl<'e> Checked<'e> {
 
     /// Nor has what acts beside a resistance that is known.
     fn smooth_beside(&self) -> Result<()> {
-        let (effect, body, start) = (self.effect, &self.body, &self.start);
+        let (effect, body, start) = (&self.effect, &self.body, &self.start);
         if effect.resistance(self.span[0], body).is_none() {
             return Ok(());
         }
@@ -499,7 +507,7 @@ impl<'e> Checked<'e> {
 
     /// Every claim, here and now.
     pub(crate) fn at(&self, t: f64, state: &State) -> Result<()> {
-        let (effect, body, properties) = (self.effect, &self.body, self.properties);
+        let (effect, body, properties) = (&self.effect, &self.body, self.properties);
         let torque = self.function(t, state)?;
         let slack = ROUNDING * self.size.max(torque.norm());
         let off = |other: SpaceVector| (other - torque).norm();
@@ -582,7 +590,7 @@ impl<'e> Checked<'e> {
 
     /// What resists on the piece, with what sees the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
-        let (effect, body) = (self.effect, &self.body);
+        let (effect, body) = (&self.effect, &self.body);
         let begun = if self.properties.on_time {
             self.begun(t)
         } else {
@@ -600,7 +608,7 @@ impl<'e> Checked<'e> {
 
     /// What turns the body beyond I^-1 L is said, and does what is claimed.
     fn slip(&self, t: f64, state: &State, later: f64, pushed: &State) -> Result<()> {
-        let (effect, body, properties) = (self.effect, &self.body, self.properties);
+        let (effect, body, properties) = (&self.effect, &self.body, self.properties);
         let slip = effect.slip(t, body, state);
         if !properties.slips {
             let claim = "that nothing but its torque acts (slips: false)";
@@ -645,7 +653,7 @@ impl<'e> Checked<'e> {
     /// The turn and the time are differentiated apart. Late, a time is known to its last digit
     /// only, and the step in time must be long against that.
     fn power(&self, t: f64, state: &State, torque: SpaceVector) -> Result<()> {
-        let (effect, body) = (self.effect, &self.body);
+        let (effect, body) = (&self.effect, &self.body);
         let omega = state.attitude.to_space(body.angular_velocity(state));
         let rate = omega.norm();
         // At rest, or as good as that: no turn by a step is long enough.

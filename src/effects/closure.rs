@@ -14,7 +14,9 @@ type OnSpace<'f> = dyn Fn(f64, &RigidBody, &State) -> SpaceVector + Send + Sync 
 ///
 /// The closure is a function of time, body and state: it may not remember, and it is `Send + Sync`.
 /// Nothing else is claimed of it but what is added: [`smooth`](Self::smooth),
-/// [`with_break_points`](Self::with_break_points), [`with_narrowest`](Self::with_narrowest).
+/// [`with_break_points`](Self::with_break_points), [`with_narrowest`](Self::with_narrowest). A law that is
+/// called at a rate is [`sampled`](Self::sampled), one with a largest torque
+/// [`saturated`](Self::saturated), one that leaves small errors alone has a [`dead_band`](Self::dead_band).
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -82,6 +84,18 @@ impl<'f> Torque<'f> {
             on_space: self.on_space,
             break_points: self.break_points,
             narrowest: self.narrowest,
+        }
+    }
+}
+
+impl<'f, const SMOOTH: bool> Torque<'f, SMOOTH> {
+    /// The same of which nothing is declared.
+    pub(super) fn undeclared(self) -> Torque<'f> {
+        Torque {
+            name: self.name,
+            on_space: self.on_space,
+            break_points: Vec::new(),
+            narrowest: None,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Conserved, Effect, Feature, IntegrableCase, Properties, Resistance, each};
+use super::{Conserved, Effect, Feature, IntegrableCase, Part, Properties, Resistance, each};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -35,6 +35,8 @@ pub trait AnyEffect {
     fn narrowest(&self) -> Option<Feature>;
     /// [`Effect::integrable_case`].
     fn integrable_case(&self) -> IntegrableCase;
+    /// [`Effect::parts`].
+    fn parts(&self) -> Vec<Part<'_>>;
     /// [`Effect::names`].
     fn names(&self) -> Vec<&'static str>;
     /// [`Effect::about_axis`].
@@ -93,6 +95,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn integrable_case(&self) -> IntegrableCase {
         Effect::integrable_case(self)
+    }
+    fn parts(&self) -> Vec<Part<'_>> {
+        Effect::parts(self)
     }
     fn names(&self) -> Vec<&'static str> {
         Effect::names(self)

@@ -1,6 +1,6 @@
 //! Effects that are chosen at run time.
 
-use super::{AnyEffect, Feature, IntegrableCase, Properties, Resistance};
+use super::{AnyEffect, Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result};
 use crate::frame::SpaceVector;
@@ -63,7 +63,7 @@ impl EffectList {
         self.0.iter().map(term).fold(zero, |sum, term| sum + term)
     }
 
-    fn all<T>(&self, of: impl Fn(&BoxedEffect) -> Vec<T>) -> Vec<T> {
+    fn all<'e, T>(&'e self, of: impl Fn(&'e BoxedEffect) -> Vec<T>) -> Vec<T> {
         self.0.iter().flat_map(of).collect()
     }
 }
@@ -136,6 +136,10 @@ impl AnyEffect for EffectList {
         self.0.iter().fold(IntegrableCase::Free, |all, effect| {
             all.and(effect.integrable_case())
         })
+    }
+
+    fn parts(&self) -> Vec<Part<'_>> {
+        self.all(|effect| effect.parts())
     }
 
     fn names(&self) -> Vec<&'static str> {

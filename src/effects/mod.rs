@@ -18,8 +18,19 @@
 //! | [`ViscousFriction`] | friction in proportion to the rates |
 //! | [`CoulombBearing`] | dry friction about the axis, until the spin stops |
 //! | [`DiscDrag`] | the drag of still air on a disc that spins, laminar or turbulent |
-//! | [`PrescribedTorque`] | a torque known as a function of time, with jumps or as a pulse |
+//! | [`PrescribedTorque`] | a torque known as a function of time: a table, held, linear or cubic, or a pulse |
 //! | [`Torque`] | what a closure says, on the fixed axes or on the body's |
+//!
+//! | for what engineers have in hand | take |
+//! |---|---|
+//! | a table of times | [`PrescribedTorque`] with [`Profile::steps`], [`Profile::lines`] or [`Profile::cubic`] |
+//! | a law called at a rate, and held in between: a digital controller | [`Torque::sampled`] |
+//! | a law with a largest torque, or that leaves small errors alone | [`Torque::saturated`], [`Torque::dead_band`] |
+//! | one law or another, by the sign of a signal: a relay, a thruster, a brake | [`Switched`] |
+//!
+//! The last three rows are effects that go on in pieces, by a [`Law`]: only [`Scene::solve`](crate::scene::Scene::solve) and
+//! its kin hold what is held, and locate switches; an integrator that is used by itself sees the
+//! torque as if it were sampled or switched just there.
 //!
 //! Not for: contacts, which switch on and off ([`crate::planar`]).
 
@@ -34,6 +45,8 @@ mod gravity_anywhere;
 mod gravity_gradient;
 mod internal_dissipation;
 mod kepler_orbit;
+mod law;
+mod limited;
 mod list;
 mod optional;
 mod orbiting_body;
@@ -41,6 +54,8 @@ mod pair;
 mod prescribed;
 mod properties;
 mod resistance;
+mod sampled;
+mod switched;
 mod viscous;
 
 pub use check::check;
@@ -57,11 +72,16 @@ pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
 pub use kepler_orbit::KeplerOrbit;
+pub(crate) use law::Holding;
+pub use law::{Law, Part};
+pub use limited::Limited;
 pub use list::{BoxedEffect, EffectList};
 pub use orbiting_body::OrbitingBody;
 pub use prescribed::{PrescribedTorque, Profile};
 pub use properties::{Conserved, Feature, IntegrableCase, Properties};
 pub use resistance::Resistance;
+pub use sampled::SampledControl;
+pub use switched::Switched;
 pub use viscous::ViscousFriction;
 
 use crate::attitude::Attitude;
@@ -232,6 +252,15 @@ pub trait Effect {
         } else {
             vec![self.name()]
         }
+    }
+
+    /// The effects that this one is made of, and which of them go on in pieces by a [`Law`]: itself,
+    /// without a law.
+    fn parts(&self) -> Vec<Part<'_>>
+    where
+        Self: Sized,
+    {
+        vec![Part::without_law(self)]
     }
 
     /// The names of the effects that this one is made of.

@@ -1,6 +1,6 @@
 //! An effect that a program decides on while it runs.
 
-use super::{Effect, Feature, IntegrableCase, Properties, Resistance};
+use super::{Effect, Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -114,6 +114,10 @@ impl<E: Effect> Effect for Option<E> {
 
     fn about_axis(&self) -> Vec<&'static str> {
         self.as_ref().map_or_else(Vec::new, E::about_axis)
+    }
+
+    fn parts(&self) -> Vec<Part<'_>> {
+        self.as_ref().map_or_else(Vec::new, E::parts)
     }
 
     fn names(&self) -> Vec<&'static str> {

@@ -1,6 +1,6 @@
 //! No effect, and two effects together.
 
-use super::{Effect, Feature, IntegrableCase, Properties, Resistance};
+use super::{Effect, Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -35,6 +35,10 @@ impl Effect for () {
 
     fn integrable_case(&self) -> IntegrableCase {
         IntegrableCase::Free
+    }
+
+    fn parts(&self) -> Vec<Part<'_>> {
+        Vec::new()
     }
 
     fn names(&self) -> Vec<&'static str> {
@@ -124,6 +128,12 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
     fn about_axis(&self) -> Vec<&'static str> {
         let mut all = self.0.about_axis();
         all.extend(self.1.about_axis());
+        all
+    }
+
+    fn parts(&self) -> Vec<Part<'_>> {
+        let mut all = self.0.parts();
+        all.extend(self.1.parts());
         all
     }
 

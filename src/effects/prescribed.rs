@@ -14,7 +14,12 @@ pub struct Profile(Shape);
 enum Shape {
     Steps(Vec<f64>, Vec<f64>),
     Lines(Vec<f64>, Vec<f64>),
-    Pulse { centre: f64, width: f64 },
+    /// With the second derivatives.
+    Cubic(Vec<f64>, Vec<f64>, Vec<f64>),
+    Pulse {
+        centre: f64,
+        width: f64,
+    },
 }
 
 impl Profile {
@@ -36,6 +41,39 @@ impl Profile {
     pub fn lines(points: &[(f64, f64)]) -> Result<Self> {
         let (times, values) = table(points)?;
         Ok(Self(Shape::Lines(times, values)))
+    }
+
+    /// A natural cubic spline through each value at its time (s, rising); before the first and after
+    /// the last it is 0. For values of something smooth, where straight lines would be too rough: it
+    /// may pass beyond the values beside a step.
+    ///
+    /// Between two points a time h apart, with the part b of it gone and a = 1 - b left,
+    ///
+    /// ```text
+    /// y = a y_0 + b y_1 + ((a^3 - a) m_0 + (b^3 - b) m_1) h^2/6,
+    /// h_0 m_0 + 2 (h_0 + h_1) m_1 + h_1 m_2 = 6 ((y_2 - y_1)/h_1 - (y_1 - y_0)/h_0)
+    /// ```
+    ///
+    /// for each three points in a row, with m = 0 at both ends.
+    ///
+    /// Source: C. de Boor, *A Practical Guide to Splines* (1978), ch. IV.
+    ///
+    /// ```
+    /// use rotation_dynamics::effects::Profile;
+    /// let bow = Profile::cubic(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)])?;
+    /// assert!((bow.at(0.5) - 11.0 / 16.0).abs() < 1e-15);
+    /// # Ok::<(), rotation_dynamics::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`steps`](Self::steps); values so large or times so near that the curve is beyond `f64`.
+    pub fn cubic(points: &[(f64, f64)]) -> Result<Self> {
+        let (times, values) = table(points)?;
+        let bends = second_derivatives(&times, &values);
+        for bend in &bends {
+            finite("second derivative of a profile", *bend)?;
+        }
+        Ok(Self(Shape::Cubic(times, values, bends)))
     }
 
     /// A Gaussian pulse exp(-(t - centre)^2/(2 width^2)), of height 1; times in s.
@@ -67,6 +105,16 @@ impl Profile {
                 let part = (t - times[next - 1]) / (times[next] - times[next - 1]);
                 values[next - 1] + part * (values[next] - values[next - 1])
             }
+            Shape::Cubic(times, values, bends) => {
+                let next = times.partition_point(|point| *point <= t);
+                if next == 0 || next == times.len() {
+                    return 0.0;
+                }
+                let h = times[next] - times[next - 1];
+                let (b, a) = ((t - times[next - 1]) / h, (times[next] - t) / h);
+                let bent = (a * a * a - a) * bends[next - 1] + (b * b * b - b) * bends[next];
+                a * values[next - 1] + b * values[next] + bent * (h * h / 6.0)
+            }
             Shape::Pulse { centre, width } => {
                 let x = (t - centre) / width;
                 exp(-0.5 * x * x)
@@ -74,15 +122,39 @@ impl Profile {
         }
     }
 
-    /// The largest size of the factor.
+    /// The largest size of the factor, or a bound on it.
     fn largest(&self) -> f64 {
+        let most = |values: &[f64]| values.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         match &self.0 {
-            Shape::Steps(_, values) | Shape::Lines(_, values) => {
-                values.iter().fold(0.0, |a: f64, b| a.max(b.abs()))
+            Shape::Steps(_, values) | Shape::Lines(_, values) => most(values),
+            Shape::Cubic(times, values, bends) => {
+                // No cubic is further from its chord: (a - a^3) + (b - b^3) is at most 3/4.
+                let bent = |n: usize| {
+                    let h = times[n + 1] - times[n];
+                    h * h / 8.0 * most(&bends[n..n + 2])
+                };
+                most(values) + (0..times.len() - 1).map(bent).fold(0.0, f64::max)
             }
             Shape::Pulse { .. } => 1.0,
         }
     }
+}
+
+/// The second derivatives of the natural cubic spline at its points, by elimination downwards.
+fn second_derivatives(times: &[f64], values: &[f64]) -> Vec<f64> {
+    let n = times.len();
+    let (mut factor, mut bend) = (vec![0.0; n], vec![0.0; n]);
+    for i in 1..n.saturating_sub(1) {
+        let (before, after) = (times[i] - times[i - 1], times[i + 1] - times[i]);
+        let slope = (values[i + 1] - values[i]) / after - (values[i] - values[i - 1]) / before;
+        let pivot = 2.0 * (before + after) - before * factor[i - 1];
+        factor[i] = after / pivot;
+        bend[i] = (6.0 * slope - before * bend[i - 1]) / pivot;
+    }
+    for i in (1..n.saturating_sub(1)).rev() {
+        bend[i] -= factor[i] * bend[i + 1];
+    }
+    bend
 }
 
 /// Times and values of a table, if they are in order.
@@ -104,7 +176,7 @@ fn table(rows: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
 /// A torque that is known as a function of time, on the fixed axes or on the body's.
 ///
 /// It is a constant vector times a [`Profile`]: pieces with jumps or kinks at times that
-/// are named as break points, so that solutions meet them exactly, or a Gaussian pulse,
+/// are named as break points, so that solutions meet them exactly, a spline through a table, or a pulse,
 /// whose width is named so that no solution steps over it. A thruster, a motor, a kick.
 /// A function of your own is for [`Torque`](super::Torque).
 ///
@@ -217,7 +289,9 @@ impl Effect for PrescribedTorque {
 
     fn break_points(&self) -> Vec<f64> {
         match &self.profile.0 {
-            Shape::Steps(times, _) | Shape::Lines(times, _) => times.clone(),
+            Shape::Steps(times, _) | Shape::Lines(times, _) | Shape::Cubic(times, ..) => {
+                times.clone()
+            }
             Shape::Pulse { .. } => Vec::new(),
         }
     }
@@ -228,7 +302,7 @@ impl Effect for PrescribedTorque {
                 time: width,
                 ..Feature::WIDE
             },
-            Shape::Steps(..) | Shape::Lines(..) => Feature::WIDE,
+            Shape::Steps(..) | Shape::Lines(..) | Shape::Cubic(..) => Feature::WIDE,
         })
     }
 }

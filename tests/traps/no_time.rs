@@ -456,6 +456,7 @@ fn of_effects<'a>(body: &'a RigidBody, state: &'a State) -> Result<Vec<Row<'a>>>
     for profile in [
         Profile::steps(&[(0.0, 2.0), (1.0, 0.0)])?,
         Profile::lines(&[(0.0, 2.0), (1.0, 3.0)])?,
+        Profile::cubic(&[(0.0, 2.0), (1.0, 3.0)])?,
         Profile::pulse(0.3, 0.2)?,
     ] {
         let torque = PrescribedTorque::on_space(SpaceVector::new(0.1, 0.2, 0.3), profile.clone())?;
@@ -591,7 +592,7 @@ fn a_time_that_is_none_gives_no_place() {
     rows.extend(of_effects(&body, &state).expect("effects"));
     rows.extend(of_runs().expect("runs"));
     let grown = of_any_size(&body, &state).expect("effects");
-    assert_eq!((rows.len(), grown.len()), (204, 6));
+    assert_eq!((rows.len(), grown.len()), (206, 6));
     assert_eq!(asked(&rows, &NONE), 5 * rows.len());
     assert_eq!(asked(&grown, &NONE[..3]), 18);
     // No function of a time is left out: the sources have these, and some inside.
@@ -616,7 +617,9 @@ fn a_time_that_is_none_gives_no_place() {
 }
 
 /// Where only the library asks, or as the other test does, or for what is no motion.
-const INSIDE: [&str; 11] = [
+const INSIDE: [&str; 13] = [
+    "effects/law.rs",
+    "effects/sampled.rs sampled",
     "accuracy/error_control/along.rs solve_at",
     "accuracy/error_control/stepping.rs",
     "effects/check.rs",

@@ -1,7 +1,7 @@
 //! `solve`'s promise all along the way.
 
 use super::given::{Given, Places};
-use super::method::{Fine, Method, Passed, Runs, Steps};
+use super::method::{Fine, Method, Passed, Runs, Steps, Stop};
 use super::refine::stops;
 use super::{ExactMotion, Limits, Solved};
 use crate::body::State;
@@ -47,7 +47,7 @@ pub(super) enum Form {
         level: f64,
         precision: f64,
         /// The start, and the ends of the pieces of the run, with their times.
-        passed: Vec<(f64, State)>,
+        passed: Vec<(f64, Stop)>,
         /// What was asked for on each piece, and made.
         steps: Vec<Steps>,
     },
@@ -55,12 +55,10 @@ pub(super) enum Form {
 
 /// How far the states of a stepped motion have been found.
 struct Found {
-    /// The part of a piece, by the numbers of both, and the state at its start; that of a slender body
-    /// as it is stepped too.
+    /// The part of a piece, by the numbers of both, and what its start is gone on from.
     piece: usize,
     part: u64,
-    state: State,
-    on_body: Option<[f64; 7]>,
+    stop: Stop,
     /// What it has taken.
     work: Work,
 }
@@ -232,8 +230,7 @@ impl SolvedMotion<'_> {
         Found {
             piece: usize::MAX,
             part: 0,
-            state: self.given.start,
-            on_body: None,
+            stop: Stop::at(self.given.start),
             work: Work::default(),
         }
     }
@@ -254,16 +251,20 @@ impl SolvedMotion<'_> {
         };
         let is_after = |other: f64| if to < from { other < t } else { other > t };
         let piece = passed.partition_point(|(at, _)| !is_after(*at)) - 1;
-        let (begun, state) = passed[piece];
+        let (begun, stop) = &passed[piece];
+        let begun = *begun;
         if begun == t {
-            return Ok(state);
+            return Ok(stop.state);
         }
-        let (end, _) = passed[piece + 1];
+        let end = passed[piece + 1].0;
         let parts = steps[piece].made.div_ceil(PART).max(1);
         let at = |part: u64| begun + part as f64 / parts as f64 * (end - begun);
         if here.piece != piece {
             (here.piece, here.part) = (piece, 0);
-            (here.state, here.on_body) = (state, None);
+            here.stop = Stop {
+                on_body: None,
+                ..stop.clone()
+            };
         }
         let problem = self.given.problem();
         let mut fewest = steps[piece];
@@ -288,8 +289,7 @@ impl SolvedMotion<'_> {
                 budget,
             };
             let mut runs = Runs::default();
-            let (state, on_body) = (&here.state, here.on_body);
-            let passed = method.run(&problem, [from, to], state, on_body, fine, &mut runs);
+            let passed = method.run(&problem, [from, to], here.stop.clone(), fine, &mut runs);
             here.work += runs.work;
             match passed {
                 Err(Error::LimitReached { .. }) => Err(over),
@@ -297,14 +297,13 @@ impl SolvedMotion<'_> {
             }
         };
         while here.part + 1 < parts && !is_after(at(here.part + 1)) {
-            let passed = go_on(at(here.part), at(here.part + 1), here)?;
-            (here.state, here.on_body) = (passed.state, passed.on_body);
+            here.stop = go_on(at(here.part), at(here.part + 1), here)?.stop;
             here.part += 1;
         }
         let from = at(here.part);
         if from == t {
-            return Ok(here.state);
+            return Ok(here.stop.state);
         }
-        Ok(go_on(from, t, here)?.state)
+        Ok(go_on(from, t, here)?.stop.state)
     }
 }

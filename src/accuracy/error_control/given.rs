@@ -5,6 +5,7 @@
 
 use super::along::Form;
 use super::limits::{LOOKS, Limits};
+use super::method::Stop;
 use super::problem::{ALL_ROWS, Acting, Distances, Probe, Problem};
 use super::refine::Refinement;
 use super::slender::Slender;
@@ -79,6 +80,14 @@ impl<'s> Given<'s> {
         limits.checked(t_end)?;
         State::new(start.attitude, start.angular_momentum)?;
         let checked = Checked::new(effects, body, [limits.t_start, t_end], start)?;
+        let is_sampled = checked.holding().next_sample(limits.t_start) < f64::INFINITY;
+        if is_sampled && t_end < limits.t_start {
+            return Err(Error::OutOfRange {
+                name: "end time - start time",
+                value: t_end - limits.t_start,
+                allowed: "at least 0: a control that is sampled and held has no way back".into(),
+            });
+        }
         let mut given = Self {
             effects,
             body: *body,
@@ -114,7 +123,7 @@ impl<'s> Given<'s> {
             given.breaks.extend(jumps.into_iter().chain(kinks));
             given.breaks = limits.sorted(given.breaks, t_end);
         }
-        if given.problem().exact_motion().is_none() {
+        if given.problem().exact_motion().is_none() && !given.problem().has_laws() {
             (given.slender, given.trial) = given.slender()?;
         }
         let rate = given.problem().fastest();
@@ -217,7 +226,7 @@ impl<'s> Given<'s> {
         let refinement = Refinement::new(&problem, self.tolerance, &self.limits, places, trial);
         let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
         let solved = Solved::of(&delivered, &problem, self.looked_every());
-        let mut passed = vec![(problem.t_start, problem.start)];
+        let mut passed = vec![(problem.t_start, Stop::at(problem.start))];
         passed.extend(delivered.run.passed);
         Ok(Answer {
             solved,

@@ -4,6 +4,7 @@
 //! order p then takes 40^(1/p) times as many steps, an adaptive one is given a 40 times
 //! smaller error of a step. So methods of any order are refined alike.
 
+use super::laws;
 use super::problem::{Acting, Problem};
 use super::slender;
 use crate::accuracy::{Resolution, Stepper, Variables};
@@ -57,7 +58,7 @@ impl Method {
         let is_thick = Resisted14.angle() * problem.damping > problem.fastest();
         let resisted = !is_thick && problem.is_resisted();
         match problem.acting {
-            _ if problem.slender.is_some() => &[Adaptive],
+            _ if problem.slender.is_some() || problem.has_laws() => &[Adaptive],
             Acting::Nothing => &[FreeGauss, Adaptive],
             Acting::Weight(_) | Acting::OnAxis(_) if symmetric => &[SpinFreeGauss, Adaptive],
             Acting::Weight(_) | Acting::OnAxis(_) => &[BodyGauss, Adaptive],
@@ -266,15 +267,13 @@ impl Method {
         self,
         problem: &Problem,
         [t, t_end]: [f64; 2],
-        start: &State,
-        on_body: Option<[f64; 7]>,
+        start: Stop,
         fine: Fine,
         runs: &mut Runs,
     ) -> Result<Passed> {
         let times = problem.pieces([t, t_end]);
         let mut passed = Passed {
-            state: *start,
-            on_body,
+            stop: start,
             work: Work::default(),
             level: f64::INFINITY,
             longest_step: 0.0,
@@ -286,13 +285,14 @@ impl Method {
             };
             let span = [piece[0], piece[1]];
             let fewest = fine.fewest.get(n).copied().unwrap_or(Steps::ONE);
-            let more = self.run_piece(problem, span, &passed, now, fewest, &mut runs.work)?;
+            let start = &passed.stop;
+            let more = self.run_piece(problem, span, start, now, fewest, &mut runs.work)?;
             runs.pieces.push(Steps {
                 made: more.work.steps,
                 ..fewest
             });
-            runs.passed.push((piece[1], more.state));
-            (passed.state, passed.on_body) = (more.state, more.on_body);
+            runs.passed.push((piece[1], more.stop.clone()));
+            passed.stop = more.stop;
             passed.work += more.work;
             passed.level = passed.level.min(more.level);
             passed.longest_step = passed.longest_step.max(more.longest_step);
@@ -304,7 +304,7 @@ impl Method {
         self,
         problem: &Problem,
         [t, t_end]: [f64; 2],
-        start: &Passed,
+        start: &Stop,
         fine: Fine,
         steps: Steps,
         spent: &mut Work,
@@ -341,10 +341,18 @@ impl Method {
         };
         let mut work = Work::default();
         let run = match (problem.slender, stepper) {
+            (_, Stepper::Dop853(dop853)) if problem.has_laws() => {
+                let least = steps.of_a_sample();
+                laws::carried(problem, dop853, [t, t_end], start, least, &mut work)
+            }
             (Some(_), Stepper::Dop853(dop853)) if self == Adaptive => {
                 let (start, on_body) = (&start.state, start.on_body);
-                slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work)
-                    .map(|(state, on_body)| (state, Some(on_body)))
+                slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work).map(
+                    |(state, on_body)| Stop {
+                        on_body: Some(on_body),
+                        ..Stop::at(state)
+                    },
+                )
             }
             _ => (problem.carried(
                 &stepper,
@@ -353,18 +361,13 @@ impl Method {
                 &start.state,
                 &mut work,
             ))
-            .map(|state| (state, None)),
+            .map(Stop::at),
         };
         *spent += work;
         // A piece has its own time, from 0.
-        let (state, on_body) = run.map_err(|mut error| {
-            match &mut error {
-                Error::LimitReached { .. } => return over,
-                Error::StepUnderflow { t: since, .. }
-                | Error::FunctionOutOfRange { t: since, .. } => *since += t,
-                _ => {}
-            }
-            error
+        let stop = run.map_err(|error| match later(error, t) {
+            Error::LimitReached { .. } => over,
+            error => error,
         })?;
         // Steps are whole: the level is that of the steps taken.
         let (level, longest_step) = if self.is_adaptive() {
@@ -374,13 +377,22 @@ impl Method {
             (self.level_of(problem, t_end - t, steps), span / steps)
         };
         Ok(Passed {
-            state,
-            on_body,
+            stop,
             work,
             level,
             longest_step,
         })
     }
+}
+
+/// An error with a time that counts from `t`, at its own time.
+pub(super) fn later(mut error: Error, t: f64) -> Error {
+    if let Error::StepUnderflow { t: since, .. } | Error::FunctionOutOfRange { t: since, .. } =
+        &mut error
+    {
+        *since += t;
+    }
+    error
 }
 
 /// The steps of a run over a piece of its way: between two places looked at, and two jumps.
@@ -393,6 +405,8 @@ pub(super) struct Steps {
     /// A piece that is crossed in few steps is refined by their number alone, whatever a
     /// step's error: so many does its refinement ask for.
     asked: f64,
+    /// The same from each sample of a law to the next.
+    sampled: f64,
 }
 
 /// More steps than these are refined by the error allowed for each.
@@ -404,7 +418,14 @@ impl Steps {
         made: 0,
         fewest: 1,
         asked: 1.0,
+        sampled: 1.0,
     };
+
+    /// So many steps at least from each sample to the next: runs that crossed all of them in one
+    /// would agree.
+    pub(super) fn of_a_sample(self) -> u64 {
+        self.sampled.ceil() as u64
+    }
 
     /// Of another run in the same steps; those of an adaptive method are its own.
     pub(super) fn again(self, method: Method) -> Self {
@@ -431,6 +452,7 @@ impl Steps {
             made: 0,
             fewest: fewest.max(self.made + 1),
             asked,
+            sampled: self.sampled * method.more_steps(levels),
         }
     }
 }
@@ -453,16 +475,34 @@ pub(super) struct Fine<'f> {
 pub(super) struct Runs {
     pub pieces: Vec<Steps>,
     /// The ends of the pieces.
-    pub passed: Vec<(f64, State)>,
+    pub passed: Vec<(f64, Stop)>,
     pub work: Work,
 }
 
-/// Where a run has come, what it cost, and the level of the steps it took.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Passed {
+/// Where a run goes on from.
+#[derive(Debug, Clone)]
+pub(super) struct Stop {
     pub state: State,
     /// The same as a slender body is stepped: a [`State`] would blur its rates.
     pub on_body: Option<[f64; 7]>,
+    /// What the laws held until here; nothing at the start.
+    pub held: Vec<[f64; 3]>,
+}
+
+impl Stop {
+    pub(super) const fn at(state: State) -> Self {
+        Self {
+            state,
+            on_body: None,
+            held: Vec::new(),
+        }
+    }
+}
+
+/// Where a run has come, what it cost, and the level of the steps it took.
+#[derive(Debug, Clone)]
+pub(super) struct Passed {
+    pub stop: Stop,
     pub work: Work,
     pub level: f64,
     /// No step was longer (s).

@@ -9,6 +9,7 @@
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob, and the model of its first step |
 //! | `refine` | a run, a finer run, a run with changed inputs, until they are near enough |
+//! | `laws` | runs over what goes on in pieces: samples, and switches located as events |
 //! | `slender` | bodies with one small moment, in variables of their own |
 //! | `sliding` | why steps collapse |
 //!
@@ -20,6 +21,7 @@
 mod along;
 mod exact_motion;
 mod given;
+mod laws;
 mod limits;
 mod method;
 mod problem;
@@ -88,8 +90,8 @@ impl<E: AnyEffect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
-    /// *The contract.* For torques that are smooth, or smooth between declared break points, and without
-    /// features narrower than a declared width or the looks below, the attitude at the end is within the
+    /// *The contract.* For torques that are smooth, or smooth between declared break points, samples
+    /// and located switches ([`Law`](crate::effects::Law)), and without features narrower than a declared width or the looks below, the attitude at the end is within the
     /// error asked for, or the call is refused with the reason and, if runs bear one out, the error that
     /// can be had. For a torque of which nothing is declared the answer carries an *estimate*: of
     /// 36 100 over kinks, cusps and jumps one was above its request, by a sixth
@@ -111,6 +113,7 @@ impl<E: AnyEffect> Scene<E> {
     /// | nothing (when stepped), or what is smooth and sees the axis only | Gauss-Legendre 16; of a symmetric body without its spin |
     /// | what resists in a known way ([`Effect::resistance`]) beside that, unless steps would have to follow it | splittings of order 4 (above 1e-5) and 6 with the resistance in their kick ([`Resisted`](crate::integrators::Resisted)) |
     /// | what is smooth between its break points | DOP853, below 1e-8 Gauss-Legendre 16 |
+    /// | what is [sampled](crate::effects::SampledControl), [limited](crate::effects::Limited) or [switched](crate::effects::Switched) | DOP853 from sample to sample and from switch to switch |
     /// | whatever acts on a slender body, unless that is symmetric and its axis alone is seen | DOP853 with the momentum on the body's axes |
     /// | whatever else | DOP853, by three runs at least |
     ///
@@ -175,12 +178,11 @@ impl<E: AnyEffect> Scene<E> {
     /// A tolerance outside its range, anything not finite, an energy at the start beyond `f64`; a
     /// span below 2.3e-308 s (but 0) where it is stepped; [`Error::Contradiction`](crate::Error::Contradiction) if an
     /// effect says of itself what its torque does not bear out, at the start or along the
-    /// way, or if its torque is seen to remember (memory that shows late may go unnoticed);
-    /// [`Error::NotDelivered`](crate::Error::NotDelivered) if the inputs, as doubles, do not
-    /// determine the end so closely, or no method converges to it;
-    /// [`Error::LimitReached`](crate::Error::LimitReached) if it takes more torques than
-    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where steps collapse at a jump of
-    /// the torque with the state; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
+    /// way; [`Error::BeyondCondition`](crate::Error::BeyondCondition) if the inputs, as doubles, do not determine the end
+    /// so closely; [`Error::NotDelivered`](crate::Error::NotDelivered) if no method converges to it;
+    /// [`Error::OverBudget`](crate::Error::OverBudget) if it takes more torques than
+    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where the torque jumps with the
+    /// state and drives the motion back from both sides; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
     /// a torque that depends on the time and may have features shorter than was looked for;
     /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
@@ -229,7 +231,7 @@ impl Solved {
     fn of(delivered: &Delivered, problem: &Problem, looked_every: Option<f64>) -> Self {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
-            state: (delivered.run.passed.last()).map_or(problem.start, |(_, state)| *state),
+            state: (delivered.run.passed.last()).map_or(problem.start, |(_, stop)| stop.state),
             method: delivered.method.name(),
             run: delivered.run.work,
             work: delivered.work,

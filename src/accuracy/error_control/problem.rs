@@ -274,7 +274,7 @@ impl<'e> Problem<'e> {
 
     /// The scene as the integrators see it, between two times without a jump; its time
     /// begins at the first of them.
-    fn scene<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
+    pub(super) fn scene<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
         &self,
         effects: &'s dyn AnyEffect,
         span: [f64; 2],
@@ -369,6 +369,11 @@ impl<'e> Problem<'e> {
         };
         let pieces = self.pieces([self.t_start, self.t_end]);
         pieces.windows(2).map(on_piece).fold(0.0, f64::max)
+    }
+
+    /// True if effects go on in pieces.
+    pub(super) fn has_laws(&self) -> bool {
+        self.checked.holding().has_laws()
     }
 
     /// True if a symmetric body is stepped without its spin: what acts sees the axis only.

@@ -2,7 +2,7 @@
 //! changed, finer until their distances are small enough.
 
 use super::limits::Limits;
-use super::method::{Fine, LEVEL, Method, Runs, Steps};
+use super::method::{Fine, LEVEL, Method, Runs, Steps, Stop};
 use super::problem::{Acting, Distances, Probe, Problem};
 use super::slender::opposite_rows;
 use crate::accuracy::larger;
@@ -88,7 +88,7 @@ pub(super) struct Run {
     pub work: Work,
     pub longest_step: f64,
     /// Where it was between two pieces, and at the end.
-    pub passed: Vec<(f64, State)>,
+    pub passed: Vec<(f64, Stop)>,
 }
 
 /// What a run delivers.
@@ -174,7 +174,11 @@ impl<'p> Refinement<'p> {
     /// that are.
     fn affordable(&self, methods: &[Method]) -> Result<()> {
         let problem = self.problem;
-        let steps = (problem.span() / problem.longest_step).abs();
+        let samples = problem
+            .checked
+            .holding()
+            .samples([problem.t_start, problem.t_end]);
+        let steps = (problem.span() / problem.longest_step).abs().max(samples);
         let cheapest = (methods.iter()).map(|method| method.torques());
         let cheapest = cheapest.fold(f64::INFINITY, f64::min);
         if steps * cheapest > self.limits.budget as f64 {
@@ -431,7 +435,7 @@ impl<'p> Refinement<'p> {
             // Nor may they part on the way and meet again.
             let farthest = (changed.iter())
                 .flat_map(|changed| run.passed.iter().zip(&changed.passed))
-                .map(|(a, b)| self.problem.apart(&a.1, &b.1)[0])
+                .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
                 .fold(0.0, larger);
             if farthest <= LINEAR {
                 let places: Vec<_> = changed.iter().map(|run| run.places.as_slice()).collect();
@@ -459,7 +463,7 @@ impl<'p> Refinement<'p> {
         let this = &*self;
         let condition = problem.condition(&Probe::STEPPED, |by| {
             let mut moved = |row: usize, by: f64, precision: f64| {
-                let mut places = Vec::new();
+                let (mut places, mut held) = (Vec::new(), Vec::new());
                 let end =
                     problem.in_intervals(row, by, intervals, |changed, t, state, t_end| {
                         let fine = Fine {
@@ -468,12 +472,17 @@ impl<'p> Refinement<'p> {
                             precision,
                             budget: this.limits.left(this.work.torques() + all.work.torques())?,
                         };
-                        let passed = method.run(changed, [t, t_end], state, None, fine, &mut all);
-                        let passed = passed.map_err(|error| this.of_whole_span(error))?;
+                        let start = Stop {
+                            held: core::mem::take(&mut held),
+                            ..Stop::at(*state)
+                        };
+                        let passed = method.run(changed, [t, t_end], start, fine, &mut all);
+                        let stop = passed.map_err(|error| this.of_whole_span(error))?.stop;
                         if everywhere {
-                            places.push(passed.state);
+                            places.push(stop.state);
                         }
-                        Ok(passed.state)
+                        held = stop.held;
+                        Ok(stop.state)
                     })?;
                 if !everywhere {
                     places.push(end);
@@ -501,8 +510,8 @@ impl<'p> Refinement<'p> {
         estimate: Distances,
         condition: Distances,
     ) -> Result<Delivered> {
-        for (t, state) in &run.passed {
-            self.problem.checked.at(*t, state)?;
+        for (t, stop) in &run.passed {
+            self.problem.checked.at(*t, &stop.state)?;
         }
         Ok(Delivered {
             method,
@@ -601,7 +610,7 @@ impl<'p> Refinement<'p> {
             longest_step: 0.0,
             passed: Vec::new(),
         };
-        let (mut state, mut on_body) = (problem.start, None);
+        let mut stop = Stop::at(problem.start);
         for (n, interval) in self.times.windows(2).enumerate() {
             let fine = Fine {
                 level: asked.level,
@@ -610,14 +619,7 @@ impl<'p> Refinement<'p> {
                 budget: self.limits.left(self.work.torques())?,
             };
             let mut runs = Runs::default();
-            let passed = method.run(
-                problem,
-                [interval[0], interval[1]],
-                &state,
-                on_body,
-                fine,
-                &mut runs,
-            );
+            let passed = method.run(problem, [interval[0], interval[1]], stop, fine, &mut runs);
             self.work += runs.work;
             self.cost += method.cost(&runs.work);
             let passed = passed.map_err(|error| self.of_whole_span(error))?;
@@ -626,8 +628,8 @@ impl<'p> Refinement<'p> {
             run.work += passed.work;
             run.level = run.level.min(passed.level);
             run.longest_step = run.longest_step.max(passed.longest_step);
-            (state, on_body) = (passed.state, passed.on_body);
-            run.places.push(state);
+            stop = passed.stop;
+            run.places.push(stop.state);
         }
         Ok(run)
     }

@@ -55,7 +55,7 @@ impl Problem<'_> {
         let Acting::Anything(effects) = self.acting else {
             return None;
         };
-        if effects.properties().slips {
+        if effects.properties().slips || self.has_laws() {
             return None;
         }
         let watched = Watched {

@@ -36,8 +36,8 @@ type Accepted<'a, const N: usize> =
 
 impl Dop853 {
     /// Carries `start` from `t` to `t_end`; `accepted` sees every accepted step
-    /// with the derivative at its end and may stop the run. Its work, from
-    /// none, is in `work` also if it fails.
+    /// with the derivative at its end and may stop the run. With the end comes the length of a
+    /// step that is as good as the last. Its work, from none, is in `work` also if it fails.
     pub(super) fn drive<const N: usize>(
         &self,
         ode: &dyn System<N>,
@@ -46,15 +46,19 @@ impl Dop853 {
         t_end: f64,
         work: &mut Work,
         accepted: Accepted<'_, N>,
-    ) -> Result<[f64; N]> {
+    ) -> Result<([f64; N], f64)> {
         check_span(t, start, t_end)?;
         if t == t_end {
-            return Ok(*start);
+            return Ok((*start, 0.0));
         }
         let direction = 1f64.copysign(t_end - t);
         work.derivatives += 1;
         let first = finite_derivative(t, start, ode.derivative(t, start))?;
-        let mut h = self.first_step(ode, t, start, &first, t_end, work)?;
+        let mut h = if self.first_step > 0.0 {
+            self.first_step
+        } else {
+            self.find_first_step(ode, t, start, &first, t_end, work)?
+        };
         let mut trial = Trial::new(t, *start, first, DRIFT * self.tolerance);
         // Of the last error, for the choice of the next step: a power of it by its logarithm takes
         // less than half the time.
@@ -104,16 +108,16 @@ impl Dop853 {
                 let first = trial.last(ode, work)?;
                 work.steps += 1;
                 if let ControlFlow::Break(end) = accepted(&trial, first, work)? {
-                    return Ok(end);
+                    return Ok((end, made));
                 }
-                if last {
-                    return Ok(trial.end.value);
-                }
-                trial.go_on(first);
                 let now = log(error);
                 let change = SAFETY * exp(MEMORY * memory - RESPONSE * now);
                 let change = change.clamp(SHRINK, if after_rejection { 1.0 } else { GROW });
                 h = made * change;
+                if last {
+                    return Ok((trial.end.value, h));
+                }
+                trial.go_on(first);
                 memory = now.max(least);
                 after_rejection = false;
                 if vanishes(to, h) {
@@ -139,7 +143,7 @@ impl Dop853 {
 
     /// A first step whose error should be near the tolerance (Hairer, Nørsett,
     /// Wanner I, II.4, starting step size).
-    fn first_step<const N: usize>(
+    fn find_first_step<const N: usize>(
         &self,
         ode: &dyn System<N>,
         t: f64,

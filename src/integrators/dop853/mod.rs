@@ -80,6 +80,8 @@ pub struct Dop853 {
     tolerance: f64,
     longest_step: f64,
     step_limit: u64,
+    /// What is tried first; 0 if that is to be found.
+    first_step: f64,
 }
 
 impl Dop853 {
@@ -105,6 +107,7 @@ impl Dop853 {
             tolerance,
             longest_step: f64::INFINITY,
             step_limit: 1_000_000,
+            first_step: 0.0,
         })
     }
 
@@ -169,7 +172,7 @@ impl Dop853 {
         let mut solution = Solution::new(t, *start);
         let mut watch = event::Watch::new(events, t, start)?;
         let mut work = Work::default();
-        let end = self.drive(ode, t, start, t_end, &mut work, &mut |trial, last, work| {
+        let (end, _) = self.drive(ode, t, start, t_end, &mut work, &mut |trial, last, work| {
             let segment = trial.segment(ode, last, work)?;
             let (met, stopped) = watch.crossings(ode, trial, &segment, work)?;
             solution.events.extend(met);
@@ -193,6 +196,57 @@ impl Dop853 {
 }
 
 impl Dop853 {
+    /// The same method that tries a step of this length first.
+    pub(crate) const fn with_first_step(self, first_step: f64) -> Self {
+        Self { first_step, ..self }
+    }
+
+    /// The longest step, and the most steps.
+    pub(crate) const fn limits(&self) -> (f64, u64) {
+        (self.longest_step, self.step_limit)
+    }
+
+    /// Carries `start` from `t` to `t_end` or to the first of these events, which all are terminal:
+    /// that time, the state there, the events met at it, and the length of a step to go on with.
+    pub(crate) fn advance_to_event<const N: usize>(
+        &self,
+        ode: &dyn Ode<N>,
+        [t, t_end]: [f64; 2],
+        start: &[f64; N],
+        events: &[Event<'_, N>],
+        work: &mut Work,
+    ) -> Result<(f64, [f64; N], Vec<LocatedEvent<N>>, f64)> {
+        let ode = ByRef(ode);
+        let mut done = Work::default();
+        let (mut to, mut all, mut longest) = (t_end, Vec::new(), 0.0_f64);
+        let mut watch = event::Watch::new(events, t, start)?;
+        let end = self.drive(
+            &ode,
+            t,
+            start,
+            t_end,
+            &mut done,
+            &mut |trial, last, work| {
+                longest = longest.max((trial.t_end - trial.t).abs());
+                if events.is_empty() {
+                    return Ok(ControlFlow::Continue(()));
+                }
+                let segment = trial.segment(&ode, last, work)?;
+                let (met, stopped) = watch.crossings(&ode, trial, &segment, work)?;
+                Ok(match stopped {
+                    None => ControlFlow::Continue(()),
+                    Some(stopped) => {
+                        (to, all) = (stopped.t_end, met);
+                        ControlFlow::Break(stopped.end.value)
+                    }
+                })
+            },
+        );
+        *work += done;
+        let (end, next) = end?;
+        Ok((to, end, all, longest.max(next)))
+    }
+
     /// [`Integrator::advance_counting`]; `seen` is shown the state at the end of every step.
     pub(crate) fn advance_watched<const N: usize>(
         &self,
@@ -215,7 +269,7 @@ impl Dop853 {
             },
         );
         *work += done;
-        end
+        Ok(end?.0)
     }
 }
 
@@ -235,6 +289,6 @@ impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
             Ok(ControlFlow::Continue(()))
         });
         *work += done;
-        end
+        Ok(end?.0)
     }
 }

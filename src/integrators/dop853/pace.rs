@@ -86,7 +86,7 @@ impl Dop853 {
         .terminal()
         .nearest()];
         let mut reached = false;
-        let end = self.drive(
+        let (end, _) = self.drive(
             paced,
             0.0,
             start,

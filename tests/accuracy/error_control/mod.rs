@@ -5,6 +5,7 @@ mod attack;
 #[allow(dead_code, reason = "the reference tests use the rest")]
 mod case;
 mod causes;
+mod control;
 #[path = "../../../examples/accuracy/honesty.rs"]
 mod honesty;
 mod limits;

@@ -11,13 +11,13 @@
 mod tests;
 
 use benches::attack::hostile::{self, unnamed_pulse};
-use benches::attack::{attacked, held, kinked, resisted, told};
+use benches::attack::{attacked, held, kinked, laws, resisted, told};
 use rotation_dynamics::Result;
 use std::env;
 
 type Attack = fn() -> Result<()>;
 
-const ATTACKS: [(&str, Attack); 5] = [
+const ATTACKS: [(&str, Attack); 6] = [
     ("ten_thousand_scenes", ten_thousand_scenes),
     (
         "six_thousand_scenes_that_resist",
@@ -35,6 +35,7 @@ const ATTACKS: [(&str, Attack); 5] = [
         "a_thousand_scenes_with_dozens_of_cusps",
         a_thousand_scenes_with_dozens_of_cusps,
     ),
+    ("six_thousand_controls", six_thousand_controls),
 ];
 
 fn main() -> Result<()> {
@@ -83,5 +84,10 @@ fn twelve_thousand_other_scenes_that_are_kinked() -> Result<()> {
 
 fn a_thousand_scenes_with_dozens_of_cusps() -> Result<()> {
     held(&attacked(0..1000, 1, kinked::dozens)?);
+    Ok(())
+}
+
+fn six_thousand_controls() -> Result<()> {
+    held(&attacked(0..6000, laws::KINDS, laws::case)?);
     Ok(())
 }

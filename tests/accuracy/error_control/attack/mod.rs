@@ -4,7 +4,7 @@
 mod caught;
 mod named;
 #[allow(dead_code, reason = "the program uses the rest")]
-mod scenes;
+pub mod scenes;
 
 use super::honesty::Dice;
 pub use scenes::truth;

@@ -2,6 +2,7 @@
 
 pub mod hostile;
 pub mod kinked;
+pub mod laws;
 pub mod resisted;
 pub mod truth;
 
@@ -52,6 +53,7 @@ fn reason(error: &Error) -> Option<&'static str> {
             what: "torques", ..
         } => "over the budget",
         Error::Contradiction { .. } => "contradiction",
+        Error::Sliding { .. } => "sliding",
         _ => return None,
     })
 }

@@ -1,0 +1,249 @@
+//! Effects that go on in pieces: what a run holds of them from one time to the next.
+
+use super::{AnyEffect, Effect, Feature, IntegrableCase, Properties, Resistance};
+use crate::body::{RigidBody, State};
+use crate::error::{Error, FINITE, Result};
+use crate::frame::SpaceVector;
+
+/// An effect that goes on in pieces, each of them smooth: a command that is sampled and held, a
+/// torque that switches with the state.
+///
+/// A run asks at its start what is [`held`](Self::held), and again at every break point and every
+/// [sample](Self::next_sample). Between them it steps the torque of what is held, until the
+/// [`margin`](Self::margin) falls below 0. That time is located, and what lies
+/// [`beyond`](Self::beyond) is held from there on. What is held is three numbers of the law's own;
+/// the run remembers them, the law does not.
+///
+/// An [`Effect`] that is a law says so in [`Effect::parts`]. Its nature is that of the torque
+/// while something is held.
+pub trait Law {
+    /// What is held from `t` (s) on, after `before`; at the start of a run `before` is `None`.
+    fn held(&self, before: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3];
+
+    /// The torque on the fixed axes (N m) while this is held.
+    fn torque_held(&self, held: [f64; 3], t: f64, body: &RigidBody, state: &State) -> SpaceVector;
+
+    /// The time (s) of the first sample after `t`; infinite if there is none.
+    fn next_sample(&self, _t: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    /// A function that is positive or zero as long as this is held; infinite if it is held to
+    /// the next sample whatever happens.
+    fn margin(&self, _held: [f64; 3], _t: f64, _body: &RigidBody, _state: &State) -> f64 {
+        f64::INFINITY
+    }
+
+    /// What is held after this, where the margin has come to zero.
+    fn beyond(&self, held: [f64; 3], _t: f64, _body: &RigidBody, _state: &State) -> [f64; 3] {
+        held
+    }
+}
+
+/// One of the effects that an effect is made of, and its law if it has one.
+#[derive(Clone, Copy)]
+pub struct Part<'e> {
+    /// The effect.
+    pub effect: &'e dyn AnyEffect,
+    /// How it goes on in pieces.
+    pub law: Option<&'e dyn Law>,
+}
+
+impl<'e> Part<'e> {
+    /// An effect without a law.
+    pub fn without_law(effect: &'e dyn AnyEffect) -> Self {
+        Self { effect, law: None }
+    }
+
+    /// An effect that is a law.
+    pub fn of<E: Effect + Law>(effect: &'e E) -> Self {
+        Self {
+            effect,
+            law: Some(effect),
+        }
+    }
+}
+
+/// Effects on one piece of a run: their laws hold what they hold.
+#[derive(Clone)]
+pub(crate) struct Holding<'e> {
+    whole: &'e dyn AnyEffect,
+    /// None if there is no law among them.
+    parts: Vec<Part<'e>>,
+    /// For each part, if anything is held yet.
+    pub held: Vec<[f64; 3]>,
+}
+
+impl<'e> Holding<'e> {
+    pub(crate) fn new(whole: &'e dyn AnyEffect) -> Self {
+        let mut parts = whole.parts();
+        if parts.iter().all(|part| part.law.is_none()) {
+            parts.clear();
+        }
+        Self {
+            whole,
+            parts,
+            held: Vec::new(),
+        }
+    }
+
+    /// The laws, with their numbers among the parts.
+    pub(crate) fn laws(&self) -> impl Iterator<Item = (usize, &'e dyn Law)> + '_ {
+        (self.parts.iter().enumerate()).filter_map(|(n, part)| Some((n, part.law?)))
+    }
+
+    pub(crate) fn has_laws(&self) -> bool {
+        !self.parts.is_empty()
+    }
+
+    /// What the part of this number is called.
+    pub(crate) fn name_of(&self, part: usize) -> String {
+        self.parts[part].effect.names().join(" and ")
+    }
+
+    /// The first sample after `t`.
+    pub(crate) fn next_sample(&self, t: f64) -> f64 {
+        let samples = self.laws().map(|(_, law)| law.next_sample(t));
+        samples.fold(f64::INFINITY, f64::min)
+    }
+
+    /// About how many samples there are between two times.
+    pub(crate) fn samples(&self, [from, to]: [f64; 2]) -> f64 {
+        let of_law = |(_, law): (usize, &dyn Law)| {
+            let first = law.next_sample(from);
+            let dt = law.next_sample(first) - first;
+            if first < f64::INFINITY {
+                (to - from).abs() / dt
+            } else {
+                0.0
+            }
+        };
+        self.laws().map(of_law).sum()
+    }
+
+    /// Holds what every law holds from `t` on.
+    pub(crate) fn hold(&mut self, t: f64, body: &RigidBody, state: &State) -> Result<()> {
+        let before = core::mem::replace(&mut self.held, vec![[0.0; 3]; self.parts.len()]);
+        for (n, part) in self.parts.iter().enumerate() {
+            let Some(law) = part.law else { continue };
+            let held = law.held(before.get(n).copied(), t, body, state);
+            self.held[n] = held;
+            if !held.iter().all(|h| h.is_finite()) {
+                let state = [
+                    &state.attitude.quaternion()[..],
+                    &state.angular_momentum.to_array(),
+                ];
+                return Err(Error::of_function(
+                    format!("torque of \"{}\"", self.name_of(n)),
+                    t,
+                    ("quaternion and momentum", state.concat()),
+                    &held,
+                    FINITE,
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// The sum over the parts of what each of them is, with the torque of a law as it is held.
+    fn sum(
+        &self,
+        t: f64,
+        body: &RigidBody,
+        state: &State,
+        of: impl Fn(&dyn AnyEffect) -> f64,
+        of_held: impl Fn(SpaceVector) -> f64,
+    ) -> f64 {
+        let terms = self.parts.iter().zip(&self.held);
+        terms.fold(0.0, |sum, (part, held)| {
+            sum + match part.law {
+                Some(law) => of_held(law.torque_held(*held, t, body, state)),
+                None => of(part.effect),
+            }
+        })
+    }
+}
+
+/// As its effects, but for what a torque that is held changes.
+impl AnyEffect for Holding<'_> {
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        if !self.has_laws() {
+            return self.whole.torque(t, body, state);
+        }
+        let terms = self.parts.iter().zip(&self.held);
+        terms.fold(SpaceVector::zero(), |sum, (part, held)| {
+            sum + match part.law {
+                Some(law) => law.torque_held(*held, t, body, state),
+                None => part.effect.torque(t, body, state),
+            }
+        })
+    }
+
+    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        if !self.has_laws() {
+            return self.whole.power(t, body, state);
+        }
+        let omega = state.attitude.to_space(body.angular_velocity(state));
+        let power = |torque: SpaceVector| torque.dot(&omega);
+        self.sum(t, body, state, |e| e.power(t, body, state), power)
+    }
+
+    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        if !self.has_laws() {
+            return self.whole.torque_scale(t, body, state);
+        }
+        let scale = |effect: &dyn AnyEffect| effect.torque_scale(t, body, state);
+        self.sum(t, body, state, scale, |torque| torque.norm())
+    }
+
+    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        if !self.has_laws() {
+            return self.whole.torque_size(t, body, state);
+        }
+        let size = |effect: &dyn AnyEffect| effect.torque_size(t, body, state);
+        self.sum(t, body, state, size, |torque| torque.norm())
+    }
+
+    fn properties(&self) -> Properties {
+        self.whole.properties()
+    }
+    fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
+        self.whole.torque_on_axis(body, axis)
+    }
+    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
+        self.whole.resistance(t, body)
+    }
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.whole.slip(t, body, state)
+    }
+    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        self.whole.potential_energy(t, body, state)
+    }
+    fn break_points(&self) -> Vec<f64> {
+        self.whole.break_points()
+    }
+    fn narrowest(&self) -> Option<Feature> {
+        self.whole.narrowest()
+    }
+    fn integrable_case(&self) -> IntegrableCase {
+        self.whole.integrable_case()
+    }
+    fn parts(&self) -> Vec<Part<'_>> {
+        self.whole.parts()
+    }
+    fn names(&self) -> Vec<&'static str> {
+        self.whole.names()
+    }
+    fn about_axis(&self) -> Vec<&'static str> {
+        self.whole.about_axis()
+    }
+    fn holds_from(
+        &self,
+        t: f64,
+        body: &RigidBody,
+        start: &State,
+        about_axis: &[&'static str],
+    ) -> Result<()> {
+        self.whole.holds_from(t, body, start, about_axis)
+    }
+}
