@@ -263,7 +263,7 @@ impl<'e> Checked<'e> {
         }
         let again = self.effect.torque(t, &self.body, state);
         let claim = "that its torque is a function of time and state, which remembers nothing \
-                     (solve one that is held between samples from one sample to the next)";
+                     (for a law that is called at a rate and held in between there is Torque::sampled)";
         match again == torque {
             true => Ok(torque),
             false => Err(self.contradicted(claim, t, (again - torque).norm(), 0.0)),
