@@ -159,8 +159,12 @@ impl Stepper {
     ) -> Result<(State, Work)> {
         let (properties, known) = (effects.properties(), effects.integrable_case());
         let body = Scene::new(*body);
+        let sees_axis = matches!(self, Self::Splitting(_)) || variables != Variables::Space;
         if properties.slips {
             let scene = body.with(EffectRef::<false, true, false>(effects));
+            self.advance_anything(&scene, variables, span, start)
+        } else if !(properties.axis_only && sees_axis) {
+            let scene = body.with(EffectRef::<false, false, false>(effects));
             self.advance_anything(&scene, variables, span, start)
         } else if let (true, Self::GaussLegendre(_), Variables::Body) =
             (properties.torque_free, self, variables)
@@ -168,21 +172,18 @@ impl Stepper {
             let mut work = Work::default();
             let end = self.advance_free(body.body(), span, start, &mut work)?;
             Ok((end, work))
-        } else if let (true, IntegrableCase::HeavyTop(gravity)) = (properties.axis_only, known) {
+        } else if let IntegrableCase::HeavyTop(gravity) = known {
             self.advance_seeing_axis(&body.with(gravity), variables, span, start)
-        } else if properties.axis_only && properties.conserved.momentum[2] {
+        } else if properties.conserved.momentum[2] {
             let scene = body.with(EffectRef::<true, false, true>(effects));
             self.advance_seeing_axis(&scene, variables, span, start)
-        } else if properties.axis_only {
+        } else {
             let scene = body.with(EffectRef::<true, false, false>(effects));
             self.advance_seeing_axis(&scene, variables, span, start)
-        } else {
-            let scene = body.with(EffectRef::<false, false, false>(effects));
-            self.advance_anything(&scene, variables, span, start)
         }
     }
 
-    /// Effects that see the axis alone, or nothing.
+    /// Effects that see the axis alone, or nothing, by what makes use of that.
     fn advance_seeing_axis<E: Effect>(
         &self,
         scene: &Scene<E>,
@@ -190,17 +191,12 @@ impl Stepper {
         span @ [t, t_end]: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
+        if let (Self::Rk4(m), Variables::SpinFree) = (self, variables) {
+            return m.advance(&SpinFree::new(scene)?, t, start, t_end);
+        }
         let mut work = Work::default();
-        let end = match (self, variables) {
-            (Self::Rk4(m), Variables::SpinFree) => {
-                return m.advance(&SpinFree::new(scene)?, t, start, t_end);
-            }
-            (Self::Splitting(_), _) | (_, Variables::Body | Variables::SpinFree) => {
-                self.advance_axis(scene, variables, span, start, &mut work)
-            }
-            _ => return self.advance_anything(scene, variables, span, start),
-        };
-        Ok((end?, work))
+        let end = self.advance_axis(scene, variables, span, start, &mut work)?;
+        Ok((end, work))
     }
 
     /// Any effects, in space.
