@@ -4,6 +4,7 @@
 //!
 //! eps = 2^-53.
 
+mod measured;
 mod properties;
 mod quaternions;
 mod rates;
