@@ -1,6 +1,6 @@
 //! Between attitudes: the shortest arc between two, and arcs through several at given times.
 
-use super::Attitude;
+use super::{Attitude, at};
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
 
@@ -19,12 +19,10 @@ impl Attitude {
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
     /// use rotation_dynamics::frame::SpaceVector;
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// let turned = Attitude::about_space_axis(SpaceVector::new(1.0, 0.0, 0.0), 1.2)?;
     /// let third = Attitude::IDENTITY.toward(&turned, 1.0 / 3.0)?;
     /// assert!((third.rotation_vector().x() - 0.4).abs() < 1e-15);
-    /// # Ok(())
-    /// # }
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn toward(&self, other: &Self, part: f64) -> Result<Self> {
         finite("part", part)?;
@@ -54,13 +52,11 @@ impl Attitude {
 /// ```
 /// use rotation_dynamics::attitude::{Arcs, Attitude};
 /// use rotation_dynamics::frame::SpaceVector;
-/// # fn main() -> rotation_dynamics::Result<()> {
 /// let about_z = |angle| Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), angle);
 /// let arcs = Arcs::through(&[(0.0, about_z(0.0)?), (1.0, about_z(2.0)?), (5.0, about_z(4.0)?)])?;
 /// assert!(arcs.at(3.0)?.angle_to(&about_z(3.0)?) < 1e-15);
 /// assert!(arcs.at(5.5).is_err());
-/// # Ok(())
-/// # }
+/// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arcs {
@@ -76,17 +72,12 @@ impl Arcs {
     pub fn through(given: &[(f64, Attitude)]) -> Result<Self> {
         let mut knots: Vec<(f64, Attitude, BodyVector)> = Vec::with_capacity(given.len());
         for (index, (t, attitude)) in given.iter().enumerate() {
-            let at = |reason: Error| Error::AtIndex {
-                name: "attitudes",
-                index,
-                reason: Box::new(reason),
-            };
-            finite("t", *t).map_err(at)?;
+            finite("t", *t).map_err(at("attitudes", index))?;
             if let Some((before, from, turn)) = knots.last_mut() {
                 if *t <= *before {
                     return Err(Error::not_rising("times", index, *before, *t));
                 }
-                *turn = from.arc_to(attitude).map_err(at)?;
+                *turn = from.arc_to(attitude).map_err(at("attitudes", index))?;
             }
             knots.push((*t, *attitude, BodyVector::zero()));
         }

@@ -1,14 +1,14 @@
 //! The attitude that fits best: to a matrix, to directions seen, to other attitudes.
 //!
-//! All three make a sum q^T K q largest over unit quaternions q, and the answer is the
-//! eigenvector of the largest eigenvalue of a symmetric 4x4 matrix K (Davenport's
-//! q-method), by nalgebra. Its lead over the next eigenvalue is the condition: an error of the
-//! data, relative to K, is turned into an error of the attitude of about K over the lead.
-//! (A singular value decomposition gives the same; nalgebra's of a 3x3 matrix works on the
-//! square of the matrix, and where two directions are all there is, half the digits are lost.)
+//! All three make a sum q^T K q largest over unit quaternions q: the answer is the
+//! eigenvector of the largest eigenvalue of a symmetric 4x4 matrix K (Davenport's q-method),
+//! by nalgebra. The lead of this eigenvalue over the next is the condition: an error of K over
+//! the lead is the error of the attitude. A singular value decomposition solves the same problem,
+//! but nalgebra's of a 3x3 matrix starts from the square of the matrix and loses half the digits
+//! where there are two directions only (`tests/bodies/attitude`).
 
 use super::rotation_vector::scaled;
-use super::{Attitude, norm, scale_for_squares};
+use super::{Attitude, at, norm, scale_for_squares};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::{self, DoubleDouble, EPS};
@@ -17,7 +17,7 @@ use nalgebra::{Matrix3, Matrix4, Rotation3, Vector3, Vector4};
 /// The best attitude is refused if it leads over the next by no more than this part, or if one of
 /// two directions is this close to the line of the other (rad).
 const NO_LEAD: f64 = 1e-12;
-/// Directions this close to one line (rad) have a lead of about twice as much as that.
+/// Two directions this close to one line (rad) have a lead of twice [`NO_LEAD`].
 const ONE_LINE: f64 = 2e-6;
 
 impl Attitude {
@@ -38,15 +38,13 @@ impl Attitude {
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// // Typed with three digits.
     /// let typed = [[0.866, -0.5, 0.0], [0.5, 0.866, 0.0], [0.0, 0.0, 1.0]];
     /// assert!(Attitude::from_matrix(typed).is_err());
     /// let (attitude, off) = Attitude::nearest(typed)?;
     /// assert!((attitude.rotation_vector().z() - std::f64::consts::FRAC_PI_6).abs() < 1e-4);
     /// assert!((off - 3.1e-5).abs() < 1e-5);
-    /// # Ok(())
-    /// # }
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn nearest(matrix: [[f64; 3]; 3]) -> Result<(Self, f64)> {
         let mut largest: f64 = 0.0;
@@ -88,15 +86,13 @@ impl Attitude {
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
     /// use rotation_dynamics::frame::{BodyVector, SpaceVector};
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// // A phone on the table: gravity along its -z, and the magnet's north along its y.
     /// let down = (BodyVector::new(0.0, 0.0, -9.81), SpaceVector::new(0.0, 0.0, -1.0));
     /// let north = (BodyVector::new(0.0, 20.0, -43.0), SpaceVector::new(20.0, 0.0, -43.0));
     /// let (attitude, missed) = Attitude::from_two_directions(down, north)?;
-    /// assert!((attitude.yaw_pitch_roll().yaw + std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    /// assert!((attitude.yaw_pitch_roll().yaw.to_degrees() + 90.0).abs() < 1e-13);
     /// assert!(missed < 1e-15);
-    /// # Ok(())
-    /// # }
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn from_two_directions(
         first: (BodyVector, SpaceVector),
@@ -120,24 +116,20 @@ impl Attitude {
     /// with its index; weights that are all zero; [`Error::OutOfRange`] with the angle where all
     /// vectors are along one line within 2e-6 rad, or with the lead of the best attitude over the
     /// next where it is 1e-12 or less (mirrored directions).
-    /// Accuracy: 9.2 eps over the lead, measured in `tests/bodies/attitude`; of two
+    /// Accuracy: 8.3 eps over the lead, measured in `tests/bodies/attitude`; of two
     /// directions the lead is half the square of the angle, and [`Attitude::from_two_directions`]
     /// does better. Source: as [`Attitude::nearest`].
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
-    /// use rotation_dynamics::frame::{BodyVector, SpaceVector};
-    /// # fn main() -> rotation_dynamics::Result<()> {
-    /// let along = |x, y, z| BodyVector::new(x, y, z);
-    /// let (attitude, missed) = Attitude::from_directions(&[
-    ///     (along(1.0, 0.0, 0.0), SpaceVector::new(0.0, 1.0, 0.001), 1.0),
-    ///     (along(0.0, 1.0, 0.0), SpaceVector::new(-1.0, 0.0, 0.0), 1.0),
-    ///     (along(0.0, 0.0, 1.0), SpaceVector::new(0.0, 0.0, 1.0), 1.0),
-    /// ])?;
-    /// assert!((attitude.angles(rotation_dynamics::attitude::Sequence::Zyx)[0] - 1.5708).abs() < 1e-3);
-    /// assert!((1e-4..1e-3).contains(&missed));
-    /// # Ok(())
-    /// # }
+    /// use rotation_dynamics::frame::SpaceVector;
+    /// let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let stars = [(x, [0.0, 1.0, 0.001], 1.0), (y, [-1.0, 0.0, 0.0], 1.0), (z, z, 1.0)];
+    /// let stars = stars.map(|(body, space, weight)| (body.into(), space.into(), weight));
+    /// let (attitude, missed) = Attitude::from_directions(&stars)?;
+    /// let quarter = Attitude::about_space_axis(SpaceVector::from(z), 1.5708)?;
+    /// assert!(attitude.angle_to(&quarter) < 1e-3 && (1e-4..1e-3).contains(&missed));
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn from_directions(seen: &[(BodyVector, SpaceVector, f64)]) -> Result<(Self, f64)> {
         let weights = weights(seen.iter().map(|(_, _, weight)| *weight))?;
@@ -177,19 +169,17 @@ impl Attitude {
     /// Errors: a weight that is negative or not finite, with its index; weights that are all
     /// zero, as of an empty list; [`Error::OutOfRange`] with the lead of the mean over the next
     /// best where it is 1e-12 or less (two attitudes half a turn apart).
-    /// Accuracy: 6.6 eps for attitudes up to 1.4 rad off the middle, measured in `tests/bodies/attitude`.
-    /// Source: F. L. Markley, Y. Cheng, J. L. Crassidis, Y. Oshman, J. Guidance, Control and
+    /// Accuracy: 6.6 eps for attitudes up to 1.4 rad off the middle, measured in
+    /// `tests/bodies/attitude`. Source: F. L. Markley, Y. Cheng, J. L. Crassidis, Y. Oshman, J. Guidance, Control and
     /// Dynamics 30, 1193 (2007).
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
     /// use rotation_dynamics::frame::SpaceVector;
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// let about_z = |angle| Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), angle);
     /// let mean = Attitude::mean(&[(about_z(3.0)?, 1.0), (about_z(-3.0)?, 1.0)])?;
     /// assert!(mean.angle_to(&about_z(std::f64::consts::PI)?) < 1e-15); // not 0
-    /// # Ok(())
-    /// # }
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn mean(attitudes: &[(Self, f64)]) -> Result<Self> {
         let weights = weights(attitudes.iter().map(|(_, weight)| *weight))?;
@@ -263,14 +253,6 @@ fn weights(given: impl Iterator<Item = f64> + Clone) -> Result<Vec<f64>> {
     }
     let allowed = "one at least must be greater than 0";
     Err(Error::out_of_range("largest weight", largest, allowed))
-}
-
-fn at(name: &'static str, index: usize) -> impl FnOnce(Error) -> Error {
-    move |reason| Error::AtIndex {
-        name,
-        index,
-        reason: Box::new(reason),
-    }
 }
 
 /// A unit vector on the body's axes, and one on the fixed axes.

@@ -198,3 +198,12 @@ fn norm<T: Into<DoubleDouble> + Copy, const N: usize>(components: [T; N]) -> Dou
     }
     sum.sqrt().scaled(scale.recip())
 }
+
+/// The entry of a list that is refused.
+fn at(name: &'static str, index: usize) -> impl FnOnce(Error) -> Error {
+    move |reason| Error::AtIndex {
+        name,
+        index,
+        reason: Box::new(reason),
+    }
+}

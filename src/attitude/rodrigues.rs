@@ -35,12 +35,10 @@ impl Attitude {
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// // More than half a turn about z is less than half a turn back.
     /// let attitude = Attitude::from_modified_rodrigues([0.0, 0.0, 2.0])?;
     /// assert_eq!(attitude.modified_rodrigues(), [0.0, 0.0, -0.5]);
-    /// # Ok(())
-    /// # }
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn modified_rodrigues(&self) -> [f64; 3] {
         let [w, x, y, z] = self.quaternion();
@@ -60,11 +58,9 @@ impl Attitude {
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// let attitude = Attitude::from_uniform([0.5, 0.25, 0.125])?; // say, `rng.random()`
     /// assert!(attitude.axis().z() < 1e-15);
-    /// # Ok(())
-    /// # }
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn from_uniform(numbers: [f64; 3]) -> Result<Self> {
         for value in numbers {

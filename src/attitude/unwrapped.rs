@@ -1,6 +1,6 @@
 //! Angles that go on beyond a turn, and angles that lock where a rounding would hide it.
 
-use super::{Attitude, EulerAngles, Sequence};
+use super::{Attitude, EulerAngles, Sequence, at};
 use crate::error::{Error, Result, finite};
 use crate::math::DoubleDouble;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -15,21 +15,15 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 ///
 /// ```
 /// use rotation_dynamics::attitude::unwrapped;
-/// # fn main() -> rotation_dynamics::Result<()> {
 /// let read = [3.0, -3.0, -2.5, 2.5];
 /// let counted = unwrapped(&read)?;
 /// assert!((counted[1] - 3.283).abs() < 1e-3 && counted[3] == 2.5);
-/// # Ok(())
-/// # }
+/// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 pub fn unwrapped(angles: &[f64]) -> Result<Vec<f64>> {
     let mut counted: Vec<f64> = Vec::with_capacity(angles.len());
     for (index, angle) in angles.iter().enumerate() {
-        readable(*angle).map_err(|reason| Error::AtIndex {
-            name: "angles",
-            index,
-            reason: Box::new(reason),
-        })?;
+        readable(*angle).map_err(at("angles", index))?;
         let last = counted.last().unwrap_or(angle);
         let turns = ((last - angle) / TAU).round_ties_even();
         counted.push((DoubleDouble::TWO_PI * turns + *angle).to_f64());
@@ -64,21 +58,16 @@ impl Attitude {
     /// The angles of a sequence as [`Attitude::angles`], but within `within` (rad) of a lock those
     /// of the lock: the third is zero, and the first carries what has a meaning.
     ///
-    /// For quaternions that come from elsewhere, a rounding off the lock. The angles returned are
-    /// off the attitude by `within` at most.
-    ///
-    /// Errors: `within` not in 0..1. Accuracy: 4.1 eps beside what is left out.
+    /// For quaternions from elsewhere, a rounding off the lock; the angles are off the attitude by
+    /// `within` at most. Errors: `within` not in 0..1. Accuracy: 4.1 eps beside what is left out.
     ///
     /// ```
     /// use rotation_dynamics::attitude::{Attitude, Sequence};
-    /// # fn main() -> rotation_dynamics::Result<()> {
     /// // Pitch -90 degrees and yaw 45 degrees, as another library has them.
-    /// let theirs = Attitude::from_quaternion([0.6532814824381883, 0.27059805007309845,
-    ///     -0.6532814824381882, 0.2705980500730985])?;
-    /// let [yaw, pitch, roll] = theirs.angles_locked(Sequence::Zyx, 1e-7)?.map(f64::to_degrees);
-    /// assert!((yaw - 45.0).abs() < 1e-13 && (pitch, roll) == (-90.0, 0.0));
-    /// # Ok(())
-    /// # }
+    /// let theirs = [0.6532814824381883, 0.27059805007309845, -0.6532814824381882, 0.2705980500730985];
+    /// let angles = Attitude::from_quaternion(theirs)?.angles_locked(Sequence::Zyx, 1e-7)?;
+    /// assert_eq!(angles.map(|angle| angle.to_degrees().round()), [45.0, -90.0, 0.0]);
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn angles_locked(&self, sequence: Sequence, within: f64) -> Result<[f64; 3]> {
         if !(0.0..1.0).contains(&finite("within", within)?) {
