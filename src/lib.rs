@@ -133,5 +133,5 @@ pub mod scene;
 pub mod tops;
 
 pub use error::{Error, Result};
-/// Vectors, attitudes and states convert from and to its types.
+/// Vectors and attitudes convert from and to its types.
 pub use nalgebra;

@@ -32,7 +32,7 @@ impl Attitude {
     /// reflection: it has the sign of the determinant), or if with the middle one it is too
     /// small for one rotation to be nearer than all others.
     /// Accuracy: rotation error 5.9 eps for matrices up to 0.45 off, and the distance to 16 eps,
-    /// measured against polar iteration in `tests/bodies/attitude`.
+    /// measured against polar iteration and singular values in `tests/bodies/attitude`.
     /// Source: G. Wahba, SIAM Review 7, 409 (1965); J. Keat, CSC/TM-77/6034 (1977), for the
     /// matrix of P. Davenport.
     ///
@@ -60,8 +60,7 @@ impl Attitude {
             return Err(Error::out_of_range(
                 "smallest singular value of the matrix",
                 smallest / scale,
-                "it must be greater than 0, and than rounding; it is 0 where the matrix is \
-                 singular, and negative where it is a reflection",
+                "it must be greater than 0 by more than rounding (negative: a reflection)",
             ));
         }
         leads("the nearest rotation", first, second)?;
@@ -140,20 +139,20 @@ impl Attitude {
                 pairs.push((pair, weight));
             }
         }
+        let off =
+            |a: Vector3<f64>, b: &Vector3<f64>| math::atan2(a.cross(b).norm(), a.dot(b).abs());
         let ((body, space), _) = pairs[0];
-        for (name, of) in [
-            ("largest angle of vectors on the body off one line", 0),
-            ("largest angle of vectors in space off one line", 1),
-        ] {
-            let off = pairs.iter().map(|((b, s), _)| match of {
-                0 => math::atan2(body.cross(b).norm(), body.dot(b).abs()),
-                _ => math::atan2(space.cross(s).norm(), space.dot(s).abs()),
-            });
-            let off = off.fold(0.0, f64::max);
-            if off <= ONE_LINE {
-                let allowed = "it must be greater than 2e-6: a turn about that line is free";
-                return Err(Error::out_of_range(name, off, allowed));
-            }
+        let (mut on_body, mut in_space) = (0.0_f64, 0.0_f64);
+        for ((b, s), _) in &pairs {
+            on_body = on_body.max(off(body, b));
+            in_space = in_space.max(off(space, s));
+        }
+        if on_body.min(in_space) <= ONE_LINE {
+            return Err(Error::out_of_range(
+                "largest angle of the directions off one line",
+                on_body.min(in_space),
+                "it must be greater than 2e-6: a turn about that line is free",
+            ));
         }
         let sum = |sum, ((b, s), weight): &(Pair, f64)| sum + *weight * *s * b.transpose();
         let (attitude, [first, second, ..]) =

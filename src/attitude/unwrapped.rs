@@ -8,7 +8,8 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 /// Angles (rad) that go on beyond a turn: whole turns are added so that each is at most half a
 /// turn from the one before it; the first stays as it is.
 ///
-/// It is right where the angle is read at least twice a turn; half a turn exactly stays as it is.
+/// It is right where the angle is read more than twice a turn; of half a turn exactly nothing tells
+/// which way it went.
 ///
 /// Errors: an angle that is not finite, or is beyond 1e15 rad, with its index.
 /// Accuracy: each is the given angle and a number of turns 2 pi, rounded once.

@@ -241,8 +241,8 @@ fn what_the_world_cannot_tell_is_refused_with_the_numbers() {
         distance of the matrix = inf | angle of the two vectors in space = 3.14159 | \
         length of the vector in space = 0 | component of a direction = NaN | \
         angle of the two vectors on the body = 0 | largest weight = 0 | \
-        vectors on the body off one line = 0 | weights[0]: weight = -1 | \
-        in space off one line = 0 | directions[2]: length | lead over the next best = | \
+        directions off one line = 0 | weights[0]: weight = -1 | \
+        off one line = 0 | directions[2]: length | lead over the next best = | \
         largest weight = 0 | weights[0]: weight = NaN | the mean is not the only one | \
         angle between the two attitudes = 3.14159 | part = NaN | number of attitudes = 0 | \
         times[1]: value = 0 | attitudes[1]: t = NaN | attitudes[1]: angle between | \
