@@ -169,8 +169,8 @@ impl Attitude {
     /// zero, as of an empty list; [`Error::OutOfRange`] with the lead of the mean over the next
     /// best where it is 1e-12 or less (two attitudes half a turn apart).
     /// Accuracy: 6.6 eps for attitudes up to 1.4 rad off the middle, measured in
-    /// `tests/bodies/attitude`. Source: F. L. Markley, Y. Cheng, J. L. Crassidis, Y. Oshman, J. Guidance, Control and
-    /// Dynamics 30, 1193 (2007).
+    /// `tests/bodies/attitude`. Source: F. L. Markley, Y. Cheng, J. L. Crassidis, Y. Oshman,
+    /// J. Guidance, Control and Dynamics 30, 1193 (2007).
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
