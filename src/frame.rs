@@ -9,6 +9,8 @@
 
 mod conversions;
 
+pub(crate) use conversions::written;
+
 use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use nalgebra::Vector3;

@@ -133,3 +133,5 @@ pub mod scene;
 pub mod tops;
 
 pub use error::{Error, Result};
+/// Vectors and attitudes convert from and to its types.
+pub use nalgebra;

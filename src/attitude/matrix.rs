@@ -3,6 +3,7 @@
 use super::Attitude;
 use crate::error::{Error, Result, finite};
 use crate::math::DoubleDouble;
+use nalgebra::{Matrix3, Rotation3};
 
 /// How far R^T R may be from 1: a product of thousands of rotations in double
 /// precision stays within it, a matrix typed with ten digits does not.
@@ -39,7 +40,8 @@ impl Attitude {
     /// The attitude of a rotation matrix R, row-major, body -> space.
     ///
     /// Errors: an element that is not finite; [`Error::NotRotation`] if R^T R
-    /// is off 1 by more than 1e-12, or if R is a reflection.
+    /// is off 1 by more than 1e-12, or if R is a reflection; [`Attitude::nearest`] takes
+    /// matrices that are further off, and says how far.
     /// Accuracy: rotation error 1.7 eps for matrices rounded from exact
     /// ones, measured in `tests/bodies/attitude`.
     /// Source: S. W. Shepperd, J. Guidance and Control 1, 223 (1978): of four
@@ -92,5 +94,21 @@ impl Attitude {
             2 => [wy, xy, squares[2], yz],
             _ => [wz, xz, yz, squares[3]],
         })
+    }
+}
+
+impl From<Attitude> for Rotation3<f64> {
+    /// The same matrix, body -> space.
+    fn from(attitude: Attitude) -> Self {
+        Self::from_matrix_unchecked(Matrix3::from(attitude.matrix()).transpose())
+    }
+}
+
+impl TryFrom<Rotation3<f64>> for Attitude {
+    type Error = Error;
+
+    /// Errors and accuracy: as [`Attitude::from_matrix`] (unchecked ones can be no rotation).
+    fn try_from(rotation: Rotation3<f64>) -> Result<Self> {
+        Self::from_matrix(rotation.into_inner().transpose().into())
     }
 }

@@ -8,21 +8,29 @@
 //! [`YawPitchRoll`] and [`Sequence`] are the conventions of others, and
 //! [`Attitude::from_xyzw`] the quaternions of others.
 //!
-//! Not for: interpolation, and angles counted over several turns (the closed
-//! forms in [`crate::exact`] give those).
+//! Attitudes that are measured: [`Attitude::nearest`] to a matrix, from directions
+//! ([`Attitude::from_directions`]), their [`mean`](Attitude::mean), arcs between them
+//! ([`Attitude::toward`], [`Arcs`]) and angles that go on beyond a turn ([`unwrapped`]; the
+//! closed forms in [`crate::exact`] give those of a motion without a limit to its speed).
 
+mod arcs;
 mod composition;
 mod euler;
+mod fitted;
 mod matrix;
 pub(crate) mod product;
 mod quaternion;
+mod rodrigues;
 mod rotation_vector;
 mod sequence;
 mod sequence_rates;
+mod unwrapped;
 mod yaw_pitch_roll;
 
+pub use arcs::Arcs;
 pub use euler::{EulerAngles, EulerRates};
 pub use sequence::Sequence;
+pub use unwrapped::unwrapped;
 pub use yaw_pitch_roll::{YawPitchRoll, YawPitchRollRates};
 
 use crate::error::{Error, Result, finite};
@@ -189,4 +197,13 @@ fn norm<T: Into<DoubleDouble> + Copy, const N: usize>(components: [T; N]) -> Dou
         sum += c.scaled(scale).square();
     }
     sum.sqrt().scaled(scale.recip())
+}
+
+/// The entry of a list that is refused.
+fn at(name: &'static str, index: usize) -> impl FnOnce(Error) -> Error {
+    move |reason| Error::AtIndex {
+        name,
+        index,
+        reason: Box::new(reason),
+    }
 }

@@ -10,6 +10,8 @@
 
 use super::Attitude;
 use crate::error::{Error, Result};
+use crate::frame::written;
+use core::fmt;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 impl Attitude {
@@ -46,5 +48,17 @@ impl TryFrom<UnitQuaternion<f64>> for Attitude {
     fn try_from(quaternion: UnitQuaternion<f64>) -> Result<Self> {
         let q = quaternion.quaternion();
         Self::from_quaternion([q.w, q.i, q.j, q.k])
+    }
+}
+
+/// The quaternion (w, x, y, z), each number written as the format says: `{:.3}`, `{:+.6}`.
+///
+/// ```
+/// use rotation_dynamics::attitude::Attitude;
+/// assert_eq!(format!("{:.2}", Attitude::IDENTITY), "(1.00, 0.00, 0.00, 0.00)");
+/// ```
+impl fmt::Display for Attitude {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        written(self.quaternion(), f, fmt::Display::fmt)
     }
 }

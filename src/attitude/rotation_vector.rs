@@ -130,7 +130,7 @@ fn about(axis: [f64; 3], angle: f64) -> Result<Attitude> {
 }
 
 /// The vector times a power of two that brings it where it can be squared.
-fn scaled(vector: [f64; 3]) -> ([f64; 3], f64) {
+pub(super) fn scaled(vector: [f64; 3]) -> ([f64; 3], f64) {
     let largest = vector.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     let scale = scale_for_squares(largest);
     (vector.map(|c| c * scale), scale)

@@ -69,16 +69,15 @@ impl<F: Frame> fmt::LowerExp for Vector<F> {
     }
 }
 
-fn written(
-    [x, y, z]: [f64; 3],
+/// The numbers in brackets, each as it is written alone.
+pub(crate) fn written<const N: usize>(
+    numbers: [f64; N],
     f: &mut fmt::Formatter<'_>,
     write: impl Fn(&f64, &mut fmt::Formatter<'_>) -> fmt::Result,
 ) -> fmt::Result {
-    f.write_str("(")?;
-    write(&x, f)?;
-    f.write_str(", ")?;
-    write(&y, f)?;
-    f.write_str(", ")?;
-    write(&z, f)?;
+    for (i, number) in numbers.iter().enumerate() {
+        f.write_str(if i == 0 { "(" } else { ", " })?;
+        write(number, f)?;
+    }
     f.write_str(")")
 }

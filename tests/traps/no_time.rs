@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 use rotation_dynamics::accuracy::{ExactMotion, Limits};
-use rotation_dynamics::attitude::{Attitude, Sequence};
+use rotation_dynamics::attitude::{Arcs, Attitude, Sequence};
 use rotation_dynamics::body::{Kinematics, RigidBody, State};
 use rotation_dynamics::effects::*;
 use rotation_dynamics::exact::free_body::{FreeBodies, FreeBody, FreeFlow};
@@ -536,6 +536,8 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
     let (more, most) = (course.clone(), course.clone());
     let given = free([1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
     let exact = ExactMotion::new("given", move |t| given.try_state(t));
+    let quarter = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), 1.5)?;
+    let arcs = Arcs::through(&[(0.0, Attitude::IDENTITY), (1.0, quarter)])?;
     Ok(vec![
         row("integrators/dop853/solution.rs at", move |t| {
             Ok(solution.at(t)?.to_vec())
@@ -574,6 +576,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
         row("accuracy/error_control/exact_motion.rs at", move |t| {
             exact.at(t).map(of_state)
         }),
+        row("attitude/arcs.rs at", move |t| arcs.at(t).map(of_attitude)),
     ])
 }
 
@@ -592,7 +595,7 @@ fn a_time_that_is_none_gives_no_place() {
     rows.extend(of_effects(&body, &state).expect("effects"));
     rows.extend(of_runs().expect("runs"));
     let grown = of_any_size(&body, &state).expect("effects");
-    assert_eq!((rows.len(), grown.len()), (206, 6));
+    assert_eq!((rows.len(), grown.len()), (207, 6));
     assert_eq!(asked(&rows, &NONE), 5 * rows.len());
     assert_eq!(asked(&grown, &NONE[..3]), 18);
     // No function of a time is left out: the sources have these, and some inside.

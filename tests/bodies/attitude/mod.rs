@@ -4,6 +4,8 @@
 //!
 //! eps = 2^-53.
 
+mod between;
+mod fitted;
 mod properties;
 mod quaternions;
 mod rates;
@@ -20,6 +22,15 @@ use support::Random;
 
 fn any_attitude(random: &mut Random) -> Attitude {
     Attitude::from_quaternion(random.vector()).expect("not zero")
+}
+
+fn unit(quaternion: [f64; 4]) -> Attitude {
+    Attitude::from_quaternion(quaternion).expect("not zero")
+}
+
+fn turned_by(random: &mut Random, attitude: &Attitude, size: f64) -> Attitude {
+    let by = BodyVector::from(random.vector()) * size;
+    attitude.turned_in_body(by).expect("finite")
 }
 
 /// Angles with theta (or pi - theta) generic, small, tiny or zero.
