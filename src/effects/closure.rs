@@ -13,6 +13,7 @@ type OnSpace<'f> = dyn Fn(f64, &RigidBody, &State) -> SpaceVector + Send + Sync 
 /// The torque that a closure gives of time (s), body and state.
 ///
 /// The closure is a function of time, body and state: it may not remember, and it is `Send + Sync`.
+/// One that is called at a rate and held in between is made of it by [`sampled`](Self::sampled).
 /// Nothing else is claimed of it but what is added: [`smooth`](Self::smooth),
 /// [`with_break_points`](Self::with_break_points), [`with_narrowest`](Self::with_narrowest). A law that is
 /// called at a rate is [`sampled`](Self::sampled), one with a largest torque

@@ -9,13 +9,14 @@ use crate::frame::SpaceVector;
 /// torque that switches with the state.
 ///
 /// A run asks at its start what is [`held`](Self::held), and again at every break point and every
-/// [sample](Self::next_sample). Between them it steps the torque of what is held, until the
+/// [sample](Self::next_sample), also those of other effects and the times of `solve_at`: a law that counts
+/// its samples looks at the time. Between them it steps the torque of what is held, until the
 /// [`margin`](Self::margin) falls below 0. That time is located, and what lies
 /// [`beyond`](Self::beyond) is held from there on. What is held is three numbers of the law's own;
 /// the run remembers them, the law does not.
 ///
-/// An [`Effect`] that is a law says so in [`Effect::parts`]. Its nature is that of the torque
-/// while something is held.
+/// An [`Effect`] that is a law says so in [`Effect::parts`]. Its properties are those of the torque
+/// while something is held; its own `torque` is what a sample or a switch just there would give.
 pub trait Law {
     /// What is held from `t` (s) on, after `before`; at the start of a run `before` is `None`.
     fn held(&self, before: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3];
@@ -99,6 +100,16 @@ impl<'e> Holding<'e> {
     /// What the part of this number is called.
     pub(crate) fn name_of(&self, part: usize) -> String {
         self.parts[part].effect.names().join(" and ")
+    }
+
+    /// The first name of that part.
+    pub(crate) fn first_name(&self, part: usize) -> &'static str {
+        self.parts[part]
+            .effect
+            .names()
+            .first()
+            .copied()
+            .unwrap_or("law")
     }
 
     /// The first sample after `t`.

@@ -213,7 +213,7 @@ pub trait Effect {
     }
 
     /// The times (s) at which the torque jumps or has a kink: solutions are cut there, and
-    /// between them the effect is as smooth as its properties says.
+    /// between them the effect is as smooth as its properties say.
     fn break_points(&self) -> Vec<f64> {
         Vec::new()
     }

@@ -17,7 +17,8 @@ use crate::math::EPS;
 /// in each of its runs, and once at the start: a run that starts between two samples holds what the
 /// law says there until the next sample. Between samples the torque is smooth whatever the law
 /// does: it may saturate, round or look things up. Where a sample falls beside a step of a law that
-/// rounds, two runs may round apart, and finer ones follow. There is no way back in time.
+/// rounds, two runs may round apart, and finer ones follow. A law that
+/// remembers more than its command, an integral or a filter, is an effect and a [`Law`] of its own. There is no way back in time.
 ///
 /// As an [`Effect`] it is the law as if it were called just there; an integrator that is used by itself
 /// sees that.

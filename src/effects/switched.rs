@@ -21,6 +21,9 @@ type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 /// [`smooth`](Torque::smooth) if they are. If both drive the signal back to zero, the motion slides
 /// along it, no law says by which torque, and [`Error::Sliding`](crate::Error::Sliding) names it.
 ///
+/// A thruster with a dead zone is two of these, one for each side; without hysteresis its motion often
+/// slides. Hysteresis is a [`Law`] of one's own, or the law is [sampled](Torque::sampled).
+///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
 /// use rotation_dynamics::body::{RigidBody, State};
@@ -53,8 +56,8 @@ pub struct Switched<'f, const SMOOTH: bool = false> {
 }
 
 impl<'f, const SMOOTH: bool> Switched<'f, SMOOTH> {
-    /// The torque `below` where the signal is below zero, else `above`. The signal is continuous
-    /// but at the break points of the two.
+    /// The torque `below` where the signal is below zero, else `above`. A signal that jumps
+    /// over zero, as a heading from pi to -pi, switches there too.
     pub fn new(
         name: &'static str,
         signal: impl Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f,

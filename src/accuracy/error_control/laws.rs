@@ -130,5 +130,6 @@ fn margin<'l>(
             margin
         }
     };
-    Event::falling("margin of a law", function).terminal()
+    let name = holding.first_name(part);
+    Event::falling(name, function).terminal()
 }

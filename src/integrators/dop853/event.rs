@@ -194,6 +194,9 @@ const NARROWINGS: u32 = 40;
 const GRAZE: f64 = 16.0 * EPS;
 /// Corrections of an event's time by real steps, at most.
 const CORRECTIONS: u32 = 6;
+/// A function that stays above this part of what it is a thousandth of a step beside its zero, after all
+/// corrections, jumps there: of one that is smooth they leave round-off, 1e-13 of that at most.
+const JUMP: f64 = 1e-9;
 /// From stride to stride towards the far side of a zero.
 const LONGER: f64 = 4.0;
 /// Times that differ by less than this part of the time, or of 64 steps, differ by round-off: a
@@ -411,7 +414,8 @@ fn root<const N: usize>(
 /// The step from the same start to the zero itself: the time is corrected with
 /// real steps until the event function no longer shrinks, then moved on by strides that start at
 /// round-off until the function is zero or beyond. If it is not within `reach`, where it only
-/// touches zero, the nearest is what there is.
+/// touches zero, the nearest is what there is. Where the function jumps over zero it does not shrink:
+/// there the time is halved in, by real steps too.
 fn polish<const N: usize>(
     ode: &dyn System<N>,
     event: &Event<'_, N>,
@@ -435,8 +439,11 @@ fn polish<const N: usize>(
     // The slope of the function along the interpolant is good enough to start with.
     let about = 1e-3 * (step.t_end - step.t);
     let (t_a, t_b) = (within(guess - about), within(guess + about));
-    let rise = event.value(t_b, &segment.at(t_b))? - event.value(t_a, &segment.at(t_a))?;
-    let mut slope = rise / (t_b - t_a);
+    let (a, b) = (
+        event.value(t_a, &segment.at(t_a))?,
+        event.value(t_b, &segment.at(t_b))?,
+    );
+    let mut slope = (b - a) / (t_b - t_a);
     for _ in 0..CORRECTIONS {
         let t = within(best.t_end - value / slope);
         if value == 0.0 || !t.is_finite() || t == best.t_end {
@@ -450,15 +457,36 @@ fn polish<const N: usize>(
         (best, value) = (next, next_value);
     }
     let span = step.t_end - step.t;
-    let mut stride = EPS * best.t_end.abs().max(span.abs());
+    let first = EPS * best.t_end.abs().max(span.abs());
+    let (mut stride, mut there) = (first, best);
     let reach = reach.max(LONGER * stride);
-    let mut there = best;
+    let jumps = value.abs() > JUMP * a.abs().max(b.abs());
     while !event.nearest && is_before(value, rising) {
         if there.t_end == step.t_end || stride > reach {
             return Ok(best);
         }
         (there, value) = real(within(best.t_end + stride.copysign(span)))?;
         stride *= LONGER;
+    }
+    if event.nearest || !jumps {
+        return Ok(there);
+    }
+    // A time before the jump, and the times between halved.
+    let (mut before, mut stride) = (best.t_end, first);
+    while !is_before(real(before)?.1, rising) {
+        if before == step.t || stride > reach {
+            return Ok(there);
+        }
+        before = within(best.t_end - stride.copysign(span));
+        stride *= LONGER;
+    }
+    while (there.t_end - before).abs() > 2.0 * first {
+        let (middle, value) = real(0.5 * (before + there.t_end))?;
+        if is_before(value, rising) {
+            before = middle.t_end;
+        } else {
+            there = middle;
+        }
     }
     Ok(there)
 }

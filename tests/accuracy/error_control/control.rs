@@ -291,6 +291,53 @@ fn random_controls_hold_their_requests() {
 }
 
 /// A tumbling satellite under a sampled controller, and how often its law was called.
+/// Where the signal of a switch jumps instead of passing through zero, as a heading does from pi to
+/// -pi, and where a law jumps from one of its limits to the other, the jump is located like a zero.
+#[test]
+fn a_jump_over_zero_is_located() -> Result<()> {
+    let body = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0)?);
+    let rate = 0.5;
+    let turned = |angle: f64| Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), angle);
+    let jet = |push: f64| Torque::on_body("jet", move |_, _, _| about_axis(push)).smooth();
+    let heading = |_: f64, _: &RigidBody, state: &State| {
+        let x = state.attitude.to_space(BodyVector::new(1.0, 0.0, 0.0));
+        atan2(x.y(), x.x())
+    };
+    let shortest = Torque::on_body("shortest way", |_, _, state: &State| {
+        let [w, _, _, z] = state.attitude.quaternion();
+        about_axis(if w < 0.0 { 2.0 * z } else { -2.0 * z })
+    });
+    let switched = Scene::new(body).with(Switched::new("relay", heading, jet(0.5), jet(-0.5)));
+    let limited = Scene::new(body).with(shortest.saturated(0.5)?);
+    let mut errors = Errors::of("error over request");
+    let mut granted = 0;
+    for n in 1..=20_u8 {
+        let t = 7.0 + 0.0613 * f64::from(n);
+        for (angle, k) in [(0.0, 0), (1.0, 1)] {
+            let start = body.state(turned(angle)?, about_axis(rate))?;
+            // Braked by 0.005 rad/s^2 up to half a turn, and then driven on.
+            let left = std::f64::consts::PI - angle;
+            let jump = (rate - (rate * rate - 0.01 * left).sqrt()) / 0.005;
+            let after = t - if k == 0 { 0.0 } else { 2.5 } - jump;
+            let end = jump + after;
+            let exact =
+                std::f64::consts::PI + (rate - 0.005 * jump) * after + 0.0025 * after * after;
+            for request in [1e-4, 1e-6, 1e-8] {
+                let solved = match k {
+                    0 => switched.solve(&start, end, request),
+                    _ => limited.solve(&start, end, request),
+                };
+                let Ok(solved) = solved else { continue };
+                granted += 1;
+                errors.push(solved.state.attitude.angle_to(&turned(exact)?) / request);
+            }
+        }
+    }
+    assert_eq!(granted, 120);
+    errors.attain(6e-6..=8e-6, 120);
+    Ok(())
+}
+
 fn satellite(dt: f64, t_end: f64, request: f64) -> (Solved, u64) {
     let calls = Arc::new(AtomicU64::new(0));
     let counted = calls.clone();
