@@ -178,9 +178,10 @@ impl<E: AnyEffect> Scene<E> {
     /// A tolerance outside its range, anything not finite, an energy at the start beyond `f64`; a
     /// span below 2.3e-308 s (but 0) where it is stepped; [`Error::Contradiction`](crate::Error::Contradiction) if an
     /// effect says of itself what its torque does not bear out, at the start or along the
-    /// way; [`Error::BeyondCondition`](crate::Error::BeyondCondition) if the inputs, as doubles, do not determine the end
-    /// so closely; [`Error::NotDelivered`](crate::Error::NotDelivered) if no method converges to it;
-    /// [`Error::OverBudget`](crate::Error::OverBudget) if it takes more torques than
+    /// way, or if its torque is seen to remember (memory that shows late may go unnoticed);
+    /// [`Error::NotDelivered`](crate::Error::NotDelivered) if the inputs, as doubles, do not
+    /// determine the end so closely, or no method converges to it;
+    /// [`Error::LimitReached`](crate::Error::LimitReached) if it takes more torques than
     /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where the torque jumps with the
     /// state and drives the motion back from both sides; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
     /// a torque that depends on the time and may have features shorter than was looked for;
