@@ -7,7 +7,7 @@ mod figures;
 use core::f64::consts::{PI, TAU};
 use kit::prelude::*;
 use kit::{short, supported_digits};
-use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion};
+use rotation_dynamics::accuracy::{Crossing, Limits, Problem};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
@@ -19,6 +19,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::components;
 use rotation_dynamics::integrators::{self, Dop853, after, ode};
 use rotation_dynamics::motion::Motion;
+use rotation_dynamics::nalgebra::Matrix3;
 use rotation_dynamics::scene::Scene;
 
 parameters! {
@@ -60,6 +61,15 @@ pub fn day(p: &Parameters) -> Result<Vec<State>> {
 }
 // ANCHOR_END: satellite
 
+// ANCHOR: upright
+/// Where it hangs straight until `t_end`, each time with the estimated error of the time.
+pub fn upright(p: &Parameters, t_end: f64) -> Result<Vec<Crossing>> {
+    let (scene, start) = satellite(p)?;
+    let motion = scene.solve_along(&start, t_end, p.tolerance, &Limits::default())?;
+    Ok(motion.crossings("swing", |t, state| swing(p, t, state))?)
+}
+// ANCHOR_END: upright
+
 // ANCHOR: magnet
 /// A magnet along e1 of 0.1 A m^2, in a field of 3e-5 T, N m.
 pub const MAGNET: f64 = 0.1 * 3e-5;
@@ -86,6 +96,26 @@ pub fn after_a_minute() -> rotation_dynamics::Result<EulerAngles> {
     top()?.try_angles(60.0)
 }
 // ANCHOR_END: top
+
+// ANCHOR: measured
+/// The axes of a phone as an app wrote them down: three decimals, in single precision.
+pub const MEASURED: [[f32; 3]; 3] = [
+    [0.72, -0.586, 0.368],
+    [0.605, 0.795, 0.085],
+    [-0.337, 0.161, 0.926],
+];
+
+/// The attitude nearest to that, and how far the matrix was from it.
+pub fn put_right() -> rotation_dynamics::Result<(Attitude, f64)> {
+    Attitude::nearest(MEASURED.map(|row| row.map(f64::from)))
+}
+
+/// A third of the way there from flat on the table, on the shortest arc.
+pub fn on_the_way() -> rotation_dynamics::Result<Attitude> {
+    let (there, _) = put_right()?;
+    Attitude::IDENTITY.toward(&there, 1.0 / 3.0)
+}
+// ANCHOR_END: measured
 
 /// The same by steps.
 fn stepped_for_a_minute() -> Result<EulerAngles> {
@@ -170,28 +200,22 @@ pub fn off(p: &Parameters, states: &[State]) -> Result<Vec<f64>> {
     hours.zip(states).map(off).collect()
 }
 
-/// The first time after `from` at which the solved satellite hangs straight, s: halved until
-/// no double is left between. It is there once between `from` and `to`.
-fn upright(p: &Parameters, motion: &SolvedMotion<'_>, from: f64, to: f64) -> Result<f64> {
-    let at = |t: f64| Ok::<_, rotation_dynamics::Error>(swing(p, t, &motion.try_state(t)?));
-    let (mut before, mut beyond, side) = (from, to, at(from)?);
-    for _ in 0..60 {
-        let middle = 0.5 * (before + beyond);
-        if at(middle)? * side > 0.0 {
-            before = middle;
-        } else {
-            beyond = middle;
-        }
-    }
-    Ok(before)
-}
-
 /// The period of the solved satellite, by two times at which it hangs straight.
 fn measured_period(p: &Parameters) -> Result<f64> {
-    let ((scene, start), quarter) = (satellite(p)?, 0.25 * pendulum(p)?.period());
-    let motion = scene.solve_along(&start, 6.0 * quarter, p.tolerance, &Limits::default())?;
-    let first = upright(p, &motion, 0.0, 2.0 * quarter)?;
-    Ok(upright(p, &motion, 4.0 * quarter, 6.0 * quarter)? - first)
+    let upright = upright(p, 1.5 * pendulum(p)?.period())?;
+    Ok(upright[2].t - upright[0].t)
+}
+
+/// The rotation nearest to the matrix by another way: (M + M^-T)/2 again and again.
+fn put_right_by_halves() -> Result<Attitude> {
+    let mut matrix = Matrix3::from_fn(|row, column| f64::from(MEASURED[row][column]));
+    for _ in 0..20 {
+        let inverse = matrix.try_inverse().unwrap_or_default();
+        matrix = 0.5 * (matrix + inverse.transpose());
+    }
+    Ok(Attitude::from_matrix(core::array::from_fn(|row| {
+        core::array::from_fn(|column| matrix[(row, column)])
+    }))?)
 }
 
 /// The largest angle by which the satellite is elsewhere if it has a magnet, looked at every
@@ -285,7 +309,32 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let whole = TAU * ((angles.phi - stepped.phi) / TAU).round();
     let (state, last) = (after_a_second(p)?, 100.0 + p.torque / 9.0e-4);
     let spin = rotor()?.angular_velocity(&state).z();
+    let first = upright(p, 0.5 * period)?[0];
+    let ((phone, off), halved, third) = (put_right()?, put_right_by_halves()?, on_the_way()?);
+    let ([phone_angles, halves], matrix) = (
+        [phone, halved].map(|attitude| attitude.yaw_pitch_roll()),
+        halved.matrix(),
+    );
+    let square = |row: usize, column: usize| {
+        let apart = f64::from(MEASURED[row][column]) - matrix[row][column];
+        apart * apart
+    };
+    let squares: f64 = (0..9).map(|n| square(n / 3, n % 3)).sum();
+    let trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
     claims! { report,
+        /// satellite: when it first hangs straight
+        first_upright: first.t, "s", "a quarter of the period" => 0.25 * period, within first.t_estimate;
+        /// phone: how far its matrix is from a rotation
+        measured_off: off, "-", "(M + M^-T)/2 again and again" => squares.sqrt(), within 1e-14;
+        /// phone: yaw
+        yaw: phone_angles.yaw, "rad", "the same way" => halves.yaw, within 1e-14;
+        /// phone: pitch
+        pitch: phone_angles.pitch, "rad", "the same way" => halves.pitch, within 1e-14;
+        /// phone: roll
+        roll: phone_angles.roll, "rad", "the same way" => halves.roll, within 1e-14;
+        /// phone: its turn after a third of the way
+        third: third.rotation_vector().norm(), "rad",
+            "a third of acos((trace - 1)/2)" => acos(0.5 * (trace - 1.0)) / 3.0, within 1e-14;
         /// satellite: period of its swing about the vertical
         swing_period: period, "s", "the solved motion hangs straight" => measured_period(p)?,
         within early, in "The satellite":

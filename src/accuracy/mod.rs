@@ -23,7 +23,7 @@ mod stepper;
 mod sweep;
 
 pub(crate) use crate::math::larger;
-pub use error_control::{ExactMotion, Limits, Solved, SolvedMotion};
+pub use error_control::{Crossing, ExactMotion, Limits, Solved, SolvedMotion};
 pub use measures::{Errors, Measure, largest};
 pub use neglected::{MARGIN, Measured, NeglectedEffects, PredictedError};
 pub use problem::Problem;

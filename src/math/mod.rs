@@ -5,6 +5,7 @@
 //! module, so a snapshot holds on every machine. (`sqrt`, `abs`, `floor` and the
 //! four operations are exact by IEEE 754 and are used as methods of `f64`.)
 
+pub(crate) mod bracket;
 pub mod double_double;
 mod hyperbolic;
 mod hypot;

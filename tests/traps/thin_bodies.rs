@@ -159,8 +159,7 @@ impl Table {
         self.error.push_at(error / tolerance, what);
         self.run
             .push_at(solved.run.torques() as f64 / cheapest, what);
-        self.all
-            .push_at(solved.work.torques() as f64 / two, what);
+        self.all.push_at(solved.work.torques() as f64 / two, what);
     }
 }
 

@@ -4,7 +4,7 @@ use super::given::{Given, Places};
 use super::method::{Fine, Method, Passed, Runs, Steps, Stop};
 use super::refine::stops;
 use super::{ExactMotion, Limits, Solved};
-use crate::body::State;
+use crate::body::{RigidBody, State};
 use crate::effects::AnyEffect;
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
@@ -54,13 +54,16 @@ pub(super) enum Form {
 }
 
 /// How far the states of a stepped motion have been found.
-struct Found {
+#[derive(Clone)]
+pub(super) struct Found {
     /// The part of a piece, by the numbers of both, and what its start is gone on from.
     piece: usize,
     part: u64,
     stop: Stop,
+    /// A part is so many steps.
+    steps: u64,
     /// What it has taken.
-    work: Work,
+    pub work: Work,
 }
 
 impl<E: AnyEffect> Scene<E> {
@@ -157,7 +160,7 @@ impl Motion for SolvedMotion<'_> {
 
     fn try_state(&self, t: f64) -> Result<State> {
         self.inside(t)?;
-        self.state(t, &mut self.found())
+        self.state(t, &mut self.found(PART))
     }
 
     fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
@@ -175,7 +178,7 @@ impl Motion for SolvedMotion<'_> {
         if to < from {
             order.reverse();
         }
-        let mut found = self.found();
+        let mut found = self.found(PART);
         let mut states = Vec::with_capacity(times.len());
         for index in order {
             match self.state(times[index], &mut found) {
@@ -225,18 +228,45 @@ impl SolvedMotion<'_> {
         Ok(())
     }
 
-    /// Nothing yet.
-    fn found(&self) -> Found {
+    pub(super) const fn body(&self) -> &RigidBody {
+        self.given.body()
+    }
+
+    /// The longest step that was asked for.
+    pub(super) const fn longest_step(&self) -> f64 {
+        self.given.limits.longest_step
+    }
+
+    /// What the states may be off by, as [`Self::moved`] moves them: three turns (rad), three pushes.
+    pub(super) fn errors(&self) -> [f64; 6] {
+        let Solved { estimate: turn, .. } = self.solved;
+        let push = if self.given.problem().slender.is_some() {
+            self.solved.rates_estimate
+        } else {
+            self.solved.momentum_estimate
+        };
+        [turn, turn, turn, push, push, push]
+    }
+
+    /// A state with one of its six inputs moved.
+    pub(super) fn moved(&self, state: &State, input: usize, by: f64) -> Result<State> {
+        let inputs = core::array::from_fn(|i| f64::from(u8::from(i == input)));
+        self.given.problem().moved(state, inputs, by)
+    }
+
+    /// Nothing yet, to be found in parts of so many steps.
+    pub(super) fn found(&self, steps: u64) -> Found {
         Found {
             piece: usize::MAX,
             part: 0,
             stop: Stop::at(self.given.start),
+            steps,
             work: Work::default(),
         }
     }
 
     /// The state at a time, from where those before it were found.
-    fn state(&self, t: f64, here: &mut Found) -> Result<State> {
+    pub(super) fn state(&self, t: f64, here: &mut Found) -> Result<State> {
         let [from, to] = self.span();
         let (method, level, precision, passed, steps) = match &self.form {
             Form::Still(state) => return Ok(*state),
@@ -257,7 +287,7 @@ impl SolvedMotion<'_> {
             return Ok(stop.state);
         }
         let end = passed[piece + 1].0;
-        let parts = steps[piece].made.div_ceil(PART).max(1);
+        let parts = steps[piece].made.div_ceil(here.steps).max(1);
         let at = |part: u64| begun + part as f64 / parts as f64 * (end - begun);
         if here.piece != piece {
             (here.piece, here.part) = (piece, 0);

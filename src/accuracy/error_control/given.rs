@@ -156,6 +156,10 @@ impl<'s> Given<'s> {
         Ok((slender, trial))
     }
 
+    pub(super) const fn body(&self) -> &RigidBody {
+        &self.body
+    }
+
     /// The time of the start and that of the end (s).
     pub(super) const fn span(&self) -> [f64; 2] {
         [self.limits.t_start, self.t_end]

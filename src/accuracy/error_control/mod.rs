@@ -5,6 +5,7 @@
 //! | [`Limits`] | the time of the start, break points, longest step, budget, a way to cancel |
 //! | [`ExactMotion`] | a closed form, picked by what acts |
 //! | [`SolvedMotion`] | the same promise all along the way: states at any times |
+//! | [`Crossing`] | where a function of the state goes through zero on the way |
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `problem` | every input a little changed: the condition |
 //! | `method` | the methods, each with one knob, and the model of its first step |
@@ -19,6 +20,7 @@
 //! ([`simulate_within`](crate::planar::simulate_within)).
 
 mod along;
+mod crossings;
 mod exact_motion;
 mod given;
 mod laws;
@@ -32,6 +34,7 @@ mod sliding;
 mod tests;
 
 pub use along::SolvedMotion;
+pub use crossings::Crossing;
 pub use exact_motion::ExactMotion;
 pub use limits::Limits;
 

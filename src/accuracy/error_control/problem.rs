@@ -487,7 +487,12 @@ impl<'e> Problem<'e> {
 
     /// A state turned about the body's axes by `by` (rad), and its momentum pushed by as
     /// much of its scale; that of a slender body turns along, and its rates are pushed.
-    fn moved(&self, state: &State, [a, b, c, x, y, z]: [f64; 6], by: f64) -> Result<State> {
+    pub(super) fn moved(
+        &self,
+        state: &State,
+        [a, b, c, x, y, z]: [f64; 6],
+        by: f64,
+    ) -> Result<State> {
         let attitude = (state.attitude).turned_in_body(BodyVector::new(a, b, c) * by)?;
         if let Some(slender) = self.slender {
             let [i1, i2, i3] = self.body.moments().to_array();

@@ -11,6 +11,7 @@ use super::system::System;
 use super::trial::Trial;
 use crate::error::{Error, FINITE, Result};
 use crate::integrators::Work;
+use crate::math::bracket::{least, zero};
 use crate::math::{EPS, sort_by_number};
 
 /// Which crossings count, as the run meets them.
@@ -188,8 +189,6 @@ pub struct LocatedEvent<const N: usize> {
 const PARTS: u32 = 8;
 /// Times between the ends of a step.
 const BETWEEN: usize = PARTS as usize - 1;
-/// Narrowings of the place where a function comes nearest to zero: 0.618^40 of a part.
-const NARROWINGS: u32 = 40;
 /// A graze of less than this part of the function's size nearby is round-off.
 const GRAZE: f64 = 16.0 * EPS;
 /// Corrections of an event's time by real steps, at most.
@@ -262,7 +261,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
                     continue;
                 }
                 if let Some(rising) = event.counts(a, b) {
-                    let guess = root(event, segment, (t_a, a), (t_b, b))?;
+                    let guess = zero(|t| event.value(t, &segment.at(t)), (t_a, a), (t_b, b))?;
                     let at_start = step.t == self.start && is_round_off(step, self.start, guess);
                     if event.direction == Direction::Either && at_start {
                         continue;
@@ -337,7 +336,7 @@ fn with_grazes<const N: usize>(
         let before = i.checked_sub(1).and_then(|j| seen.get(j));
         let both = side * a > 0.0 && side * b > 0.0;
         if both && !above(a, before) && !above(b, seen.get(i + 2)) {
-            let (t, value) = nearest(event, segment, side, [t_a, t_b])?;
+            let (t, value) = least(|t| event.value(t, &segment.at(t)), side, [t_a, t_b])?;
             let size = a.abs().max(b.abs());
             if side * value < -GRAZE * size {
                 all.push((t, value));
@@ -346,70 +345,6 @@ fn with_grazes<const N: usize>(
         all.push((t_b, b));
     }
     Ok(all)
-}
-
-/// Where `side` times the function is least between two times, by the golden section.
-fn nearest<const N: usize>(
-    event: &Event<'_, N>,
-    segment: &Segment<N>,
-    side: f64,
-    [mut from, mut to]: [f64; 2],
-) -> Result<(f64, f64)> {
-    const PART: f64 = 0.381_966_011_250_105_1;
-    let value = |t: f64| event.value(t, &segment.at(t));
-    let at = |part: f64, from: f64, to: f64| from + part * (to - from);
-    let (mut t_a, mut t_b) = (at(PART, from, to), at(1.0 - PART, from, to));
-    let (mut a, mut b) = (value(t_a)?, value(t_b)?);
-    for _ in 0..NARROWINGS {
-        if side * a < side * b {
-            to = t_b;
-            (t_b, b) = (t_a, a);
-            t_a = at(PART, from, to);
-            a = value(t_a)?;
-        } else {
-            from = t_a;
-            (t_a, a) = (t_b, b);
-            t_b = at(1.0 - PART, from, to);
-            b = value(t_b)?;
-        }
-    }
-    Ok(if side * a < side * b {
-        (t_a, a)
-    } else {
-        (t_b, b)
-    })
-}
-
-/// A zero of the event function on the interpolant, between times where its
-/// signs differ: secant and bisection by turns, until the bracket is round-off.
-fn root<const N: usize>(
-    event: &Event<'_, N>,
-    segment: &Segment<N>,
-    (mut t_a, mut a): (f64, f64),
-    (mut t_b, mut b): (f64, f64),
-) -> Result<f64> {
-    let enough = 2.0 * EPS * t_a.abs().max(t_b.abs());
-    // Sixty halvings reach round-off from any bracket; every second turn halves.
-    for turn in 0..120 {
-        if b == 0.0 || (t_b - t_a).abs() <= enough {
-            break;
-        }
-        let secant = t_b - b * ((t_b - t_a) / (b - a));
-        let middle = 0.5 * (t_a + t_b);
-        let inside = secant > t_a.min(t_b) && secant < t_a.max(t_b);
-        let t = if turn % 2 == 0 && inside {
-            secant
-        } else {
-            middle
-        };
-        let value = event.value(t, &segment.at(t))?;
-        if value != 0.0 && (value < 0.0) == (a < 0.0) {
-            (t_a, a) = (t, value);
-        } else {
-            (t_b, b) = (t, value);
-        }
-    }
-    Ok(t_b)
 }
 
 /// The step from the same start to the zero itself: the time is corrected with

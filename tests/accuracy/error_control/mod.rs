@@ -6,6 +6,7 @@ mod attack;
 mod case;
 mod causes;
 mod control;
+mod crossings;
 #[path = "../../../examples/accuracy/honesty.rs"]
 mod honesty;
 mod limits;
