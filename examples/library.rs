@@ -322,25 +322,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let squares: f64 = (0..9).map(|n| square(n / 3, n % 3)).sum();
     let trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
     claims! { report,
-        /// satellite: when it first hangs straight
-        first_upright: first.t, "s", "a quarter of the period" => 0.25 * period, within first.t_estimate;
-        /// phone: how far its matrix is from a rotation
-        measured_off: off, "-", "(M + M^-T)/2 again and again" => squares.sqrt(), within 1e-14;
-        /// phone: yaw
-        yaw: phone_angles.yaw, "rad", "the same way" => halves.yaw, within 1e-14;
-        /// phone: pitch
-        pitch: phone_angles.pitch, "rad", "the same way" => halves.pitch, within 1e-14;
-        /// phone: roll
-        roll: phone_angles.roll, "rad", "the same way" => halves.roll, within 1e-14;
-        /// phone: its turn after a third of the way
-        third: third.rotation_vector().norm(), "rad",
-            "a third of acos((trace - 1)/2)" => acos(0.5 * (trace - 1.0)) / 3.0, within 1e-14;
         /// satellite: period of its swing about the vertical
         swing_period: period, "s", "the solved motion hangs straight" => measured_period(p)?,
         within early, in "The satellite":
             TAU / rate => "that is for a small swing",
             TAU / n0 => "that is a turn about the Earth",
             period * 2.0_f64.sqrt() => "the angle enters as sin(2 a): twice the angle swings like a pendulum";
+        /// satellite: when it first hangs straight
+        first_upright: first.t, "s", "a quarter of the period" => 0.25 * period, within first.t_estimate;
         /// satellite: angle from the vertical after a day
         swing_day: 0.5 * swings.at(DAY)?.theta, "rad", "solved" => swing(p, DAY, &end),
         within p.tolerance;
@@ -358,6 +347,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         top_tilt: angles.theta, "rad", "stepped" => stepped.theta, within 1e-9;
         /// top: azimuth after a minute, whole turns counted
         top_azimuth: angles.phi, "rad", "stepped" => stepped.phi + whole, within 2e-9;
+        /// phone: how far its matrix is from a rotation
+        measured_off: off, "-", "(M + M^-T)/2 again and again" => squares.sqrt(), within 1e-14;
+        /// phone: yaw
+        yaw: phone_angles.yaw, "rad", "the same way" => halves.yaw, within 1e-14;
+        /// phone: pitch
+        pitch: phone_angles.pitch, "rad", "the same way" => halves.pitch, within 1e-14;
+        /// phone: roll
+        roll: phone_angles.roll, "rad", "the same way" => halves.roll, within 1e-14;
+        /// phone: its turn after a third of the way
+        third: third.rotation_vector().norm(), "rad",
+            "a third of acos((trace - 1)/2)" => acos(0.5 * (trace - 1.0)) / 3.0, within 1e-14;
         /// motor: angular velocity along the axle after a second
         motor_spin: last, "rad/s", "solved" => spin, within p.tolerance * last,
         in "The motor":
