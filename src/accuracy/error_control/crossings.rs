@@ -195,11 +195,6 @@ impl Search<'_, '_> {
             }
             looks.drain(..looks.len().saturating_sub(3));
         }
-        eprintln!(
-            "WORK {} {}",
-            self.work.torques(),
-            self.motion.solved().run.torques()
-        );
         Ok(crossings)
     }
 
