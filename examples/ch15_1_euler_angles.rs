@@ -165,7 +165,7 @@ pub fn apart(a: f64) -> f64 {
     let square = sin_half * sin_half;
     let half_cos = 1.0 - 2.0 * square * square;
     // cos a/2 keeps its digits near half a turn, where 1 - square has none.
-    let half_sin = 2.0 * square * cos_half.abs() * (1.0 + square).sqrt();
+    let half_sin = 2.0 * square * (cos_half * cos_half * (1.0 + square)).sqrt();
     2.0 * atan2(half_sin, half_cos.abs())
 }
 
