@@ -18,8 +18,8 @@ const TORQUES: u64 = 12;
 
 /// Jumps in a step of the whole run from which on the motion slides if it comes to a stand, too: if
 /// the second half of the steps covers less than this part of the time that the first half covers.
-/// (Measured: 0.27 jumps in a step, and 0.02 of the time, where a motion slides late; 0.28 and 0.6
-/// where jumps are crossed a hundred times in a turn.)
+/// (Measured: at least 0.27 jumps in a step where a motion slides late, and up to 0.28 where jumps are
+/// crossed a hundred times in a turn: the number alone does not tell.)
 const SOME: f64 = 0.1;
 const STAND: f64 = 0.1;
 
