@@ -161,12 +161,12 @@ pub fn times_vector(r: &Matrix, v: [f64; 3]) -> SpaceVector {
 /// The angle between the two attitudes of a book turned by `a` about two axes at right
 /// angles, in either order.
 pub fn apart(a: f64) -> f64 {
-    let square = sin(0.5 * a) * sin(0.5 * a);
+    let (sin_half, cos_half) = sincos(0.5 * a);
+    let square = sin_half * sin_half;
     let half_cos = 1.0 - 2.0 * square * square;
-    2.0 * atan2(
-        2.0 * square * ((1.0 - square) * (1.0 + square)).sqrt(),
-        half_cos.abs(),
-    )
+    // cos a/2 keeps its digits near half a turn, where 1 - square has none.
+    let half_sin = 2.0 * square * (cos_half * cos_half * (1.0 + square)).sqrt();
+    2.0 * atan2(half_sin, half_cos.abs())
 }
 
 /// The book after a turn about the level Y and one about the vertical Z, in this order or

@@ -45,7 +45,7 @@ parameters! {
         /// imaginary part of the Love number: what lags
         loss: number(0.0036, "-", from_to(1e-3, 0.02).because("with less the wobble lasts longer than the record, with more it is gone in a year").usually(1e-3, 0.02));
         /// Love number of a fluid Earth with this bulge
-        fluid: number(0.938_319, "-", above(0.0).usually(0.8, 1.2));
+        fluid: number(0.938_319, "-", above_to(0.0, 20.0).because("the wobble fades in proportion to it, and is followed for a thousand such times").usually(0.8, 1.2));
         /// moment of inertia of the fluid core, as a part of that of the Earth
         core: number(0.113, "-", from_to(0.01, 0.5).because("a smaller core is none, and a larger one leaves no mantle").usually(0.05, 0.2));
         /// flattening of the core

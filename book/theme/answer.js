@@ -14,15 +14,16 @@ const Answer = (() => {
             const digit = "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c);
             const upper = digit >= 0 ? String(digit) : c === "⁻" ? "-" : null;
             if (upper !== null) plain += (raised ? "" : "^") + upper;
-            else if (c === "\u2212") plain += "-";
+            else if (c === "\u2212" || c === "\u2013") plain += "-";
             else if ("·×⋅".includes(c)) plain += "*";
             else if (c === "π") plain += "pi";
             else if (c === "√") plain += "sqrt";
-            else if (c === "°") plain += " deg";
+            else if ("°º˚".includes(c)) plain += " deg";
             else plain += /\s/.test(c) ? " " : c;
             raised = upper !== null;
         }
-        const oneComma = plain.split(",").length === 2 && !plain.includes(".");
+        const mayPartThousands = /(^|\D)[1-9]\d{0,2},\d{3}(?!\d)/.test(plain);
+        const oneComma = plain.split(",").length === 2 && !plain.includes(".") && !mayPartThousands;
         return oneComma ? plain.replace(",", ".") : plain;
     }
 

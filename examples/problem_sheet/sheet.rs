@@ -80,7 +80,8 @@ pub fn seed(text: &str) -> Result<u64, String> {
 
 /// Names parted by commas, or how many students there are.
 pub fn students(text: &str) -> Result<Vec<String>, String> {
-    if Answer::read(text).is_ok_and(|number| number.unit.is_empty()) {
+    // A comma in a number may part decimals or thousands: neither counts students.
+    if Answer::read(&text.replace(',', ".")).is_ok_and(|number| number.unit.is_empty()) {
         return match text.trim().parse() {
             Ok(count @ 1..=500) => Ok((1..=count).map(|n: u16| format!("Student {n}")).collect()),
             _ => Err("there must be from 1 to 500 students, a whole number".into()),

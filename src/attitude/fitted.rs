@@ -302,3 +302,23 @@ fn missed(attitude: Attitude, pairs: &[(Pair, f64)]) -> f64 {
     }
     (sum / total).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Directions that an attitude gives lead back to it.
+    #[test]
+    fn directions_lead_back() {
+        let attitude = Attitude::from_quaternion([0.3, -0.5, 0.2, 0.7]).expect("not zero");
+        let seen = [[1.0, 0.2, -0.3], [0.1, -0.8, 0.4], [-0.2, 0.5, 0.9]].map(|v| {
+            let v = BodyVector::from_array(v);
+            (v, attitude.to_space(v), 1.0)
+        });
+        let (found, missed) = Attitude::from_directions(&seen).expect("an attitude");
+        assert!(
+            found.angle_to(&attitude) < 1e-14 && missed < 1e-7,
+            "{found:?}"
+        );
+    }
+}

@@ -169,7 +169,12 @@ impl DesignedBody {
 fn principal_frame(tensor: &InertiaTensor) -> Result<([f64; 3], Attitude)> {
     let found = tensor.principal_axes();
     let [low, middle, high] = found.moments();
-    let slack = tensor.known_within();
+    // Of a rod and a point mass the moments that rounding hides are 0 already.
+    let slack = if low > 0.0 {
+        tensor.known_within()
+    } else {
+        0.0
+    };
     let axes = found.axes().map(DesignVector::to_array);
     if high - low <= slack {
         Ok(([middle; 3], Attitude::IDENTITY))

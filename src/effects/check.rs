@@ -49,6 +49,13 @@ const ALONE: f64 = 8.0;
 /// same time in another way may jump beside it.
 const FEW: f64 = 4.0;
 
+const SMOOTH: &str = "that it is smooth between its break points";
+const SMOOTH_BESIDE: &str = "that it is smooth between its break points (of which one is beside this \
+                             time: form both in the same way, k dt with floor(t/dt))";
+
+/// Nearer to a break point than this part of the latest time a jump is the one that was meant.
+const BESIDE: f64 = 1e-9;
+
 /// A pulse comes in so many looks, and is as high as this part of the longest torque.
 const SHORT: [usize; 6] = [1, 2, 4, 8, 16, 32];
 const PULSE: f64 = 0.1;
@@ -341,26 +348,34 @@ impl<'e> Checked<'e> {
             let breaks = self.breaks.iter().copied().filter(inside);
             let ends: Vec<f64> = [first].into_iter().chain(breaks).chain([last]).collect();
             for ends in ends.windows(2) {
-                self.no_jump(piece([ends[0], ends[1]]), |t| self.acting(t, start))?;
+                let ends = piece([ends[0], ends[1]]);
+                self.no_jump(
+                    ends,
+                    |t| self.acting(t, start),
+                    |t| (self.smooth_claim(t), t),
+                )?;
             }
         }
         // What sees the axis only has been held to that: a turn about it changes nothing.
         let axes = if self.properties.axis_only { 2 } else { 3 };
+        let at_start = |_| (SMOOTH, from);
         for axis in 0..axes {
-            self.no_jump([0.0, core::f64::consts::TAU], |angle| {
+            let turned = |angle| {
                 let attitude = start.attitude * Attitude::about_coordinate(axis, angle);
                 self.acting(from, &State { attitude, ..*start })
-            })?;
+            };
+            self.no_jump([0.0, core::f64::consts::TAU], turned, at_start)?;
         }
         if self.properties.on_rates {
-            self.no_jump([1.0, -1.1], |part| {
+            let slowed = |part| {
                 let angular_momentum = start.angular_momentum * part;
                 let state = State {
                     angular_momentum,
                     ..*start
                 };
                 self.acting(from, &state)
-            })?;
+            };
+            self.no_jump([1.0, -1.1], slowed, at_start)?;
         }
         Ok(())
     }
@@ -372,18 +387,31 @@ impl<'e> Checked<'e> {
             return Ok(());
         }
         for axis in 0..2 {
-            self.no_jump([0.0, core::f64::consts::TAU], |angle| {
+            let turned = |angle| {
                 let turned = start.attitude * Attitude::about_coordinate(axis, angle);
                 SpaceVector::from_array(effect.torque_on_axis(body, turned.axis().to_array()))
+            };
+            self.no_jump([0.0, core::f64::consts::TAU], turned, |_| {
+                (SMOOTH, self.span[0])
             })?;
         }
         Ok(())
     }
 
     /// Between two neighbours that differ most, the torque is halved down: what is left of
-    /// the difference over an interval that doubles hardly resolve is a jump.
-    fn no_jump(&self, [from, to]: [f64; 2], torque: impl Fn(f64) -> SpaceVector) -> Result<()> {
-        let at = |n: usize| from + (to - from) * (n as f64 / GRID as f64);
+    /// the difference over an interval that doubles hardly resolve is a jump. `told`: the claim that
+    /// it contradicts, and the time.
+    fn no_jump(
+        &self,
+        [from, to]: [f64; 2],
+        torque: impl Fn(f64) -> SpaceVector,
+        told: impl Fn(f64) -> (&'static str, f64),
+    ) -> Result<()> {
+        let at = |n: usize| match n {
+            // Beyond it by a rounding there may be a jump.
+            GRID => to,
+            n => from + (to - from) * (n as f64 / GRID as f64),
+        };
         let (mut a, mut b) = (from, from);
         let (mut low, mut high) = (torque(from), torque(from));
         let (mut before, mut first) = (low, -1.0);
@@ -418,12 +446,25 @@ impl<'e> Checked<'e> {
                 (middle, b, m, high, above)
             };
         }
-        self.held(
-            "that it is smooth between its break points",
-            a,
-            left,
-            allowed,
-        )
+        let (claim, t) = told(a);
+        self.held(claim, t, left, allowed)
+    }
+
+    /// The claim that a jump at this time contradicts.
+    fn smooth_claim(&self, t: f64) -> &'static str {
+        let [from, to] = self.span;
+        let near = BESIDE * from.abs().max(to.abs());
+        let after = self.breaks.partition_point(|point| *point <= t);
+        let neighbours = &self.breaks[after.saturating_sub(1)..];
+        if neighbours
+            .iter()
+            .take(2)
+            .any(|point| (point - t).abs() < near)
+        {
+            SMOOTH_BESIDE
+        } else {
+            SMOOTH
+        }
     }
 
     /// The torque on the body as it starts at so many times, of equal distances, and the end.

@@ -252,3 +252,30 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attitude::Attitude;
+    use crate::inertia::PrincipalMoments;
+
+    /// The power is the rate of the potential at a fixed attitude.
+    #[test]
+    fn the_power_is_that_of_the_potential() {
+        let (normal, towards) = (
+            SpaceVector::new(0.0, 0.0, 1.0),
+            SpaceVector::new(1.0, 0.0, 0.0),
+        );
+        let gradient = GravityGradient::on_orbit(0.7, normal, towards).expect("an orbit");
+        let body = RigidBody::new(PrincipalMoments::new(1.0, 1.4, 2.1).expect("a body"));
+        let attitude = Attitude::from_quaternion([0.7, 0.1, -0.3, 0.5]).expect("not zero");
+        let state = State::new(attitude, SpaceVector::zero()).expect("finite");
+        for t in [0.0, 1.3, -40.0] {
+            let h = 1e-3;
+            let u = |k: f64| gradient.potential_energy(t + k * h, &body, &state);
+            let changed = (8.0 * (u(1.0) - u(-1.0)) - (u(2.0) - u(-2.0))) / (12.0 * h);
+            let power = gradient.power(t, &body, &state);
+            assert!((changed - power).abs() < 1e-10, "{t}: {changed} {power}");
+        }
+    }
+}

@@ -391,3 +391,20 @@ fn functions(alpha: f64, s: f64) -> [f64; 3] {
     let rest = if alpha > 0.0 { x - whole } else { whole - x };
     [whole / root, 2.0 * half * half / size, rest / (size * root)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The velocity is the derivative of the place, of an orbit that turns as well.
+    #[test]
+    fn the_velocity_is_that_of_the_place() {
+        let orbit = KeplerOrbit::about(1.0, 1.0, 0.3).and_then(|orbit| orbit.turning(0.02, 0.03));
+        let (orbit, h) = (orbit.expect("an orbit"), 1e-3);
+        for t in [0.0, 2.0, -7.0] {
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| orbit.place(t + k * h));
+            let moved = ((c - b) * 8.0 - (d - a)) / (12.0 * h);
+            assert!((moved - orbit.velocity(t)).norm() < 1e-10, "{t}");
+        }
+    }
+}

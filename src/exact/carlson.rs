@@ -349,3 +349,23 @@ fn rj_series(mean: Dd, [x, y, z, p]: [f64; 4]) -> Dd {
             - 9.0 / 68.0 * (e3 * e4 + e2 * e5);
     (Dd::ONE + small) / (mean * mean.sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values of B. C. Carlson, Numer. Algorithms 10, 13 (1995), the same by mpmath at 25 digits.
+    #[test]
+    fn published_values() {
+        let pairs = [
+            (rf(1.0, 2.0, 0.0), 1.311_028_777_146_059_9),
+            (rj(2.0, 3.0, 4.0, 5.0), 0.142_975_796_671_567_54),
+            (rj(0.0, 1.0, 2.0, 3.0), 0.776_886_237_785_823_3),
+            (rd(0.0, 2.0, 1.0), 1.797_210_352_103_388_3),
+        ];
+        for (got, want) in pairs {
+            let got = got.expect("inside");
+            assert!((got / want - 1.0).abs() < 4e-16, "{got} {want}");
+        }
+    }
+}

@@ -465,3 +465,23 @@ pub(super) fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
         .sum();
     half * sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The floor carries the weight and what lifts the middle: 1 + y''/g, on the wall and off it.
+    #[test]
+    fn the_floor_accelerates_the_middle() {
+        let (g, h) = (9.8, 1e-3);
+        let ladder = Ladder::new(3.0, g, 0.25).expect("a ladder");
+        let middle = |t: f64| 0.5 * (ladder.release_time() + t);
+        for t in [middle(0.0), middle(ladder.landing_time())] {
+            let at = |k: f64| ladder.at(t + k * h).expect("in the fall");
+            let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| at(k).y_cm);
+            let lifted = (16.0 * (b + d) - 30.0 * c - (a + e)) / (12.0 * h * h);
+            let force = at(0.0).floor_force;
+            assert!((force - 1.0 - lifted / g).abs() < 1e-8, "{t}: {force}");
+        }
+    }
+}

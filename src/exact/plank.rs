@@ -395,3 +395,28 @@ impl Point {
         (self.stretch / self.factor).sqrt()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Just before the impact the plank is as it lands.
+    #[test]
+    fn it_lands_as_it_falls() {
+        let plank = Plank::new(1.3, 9.8, 0.02, 0.1).expect("a plank");
+        let (landing, before) = (plank.landing(), 1e-7 * plank.landing_time());
+        let near = plank
+            .at(plank.landing_time() - before)
+            .expect("in the fall");
+        let pairs = [
+            (landing.theta, near.theta + near.omega * before),
+            (landing.omega, near.omega),
+            (landing.y_cm, near.y_cm + near.vy_cm * before),
+            (landing.vy_cm, near.vy_cm),
+            (landing.floor_force, near.floor_force),
+        ];
+        for (there, near) in pairs {
+            assert!((there - near).abs() < 1e-5, "{there} {near}");
+        }
+    }
+}

@@ -246,3 +246,31 @@ fn around(f: impl Fn(f64) -> [f64; 3]) -> Result<[f64; 3]> {
         condition: None,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attitude::{Attitude, EulerAngles};
+    use crate::exact::heavy_top::{HeavyTop, SymmetricTop};
+    use crate::frame::BodyVector;
+    use core::f64::consts::TAU;
+
+    /// Without ring and fork it is the nod of the heavy top.
+    #[test]
+    fn light_gimbals_nod_as_the_top() {
+        let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1).expect("a rotor");
+        let gimbals = Gimbals::new(rotor, [0.0; 3], 0.0).expect("gimbals");
+        let (theta, spin) = (1.0, 300.0);
+        let nod = Nod::of(&gimbals, &gimbals.released(theta, spin)).expect("a nod");
+        let start = EulerAngles {
+            phi: 0.0,
+            theta,
+            zeta: 0.0,
+        };
+        let start = Attitude::from_euler(start).expect("an attitude");
+        let top = HeavyTop::new(rotor, start, BodyVector::new(0.0, 0.0, spin)).expect("a top");
+        let turned = (nod.precession - top.precession_per_period()) / TAU;
+        assert!((turned - turned.round()).abs() < 1e-12, "{turned}");
+        assert!((nod.period / top.nutation_period() - 1.0).abs() < 1e-10);
+    }
+}

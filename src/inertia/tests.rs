@@ -1,6 +1,6 @@
 //! What particles weigh and how they resist turning.
 
-use super::MassProperties;
+use super::{InertiaTensor, MassProperties};
 use crate::frame::DesignVector;
 
 /// Two particles are a dumb-bell: m1 m2/(m1 + m2) d^2 about what is across, 0 along.
@@ -21,4 +21,15 @@ fn two_particles_are_a_dumb_bell() {
         }
     }
     assert_eq!(both.mass(), m1 + m2);
+}
+
+/// The plate nearest to moments of no body lies along (1, 1, -1).
+#[test]
+fn the_nearest_plate_is_taken() {
+    let matrix = [[1.0, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 2.5]];
+    let moved = InertiaTensor::computed(matrix, 0.5).expect("within rounding");
+    let want = [1.1, 1.3, 2.4];
+    for (i, want) in want.into_iter().enumerate() {
+        assert!((moved.matrix()[i][i] - want).abs() < 1e-14, "{moved:?}");
+    }
 }

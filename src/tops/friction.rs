@@ -327,3 +327,19 @@ impl Resistance for RollingResistance {
         SpaceVector::new(w.x(), w.y(), 0.0) * (-self.arm / size)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where the rim turns as fast as the tip slips, both forms give the same.
+    #[test]
+    fn the_forms_of_a_patch_meet() {
+        let patch = Patch::new(0.3, 1e-3).expect("a patch");
+        let [inside, outside] = [1.0 - 1e-10, 1.0 + 1e-10]
+            .map(|v| patch.sliding(SpaceVector::new(0.0, v * 1e-3 * 50.0, 0.0), 50.0));
+        let [force, other] = [inside, outside].map(|grip| grip.force.y());
+        assert!((force / other - 1.0).abs() < 1e-9, "{force} {other}");
+        assert!((inside.torque / outside.torque - 1.0).abs() < 1e-8);
+    }
+}

@@ -32,6 +32,7 @@ fn what_is_no_such_earth_is_refused() {
         ("--core=0", "core = 0 is not allowed"),
         ("--cavity=0.1", "cavity = 0.1 is not allowed"),
         ("--loss=0", "loss = 0 is not allowed"),
+        ("--fluid=9383", "followed for a thousand such times"),
         ("--seed=-1", "seed = -1 is not allowed"),
         ("--day=nan", "day"),
     ];

@@ -319,6 +319,7 @@ fn the_command_line_says_what_is_allowed() {
         (format!("--problems {number},{number}"), "stands twice".into()),
         ("--students 0".into(), "from 1 to 500".into()),
         ("--students -3".into(), "from 1 to 500".into()),
+        ("--students 1,000".into(), "from 1 to 500 students, a whole number".into()),
         ("--students 3.5".into(), "from 1 to 500 students, a whole number".into()),
         ("--students 501".into(), "from 1 to 500".into()),
         ("--students Ada,,Emmy".into(), "a name is empty".into()),

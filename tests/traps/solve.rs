@@ -320,6 +320,74 @@ fn a_sampled_torque_is_answered_between_its_samples() -> Result<()> {
     Ok(())
 }
 
+/// Samples from before the time 0 to after it, on whose break point no piece ends beyond it; and where
+/// the break points are formed by adding up, the refusal says what is wrong with them.
+#[test]
+fn a_sampled_torque_may_pass_the_time_zero() -> Result<()> {
+    let body = body()?;
+    let start = turning(&body)?;
+    let (mut answered, mut refused) = (0, 0);
+    for (dt, first) in [(0.01, -100), (0.003, -70), (0.25, -13), (1.0 / 3.0, -31)] {
+        let held = |k: f64| BodyVector::new(0.3 * sin(3.7 * k), 0.2 * cos(1.9 * k), 0.1);
+        let sampled = Torque::on_body("sampled", |t: f64, _: &RigidBody, _: &State| {
+            held((t / dt).floor())
+        })
+        .smooth();
+        let breaks: Vec<f64> = (first + 1..90).map(|k| f64::from(k) * dt).collect();
+        let mut sums = vec![f64::from(first) * dt];
+        for n in 1..150 {
+            sums.push(sums[n - 1] + dt);
+        }
+        let limits = Limits {
+            t_start: f64::from(first) * dt,
+            ..Limits::default()
+        };
+        let solve = |breaks: &[f64]| -> Result<State> {
+            let scene = Scene::new(body).with(sampled.clone().with_break_points(breaks)?);
+            Ok(scene.solve_with(&start, 90.0 * dt, 1e-9, &limits)?.state)
+        };
+        let mut exact = start;
+        for k in first..90 {
+            let constant = Torque::on_body("held", move |_, _: &RigidBody, _: &State| {
+                held(f64::from(k))
+            });
+            let scene = Scene::new(body).with(constant);
+            (exact, _) = Dop853::new(1e-14)?.advance(&scene, 0.0, &exact, dt)?;
+        }
+        let end = solve(&breaks)?;
+        assert!(end.attitude.angle_to(&exact.attitude) <= 1e-9);
+        answered += 1;
+        if let Err(error) = solve(&sums) {
+            let error = error.to_string();
+            assert!(error.contains("form both in the same way"), "{error}");
+            refused += 1;
+        }
+    }
+    // A quarter is added up exactly.
+    assert_eq!((answered, refused), (4, 3));
+    Ok(())
+}
+
+/// A jump of an attitude is told at the time at which it was looked for, which no angle is.
+#[test]
+fn a_jump_of_an_attitude_is_told_with_its_time() -> Result<()> {
+    let body = body()?;
+    let plate = Torque::on_body("plate", |_, _: &RigidBody, state: &State| {
+        BodyVector::new(0.1 * state.attitude.axis().y().signum(), 0.0, 0.0)
+    });
+    let limits = Limits {
+        t_start: 5.0,
+        ..Limits::default()
+    };
+    let scene = Scene::new(body).with(plate.smooth());
+    let error = scene.solve_with(&turning(&body)?, 6.0, 1e-6, &limits);
+    let Err(Error::Contradiction { effect, t, .. }) = &error else {
+        panic!("{error:?}");
+    };
+    assert_eq!((effect.as_str(), *t), ("plate", 5.0));
+    Ok(())
+}
+
 /// A torque by time and state, of a controller that may remember.
 type Law<'l> = dyn Fn(f64, &State) -> SpaceVector + 'l;
 struct Controller<'l>(&'l Law<'l>);
@@ -457,6 +525,40 @@ fn sliding_motion_is_called_so() -> Result<()> {
         ran += 1;
     }
     assert_eq!(ran, 12);
+    // Late, after jumps that were crossed, and most steps are rejected.
+    for (rates, size, axis) in [
+        ([0.3, -0.2, 1.7], 0.2, 0),
+        ([0.3, -0.2, 1.7], 0.05, 1),
+        ([1.0, 0.5, -1.0], 0.05, 1),
+    ] {
+        let body = RigidBody::new(PrincipalMoments::new(1.0, 1.4, 2.1)?);
+        let start = body.state(Attitude::IDENTITY, rates.into())?;
+        let rub = Torque::on_body("bearing", move |_, body: &RigidBody, state: &State| {
+            let rates = body.angular_velocity(state).to_array();
+            let rubs = |n| if n == axis { -size } else { 0.0 };
+            [0, 1, 2].map(|n| rubs(n) * rates[n].signum()).into()
+        });
+        let error = (Scene::new(body).with(rub)).solve_with(&start, 100.0, 1e-4, &limits);
+        assert!(matches!(error, Err(Error::Sliding { .. })), "{error:?}");
+    }
+    // The twin: a hundred jumps in a turn, all of them crossed.
+    let wheel = Torque::on_body("toothed wheel", |_, _: &RigidBody, state: &State| {
+        BodyVector::new(
+            0.0,
+            0.0,
+            0.1 * sin(30.0 * state.attitude.axis().y()).signum(),
+        )
+    });
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.9, -0.2, 0.2))?;
+    let crossed = (Scene::new(body).with(wheel)).solve_with(&start, 1e5, 1e-4, &limits);
+    let over = matches!(
+        crossed,
+        Err(Error::LimitReached {
+            what: "torques",
+            ..
+        })
+    );
+    assert!(over, "{crossed:?}");
     // A jump that is crossed is no reason, nor is a budget too small for what is smooth.
     let start = turning(&body)?;
     let plate = Torque::on_space("plate", |_, _: &RigidBody, state: &State| {

@@ -11,7 +11,8 @@
 //! atom    = number | "pi" | "sqrt" atom | "(" sum ")"
 //! unit    = { name [ [ "^" ] integer ] | "1" } joined by " ", "*" or "/"
 //! ```
-//! A decimal comma, a true minus sign, raised digits, `×`, `·`, `π` and `√` are read too.
+//! A decimal comma (but for `1,000`, which may be a thousand), a true minus sign, raised digits, `×`,
+//! `·`, `π` and `√` are read too.
 
 use super::Claim;
 use core::f64::consts::PI;
@@ -141,11 +142,12 @@ fn plain(text: &str) -> String {
             plain.push(upper);
         } else {
             match c {
-                '\u{2212}' => plain.push('-'),
+                '\u{2212}' | '\u{2013}' => plain.push('-'),
                 '·' | '×' | '⋅' => plain.push('*'),
                 'π' => plain.push_str("pi"),
                 '√' => plain.push_str("sqrt"),
-                '°' => plain.push_str(" deg"),
+                // The ordinal sign and the ring look the same, and some keyboards have those.
+                '°' | 'º' | '˚' => plain.push_str(" deg"),
                 c if c.is_whitespace() => plain.push(' '),
                 c => plain.push(c),
             }
@@ -153,10 +155,19 @@ fn plain(text: &str) -> String {
         raised = upper.is_some();
     }
     // One comma, and no point: a decimal comma.
-    if plain.matches(',').count() == 1 && !plain.contains('.') {
+    if plain.matches(',').count() == 1 && !plain.contains('.') && !may_part_thousands(&plain) {
         plain = plain.replace(',', ".");
     }
     plain
+}
+
+/// Whether the comma may as well part thousands: in `1,000`, not in `0,125`, `2,5` or `3951,522`.
+fn may_part_thousands(text: &str) -> bool {
+    let (before, after) = text.split_once(',').unwrap_or((text, ""));
+    let is_digit = |c: char| c.is_ascii_digit();
+    let whole = &before[before.trim_end_matches(is_digit).len()..];
+    let decimals = after.len() - after.trim_start_matches(is_digit).len();
+    (1..=3).contains(&whole.len()) && !whole.starts_with('0') && decimals == 3
 }
 
 /// Where `text` stands after the longest decimal number with which it begins.

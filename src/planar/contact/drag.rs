@@ -203,3 +203,19 @@ impl QuadraticDrag {
         self.coefficient * speed * speed / driving_force
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// On a piece of the way the time that goes by is the way over the speed.
+    #[test]
+    fn the_time_is_that_of_the_speed() {
+        let drag = QuadraticDrag::new(0.3).expect("a drag");
+        let (way, h) = (1.7, 1e-3);
+        let time = |k: f64| drag.driven(9.8, 2.0, way + k * h)[0];
+        let slowness = (8.0 * (time(1.0) - time(-1.0)) - (time(2.0) - time(-2.0))) / (12.0 * h);
+        let [_, speed] = drag.driven(9.8, 2.0, way);
+        assert!((slowness * speed - 1.0).abs() < 1e-10, "{speed}");
+    }
+}
