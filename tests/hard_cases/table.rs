@@ -128,7 +128,6 @@ fn refusals_are_those_that_are_named() {
         }
     }
     let due = [
-        ("BouncesUnresolved", 1),
         ("ContactsUndetermined", 2),
         ("FunctionOutOfRange", 15),
         ("LimitReached", 10),

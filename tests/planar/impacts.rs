@@ -2,8 +2,11 @@
 
 use super::G;
 use rotation_dynamics::Error;
+use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, State, Surface, motion_so_far, motion_within,
+};
 use support::{EPS, Errors, assert_error};
 
 /// A ball of radius 0.1 m and inertia (2/5) m R^2 between floor and wall.
@@ -106,39 +109,64 @@ fn two_contacts_are_hit_at_once() {
     assert!((damaged[0] - 1.0).abs() > 1e3 * EPS && (damaged[1] / up - 1.0).abs() > 1e3 * EPS);
 }
 
-/// Bounces that die out are refused where doubles no longer resolve them, with the time
-/// they tend to; bounces without end by their number.
+/// A run may not end among bounces that doubles do not resolve, nor go on through more bounces than
+/// it is allowed: it is refused, and what went before is there.
 #[test]
-fn bounces_without_end_are_refused() {
+fn ends_among_bounces_are_refused() {
     let drop = State::rest([5.0, 0.1 + 0.5 * G, 0.0]);
     let ball = |restitution| Ball {
         restitution,
         mu: 0.3,
     };
-    let until = |restitution, t_end| {
-        motion_within(&ball(restitution), 1e-9, drop, t_end).map(|m| m.events().len())
-    };
-    assert_eq!(until(0.5, 2.999), Ok(11));
-    let error = until(0.5, 4.0).unwrap_err();
-    let Error::BouncesUnresolved { contact, t, height } = error else {
-        panic!("{error}")
-    };
+    let method = Dop853::new(1e-12).unwrap();
+    let until = |restitution, t_end| motion_so_far(ball(restitution), &method, drop, t_end);
+    let (bounces, refused) = until(0.5, 2.999);
+    assert_eq!((bounces.events().len(), refused), (11, None));
     // 1 + 2 (1/2 + 1/4 + ...) seconds.
+    let (bounces, refused) = until(0.5, 3.0 - 1e-9);
+    let Some(Error::BouncesUnresolved {
+        contact,
+        height,
+        t,
+        until: last,
+    }) = refused
+    else {
+        panic!("{refused:?}")
+    };
     assert_eq!(contact, "floor");
-    assert!((3.0 - 1e-6..3.0).contains(&t), "{t}");
-    assert!(height < 1e-13, "{height:e}");
-    let error = until(0.99, 200.0).unwrap_err();
+    assert!((3.0 - 1e-6..3.0 - 1e-9).contains(&t), "{t}");
+    assert!((last - 3.0).abs() < 1e-10, "{last}");
+    assert!((0.25e-12..1e-12).contains(&height), "{height:e}");
+    assert_eq!(bounces.end_time(), 3.0 - 1e-9);
+    assert_eq!(bounces.events().last().unwrap().name, "floor touches");
+    assert_eq!(until(0.5, 3.0 + 1e-9).1, None);
+    // One that keeps its speed, too low to be seen, never comes to rest.
+    let low = State {
+        q: [5.0, 0.1, 0.0],
+        v: [0.0, 1e-6, 0.0],
+    };
+    let (_, refused) = motion_so_far(ball(1.0), &method, low, 1.0);
+    assert!(
+        matches!(refused, Some(Error::BouncesUnresolved { until, .. }) if until.is_infinite()),
+        "{refused:?}"
+    );
+    let (bounces, refused) = until(0.99, 200.0);
     assert!(
         matches!(
-            error,
-            Error::LimitReached {
+            refused,
+            Some(Error::LimitReached {
                 what: "changes of phase",
                 limit: 1000,
                 ..
-            }
+            })
         ),
-        "{error}"
+        "{refused:?}"
     );
+    assert_eq!(bounces.events().len(), 1000);
+    let last = bounces.events()[999].t;
+    let want = 1.0 + 2.0 * 0.99 * (1.0 - 0.99_f64.powi(999)) / 0.01;
+    assert!((last - want).abs() < 1e-9, "{last} {want}");
+    assert_eq!(bounces.end_time(), last);
 }
 
 /// Masses in a row, each with a smooth contact to the next: `masses[0]` comes from the left.

@@ -89,11 +89,6 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             before: y,
             after: z,
         },
-        Error::BouncesUnresolved {
-            contact: name,
-            t: x,
-            height: y,
-        },
         Error::NotReached { name, until: x },
         Error::ConditionUnknown { name },
     ];
@@ -106,6 +101,12 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             limit: n,
         }),
     );
+    all.extend([z, f64::INFINITY].map(|until| Error::BouncesUnresolved {
+        contact: name,
+        height: y,
+        t: x,
+        until,
+    }));
     all.extend([None, Some(z)].map(|clock| Error::StepUnderflow {
         t: x,
         step: y,

@@ -90,6 +90,9 @@ where
     fn scale(&self, state: &State<N>) -> State<N> {
         self.mechanism.scale(state)
     }
+    fn phase_limit(&self) -> usize {
+        self.mechanism.phase_limit()
+    }
 }
 
 /// Drags of a body with the coordinates `[x, y, angle]`.

@@ -14,6 +14,7 @@
 //! | [`Contact`], [`Friction`], [`Surface`] | one contact at one instant |
 //! | [`Mode`], [`Sense`] | open, smooth, stick, slip |
 //! | [`motion`], [`motion_within`], [`Motion`] | the motion, its events, the forces at any time |
+//! | [`motion_so_far`] | the motion up to where it is refused |
 //! | [`Contact::rolling`] | rolling resistance, which rides on a contact |
 //! | [`QuadraticDrag`], [`LinearDrag`] and of spin, [`Load`], [`With`] | what a mechanism may feel in addition |
 //! | [`misdeclared`] | whether the rows of the contacts are those of their gaps |
@@ -45,7 +46,7 @@ pub use declare::{Contact, Friction, Mode, Row, Sense, State, Surface};
 pub use declared::misdeclared;
 pub use drag::{LinearDrag, LinearSpinDrag, Load, QuadraticDrag, QuadraticSpinDrag, With};
 pub use modal::{Modal, entry};
-pub use motion::{Event, Motion, kept_within, motion, motion_within};
+pub use motion::{Event, Motion, kept_within, motion, motion_so_far, motion_within};
 pub use response::Force;
 
 /// The most contacts that one mechanism may have: all sets of their modes are tried.
@@ -121,6 +122,12 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
             v: state.v.map(size),
         }
     }
+
+    /// After how many changes of its modes a run is refused. A bounce is one: a fall with the
+    /// restitution 0.99 makes 1,600 of them before they are summed.
+    fn phase_limit(&self) -> usize {
+        1000
+    }
 }
 
 impl<M: Mechanism<N, S, C> + ?Sized, const N: usize, const S: usize, const C: usize>
@@ -140,5 +147,8 @@ impl<M: Mechanism<N, S, C> + ?Sized, const N: usize, const S: usize, const C: us
     }
     fn scale(&self, state: &State<N>) -> State<N> {
         (**self).scale(state)
+    }
+    fn phase_limit(&self) -> usize {
+        (**self).phase_limit()
     }
 }

@@ -6,7 +6,7 @@ use super::response::{Problem, Response, total};
 use super::{Force, Mechanism, Modes};
 use crate::error::Result;
 use crate::math::EPS;
-use crate::planar::{Condition, Next, Phased};
+use crate::planar::{Condition, Entry, Next, Phased};
 use core::fmt;
 
 /// Round-off of a normal force that is 0, in parts of all contact forces.
@@ -38,7 +38,8 @@ pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usi
     state: State<N>,
 ) -> Result<(Modes<C>, [f64; S])> {
     let mechanism: &dyn Mechanism<N, S, C> = mechanism;
-    enter(&Modal(mechanism), 0.0, None, &join(&state))
+    let Entry { phase, state, .. } = enter(&Modal(mechanism), 0.0, None, &join(&state))?;
+    Ok((phase, state))
 }
 
 /// Coordinates, then velocities.
@@ -207,6 +208,10 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
 
     fn scale(&self, state: &[f64; S]) -> [f64; S] {
         join(&self.0.scale(&split(state)))
+    }
+
+    fn phase_limit(&self) -> usize {
+        self.0.phase_limit()
     }
 
     fn drift(&self, modes: Modes<C>, state: &[f64; S], within: f64) -> Option<[f64; S]> {
