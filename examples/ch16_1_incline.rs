@@ -4,9 +4,12 @@
 //! cargo run --example ch16_1_incline -- --friction 0.1 --check acceleration=-4.05
 //! ```
 
+#[path = "ch16_1_incline/bouncer.rs"]
+pub mod bouncer;
 #[path = "ch16_1_incline/figures.rs"]
 mod figures;
 
+pub use bouncer::Bouncer;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use kit::interval::at_least;
 use kit::prelude::*;
@@ -325,6 +328,21 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             ball => "that is the ball";
         /// a hoop
         race_hoop: hoop, "s", "located event" => hoop_ran, within bound * hoop;
+    }?;
+    dropped(p, report)
+}
+
+/// A ball that is dropped onto the slope from five radii above it.
+fn dropped(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ball = Bouncer::new(p);
+    let (limit, found) = (ball.rests(), ball.run(p.tolerance)?);
+    let speed = p.gravity * sin(p.angle) * 2.0 * limit / 1.4;
+    let rolls = -found.at(2.0 * limit)?.v[0];
+    claims! { report,
+        /// a ball, dropped, that returns 0.6 of its speed: the end of its bounces
+        drop_rests: limit, "s", "located event" => found.event("body rests")?.t, within 1e-9 * limit;
+        /// its speed down the slope at twice that time
+        drop_speed: speed, "m/s", "contact solver" => rolls, within 8.0 * p.tolerance * speed;
     }
 }
 
