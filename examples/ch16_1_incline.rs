@@ -17,7 +17,8 @@ use kit::{effect, short};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, QuadraticDrag, Surface, entry,
+    motion_within,
 };
 
 parameters! {
@@ -78,17 +79,17 @@ impl Mechanism<3, 6, 1> for Roller {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         let [along, across] = [sin, cos].map(|part| self.gravity * part(self.slope));
         [-along, -across, 0.0]
     }
 
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 1] {
         [Contact::rim("body", body, self.radius, Surface::FLOOR).friction(self.mu)]
     }
     // ANCHOR_END: scene
 
-    fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, body: &MechanismState<3>) -> Option<(&'static str, f64)> {
         match self.goal {
             Goal::Never => None,
             Goal::Top => Some(("turns", body.v[0])),
@@ -96,10 +97,10 @@ impl Mechanism<3, 6, 1> for Roller {
         }
     }
 
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (v, r) = (self.speed, self.radius);
         let length = v * v / (self.gravity * sin(self.slope));
-        State {
+        MechanismState {
             q: [length, r, length / r],
             v: [v, v, v / r],
         }
@@ -119,10 +120,10 @@ impl Mechanism<3, 6, 2> for Resisted {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.roller.mass(q)
     }
-    fn force(&self, body: &State<3>) -> [f64; 3] {
+    fn force(&self, body: &MechanismState<3>) -> [f64; 3] {
         self.roller.force(body)
     }
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let [rim] = self.roller.contacts(body);
         let rolling = Contact::rolling("rolling", 0, self.roller.radius, self.resistance);
         [rim, rolling]
@@ -130,17 +131,17 @@ impl Mechanism<3, 6, 2> for Resisted {
     // ANCHOR_END: resisted
     /// A hair before the highest place, where the resistance turns round as well: which comes first
     /// is round-off.
-    fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, body: &MechanismState<3>) -> Option<(&'static str, f64)> {
         let (name, left) = self.roller.end(body)?;
         Some((name, left - 1e-9 * self.roller.speed))
     }
-    fn scale(&self, body: &State<3>) -> State<3> {
+    fn scale(&self, body: &MechanismState<3>) -> MechanismState<3> {
         self.roller.scale(body)
     }
 }
 
 /// A motion of the body.
-pub type Roll = Motion<Roller, 3, 6, 1>;
+pub type Roll = ContactMotion<Roller, 3, 6, 1>;
 
 impl Roller {
     /// The body of these parameters.
@@ -157,8 +158,8 @@ impl Roller {
     }
 
     /// Rolling up the slope at this speed.
-    pub fn rolling(&self, speed: f64) -> State<3> {
-        State {
+    pub fn rolling(&self, speed: f64) -> MechanismState<3> {
+        MechanismState {
             q: [0.0, self.radius, 0.0],
             v: [speed, 0.0, -speed / self.radius],
         }
@@ -383,7 +384,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// How far up the slope a body comes that starts rolling at this speed.
 pub fn way<const C: usize>(
     body: impl Mechanism<3, 6, C>,
-    start: State<3>,
+    start: MechanismState<3>,
     end: f64,
 ) -> Result<f64> {
     Ok(motion_within(body, 1e-10, start, end)?
@@ -533,7 +534,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let end = -2.0 * v / body.acceleration();
     let run = move |tolerance| body.run(Goal::Never, v, end, tolerance);
     let error = move |run: &Roll| {
-        let State { q, v: [back, ..] } = run.at(end)?;
+        let MechanismState { q, v: [back, ..] } = run.at(end)?;
         Ok(largest([q[0] / (v * end), back / v + 1.0]))
     };
     report.controlled(

@@ -4,7 +4,9 @@ use super::{Parameters, Roller, gripping};
 use kit::prelude::*;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion,
+};
 
 /// The part of its speed that it returns.
 pub const RESTITUTION: f64 = 0.6;
@@ -19,15 +21,15 @@ impl Mechanism<3, 6, 1> for Bouncer {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.0.mass(q)
     }
-    fn force(&self, ball: &State<3>) -> [f64; 3] {
+    fn force(&self, ball: &MechanismState<3>) -> [f64; 3] {
         self.0.force(ball)
     }
-    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 1] {
         self.0
             .contacts(ball)
             .map(|rim| rim.restitution(RESTITUTION))
     }
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let Roller {
             gravity,
             slope,
@@ -36,7 +38,7 @@ impl Mechanism<3, 6, 1> for Bouncer {
         } = self.0;
         let (t, down) = (2.0 * self.rests(), (gravity * radius).sqrt());
         let along = down + gravity * sin(slope) * t;
-        State {
+        MechanismState {
             q: [along * t, radius, along * t / radius],
             v: [along, down, along / radius],
         }
@@ -68,8 +70,8 @@ impl Bouncer {
     }
 
     /// Let go at rest above the slope, for twice the time until it rests.
-    pub fn run(self, tolerance: f64) -> Result<Motion<Self, 3, 6, 1>> {
-        let start = State::rest([0.0, (1.0 + HEIGHT) * self.0.radius, 0.0]);
+    pub fn run(self, tolerance: f64) -> Result<ContactMotion<Self, 3, 6, 1>> {
+        let start = MechanismState::rest([0.0, (1.0 + HEIGHT) * self.0.radius, 0.0]);
         motion(self, &Dop853::new(tolerance)?, start, 2.0 * self.rests())
     }
 }

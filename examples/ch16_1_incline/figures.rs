@@ -117,7 +117,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (run, end) = motion(p)?;
     let columns = "t [s], x [m], phi [rad], vx [m/s], R phi' [m/s], friction [N], normal [N]";
     Trajectory::sampled(columns.split(", "), times(0.0, end, 200), |t| {
-        let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
+        let (MechanismState { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
         let moving = [t, q[0], -q[2], v[0], -p.radius * v[2]];
         Ok([
             &moving[..],
@@ -156,7 +156,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         [0.08 * end, 0.5 * end, 0.92 * end],
         move |t| {
             let (
-                State {
+                MechanismState {
                     q: [x, _, turn],
                     v: [vx, ..],
                 },

@@ -5,7 +5,7 @@ use super::rod::Bead;
 use super::rollers::plank::Plank;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::planar::contact::{Mechanism, Modal, Modes, State, entry, motion};
+use rotation_dynamics::planar::contact::{Mechanism, MechanismState, Modal, Modes, entry, motion};
 use rotation_dynamics::planar::{Condition, Phased, Run, simulate};
 use support::{EPS, Errors, assert_error};
 
@@ -29,7 +29,7 @@ impl<const N: usize, S: Phased<N>> Phased<N> for Adrift<S> {
 pub fn adrift<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: &M,
     method: &Dop853,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
 ) -> Run<Modes<C>, S> {
     let (modes, state) = entry(mechanism, start).unwrap();
@@ -65,7 +65,7 @@ fn silence(at: impl Fn(f64) -> f64) -> Errors {
 
 #[test]
 fn silence_does_not_drift() {
-    let start = State::rest([OFF, 0.0, 0.0]);
+    let start = MechanismState::rest([OFF, 0.0, 0.0]);
     let kept = motion(&SWINGS, &tightest(), start, 1000.0).unwrap();
     assert!(kept.events().is_empty());
     silence(|t| kept.at(t).unwrap().q[0]).attain(1.3..=1.4, 500);
@@ -89,7 +89,7 @@ fn energy(at: impl Fn(f64) -> [f64; 4]) -> [f64; 2] {
 #[test]
 fn no_energy_is_gained() {
     let rod = Bead { string: false };
-    let start = State {
+    let start = MechanismState {
         q: [0.0, -1.0],
         v: [2.0, 0.0],
     };
@@ -98,7 +98,7 @@ fn no_energy_is_gained() {
         let kept = motion(&rod, &method, start, 200.0).unwrap();
         let lost = adrift(&rod, &method, start, 200.0);
         let kept = energy(|t| {
-            let State { q, v } = kept.at(t).unwrap();
+            let MechanismState { q, v } = kept.at(t).unwrap();
             [q[0], q[1], v[0], v[1]]
         });
         [kept, energy(|t| lost.at(t).unwrap().1)]

@@ -5,7 +5,7 @@ use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, State, Surface, motion_so_far, motion_within,
+    Contact, Mechanism, MechanismState, Surface, motion_so_far, motion_within,
 };
 use support::{EPS, Errors, assert_error};
 
@@ -19,10 +19,10 @@ impl Mechanism<3, 6, 2> for Ball {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 2] {
         [("floor", Surface::FLOOR), ("wall", Surface::WALL)].map(|(name, surface)| {
             Contact::rim(name, ball, 0.1, surface)
                 .friction(self.mu)
@@ -43,7 +43,7 @@ fn bounces(rougher: f64, livelier: f64) -> Errors {
                     mu: mu * (1.0 + rougher),
                 };
                 let fall = 0.5;
-                let start = State {
+                let start = MechanismState {
                     q: [5.0, 0.1 + 0.5 * G * fall * fall, 0.0],
                     v: [v, 0.0, spin],
                 };
@@ -91,7 +91,7 @@ fn two_contacts_are_hit_at_once() {
             restitution,
             mu: 0.0,
         };
-        let start = State {
+        let start = MechanismState {
             q: [1.1, 0.1 + 1.0 + 0.5 * G * 0.25, 0.0],
             v: [-2.0, -2.0, 3.0],
         };
@@ -113,7 +113,7 @@ fn two_contacts_are_hit_at_once() {
 /// it is allowed: it is refused, and what went before is there.
 #[test]
 fn ends_among_bounces_are_refused() {
-    let drop = State::rest([5.0, 0.1 + 0.5 * G, 0.0]);
+    let drop = MechanismState::rest([5.0, 0.1 + 0.5 * G, 0.0]);
     let ball = |restitution| Ball {
         restitution,
         mu: 0.3,
@@ -141,7 +141,7 @@ fn ends_among_bounces_are_refused() {
     assert_eq!(bounces.events().last().unwrap().name, "floor touches");
     assert_eq!(until(0.5, 3.0 + 1e-9).1, None);
     // One that keeps its speed, too low to be seen, never comes to rest.
-    let low = State {
+    let low = MechanismState {
         q: [5.0, 0.1, 0.0],
         v: [0.0, 1e-6, 0.0],
     };
@@ -180,10 +180,10 @@ impl Mechanism<3, 6, 2> for Row {
         let [a, b, c] = self.masses;
         [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0; 3]
     }
-    fn contacts(&self, row: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, row: &MechanismState<3>) -> [Contact<3>; 2] {
         let [x, y, z] = row.q;
         [
             Contact::new("first", y - x, [-1.0, 1.0, 0.0], 0.0).restitution(self.restitution),
@@ -201,7 +201,7 @@ fn together(damage: f64) -> Errors {
             masses: [1.0, ratio * (1.0 + damage), 2.0],
             restitution: 0.0,
         };
-        let start = State {
+        let start = MechanismState {
             q: [-1.0, 0.0, 0.0],
             v: [1.0, 0.0, 0.0],
         };
@@ -226,7 +226,7 @@ fn a_row_is_hit_through() {
             masses: [1.0; 3],
             restitution,
         };
-        let start = State {
+        let start = MechanismState {
             q: [-1.0, 0.0, 0.5],
             v: [1.0, 0.0, 0.0],
         };
@@ -248,10 +248,10 @@ impl Mechanism<3, 6, 1> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, rod: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, rod: &MechanismState<3>) -> [Contact<3>; 1] {
         let (s, c) = sincos(rod.q[2]);
         let tip = Contact::corner("tip", rod, [c, s], Surface::FLOOR);
         [tip.friction(self.mu).restitution(self.restitution)]
@@ -259,9 +259,9 @@ impl Mechanism<3, 6, 1> for Rod {
 }
 
 /// The state of the rod at an angle below the horizontal, its tip on the floor.
-fn on_tip(angle: f64, v: [f64; 3]) -> State<3> {
+fn on_tip(angle: f64, v: [f64; 3]) -> MechanismState<3> {
     let (s, _) = sincos(angle);
-    State {
+    MechanismState {
         q: [0.0, s, -angle],
         v,
     }

@@ -11,7 +11,8 @@ use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{cos, sin, sincos, tan};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Motion, State, Surface, kept_within, misdeclared, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Surface, kept_within, misdeclared,
+    motion_within,
 };
 use support::{EPS, Errors, assert_error, relative};
 
@@ -23,7 +24,7 @@ fn rubs(mu: f64) -> Ladder {
     }
 }
 
-fn slide(ladder: Ladder, angle: f64) -> Motion<Ladder, 3, 6, 2> {
+fn slide(ladder: Ladder, angle: f64) -> ContactMotion<Ladder, 3, 6, 2> {
     motion_within(ladder, 1e-12, ladder.at_rest(angle), 100.0).unwrap()
 }
 
@@ -127,7 +128,7 @@ fn a_kept_wall_pulls() {
 /// What is declared of the contacts agrees with differences; a wrong sign is seen.
 #[test]
 fn rows_are_those_of_the_gaps() {
-    let state = State {
+    let state = MechanismState {
         q: [0.7, 1.1, 0.6],
         v: [0.5, -1.3, 0.9],
     };
@@ -139,10 +140,10 @@ fn rows_are_those_of_the_gaps() {
         fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
             rubs(0.1).mass(q)
         }
-        fn force(&self, state: &State<3>) -> [f64; 3] {
+        fn force(&self, state: &MechanismState<3>) -> [f64; 3] {
             rubs(0.1).force(state)
         }
-        fn contacts(&self, state: &State<3>) -> [Contact<3>; 2] {
+        fn contacts(&self, state: &MechanismState<3>) -> [Contact<3>; 2] {
             let (s, c) = sincos(-state.q[2]);
             let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
             [

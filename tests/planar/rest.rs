@@ -4,7 +4,7 @@ use super::G;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{atan, sincos};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, State, Surface, motion, motion_within,
+    Contact, Mechanism, MechanismState, Mode, Surface, motion, motion_within,
 };
 use support::{EPS, Errors, Random};
 
@@ -22,10 +22,10 @@ impl Mechanism<1, 2, 2> for Particle {
     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
         [[1.0]]
     }
-    fn force(&self, _: &State<1>) -> [f64; 1] {
+    fn force(&self, _: &MechanismState<1>) -> [f64; 1] {
         [-G]
     }
-    fn contacts(&self, particle: &State<1>) -> [Contact<1>; 2] {
+    fn contacts(&self, particle: &MechanismState<1>) -> [Contact<1>; 2] {
         let [y] = particle.q;
         [
             Contact::new("floor", y, [1.0], 0.0),
@@ -65,11 +65,11 @@ impl Mechanism<3, 6, 1> for Ball {
         let inertia = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         let (s, c) = sincos(self.slope);
         [G * s, -G * c, 0.0]
     }
-    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 1] {
         let floor = Contact::rim("floor", ball, self.radius, Surface::FLOOR);
         [floor.friction(self.mu).restitution(self.restitution)]
     }
@@ -93,12 +93,18 @@ fn limits(damage: f64) -> [Errors; 3] {
                 restitution: off,
                 ceiling: 10.0,
             };
-            let rests = motion(&plates, &method(), State::rest([height]), 1.1 * limit).unwrap();
+            let rests = motion(
+                &plates,
+                &method(),
+                MechanismState::rest([height]),
+                1.1 * limit,
+            )
+            .unwrap();
             particle.add(rests.event("floor rests").unwrap().t, limit, limit);
-            assert_eq!(rests.at(1.1 * limit).unwrap(), State::rest([0.0]));
+            assert_eq!(rests.at(1.1 * limit).unwrap(), MechanismState::rest([0.0]));
             for (radius, errors) in [(0.1, &mut small), (1.0, &mut large)] {
                 let ball = Ball::new(radius, 0.2, off);
-                let start = State::rest([0.0, radius + height, 0.0]);
+                let start = MechanismState::rest([0.0, radius + height, 0.0]);
                 let rests = motion(ball, &method(), start, 1.1 * limit).unwrap();
                 let [.., touches, rest] = rests.events() else {
                     panic!("{:?}", rests.events())
@@ -136,7 +142,7 @@ fn promised(damage: f64) -> [Errors; 2] {
         for restitution in [0.1, 0.5, 0.9] {
             let fall = f64::sqrt(2.0 / G);
             let limit = fall * (1.0 + restitution) / (1.0 - restitution);
-            let start = State {
+            let start = MechanismState {
                 q: [0.0, 1.1, 0.0],
                 v: [2.0, 0.0, 0.0],
             };
@@ -204,7 +210,7 @@ fn rolled(damage: f64) -> [Errors; 2] {
         };
         let [height, v] = [random.size(0.01, 3.0), random.between(-3.0, 3.0)];
         let turns = random.between(-3.0, 3.0);
-        let start = State {
+        let start = MechanismState {
             q: [0.0, ball.radius + height, 0.0],
             v: [v, 0.0, turns / ball.radius],
         };
@@ -245,7 +251,7 @@ fn between_plates(damage: f64) -> Errors {
         restitution: e * (1.0 + damage),
         ceiling,
     };
-    let start = State {
+    let start = MechanismState {
         q: [0.0],
         v: [10.0],
     };
@@ -289,7 +295,7 @@ fn superball(damage: f64) -> Errors {
             shape: 0.4 * (1.0 + damage),
             ..Ball::new(0.1, mu, 1.0)
         };
-        let start = State {
+        let start = MechanismState {
             q: [0.0, 1.1, 0.0],
             v: [1.0, 0.0, (slip - 1.0) / 0.1],
         };
@@ -334,7 +340,7 @@ fn inclined(damage: f64) -> Errors {
                     slope,
                     ..Ball::new(0.1, 0.5, restitution)
                 };
-                let start = State {
+                let start = MechanismState {
                     q: [0.0, 0.6, 0.0],
                     v: [v, 0.0, 5.0],
                 };
@@ -366,10 +372,10 @@ impl Mechanism<3, 6, 2> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, rod: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, rod: &MechanismState<3>) -> [Contact<3>; 2] {
         let (s, c) = sincos(rod.q[2]);
         [("left", [-c, -s]), ("right", [c, s])].map(|(name, arm)| {
             Contact::corner(name, rod, arm, Surface::FLOOR)
@@ -390,7 +396,7 @@ fn rattled(damage: f64) -> Errors {
                 mu: mu * (1.0 + damage),
                 restitution,
             };
-            let start = State {
+            let start = MechanismState {
                 q: [0.0, 1.0, tilt],
                 v: [20.0, 0.0, 0.0],
             };
@@ -437,10 +443,10 @@ impl Mechanism<3, 6, 2> for Block {
             [0.0, 0.0, (b * b + h * h) / 3.0],
         ]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, block: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, block: &MechanismState<3>) -> [Contact<3>; 2] {
         let ((s, c), [b, h]) = (sincos(block.q[2]), ACROSS);
         [("left", -b), ("right", b)].map(|(name, x)| {
             let arm = [c * x + s * h, s * x - c * h];
@@ -456,7 +462,7 @@ fn a_block_rocks_to_rest() {
     let [b, h] = ACROSS;
     let (tilt, (s, c)) = (0.05, sincos(0.05));
     // On its right corner, which is at 0.
-    let start = State::rest([-c * b + s * h, s * b + c * h, -tilt]);
+    let start = MechanismState::rest([-c * b + s * h, s * b + c * h, -tilt]);
     let found = motion(&Block, &method(), start, 20.0).unwrap();
     let (diagonal, _) = sincos(atan(b / h));
     let part = 1.0 - 1.5 * diagonal * diagonal;

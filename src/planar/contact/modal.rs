@@ -1,6 +1,6 @@
 //! A mechanism as a scene in phases: the phase is the mode of each contact.
 
-use super::declare::{Contact, Mode, Press, Sense, State};
+use super::declare::{Contact, MechanismState, Mode, Press, Sense};
 use super::resolve::{Trigger, enter, put_on};
 use super::response::{Problem, Response, total};
 use super::{Force, Mechanism, Modes};
@@ -35,7 +35,7 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Modal<M, 
 /// [`crate::Error::OutOfRange`] and [`crate::Error::NotFinite`] for coefficients.
 pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: &M,
-    state: State<N>,
+    state: MechanismState<N>,
 ) -> Result<(Modes<C>, [f64; S])> {
     let mechanism: &dyn Mechanism<N, S, C> = mechanism;
     let Entry { phase, state, .. } = enter(&Modal(mechanism), 0.0, None, &join(&state))?;
@@ -43,13 +43,13 @@ pub fn entry<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usi
 }
 
 /// Coordinates, then velocities.
-pub(super) fn join<const N: usize, const S: usize>(state: &State<N>) -> [f64; S] {
+pub(super) fn join<const N: usize, const S: usize>(state: &MechanismState<N>) -> [f64; S] {
     const { assert!(S == 2 * N, "a state has two numbers for each coordinate") };
     core::array::from_fn(|k| if k < N { state.q[k] } else { state.v[k - N] })
 }
 
-pub(super) fn split<const N: usize, const S: usize>(state: &[f64; S]) -> State<N> {
-    State {
+pub(super) fn split<const N: usize, const S: usize>(state: &[f64; S]) -> MechanismState<N> {
+    MechanismState {
         q: core::array::from_fn(|j| state[j]),
         v: core::array::from_fn(|j| state[N + j]),
     }
@@ -57,7 +57,11 @@ pub(super) fn split<const N: usize, const S: usize>(state: &[f64; S]) -> State<N
 
 impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Modal<M, N, S, C> {
     /// Accelerations and forces in these modes; `None` if they contradict each other.
-    pub(super) fn respond(&self, modes: &Modes<C>, state: &State<N>) -> Option<Response<N, C>> {
+    pub(super) fn respond(
+        &self,
+        modes: &Modes<C>,
+        state: &MechanismState<N>,
+    ) -> Option<Response<N, C>> {
         let contacts = self.0.contacts(state);
         self.newton(state, &self.0.mass(&state.q), &contacts)
             .respond(modes)
@@ -66,7 +70,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moda
     /// Newton's laws with the contacts.
     pub(super) fn newton<'a>(
         &self,
-        state: &State<N>,
+        state: &MechanismState<N>,
         mass: &'a [[f64; N]; N],
         contacts: &'a [Contact<N>; C],
     ) -> Problem<'a, N, C> {
@@ -95,7 +99,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moda
 
     /// Whether a contact that acts is off its surface, or moves where it must not, by more than
     /// this part of its size.
-    fn has_drifted(&self, modes: &Modes<C>, state: &State<N>, within: f64) -> bool {
+    fn has_drifted(&self, modes: &Modes<C>, state: &MechanismState<N>, within: f64) -> bool {
         let contacts = self.0.contacts(state);
         (0..C).filter(|&i| modes[i] != Mode::Open).any(|i| {
             let Contact {
@@ -116,19 +120,19 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moda
     }
 
     /// What the gap of contact `i` is measured by.
-    pub(super) fn gap_size(&self, i: usize, state: &State<N>) -> f64 {
+    pub(super) fn gap_size(&self, i: usize, state: &MechanismState<N>) -> f64 {
         let row = self.0.contacts(state)[i].normal;
         row.size(&self.0.scale(state).q)
     }
 
     /// What its normal speed is measured by.
-    pub(super) fn normal_size(&self, i: usize, state: &State<N>) -> f64 {
+    pub(super) fn normal_size(&self, i: usize, state: &MechanismState<N>) -> f64 {
         let row = self.0.contacts(state)[i].normal;
         row.size(&self.0.scale(state).v) + row.surface.abs()
     }
 
     /// What its slip speed is measured by.
-    pub(super) fn slip_size(&self, i: usize, state: &State<N>) -> f64 {
+    pub(super) fn slip_size(&self, i: usize, state: &MechanismState<N>) -> f64 {
         let row = self.0.contacts(state)[i].tangent;
         row.size(&self.0.scale(state).v) + row.surface.abs()
     }
@@ -144,14 +148,14 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Phas
         let rate = self
             .respond(&modes, &state)
             .map_or([f64::NAN; N], |response| response.rate);
-        join(&State {
+        join(&MechanismState {
             q: state.v,
             v: rate,
         })
     }
 
     fn conditions(&self, modes: Modes<C>) -> Vec<Condition<'_, Modes<C>, S>> {
-        let nowhere = State::rest([0.0; N]);
+        let nowhere = MechanismState::rest([0.0; N]);
         let mut conditions = Vec::new();
         if let Some((name, _)) = self.0.end(&nowhere) {
             let margin = |y: &[f64; S]| self.0.end(&split(y)).map_or(f64::NAN, |(_, m)| m);

@@ -1,6 +1,6 @@
 //! The motion of a mechanism, with the events and forces of its contacts.
 
-use super::declare::{Mode, Press, State};
+use super::declare::{MechanismState, Mode, Press};
 use super::modal::{Modal, entry, split};
 use super::{Force, Mechanism, Modes};
 use crate::accuracy::larger;
@@ -11,7 +11,7 @@ use core::fmt;
 
 /// Something that happened to a contact, or the end of the scene.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Event<const N: usize, const C: usize> {
+pub struct ContactEvent<const N: usize, const C: usize> {
     /// The name of the contact and what it did: "floor touches", "floor bounces",
     /// "floor rests", "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
     /// [rolling resistance](super::Contact::rolling) "wheel stops", "wheel starts", "wheel
@@ -20,9 +20,9 @@ pub struct Event<const N: usize, const C: usize> {
     /// When.
     pub t: f64,
     /// Just before.
-    pub before: State<N>,
+    pub before: MechanismState<N>,
     /// Just after; other velocities if there was an impact.
-    pub after: State<N>,
+    pub after: MechanismState<N>,
     /// The forces just before.
     pub force: [Force; C],
 }
@@ -50,7 +50,7 @@ pub struct Event<const N: usize, const C: usize> {
 /// (`tests/planar/rest.rs`); where it is another part each time, to some of these last 1e-6 s.
 ///
 /// ```
-/// use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion_within};
+/// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion_within};
 ///
 /// /// A ball that is dropped, and returns half of its speed; g = 10 m/s^2.
 /// struct Ball;
@@ -58,22 +58,22 @@ pub struct Event<const N: usize, const C: usize> {
 ///     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
 ///         [[1.0]]
 ///     }
-///     fn force(&self, _: &State<1>) -> [f64; 1] {
+///     fn force(&self, _: &MechanismState<1>) -> [f64; 1] {
 ///         [-10.0]
 ///     }
-///     fn contacts(&self, ball: &State<1>) -> [Contact<1>; 1] {
+///     fn contacts(&self, ball: &MechanismState<1>) -> [Contact<1>; 1] {
 ///         [Contact::new("floor", ball.q[0], [1.0], 0.0).restitution(0.5)]
 ///     }
 /// }
 /// # fn main() -> rotation_dynamics::Result<()> {
-/// let motion = motion_within(&Ball, 1e-12, State::rest([5.0]), 4.0)?;
+/// let motion = motion_within(&Ball, 1e-12, MechanismState::rest([5.0]), 4.0)?;
 /// // sqrt(2 h/g) (1 + e)/(1 - e)
 /// assert!((motion.event("floor rests")?.t - 3.0).abs() < 1e-14);
-/// assert_eq!(motion.at(4.0)?, State::rest([0.0]));
+/// assert_eq!(motion.at(4.0)?, MechanismState::rest([0.0]));
 /// # Ok(())
 /// # }
 /// ```
-pub struct Motion<M, const N: usize, const S: usize, const C: usize> {
+pub struct ContactMotion<M, const N: usize, const S: usize, const C: usize> {
     mechanism: M,
     done: Done<N, S, C>,
 }
@@ -81,7 +81,7 @@ pub struct Motion<M, const N: usize, const S: usize, const C: usize> {
 /// What is known of a motion beside its mechanism.
 struct Done<const N: usize, const S: usize, const C: usize> {
     run: Run<Modes<C>, S>,
-    events: Vec<Event<N, C>>,
+    events: Vec<ContactEvent<N, C>>,
     estimate: Option<f64>,
     work: Work,
 }
@@ -96,9 +96,9 @@ enum How<'h> {
     KeptWithin(f64),
 }
 
-impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M, N, S, C> {
+impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for ContactMotion<M, N, S, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Motion")
+        f.debug_struct("ContactMotion")
             .field("end_time", &self.done.run.end_time())
             .field("events", &self.done.events)
             .finish_non_exhaustive()
@@ -113,27 +113,27 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M,
 pub fn motion<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Motion<M, N, S, C>> {
+) -> Result<ContactMotion<M, N, S, C>> {
     let done = solved(&mechanism, How::By(method), start, t_end)?;
-    Ok(Motion { mechanism, done })
+    Ok(ContactMotion { mechanism, done })
 }
 
 /// The motion as [`motion`] has it, as far as it goes, and the refusal that ended it, if one did.
 pub fn motion_so_far<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> (Motion<M, N, S, C>, Option<Error>) {
+) -> (ContactMotion<M, N, S, C>, Option<Error>) {
     let any: &AnyMechanism<'_, N, S, C> = &mechanism;
     let (run, refused) = match entry(&any, start) {
         Ok((modes, state)) => simulate_so_far(&Modal(any), method, modes, state, t_end),
         Err(error) => (Run::empty(), Some(error)),
     };
     let done = Done::new(any, run);
-    (Motion { mechanism, done }, refused)
+    (ContactMotion { mechanism, done }, refused)
 }
 
 /// The same with an error of at most `tolerance` at every event and at the end, as
@@ -144,11 +144,11 @@ pub fn motion_so_far<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
 pub fn motion_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: M,
     tolerance: f64,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Motion<M, N, S, C>> {
+) -> Result<ContactMotion<M, N, S, C>> {
     let done = solved(&mechanism, How::Within(tolerance), start, t_end)?;
-    Ok(Motion { mechanism, done })
+    Ok(ContactMotion { mechanism, done })
 }
 
 /// The same with contacts that never let go and pull instead: the usual mistake.
@@ -158,17 +158,17 @@ pub fn motion_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
 pub fn kept_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: M,
     tolerance: f64,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Motion<M, N, S, C>> {
+) -> Result<ContactMotion<M, N, S, C>> {
     let done = solved(&mechanism, How::KeptWithin(tolerance), start, t_end)?;
-    Ok(Motion { mechanism, done })
+    Ok(ContactMotion { mechanism, done })
 }
 
 fn solved<const N: usize, const S: usize, const C: usize>(
     mechanism: &AnyMechanism<'_, N, S, C>,
     how: How<'_>,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
 ) -> Result<Done<N, S, C>> {
     let (modes, state) = entry(&mechanism, start)?;
@@ -209,7 +209,7 @@ impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
         let (mut gap, mut slip) = (0.0, 0.0);
         for piece in self.run.pieces() {
             for t in piece.solution.step_times() {
-                let state: State<N> = split(&piece.solution.at(t)?);
+                let state: MechanismState<N> = split(&piece.solution.at(t)?);
                 let contacts = mechanism.contacts(&state);
                 for (contact, mode) in contacts.iter().zip(piece.phase) {
                     if mode != Mode::Open {
@@ -225,9 +225,11 @@ impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
     }
 }
 
-impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Motion<M, N, S, C> {
+impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
+    ContactMotion<M, N, S, C>
+{
     /// What happened, in order.
-    pub fn events(&self) -> &[Event<N, C>] {
+    pub fn events(&self) -> &[ContactEvent<N, C>] {
         &self.done.events
     }
 
@@ -235,7 +237,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
     ///
     /// # Errors
     /// [`Error::NotReached`] if there was none.
-    pub fn event(&self, name: &'static str) -> Result<&Event<N, C>> {
+    pub fn event(&self, name: &'static str) -> Result<&ContactEvent<N, C>> {
         let until = self.end_time();
         let found = self.done.events.iter().find(|event| event.name == name);
         found.ok_or(Error::NotReached { name, until })
@@ -250,7 +252,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
     ///
     /// # Errors
     /// [`Error::OutsideRun`] for a time before the start or after the end.
-    pub fn at(&self, t: f64) -> Result<State<N>> {
+    pub fn at(&self, t: f64) -> Result<MechanismState<N>> {
         Ok(split(&self.done.run.at(t)?.1))
     }
 
@@ -296,9 +298,9 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
 fn events<const N: usize, const S: usize, const C: usize>(
     mechanism: &AnyMechanism<'_, N, S, C>,
     at: &Transition<Modes<C>, S>,
-) -> Vec<Event<N, C>> {
+) -> Vec<ContactEvent<N, C>> {
     let scene = Modal(mechanism);
-    let event = |name| Event {
+    let event = |name| ContactEvent {
         name,
         t: at.t,
         before: split(&at.before),
@@ -339,13 +341,13 @@ fn rests<const N: usize, const S: usize, const C: usize>(
     mechanism: &AnyMechanism<'_, N, S, C>,
     run: &Run<Modes<C>, S>,
     Rest { contact, t, .. }: Rest,
-) -> Option<Event<N, C>> {
+) -> Option<ContactEvent<N, C>> {
     let (modes, numbers) = run.at(t).ok()?;
     let state = split(&numbers);
     let contacts = mechanism.contacts(&state);
     let mut contacts = contacts.iter().zip(modes);
     let shut = contacts.any(|(c, mode)| c.name == contact && mode != Mode::Open);
-    shut.then(|| Event {
+    shut.then(|| ContactEvent {
         name: format!("{contact} rests"),
         t,
         before: state,

@@ -1,6 +1,6 @@
 //! Which modes follow: at the start, where a contact lets go or touches, where a slip ends.
 
-use super::declare::{Contact, Mode, Press, Sense, State, dot};
+use super::declare::{Contact, MechanismState, Mode, Press, Sense, dot};
 use super::modal::{Modal, join, split};
 use super::response::{Choices, Problem, Response, Unsolved, ZERO};
 use super::{Mechanism, Modes};
@@ -103,7 +103,7 @@ fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize
     contact: &Contact<N>,
     shut: bool,
     trigger: Option<Trigger>,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Choices {
     let leaves = contact.normal.speed(&state.v) > ZERO * scene.normal_size(i, state);
     match contact.press {
@@ -136,7 +136,7 @@ fn slips<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     scene: &Modal<M, N, S, C>,
     i: usize,
     contact: &Contact<N>,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Option<Sense> {
     let slip = contact.tangent.speed(&state.v);
     let slips = slip.abs() > ZERO * scene.slip_size(i, state);
@@ -149,7 +149,11 @@ fn slips<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
 
 /// How high a contact bounces that leaves with these velocities and accelerations, and how long;
 /// for ever if it is not brought back.
-fn bounce<const N: usize>(contact: &Contact<N>, state: &State<N>, rate: &[f64; N]) -> [f64; 2] {
+fn bounce<const N: usize>(
+    contact: &Contact<N>,
+    state: &MechanismState<N>,
+    rate: &[f64; N],
+) -> [f64; 2] {
     let speed = contact.normal.speed(&state.v);
     let back = -dot(&contact.normal.along, rate) - contact.normal.bias;
     if back > 0.0 {
@@ -163,7 +167,7 @@ fn bounce<const N: usize>(contact: &Contact<N>, state: &State<N>, rate: &[f64; N
 fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     scene: &Modal<M, N, S, C>,
     before: &Before<C>,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> [bool; C] {
     let contacts = scene.0.contacts(state);
     let shut: [bool; C] = core::array::from_fn(|i| {
@@ -185,7 +189,7 @@ fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     scene: &Modal<M, N, S, C>,
     t: f64,
     [shut, hits, stay]: [&[bool; C]; 3],
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Result<[f64; N]> {
     let mut contacts = scene.0.contacts(state);
     let aim = core::array::from_fn(|i| {
@@ -248,9 +252,9 @@ fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
 pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     scene: &Modal<M, N, S, C>,
     modes: &Modes<C>,
-    state: &mut State<N>,
+    state: &mut MechanismState<N>,
 ) {
-    let correct = |state: &mut State<N>, of_coordinates: bool| {
+    let correct = |state: &mut MechanismState<N>, of_coordinates: bool| {
         let contacts = scene.0.contacts(state);
         let mass = scene.0.mass(&state.q);
         let modes = core::array::from_fn(|i| match (contacts[i].press, modes[i]) {
@@ -299,7 +303,7 @@ pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
 fn check_masses<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     scene: &Modal<M, N, S, C>,
     t: f64,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Result<()> {
     let mass = scene.0.mass(&state.q);
     if !is_positive(&mass) {
@@ -353,7 +357,7 @@ fn is_positive<const N: usize>(mass: &[[f64; N]; N]) -> bool {
 fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     scene: &Modal<M, N, S, C>,
     t: f64,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Result<()> {
     let contacts = scene.0.contacts(state);
     for (i, contact) in contacts.iter().enumerate() {
@@ -429,7 +433,7 @@ fn named<const N: usize, const C: usize>(
     unsolved: Unsolved<C>,
     t: f64,
     contacts: &[Contact<N>; C],
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Error {
     let say = |modes: &Modes<C>| {
         let each: Vec<_> = contacts
