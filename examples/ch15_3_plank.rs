@@ -59,7 +59,7 @@ pub struct Plank {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 1> for Plank {
+impl Mechanism<3, 1> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.length * self.length / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
@@ -94,7 +94,7 @@ impl Mechanism<3, 6, 1> for Plank {
 }
 
 /// A motion of the plank.
-pub type Fall = ContactMotion<Plank, 3, 6, 1>;
+pub type Fall = ContactMotion<Plank, 3, 1>;
 
 impl Plank {
     /// The smooth plank in no air, until it lies on the floor.

@@ -80,7 +80,7 @@ pub struct Discs {
     pub bounce: f64,
 }
 
-impl Mechanism<3, 6, 1> for Discs {
+impl Mechanism<3, 1> for Discs {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let Parameters { upper, lower, .. } = self.p;
         [[1.0, 0.0, 0.0], [0.0, upper, 0.0], [0.0, 0.0, lower]]
@@ -113,7 +113,7 @@ fn rate(p: &Parameters) -> f64 {
 }
 
 /// A fall of the upper disc, and the slip.
-pub type Fall = ContactMotion<Discs, 3, 6, 1>;
+pub type Fall = ContactMotion<Discs, 3, 1>;
 
 /// The motion from the release until `ends`, in units of the time of the slip.
 pub fn fallen(

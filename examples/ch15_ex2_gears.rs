@@ -84,7 +84,7 @@ pub struct Wheels {
     pub driven: bool,
 }
 
-impl Mechanism<2, 4, 2> for Wheels {
+impl Mechanism<2, 2> for Wheels {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[self.p.inertia_a, 0.0], [0.0, self.p.inertia_b]]
     }
@@ -115,7 +115,7 @@ impl Mechanism<2, 4, 2> for Wheels {
 }
 
 /// A motion of the wheels.
-pub type Run = ContactMotion<Wheels, 2, 4, 2>;
+pub type Run = ContactMotion<Wheels, 2, 2>;
 
 /// B at rest at first; until 1.5 times the time that it needs.
 pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> rotation_dynamics::Result<Run> {
@@ -291,7 +291,7 @@ fn besides(
     [motor, bearing]: [f64; 2],
     driven: bool,
     end: f64,
-) -> rotation_dynamics::Result<ContactMotion<With<Wheels, Besides>, 2, 4, 2>> {
+) -> rotation_dynamics::Result<ContactMotion<With<Wheels, Besides>, 2, 2>> {
     let (p, rate) = (p.clone(), p.rate);
     let load = Besides {
         rate,

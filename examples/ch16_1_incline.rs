@@ -73,7 +73,7 @@ pub struct Roller {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 1> for Roller {
+impl Mechanism<3, 1> for Roller {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
@@ -116,7 +116,7 @@ pub struct Resisted {
     pub resistance: f64,
 }
 
-impl Mechanism<3, 6, 2> for Resisted {
+impl Mechanism<3, 2> for Resisted {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.roller.mass(q)
     }
@@ -141,7 +141,7 @@ impl Mechanism<3, 6, 2> for Resisted {
 }
 
 /// A motion of the body.
-pub type Roll = ContactMotion<Roller, 3, 6, 1>;
+pub type Roll = ContactMotion<Roller, 3, 1>;
 
 impl Roller {
     /// The body of these parameters.
@@ -383,7 +383,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// How far up the slope a body comes that starts rolling at this speed.
 pub fn way<const C: usize>(
-    body: impl Mechanism<3, 6, C>,
+    body: impl Mechanism<3, C>,
     start: MechanismState<3>,
     end: f64,
 ) -> Result<f64> {

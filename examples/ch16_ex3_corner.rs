@@ -51,7 +51,7 @@ pub struct Cylinder {
 // ANCHOR: scene
 /// The coordinates are `[x, y, turned]`: how far the axis is to the right of where it is set
 /// down, how high it is, and the angle, counterclockwise.
-impl Mechanism<3, 6, 2> for Cylinder {
+impl Mechanism<3, 2> for Cylinder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]]
     }
@@ -74,7 +74,7 @@ impl Mechanism<3, 6, 2> for Cylinder {
 // ANCHOR_END: scene
 
 /// A motion of the cylinder.
-pub type Ride = ContactMotion<Cylinder, 3, 6, 2>;
+pub type Ride = ContactMotion<Cylinder, 3, 2>;
 
 // ANCHOR: forms
 impl Cylinder {

@@ -63,7 +63,7 @@ pub struct Ball {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 1> for Ball {
+impl Mechanism<3, 1> for Ball {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
@@ -100,7 +100,7 @@ impl Mechanism<3, 6, 1> for Ball {
 }
 
 /// A motion of the ball.
-pub type Roll = ContactMotion<Ball, 3, 6, 1>;
+pub type Roll = ContactMotion<Ball, 3, 1>;
 
 impl Ball {
     /// The ball of these parameters, its charge in the middle.

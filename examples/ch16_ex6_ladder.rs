@@ -48,7 +48,7 @@ pub struct Ladder {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 2> for Ladder {
+impl Mechanism<3, 2> for Ladder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.inertia * self.length * self.length / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
@@ -85,7 +85,7 @@ impl Mechanism<3, 6, 2> for Ladder {
 }
 
 /// A motion of the ladder.
-pub type Slide = ContactMotion<Ladder, 3, 6, 2>;
+pub type Slide = ContactMotion<Ladder, 3, 2>;
 
 impl Ladder {
     /// The uniform, smooth ladder of the exercise.

@@ -71,7 +71,7 @@ pub struct Plank {
 // ANCHOR: scene
 /// The coordinates are `[x, y, tilt]`: how far the middle of the plank is to the right of that
 /// between the rollers and above its place when it lies flat, and its angle, counterclockwise.
-impl Mechanism<3, 6, 2> for Plank {
+impl Mechanism<3, 2> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let (long, thick) = (2.4 * self.p.distance, self.p.thickness);
         let turning = (long * long + thick * thick) / 12.0;
@@ -118,7 +118,7 @@ impl Mechanism<3, 6, 2> for Plank {
 }
 
 /// A motion of the plank.
-pub type Ride = ContactMotion<Plank, 3, 6, 2>;
+pub type Ride = ContactMotion<Plank, 3, 2>;
 
 /// The nearest to jamming.
 const JAMS: f64 = 0.9999;

@@ -16,7 +16,7 @@ struct Roller {
     resistance: f64,
 }
 
-impl Mechanism<3, 6, 2> for Roller {
+impl Mechanism<3, 2> for Roller {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]

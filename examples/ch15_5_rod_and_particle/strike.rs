@@ -31,7 +31,7 @@ pub struct Strike {
 const PIECES: u32 = 64;
 
 /// Coordinates: the middle of the rod, its angle, the particle.
-impl Mechanism<5, 10, 3> for Strike {
+impl Mechanism<5, 3> for Strike {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
         let (m, i) = (self.rod, self.rod * self.length * self.length / 12.0);
         let diagonal = [m, m, i, self.particle, self.particle];
@@ -178,7 +178,7 @@ pub struct Blow {
     pub after: MechanismState<5>,
     strike: Strike,
     impact: f64,
-    motion: ContactMotion<Strike, 5, 10, 3>,
+    motion: ContactMotion<Strike, 5, 3>,
 }
 
 impl Blow {

@@ -61,7 +61,7 @@ impl Strike {
 
 // ANCHOR: scene
 /// Coordinates: the middle of the bat, its angle, the ball.
-impl Mechanism<5, 10, 3> for Strike {
+impl Mechanism<5, 3> for Strike {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
         let (m, ball) = (self.p.mass, self.p.ball);
         let diagonal = [m, m, m * super::inertia(&self.p, 0.0), ball, ball];
@@ -110,7 +110,7 @@ pub struct Blow {
     pub after: MechanismState<5>,
     /// When they touch first.
     pub touch: f64,
-    pub motion: ContactMotion<Strike, 5, 10, 3>,
+    pub motion: ContactMotion<Strike, 5, 3>,
 }
 
 impl Blow {

@@ -25,7 +25,7 @@ pub struct Pull {
 
 // ANCHOR: string
 /// Coordinates: the particle, and a clock.
-impl Mechanism<3, 6, 2> for Pull {
+impl Mechanism<3, 2> for Pull {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }
@@ -63,7 +63,7 @@ pub const BEFORE: f64 = 0.5;
 
 /// A motion; the hand pulls from the time 0 on.
 pub struct Pulled {
-    motion: ContactMotion<Pull, 3, 6, 2>,
+    motion: ContactMotion<Pull, 3, 2>,
     before: f64,
 }
 

@@ -59,7 +59,7 @@ impl Hit {
 
 // ANCHOR: scene
 /// Coordinates: the middle of the stick, its angle, the ball.
-impl Mechanism<5, 10, 2> for Hit {
+impl Mechanism<5, 2> for Hit {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
         let diagonal = [self.mass, self.mass, self.moment, 1.0, 1.0];
         core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
@@ -93,7 +93,7 @@ pub const APPROACH: f64 = 0.8;
 
 /// The approach, the hit at t = 0, and what follows.
 pub struct Blow {
-    motion: ContactMotion<Hit, 5, 10, 2>,
+    motion: ContactMotion<Hit, 5, 2>,
     /// Just before and just after.
     pub before: MechanismState<5>,
     pub after: MechanismState<5>,

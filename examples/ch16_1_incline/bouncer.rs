@@ -17,7 +17,7 @@ pub const HEIGHT: f64 = 5.0;
 #[derive(Debug, Clone, Copy)]
 pub struct Bouncer(Roller);
 
-impl Mechanism<3, 6, 1> for Bouncer {
+impl Mechanism<3, 1> for Bouncer {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.0.mass(q)
     }
@@ -70,7 +70,7 @@ impl Bouncer {
     }
 
     /// Let go at rest above the slope, for twice the time until it rests.
-    pub fn run(self, tolerance: f64) -> Result<ContactMotion<Self, 3, 6, 1>> {
+    pub fn run(self, tolerance: f64) -> Result<ContactMotion<Self, 3, 1>> {
         let start = MechanismState::rest([0.0, (1.0 + HEIGHT) * self.0.radius, 0.0]);
         motion(self, &Dop853::new(tolerance)?, start, 2.0 * self.rests())
     }

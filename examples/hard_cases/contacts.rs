@@ -64,7 +64,7 @@ struct Towed;
 const DOWN: f64 = 6.0;
 const BRAKE: f64 = 8.0;
 
-impl Mechanism<2, 4, 2> for Towed {
+impl Mechanism<2, 2> for Towed {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[1.0, 0.0], [0.0, 1.0]]
     }
@@ -122,7 +122,7 @@ fn towed() -> Result<Row> {
 struct Apart;
 const LIFT: f64 = 10.0;
 
-impl Mechanism<3, 6, 2> for Apart {
+impl Mechanism<3, 2> for Apart {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }

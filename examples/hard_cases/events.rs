@@ -315,7 +315,7 @@ fn stick_slip() -> Result<Row> {
 
 /// A block of 1 kg that slides on a floor, mu = 0.5, to its stop, and stays.
 struct Block;
-impl Mechanism<3, 6, 1> for Block {
+impl Mechanism<3, 1> for Block {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }
@@ -374,7 +374,7 @@ fn stop() -> Result<Row> {
 
 /// A ball that returns half of its speed: at rest after 3 s and infinitely many bounces.
 struct Ball;
-impl Mechanism<1, 2, 1> for Ball {
+impl Mechanism<1, 1> for Ball {
     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
         [[1.0]]
     }

@@ -24,7 +24,7 @@ struct Pair {
     restitution: f64,
 }
 
-impl Mechanism<2, 4, 1> for Pair {
+impl Mechanism<2, 1> for Pair {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[self.mass, 0.0], [0.0, 1.0]]
     }

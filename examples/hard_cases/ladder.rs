@@ -26,7 +26,7 @@ impl Ladder {
     }
 }
 
-impl Mechanism<3, 6, 2> for Ladder {
+impl Mechanism<3, 2> for Ladder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let inertia = LENGTH * LENGTH / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]

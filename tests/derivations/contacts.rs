@@ -23,7 +23,7 @@ fn arm(angle: f64) -> [f64; 2] {
     [-cos, -sin]
 }
 
-impl Mechanism<3, 6, 1> for Rod {
+impl Mechanism<3, 1> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }
@@ -229,7 +229,7 @@ fn what_has_drifted_goes_back_by_least_action() {
             let (_, state) = entry(&rod, start).expect("a contact");
             for (j, over) in [1.0, 1.0, 3.0].into_iter().enumerate() {
                 let want = -gap * over * plain.normal[j] / (damage * plain.w[0]);
-                errors.push_at((state[j] - start.q[j] - want) / gap, (angle, j));
+                errors.push_at((state.q[j] - start.q[j] - want) / gap, (angle, j));
             }
         }
         errors

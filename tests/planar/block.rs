@@ -25,7 +25,7 @@ impl Block {
     }
 }
 
-impl Mechanism<2, 4, 1> for Block {
+impl Mechanism<2, 1> for Block {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[2.0, 0.0], [0.0, 2.0]]
     }
@@ -40,7 +40,7 @@ impl Mechanism<2, 4, 1> for Block {
     }
 }
 
-fn slide(block: &Block, speed: f64, t_end: f64) -> ContactMotion<&Block, 2, 4, 1> {
+fn slide(block: &Block, speed: f64, t_end: f64) -> ContactMotion<&Block, 2, 1> {
     let start = MechanismState {
         q: [0.0, 0.0],
         v: [speed, 0.0],

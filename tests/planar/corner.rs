@@ -15,7 +15,7 @@ struct Cylinder {
 
 const R: f64 = 0.1;
 
-impl Mechanism<3, 6, 2> for Cylinder {
+impl Mechanism<3, 2> for Cylinder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.5 * R * R]]
     }
@@ -30,7 +30,7 @@ impl Mechanism<3, 6, 2> for Cylinder {
     }
 }
 
-fn spun(cylinder: &Cylinder, spin: f64, t_end: f64) -> ContactMotion<&Cylinder, 3, 6, 2> {
+fn spun(cylinder: &Cylinder, spin: f64, t_end: f64) -> ContactMotion<&Cylinder, 3, 2> {
     let start = MechanismState {
         q: [R, R, 0.0],
         v: [0.0, 0.0, spin],

@@ -13,7 +13,7 @@ struct Bead {
     rises: f64,
 }
 
-impl Mechanism<2, 4, 1> for Bead {
+impl Mechanism<2, 1> for Bead {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[1.0, 0.0], [0.0, 1.0]]
     }

@@ -26,14 +26,15 @@ impl<const N: usize, S: Phased<N>> Phased<N> for Adrift<S> {
 }
 
 /// The run of a mechanism that is never put back.
-pub fn adrift<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn adrift<M: Mechanism<N, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: &M,
     method: &Dop853,
     start: MechanismState<N>,
     t_end: f64,
 ) -> Run<Modes<C>, S> {
     let (modes, state) = entry(mechanism, start).unwrap();
-    simulate(&Adrift(Modal(mechanism)), method, modes, state, t_end).unwrap()
+    let scene = Adrift(Modal(mechanism));
+    simulate(&scene, method, modes, state.to_array(), t_end).unwrap()
 }
 
 fn tightest() -> Dop853 {
@@ -69,7 +70,7 @@ fn silence_does_not_drift() {
     let kept = motion(&SWINGS, &tightest(), start, 1000.0).unwrap();
     assert!(kept.events().is_empty());
     silence(|t| kept.at(t).unwrap().q[0]).attain(1.3..=1.4, 500);
-    let lost = adrift(&SWINGS, &tightest(), start, 1000.0);
+    let lost: Run<_, 6> = adrift(&SWINGS, &tightest(), start, 1000.0);
     // The damaged twin.
     silence(|t| lost.at(t).unwrap().1[0]).attain(324.0..=325.0, 500);
 }

@@ -15,7 +15,7 @@ struct Ball {
     mu: f64,
 }
 
-impl Mechanism<3, 6, 2> for Ball {
+impl Mechanism<3, 2> for Ball {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
     }
@@ -175,7 +175,7 @@ struct Row {
     restitution: f64,
 }
 
-impl Mechanism<3, 6, 2> for Row {
+impl Mechanism<3, 2> for Row {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let [a, b, c] = self.masses;
         [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
@@ -244,7 +244,7 @@ pub struct Rod {
     pub restitution: f64,
 }
 
-impl Mechanism<3, 6, 1> for Rod {
+impl Mechanism<3, 1> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }

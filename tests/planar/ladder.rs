@@ -10,6 +10,7 @@ use mechanism::{LENGTH, Ladder};
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{cos, sin, sincos, tan};
+use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, Surface, kept_within, misdeclared,
     motion_within,
@@ -24,7 +25,7 @@ fn rubs(mu: f64) -> Ladder {
     }
 }
 
-fn slide(ladder: Ladder, angle: f64) -> ContactMotion<Ladder, 3, 6, 2> {
+fn slide(ladder: Ladder, angle: f64) -> ContactMotion<Ladder, 3, 2> {
     motion_within(ladder, 1e-12, ladder.at_rest(angle), 100.0).unwrap()
 }
 
@@ -136,7 +137,7 @@ fn rows_are_those_of_the_gaps() {
     assert_error!(misdeclared(&ladder, &state), 1.7e-13);
     /// The damaged twin: an angle counted the other way round.
     struct Reversed;
-    impl Mechanism<3, 6, 2> for Reversed {
+    impl Mechanism<3, 2> for Reversed {
         fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
             rubs(0.1).mass(q)
         }
@@ -177,7 +178,7 @@ fn rough_ladders_let_go_too() {
             let (gap, slip) = motion.drift().unwrap();
             drift.push_at(gap, (angle, part));
             assert_eq!(slip, 0.0);
-            let lost = adrift(&ladder, &Dop853::new(1e-9).unwrap(), start, 100.0);
+            let lost: Run<_, 6> = adrift(&ladder, &Dop853::new(1e-9).unwrap(), start, 100.0);
             let [x, _, theta, ..] = lost.transitions()[0].before;
             unbound.push_at(x - 0.5 * LENGTH * sin(theta), (angle, part));
         }

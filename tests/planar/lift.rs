@@ -15,7 +15,7 @@ struct Lift {
     restitution: f64,
 }
 
-impl Mechanism<2, 4, 1> for Lift {
+impl Mechanism<2, 1> for Lift {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[2.0, 0.0], [0.0, 1.0]]
     }
@@ -32,7 +32,7 @@ impl Mechanism<2, 4, 1> for Lift {
     }
 }
 
-fn carried(lift: &Lift, height: f64, v: f64, t_end: f64) -> ContactMotion<&Lift, 2, 4, 1> {
+fn carried(lift: &Lift, height: f64, v: f64, t_end: f64) -> ContactMotion<&Lift, 2, 1> {
     let start = MechanismState {
         q: [height, 0.0],
         v: [v, 1.0],

@@ -17,7 +17,7 @@ pub struct Plank {
     pub speed: f64,
 }
 
-impl Mechanism<3, 6, 2> for Plank {
+impl Mechanism<3, 2> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.5]]
     }
@@ -50,7 +50,7 @@ pub fn laid(
     v: f64,
     t_end: f64,
     tolerance: f64,
-) -> Result<ContactMotion<&Plank, 3, 6, 2>> {
+) -> Result<ContactMotion<&Plank, 3, 2>> {
     let start = MechanismState {
         q: [x, 0.0, 0.0],
         v: [v, 0.0, 0.0],

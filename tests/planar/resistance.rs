@@ -17,7 +17,7 @@ struct Resisted {
     resistance: f64,
 }
 
-impl Mechanism<3, 6, 2> for Resisted {
+impl Mechanism<3, 2> for Resisted {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.round.mass(q)
     }
@@ -155,7 +155,7 @@ fn in_the_air_it_resists_nothing() {
 #[test]
 fn what_resists_nothing_that_pushes_is_refused() {
     struct Wrong(usize, f64);
-    impl Mechanism<3, 6, 2> for Wrong {
+    impl Mechanism<3, 2> for Wrong {
         fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
         }
@@ -206,7 +206,7 @@ fn what_resists_nothing_that_pushes_is_refused() {
 #[derive(Clone, Copy)]
 struct Stone;
 
-impl Mechanism<3, 6, 0> for Stone {
+impl Mechanism<3, 0> for Stone {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.3]]
     }

@@ -18,7 +18,7 @@ struct Particle {
     ceiling: f64,
 }
 
-impl Mechanism<1, 2, 2> for Particle {
+impl Mechanism<1, 2> for Particle {
     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
         [[1.0]]
     }
@@ -60,7 +60,7 @@ impl Ball {
     }
 }
 
-impl Mechanism<3, 6, 1> for Ball {
+impl Mechanism<3, 1> for Ball {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let inertia = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
@@ -368,7 +368,7 @@ struct Rod {
     restitution: f64,
 }
 
-impl Mechanism<3, 6, 2> for Rod {
+impl Mechanism<3, 2> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }
@@ -434,7 +434,7 @@ fn a_rod_rattles_to_rest() {
 struct Block;
 const ACROSS: [f64; 2] = [0.5, 2.0];
 
-impl Mechanism<3, 6, 2> for Block {
+impl Mechanism<3, 2> for Block {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let [b, h] = ACROSS;
         [

@@ -11,7 +11,7 @@ pub struct Bead {
     pub string: bool,
 }
 
-impl Mechanism<2, 4, 1> for Bead {
+impl Mechanism<2, 1> for Bead {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[2.0, 0.0], [0.0, 2.0]]
     }
@@ -35,7 +35,7 @@ impl Mechanism<2, 4, 1> for Bead {
 
 /// Sent round from the bottom with v^2 = `part` g: 4 g is what reaches the top on a rod, 5 g
 /// on a string.
-fn swung(bead: &Bead, part: f64) -> ContactMotion<&Bead, 2, 4, 1> {
+fn swung(bead: &Bead, part: f64) -> ContactMotion<&Bead, 2, 1> {
     let start = MechanismState {
         q: [0.0, -1.0],
         v: [(part * G).sqrt(), 0.0],
@@ -74,8 +74,8 @@ fn a_rod_pulls_and_pushes() {
     let (gap, slip) = swung(&rod, 4.5).drift().unwrap();
     assert_error!(gap, 1.2e-13);
     assert_eq!(slip, 0.0);
-    let scene: Modal<_, 2, 4, 1> = Modal(&rod);
-    assert_eq!(format!("{scene:?}"), "Modal<2, 4, 1>");
+    let scene: Modal<_, 2, 1> = Modal(&rod);
+    assert_eq!(format!("{scene:?}"), "Modal<2, 1>");
 }
 
 /// The string goes slack where 3 y = v0^2/g - 2, unless v0^2 is 5 g.

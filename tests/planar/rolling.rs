@@ -14,7 +14,7 @@ pub struct Round {
     pub mu: f64,
 }
 
-impl Mechanism<3, 6, 1> for Round {
+impl Mechanism<3, 1> for Round {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let inertia = self.shape * self.mass * self.radius * self.radius;
         [

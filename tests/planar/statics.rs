@@ -14,7 +14,7 @@ struct Box {
     mu: f64,
 }
 
-impl Mechanism<3, 6, 2> for Box {
+impl Mechanism<3, 2> for Box {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 25.0 / 12.0]]
     }
@@ -121,7 +121,7 @@ struct Pile {
     heavy: f64,
 }
 
-impl Mechanism<2, 4, 2> for Pile {
+impl Mechanism<2, 2> for Pile {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[self.light, 0.0], [0.0, self.heavy]]
     }
@@ -176,7 +176,7 @@ struct Unwinding {
     glued: bool,
 }
 
-impl Mechanism<2, 4, 1> for Unwinding {
+impl Mechanism<2, 1> for Unwinding {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[3.0, 0.0], [0.0, 0.5 * 3.0 * 0.04]]
     }
@@ -236,7 +236,7 @@ struct Discs {
     torque: f64,
 }
 
-impl Mechanism<2, 4, 1> for Discs {
+impl Mechanism<2, 1> for Discs {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[0.03, 0.0], [0.0, 0.05]]
     }

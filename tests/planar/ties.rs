@@ -13,7 +13,7 @@ struct Tie {
 const BRAKE: f64 = 5.0;
 const GROWS: f64 = 10.0;
 
-impl Mechanism<3, 6, 2> for Tie {
+impl Mechanism<3, 2> for Tie {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }

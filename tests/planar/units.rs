@@ -33,7 +33,7 @@ impl Rod {
     }
 }
 
-impl Mechanism<3, 6, 2> for Rod {
+impl Mechanism<3, 2> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let [x, y, turning] = self.mass;
         [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, turning]]
@@ -144,7 +144,7 @@ fn what_has_no_motion_is_refused() {
 /// A bead on a plane with this mass matrix.
 struct Coupled([[f64; 2]; 2]);
 
-impl Mechanism<2, 4, 0> for Coupled {
+impl Mechanism<2, 0> for Coupled {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         self.0
     }

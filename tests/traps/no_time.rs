@@ -159,7 +159,7 @@ impl Phased<2> for Falling {
     }
 }
 
-impl Mechanism<1, 2, 1> for Falling {
+impl Mechanism<1, 1> for Falling {
     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
         [[2.0]]
     }

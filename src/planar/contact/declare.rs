@@ -12,6 +12,21 @@ impl<const N: usize> MechanismState<N> {
     pub const fn rest(q: [f64; N]) -> Self {
         Self { q, v: [0.0; N] }
     }
+
+    /// Coordinates, then velocities: `S` = 2 N numbers.
+    pub fn to_array<const S: usize>(&self) -> [f64; S] {
+        const { assert!(S == 2 * N, "a state has two numbers for each coordinate") };
+        core::array::from_fn(|k| if k < N { self.q[k] } else { self.v[k - N] })
+    }
+
+    /// The state of these coordinates and, after them, velocities.
+    pub fn from_array<const S: usize>(numbers: &[f64; S]) -> Self {
+        const { assert!(S == 2 * N, "a state has two numbers for each coordinate") };
+        Self {
+            q: core::array::from_fn(|j| numbers[j]),
+            v: core::array::from_fn(|j| numbers[N + j]),
+        }
+    }
 }
 
 /// The direction of a slip.
@@ -280,7 +295,7 @@ impl Contact<3> {
     ///
     /// /// A wheel of radius 0.3 m: m = 1, I = m R^2, C_rr = 0.01.
     /// struct Wheel;
-    /// impl Mechanism<3, 6, 2> for Wheel {
+    /// impl Mechanism<3, 2> for Wheel {
     ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
     ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.09]]
     ///     }

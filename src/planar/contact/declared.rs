@@ -10,7 +10,7 @@ use crate::accuracy::largest;
 ///
 /// A slip of the pen gives an error of order 1, correct rows one of order 1e-10. The state should move in all its
 /// coordinates; surfaces that move along the normal are left out.
-pub fn misdeclared<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn misdeclared<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: &M,
     state: &MechanismState<N>,
 ) -> f64 {

@@ -27,7 +27,7 @@ pub trait Load<const N: usize> {
 ///
 /// /// A stone of 1 kg that falls.
 /// struct Stone;
-/// impl Mechanism<3, 6, 0> for Stone {
+/// impl Mechanism<3, 0> for Stone {
 ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
 ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.1]]
 ///     }
@@ -69,9 +69,9 @@ impl<M, F> With<M, F> {
     }
 }
 
-impl<M, F, const N: usize, const S: usize, const C: usize> Mechanism<N, S, C> for With<M, F>
+impl<M, F, const N: usize, const C: usize> Mechanism<N, C> for With<M, F>
 where
-    M: Mechanism<N, S, C>,
+    M: Mechanism<N, C>,
     F: Load<N>,
 {
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {

@@ -46,7 +46,10 @@ pub use declare::{Contact, Friction, MechanismState, Mode, Row, Sense, Surface};
 pub use declared::misdeclared;
 pub use drag::{LinearDrag, LinearSpinDrag, Load, QuadraticDrag, QuadraticSpinDrag, With};
 pub use modal::{Modal, entry};
-pub use motion::{ContactEvent, ContactMotion, kept_within, motion, motion_so_far, motion_within};
+pub use motion::{
+    ContactEvent, ContactMotion, Coordinates, Solvable, kept_within, motion, motion_so_far,
+    motion_within,
+};
 pub use response::Force;
 
 /// The most contacts that one mechanism may have: all sets of their modes are tried.
@@ -55,14 +58,14 @@ pub const MOST_CONTACTS: usize = 4;
 /// The mode of each contact.
 pub type Modes<const C: usize> = [Mode; C];
 
-/// Bodies with `N` coordinates and `C` contacts; a state has `S = 2 N` numbers.
+/// Bodies with `N` coordinates and `C` contacts.
 ///
 /// ```
 /// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, Surface, motion_within};
 ///
 /// /// A ball of radius 0.1 m that is set down spinning: m = 1, I = (2/5) m R^2, mu = 0.2.
 /// struct Ball;
-/// impl Mechanism<3, 6, 1> for Ball {
+/// impl Mechanism<3, 1> for Ball {
 ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
 ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
 ///     }
@@ -83,7 +86,7 @@ pub type Modes<const C: usize> = [Mode; C];
 /// # Ok(())
 /// # }
 /// ```
-pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
+pub trait Mechanism<const N: usize, const C: usize> {
     /// The mass matrix M(q), symmetric and positive definite: what is not is refused at the start
     /// and wherever the modes change.
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
@@ -130,9 +133,7 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
     }
 }
 
-impl<M: Mechanism<N, S, C> + ?Sized, const N: usize, const S: usize, const C: usize>
-    Mechanism<N, S, C> for &M
-{
+impl<M: Mechanism<N, C> + ?Sized, const N: usize, const C: usize> Mechanism<N, C> for &M {
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {
         (**self).mass(q)
     }

@@ -1,12 +1,13 @@
 //! The motion of a mechanism, with the events and forces of its contacts.
 
 use super::declare::{MechanismState, Mode, Press};
-use super::modal::{Modal, entry, split};
+use super::modal::{Modal, entry};
 use super::{Force, Mechanism, Modes};
 use crate::accuracy::larger;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Work};
-use crate::planar::{Bilateral, Rest, Run, Transition, simulate, simulate_so_far, simulate_within};
+use crate::planar::run::whole;
+use crate::planar::{Bilateral, Rest, Run, Transition, simulate_so_far, simulate_within};
 use core::fmt;
 
 /// Something that happened to a contact, or the end of the scene.
@@ -54,7 +55,7 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 ///
 /// /// A ball that is dropped, and returns half of its speed; g = 10 m/s^2.
 /// struct Ball;
-/// impl Mechanism<1, 2, 1> for Ball {
+/// impl Mechanism<1, 1> for Ball {
 ///     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
 ///         [[1.0]]
 ///     }
@@ -73,30 +74,94 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 /// # Ok(())
 /// # }
 /// ```
-pub struct ContactMotion<M, const N: usize, const S: usize, const C: usize> {
+pub struct ContactMotion<M, const N: usize, const C: usize> {
     mechanism: M,
-    done: Done<N, S, C>,
+    done: Done<N, C>,
 }
 
 /// What is known of a motion beside its mechanism.
-struct Done<const N: usize, const S: usize, const C: usize> {
-    run: Run<Modes<C>, S>,
+pub struct Done<const N: usize, const C: usize> {
+    run: Box<dyn AnyRun<N, C>>,
     events: Vec<ContactEvent<N, C>>,
     estimate: Option<f64>,
     work: Work,
 }
 
+/// A run, however many numbers its states have.
+trait AnyRun<const N: usize, const C: usize>: Send + Sync {
+    fn end_time(&self) -> f64;
+    fn at(&self, t: f64) -> Result<(Modes<C>, MechanismState<N>)>;
+    /// Shows what is at the ends of its steps.
+    fn steps(&self, see: &mut dyn FnMut(&Modes<C>, &MechanismState<N>)) -> Result<()>;
+}
+
+impl<const N: usize, const S: usize, const C: usize> AnyRun<N, C> for Run<Modes<C>, S> {
+    fn end_time(&self) -> f64 {
+        self.end_time()
+    }
+
+    fn at(&self, t: f64) -> Result<(Modes<C>, MechanismState<N>)> {
+        let (modes, numbers) = self.at(t)?;
+        Ok((modes, MechanismState::from_array(&numbers)))
+    }
+
+    fn steps(&self, see: &mut dyn FnMut(&Modes<C>, &MechanismState<N>)) -> Result<()> {
+        for piece in self.pieces() {
+            for t in piece.solution.step_times() {
+                let numbers = piece.solution.at(t)?;
+                see(&piece.phase, &MechanismState::from_array(&numbers));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Marks a number of coordinates.
+#[derive(Debug, Clone, Copy)]
+pub struct Coordinates<const N: usize>;
+
+/// Of how many coordinates motions can be solved: 1 to 14.
+///
+/// A state has 2 N numbers, which Rust cannot say of every N.
+pub trait Solvable<const N: usize> {
+    /// The motion as far as it goes, and the refusal that ended it.
+    #[doc(hidden)]
+    fn solved<const C: usize>(
+        mechanism: &AnyMechanism<'_, N, C>,
+        how: How<'_>,
+        start: MechanismState<N>,
+        t_end: f64,
+    ) -> (Done<N, C>, Option<Error>);
+}
+
+macro_rules! solvable {
+    ($($coordinates:literal)+) => { $(
+        impl Solvable<$coordinates> for Coordinates<$coordinates> {
+            fn solved<const C: usize>(
+                mechanism: &AnyMechanism<'_, $coordinates, C>,
+                how: How<'_>,
+                start: MechanismState<$coordinates>,
+                t_end: f64,
+            ) -> (Done<$coordinates, C>, Option<Error>) {
+                solved::<$coordinates, { 2 * $coordinates }, C>(mechanism, how, start, t_end)
+            }
+        }
+    )+ };
+}
+
+solvable!(1 2 3 4 5 6 7 8 9 10 11 12 13 14);
+
 /// A mechanism of any type: what solves it is compiled once for all of its size.
-type AnyMechanism<'m, const N: usize, const S: usize, const C: usize> = dyn Mechanism<N, S, C> + 'm;
+type AnyMechanism<'m, const N: usize, const C: usize> = dyn Mechanism<N, C> + 'm;
 
 /// How a motion is solved.
-enum How<'h> {
+pub enum How<'h> {
     By(&'h Dop853),
     Within(f64),
     KeptWithin(f64),
 }
 
-impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for ContactMotion<M, N, S, C> {
+impl<M, const N: usize, const C: usize> fmt::Debug for ContactMotion<M, N, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ContactMotion")
             .field("end_time", &self.done.run.end_time())
@@ -110,29 +175,41 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for ContactMo
 /// # Errors
 /// Those of [`entry`], at the start or where the modes change, and of
 /// [`simulate`](crate::planar::simulate). [`motion_so_far`] has the motion up to there.
-pub fn motion<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn motion<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
     start: MechanismState<N>,
     t_end: f64,
-) -> Result<ContactMotion<M, N, S, C>> {
-    let done = solved(&mechanism, How::By(method), start, t_end)?;
-    Ok(ContactMotion { mechanism, done })
+) -> Result<ContactMotion<M, N, C>>
+where
+    Coordinates<N>: Solvable<N>,
+{
+    whole(told(mechanism, How::By(method), start, t_end))
 }
 
 /// The motion as [`motion`] has it, as far as it goes, and the refusal that ended it, if one did.
-pub fn motion_so_far<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn motion_so_far<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
     start: MechanismState<N>,
     t_end: f64,
-) -> (ContactMotion<M, N, S, C>, Option<Error>) {
-    let any: &AnyMechanism<'_, N, S, C> = &mechanism;
-    let (run, refused) = match entry(&any, start) {
-        Ok((modes, state)) => simulate_so_far(&Modal(any), method, modes, state, t_end),
-        Err(error) => (Run::empty(), Some(error)),
-    };
-    let done = Done::new(any, run);
+) -> (ContactMotion<M, N, C>, Option<Error>)
+where
+    Coordinates<N>: Solvable<N>,
+{
+    told(mechanism, How::By(method), start, t_end)
+}
+
+fn told<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    mechanism: M,
+    how: How<'_>,
+    start: MechanismState<N>,
+    t_end: f64,
+) -> (ContactMotion<M, N, C>, Option<Error>)
+where
+    Coordinates<N>: Solvable<N>,
+{
+    let (done, refused) = Coordinates::<N>::solved(&mechanism, how, start, t_end);
     (ContactMotion { mechanism, done }, refused)
 }
 
@@ -141,57 +218,76 @@ pub fn motion_so_far<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
 ///
 /// # Errors
 /// Those of [`motion`] and of [`simulate_within`].
-pub fn motion_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn motion_within<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     tolerance: f64,
     start: MechanismState<N>,
     t_end: f64,
-) -> Result<ContactMotion<M, N, S, C>> {
-    let done = solved(&mechanism, How::Within(tolerance), start, t_end)?;
-    Ok(ContactMotion { mechanism, done })
+) -> Result<ContactMotion<M, N, C>>
+where
+    Coordinates<N>: Solvable<N>,
+{
+    whole(told(mechanism, How::Within(tolerance), start, t_end))
 }
 
 /// The same with contacts that never let go and pull instead: the usual mistake.
 ///
 /// # Errors
 /// Those of [`motion_within`].
-pub fn kept_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn kept_within<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     tolerance: f64,
     start: MechanismState<N>,
     t_end: f64,
-) -> Result<ContactMotion<M, N, S, C>> {
-    let done = solved(&mechanism, How::KeptWithin(tolerance), start, t_end)?;
-    Ok(ContactMotion { mechanism, done })
+) -> Result<ContactMotion<M, N, C>>
+where
+    Coordinates<N>: Solvable<N>,
+{
+    whole(told(mechanism, How::KeptWithin(tolerance), start, t_end))
 }
 
 fn solved<const N: usize, const S: usize, const C: usize>(
-    mechanism: &AnyMechanism<'_, N, S, C>,
+    mechanism: &AnyMechanism<'_, N, C>,
     how: How<'_>,
     start: MechanismState<N>,
     t_end: f64,
-) -> Result<Done<N, S, C>> {
-    let (modes, state) = entry(&mechanism, start)?;
+) -> (Done<N, C>, Option<Error>) {
+    let done = |run| Done::new::<S>(mechanism, run);
+    let refused = |error| (done(Run::empty()), Some(error));
     let scene = Modal(mechanism);
+    let (modes, state) = match entry(&mechanism, start) {
+        Ok((modes, state)) => (modes, state.to_array()),
+        Err(error) => return refused(error),
+    };
     let within = match how {
         How::By(method) => {
-            let run = simulate(&scene, method, modes, state, t_end)?;
-            return Ok(Done::new(mechanism, run));
+            let (run, refused) = simulate_so_far(&scene, method, modes, state, t_end);
+            return (done(run), refused);
         }
-        How::Within(tolerance) => simulate_within(&scene, tolerance, modes, state, t_end)?,
+        How::Within(tolerance) => simulate_within(&scene, tolerance, modes, state, t_end),
         How::KeptWithin(tolerance) => {
-            simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)?
+            simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)
         }
     };
-    Ok(Done {
-        estimate: Some(within.estimate),
-        work: within.work,
-        ..Done::new(mechanism, within.run)
-    })
+    match within {
+        Ok(within) => {
+            let (estimate, work) = (Some(within.estimate), within.work);
+            let done = done(within.run);
+            (
+                Done {
+                    estimate,
+                    work,
+                    ..done
+                },
+                None,
+            )
+        }
+        Err(error) => refused(error),
+    }
 }
 
-impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
-    fn new(mechanism: &AnyMechanism<'_, N, S, C>, run: Run<Modes<C>, S>) -> Self {
+impl<const N: usize, const C: usize> Done<N, C> {
+    fn new<const S: usize>(mechanism: &AnyMechanism<'_, N, C>, run: Run<Modes<C>, S>) -> Self {
         let transitions = run.transitions().iter();
         let changes = transitions.clone().flat_map(|at| events(mechanism, at));
         let rests = transitions.filter_map(|at| rests(mechanism, &run, at.rest?));
@@ -201,33 +297,27 @@ impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
             events,
             estimate: None,
             work: run.work(),
-            run,
+            run: Box::new(run),
         }
     }
 
-    fn drift(&self, mechanism: &AnyMechanism<'_, N, S, C>) -> Result<(f64, f64)> {
+    fn drift(&self, mechanism: &AnyMechanism<'_, N, C>) -> Result<(f64, f64)> {
         let (mut gap, mut slip) = (0.0, 0.0);
-        for piece in self.run.pieces() {
-            for t in piece.solution.step_times() {
-                let state: MechanismState<N> = split(&piece.solution.at(t)?);
-                let contacts = mechanism.contacts(&state);
-                for (contact, mode) in contacts.iter().zip(piece.phase) {
-                    if mode != Mode::Open {
-                        gap = larger(gap, contact.gap.abs());
-                    }
-                    if mode == Mode::Stick {
-                        slip = larger(slip, contact.tangent.speed(&state.v).abs());
-                    }
+        self.run.steps(&mut |modes, state| {
+            for (contact, mode) in mechanism.contacts(state).iter().zip(modes) {
+                if *mode != Mode::Open {
+                    gap = larger(gap, contact.gap.abs());
+                }
+                if *mode == Mode::Stick {
+                    slip = larger(slip, contact.tangent.speed(&state.v).abs());
                 }
             }
-        }
+        })?;
         Ok((gap, slip))
     }
 }
 
-impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
-    ContactMotion<M, N, S, C>
-{
+impl<M: Mechanism<N, C>, const N: usize, const C: usize> ContactMotion<M, N, C> {
     /// What happened, in order.
     pub fn events(&self) -> &[ContactEvent<N, C>] {
         &self.done.events
@@ -253,7 +343,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     /// # Errors
     /// [`Error::OutsideRun`] for a time before the start or after the end.
     pub fn at(&self, t: f64) -> Result<MechanismState<N>> {
-        Ok(split(&self.done.run.at(t)?.1))
+        Ok(self.done.run.at(t)?.1)
     }
 
     /// What each contact does at `t`; at an event, what it did before.
@@ -270,7 +360,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     /// Those of [`at`](Self::at).
     pub fn forces(&self, t: f64) -> Result<[Force; C]> {
         let (modes, state) = self.done.run.at(t)?;
-        Ok(Modal(&self.mechanism as &AnyMechanism<'_, N, S, C>).forces(&modes, &state))
+        Ok(Modal(&self.mechanism as &AnyMechanism<'_, N, C>).forces(&modes, &state))
     }
 
     /// How far the integration has drifted off the contacts, at most, at the ends of its steps: the
@@ -296,21 +386,21 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
 
 /// What happened to the contacts at a change of modes.
 fn events<const N: usize, const S: usize, const C: usize>(
-    mechanism: &AnyMechanism<'_, N, S, C>,
+    mechanism: &AnyMechanism<'_, N, C>,
     at: &Transition<Modes<C>, S>,
 ) -> Vec<ContactEvent<N, C>> {
-    let scene = Modal(mechanism);
+    let [before, after] = [&at.before, &at.after].map(MechanismState::from_array);
     let event = |name| ContactEvent {
         name,
         t: at.t,
-        before: split(&at.before),
-        after: split(&at.after),
-        force: scene.forces(&at.from, &at.before),
+        before,
+        after,
+        force: Modal(mechanism).forces(&at.from, &before),
     };
     let Some(to) = at.to else {
         return vec![event(at.name.into())];
     };
-    let contacts = mechanism.contacts(&split(&at.after));
+    let contacts = mechanism.contacts(&after);
     let did = (0..C).filter_map(|i| {
         let name = contacts[i].name;
         let rides = matches!(contacts[i].press, Press::By(_));
@@ -337,13 +427,12 @@ fn events<const N: usize, const S: usize, const C: usize>(
 
 /// The event that the bounces of a contact are over, if the run goes on to it and the contact is shut
 /// there.
-fn rests<const N: usize, const S: usize, const C: usize>(
-    mechanism: &AnyMechanism<'_, N, S, C>,
-    run: &Run<Modes<C>, S>,
+fn rests<const N: usize, const C: usize>(
+    mechanism: &AnyMechanism<'_, N, C>,
+    run: &dyn AnyRun<N, C>,
     Rest { contact, t, .. }: Rest,
 ) -> Option<ContactEvent<N, C>> {
-    let (modes, numbers) = run.at(t).ok()?;
-    let state = split(&numbers);
+    let (modes, state) = run.at(t).ok()?;
     let contacts = mechanism.contacts(&state);
     let mut contacts = contacts.iter().zip(modes);
     let shut = contacts.any(|(c, mode)| c.name == contact && mode != Mode::Open);
@@ -352,6 +441,6 @@ fn rests<const N: usize, const S: usize, const C: usize>(
         t,
         before: state,
         after: state,
-        force: Modal(mechanism).forces(&modes, &numbers),
+        force: Modal(mechanism).forces(&modes, &state),
     })
 }

@@ -1,7 +1,7 @@
 //! Which modes follow: at the start, where a contact lets go or touches, where a slip ends.
 
 use super::declare::{Contact, MechanismState, Mode, Press, Sense, dot};
-use super::modal::{Modal, join, split};
+use super::modal::Modal;
 use super::response::{Choices, Problem, Response, Unsolved, ZERO};
 use super::{Mechanism, Modes};
 use crate::error::{Error, FINITE, Result, finite};
@@ -27,15 +27,31 @@ pub(super) enum Trigger {
 /// Where the modes before ended: they, and why.
 type Before<const C: usize> = Option<(Modes<C>, Trigger)>;
 
+/// What follows an event.
+pub(super) struct Entered<const N: usize, const C: usize> {
+    pub modes: Modes<C>,
+    pub state: MechanismState<N>,
+    pub rest: Option<Rest>,
+}
+
+impl<const N: usize, const S: usize, const C: usize> From<Entered<N, C>> for Entry<Modes<C>, S> {
+    fn from(Entered { modes, state, rest }: Entered<N, C>) -> Self {
+        Self {
+            phase: modes,
+            state: state.to_array(),
+            rest,
+        }
+    }
+}
+
 /// The modes that follow, and the state put onto their contacts, after impacts.
-pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+pub(super) fn enter<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
     before: Before<C>,
-    state: &[f64; S],
-) -> Result<Entry<Modes<C>, S>> {
+    mut start: MechanismState<N>,
+) -> Result<Entered<N, C>> {
     const { assert!(C <= super::MOST_CONTACTS && N + 2 * C <= super::linear::SIZE) };
-    let mut start = split(state);
     if let Some((modes, _)) = &before {
         put_on(scene, modes, &mut start);
     } else {
@@ -78,8 +94,7 @@ pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const
         let low = |i: &usize| shut[*i] && !stay[*i] && low(*i);
         let (Some(first), Some(i)) = (fastest, (0..C).find(low)) else {
             put_on(scene, &modes, &mut state);
-            let (phase, state) = (modes, join(&state));
-            return Ok(Entry { phase, state, rest });
+            return Ok(Entered { modes, state, rest });
         };
         let [height, lasts] = bounce(&contacts[i], &state, &rate);
         // The part of the speed that a bounce leaves; where contacts hit in turn, the part here.
@@ -97,8 +112,8 @@ pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const
 }
 
 /// What contact `i` may do next.
-fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn choices<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     i: usize,
     contact: &Contact<N>,
     shut: bool,
@@ -132,8 +147,8 @@ fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize
 }
 
 /// Which way contact `i` slips, if it rubs and does.
-fn slips<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn slips<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     i: usize,
     contact: &Contact<N>,
     state: &MechanismState<N>,
@@ -164,8 +179,8 @@ fn bounce<const N: usize>(
 }
 
 /// Which contacts can act: those that did, that has just closed, or whose gap is round-off.
-fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn shut<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     before: &Before<C>,
     state: &MechanismState<N>,
 ) -> [bool; C] {
@@ -185,8 +200,8 @@ fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
 
 /// The velocities after the impulses of all contacts that are `shut`, of which some hit. Those
 /// that `stay` shut neither return anything nor let go, though they had to pull.
-fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn impact<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
     [shut, hits, stay]: [&[bool; C]; 3],
     state: &MechanismState<N>,
@@ -249,8 +264,8 @@ fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
 
 /// Moves coordinates and velocities onto the contacts that act, by least action on the
 /// masses: what the integration has drifted away.
-pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+pub(super) fn put_on<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     modes: &Modes<C>,
     state: &mut MechanismState<N>,
 ) {
@@ -300,8 +315,8 @@ pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
 }
 
 /// Refuses masses and forces that no motion follows from.
-fn check_masses<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn check_masses<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
     state: &MechanismState<N>,
 ) -> Result<()> {
@@ -354,8 +369,8 @@ fn is_positive<const N: usize>(mass: &[[f64; N]; N]) -> bool {
 }
 
 /// Refuses contacts that cannot hold at the start, and coefficients that mean nothing.
-fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn check_start<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
     state: &MechanismState<N>,
 ) -> Result<()> {
