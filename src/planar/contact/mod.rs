@@ -17,6 +17,7 @@
 //! | [`motion_so_far`] | the motion up to where it is refused |
 //! | [`Contact::rolling`] | rolling resistance, which rides on a contact |
 //! | [`QuadraticDrag`], [`LinearDrag`] and of spin, [`Load`], [`With`] | what a mechanism may feel in addition |
+//! | [`Coordinates`], [`Solvable`] | how many coordinates a mechanism may have |
 //! | [`misdeclared`] | whether the rows of the contacts are those of their gaps |
 //! | [`Modal`], [`entry`] | the same as a [`Phased`](super::Phased) scene, with the phase it starts in |
 //!
@@ -126,8 +127,8 @@ pub trait Mechanism<const N: usize, const C: usize> {
         }
     }
 
-    /// After how many changes of its modes a run is refused. A bounce is one: a fall with the
-    /// restitution 0.99 makes 1,600 of them before they are summed.
+    /// After how many changes of its modes a run is refused. A bounce is one: a fall from 1 m with
+    /// the restitution 0.99 makes 1,400 of them before the others are summed.
     fn phase_limit(&self) -> usize {
         1000
     }
