@@ -105,7 +105,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
 
 /// The motion as [`simulate`] has it, as far as it goes, and the refusal that ended it, if one did.
 ///
-/// What is refused within a phase leaves the motion until that phase began.
+/// A refusal within a phase leaves the motion up to the start of that phase.
 ///
 /// ```
 /// # use rotation_dynamics::Error;
@@ -136,7 +136,7 @@ pub fn simulate_so_far<const N: usize, S: Phased<N>>(
     run(scene, method, phase, start, t_end)
 }
 
-/// What was refused is lost.
+/// The run if it is whole, else the refusal alone.
 pub(super) fn whole<R>((run, refused): (R, Option<Error>)) -> Result<R> {
     refused.map_or(Ok(run), Err)
 }

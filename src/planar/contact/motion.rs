@@ -40,8 +40,8 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 /// t + 2 u/(a (1 - e)).
 /// ```
 ///
-/// Between the two the velocity is not resolved: what is given is that of a body that rests on the
-/// contact already, to within u, some 4e-6 m/s. After them state and forces are as accurate as
+/// Between the two the velocity is not resolved: the one given is that of a body that rests on the
+/// contact already, and the true one is within u of it, some 4e-6 m/s. After them state and forces are as accurate as
 /// elsewhere, but for 1e-12 of the size of the gap. A run that ends between them is refused.
 ///
 /// Accuracy: the state after to 16 eps, whatever bounced and slipped before. The time of rest to

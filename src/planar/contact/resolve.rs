@@ -71,9 +71,10 @@ pub(super) fn enter<M: Mechanism<N, C>, const N: usize, const C: usize>(
     let trigger = trigger.filter(|_| fastest.is_none());
     let mass = scene.0.mass(&start.q);
     // A contact that would leave an impact and get no higher than counts as no gap is kept shut: by a
-    // plastic impact, in the place of all bounces that follow. Until they are over, both make the
-    // same of its normal speed and of its gap by the same loads, so its impulses sum to the same, and
-    // in proportion those of its friction while it slips. What is left is of the size of that height.
+    // plastic impact, in the place of all bounces that follow. Until they are over, both bring the
+    // same normal speed to 0 and the gap back to 0 under the same loads. So its impulses sum to the
+    // same, and so do those of its friction while it slips. The difference is of the size of that
+    // height.
     let (mut stay, mut rest) = ([false; C], None::<Rest>);
     loop {
         let mut state = start;
