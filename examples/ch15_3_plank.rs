@@ -19,7 +19,7 @@ use rotation_dynamics::exact::plank::Plank as Exact;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode};
 use rotation_dynamics::math::{acos, acosh, asinh, cos, cosh, log, sin, sincos, sinh};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Motion, State, Surface, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Surface, motion_within,
 };
 
 kit::parameters! {
@@ -59,34 +59,34 @@ pub struct Plank {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 1> for Plank {
+impl Mechanism<3, 1> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.length * self.length / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, plank: &State<3>) -> [f64; 3] {
+    fn force(&self, plank: &MechanismState<3>) -> [f64; 3] {
         let [x, y, moment] = self.air(plank);
         [x, y - self.gravity, moment]
     }
 
-    fn contacts(&self, plank: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, plank: &MechanismState<3>) -> [Contact<3>; 1] {
         let ((s, c), half) = (sincos(plank.q[2]), 0.5 * self.length);
         let foot = Contact::corner("foot", plank, [half * s, -half * c], Surface::FLOOR);
         [foot.friction(self.mu)]
     }
 
-    fn end(&self, plank: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, plank: &MechanismState<3>) -> Option<(&'static str, f64)> {
         Some(("arrives", self.until - plank.q[2]))
     }
     // ANCHOR_END: scene
 
     /// Errors count relative to the angle, so a start a hair off upright is followed as closely
     /// as any other.
-    fn scale(&self, plank: &State<3>) -> State<3> {
+    fn scale(&self, plank: &MechanismState<3>) -> MechanismState<3> {
         let rate = (6.0 * self.gravity / self.length).sqrt();
         let q = [self.length, self.length, plank.q[2].abs().max(1e-300)];
-        State {
+        MechanismState {
             q,
             v: q.map(|size| rate * size),
         }
@@ -94,7 +94,7 @@ impl Mechanism<3, 6, 1> for Plank {
 }
 
 /// A motion of the plank.
-pub type Fall = Motion<Plank, 3, 6, 1>;
+pub type Fall = ContactMotion<Plank, 3, 1>;
 
 impl Plank {
     /// The smooth plank in no air, until it lies on the floor.
@@ -109,9 +109,9 @@ impl Plank {
     }
 
     /// At this angle, turning at this rate, its foot on the floor, its middle above the origin.
-    pub fn state(&self, angle: f64, rate: f64) -> State<3> {
+    pub fn state(&self, angle: f64, rate: f64) -> MechanismState<3> {
         let (half, (s, c)) = (0.5 * self.length, sincos(angle));
-        State {
+        MechanismState {
             q: [0.0, half * c, angle],
             v: [0.0, -half * s * rate, rate],
         }
@@ -127,7 +127,7 @@ impl Plank {
 
     /// Force and moment of the air over the mass, by the pieces of the plank: each is pushed at
     /// right angles to the plank, with the square of its speed in that direction.
-    fn air(&self, plank: &State<3>) -> [f64; 3] {
+    fn air(&self, plank: &MechanismState<3>) -> [f64; 3] {
         if self.drag == 0.0 {
             return [0.0; 3];
         }

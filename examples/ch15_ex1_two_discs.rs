@@ -7,7 +7,9 @@ mod figures;
 use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, ode};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion_within,
+};
 
 parameters! {
     /// The discs of the exercise; the notes leave all numbers open.
@@ -78,17 +80,17 @@ pub struct Discs {
     pub bounce: f64,
 }
 
-impl Mechanism<3, 6, 1> for Discs {
+impl Mechanism<3, 1> for Discs {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let Parameters { upper, lower, .. } = self.p;
         [[1.0, 0.0, 0.0], [0.0, upper, 0.0], [0.0, 0.0, lower]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [-self.p.gravity, 0.0, 0.0]
     }
 
-    fn contacts(&self, discs: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, discs: &MechanismState<3>) -> [Contact<3>; 1] {
         // The lever at which the weight gives the torque of the friction.
         let lever = self.p.friction / self.p.gravity;
         let faces = Contact::new("discs", discs.q[0], [1.0, 0.0, 0.0], 0.0);
@@ -97,11 +99,11 @@ impl Mechanism<3, 6, 1> for Discs {
     }
     // ANCHOR_END: scene
 
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (a, largest) = (Answer::new(&self.p), rate(&self.p));
         let v = [self.p.gravity * a.time, largest, largest];
         let q = v.map(|rate| rate * a.time);
-        State { q, v }
+        MechanismState { q, v }
     }
 }
 
@@ -111,7 +113,7 @@ fn rate(p: &Parameters) -> f64 {
 }
 
 /// A fall of the upper disc, and the slip.
-pub type Fall = Motion<Discs, 3, 6, 1>;
+pub type Fall = ContactMotion<Discs, 3, 1>;
 
 /// The motion from the release until `ends`, in units of the time of the slip.
 pub fn fallen(
@@ -122,7 +124,7 @@ pub fn fallen(
 ) -> rotation_dynamics::Result<Fall> {
     let (q, v) = ([p.drop, 0.0, 0.0], [0.0, p.upper_rate, p.lower_rate]);
     let (p, end) = (p.clone(), ends * Answer::new(p).time);
-    motion_within(Discs { p, bounce }, tolerance, State { q, v }, end)
+    motion_within(Discs { p, bounce }, tolerance, MechanismState { q, v }, end)
 }
 
 // ANCHOR: laws
@@ -404,7 +406,7 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
         row(&format!("sign, DOP853 with {tolerance:e}"), steps, t, None)?;
     }
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
-    let State { v, .. } = run.at(end)?;
+    let MechanismState { v, .. } = run.at(end)?;
     row(
         "stick located",
         run.work().steps,

@@ -6,7 +6,7 @@ mod figures;
 use core::f64::consts::FRAC_PI_2;
 use kit::prelude::*;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::planar::contact::{Contact, Load, Mechanism, Motion, State};
+use rotation_dynamics::planar::contact::{Contact, ContactMotion, Load, Mechanism, MechanismState};
 use rotation_dynamics::planar::contact::{With, motion_within};
 
 parameters! {
@@ -84,16 +84,16 @@ pub struct Wheels {
     pub driven: bool,
 }
 
-impl Mechanism<2, 4, 2> for Wheels {
+impl Mechanism<2, 2> for Wheels {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[self.p.inertia_a, 0.0], [0.0, self.p.inertia_b]]
     }
 
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [0.0; 2]
     }
 
-    fn contacts(&self, _: &State<2>) -> [Contact<2>; 2] {
+    fn contacts(&self, _: &MechanismState<2>) -> [Contact<2>; 2] {
         let p = &self.p;
         // Where they touch the rim of A moves up at R1 Omega1, that of B at -R2 Omega2.
         let slip = [p.radius_a, p.radius_b];
@@ -104,24 +104,29 @@ impl Mechanism<2, 4, 2> for Wheels {
     }
     // ANCHOR_END: scene
 
-    fn scale(&self, _: &State<2>) -> State<2> {
+    fn scale(&self, _: &MechanismState<2>) -> MechanismState<2> {
         let (v, time) = (
             [self.p.rate.abs(), rate_b(&self.p, 0.0).abs()],
             time(&self.p),
         );
         let q = v.map(|rate| rate * time);
-        State { q, v }
+        MechanismState { q, v }
     }
 }
 
 /// A motion of the wheels.
-pub type Run = Motion<Wheels, 2, 4, 2>;
+pub type Run = ContactMotion<Wheels, 2, 2>;
 
 /// B at rest at first; until 1.5 times the time that it needs.
 pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> rotation_dynamics::Result<Run> {
     let (q, v, end) = ([0.0; 2], [p.rate, 0.0], 1.5 * time(p));
     let p = p.clone();
-    motion_within(Wheels { p, driven }, tolerance, State { q, v }, end)
+    motion_within(
+        Wheels { p, driven },
+        tolerance,
+        MechanismState { q, v },
+        end,
+    )
 }
 
 /// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
@@ -272,7 +277,7 @@ pub struct Besides {
 }
 
 impl Load<2> for Besides {
-    fn force(&self, State { v, .. }: &State<2>) -> [f64; 2] {
+    fn force(&self, MechanismState { v, .. }: &MechanismState<2>) -> [f64; 2] {
         [
             self.motor * (self.rate - v[0]),
             self.rate.signum() * self.bearing,
@@ -286,14 +291,14 @@ fn besides(
     [motor, bearing]: [f64; 2],
     driven: bool,
     end: f64,
-) -> rotation_dynamics::Result<Motion<With<Wheels, Besides>, 2, 4, 2>> {
+) -> rotation_dynamics::Result<ContactMotion<With<Wheels, Besides>, 2, 2>> {
     let (p, rate) = (p.clone(), p.rate);
     let load = Besides {
         rate,
         motor,
         bearing,
     };
-    let start = State {
+    let start = MechanismState {
         q: [0.0; 2],
         v: [rate, 0.0],
     };

@@ -4,9 +4,12 @@
 //! cargo run --example ch16_1_incline -- --friction 0.1 --check acceleration=-4.05
 //! ```
 
+#[path = "ch16_1_incline/bouncer.rs"]
+pub mod bouncer;
 #[path = "ch16_1_incline/figures.rs"]
 mod figures;
 
+pub use bouncer::Bouncer;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use kit::interval::at_least;
 use kit::prelude::*;
@@ -14,7 +17,8 @@ use kit::{effect, short};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, QuadraticDrag, Surface, entry,
+    motion_within,
 };
 
 parameters! {
@@ -69,23 +73,23 @@ pub struct Roller {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 1> for Roller {
+impl Mechanism<3, 1> for Roller {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         let [along, across] = [sin, cos].map(|part| self.gravity * part(self.slope));
         [-along, -across, 0.0]
     }
 
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 1] {
         [Contact::rim("body", body, self.radius, Surface::FLOOR).friction(self.mu)]
     }
     // ANCHOR_END: scene
 
-    fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, body: &MechanismState<3>) -> Option<(&'static str, f64)> {
         match self.goal {
             Goal::Never => None,
             Goal::Top => Some(("turns", body.v[0])),
@@ -93,10 +97,10 @@ impl Mechanism<3, 6, 1> for Roller {
         }
     }
 
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (v, r) = (self.speed, self.radius);
         let length = v * v / (self.gravity * sin(self.slope));
-        State {
+        MechanismState {
             q: [length, r, length / r],
             v: [v, v, v / r],
         }
@@ -112,14 +116,14 @@ pub struct Resisted {
     pub resistance: f64,
 }
 
-impl Mechanism<3, 6, 2> for Resisted {
+impl Mechanism<3, 2> for Resisted {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.roller.mass(q)
     }
-    fn force(&self, body: &State<3>) -> [f64; 3] {
+    fn force(&self, body: &MechanismState<3>) -> [f64; 3] {
         self.roller.force(body)
     }
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let [rim] = self.roller.contacts(body);
         let rolling = Contact::rolling("rolling", 0, self.roller.radius, self.resistance);
         [rim, rolling]
@@ -127,17 +131,17 @@ impl Mechanism<3, 6, 2> for Resisted {
     // ANCHOR_END: resisted
     /// A hair before the highest place, where the resistance turns round as well: which comes first
     /// is round-off.
-    fn end(&self, body: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, body: &MechanismState<3>) -> Option<(&'static str, f64)> {
         let (name, left) = self.roller.end(body)?;
         Some((name, left - 1e-9 * self.roller.speed))
     }
-    fn scale(&self, body: &State<3>) -> State<3> {
+    fn scale(&self, body: &MechanismState<3>) -> MechanismState<3> {
         self.roller.scale(body)
     }
 }
 
 /// A motion of the body.
-pub type Roll = Motion<Roller, 3, 6, 1>;
+pub type Roll = ContactMotion<Roller, 3, 1>;
 
 impl Roller {
     /// The body of these parameters.
@@ -154,8 +158,8 @@ impl Roller {
     }
 
     /// Rolling up the slope at this speed.
-    pub fn rolling(&self, speed: f64) -> State<3> {
-        State {
+    pub fn rolling(&self, speed: f64) -> MechanismState<3> {
+        MechanismState {
             q: [0.0, self.radius, 0.0],
             v: [speed, 0.0, -speed / self.radius],
         }
@@ -325,6 +329,21 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             ball => "that is the ball";
         /// a hoop
         race_hoop: hoop, "s", "located event" => hoop_ran, within bound * hoop;
+    }?;
+    dropped(p, report)
+}
+
+/// A ball that is dropped onto the slope from five radii above it.
+fn dropped(p: &Parameters, report: &mut Report) -> Result<()> {
+    let ball = Bouncer::new(p);
+    let (limit, found) = (ball.rests(), ball.run(p.tolerance)?);
+    let speed = p.gravity * sin(p.angle) * 2.0 * limit / 1.4;
+    let rolls = -found.at(2.0 * limit)?.v[0];
+    claims! { report,
+        /// a ball, dropped, that returns 0.6 of its speed: the end of its bounces
+        drop_rests: limit, "s", "located event" => found.event("body rests")?.t, within 1e-9 * limit;
+        /// its speed down the slope at twice that time
+        drop_speed: speed, "m/s", "contact solver" => rolls, within 8.0 * p.tolerance * speed;
     }
 }
 
@@ -364,8 +383,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// How far up the slope a body comes that starts rolling at this speed.
 pub fn way<const C: usize>(
-    body: impl Mechanism<3, 6, C>,
-    start: State<3>,
+    body: impl Mechanism<3, C>,
+    start: MechanismState<3>,
     end: f64,
 ) -> Result<f64> {
     Ok(motion_within(body, 1e-10, start, end)?
@@ -515,7 +534,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let end = -2.0 * v / body.acceleration();
     let run = move |tolerance| body.run(Goal::Never, v, end, tolerance);
     let error = move |run: &Roll| {
-        let State { q, v: [back, ..] } = run.at(end)?;
+        let MechanismState { q, v: [back, ..] } = run.at(end)?;
         Ok(largest([q[0] / (v * end), back / v + 1.0]))
     };
     report.controlled(

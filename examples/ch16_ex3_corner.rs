@@ -8,7 +8,9 @@ use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::log1p;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, Surface, motion};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, Surface, motion,
+};
 
 parameters! {
     /// The cylinder of the exercise; the notes leave all numbers open.
@@ -49,16 +51,16 @@ pub struct Cylinder {
 // ANCHOR: scene
 /// The coordinates are `[x, y, turned]`: how far the axis is to the right of where it is set
 /// down, how high it is, and the angle, counterclockwise.
-impl Mechanism<3, 6, 2> for Cylinder {
+impl Mechanism<3, 2> for Cylinder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -1.0, 0.0]
     }
 
-    fn contacts(&self, cylinder: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, cylinder: &MechanismState<3>) -> [Contact<3>; 2] {
         let ((s, c), [vx, vy, spin]) = (sincos(self.lean), cylinder.v);
         let (normal, offset) = ([c, s], s - 1.0);
         let mu = |i: usize, slip: f64| self.mu[i] / (1.0 + self.fading * slip.abs());
@@ -72,7 +74,7 @@ impl Mechanism<3, 6, 2> for Cylinder {
 // ANCHOR_END: scene
 
 /// A motion of the cylinder.
-pub type Ride = Motion<Cylinder, 3, 6, 2>;
+pub type Ride = ContactMotion<Cylinder, 3, 2>;
 
 // ANCHOR: forms
 impl Cylinder {
@@ -120,7 +122,7 @@ pub fn set_down(
     end: f64,
     step: f64,
 ) -> rotation_dynamics::Result<Ride> {
-    let start = State {
+    let start = MechanismState {
         q: [0.0, 1.0, 0.0],
         v: [0.0, 0.0, spin],
     };

@@ -10,7 +10,8 @@ use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{after, second_order};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, QuadraticDrag, State, Surface, entry, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, QuadraticDrag, Surface, entry,
+    motion_within,
 };
 
 parameters! {
@@ -62,13 +63,13 @@ pub struct Ball {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 1> for Ball {
+impl Mechanism<3, 1> for Ball {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, ball: &State<3>) -> [f64; 3] {
+    fn force(&self, ball: &MechanismState<3>) -> [f64; 3] {
         let ([arm, drag], [vx, ..]) = (self.resisting, ball.v);
         // The field pulls where the charge is, and its moment is against the arm's height.
         let moment = -self.pull * self.spot * sin(ball.q[2]);
@@ -79,19 +80,19 @@ impl Mechanism<3, 6, 1> for Ball {
         ]
     }
 
-    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 1] {
         [Contact::rim("ball", ball, self.radius, Surface::FLOOR).friction(self.mu)]
     }
     // ANCHOR_END: scene
 
-    fn end(&self, ball: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, ball: &MechanismState<3>) -> Option<(&'static str, f64)> {
         Some(("arrives", self.length - self.side() * ball.q[0]))
     }
 
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (r, v) = (self.radius, (2.0 * self.pull.abs() * self.length).sqrt());
         let q = [self.length, r, self.length / r];
-        State {
+        MechanismState {
             q,
             v: [v, v, v / r],
         }
@@ -99,7 +100,7 @@ impl Mechanism<3, 6, 1> for Ball {
 }
 
 /// A motion of the ball.
-pub type Roll = Motion<Ball, 3, 6, 1>;
+pub type Roll = ContactMotion<Ball, 3, 1>;
 
 impl Ball {
     /// The ball of these parameters, its charge in the middle.
@@ -146,20 +147,25 @@ impl Ball {
     }
 
     /// At the start, at rest, with its charge ahead.
-    pub fn ahead(&self) -> State<3> {
+    pub fn ahead(&self) -> MechanismState<3> {
         self.start(if self.pull > 0.0 { 0.0 } else { PI }, 0.0)
     }
 
     /// At the start, turned by this angle, with this velocity and no spin.
-    pub fn start(&self, angle: f64, velocity: f64) -> State<3> {
-        State {
+    pub fn start(&self, angle: f64, velocity: f64) -> MechanismState<3> {
+        MechanismState {
             q: [0.0, self.radius, angle],
             v: [velocity, 0.0, 0.0],
         }
     }
 
     /// The motion from there, at most until `end`.
-    pub fn run(self, start: State<3>, end: f64, tolerance: f64) -> rotation_dynamics::Result<Roll> {
+    pub fn run(
+        self,
+        start: MechanismState<3>,
+        end: f64,
+        tolerance: f64,
+    ) -> rotation_dynamics::Result<Roll> {
         motion_within(self, tolerance, start, end)
     }
 

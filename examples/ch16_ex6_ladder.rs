@@ -17,7 +17,7 @@ use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::math::{EPS, acosh};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Motion, State, Surface, kept_within, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Surface, kept_within, motion_within,
 };
 
 parameters! {
@@ -48,17 +48,17 @@ pub struct Ladder {
 }
 
 // ANCHOR: scene
-impl Mechanism<3, 6, 2> for Ladder {
+impl Mechanism<3, 2> for Ladder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.inertia * self.length * self.length / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.gravity, 0.0]
     }
 
-    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, ladder: &MechanismState<3>) -> [Contact<3>; 2] {
         let ((s, c), half) = (sincos(ladder.q[2]), 0.5 * self.length);
         // The two ends, seen from the middle.
         let (top, foot) = ([-half * s, half * c], [half * s, -half * c]);
@@ -67,17 +67,17 @@ impl Mechanism<3, 6, 2> for Ladder {
         [wall.friction(self.mu), floor.friction(self.mu)]
     }
 
-    fn end(&self, ladder: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, ladder: &MechanismState<3>) -> Option<(&'static str, f64)> {
         Some(("lands", FRAC_PI_2 - ladder.q[2]))
     }
     // ANCHOR_END: scene
 
     /// Errors count relative to each coordinate, so a start a hair off the wall is followed
     /// as closely as any other.
-    fn scale(&self, ladder: &State<3>) -> State<3> {
+    fn scale(&self, ladder: &MechanismState<3>) -> MechanismState<3> {
         let rate = (1.5 * self.gravity / self.length).sqrt();
         let q = [ladder.q[0].abs(), self.length, ladder.q[2].abs()];
-        State {
+        MechanismState {
             q,
             v: q.map(|size| rate * size),
         }
@@ -85,7 +85,7 @@ impl Mechanism<3, 6, 2> for Ladder {
 }
 
 /// A motion of the ladder.
-pub type Slide = Motion<Ladder, 3, 6, 2>;
+pub type Slide = ContactMotion<Ladder, 3, 2>;
 
 impl Ladder {
     /// The uniform, smooth ladder of the exercise.
@@ -99,18 +99,18 @@ impl Ladder {
     }
 
     /// At rest at this angle, both ends touching.
-    pub fn at_rest(&self, angle: f64) -> State<3> {
+    pub fn at_rest(&self, angle: f64) -> MechanismState<3> {
         let half = 0.5 * self.length;
-        State::rest([half * sin(angle), half * cos(angle), angle])
+        MechanismState::rest([half * sin(angle), half * cos(angle), angle])
     }
 
     /// How far the top is from the wall.
-    pub fn top_gap(&self, ladder: &State<3>) -> f64 {
+    pub fn top_gap(&self, ladder: &MechanismState<3>) -> f64 {
         ladder.q[0] - 0.5 * self.length * sin(ladder.q[2])
     }
 
     /// The energy over `m g l/2`, counted from the floor.
-    fn energy(&self, ladder: &State<3>) -> f64 {
+    fn energy(&self, ladder: &MechanismState<3>) -> f64 {
         let ([_, y, _], [vx, vy, omega]) = (ladder.q, ladder.v);
         let turning = self.inertia * self.length * self.length / 12.0 * omega * omega;
         2.0 * y / self.length + (vx * vx + vy * vy + turning) / (self.gravity * self.length)
@@ -284,7 +284,7 @@ const REQUESTED: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
 /// The largest relative error of times and rates at the release and at the floor.
 fn error(exact: &Exact, run: &Slide) -> Result<f64> {
     let (lets_go, released) = (run.event("wall lets go")?, exact.release());
-    let State { q, v } = lets_go.before;
+    let MechanismState { q, v } = lets_go.before;
     Ok(largest([
         lets_go.t / exact.release_time() - 1.0,
         q[2] / released.theta - 1.0,

@@ -10,7 +10,9 @@ use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Ode, second_order};
 use rotation_dynamics::math::{acosh, asinh, atan, tanh};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion,
+};
 
 parameters! {
     /// The plank of the exercise; the notes leave all numbers open.
@@ -69,18 +71,18 @@ pub struct Plank {
 // ANCHOR: scene
 /// The coordinates are `[x, y, tilt]`: how far the middle of the plank is to the right of that
 /// between the rollers and above its place when it lies flat, and its angle, counterclockwise.
-impl Mechanism<3, 6, 2> for Plank {
+impl Mechanism<3, 2> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let (long, thick) = (2.4 * self.p.distance, self.p.thickness);
         let turning = (long * long + thick * thick) / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.p.gravity, 0.0]
     }
 
-    fn contacts(&self, plank: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, plank: &MechanismState<3>) -> [Contact<3>; 2] {
         let ([x, y, tilt], [vx, vy, omega]) = (plank.q, plank.v);
         let ((s, c), half) = (sincos(tilt), 0.5 * self.p.thickness);
         // From the axle up to the middle of the plank.
@@ -99,7 +101,7 @@ impl Mechanism<3, 6, 2> for Plank {
     }
     // ANCHOR_END: scene
 
-    fn end(&self, plank: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, plank: &MechanismState<3>) -> Option<(&'static str, f64)> {
         let [x, _, tilt] = plank.q;
         Some(match self.sense > 0.0 {
             // Tops together: a cycle that has no room ends where a roller loses the plank.
@@ -108,15 +110,15 @@ impl Mechanism<3, 6, 2> for Plank {
         })
     }
 
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (a, speed) = (self.p.distance, rate(&self.p, 0.0) * self.p.distance);
         let (q, v) = ([a, a, 1.0], [speed, speed, speed / a]);
-        State { q, v }
+        MechanismState { q, v }
     }
 }
 
 /// A motion of the plank.
-pub type Ride = Motion<Plank, 3, 6, 2>;
+pub type Ride = ContactMotion<Plank, 3, 2>;
 
 /// The nearest to jamming.
 const JAMS: f64 = 0.9999;
@@ -148,7 +150,7 @@ fn from(p: &Parameters, offset: f64) -> Parameters {
 
 /// Its motion from rest at the offset, until then or until it has tipped.
 pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
-    let start = State::rest([p.offset, 0.0, 0.0]);
+    let start = MechanismState::rest([p.offset, 0.0, 0.0]);
     Ok(motion(
         plank(p, sense)?,
         &Dop853::new(p.tolerance)?,
@@ -343,7 +345,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn quarter(p: &Parameters) -> Result<(f64, f64)> {
     let offset = 0.5 * lift(p, 1.0).min(p.runs() / rate(p, 1.0));
     let quarter = FRAC_PI_2 / rate(p, 1.0);
-    let State { q, v } = released(&from(p, offset), 1.0, quarter)?.at(quarter)?;
+    let MechanismState { q, v } = released(&from(p, offset), 1.0, quarter)?.at(quarter)?;
     Ok((quarter - q[0] / v[0], offset * p.runs() / -v[0]))
 }
 
@@ -460,7 +462,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     }
     let lets_go = p.event_there(["right lets go", "left lets go"]);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    let (apart, start) = (plank(&p, -1.0)?, State::rest([p.offset, 0.0, 0.0]));
+    let (apart, start) = (plank(&p, -1.0)?, MechanismState::rest([p.offset, 0.0, 0.0]));
     let run = move |step| motion(apart.clone(), &Dop853::new(step)?, start, 2.0 * end);
     let error = move |ride: &Ride| Ok(largest([ride.event(lets_go)?.t / end - 1.0]));
     report.controlled("DOP853, error of a step", asked, run, Ride::work, error)?;

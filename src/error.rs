@@ -139,11 +139,13 @@ pub enum Error {
     },
     /// An impact with restitution and friction would end with more energy (J).
     ImpactGainsEnergy { t: f64, before: f64, after: f64 },
-    /// Infinitely many bounces, which have become lower (m) than doubles resolve.
+    /// The run ends between `t` and `until`, while infinitely many bounces go on, lower (m) than doubles
+    /// resolve.
     BouncesUnresolved {
         contact: &'static str,
-        t: f64,
         height: f64,
+        t: f64,
+        until: f64,
     },
     /// An event did not come.
     NotReached { name: &'static str, until: f64 },
@@ -322,10 +324,14 @@ impl fmt::Display for Error {
                 "the impact at t = {} would raise the kinetic energy from {} to {}: Newton's \
                  restitution contradicts this friction; take a smaller one of the two",
                 n(t), n(before), n(after);
-            BouncesUnresolved { contact, t, height } =>
-                "at t = {} the bounces of \"{contact}\" are {height:.1e} high, which doubles do not \
-                 resolve, and there would be infinitely many more: end before, or take a \
-                 restitution of 0", n(t);
+            BouncesUnresolved { contact, height, t, until } if until.is_infinite() =>
+                "from t = {} on the bounces of \"{contact}\" are {height:.1e} high, which doubles do \
+                 not resolve, and they never end: end the run before, or take a restitution below 1",
+                n(t);
+            BouncesUnresolved { contact, height, t, until } =>
+                "the run ends between t = {} and t = {}, while \"{contact}\" bounces infinitely often, \
+                 up to {height:.1e} high: doubles do not resolve its speed there; end the run before \
+                 or after", n(t), n(until);
             NotReached { name, until } => "\"{name}\" has not happened by t = {}", n(until);
             ConditionUnknown { name } =>
                 "the condition of \"{name}\" is not known, because its inputs are not";

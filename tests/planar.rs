@@ -20,6 +20,8 @@ mod lift;
 mod overhang;
 #[path = "planar/resistance.rs"]
 mod resistance;
+#[path = "planar/rest.rs"]
+mod rest;
 #[path = "planar/rod.rs"]
 mod rod;
 #[path = "planar/rollers.rs"]

@@ -2,7 +2,9 @@
 
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, MechanismState, Surface, motion_within,
+};
 
 /// A round body on level ground, per unit mass.
 struct Roller {
@@ -14,24 +16,24 @@ struct Roller {
     resistance: f64,
 }
 
-impl Mechanism<3, 6, 2> for Roller {
+impl Mechanism<3, 2> for Roller {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let turning = self.shape * self.radius * self.radius;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.gravity, 0.0]
     }
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let ground = Contact::rim("ground", body, self.radius, Surface::FLOOR).friction(1.0);
         [
             ground,
             Contact::rolling("rim", 0, self.radius, self.resistance),
         ]
     }
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (v, r) = (self.speed, self.radius);
-        State {
+        MechanismState {
             q: [r, r, 1.0],
             v: [v, v, v / r],
         }
@@ -54,7 +56,7 @@ pub fn lost(
         gravity,
         resistance,
     };
-    let start = State {
+    let start = MechanismState {
         q: [0.0, radius, 0.0],
         v: [speed, 0.0, -speed / radius],
     };

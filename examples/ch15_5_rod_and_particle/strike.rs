@@ -4,7 +4,9 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work, ode};
 use rotation_dynamics::math::{hypot, sincos};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion_within,
+};
 
 /// Rod and particle on a table; the rod lies along y, the particle comes along x.
 #[derive(Debug, Clone, Copy)]
@@ -29,14 +31,14 @@ pub struct Strike {
 const PIECES: u32 = 64;
 
 /// Coordinates: the middle of the rod, its angle, the particle.
-impl Mechanism<5, 10, 3> for Strike {
+impl Mechanism<5, 3> for Strike {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
         let (m, i) = (self.rod, self.rod * self.length * self.length / 12.0);
         let diagonal = [m, m, i, self.particle, self.particle];
         core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
     }
 
-    fn force(&self, State { q, v }: &State<5>) -> [f64; 5] {
+    fn force(&self, MechanismState { q, v }: &MechanismState<5>) -> [f64; 5] {
         let ((s, c), mut force) = (sincos(q[2]), [0.0; 5]);
         if self.rub == 0.0 || v[2] == 0.0 {
             return force;
@@ -60,7 +62,7 @@ impl Mechanism<5, 10, 3> for Strike {
         force
     }
 
-    fn contacts(&self, State { q, v }: &State<5>) -> [Contact<5>; 3] {
+    fn contacts(&self, MechanismState { q, v }: &MechanismState<5>) -> [Contact<5>; 3] {
         let (s, c) = sincos(q[2]);
         // The particle as seen from the middle of the rod: how far in front, how far up.
         let ([x, y], [vx, vy]) = ([q[3] - q[0], q[4] - q[1]], [v[3] - v[0], v[4] - v[1]]);
@@ -95,25 +97,29 @@ impl Mechanism<5, 10, 3> for Strike {
 
 impl Strike {
     /// Total momentum, kg m/s.
-    pub fn momentum(&self, State { v, .. }: &State<5>) -> [f64; 2] {
+    pub fn momentum(&self, MechanismState { v, .. }: &MechanismState<5>) -> [f64; 2] {
         [0, 1].map(|k| self.rod * v[k] + self.particle * v[k + 3])
     }
 
     /// Where the centre of mass is, m.
-    pub fn centre(&self, State { q, .. }: &State<5>) -> [f64; 2] {
+    pub fn centre(&self, MechanismState { q, .. }: &MechanismState<5>) -> [f64; 2] {
         let whole = self.rod + self.particle;
         [0, 1].map(|k| (self.rod * q[k] + self.particle * q[k + 3]) / whole)
     }
 
     /// Total angular momentum about a point at rest, kg m^2/s.
-    pub fn angular_momentum(&self, State { q, v }: &State<5>, [x, y]: [f64; 2]) -> f64 {
+    pub fn angular_momentum(
+        &self,
+        MechanismState { q, v }: &MechanismState<5>,
+        [x, y]: [f64; 2],
+    ) -> f64 {
         let about = |k: usize| (q[k] - x) * v[k + 1] - (q[k + 1] - y) * v[k];
         let spin = self.rod * self.length * self.length / 12.0 * v[2];
         self.rod * about(0) + spin + self.particle * about(3)
     }
 
     /// Kinetic energy, J.
-    pub fn energy(&self, State { v, .. }: &State<5>) -> f64 {
+    pub fn energy(&self, MechanismState { v, .. }: &MechanismState<5>) -> f64 {
         let square = |k: usize| v[k] * v[k] + v[k + 1] * v[k + 1];
         let spin = self.length * self.length / 12.0 * v[2] * v[2];
         0.5 * (self.rod * (square(0) + spin) + self.particle * square(3))
@@ -142,7 +148,7 @@ impl Strike {
 
     /// What the simulation gives, which has the particle come along x; mirrored if it comes
     /// against x.
-    fn mirrored(&self, State { q, v }: State<5>) -> State<5> {
+    fn mirrored(&self, MechanismState { q, v }: MechanismState<5>) -> MechanismState<5> {
         let sense = self.speed.signum();
         let odd = |all: [f64; 5]| {
             core::array::from_fn(|k| {
@@ -153,7 +159,7 @@ impl Strike {
                 }
             })
         };
-        State {
+        MechanismState {
             q: odd(q),
             v: odd(v),
         }
@@ -168,18 +174,18 @@ impl Strike {
 /// What happens: a flight, an impact at t = 0, and what comes after it.
 pub struct Blow {
     /// Just before and just after.
-    pub before: State<5>,
-    pub after: State<5>,
+    pub before: MechanismState<5>,
+    pub after: MechanismState<5>,
     strike: Strike,
     impact: f64,
-    motion: Motion<Strike, 5, 10, 3>,
+    motion: ContactMotion<Strike, 5, 3>,
 }
 
 impl Blow {
     /// From `approach` units before the impact to `end` units after it, within `tolerance`.
     pub fn new(strike: Strike, tolerance: f64, approach: f64, end: f64) -> Result<Self> {
         let (unit, l) = (strike.unit(), strike.length);
-        let start = State {
+        let start = MechanismState {
             q: [0.0, 0.0, 0.0, -approach * l, -strike.arm],
             v: [0.0, 0.0, 0.0, strike.speed.abs(), 0.0],
         };
@@ -198,13 +204,13 @@ impl Blow {
     }
 
     /// The state at `t` (s), counted from the impact.
-    pub fn at(&self, t: f64) -> Result<State<5>> {
+    pub fn at(&self, t: f64) -> Result<MechanismState<5>> {
         let t = (t + self.impact).clamp(0.0, self.motion.end_time());
         self.motion.at(t).map(|state| self.strike.mirrored(state))
     }
 
     /// The state at the end.
-    pub fn end(&self) -> Result<State<5>> {
+    pub fn end(&self) -> Result<MechanismState<5>> {
         self.at(f64::INFINITY)
     }
 

@@ -99,7 +99,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
     let columns = "t [s], height [m], Omega1 [rad/s], Omega2 [rad/s], T [J]";
     Trajectory::sampled(columns.split(", "), times(0.0, run.end_time(), 400), |t| {
-        let State { q, v } = run.at(t)?;
+        let MechanismState { q, v } = run.at(t)?;
         Ok([t, q[0], v[1], v[2], kinetic_energy(p, [v[1], v[2]])])
     })
 }
@@ -121,7 +121,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(curve(2, "lower", p.lower_rate, Side::BelowRight)?.dashed());
     let (drop, largest, stills) = (p.drop, rate(p), [0.0, 0.55 * a.time, end]);
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
-        let State { q, v } = run.at(t)?;
+        let MechanismState { q, v } = run.at(t)?;
         let alt = format!(
             "{t:.2} s after the release the upper disc turns at {:.1} rad/s and the lower one at {:.1} \
              rad/s{}. Below, both rates against time.",

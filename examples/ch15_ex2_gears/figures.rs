@@ -129,7 +129,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(of_a.label_at("$A$", 0.3 * time, rim, Side::Below))
         .curve(of_b.label_at("$B$", 0.5 * time, 0.5 * rim, Side::BelowRight));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * time, end], move |t| {
-        let (State { q, v }, slow) = (run.at(t)?, 0.2);
+        let (MechanismState { q, v }, slow) = (run.at(t)?, 0.2);
         let mut senses = ["counterclockwise", "clockwise"];
         if rim < 0.0 {
             senses.reverse();

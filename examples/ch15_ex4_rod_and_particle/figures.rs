@@ -1,7 +1,7 @@
 //! The drawings of exercise 15.4; but for what moves, of a rod with the length 1.
 
 use super::*;
-use rotation_dynamics::planar::contact::State;
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// The rod at these ends, with the particle on the first.
 fn drawn(sketch: Sketch, [low, high]: [(f64, f64); 2]) -> Sketch {
@@ -99,7 +99,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let ((s, blow, [from, to]), l, a) = (whole(p)?, p.length, Answer::new(p));
     // L about the centre of mass, P along the first velocity, and T.
-    let kept = |state: &State<5>| {
+    let kept = |state: &MechanismState<5>| {
         let angular = s.angular_momentum(state, s.centre(state));
         [angular, s.momentum(state)[0], s.energy(state)]
     };

@@ -5,7 +5,9 @@ use super::{Parameters, arms, impulse};
 use kit::{sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::math::{hypot, pow, sincos};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion_within,
+};
 
 /// Bat and ball; the hands are at the origin, the bat lies along x, the ball comes along y.
 #[derive(Debug, Clone)]
@@ -42,7 +44,7 @@ impl Strike {
     }
 
     /// How far the ball is from the bat, its gradient, and its second rate at constant velocities.
-    fn gap(&self, State { q, v }: &State<5>) -> (f64, [f64; 5], f64) {
+    fn gap(&self, MechanismState { q, v }: &MechanismState<5>) -> (f64, [f64; 5], f64) {
         let (s, c) = sincos(q[2]);
         let ([x, y], [u, w]) = ([q[3] - q[0], q[4] - q[1]], [v[3] - v[0], v[4] - v[1]]);
         let (along, up, rate) = (c * x + s * y, c * y - s * x, c * u + s * w);
@@ -51,7 +53,7 @@ impl Strike {
     }
 
     /// Force between the two, N.
-    fn force(&self, state: &State<5>) -> f64 {
+    fn force(&self, state: &MechanismState<5>) -> f64 {
         let depth = (-self.gap(state).0).max(0.0);
         self.stiffness.unwrap_or(0.0) * depth * depth.sqrt()
     }
@@ -59,20 +61,20 @@ impl Strike {
 
 // ANCHOR: scene
 /// Coordinates: the middle of the bat, its angle, the ball.
-impl Mechanism<5, 10, 3> for Strike {
+impl Mechanism<5, 3> for Strike {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
         let (m, ball) = (self.p.mass, self.p.ball);
         let diagonal = [m, m, m * super::inertia(&self.p, 0.0), ball, ball];
         core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
     }
 
-    fn force(&self, state: &State<5>) -> [f64; 5] {
+    fn force(&self, state: &MechanismState<5>) -> [f64; 5] {
         let (push, (_, gradient, _)) = (self.force(state), self.gap(state));
         gradient.map(|part| part * push)
     }
 
-    fn contacts(&self, state: &State<5>) -> [Contact<5>; 3] {
-        let (State { q, v }, [arm, _]) = (state, arms(&self.p));
+    fn contacts(&self, state: &MechanismState<5>) -> [Contact<5>; 3] {
+        let (MechanismState { q, v }, [arm, _]) = (state, arms(&self.p));
         let ((s, c), square) = (sincos(q[2]), v[2] * v[2]);
         let ((gap, gradient, bias), none) = (self.gap(state), [0.0; 5]);
         let ball = match self.stiffness {
@@ -94,21 +96,21 @@ impl Mechanism<5, 10, 3> for Strike {
     }
     // ANCHOR_END: scene
 
-    fn scale(&self, _: &State<5>) -> State<5> {
+    fn scale(&self, _: &MechanismState<5>) -> MechanismState<5> {
         let (l, v) = (self.p.length, self.p.speed);
         let (q, v) = ([l, l, 1.0, l, l], [v, v, v / l, v, v]);
-        State { q, v }
+        MechanismState { q, v }
     }
 }
 
 /// What happens, from before the impact until the two have parted.
 pub struct Blow {
     strike: Strike,
-    pub before: State<5>,
-    pub after: State<5>,
+    pub before: MechanismState<5>,
+    pub after: MechanismState<5>,
     /// When they touch first.
     pub touch: f64,
-    pub motion: Motion<Strike, 5, 10, 3>,
+    pub motion: ContactMotion<Strike, 5, 3>,
 }
 
 impl Blow {
@@ -119,7 +121,7 @@ impl Blow {
         let (touch, end) = (0.5 * p.contact, (0.5 + parted) * p.contact);
         let q = [arm, 0.0, 0.0, hit, -touch * p.speed];
         let v = [0.0, 0.0, 0.0, 0.0, p.speed];
-        let motion = motion_within(strike.clone(), tolerance, State { q, v }, end)?;
+        let motion = motion_within(strike.clone(), tolerance, MechanismState { q, v }, end)?;
         let (before, after) = match strike.stiffness {
             None => motion
                 .event("ball bounces")

@@ -1,7 +1,7 @@
 //! The drawings of exercise 15.5; the bat has the length 1.
 
 use super::*;
-use rotation_dynamics::planar::contact::State;
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// A bat from its handle at the left to its tip, so thick, between two points.
 fn drawn(sketch: Sketch, from: (f64, f64), to: (f64, f64)) -> Sketch {
@@ -71,7 +71,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let [force, other] = ["force of the ball [N]", "of the hands [N]"];
     let columns = ["t [s]", "angle [rad]", "y ball [m]", force, other];
     Trajectory::sampled(columns, times(0.0, run.motion.end_time(), 400), |t| {
-        let ([ball, hands], State { q, .. }) = (run.forces(t)?, run.motion.at(t)?);
+        let ([ball, hands], MechanismState { q, .. }) = (run.forces(t)?, run.motion.at(t)?);
         let [angle, y, ball, hands] = [q[2], q[4], ball, hands].map(|odd| sense * odd);
         Ok([t, angle, y, ball, hands])
     })
@@ -96,7 +96,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let stills = [0.3, 1.0, 1.95].map(|part| 1e3 * part * p.contact);
     MovingPicture::above(graph, 0.0..=1e3 * end, stills, move |ms| {
         let t = (1e-3 * ms).min(end);
-        let (State { q, .. }, [ball, hands]) = (run.motion.at(t)?, run.forces(t)?);
+        let (MechanismState { q, .. }, [ball, hands]) = (run.motion.at(t)?, run.forces(t)?);
         let alt = format!(
             "{ms:.2} ms: the bat has turned by {:.1} degrees, the ball pushes it with {:.1} kN and the hands with \
              {:.1} kN. Below, both forces against time.",

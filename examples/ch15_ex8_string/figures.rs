@@ -1,7 +1,7 @@
 //! The drawings of exercise 15.8; lengths in r0, speeds in u.
 
 use super::*;
-use rotation_dynamics::planar::contact::State;
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// The pull of the page, as the figures show it.
 const PULL: f64 = 1.0 / 15.0;
@@ -161,7 +161,7 @@ impl Whole {
             true => (&self.run, t),
             false => (&self.held, t - self.end),
         };
-        let State { q, v } = run.at(t)?;
+        let MechanismState { q, v } = run.at(t)?;
         Ok(([q[0], q[1]], [v[0], v[1]], run.tension(t)?))
     }
 }

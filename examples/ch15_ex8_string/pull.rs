@@ -6,7 +6,9 @@ use kit::{sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work};
 use rotation_dynamics::math::{atan2, hypot, sincos};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion,
+};
 
 /// The string on the table: a knot at the hole lets no more of it out, a hand takes it in.
 #[derive(Debug, Clone, Copy)]
@@ -23,16 +25,16 @@ pub struct Pull {
 
 // ANCHOR: string
 /// Coordinates: the particle, and a clock.
-impl Mechanism<3, 6, 2> for Pull {
+impl Mechanism<3, 2> for Pull {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }
 
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0; 3]
     }
 
-    fn contacts(&self, State { q, v }: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, MechanismState { q, v }: &MechanismState<3>) -> [Contact<3>; 2] {
         let ([x, y, clock], r) = (*q, hypot(q[0], q[1]));
         let across = (x * v[1] - y * v[0]) / r;
         // Taut when the length that is left is the distance from the middle of the hole.
@@ -45,14 +47,14 @@ impl Mechanism<3, 6, 2> for Pull {
     }
     // ANCHOR_END: string
 
-    fn end(&self, State { q, .. }: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, MechanismState { q, .. }: &MechanismState<3>) -> Option<(&'static str, f64)> {
         Some(("edge", hypot(q[0], q[1]) - self.hole))
     }
 
-    fn scale(&self, State { q, .. }: &State<3>) -> State<3> {
+    fn scale(&self, MechanismState { q, .. }: &MechanismState<3>) -> MechanismState<3> {
         let r = hypot(q[0], q[1]);
         let (q, v) = ([r, r, 1.0], [1.0 / r, 1.0 / r, 1.0]);
-        State { q, v }
+        MechanismState { q, v }
     }
 }
 
@@ -61,7 +63,7 @@ pub const BEFORE: f64 = 0.5;
 
 /// A motion; the hand pulls from the time 0 on.
 pub struct Pulled {
-    motion: Motion<Pull, 3, 6, 2>,
+    motion: ContactMotion<Pull, 3, 2>,
     before: f64,
 }
 
@@ -77,13 +79,13 @@ impl Pulled {
             hole,
         };
         let method = Dop853::new(step)?;
-        let motion = motion(pull, &method, State { q, v }, BEFORE + end)?;
+        let motion = motion(pull, &method, MechanismState { q, v }, BEFORE + end)?;
         let before = BEFORE;
         Ok(Self { motion, before })
     }
 
     /// The motion from this state on when the string is held, for a while.
-    pub fn held(start: State<3>, step: f64, end: f64) -> Result<Self> {
+    pub fn held(start: MechanismState<3>, step: f64, end: f64) -> Result<Self> {
         // The hand is out of reach, the hole too.
         let pull = Pull {
             knot: radius(&start),
@@ -96,7 +98,7 @@ impl Pulled {
     }
 
     /// The state just before and just after the event of this name, and when it was.
-    pub fn event(&self, name: &'static str) -> Result<([State<3>; 2], f64)> {
+    pub fn event(&self, name: &'static str) -> Result<([MechanismState<3>; 2], f64)> {
         let event = self.motion.event(name)?;
         Ok(([event.before, event.after], event.t - self.before))
     }
@@ -107,7 +109,7 @@ impl Pulled {
     }
 
     /// The state at this time.
-    pub fn at(&self, t: f64) -> Result<State<3>> {
+    pub fn at(&self, t: f64) -> Result<MechanismState<3>> {
         self.motion.at(self.clock(t))
     }
 
@@ -138,26 +140,26 @@ impl Pulled {
 }
 
 /// Distance from the middle of the hole.
-pub fn radius(State { q, .. }: &State<3>) -> f64 {
+pub fn radius(MechanismState { q, .. }: &MechanismState<3>) -> f64 {
     hypot(q[0], q[1])
 }
 
 /// Velocity away from the hole.
-pub fn outward(State { q, v }: &State<3>) -> f64 {
+pub fn outward(MechanismState { q, v }: &MechanismState<3>) -> f64 {
     (q[0] * v[0] + q[1] * v[1]) / hypot(q[0], q[1])
 }
 
 /// Velocity at right angles to the string.
-pub fn across(State { q, v }: &State<3>) -> f64 {
+pub fn across(MechanismState { q, v }: &MechanismState<3>) -> f64 {
     (q[0] * v[1] - q[1] * v[0]) / hypot(q[0], q[1])
 }
 
 /// Kinetic energy.
-pub fn energy(State { v, .. }: &State<3>) -> f64 {
+pub fn energy(MechanismState { v, .. }: &MechanismState<3>) -> f64 {
     0.5 * (v[0] * v[0] + v[1] * v[1])
 }
 
 /// The direction of the string at a state, between 0 and a turn.
-pub fn direction(State { q, .. }: &State<3>) -> f64 {
+pub fn direction(MechanismState { q, .. }: &MechanismState<3>) -> f64 {
     atan2(q[1], q[0]).rem_euclid(TAU)
 }

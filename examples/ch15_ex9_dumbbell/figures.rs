@@ -2,7 +2,7 @@
 
 use super::hit::{Plane, places};
 use super::*;
-use rotation_dynamics::planar::contact::State;
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// A dumbbell with its masses here, in l; `radius` is theirs.
 fn dumbbell(sketch: Sketch, [lower, upper]: [Plane; 2], radius: f64) -> Sketch {
@@ -157,7 +157,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let [angle, omega] = ["angle [rad]", "omega [rad/s]"];
     let columns = ["t [s]", ball[0], ball[1], other[0], other[1], angle, omega];
     Trajectory::sampled(columns, times(from, to, 500), |t| {
-        let State { q, v } = run.at(t)?;
+        let MechanismState { q, v } = run.at(t)?;
         let [x, y, angle, u, w] = q;
         let (across, turned) = (sense * l, sense * angle);
         Ok([

@@ -3,7 +3,9 @@
 
 use rotation_dynamics::integrators::{Dop853, Work, ode};
 use rotation_dynamics::math::{hypot, sincos};
-use rotation_dynamics::planar::contact::{Contact, Event, Mechanism, Motion, State, motion};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactEvent, ContactMotion, Mechanism, MechanismState, motion,
+};
 use rotation_dynamics::{Error, Result};
 
 /// Ball and dumbbell, seen from above: the dumbbell lies along y.
@@ -37,7 +39,7 @@ pub fn places(q: &[f64; 5]) -> [Plane; 2] {
 }
 
 /// The velocities of the two masses.
-pub fn velocities(State { q, v }: &State<5>) -> [Plane; 2] {
+pub fn velocities(MechanismState { q, v }: &MechanismState<5>) -> [Plane; 2] {
     arms(q[2]).map(|arm| [v[0] - v[2] * arm[1], v[1] + v[2] * arm[0]])
 }
 
@@ -57,17 +59,17 @@ impl Hit {
 
 // ANCHOR: scene
 /// Coordinates: the middle of the stick, its angle, the ball.
-impl Mechanism<5, 10, 2> for Hit {
+impl Mechanism<5, 2> for Hit {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
         let diagonal = [self.mass, self.mass, self.moment, 1.0, 1.0];
         core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
     }
 
-    fn force(&self, _: &State<5>) -> [f64; 5] {
+    fn force(&self, _: &MechanismState<5>) -> [f64; 5] {
         [0.0; 5]
     }
 
-    fn contacts(&self, state: &State<5>) -> [Contact<5>; 2] {
+    fn contacts(&self, state: &MechanismState<5>) -> [Contact<5>; 2] {
         let (q, v) = (&state.q, &state.v);
         let contact = |name, k: usize| {
             let (arm, at, moves) = (arms(q[2])[k], places(q)[k], velocities(state)[k]);
@@ -91,10 +93,10 @@ pub const APPROACH: f64 = 0.8;
 
 /// The approach, the hit at t = 0, and what follows.
 pub struct Blow {
-    motion: Motion<Hit, 5, 10, 2>,
+    motion: ContactMotion<Hit, 5, 2>,
     /// Just before and just after.
-    pub before: State<5>,
-    pub after: State<5>,
+    pub before: MechanismState<5>,
+    pub after: MechanismState<5>,
 }
 
 impl Blow {
@@ -105,7 +107,7 @@ impl Blow {
         let (q, v) = ([0.0, 0.5, 0.0, x, y], [0.0, 0.0, 0.0, c, s]);
         // Nothing pulls, so steps would be long, and a ball could pass a mass within one.
         let method = Dop853::new(step)?.with_longest_step(0.2 * hit.reach.min(0.25))?;
-        let motion = motion(hit, &method, State { q, v }, APPROACH + end)?;
+        let motion = motion(hit, &method, MechanismState { q, v }, APPROACH + end)?;
         let first = motion.event("lower bounces")?;
         let (before, after) = (first.before, first.after);
         Ok(Self {
@@ -116,7 +118,7 @@ impl Blow {
     }
 
     /// The state at this time after the hit.
-    pub fn at(&self, t: f64) -> Result<State<5>> {
+    pub fn at(&self, t: f64) -> Result<MechanismState<5>> {
         let t = (t + APPROACH).clamp(0.0, self.motion.end_time());
         self.motion.at(t)
     }
@@ -128,8 +130,8 @@ impl Blow {
     }
 
     /// The second hit: when it is, and the state just after.
-    pub fn again(&self) -> Result<(f64, State<5>)> {
-        let second = |(t, event): (f64, &Event<5, 2>)| (t, event.after);
+    pub fn again(&self) -> Result<(f64, MechanismState<5>)> {
+        let second = |(t, event): (f64, &ContactEvent<5, 2>)| (t, event.after);
         let until = self.motion.end_time() - APPROACH;
         let none = Error::NotReached {
             name: "a second hit",
@@ -139,7 +141,7 @@ impl Blow {
     }
 
     /// The hits after the first, with their times.
-    pub fn later(&self) -> impl Iterator<Item = (f64, &Event<5, 2>)> {
+    pub fn later(&self) -> impl Iterator<Item = (f64, &ContactEvent<5, 2>)> {
         let hits = self.motion.events().iter().skip(1);
         hits.map(|event| (event.t - APPROACH, event))
     }
@@ -152,7 +154,7 @@ impl Blow {
 
 /// How two masses on a table that rubs are held back: the force on the middle of the stick and
 /// the moment about it, for friction on each of its half of the weight, the friction being 1.
-fn rubbing(state: &State<5>) -> [f64; 3] {
+fn rubbing(state: &MechanismState<5>) -> [f64; 3] {
     let ways = velocities(state).map(|[x, y]| {
         let speed = hypot(x, y).max(1e-12);
         [-0.5 * x / speed, -0.5 * y / speed]
@@ -165,7 +167,7 @@ fn rubbing(state: &State<5>) -> [f64; 3] {
 
 /// The part of its speed V that the middle of the stick loses in the way l, per mu g l/V^2, to
 /// first order: both masses rub against their own velocities, as they are without friction.
-pub fn held_back(after: &State<5>) -> f64 {
+pub fn held_back(after: &MechanismState<5>) -> f64 {
     let speed = hypot(after.v[0], after.v[1]);
     let part = |k: i32| {
         let mut there = *after;
@@ -177,10 +179,10 @@ pub fn held_back(after: &State<5>) -> f64 {
 }
 
 /// The same part simulated, for a friction mu g l/v0^2; and the work.
-pub fn rubbed(after: &State<5>, friction: f64) -> Result<(f64, Work)> {
+pub fn rubbed(after: &MechanismState<5>, friction: f64) -> Result<(f64, Work)> {
     let law = ode(|_, &[x, y, angle, u, v, turn]: &[f64; 6]| {
         let (q, v) = ([x, y, angle, 0.0, 0.0], [u, v, turn, 0.0, 0.0]);
-        let [fx, fy, moment] = rubbing(&State { q, v }).map(|force| friction * force);
+        let [fx, fy, moment] = rubbing(&MechanismState { q, v }).map(|force| friction * force);
         [v[0], v[1], turn, fx, fy, 4.0 * moment]
     });
     let ([u, v, turn, ..], speed) = (after.v, hypot(after.v[0], after.v[1]));
@@ -191,7 +193,7 @@ pub fn rubbed(after: &State<5>, friction: f64) -> Result<(f64, Work)> {
 }
 
 /// Kinetic energy of all.
-pub fn energy(State { v, .. }: &State<5>) -> f64 {
+pub fn energy(MechanismState { v, .. }: &MechanismState<5>) -> f64 {
     let square = |k: usize| v[k] * v[k] + v[k + 1] * v[k + 1];
     0.5 * (square(0) + 0.25 * v[2] * v[2] + square(3))
 }

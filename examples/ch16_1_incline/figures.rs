@@ -89,6 +89,20 @@ figures! { p: &Parameters;
         }
         panel
     };
+
+    /// Height above the slope, in radii, of a ball that is dropped, against time: arcs that get
+    /// lower and shorter, five of them to be seen, and from a marked time on none. The simulated
+    /// dots lie on the line.
+    dropped: {
+        let ball = Bouncer::new(p);
+        let (limit, found) = (ball.rests(), ball.run(1e-9)?);
+        let end = 1.4 * limit;
+        let simulated = |t| Ok(found.at(t)?.q[1] / p.radius - 1.0);
+        Panel::over_axes("$t$ / s", Axis::linear("height / $R$").range(0.0, 1.15 * bouncer::HEIGHT))
+            .upright(limit, Ink::Frame, "rests")
+            .curve(Curve::of(times(0.0, end, 400), |t| ball.height(t), Ink::Ink))
+            .curve(Curve::sampled(times(0.0, end, 42), simulated, Ink::Body)?.dots())
+    };
 }
 
 /// Up and back, as simulated, and how long it takes.
@@ -103,7 +117,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (run, end) = motion(p)?;
     let columns = "t [s], x [m], phi [rad], vx [m/s], R phi' [m/s], friction [N], normal [N]";
     Trajectory::sampled(columns.split(", "), times(0.0, end, 200), |t| {
-        let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
+        let (MechanismState { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
         let moving = [t, q[0], -q[2], v[0], -p.radius * v[2]];
         Ok([
             &moving[..],
@@ -142,7 +156,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         [0.08 * end, 0.5 * end, 0.92 * end],
         move |t| {
             let (
-                State {
+                MechanismState {
                     q: [x, _, turn],
                     v: [vx, ..],
                 },

@@ -213,7 +213,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (ride, time, end) = shown(p)?;
     let radius = p.radius;
     Trajectory::sampled(columns.split(", "), times(0.0, end, 250), |t| {
-        let (State { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
+        let (MechanismState { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
         let [x, turned, rate] = [q[0], q[2], v[2]].map(|odd| side * odd);
         let motion = [
             t,
@@ -238,7 +238,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph =
         Panel::over_axes("$t$ / s", r"$\omega$ / (rad/s)").curve(Curve::new(spin, Ink::Velocity));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.45 * end, end], move |t| {
-        let (State { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
+        let (MechanismState { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
         let modes = ride.modes(t / time)?;
         let ([x, y, turned], speed) = (q, v[2].abs() / time);
         let scene = match side > 0.0 {

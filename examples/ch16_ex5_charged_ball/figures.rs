@@ -129,7 +129,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (run, end) = slide(p)?;
     let columns = "t [s], x [m], turned [rad], vx [m/s], R omega [m/s], friction [N]";
     Trajectory::sampled(columns.split(", "), times(0.0, end, 300), |t| {
-        let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
+        let (MechanismState { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
         let (turned, rim) = (0.0 - q[2], 0.0 - p.radius * v[2]);
         Ok([t, q[0], turned, v[0], rim, -p.mass * force.tangential])
     })
@@ -138,7 +138,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// That ball with the two forces along the slab; below, the velocities of middle and rim.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let ((run, end), r, ball) = (slide(p)?, p.radius, Ball::new(p)?);
-    let speeds = |pick: fn(State<3>, f64) -> f64| {
+    let speeds = |pick: fn(MechanismState<3>, f64) -> f64| {
         sampled(times(0.0, end, 300), |t| Ok((t, pick(run.at(t)?, r))))
     };
     let graph = Panel::over_axes("$t$ / s", "velocity / (m/s)")
@@ -162,7 +162,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let catch = if catch > 0.0 { catch } else { 0.1 * end };
     let stills = [0.4 * catch, 0.2 * end, 0.85 * end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
-        let (State { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
+        let (MechanismState { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
         let ([x, _, turn], [vx, _, rate]) = (q, v);
         let rub = force.tangential / pull;
         let slips = (vx + r * rate).abs() > 1e-6 * (vx.abs() + r * rate.abs());

@@ -54,7 +54,7 @@ fn portrait(p: &Parameters, sense: f64, offset: f64, end: f64) -> Result<Vec<(f6
         .map_or(ride.end_time(), |event| event.t);
     let scale = p.distance * rate(p, sense);
     sampled(times(0.0, until, 300), |t| {
-        let State { q, v } = ride.at(t)?;
+        let MechanismState { q, v } = ride.at(t)?;
         Ok((q[0] / p.distance, v[0] / scale))
     })
 }
@@ -151,7 +151,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "t [s], x [m], v [m/s], tilt [rad], N_left/mg, N_right/mg, F_left/mg, F_right/mg";
     let (_, end, ride) = ride(p)?;
     Trajectory::sampled(columns.split(", "), times(0.0, end, 400), |t| {
-        let (State { q, v }, [left, right]) = (ride.at(t)?, ride.forces(t)?);
+        let (MechanismState { q, v }, [left, right]) = (ride.at(t)?, ride.forces(t)?);
         let forces = [left.normal, right.normal, left.tangential, right.tangential];
         Ok([
             &[t, q[0], v[0], q[2]][..],
@@ -170,7 +170,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let first = ride.events().first().map_or(0.3 * end, |event| event.t);
     let stills = [0.0, (0.9 * first + 0.1 * end).min(end), 0.3 * end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
-        let (State { q, .. }, forces, modes) = (ride.at(t)?, ride.forces(t)?, ride.modes(t)?);
+        let (MechanismState { q, .. }, forces, modes) =
+            (ride.at(t)?, ride.forces(t)?, ride.modes(t)?);
         let (s, c) = sincos(q[2]);
         let sketch = Sketch::within((-1.75 * a, 1.75 * a), (-0.62 * a, 0.65 * a));
         let mut sketch = drawn(sketch, &p, sense * p.runs() * t / (RADIUS * a), q);

@@ -9,7 +9,7 @@ use kit::Result;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::math::{cos, pow, tan};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 
 /// How far the wall leans over the ladder: 20 degrees.
@@ -64,14 +64,14 @@ struct Towed;
 const DOWN: f64 = 6.0;
 const BRAKE: f64 = 8.0;
 
-impl Mechanism<2, 4, 2> for Towed {
+impl Mechanism<2, 2> for Towed {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[1.0, 0.0], [0.0, 1.0]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [-DOWN, -DOWN]
     }
-    fn contacts(&self, blocks: &State<2>) -> [Contact<2>; 2] {
+    fn contacts(&self, blocks: &MechanismState<2>) -> [Contact<2>; 2] {
         let [lower, upper] = blocks.q;
         [
             Contact::new("string", 1.0 - (upper - lower), [1.0, -1.0], 0.0),
@@ -86,7 +86,7 @@ impl Mechanism<2, 4, 2> for Towed {
 /// upper one turns back at 6 m/s^2, so the string lets go in the same instant.
 fn towed() -> Result<Row> {
     let (speed, end) = (5.0, 0.9);
-    let start = State {
+    let start = MechanismState {
         q: [0.0, 1.0],
         v: [speed; 2],
     };
@@ -122,14 +122,14 @@ fn towed() -> Result<Row> {
 struct Apart;
 const LIFT: f64 = 10.0;
 
-impl Mechanism<3, 6, 2> for Apart {
+impl Mechanism<3, 2> for Apart {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }
-    fn force(&self, both: &State<3>) -> [f64; 3] {
+    fn force(&self, both: &MechanismState<3>) -> [f64; 3] {
         [0.0, LIFT * (both.q[2] - 0.6), 0.0]
     }
-    fn contacts(&self, both: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, both: &MechanismState<3>) -> [Contact<3>; 2] {
         [
             Contact::pressed("block", 5.0)
                 .tangent([1.0, 0.0, 0.0], 0.0)
@@ -142,7 +142,7 @@ impl Mechanism<3, 6, 2> for Apart {
 /// 3 m/s against 5 m/s^2, and 6 N against 10 N/s: both at 0.6 s, to the last bit or two.
 fn apart() -> Result<Row> {
     let (both, end) = (0.6, 1.6);
-    let start = State {
+    let start = MechanismState {
         q: [0.0; 3],
         v: [3.0, 0.0, 1.0],
     };

@@ -3,7 +3,7 @@
 use super::table::{Cell, Family, Naive, Row, bound};
 use kit::Result;
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion};
 
 pub const FAMILY: Family = Family {
     key: "impacts",
@@ -24,14 +24,14 @@ struct Pair {
     restitution: f64,
 }
 
-impl Mechanism<2, 4, 1> for Pair {
+impl Mechanism<2, 1> for Pair {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[self.mass, 0.0], [0.0, 1.0]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [0.0; 2]
     }
-    fn contacts(&self, pair: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, pair: &MechanismState<2>) -> [Contact<2>; 1] {
         let [x, y] = pair.q;
         [Contact::new("they meet", y - x, [-1.0, 1.0], 0.0).restitution(self.restitution)]
     }
@@ -57,7 +57,7 @@ pub fn errors(mass: f64) -> Result<[f64; 2]> {
 fn hit([case, wrong]: [&'static str; 2], pair: Pair) -> Result<Row> {
     let (m, e) = (pair.mass, pair.restitution);
     let truth = [(m - e) / (m + 1.0), m * (1.0 + e) / (m + 1.0)].map(|part| part * SPEED);
-    let start = State {
+    let start = MechanismState {
         q: [0.0, 1.0],
         v: [SPEED, 0.0],
     };

@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 use rotation_dynamics::math::{sincos, tan};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, Surface};
 
 /// Its length (m).
 pub const LENGTH: f64 = 3.0;
@@ -19,22 +19,22 @@ pub struct Ladder {
 
 impl Ladder {
     /// At rest at this angle, its top on the wall.
-    pub fn at_rest(&self, angle: f64) -> State<3> {
+    pub fn at_rest(&self, angle: f64) -> MechanismState<3> {
         let ((s, c), half) = (sincos(angle), 0.5 * LENGTH);
         let top = tan(self.overhang) * LENGTH * c;
-        State::rest([top + half * s, half * c, angle])
+        MechanismState::rest([top + half * s, half * c, angle])
     }
 }
 
-impl Mechanism<3, 6, 2> for Ladder {
+impl Mechanism<3, 2> for Ladder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let inertia = LENGTH * LENGTH / 12.0;
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, inertia]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.gravity, 0.0]
     }
-    fn contacts(&self, ladder: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, ladder: &MechanismState<3>) -> [Contact<3>; 2] {
         let (s, c) = sincos(ladder.q[2]);
         let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
         let (sin, cos) = sincos(self.overhang);
@@ -47,13 +47,13 @@ impl Mechanism<3, 6, 2> for Ladder {
             Contact::corner("foot", ladder, [s, -c], Surface::FLOOR).friction(self.mu),
         ]
     }
-    fn end(&self, ladder: &State<3>) -> Option<(&'static str, f64)> {
+    fn end(&self, ladder: &MechanismState<3>) -> Option<(&'static str, f64)> {
         Some(("lands", FRAC_PI_2 - ladder.q[2]))
     }
-    fn scale(&self, ladder: &State<3>) -> State<3> {
+    fn scale(&self, ladder: &MechanismState<3>) -> MechanismState<3> {
         let rate = (1.5 * self.gravity / LENGTH).sqrt();
         let q = [ladder.q[0].abs(), LENGTH, ladder.q[2].abs()];
-        State {
+        MechanismState {
             q,
             v: q.map(|size| rate * size),
         }

@@ -29,4 +29,8 @@ impl<const N: usize, S: Phased<N>> Phased<N> for Bilateral<S> {
     fn drift(&self, phase: S::Phase, state: &[f64; N], within: f64) -> Option<[f64; N]> {
         self.0.drift(phase, state, within)
     }
+
+    fn phase_limit(&self) -> usize {
+        self.0.phase_limit()
+    }
 }

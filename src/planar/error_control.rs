@@ -1,6 +1,6 @@
 //! `solve`: ask for an error at the end, get it, see the price.
 
-use super::run::{Scene, run};
+use super::run::{Scene, run, whole};
 use super::{Phased, Run};
 use crate::accuracy::larger;
 use crate::error::{Error, Result, finite};
@@ -62,7 +62,7 @@ fn within<P: Copy + PartialEq + Debug, const N: usize>(
             "from 3.2e-14 to 0.1",
         ));
     }
-    let run = |step_error: f64| run(scene, &Dop853::new(step_error)?, phase, start, t_end);
+    let run = |step_error: f64| whole(run(scene, &Dop853::new(step_error)?, phase, start, t_end));
     let mut step_error = tolerance;
     let mut coarse = run(step_error)?;
     let mut work = coarse.work();
@@ -116,6 +116,9 @@ fn distance<P: Copy + PartialEq + Debug, const N: usize>(
     let mut most = late(a.end_time(), b.end_time());
     for (x, y) in pairs() {
         most = larger(most, late(x.t, y.t));
+        if let (Some(x), Some(y)) = (x.rest, y.rest) {
+            most = larger(most, late(x.t, y.t));
+        }
         most = larger(most, apart(&x.before, &y.before));
         // Of conditions that fail together either may be met first: what counts is what follows.
         if x.name != y.name {

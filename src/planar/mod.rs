@@ -13,6 +13,7 @@
 //! | [`Phased`] | a scene: phases, equations, conditions |
 //! | [`Condition`], [`Next`] | what a phase needs, and what follows when it fails |
 //! | [`simulate`], [`Run`] | the motion, with its events, from phase to phase |
+//! | [`simulate_so_far`] | the motion up to where it is refused |
 //! | [`simulate_within`] | the same with a bound on the error at the end |
 //! | [`Bilateral`] | the same scene with contacts that may pull: the usual mistake |
 //!
@@ -33,7 +34,7 @@ use crate::error::Result;
 pub use as_motion::Moment;
 pub use bilateral::Bilateral;
 pub use error_control::{Delivered, simulate_within};
-pub use run::{PhaseRun, Run, Transition, simulate};
+pub use run::{PhaseRun, Rest, Run, Transition, simulate, simulate_so_far};
 
 /// A scene with `N` coordinates and velocities that moves through phases.
 ///
@@ -84,6 +85,11 @@ pub trait Phased<const N: usize> {
     fn drift(&self, _phase: Self::Phase, _state: &[f64; N], _within: f64) -> Option<[f64; N]> {
         None
     }
+
+    /// After how many changes of phase a run is refused.
+    fn phase_limit(&self) -> usize {
+        1000
+    }
 }
 
 impl<const N: usize, S: Phased<N> + ?Sized> Phased<N> for &S {
@@ -99,6 +105,9 @@ impl<const N: usize, S: Phased<N> + ?Sized> Phased<N> for &S {
     }
     fn drift(&self, phase: S::Phase, state: &[f64; N], within: f64) -> Option<[f64; N]> {
         (**self).drift(phase, state, within)
+    }
+    fn phase_limit(&self) -> usize {
+        (**self).phase_limit()
     }
 }
 
@@ -211,8 +220,25 @@ pub enum Next<'s, P, const N: usize> {
 }
 
 /// Phase and state that follow, from the time and the state before.
-pub type Decision<'s, P, const N: usize> =
-    Box<dyn Fn(f64, &[f64; N]) -> Result<(P, [f64; N])> + 's>;
+pub type Decision<'s, P, const N: usize> = Box<dyn Fn(f64, &[f64; N]) -> Result<Entry<P, N>> + 's>;
+
+/// How a phase begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry<P, const N: usize> {
+    /// The phase.
+    pub phase: P,
+    /// The state.
+    pub state: [f64; N],
+    /// The end of the bounces that the phase stands for, if it does.
+    pub rest: Option<Rest>,
+}
+
+impl<P, const N: usize> From<(P, [f64; N])> for Entry<P, N> {
+    fn from((phase, state): (P, [f64; N])) -> Self {
+        let rest = None;
+        Self { phase, state, rest }
+    }
+}
 
 /// The state after an impact as a function of the state before.
 pub type Impact<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> [f64; N] + 's>;
@@ -223,8 +249,10 @@ impl<'s, P, const N: usize> Next<'s, P, N> {
         Self::Jump(phase, Box::new(impact))
     }
 
-    /// The phase and the state that `decision` finds.
-    pub fn decide(decision: impl Fn(f64, &[f64; N]) -> Result<(P, [f64; N])> + 's) -> Self {
-        Self::Decide(Box::new(decision))
+    /// The phase and the state that `decision` finds: a pair of them, or an [`Entry`].
+    pub fn decide<E: Into<Entry<P, N>>>(
+        decision: impl Fn(f64, &[f64; N]) -> Result<E> + 's,
+    ) -> Self {
+        Self::Decide(Box::new(move |t, state| Ok(decision(t, state)?.into())))
     }
 }

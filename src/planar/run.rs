@@ -1,14 +1,10 @@
 //! The motion of a scene from phase to phase.
 
-use super::{Condition, Kind, Next, Phased};
+use super::{Condition, Entry, Kind, Next, Phased};
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Solution, Work};
 use crate::math::EPS;
 use core::fmt::Debug;
-
-/// Changes of phase in one run, at most: a ball that bounces ever lower is
-/// stopped here.
-const PHASE_LIMIT: usize = 1000;
 
 /// How often a phase is solved again with shorter steps.
 const SHORTENINGS: u32 = 30;
@@ -43,6 +39,19 @@ pub struct Transition<P, const N: usize> {
     pub before: [f64; N],
     /// The state with which the next phase begins; other than `before` after an impact.
     pub after: [f64; N],
+    /// The end of the infinitely many bounces that begin here, if they do.
+    pub rest: Option<Rest>,
+}
+
+/// Infinitely many bounces that are lower than doubles resolve, taken as one plastic impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rest {
+    /// The contact that bounces.
+    pub contact: &'static str,
+    /// How high the first of them is.
+    pub height: f64,
+    /// When the last of them is over.
+    pub t: f64,
 }
 
 /// A motion through phases.
@@ -80,9 +89,10 @@ impl<P: Copy + PartialEq + Debug, const N: usize> Ode<N> for InPhase<'_, P, N> {
 /// # Errors
 /// [`Error::CannotHold`] if a phase begins although one of its conditions is negative by
 /// more than round-off, or if one fails at once for the second time in an instant (the first time
-/// it is an event), [`Error::LimitReached`] after a thousand changes of phase,
+/// it is an event), [`Error::LimitReached`] after [`Phased::phase_limit`] changes of phase,
+/// [`Error::BouncesUnresolved`] for a run that ends before bounces that are summed are over,
 /// [`Error::OutOfRange`] for a negative `t_end` of a phase with conditions, and those of
-/// [`Dop853::solve`].
+/// [`Dop853::solve`]. [`simulate_so_far`] has the motion up to there.
 pub fn simulate<const N: usize, S: Phased<N>>(
     scene: &S,
     method: &Dop853,
@@ -90,17 +100,69 @@ pub fn simulate<const N: usize, S: Phased<N>>(
     start: [f64; N],
     t_end: f64,
 ) -> Result<Run<S::Phase, N>> {
+    whole(run(scene, method, phase, start, t_end))
+}
+
+/// The motion as [`simulate`] has it, as far as it goes, and the refusal that ended it, if one did.
+///
+/// A refusal within a phase leaves the motion up to the start of that phase.
+///
+/// ```
+/// # use rotation_dynamics::Error;
+/// # use rotation_dynamics::integrators::Dop853;
+/// # use rotation_dynamics::planar::{Condition, Next, Phased, simulate_so_far};
+/// # struct Ball;
+/// # impl Phased<2> for Ball {
+/// #     type Phase = ();
+/// #     fn derivative(&self, _: (), [_, speed]: &[f64; 2]) -> [f64; 2] { [*speed, -10.0] }
+/// #     fn conditions(&self, _: ()) -> Vec<Condition<'_, (), 2>> {
+/// #         let rebound = Next::jump((), |[_, speed]: &[f64; 2]| [0.0, -0.5 * speed]);
+/// #         vec![Condition::gap("height", |y| y[0], rebound)]
+/// #     }
+/// # }
+/// // A ball that returns half of its speed rests after 3 s and infinitely many bounces.
+/// let (run, refused) = simulate_so_far(&Ball, &Dop853::new(1e-12)?, (), [5.0, 0.0], 4.0);
+/// assert!(matches!(refused, Some(Error::LimitReached { limit: 1000, .. })));
+/// assert!((run.end_time() - 3.0).abs() < 1e-14);
+/// # Ok::<(), Error>(())
+/// ```
+pub fn simulate_so_far<const N: usize, S: Phased<N>>(
+    scene: &S,
+    method: &Dop853,
+    phase: S::Phase,
+    start: [f64; N],
+    t_end: f64,
+) -> (Run<S::Phase, N>, Option<Error>) {
     run(scene, method, phase, start, t_end)
 }
 
-/// [`simulate`] of a scene behind a pointer.
+/// The run if it is whole, else the refusal alone.
+pub(super) fn whole<R>((run, refused): (R, Option<Error>)) -> Result<R> {
+    refused.map_or(Ok(run), Err)
+}
+
+/// [`simulate_so_far`] of a scene behind a pointer.
 pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
     scene: &Scene<'_, P, N>,
     method: &Dop853,
     phase: P,
     start: [f64; N],
     t_end: f64,
-) -> Result<Run<P, N>> {
+) -> (Run<P, N>, Option<Error>) {
+    let mut run = Run::empty();
+    let done = go(&mut run, scene, method, phase, start, t_end);
+    (run, done.err())
+}
+
+/// Goes on with an empty run to the end.
+fn go<P: Copy + PartialEq + Debug, const N: usize>(
+    run: &mut Run<P, N>,
+    scene: &Scene<'_, P, N>,
+    method: &Dop853,
+    phase: P,
+    start: [f64; N],
+    t_end: f64,
+) -> Result<()> {
     if t_end < 0.0 && !scene.conditions(phase).is_empty() {
         return Err(Error::out_of_range(
             "t_end",
@@ -109,13 +171,32 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
                       not be negative",
         ));
     }
-    let mut run = Run {
-        pieces: Vec::new(),
-        transitions: Vec::new(),
-        work: Work::default(),
-    };
+    through_phases(run, scene, method, phase, start, t_end)?;
+    let end = run.end_time();
+    for Transition { t, rest, .. } in &run.transitions {
+        if let Some(rest) = rest.filter(|rest| rest.t > end) {
+            return Err(Error::BouncesUnresolved {
+                contact: rest.contact,
+                height: rest.height,
+                t: *t,
+                until: rest.t,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn through_phases<P: Copy + PartialEq + Debug, const N: usize>(
+    run: &mut Run<P, N>,
+    scene: &Scene<'_, P, N>,
+    method: &Dop853,
+    phase: P,
+    start: [f64; N],
+    t_end: f64,
+) -> Result<()> {
+    let limit = scene.phase_limit();
     let (mut t, mut phase, mut state) = (0.0, phase, start);
-    while run.transitions.len() < PHASE_LIMIT {
+    while run.transitions.len() < limit {
         let conditions = scene.conditions(phase);
         // What ends the scene may come together with what begins a phase.
         let over =
@@ -132,8 +213,9 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
                 to: None,
                 before: state,
                 after: state,
+                rest: None,
             });
-            return Ok(run);
+            return Ok(());
         }
         let noises = noises(scene, &conditions, run.pieces.last(), &state);
         check_entry(&conditions, &noises, t, &state)?;
@@ -159,7 +241,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
                     .map(|event| (event.index, event.t, event.state));
                 run.pieces.push(PhaseRun { phase, solution });
                 let Some(failed) = failed else {
-                    return Ok(run);
+                    return Ok(());
                 };
                 failed
             }
@@ -174,14 +256,14 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
                 (index, t, state)
             }
         };
-        let (to, after) = match &conditions[index].next {
-            Next::Enter(to) => (Some(*to), before),
-            Next::Jump(to, impact) => (Some(*to), impact(&before)),
+        let (to, after, rest) = match &conditions[index].next {
+            Next::Enter(to) => (Some(*to), before, None),
+            Next::Jump(to, impact) => (Some(*to), impact(&before), None),
             Next::Decide(decide) => {
-                let (to, after) = decide(when, &before)?;
-                (Some(to), after)
+                let Entry { phase, state, rest } = decide(when, &before)?;
+                (Some(phase), state, rest)
             }
-            Next::End => (None, before),
+            Next::End => (None, before, None),
         };
         run.transitions.push(Transition {
             name: conditions[index].name,
@@ -190,9 +272,10 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
             to,
             before,
             after,
+            rest,
         });
         let Some(to) = to.filter(|_| when < t_end) else {
-            return Ok(run);
+            return Ok(());
         };
         (t, phase, state) = (when, to, after);
     }
@@ -200,7 +283,7 @@ pub(super) fn run<P: Copy + PartialEq + Debug, const N: usize>(
         what: "changes of phase",
         t,
         t_end,
-        limit: PHASE_LIMIT as u64,
+        limit: limit as u64,
     })
 }
 
@@ -336,6 +419,17 @@ fn check_entry<P, const N: usize>(
         }
     }
     Ok(())
+}
+
+impl<P, const N: usize> Run<P, N> {
+    /// No motion yet.
+    pub(super) fn empty() -> Self {
+        Self {
+            pieces: Vec::new(),
+            transitions: Vec::new(),
+            work: Work::default(),
+        }
+    }
 }
 
 impl<P: Copy, const N: usize> Run<P, N> {

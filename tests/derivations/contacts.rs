@@ -5,7 +5,7 @@ use rotation_dynamics::error::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, State, Surface, entry, motion, motion_within,
+    Contact, Mechanism, MechanismState, Surface, entry, motion, motion_within,
 };
 use support::{Errors, assert_error};
 
@@ -23,14 +23,14 @@ fn arm(angle: f64) -> [f64; 2] {
     [-cos, -sin]
 }
 
-impl Mechanism<3, 6, 1> for Rod {
+impl Mechanism<3, 1> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, rod: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, rod: &MechanismState<3>) -> [Contact<3>; 1] {
         let end = Contact::corner("end", rod, arm(rod.q[2]), Surface::FLOOR);
         [end.friction(self.friction).restitution(self.restitution)]
     }
@@ -45,7 +45,7 @@ struct Plain {
 }
 
 impl Plain {
-    fn new(state: &State<3>) -> Self {
+    fn new(state: &MechanismState<3>) -> Self {
         let [x, y] = arm(state.q[2]);
         let (normal, tangent) = ([0.0, 1.0, x], [1.0, 0.0, -y]);
         let over_mass = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + 3.0 * a[2] * b[2];
@@ -74,9 +74,9 @@ impl Plain {
 }
 
 /// The rod on its end, at this angle, with this slip and this rate.
-fn on_its_end(angle: f64, slip: f64, rate: f64) -> State<3> {
+fn on_its_end(angle: f64, slip: f64, rate: f64) -> MechanismState<3> {
     let [x, y] = arm(angle);
-    State {
+    MechanismState {
         q: [0.0, -y, angle],
         v: [slip + y * rate, -x * rate, rate],
     }
@@ -229,7 +229,7 @@ fn what_has_drifted_goes_back_by_least_action() {
             let (_, state) = entry(&rod, start).expect("a contact");
             for (j, over) in [1.0, 1.0, 3.0].into_iter().enumerate() {
                 let want = -gap * over * plain.normal[j] / (damage * plain.w[0]);
-                errors.push_at((state[j] - start.q[j] - want) / gap, (angle, j));
+                errors.push_at((state.q[j] - start.q[j] - want) / gap, (angle, j));
             }
         }
         errors

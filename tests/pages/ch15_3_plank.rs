@@ -7,7 +7,7 @@ use pages::ch15_3_plank::*;
 use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::plank::Plank as Exact;
 use rotation_dynamics::math::{cos, sin, sincos};
-use rotation_dynamics::planar::contact::{Mode, Sense, State, misdeclared};
+use rotation_dynamics::planar::contact::{Mode, Sense, MechanismState, misdeclared};
 use support::{Errors, assert_error};
 
 const STARTS: [f64; 6] = [1e-12, 1e-6, 0.01, 0.3, 1.0, 1.5];
@@ -75,7 +75,7 @@ fn eq_15_3_ex3_2_rate() {
     let (p, run) = (Parameters::default(), plank().fall(1e-13, 1e-9, 0.0).unwrap());
     let (mut errors, mut damaged) = (Errors::of("rate"), Errors::of("without 3 sin^2"));
     for t in times(0.7 * run.end_time(), run.end_time(), 40) {
-        let State { q: [x, _, angle], v: [_, _, rate] } = run.at(t).unwrap();
+        let MechanismState { q: [x, _, angle], v: [_, _, rate] } = run.at(t).unwrap();
         errors.push(rate_from_upright(&p, angle) / rate - 1.0);
         damaged.push(2.0 * growth(&p) * sin(0.5 * angle) / rate - 1.0);
         // Nothing pushes sideways: the middle comes straight down.
@@ -83,7 +83,7 @@ fn eq_15_3_ex3_2_rate() {
     }
     errors.attain(2.3e-14..=2.4e-14, 41);
     assert!(damaged.largest() > 0.9);
-    let state = State { q: [0.1, 0.4, 0.7], v: [0.3, -0.2, 1.1] };
+    let state = MechanismState { q: [0.1, 0.4, 0.7], v: [0.3, -0.2, 1.1] };
     assert!(misdeclared(&plank(), &state) < 1e-9);
 }
 

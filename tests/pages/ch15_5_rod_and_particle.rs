@@ -6,7 +6,7 @@ use pages::ch15_5_rod_and_particle::strike::Blow;
 use pages::ch15_5_rod_and_particle::{Answer, EXAMPLE, Parameters, scene};
 use rotation_dynamics::math::{cbrt, cos, sin};
 use std::f64::consts::PI;
-use rotation_dynamics::planar::contact::{State, misdeclared};
+use rotation_dynamics::planar::contact::{MechanismState, misdeclared};
 use support::{EPS, Errors, assert_error};
 
 /// Rods and particles of equal mass: M, l, v.
@@ -75,7 +75,7 @@ fn eq_15_5_ex1_2_angular_momentum_about_the_hinge_is_kept() {
     let (mut errors, mut elsewhere) = (Errors::in_units_of(EPS, "L about the hinge"), Errors::of("about the upper end"));
     for [m, l, v] in EQUAL {
         let (p, blow) = (equal([m, l, v]), blow(&equal([m, l, v])));
-        let about = |state: &State<5>, y: f64| scene(&p, true).angular_momentum(state, [0.0, y]) / (m * l * v);
+        let about = |state: &MechanismState<5>, y: f64| scene(&p, true).angular_momentum(state, [0.0, y]) / (m * l * v);
         for state in [blow.before, blow.after, blow.end().unwrap()] {
             errors.push(about(&state, 0.0) - 0.5);
         }
@@ -135,7 +135,7 @@ fn the_contacts_are_declared_as_they_are() {
     let moving = [0.7, -0.4, 2.0, 1.0, -2.0];
     for (angle, rate) in [(0.0, 0.0), (0.4, 2.0), (2.5, -3.0)] {
         let q = [0.3, -0.2, angle, 0.3 + 0.7 * sin(angle), -0.2 - 0.6 * cos(angle)];
-        let state = |v: [f64; 5]| State { q, v: [v[0], v[1], rate, v[3], v[4]] };
+        let state = |v: [f64; 5]| MechanismState { q, v: [v[0], v[1], rate, v[3], v[4]] };
         errors.push(misdeclared(&scene(&p, false), &state(moving)));
         errors.push(misdeclared(&scene(&p, true), &state([0.0, 0.0, 0.0, 1.0, -2.0])));
         damaged.push(misdeclared(&scene(&p, true), &state(moving)));

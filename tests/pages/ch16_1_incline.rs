@@ -168,6 +168,38 @@ fn resistance_and_air_shorten_the_way() {
     errors.attain(8.88e-16..=8.89e-16, 2);
 }
 
+/// However it bounces and slips, a ball that is dropped rolls in the end as if it had rolled since.
+#[test]
+fn a_dropped_ball_is_as_fast_as_one_that_rolled() {
+    let (mut limits, mut speeds) = (Errors::of("end of its bounces"), Errors::of("speed in the end"));
+    let (mut early, mut slid) = (Errors::of("without its first fall"), Errors::of("without its rotation"));
+    for angle in [0.01, 0.2, 0.5, 1.2, 1.5] {
+        let p = Parameters { angle, ..Parameters::default() };
+        let ball = Bouncer::new(&p);
+        let (run, limit) = (ball.run(1e-12).unwrap(), ball.rests());
+        let rests = run.event("body rests").unwrap();
+        // The times between the first bounces, and the geometric series from there.
+        let [first, second] = [0, 1].map(|n| run.events()[n].t);
+        let series = (second - first) / (1.0 - bouncer::RESTITUTION);
+        limits.push(rests.t / (first + series) - 1.0);
+        early.push(rests.t / series - 1.0);
+        let rolled = Roller { mu: 2.0 * tan(angle), shape: 0.4, ..Roller::new(&p) };
+        let [to, speed] = [2.0 * limit, run.at(2.0 * limit).unwrap().v[0]];
+        let beside = rolled.run(Goal::Never, 0.0, to, 1e-12).unwrap().at(to).unwrap().v[0];
+        speeds.push(speed / beside - 1.0);
+        slid.push(speed / (-p.gravity * sin(angle) * to) - 1.0);
+        assert_eq!(run.modes(to).unwrap(), [Mode::Stick]);
+        for t in times(0.0, 0.9 * limit, 30) {
+            let high = run.at(t).unwrap().q[1] / p.radius - 1.0;
+            assert!((high - ball.height(t)).abs() < 1e-9);
+        }
+    }
+    limits.attain(7.8e-12..=7.9e-12, 5);
+    early.exceed(0.1, 5);
+    speeds.attain(8.88e-16..=8.89e-16, 5);
+    slid.exceed(0.2, 5);
+}
+
 #[test]
 fn other_bodies_and_slopes_are_confirmed() {
     let bodies = ["", "--shape 0.4 --mass 10", "--shape 1", "--radius 1 --speed 0.001"];

@@ -6,7 +6,7 @@ use kit::Page;
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode};
-use rotation_dynamics::planar::contact::{Mode, State, misdeclared, motion};
+use rotation_dynamics::planar::contact::{Mode, MechanismState, misdeclared, motion};
 use support::Errors;
 
 /// The spin of the page in units of sqrt(g/R).
@@ -85,7 +85,7 @@ fn figures_are_drawn_for_other_cylinders() {
 #[test]
 fn the_contacts_are_declared_truly() {
     let scene = Cylinder { mu: [0.2, 0.4], fading: 0.3, lean: 0.25 };
-    let state = State { q: [0.2, 1.3, -0.4], v: [0.7, -0.3, 0.9] };
+    let state = MechanismState { q: [0.2, 1.3, -0.4], v: [0.7, -0.3, 0.9] };
     let found = misdeclared(&scene, &state);
     assert!(found < 1e-9, "{found}");
 }
@@ -132,7 +132,7 @@ fn a_drop_brakes_as_much_as_its_fall_takes() {
     for (mu, h) in [(0.25, 0.01), (0.25, 0.5), (0.8, 0.1), (0.97, 0.02)] {
         let cylinder = Cylinder::alike(mu);
         let (stop, fall) = (SPIN / cylinder.braking(), f64::sqrt(2.0 * h));
-        let start = State { q: [0.0, 1.0 + h, 0.0], v: [0.0, 0.0, SPIN] };
+        let start = MechanismState { q: [0.0, 1.0 + h, 0.0], v: [0.0, 0.0, SPIN] };
         let ride = motion(cylinder, &Dop853::new(1e-14).unwrap(), start, 2.0 * stop + fall).unwrap();
         let after = ride.event("floor sticks").unwrap().t - fall;
         errors.push_at(after - (stop - fall), (mu, h));
@@ -142,7 +142,7 @@ fn a_drop_brakes_as_much_as_its_fall_takes() {
     errors.attain(4.4e-16..=4.5e-16, 4);
     damaged.exceed(0.1, 4);
     // Where the coefficient exceeds one, it may as well jam in the impact.
-    let start = State { q: [0.0, 1.02, 0.0], v: [0.0, 0.0, SPIN] };
+    let start = MechanismState { q: [0.0, 1.02, 0.0], v: [0.0, 0.0, SPIN] };
     let jams = motion(Cylinder::alike(1.03), &Dop853::new(1e-14).unwrap(), start, 1.0);
     assert!(matches!(jams, Err(Error::ContactsUndetermined { ref motions, .. }) if motions.len() == 2), "{jams:?}");
 }

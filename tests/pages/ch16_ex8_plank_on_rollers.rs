@@ -5,7 +5,7 @@ use crate::answers::{computed, confirmed, errors_of, refused, value};
 use core::f64::consts::TAU;
 use pages::ch16_ex8_plank_on_rollers::*;
 use rotation_dynamics::integrators::{Dop853, second_order};
-use rotation_dynamics::planar::contact::{State, misdeclared};
+use rotation_dynamics::planar::contact::{MechanismState, misdeclared};
 use support::{EPS, Errors};
 
 #[test]
@@ -98,7 +98,7 @@ fn what_is_no_plank_on_rollers_is_refused() {
 #[test]
 fn the_contacts_are_declared_truly() {
     let p = Parameters { thickness: 0.2, ..Parameters::default() };
-    let state = State { q: [0.2, 0.03, -0.15], v: [0.7, -0.3, 0.9] };
+    let state = MechanismState { q: [0.2, 0.03, -0.15], v: [0.7, -0.3, 0.9] };
     let found = misdeclared(&plank(&p, 1.0).unwrap(), &state);
     assert!(found < 1e-9, "{found}");
 }

@@ -4,7 +4,7 @@ use super::G;
 use rotation_dynamics::Error;
 use rotation_dynamics::math::{atan, cos, sin};
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, Sense, State, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, Sense, motion_within,
 };
 use support::{EPS, Errors, assert_error};
 
@@ -25,14 +25,14 @@ impl Block {
     }
 }
 
-impl Mechanism<2, 4, 1> for Block {
+impl Mechanism<2, 1> for Block {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[2.0, 0.0], [0.0, 2.0]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [2.0 * G * sin(self.slope), -2.0 * G * cos(self.slope)]
     }
-    fn contacts(&self, block: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, block: &MechanismState<2>) -> [Contact<2>; 1] {
         let slope = Contact::new("slope", block.q[1], [0.0, 1.0], 0.0);
         [slope
             .tangent([1.0, 0.0], 0.0)
@@ -40,8 +40,8 @@ impl Mechanism<2, 4, 1> for Block {
     }
 }
 
-fn slide(block: &Block, speed: f64, t_end: f64) -> Motion<&Block, 2, 4, 1> {
-    let start = State {
+fn slide(block: &Block, speed: f64, t_end: f64) -> ContactMotion<&Block, 2, 1> {
+    let start = MechanismState {
         q: [0.0, 0.0],
         v: [speed, 0.0],
     };
@@ -160,7 +160,7 @@ fn a_block_reverses_on_a_steep_slope() {
 fn wrong_starts_are_refused() {
     let block = Block::new(0.2, 0.3);
     let refused =
-        |block: &Block, q, v| motion_within(block, 1e-9, State { q, v }, 1.0).unwrap_err();
+        |block: &Block, q, v| motion_within(block, 1e-9, MechanismState { q, v }, 1.0).unwrap_err();
     for (q, v) in [
         ([0.0, -1e-6], [0.0, 0.0]),
         ([0.0, 0.0], [0.0, -1e-6]),

@@ -4,7 +4,7 @@ use super::G;
 use core::f64::consts::TAU;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, State, Surface, motion,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, Surface, motion,
 };
 use support::{EPS, Errors, assert_error};
 
@@ -15,14 +15,14 @@ struct Cylinder {
 
 const R: f64 = 0.1;
 
-impl Mechanism<3, 6, 2> for Cylinder {
+impl Mechanism<3, 2> for Cylinder {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.5 * R * R]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -3.0 * G, 0.0]
     }
-    fn contacts(&self, cylinder: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, cylinder: &MechanismState<3>) -> [Contact<3>; 2] {
         [
             Contact::rim("floor", cylinder, R, Surface::FLOOR).friction(self.mu),
             Contact::rim("wall", cylinder, R, Surface::WALL).friction(self.mu),
@@ -30,8 +30,8 @@ impl Mechanism<3, 6, 2> for Cylinder {
     }
 }
 
-fn spun(cylinder: &Cylinder, spin: f64, t_end: f64) -> Motion<&Cylinder, 3, 6, 2> {
-    let start = State {
+fn spun(cylinder: &Cylinder, spin: f64, t_end: f64) -> ContactMotion<&Cylinder, 3, 2> {
+    let start = MechanismState {
         q: [R, R, 0.0],
         v: [0.0, 0.0, spin],
     };

@@ -1,6 +1,6 @@
 //! Rows of contacts against differences of their gaps: what is declared wrongly is seen.
 
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, misdeclared};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, misdeclared};
 use support::Errors;
 
 /// A bead over a bowl y = x^2, whose rows are off by these parts.
@@ -13,14 +13,14 @@ struct Bead {
     rises: f64,
 }
 
-impl Mechanism<2, 4, 1> for Bead {
+impl Mechanism<2, 1> for Bead {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[1.0, 0.0], [0.0, 1.0]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [0.0; 2]
     }
-    fn contacts(&self, bead: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, bead: &MechanismState<2>) -> [Contact<2>; 1] {
         let ([x, y], [vx, vy]) = (bead.q, bead.v);
         let along = [-2.0 * x * (1.0 + self.gradient), 1.0];
         let bias = -2.0 * vx * vx * (1.0 + self.bias);
@@ -33,7 +33,7 @@ impl Mechanism<2, 4, 1> for Bead {
 }
 
 fn error(bead: &Bead, faster: f64) -> f64 {
-    let state = State {
+    let state = MechanismState {
         q: [0.7, 1.9],
         v: [0.4 * faster, -1.3 * faster],
     };

@@ -5,7 +5,7 @@ use super::rod::Bead;
 use super::rollers::plank::Plank;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::planar::contact::{Mechanism, Modal, Modes, State, entry, motion};
+use rotation_dynamics::planar::contact::{Mechanism, MechanismState, Modal, Modes, entry, motion};
 use rotation_dynamics::planar::{Condition, Phased, Run, simulate};
 use support::{EPS, Errors, assert_error};
 
@@ -26,14 +26,15 @@ impl<const N: usize, S: Phased<N>> Phased<N> for Adrift<S> {
 }
 
 /// The run of a mechanism that is never put back.
-pub fn adrift<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn adrift<M: Mechanism<N, C>, const N: usize, const S: usize, const C: usize>(
     mechanism: &M,
     method: &Dop853,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
 ) -> Run<Modes<C>, S> {
     let (modes, state) = entry(mechanism, start).unwrap();
-    simulate(&Adrift(Modal(mechanism)), method, modes, state, t_end).unwrap()
+    let scene = Adrift(Modal(mechanism));
+    simulate(&scene, method, modes, state.to_array(), t_end).unwrap()
 }
 
 fn tightest() -> Dop853 {
@@ -65,11 +66,11 @@ fn silence(at: impl Fn(f64) -> f64) -> Errors {
 
 #[test]
 fn silence_does_not_drift() {
-    let start = State::rest([OFF, 0.0, 0.0]);
+    let start = MechanismState::rest([OFF, 0.0, 0.0]);
     let kept = motion(&SWINGS, &tightest(), start, 1000.0).unwrap();
     assert!(kept.events().is_empty());
     silence(|t| kept.at(t).unwrap().q[0]).attain(1.3..=1.4, 500);
-    let lost = adrift(&SWINGS, &tightest(), start, 1000.0);
+    let lost: Run<_, 6> = adrift(&SWINGS, &tightest(), start, 1000.0);
     // The damaged twin.
     silence(|t| lost.at(t).unwrap().1[0]).attain(324.0..=325.0, 500);
 }
@@ -89,7 +90,7 @@ fn energy(at: impl Fn(f64) -> [f64; 4]) -> [f64; 2] {
 #[test]
 fn no_energy_is_gained() {
     let rod = Bead { string: false };
-    let start = State {
+    let start = MechanismState {
         q: [0.0, -1.0],
         v: [2.0, 0.0],
     };
@@ -98,7 +99,7 @@ fn no_energy_is_gained() {
         let kept = motion(&rod, &method, start, 200.0).unwrap();
         let lost = adrift(&rod, &method, start, 200.0);
         let kept = energy(|t| {
-            let State { q, v } = kept.at(t).unwrap();
+            let MechanismState { q, v } = kept.at(t).unwrap();
             [q[0], q[1], v[0], v[1]]
         });
         [kept, energy(|t| lost.at(t).unwrap().1)]

@@ -2,8 +2,11 @@
 
 use super::G;
 use rotation_dynamics::Error;
+use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, MechanismState, Surface, motion_so_far, motion_within,
+};
 use support::{EPS, Errors, assert_error};
 
 /// A ball of radius 0.1 m and inertia (2/5) m R^2 between floor and wall.
@@ -12,14 +15,14 @@ struct Ball {
     mu: f64,
 }
 
-impl Mechanism<3, 6, 2> for Ball {
+impl Mechanism<3, 2> for Ball {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, ball: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 2] {
         [("floor", Surface::FLOOR), ("wall", Surface::WALL)].map(|(name, surface)| {
             Contact::rim(name, ball, 0.1, surface)
                 .friction(self.mu)
@@ -40,7 +43,7 @@ fn bounces(rougher: f64, livelier: f64) -> Errors {
                     mu: mu * (1.0 + rougher),
                 };
                 let fall = 0.5;
-                let start = State {
+                let start = MechanismState {
                     q: [5.0, 0.1 + 0.5 * G * fall * fall, 0.0],
                     v: [v, 0.0, spin],
                 };
@@ -88,7 +91,7 @@ fn two_contacts_are_hit_at_once() {
             restitution,
             mu: 0.0,
         };
-        let start = State {
+        let start = MechanismState {
             q: [1.1, 0.1 + 1.0 + 0.5 * G * 0.25, 0.0],
             v: [-2.0, -2.0, 3.0],
         };
@@ -106,39 +109,64 @@ fn two_contacts_are_hit_at_once() {
     assert!((damaged[0] - 1.0).abs() > 1e3 * EPS && (damaged[1] / up - 1.0).abs() > 1e3 * EPS);
 }
 
-/// Bounces that die out are refused where doubles no longer resolve them, with the time
-/// they tend to; bounces without end by their number.
+/// A run may not end among bounces that doubles do not resolve, nor go on through more bounces than
+/// it is allowed: it is refused, and what went before is there.
 #[test]
-fn bounces_without_end_are_refused() {
-    let drop = State::rest([5.0, 0.1 + 0.5 * G, 0.0]);
+fn ends_among_bounces_are_refused() {
+    let drop = MechanismState::rest([5.0, 0.1 + 0.5 * G, 0.0]);
     let ball = |restitution| Ball {
         restitution,
         mu: 0.3,
     };
-    let until = |restitution, t_end| {
-        motion_within(&ball(restitution), 1e-9, drop, t_end).map(|m| m.events().len())
-    };
-    assert_eq!(until(0.5, 2.999), Ok(11));
-    let error = until(0.5, 4.0).unwrap_err();
-    let Error::BouncesUnresolved { contact, t, height } = error else {
-        panic!("{error}")
-    };
+    let method = Dop853::new(1e-12).unwrap();
+    let until = |restitution, t_end| motion_so_far(ball(restitution), &method, drop, t_end);
+    let (bounces, refused) = until(0.5, 2.999);
+    assert_eq!((bounces.events().len(), refused), (11, None));
     // 1 + 2 (1/2 + 1/4 + ...) seconds.
+    let (bounces, refused) = until(0.5, 3.0 - 1e-9);
+    let Some(Error::BouncesUnresolved {
+        contact,
+        height,
+        t,
+        until: last,
+    }) = refused
+    else {
+        panic!("{refused:?}")
+    };
     assert_eq!(contact, "floor");
-    assert!((3.0 - 1e-6..3.0).contains(&t), "{t}");
-    assert!(height < 1e-13, "{height:e}");
-    let error = until(0.99, 200.0).unwrap_err();
+    assert!((3.0 - 1e-6..3.0 - 1e-9).contains(&t), "{t}");
+    assert!((last - 3.0).abs() < 1e-10, "{last}");
+    assert!((0.25e-12..1e-12).contains(&height), "{height:e}");
+    assert_eq!(bounces.end_time(), 3.0 - 1e-9);
+    assert_eq!(bounces.events().last().unwrap().name, "floor touches");
+    assert_eq!(until(0.5, 3.0 + 1e-9).1, None);
+    // One that keeps its speed, too low to be seen, never comes to rest.
+    let low = MechanismState {
+        q: [5.0, 0.1, 0.0],
+        v: [0.0, 1e-6, 0.0],
+    };
+    let (_, refused) = motion_so_far(ball(1.0), &method, low, 1.0);
+    assert!(
+        matches!(refused, Some(Error::BouncesUnresolved { until, .. }) if until.is_infinite()),
+        "{refused:?}"
+    );
+    let (bounces, refused) = until(0.99, 200.0);
     assert!(
         matches!(
-            error,
-            Error::LimitReached {
+            refused,
+            Some(Error::LimitReached {
                 what: "changes of phase",
                 limit: 1000,
                 ..
-            }
+            })
         ),
-        "{error}"
+        "{refused:?}"
     );
+    assert_eq!(bounces.events().len(), 1000);
+    let last = bounces.events()[999].t;
+    let want = 1.0 + 2.0 * 0.99 * (1.0 - 0.99_f64.powi(999)) / 0.01;
+    assert!((last - want).abs() < 1e-9, "{last} {want}");
+    assert_eq!(bounces.end_time(), last);
 }
 
 /// Masses in a row, each with a smooth contact to the next: `masses[0]` comes from the left.
@@ -147,15 +175,15 @@ struct Row {
     restitution: f64,
 }
 
-impl Mechanism<3, 6, 2> for Row {
+impl Mechanism<3, 2> for Row {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let [a, b, c] = self.masses;
         [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0; 3]
     }
-    fn contacts(&self, row: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, row: &MechanismState<3>) -> [Contact<3>; 2] {
         let [x, y, z] = row.q;
         [
             Contact::new("first", y - x, [-1.0, 1.0, 0.0], 0.0).restitution(self.restitution),
@@ -173,7 +201,7 @@ fn together(damage: f64) -> Errors {
             masses: [1.0, ratio * (1.0 + damage), 2.0],
             restitution: 0.0,
         };
-        let start = State {
+        let start = MechanismState {
             q: [-1.0, 0.0, 0.0],
             v: [1.0, 0.0, 0.0],
         };
@@ -198,7 +226,7 @@ fn a_row_is_hit_through() {
             masses: [1.0; 3],
             restitution,
         };
-        let start = State {
+        let start = MechanismState {
             q: [-1.0, 0.0, 0.5],
             v: [1.0, 0.0, 0.0],
         };
@@ -216,14 +244,14 @@ pub struct Rod {
     pub restitution: f64,
 }
 
-impl Mechanism<3, 6, 1> for Rod {
+impl Mechanism<3, 1> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0 / 3.0]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
     }
-    fn contacts(&self, rod: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, rod: &MechanismState<3>) -> [Contact<3>; 1] {
         let (s, c) = sincos(rod.q[2]);
         let tip = Contact::corner("tip", rod, [c, s], Surface::FLOOR);
         [tip.friction(self.mu).restitution(self.restitution)]
@@ -231,9 +259,9 @@ impl Mechanism<3, 6, 1> for Rod {
 }
 
 /// The state of the rod at an angle below the horizontal, its tip on the floor.
-fn on_tip(angle: f64, v: [f64; 3]) -> State<3> {
+fn on_tip(angle: f64, v: [f64; 3]) -> MechanismState<3> {
     let (s, _) = sincos(angle);
-    State {
+    MechanismState {
         q: [0.0, s, -angle],
         v,
     }

@@ -10,8 +10,10 @@ use mechanism::{LENGTH, Ladder};
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{cos, sin, sincos, tan};
+use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Motion, State, Surface, kept_within, misdeclared, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Surface, kept_within, misdeclared,
+    motion_within,
 };
 use support::{EPS, Errors, assert_error, relative};
 
@@ -23,7 +25,7 @@ fn rubs(mu: f64) -> Ladder {
     }
 }
 
-fn slide(ladder: Ladder, angle: f64) -> Motion<Ladder, 3, 6, 2> {
+fn slide(ladder: Ladder, angle: f64) -> ContactMotion<Ladder, 3, 2> {
     motion_within(ladder, 1e-12, ladder.at_rest(angle), 100.0).unwrap()
 }
 
@@ -127,7 +129,7 @@ fn a_kept_wall_pulls() {
 /// What is declared of the contacts agrees with differences; a wrong sign is seen.
 #[test]
 fn rows_are_those_of_the_gaps() {
-    let state = State {
+    let state = MechanismState {
         q: [0.7, 1.1, 0.6],
         v: [0.5, -1.3, 0.9],
     };
@@ -135,14 +137,14 @@ fn rows_are_those_of_the_gaps() {
     assert_error!(misdeclared(&ladder, &state), 1.7e-13);
     /// The damaged twin: an angle counted the other way round.
     struct Reversed;
-    impl Mechanism<3, 6, 2> for Reversed {
+    impl Mechanism<3, 2> for Reversed {
         fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
             rubs(0.1).mass(q)
         }
-        fn force(&self, state: &State<3>) -> [f64; 3] {
+        fn force(&self, state: &MechanismState<3>) -> [f64; 3] {
             rubs(0.1).force(state)
         }
-        fn contacts(&self, state: &State<3>) -> [Contact<3>; 2] {
+        fn contacts(&self, state: &MechanismState<3>) -> [Contact<3>; 2] {
             let (s, c) = sincos(-state.q[2]);
             let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
             [
@@ -176,7 +178,7 @@ fn rough_ladders_let_go_too() {
             let (gap, slip) = motion.drift().unwrap();
             drift.push_at(gap, (angle, part));
             assert_eq!(slip, 0.0);
-            let lost = adrift(&ladder, &Dop853::new(1e-9).unwrap(), start, 100.0);
+            let lost: Run<_, 6> = adrift(&ladder, &Dop853::new(1e-9).unwrap(), start, 100.0);
             let [x, _, theta, ..] = lost.transitions()[0].before;
             unbound.push_at(x - 0.5 * LENGTH * sin(theta), (angle, part));
         }

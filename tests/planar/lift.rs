@@ -4,7 +4,7 @@ use super::G;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Mode, Motion, State, motion, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, motion, motion_within,
 };
 use support::{EPS, Errors};
 
@@ -15,14 +15,14 @@ struct Lift {
     restitution: f64,
 }
 
-impl Mechanism<2, 4, 1> for Lift {
+impl Mechanism<2, 1> for Lift {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[2.0, 0.0], [0.0, 1.0]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [-2.0 * G, 0.0]
     }
-    fn contacts(&self, body: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, body: &MechanismState<2>) -> [Contact<2>; 1] {
         let [height, t] = body.q;
         let plate = (self.speed + 0.5 * self.acceleration * t) * t;
         let rate = self.speed + self.acceleration * t;
@@ -32,8 +32,8 @@ impl Mechanism<2, 4, 1> for Lift {
     }
 }
 
-fn carried(lift: &Lift, height: f64, v: f64, t_end: f64) -> Motion<&Lift, 2, 4, 1> {
-    let start = State {
+fn carried(lift: &Lift, height: f64, v: f64, t_end: f64) -> ContactMotion<&Lift, 2, 1> {
+    let start = MechanismState {
         q: [height, 0.0],
         v: [v, 1.0],
     };
@@ -118,7 +118,7 @@ fn a_run_says_what_it_is() {
         restitution: 0.5,
     };
     let motion_at = |step_error: f64| {
-        let start = State {
+        let start = MechanismState {
             q: [0.5 * G, 0.0],
             v: [1.0, 1.0],
         };

@@ -3,7 +3,9 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Motion, State, motion};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion,
+};
 
 /// A thin plank of 2 kg and 3 m on rollers a distance `a` apart, whose tops move with `speed`
 /// toward each other (or apart, if it is negative).
@@ -15,14 +17,14 @@ pub struct Plank {
     pub speed: f64,
 }
 
-impl Mechanism<3, 6, 2> for Plank {
+impl Mechanism<3, 2> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.5]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -2.0 * self.g, 0.0]
     }
-    fn contacts(&self, plank: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, plank: &MechanismState<3>) -> [Contact<3>; 2] {
         let ([x, y, tilt], [vx, vy, omega]) = (plank.q, plank.v);
         let (s, c) = sincos(tilt);
         let roller = |name, at: f64, speed: f64| {
@@ -48,8 +50,8 @@ pub fn laid(
     v: f64,
     t_end: f64,
     tolerance: f64,
-) -> Result<Motion<&Plank, 3, 6, 2>> {
-    let start = State {
+) -> Result<ContactMotion<&Plank, 3, 2>> {
+    let start = MechanismState {
         q: [x, 0.0, 0.0],
         v: [v, 0.0, 0.0],
     };

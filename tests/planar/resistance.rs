@@ -5,8 +5,8 @@ use super::rolling::Round;
 use rotation_dynamics::Error;
 use rotation_dynamics::math::{cos, exp, sin};
 use rotation_dynamics::planar::contact::{
-    Contact, LinearDrag, LinearSpinDrag, Load, Mechanism, Mode, QuadraticDrag, QuadraticSpinDrag,
-    State, Surface, entry, motion_within,
+    Contact, LinearDrag, LinearSpinDrag, Load, Mechanism, MechanismState, Mode, QuadraticDrag,
+    QuadraticSpinDrag, Surface, entry, motion_within,
 };
 use support::{EPS, Errors, derivative};
 
@@ -17,15 +17,15 @@ struct Resisted {
     resistance: f64,
 }
 
-impl Mechanism<3, 6, 2> for Resisted {
+impl Mechanism<3, 2> for Resisted {
     fn mass(&self, q: &[f64; 3]) -> [[f64; 3]; 3] {
         self.round.mass(q)
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         let weight = self.round.mass * G;
         [-weight * sin(self.slope), -weight * cos(self.slope), 0.0]
     }
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let [rim] = self.round.contacts(body);
         [
             rim,
@@ -48,8 +48,8 @@ fn resisted(shape: f64, mass: f64, slope: f64, resistance: f64) -> Resisted {
     }
 }
 
-fn rolling(speed: f64) -> State<3> {
-    State {
+fn rolling(speed: f64) -> MechanismState<3> {
+    MechanismState {
         q: [0.0, 0.1, 0.0],
         v: [speed, 0.0, -10.0 * speed],
     }
@@ -96,7 +96,10 @@ fn it_holds_on_a_gentle_slope() {
             for (part, rolls) in [(0.999_999, false), (1.000_001, true), (3.0, true)] {
                 let slope = rotation_dynamics::math::atan2(part * resistance, 1.0);
                 let body = resisted(shape, 2.0, slope, resistance);
-                let held = entry(&body, State::rest([0.0, 0.1, 0.0])).unwrap().0[1] == Mode::Stick;
+                let held = entry(&body, MechanismState::rest([0.0, 0.1, 0.0]))
+                    .unwrap()
+                    .0[1]
+                    == Mode::Stick;
                 assert_eq!(held, !rolls, "{shape} {resistance} {part}");
                 let up = (sin(slope) + resistance * cos(slope)) * G / (1.0 + shape);
                 let motion = motion_within(&body, 1e-12, rolling(1.0), 3.0 / up).unwrap();
@@ -117,7 +120,7 @@ fn it_holds_on_a_gentle_slope() {
 fn it_slips_then_rolls_then_stops() {
     let (shape, resistance, spin) = (0.4, 0.02, -70.0);
     let body = resisted(shape, 1.0, 0.0, resistance);
-    let start = State {
+    let start = MechanismState {
         q: [0.0, 0.1, 0.0],
         v: [0.0, 0.0, spin],
     };
@@ -137,7 +140,7 @@ fn it_slips_then_rolls_then_stops() {
 #[test]
 fn in_the_air_it_resists_nothing() {
     let body = resisted(0.4, 1.0, 0.0, 0.05);
-    let start = State {
+    let start = MechanismState {
         q: [0.0, 0.1 + 0.5 * G, 0.0],
         v: [0.0, 0.0, -3.0],
     };
@@ -152,20 +155,20 @@ fn in_the_air_it_resists_nothing() {
 #[test]
 fn what_resists_nothing_that_pushes_is_refused() {
     struct Wrong(usize, f64);
-    impl Mechanism<3, 6, 2> for Wrong {
+    impl Mechanism<3, 2> for Wrong {
         fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
         }
-        fn force(&self, _: &State<3>) -> [f64; 3] {
+        fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
             [0.0, -G, 0.0]
         }
-        fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+        fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
             let rim = Contact::rim("floor", body, 0.1, Surface::FLOOR);
             [rim, Contact::rolling("ball", self.0, 0.1, self.1)]
         }
     }
     let told = |by, coefficient| {
-        let start = State::rest([0.0, 0.1, 0.0]);
+        let start = MechanismState::rest([0.0, 0.1, 0.0]);
         entry(&Wrong(by, coefficient), start).map(|_| ())
     };
     told(0, 0.0).expect("no resistance");
@@ -203,14 +206,14 @@ fn what_resists_nothing_that_pushes_is_refused() {
 #[derive(Clone, Copy)]
 struct Stone;
 
-impl Mechanism<3, 6, 0> for Stone {
+impl Mechanism<3, 0> for Stone {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.3]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -2.0 * G, 0.0]
     }
-    fn contacts(&self, _: &State<3>) -> [Contact<3>; 0] {
+    fn contacts(&self, _: &MechanismState<3>) -> [Contact<3>; 0] {
         []
     }
 }
@@ -226,7 +229,7 @@ fn drags(damage: f64) -> Errors {
     let more = 1.0 + damage;
     for c in [0.01, 0.3, 4.0] {
         for t in [0.1, 1.0, 5.0] {
-            let start = State {
+            let start = MechanismState {
                 q: [0.0; 3],
                 v: [0.0, 0.0, 7.0],
             };
@@ -304,13 +307,13 @@ fn the_energy_goes_where_the_power_says() {
         .with(QuadraticDrag::new(c[1]).unwrap())
         .with(LinearSpinDrag::new(c[2]).unwrap())
         .with(QuadraticSpinDrag::new(c[3]).unwrap());
-    let start = State {
+    let start = MechanismState {
         q: [0.0; 3],
         v: [3.0, 4.0, -7.0],
     };
     let motion = motion_within(&loads, 1e-13, start, 2.0).unwrap();
     let energy = |t: f64| {
-        let State { q, v } = motion.at(t).unwrap();
+        let MechanismState { q, v } = motion.at(t).unwrap();
         v[0] * v[0] + v[1] * v[1] + 0.15 * v[2] * v[2] + 2.0 * G * q[1]
     };
     let power = |t: f64| {
@@ -350,7 +353,7 @@ fn the_energy_goes_where_the_power_says() {
 /// where the resistance has its own equations.
 #[test]
 fn what_is_absent_changes_no_bit() {
-    let start = State {
+    let start = MechanismState {
         q: [0.0, 0.1, 0.0],
         v: [1.0, 0.0, 50.0],
     };

@@ -2,7 +2,7 @@
 
 use super::G;
 use rotation_dynamics::planar::contact::{
-    Contact, Mechanism, Modal, Mode, Motion, State, motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Modal, Mode, motion_within,
 };
 use support::{Errors, assert_error};
 
@@ -11,14 +11,14 @@ pub struct Bead {
     pub string: bool,
 }
 
-impl Mechanism<2, 4, 1> for Bead {
+impl Mechanism<2, 1> for Bead {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[2.0, 0.0], [0.0, 2.0]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [0.0, -2.0 * G]
     }
-    fn contacts(&self, bead: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, bead: &MechanismState<2>) -> [Contact<2>; 1] {
         let ([x, y], [vx, vy]) = (bead.q, bead.v);
         let (beyond, rate) = (0.5 * (x * x + y * y - 1.0), vx * vx + vy * vy);
         let contact = match self.string {
@@ -35,8 +35,8 @@ impl Mechanism<2, 4, 1> for Bead {
 
 /// Sent round from the bottom with v^2 = `part` g: 4 g is what reaches the top on a rod, 5 g
 /// on a string.
-fn swung(bead: &Bead, part: f64) -> Motion<&Bead, 2, 4, 1> {
-    let start = State {
+fn swung(bead: &Bead, part: f64) -> ContactMotion<&Bead, 2, 1> {
+    let start = MechanismState {
         q: [0.0, -1.0],
         v: [(part * G).sqrt(), 0.0],
     };
@@ -51,7 +51,7 @@ fn errors(bead: &Bead, part: f64) -> Errors {
     let mut errors = Errors::of("a bead on a rod");
     for i in 0..=40 {
         let t = 0.05 * f64::from(i);
-        let State { q, v } = motion.at(t).unwrap();
+        let MechanismState { q, v } = motion.at(t).unwrap();
         let [force] = motion.forces(t).unwrap();
         let want = 2.0 * G * (3.0 * q[1] + 2.0 - part);
         errors.add(force.normal, want, 2.0 * G);
@@ -74,8 +74,8 @@ fn a_rod_pulls_and_pushes() {
     let (gap, slip) = swung(&rod, 4.5).drift().unwrap();
     assert_error!(gap, 1.2e-13);
     assert_eq!(slip, 0.0);
-    let scene: Modal<_, 2, 4, 1> = Modal(&rod);
-    assert_eq!(format!("{scene:?}"), "Modal<2, 4, 1>");
+    let scene: Modal<_, 2, 1> = Modal(&rod);
+    assert_eq!(format!("{scene:?}"), "Modal<2, 1>");
 }
 
 /// The string goes slack where 3 y = v0^2/g - 2, unless v0^2 is 5 g.

@@ -1,7 +1,9 @@
 //! Balls and discs that slip, then roll.
 
 use super::G;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Mode, State, Surface, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, MechanismState, Mode, Surface, motion_within,
+};
 use support::{EPS, Errors};
 
 /// A ball or disc: mass, inertia over m R^2, radius, friction.
@@ -12,7 +14,7 @@ pub struct Round {
     pub mu: f64,
 }
 
-impl Mechanism<3, 6, 1> for Round {
+impl Mechanism<3, 1> for Round {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let inertia = self.shape * self.mass * self.radius * self.radius;
         [
@@ -21,10 +23,10 @@ impl Mechanism<3, 6, 1> for Round {
             [0.0, 0.0, inertia],
         ]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.mass * G, 0.0]
     }
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 1] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 1] {
         [Contact::rim("floor", body, self.radius, Surface::FLOOR).friction(self.mu)]
     }
 }
@@ -49,7 +51,7 @@ fn rolls(damage: f64) -> Errors {
             let slip: f64 = v + 0.1 * omega;
             let stop = slip.abs() / (0.2 * G * (1.0 + 1.0 / shape));
             let rolls_at = v - f64::copysign(0.2 * G * stop, slip);
-            let start = State {
+            let start = MechanismState {
                 q: [0.0, 0.1, 0.0],
                 v: [v, 0.0, omega],
             };

@@ -3,7 +3,9 @@
 use super::G;
 use rotation_dynamics::Error;
 use rotation_dynamics::math::{atan, cos, sin, sincos};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, Mode, State, Surface, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, MechanismState, Mode, Surface, motion_within,
+};
 use support::{EPS, Errors, assert_error};
 
 /// A box, 2 by 1 m and 5 kg, on two feet on a slope, by axes along the slope and off it.
@@ -12,14 +14,14 @@ struct Box {
     mu: f64,
 }
 
-impl Mechanism<3, 6, 2> for Box {
+impl Mechanism<3, 2> for Box {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 25.0 / 12.0]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [5.0 * G * sin(self.slope), -5.0 * G * cos(self.slope), 0.0]
     }
-    fn contacts(&self, body: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let (s, c) = sincos(body.q[2]);
         let foot = |name, x: f64| {
             let arm = [x * c + 0.5 * s, x * s - 0.5 * c];
@@ -55,7 +57,7 @@ fn stands(damage: f64) -> Stands {
                 slope,
                 mu: mu * (1.0 + damage),
             };
-            let start = State::rest([0.0, 0.5, 0.0]);
+            let start = MechanismState::rest([0.0, 0.5, 0.0]);
             let motion = motion_within(&body, 1e-12, start, 1.0).unwrap();
             let [upper, lower] = motion.forces(1.0).unwrap();
             let end = motion.at(1.0).unwrap();
@@ -105,7 +107,8 @@ fn a_box_on_two_feet() {
     damaged.speed.attain(1.0e-15..=1.1e-15, 27);
     let modes = |slope: f64| {
         let steep = Box { slope, mu: 3.0 };
-        let motion = motion_within(&steep, 1e-9, State::rest([0.0, 0.5, 0.0]), 0.3).unwrap();
+        let motion =
+            motion_within(&steep, 1e-9, MechanismState::rest([0.0, 0.5, 0.0]), 0.3).unwrap();
         motion.modes(0.1).unwrap()
     };
     assert_eq!(modes(atan(2.1)), [Mode::Open, Mode::Stick]);
@@ -118,14 +121,14 @@ struct Pile {
     heavy: f64,
 }
 
-impl Mechanism<2, 4, 2> for Pile {
+impl Mechanism<2, 2> for Pile {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[self.light, 0.0], [0.0, self.heavy]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [-self.light * G, -self.heavy * G]
     }
-    fn contacts(&self, pile: &State<2>) -> [Contact<2>; 2] {
+    fn contacts(&self, pile: &MechanismState<2>) -> [Contact<2>; 2] {
         let [low, high] = pile.q;
         [
             Contact::new("floor", low, [1.0, 0.0], 0.0),
@@ -145,7 +148,7 @@ fn pile(damage: f64) -> (Errors, Errors) {
             light: 1.0,
             heavy: heavy * (1.0 + damage),
         };
-        let motion = motion_within(&pile, 1e-12, State::rest([0.0; 2]), 10.0).unwrap();
+        let motion = motion_within(&pile, 1e-12, MechanismState::rest([0.0; 2]), 10.0).unwrap();
         let [floor, between] = motion.forces(10.0).unwrap();
         let weight = (pile.light + heavy) * G;
         forces.add(floor.normal, weight, weight);
@@ -173,14 +176,14 @@ struct Unwinding {
     glued: bool,
 }
 
-impl Mechanism<2, 4, 1> for Unwinding {
+impl Mechanism<2, 1> for Unwinding {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[3.0, 0.0], [0.0, 0.5 * 3.0 * 0.04]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [3.0 * G, 0.0]
     }
-    fn contacts(&self, disc: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, disc: &MechanismState<2>) -> [Contact<2>; 1] {
         let [fallen, angle] = disc.q;
         let slack = 0.2 * angle - fallen;
         let string = if self.glued {
@@ -197,13 +200,13 @@ impl Mechanism<2, 4, 1> for Unwinding {
 #[test]
 fn a_disc_unwinds_from_its_string() {
     let disc = Unwinding { glued: false };
-    let motion = motion_within(&disc, 1e-12, State::rest([0.0; 2]), 0.5).unwrap();
+    let motion = motion_within(&disc, 1e-12, MechanismState::rest([0.0; 2]), 0.5).unwrap();
     let end = motion.at(0.5).unwrap();
     assert_error!(end.v[0], G / 3.0, 1.2 eps);
     assert_error!(end.v[1], 16.3444166666667, 17.6 eps);
     assert_error!(motion.forces(0.2).unwrap()[0].normal, G, 0.0 eps);
     // Spinning too fast the string is slack: free fall until g t = 2 R omega, then a jerk.
-    let spun = State {
+    let spun = MechanismState {
         q: [0.0; 2],
         v: [0.0, 10.0],
     };
@@ -233,14 +236,14 @@ struct Discs {
     torque: f64,
 }
 
-impl Mechanism<2, 4, 1> for Discs {
+impl Mechanism<2, 1> for Discs {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         [[0.03, 0.0], [0.0, 0.05]]
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [self.torque, 0.0]
     }
-    fn contacts(&self, _: &State<2>) -> [Contact<2>; 1] {
+    fn contacts(&self, _: &MechanismState<2>) -> [Contact<2>; 1] {
         // A torque of 0.5 N m by 10 N: a mean radius of 0.1 m, mu = 1/2.
         let faces = Contact::pressed("faces", self.force);
         [faces.tangent([0.1, -0.1], 0.0).friction(0.5)]
@@ -250,7 +253,7 @@ impl Mechanism<2, 4, 1> for Discs {
 #[test]
 fn pressed_discs_end_at_one_rate() {
     let run = |damage: f64| {
-        let start = State {
+        let start = MechanismState {
             q: [0.0; 2],
             v: [40.0, -10.0],
         };
@@ -288,7 +291,7 @@ fn pressed_discs_hold_up_to_their_friction() {
             force: 10.0,
             torque,
         };
-        let motion = motion_within(discs, 1e-12, State::rest([0.0; 2]), 1.0).unwrap();
+        let motion = motion_within(discs, 1e-12, MechanismState::rest([0.0; 2]), 1.0).unwrap();
         assert_eq!(
             motion.modes(1.0).unwrap() == [Mode::Stick],
             holds,

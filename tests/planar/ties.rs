@@ -1,7 +1,7 @@
 //! A contact that lets go and another that sticks in one instant, or a few roundings apart.
 
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, motion};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion};
 use support::{EPS, Errors};
 
 /// A block that slides to a stop, and one that is lifted off its shelf by a force that grows
@@ -13,14 +13,14 @@ struct Tie {
 const BRAKE: f64 = 5.0;
 const GROWS: f64 = 10.0;
 
-impl Mechanism<3, 6, 2> for Tie {
+impl Mechanism<3, 2> for Tie {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     }
-    fn force(&self, both: &State<3>) -> [f64; 3] {
+    fn force(&self, both: &MechanismState<3>) -> [f64; 3] {
         [0.0, GROWS * (both.q[2] - self.lifts), 0.0]
     }
-    fn contacts(&self, both: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, both: &MechanismState<3>) -> [Contact<3>; 2] {
         [
             Contact::pressed("block", BRAKE)
                 .tangent([1.0, 0.0, 0.0], 0.0)
@@ -40,7 +40,7 @@ fn a_stop_and_a_release_in_one_instant() {
     for stops in [0.2, 0.6, 1.0, 1.7, 3.0] {
         for roundings in -4..=4 {
             let lifts = stops * (1.0 + 2.0 * EPS * f64::from(roundings));
-            let start = State {
+            let start = MechanismState {
                 q: [0.0; 3],
                 v: [BRAKE * stops, 0.0, 1.0],
             };

@@ -4,7 +4,9 @@
 use super::G;
 use rotation_dynamics::Error;
 use rotation_dynamics::math::sincos;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+use rotation_dynamics::planar::contact::{
+    Contact, Mechanism, MechanismState, Surface, motion_within,
+};
 use support::{EPS, Errors, assert_error};
 
 /// A rod of mass `mass` and length `length` that falls on a smooth floor at an angle.
@@ -23,23 +25,23 @@ impl Rod {
         }
     }
 
-    fn start(&self) -> State<3> {
-        State {
+    fn start(&self) -> MechanismState<3> {
+        MechanismState {
             q: [0.0, 1.5 * self.length, 0.4],
             v: [0.3 * self.length, 0.0, 0.0],
         }
     }
 }
 
-impl Mechanism<3, 6, 2> for Rod {
+impl Mechanism<3, 2> for Rod {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let [x, y, turning] = self.mass;
         [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, turning]]
     }
-    fn force(&self, _: &State<3>) -> [f64; 3] {
+    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.mass[1] * self.gravity, 0.0]
     }
-    fn contacts(&self, rod: &State<3>) -> [Contact<3>; 2] {
+    fn contacts(&self, rod: &MechanismState<3>) -> [Contact<3>; 2] {
         let ((s, c), half) = (sincos(rod.q[2]), 0.5 * self.length);
         let corner = |name, side| {
             Contact::corner(
@@ -51,9 +53,9 @@ impl Mechanism<3, 6, 2> for Rod {
         };
         [corner("left", -1.0), corner("right", 1.0)]
     }
-    fn scale(&self, _: &State<3>) -> State<3> {
+    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let q = [self.length, self.length, 1.0];
-        State { q, v: q }
+        MechanismState { q, v: q }
     }
 }
 
@@ -142,14 +144,14 @@ fn what_has_no_motion_is_refused() {
 /// A bead on a plane with this mass matrix.
 struct Coupled([[f64; 2]; 2]);
 
-impl Mechanism<2, 4, 0> for Coupled {
+impl Mechanism<2, 0> for Coupled {
     fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
         self.0
     }
-    fn force(&self, _: &State<2>) -> [f64; 2] {
+    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
         [1.0, 0.0]
     }
-    fn contacts(&self, _: &State<2>) -> [Contact<2>; 0] {
+    fn contacts(&self, _: &MechanismState<2>) -> [Contact<2>; 0] {
         []
     }
 }
@@ -159,7 +161,7 @@ impl Mechanism<2, 4, 0> for Coupled {
 #[test]
 fn coupled_masses_are_looked_at_as_a_whole() {
     let taken = |mass| {
-        let start = State::rest([0.0; 2]);
+        let start = MechanismState::rest([0.0; 2]);
         motion_within(&Coupled(mass), 1e-10, start, 1.0).is_ok()
     };
     for unit in [1e-60, 1.0, 1e60] {
@@ -207,7 +209,7 @@ fn no_time_and_negative_time() {
     );
     // x = t^2/2.
     let free = Coupled([[1.0, 0.0], [0.0, 1.0]]);
-    let back = motion_within(&free, 1e-10, State::rest([0.0; 2]), -1.0).unwrap();
+    let back = motion_within(&free, 1e-10, MechanismState::rest([0.0; 2]), -1.0).unwrap();
     assert_eq!(back.end_time(), -1.0);
     let end = back.at(-1.0).unwrap();
     assert_error!(end.q[0], 0.5, 8.0 eps);

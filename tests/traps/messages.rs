@@ -89,11 +89,6 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             before: y,
             after: z,
         },
-        Error::BouncesUnresolved {
-            contact: name,
-            t: x,
-            height: y,
-        },
         Error::NotReached { name, until: x },
         Error::ConditionUnknown { name },
     ];
@@ -106,6 +101,12 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             limit: n,
         }),
     );
+    all.extend([z, f64::INFINITY].map(|until| Error::BouncesUnresolved {
+        contact: name,
+        height: y,
+        t: x,
+        until,
+    }));
     all.extend([None, Some(z)].map(|clock| Error::StepUnderflow {
         t: x,
         step: y,
@@ -257,8 +258,8 @@ fn messages_are_short() {
     }
     // At most 25 of the library, and five of pages.
     assert_eq!(names.len(), 25 + 5);
-    // Seven have two messages or cases, one of them three.
-    assert_eq!(told.len(), names.len() + 8);
+    // Eight have two messages or cases, one of them three.
+    assert_eq!(told.len(), names.len() + 9);
     // The damaged twin: the same number as it is printed without care.
     assert!(digits(&format!("{}", 1e300)) > 300);
 }

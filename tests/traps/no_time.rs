@@ -159,14 +159,14 @@ impl Phased<2> for Falling {
     }
 }
 
-impl Mechanism<1, 2, 1> for Falling {
+impl Mechanism<1, 1> for Falling {
     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
         [[2.0]]
     }
-    fn force(&self, _: &contact::State<1>) -> [f64; 1] {
+    fn force(&self, _: &contact::MechanismState<1>) -> [f64; 1] {
         [-20.0]
     }
-    fn contacts(&self, body: &contact::State<1>) -> [Contact<1>; 1] {
+    fn contacts(&self, body: &contact::MechanismState<1>) -> [Contact<1>; 1] {
         [Contact::new("floor", body.q[0], [1.0], 0.0)]
     }
 }
@@ -521,7 +521,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
     let solution = method.solve(&spring, 0.0, &[1.0, 0.0], 1.0, &[])?;
     let run = simulate(&Falling, &method, (), [1e3, 0.0], 1.0)?;
     let [a, b, c] = [0; 3].map(|_| {
-        let start = contact::State { q: [1e3], v: [0.0] };
+        let start = contact::MechanismState { q: [1e3], v: [0.0] };
         contact::motion_within(&Falling, 1e-9, start, 1.0)
     });
     let (a, b, c) = (a?, b?, c?);

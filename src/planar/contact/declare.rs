@@ -2,15 +2,30 @@
 
 /// Coordinates and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State<const N: usize> {
+pub struct MechanismState<const N: usize> {
     pub q: [f64; N],
     pub v: [f64; N],
 }
 
-impl<const N: usize> State<N> {
+impl<const N: usize> MechanismState<N> {
     /// At rest.
     pub const fn rest(q: [f64; N]) -> Self {
         Self { q, v: [0.0; N] }
+    }
+
+    /// Coordinates, then velocities: `S` = 2 N numbers.
+    pub fn to_array<const S: usize>(&self) -> [f64; S] {
+        const { assert!(S == 2 * N, "a state has two numbers for each coordinate") };
+        core::array::from_fn(|k| if k < N { self.q[k] } else { self.v[k - N] })
+    }
+
+    /// The state of these coordinates and, after them, velocities.
+    pub fn from_array<const S: usize>(numbers: &[f64; S]) -> Self {
+        const { assert!(S == 2 * N, "a state has two numbers for each coordinate") };
+        Self {
+            q: core::array::from_fn(|j| numbers[j]),
+            v: core::array::from_fn(|j| numbers[N + j]),
+        }
     }
 }
 
@@ -235,7 +250,12 @@ impl Surface {
 /// mass, and its rotation counterclockwise.
 impl Contact<3> {
     /// A corner of the body, at `arm` from the centre in space axes, on a surface.
-    pub fn corner(name: &'static str, body: &State<3>, arm: [f64; 2], surface: Surface) -> Self {
+    pub fn corner(
+        name: &'static str,
+        body: &MechanismState<3>,
+        arm: [f64; 2],
+        surface: Surface,
+    ) -> Self {
         let ([x, y, _], [.., omega]) = (body.q, body.v);
         let row = |[nx, ny]: [f64; 2]| {
             let inward = -omega * omega * (arm[0] * nx + arm[1] * ny);
@@ -271,24 +291,24 @@ impl Contact<3> {
     /// (`tests/planar/resistance.rs`).
     ///
     /// ```
-    /// use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+    /// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, Surface, motion_within};
     ///
     /// /// A wheel of radius 0.3 m: m = 1, I = m R^2, C_rr = 0.01.
     /// struct Wheel;
-    /// impl Mechanism<3, 6, 2> for Wheel {
+    /// impl Mechanism<3, 2> for Wheel {
     ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
     ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.09]]
     ///     }
-    ///     fn force(&self, _: &State<3>) -> [f64; 3] {
+    ///     fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
     ///         [0.0, -9.81, 0.0]
     ///     }
-    ///     fn contacts(&self, wheel: &State<3>) -> [Contact<3>; 2] {
+    ///     fn contacts(&self, wheel: &MechanismState<3>) -> [Contact<3>; 2] {
     ///         let rim = Contact::rim("rim", wheel, 0.3, Surface::FLOOR).friction(0.5);
     ///         [rim, Contact::rolling("wheel", 0, 0.3, 0.01)]
     ///     }
     /// }
     /// # fn main() -> rotation_dynamics::Result<()> {
-    /// let start = State { q: [0.0, 0.3, 0.0], v: [1.0, 0.0, -1.0 / 0.3] };
+    /// let start = MechanismState { q: [0.0, 0.3, 0.0], v: [1.0, 0.0, -1.0 / 0.3] };
     /// let motion = motion_within(&Wheel, 1e-12, start, 60.0)?;
     /// let stops = motion.event("wheel stops")?;
     /// assert!((stops.t - 2.0 / (0.01 * 9.81)).abs() < 1e-11);
@@ -306,7 +326,12 @@ impl Contact<3> {
     }
 
     /// The rim of a disc or ball of this radius about the centre, on a surface.
-    pub fn rim(name: &'static str, body: &State<3>, radius: f64, surface: Surface) -> Self {
+    pub fn rim(
+        name: &'static str,
+        body: &MechanismState<3>,
+        radius: f64,
+        surface: Surface,
+    ) -> Self {
         let ([nx, ny], [tx, ty]) = (surface.normal, surface.tangent());
         let gap = body.q[0] * nx + body.q[1] * ny - surface.offset - radius;
         Self::new(name, gap, [nx, ny, 0.0], 0.0).tangent([tx, ty, radius], 0.0)

@@ -1,7 +1,7 @@
 //! Whether a mechanism says the truth about its contacts.
 
 use super::declare::dot;
-use super::{Mechanism, State};
+use super::{Mechanism, MechanismState};
 use crate::accuracy::largest;
 
 /// How far what `mechanism` declares in `state` is from differences of it along the motion
@@ -10,16 +10,16 @@ use crate::accuracy::largest;
 ///
 /// A slip of the pen gives an error of order 1, correct rows one of order 1e-10. The state should move in all its
 /// coordinates; surfaces that move along the normal are left out.
-pub fn misdeclared<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn misdeclared<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: &M,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> f64 {
     let sizes = mechanism.scale(state).q;
     let rates = (0..N).map(|j| (state.v[j] / sizes[j]).abs());
     let h = 1e-3 / rates.fold(f64::MIN_POSITIVE, f64::max);
     let at = |t: f64| {
         let q = core::array::from_fn(|j| state.q[j] + t * state.v[j]);
-        mechanism.contacts(&State { q, v: state.v })
+        mechanism.contacts(&MechanismState { q, v: state.v })
     };
     let around = [-2.0, -1.0, 1.0, 2.0].map(|k| at(k * h));
     // Fourth-order central differences.

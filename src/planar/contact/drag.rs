@@ -4,17 +4,17 @@
 //! does not ask.
 
 use super::declare::dot;
-use super::{Contact, Mechanism, State};
+use super::{Contact, Mechanism, MechanismState};
 use crate::error::{Result, positive};
 use crate::math::{asinh, expm1, hypot};
 
 /// A generalized force that depends on the state: drag, a wind, a spring.
 pub trait Load<const N: usize> {
     /// Its components (N, and N m along an angle).
-    fn force(&self, state: &State<N>) -> [f64; N];
+    fn force(&self, state: &MechanismState<N>) -> [f64; N];
 
     /// Its power (W): below 0 what it takes away.
-    fn power(&self, state: &State<N>) -> f64 {
+    fn power(&self, state: &MechanismState<N>) -> f64 {
         dot(&self.force(state), &state.v)
     }
 }
@@ -22,26 +22,26 @@ pub trait Load<const N: usize> {
 /// A mechanism with one more [`Load`]; made by [`Mechanism::with`].
 ///
 /// ```
-/// use rotation_dynamics::planar::contact::{Contact, Mechanism, QuadraticDrag, State, motion_within};
+/// use rotation_dynamics::planar::contact::{Contact, Mechanism, QuadraticDrag, MechanismState, motion_within};
 /// use rotation_dynamics::math::{exp, log};
 ///
 /// /// A stone of 1 kg that falls.
 /// struct Stone;
-/// impl Mechanism<3, 6, 0> for Stone {
+/// impl Mechanism<3, 0> for Stone {
 ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
 ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.1]]
 ///     }
-///     fn force(&self, _: &State<3>) -> [f64; 3] {
+///     fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
 ///         [0.0, -10.0, 0.0]
 ///     }
-///     fn contacts(&self, _: &State<3>) -> [Contact<3>; 0] {
+///     fn contacts(&self, _: &MechanismState<3>) -> [Contact<3>; 0] {
 ///         []
 ///     }
 /// }
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// // c = 0.1 kg/m: it ends at 10 m/s, as tanh(t/1 s).
 /// let falls = Stone.with(QuadraticDrag::new(0.1)?);
-/// let speed = motion_within(&falls, 1e-12, State::rest([0.0; 3]), 1.0)?.at(1.0)?.v[1];
+/// let speed = motion_within(&falls, 1e-12, MechanismState::rest([0.0; 3]), 1.0)?.at(1.0)?.v[1];
 /// let tanh = (exp(2.0) - 1.0) / (exp(2.0) + 1.0);
 /// assert!((speed + 10.0 * tanh).abs() < 1e-11);
 /// # Ok(())
@@ -69,26 +69,29 @@ impl<M, F> With<M, F> {
     }
 }
 
-impl<M, F, const N: usize, const S: usize, const C: usize> Mechanism<N, S, C> for With<M, F>
+impl<M, F, const N: usize, const C: usize> Mechanism<N, C> for With<M, F>
 where
-    M: Mechanism<N, S, C>,
+    M: Mechanism<N, C>,
     F: Load<N>,
 {
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {
         self.mechanism.mass(q)
     }
-    fn force(&self, state: &State<N>) -> [f64; N] {
+    fn force(&self, state: &MechanismState<N>) -> [f64; N] {
         let (own, more) = (self.mechanism.force(state), self.load.force(state));
         core::array::from_fn(|j| own[j] + more[j])
     }
-    fn contacts(&self, state: &State<N>) -> [Contact<N>; C] {
+    fn contacts(&self, state: &MechanismState<N>) -> [Contact<N>; C] {
         self.mechanism.contacts(state)
     }
-    fn end(&self, state: &State<N>) -> Option<(&'static str, f64)> {
+    fn end(&self, state: &MechanismState<N>) -> Option<(&'static str, f64)> {
         self.mechanism.end(state)
     }
-    fn scale(&self, state: &State<N>) -> State<N> {
+    fn scale(&self, state: &MechanismState<N>) -> MechanismState<N> {
         self.mechanism.scale(state)
+    }
+    fn phase_limit(&self) -> usize {
+        self.mechanism.phase_limit()
     }
 }
 
@@ -119,7 +122,7 @@ macro_rules! drags {
 
         impl Load<3> for $drag {
             #[inline]
-            fn force(&self, state: &State<3>) -> [f64; 3] {
+            fn force(&self, state: &MechanismState<3>) -> [f64; 3] {
                 let ($coefficient, $v) = (self.coefficient, state.v);
                 $force
             }

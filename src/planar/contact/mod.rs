@@ -10,12 +10,14 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Mechanism`], [`State`] | masses, forces, contacts; coordinates and velocities |
+//! | [`Mechanism`], [`MechanismState`] | masses, forces, contacts; coordinates and velocities |
 //! | [`Contact`], [`Friction`], [`Surface`] | one contact at one instant |
 //! | [`Mode`], [`Sense`] | open, smooth, stick, slip |
-//! | [`motion`], [`motion_within`], [`Motion`] | the motion, its events, the forces at any time |
+//! | [`motion`], [`motion_within`], [`ContactMotion`] | the motion, its events, the forces at any time |
+//! | [`motion_so_far`] | the motion up to where it is refused |
 //! | [`Contact::rolling`] | rolling resistance, which rides on a contact |
 //! | [`QuadraticDrag`], [`LinearDrag`] and of spin, [`Load`], [`With`] | what a mechanism may feel in addition |
+//! | [`Coordinates`], [`Solvable`] | how many coordinates a mechanism may have |
 //! | [`misdeclared`] | whether the rows of the contacts are those of their gaps |
 //! | [`Modal`], [`entry`] | the same as a [`Phased`](super::Phased) scene, with the phase it starts in |
 //!
@@ -41,11 +43,14 @@ mod motion;
 mod resolve;
 mod response;
 
-pub use declare::{Contact, Friction, Mode, Row, Sense, State, Surface};
+pub use declare::{Contact, Friction, MechanismState, Mode, Row, Sense, Surface};
 pub use declared::misdeclared;
 pub use drag::{LinearDrag, LinearSpinDrag, Load, QuadraticDrag, QuadraticSpinDrag, With};
 pub use modal::{Modal, entry};
-pub use motion::{Event, Motion, kept_within, motion, motion_within};
+pub use motion::{
+    ContactEvent, ContactMotion, Coordinates, Solvable, kept_within, motion, motion_so_far,
+    motion_within,
+};
 pub use response::Force;
 
 /// The most contacts that one mechanism may have: all sets of their modes are tried.
@@ -54,26 +59,26 @@ pub const MOST_CONTACTS: usize = 4;
 /// The mode of each contact.
 pub type Modes<const C: usize> = [Mode; C];
 
-/// Bodies with `N` coordinates and `C` contacts; a state has `S = 2 N` numbers.
+/// Bodies with `N` coordinates and `C` contacts.
 ///
 /// ```
-/// use rotation_dynamics::planar::contact::{Contact, Mechanism, State, Surface, motion_within};
+/// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, Surface, motion_within};
 ///
 /// /// A ball of radius 0.1 m that is set down spinning: m = 1, I = (2/5) m R^2, mu = 0.2.
 /// struct Ball;
-/// impl Mechanism<3, 6, 1> for Ball {
+/// impl Mechanism<3, 1> for Ball {
 ///     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
 ///         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.004]]
 ///     }
-///     fn force(&self, _: &State<3>) -> [f64; 3] {
+///     fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
 ///         [0.0, -9.81, 0.0]
 ///     }
-///     fn contacts(&self, ball: &State<3>) -> [Contact<3>; 1] {
+///     fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 1] {
 ///         [Contact::rim("floor", ball, 0.1, Surface::FLOOR).friction(0.2)]
 ///     }
 /// }
 /// # fn main() -> rotation_dynamics::Result<()> {
-/// let start = State { q: [0.0, 0.1, 0.0], v: [0.0, 0.0, -70.0] };
+/// let start = MechanismState { q: [0.0, 0.1, 0.0], v: [0.0, 0.0, -70.0] };
 /// let motion = motion_within(&Ball, 1e-12, start, 2.0)?;
 /// // It slips until (2/7) R Omega / (mu g), then rolls at (2/7) R Omega.
 /// let rolls = motion.event("floor sticks")?;
@@ -82,20 +87,20 @@ pub type Modes<const C: usize> = [Mode; C];
 /// # Ok(())
 /// # }
 /// ```
-pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
+pub trait Mechanism<const N: usize, const C: usize> {
     /// The mass matrix M(q), symmetric and positive definite: what is not is refused at the start
     /// and wherever the modes change.
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
 
     /// The generalized forces f in M(q) q'' = f + contacts, with the velocity terms of the
     /// left side brought over.
-    fn force(&self, state: &State<N>) -> [f64; N];
+    fn force(&self, state: &MechanismState<N>) -> [f64; N];
 
     /// The contacts in this state, always in the same order.
-    fn contacts(&self, state: &State<N>) -> [Contact<N>; C];
+    fn contacts(&self, state: &MechanismState<N>) -> [Contact<N>; C];
 
     /// What ends the scene: a name, and a margin that is positive until then.
-    fn end(&self, _state: &State<N>) -> Option<(&'static str, f64)> {
+    fn end(&self, _state: &MechanismState<N>) -> Option<(&'static str, f64)> {
         None
     }
 
@@ -114,31 +119,38 @@ pub trait Mechanism<const N: usize, const S: usize, const C: usize> {
     /// its units says its own sizes: with these, gaps of 1e-13 all count as shut and speeds of
     /// 1e-13 as 0, and no error tells; what is 1e5 long cannot be held to 1e-12 of 1. The
     /// equations want lengths from 1e-6 to 1e6 in any case; of masses only ratios count.
-    fn scale(&self, state: &State<N>) -> State<N> {
+    fn scale(&self, state: &MechanismState<N>) -> MechanismState<N> {
         let size = |c: f64| c.abs().max(1.0);
-        State {
+        MechanismState {
             q: state.q.map(size),
             v: state.v.map(size),
         }
     }
+
+    /// After how many changes of its modes a run is refused. A bounce is one: a fall from 1 m with
+    /// the restitution 0.99 makes 1,400 of them before the others are summed.
+    fn phase_limit(&self) -> usize {
+        1000
+    }
 }
 
-impl<M: Mechanism<N, S, C> + ?Sized, const N: usize, const S: usize, const C: usize>
-    Mechanism<N, S, C> for &M
-{
+impl<M: Mechanism<N, C> + ?Sized, const N: usize, const C: usize> Mechanism<N, C> for &M {
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N] {
         (**self).mass(q)
     }
-    fn force(&self, state: &State<N>) -> [f64; N] {
+    fn force(&self, state: &MechanismState<N>) -> [f64; N] {
         (**self).force(state)
     }
-    fn contacts(&self, state: &State<N>) -> [Contact<N>; C] {
+    fn contacts(&self, state: &MechanismState<N>) -> [Contact<N>; C] {
         (**self).contacts(state)
     }
-    fn end(&self, state: &State<N>) -> Option<(&'static str, f64)> {
+    fn end(&self, state: &MechanismState<N>) -> Option<(&'static str, f64)> {
         (**self).end(state)
     }
-    fn scale(&self, state: &State<N>) -> State<N> {
+    fn scale(&self, state: &MechanismState<N>) -> MechanismState<N> {
         (**self).scale(state)
+    }
+    fn phase_limit(&self) -> usize {
+        (**self).phase_limit()
     }
 }

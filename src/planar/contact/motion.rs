@@ -1,59 +1,170 @@
 //! The motion of a mechanism, with the events and forces of its contacts.
 
-use super::declare::{Mode, Press, State};
-use super::modal::{Modal, entry, split};
+use super::declare::{MechanismState, Mode, Press};
+use super::modal::{Modal, entry};
 use super::{Force, Mechanism, Modes};
 use crate::accuracy::larger;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Work};
-use crate::planar::{Bilateral, Run, Transition, simulate, simulate_within};
+use crate::planar::run::whole;
+use crate::planar::{Bilateral, Rest, Run, Transition, simulate_so_far, simulate_within};
 use core::fmt;
 
 /// Something that happened to a contact, or the end of the scene.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Event<const N: usize, const C: usize> {
+pub struct ContactEvent<const N: usize, const C: usize> {
     /// The name of the contact and what it did: "floor touches", "floor bounces",
-    /// "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
+    /// "floor rests", "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
     /// [rolling resistance](super::Contact::rolling) "wheel stops", "wheel starts", "wheel
     /// reverses"; or that of the end.
     pub name: String,
     /// When.
     pub t: f64,
     /// Just before.
-    pub before: State<N>,
+    pub before: MechanismState<N>,
     /// Just after; other velocities if there was an impact.
-    pub after: State<N>,
+    pub after: MechanismState<N>,
     /// The forces just before.
     pub force: [Force; C],
 }
 
 /// A motion through modes.
-pub struct Motion<M, const N: usize, const S: usize, const C: usize> {
+///
+/// A body that bounces ever lower rests after infinitely many bounces. The first that is no higher
+/// than 1e-12 of the size of its gap ([`Mechanism::scale`]) is the event "floor touches", and all that
+/// follow are taken together with it; "floor rests" is the event at the time when they are over. For
+/// bounces with the restitution e, the first of which leaves at `t` with the speed u and is brought
+/// back by the acceleration a, that is
+///
+/// ```text
+/// t + 2 u/(a (1 - e)).
+/// ```
+///
+/// Between the two the velocity is not resolved: the one given is that of a body that rests on the
+/// contact already, and the true one is within u of it, some 4e-6 m/s. After them state and forces are as accurate as
+/// elsewhere, but for 1e-12 of the size of the gap. A run that ends between them is refused.
+///
+/// Accuracy: the state after to 16 eps, whatever bounced and slipped before. The time of rest to
+/// 1e-13 of itself where the coordinate is the gap, for e up to 0.99; for a ball of 0.1 m, whose
+/// height is rounded to its own digits, to 1.4e-11, and for one of 1 m to 2.1e-9. Where contacts hit
+/// in turn, as the corners of a rocking block, by one part of the speed each time, to 1e-9 s
+/// (`tests/planar/rest.rs`); where it is another part each time, to some of these last 1e-6 s. A
+/// smaller error than these of a time is not delivered.
+///
+/// ```
+/// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion_within};
+///
+/// /// A ball that is dropped, and returns half of its speed; g = 10 m/s^2.
+/// struct Ball;
+/// impl Mechanism<1, 1> for Ball {
+///     fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
+///         [[1.0]]
+///     }
+///     fn force(&self, _: &MechanismState<1>) -> [f64; 1] {
+///         [-10.0]
+///     }
+///     fn contacts(&self, ball: &MechanismState<1>) -> [Contact<1>; 1] {
+///         [Contact::new("floor", ball.q[0], [1.0], 0.0).restitution(0.5)]
+///     }
+/// }
+/// # fn main() -> rotation_dynamics::Result<()> {
+/// let motion = motion_within(&Ball, 1e-12, MechanismState::rest([5.0]), 4.0)?;
+/// // sqrt(2 h/g) (1 + e)/(1 - e)
+/// assert!((motion.event("floor rests")?.t - 3.0).abs() < 1e-14);
+/// assert_eq!(motion.at(4.0)?, MechanismState::rest([0.0]));
+/// # Ok(())
+/// # }
+/// ```
+pub struct ContactMotion<M, const N: usize, const C: usize> {
     mechanism: M,
-    done: Done<N, S, C>,
+    done: Done<N, C>,
 }
 
 /// What is known of a motion beside its mechanism.
-struct Done<const N: usize, const S: usize, const C: usize> {
-    run: Run<Modes<C>, S>,
-    events: Vec<Event<N, C>>,
+pub struct Done<const N: usize, const C: usize> {
+    run: Box<dyn AnyRun<N, C>>,
+    events: Vec<ContactEvent<N, C>>,
     estimate: Option<f64>,
     work: Work,
 }
 
+/// A run, however many numbers its states have.
+trait AnyRun<const N: usize, const C: usize>: Send + Sync {
+    fn end_time(&self) -> f64;
+    fn at(&self, t: f64) -> Result<(Modes<C>, MechanismState<N>)>;
+    /// Shows what is at the ends of its steps.
+    fn steps(&self, see: &mut dyn FnMut(&Modes<C>, &MechanismState<N>)) -> Result<()>;
+}
+
+impl<const N: usize, const S: usize, const C: usize> AnyRun<N, C> for Run<Modes<C>, S> {
+    fn end_time(&self) -> f64 {
+        self.end_time()
+    }
+
+    fn at(&self, t: f64) -> Result<(Modes<C>, MechanismState<N>)> {
+        let (modes, numbers) = self.at(t)?;
+        Ok((modes, MechanismState::from_array(&numbers)))
+    }
+
+    fn steps(&self, see: &mut dyn FnMut(&Modes<C>, &MechanismState<N>)) -> Result<()> {
+        for piece in self.pieces() {
+            for t in piece.solution.step_times() {
+                let numbers = piece.solution.at(t)?;
+                see(&piece.phase, &MechanismState::from_array(&numbers));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Marks a number of coordinates.
+#[derive(Debug, Clone, Copy)]
+pub struct Coordinates<const N: usize>;
+
+/// Of how many coordinates motions can be solved: 1 to 14.
+///
+/// A state has 2 N numbers, which Rust cannot say of every N.
+pub trait Solvable<const N: usize> {
+    /// The motion as far as it goes, and the refusal that ended it.
+    #[doc(hidden)]
+    fn solved<const C: usize>(
+        mechanism: &AnyMechanism<'_, N, C>,
+        how: How<'_>,
+        start: MechanismState<N>,
+        t_end: f64,
+    ) -> (Done<N, C>, Option<Error>);
+}
+
+macro_rules! solvable {
+    ($($coordinates:literal)+) => { $(
+        impl Solvable<$coordinates> for Coordinates<$coordinates> {
+            fn solved<const C: usize>(
+                mechanism: &AnyMechanism<'_, $coordinates, C>,
+                how: How<'_>,
+                start: MechanismState<$coordinates>,
+                t_end: f64,
+            ) -> (Done<$coordinates, C>, Option<Error>) {
+                solved::<$coordinates, { 2 * $coordinates }, C>(mechanism, how, start, t_end)
+            }
+        }
+    )+ };
+}
+
+solvable!(1 2 3 4 5 6 7 8 9 10 11 12 13 14);
+
 /// A mechanism of any type: what solves it is compiled once for all of its size.
-type AnyMechanism<'m, const N: usize, const S: usize, const C: usize> = dyn Mechanism<N, S, C> + 'm;
+type AnyMechanism<'m, const N: usize, const C: usize> = dyn Mechanism<N, C> + 'm;
 
 /// How a motion is solved.
-enum How<'h> {
+pub enum How<'h> {
     By(&'h Dop853),
     Within(f64),
     KeptWithin(f64),
 }
 
-impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M, N, S, C> {
+impl<M, const N: usize, const C: usize> fmt::Debug for ContactMotion<M, N, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Motion")
+        f.debug_struct("ContactMotion")
             .field("end_time", &self.done.run.end_time())
             .field("events", &self.done.events)
             .finish_non_exhaustive()
@@ -64,15 +175,43 @@ impl<M, const N: usize, const S: usize, const C: usize> fmt::Debug for Motion<M,
 ///
 /// # Errors
 /// Those of [`entry`], at the start or where the modes change, and of
-/// [`simulate`](crate::planar::simulate).
-pub fn motion<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+/// [`simulate`](crate::planar::simulate). [`motion_so_far`] has the motion up to there.
+pub fn motion<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Motion<M, N, S, C>> {
-    let done = solved(&mechanism, How::By(method), start, t_end)?;
-    Ok(Motion { mechanism, done })
+) -> Result<ContactMotion<M, N, C>>
+where
+    Coordinates<N>: Solvable<N>,
+{
+    whole(told(mechanism, How::By(method), start, t_end))
+}
+
+/// The motion as [`motion`] has it, as far as it goes, and the refusal that ended it, if one did.
+pub fn motion_so_far<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    mechanism: M,
+    method: &Dop853,
+    start: MechanismState<N>,
+    t_end: f64,
+) -> (ContactMotion<M, N, C>, Option<Error>)
+where
+    Coordinates<N>: Solvable<N>,
+{
+    told(mechanism, How::By(method), start, t_end)
+}
+
+fn told<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    mechanism: M,
+    how: How<'_>,
+    start: MechanismState<N>,
+    t_end: f64,
+) -> (ContactMotion<M, N, C>, Option<Error>)
+where
+    Coordinates<N>: Solvable<N>,
+{
+    let (done, refused) = Coordinates::<N>::solved(&mechanism, how, start, t_end);
+    (ContactMotion { mechanism, done }, refused)
 }
 
 /// The same with an error of at most `tolerance` at every event and at the end, as
@@ -80,92 +219,101 @@ pub fn motion<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: us
 ///
 /// # Errors
 /// Those of [`motion`] and of [`simulate_within`].
-pub fn motion_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn motion_within<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     tolerance: f64,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Motion<M, N, S, C>> {
-    let done = solved(&mechanism, How::Within(tolerance), start, t_end)?;
-    Ok(Motion { mechanism, done })
+) -> Result<ContactMotion<M, N, C>>
+where
+    Coordinates<N>: Solvable<N>,
+{
+    whole(told(mechanism, How::Within(tolerance), start, t_end))
 }
 
 /// The same with contacts that never let go and pull instead: the usual mistake.
 ///
 /// # Errors
 /// Those of [`motion_within`].
-pub fn kept_within<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
+pub fn kept_within<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     tolerance: f64,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Motion<M, N, S, C>> {
-    let done = solved(&mechanism, How::KeptWithin(tolerance), start, t_end)?;
-    Ok(Motion { mechanism, done })
+) -> Result<ContactMotion<M, N, C>>
+where
+    Coordinates<N>: Solvable<N>,
+{
+    whole(told(mechanism, How::KeptWithin(tolerance), start, t_end))
 }
 
 fn solved<const N: usize, const S: usize, const C: usize>(
-    mechanism: &AnyMechanism<'_, N, S, C>,
+    mechanism: &AnyMechanism<'_, N, C>,
     how: How<'_>,
-    start: State<N>,
+    start: MechanismState<N>,
     t_end: f64,
-) -> Result<Done<N, S, C>> {
-    let (modes, state) = entry(&mechanism, start)?;
+) -> (Done<N, C>, Option<Error>) {
+    let done = |run| Done::new::<S>(mechanism, run);
+    let refused = |error| (done(Run::empty()), Some(error));
     let scene = Modal(mechanism);
+    let (modes, state) = match entry(&mechanism, start) {
+        Ok((modes, state)) => (modes, state.to_array()),
+        Err(error) => return refused(error),
+    };
     let within = match how {
         How::By(method) => {
-            let run = simulate(&scene, method, modes, state, t_end)?;
-            let work = run.work();
-            return Ok(Done::new(mechanism, run, None, work));
+            let (run, refused) = simulate_so_far(&scene, method, modes, state, t_end);
+            return (done(run), refused);
         }
-        How::Within(tolerance) => simulate_within(&scene, tolerance, modes, state, t_end)?,
+        How::Within(tolerance) => simulate_within(&scene, tolerance, modes, state, t_end),
         How::KeptWithin(tolerance) => {
-            simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)?
+            simulate_within(&Bilateral(&scene), tolerance, modes, state, t_end)
         }
     };
-    let estimate = Some(within.estimate);
-    Ok(Done::new(mechanism, within.run, estimate, within.work))
+    match within {
+        Ok(within) => {
+            let mut done = done(within.run);
+            (done.estimate, done.work) = (Some(within.estimate), within.work);
+            (done, None)
+        }
+        Err(error) => refused(error),
+    }
 }
 
-impl<const N: usize, const S: usize, const C: usize> Done<N, S, C> {
-    fn new(
-        mechanism: &AnyMechanism<'_, N, S, C>,
-        run: Run<Modes<C>, S>,
-        estimate: Option<f64>,
-        work: Work,
-    ) -> Self {
+impl<const N: usize, const C: usize> Done<N, C> {
+    fn new<const S: usize>(mechanism: &AnyMechanism<'_, N, C>, run: Run<Modes<C>, S>) -> Self {
         let transitions = run.transitions().iter();
+        let changes = transitions.clone().flat_map(|at| events(mechanism, at));
+        let rests = transitions.filter_map(|at| rests(mechanism, &run, at.rest?));
+        let mut events: Vec<_> = changes.chain(rests).collect();
+        events.sort_by(|a, b| a.t.total_cmp(&b.t));
         Self {
-            events: transitions.flat_map(|at| events(mechanism, at)).collect(),
-            run,
-            estimate,
-            work,
+            events,
+            estimate: None,
+            work: run.work(),
+            run: Box::new(run),
         }
     }
 
-    fn drift(&self, mechanism: &AnyMechanism<'_, N, S, C>) -> Result<(f64, f64)> {
+    fn drift(&self, mechanism: &AnyMechanism<'_, N, C>) -> Result<(f64, f64)> {
         let (mut gap, mut slip) = (0.0, 0.0);
-        for piece in self.run.pieces() {
-            for t in piece.solution.step_times() {
-                let state: State<N> = split(&piece.solution.at(t)?);
-                let contacts = mechanism.contacts(&state);
-                for (contact, mode) in contacts.iter().zip(piece.phase) {
-                    if mode != Mode::Open {
-                        gap = larger(gap, contact.gap.abs());
-                    }
-                    if mode == Mode::Stick {
-                        slip = larger(slip, contact.tangent.speed(&state.v).abs());
-                    }
+        self.run.steps(&mut |modes, state| {
+            for (contact, mode) in mechanism.contacts(state).iter().zip(modes) {
+                if *mode != Mode::Open {
+                    gap = larger(gap, contact.gap.abs());
+                }
+                if *mode == Mode::Stick {
+                    slip = larger(slip, contact.tangent.speed(&state.v).abs());
                 }
             }
-        }
+        })?;
         Ok((gap, slip))
     }
 }
 
-impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Motion<M, N, S, C> {
+impl<M: Mechanism<N, C>, const N: usize, const C: usize> ContactMotion<M, N, C> {
     /// What happened, in order.
-    pub fn events(&self) -> &[Event<N, C>] {
+    pub fn events(&self) -> &[ContactEvent<N, C>] {
         &self.done.events
     }
 
@@ -173,7 +321,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
     ///
     /// # Errors
     /// [`Error::NotReached`] if there was none.
-    pub fn event(&self, name: &'static str) -> Result<&Event<N, C>> {
+    pub fn event(&self, name: &'static str) -> Result<&ContactEvent<N, C>> {
         let until = self.end_time();
         let found = self.done.events.iter().find(|event| event.name == name);
         found.ok_or(Error::NotReached { name, until })
@@ -188,8 +336,8 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
     ///
     /// # Errors
     /// [`Error::OutsideRun`] for a time before the start or after the end.
-    pub fn at(&self, t: f64) -> Result<State<N>> {
-        Ok(split(&self.done.run.at(t)?.1))
+    pub fn at(&self, t: f64) -> Result<MechanismState<N>> {
+        Ok(self.done.run.at(t)?.1)
     }
 
     /// What each contact does at `t`; at an event, what it did before.
@@ -206,7 +354,7 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
     /// Those of [`at`](Self::at).
     pub fn forces(&self, t: f64) -> Result<[Force; C]> {
         let (modes, state) = self.done.run.at(t)?;
-        Ok(Modal(&self.mechanism as &AnyMechanism<'_, N, S, C>).forces(&modes, &state))
+        Ok(Modal(&self.mechanism as &AnyMechanism<'_, N, C>).forces(&modes, &state))
     }
 
     /// How far the integration has drifted off the contacts, at most, at the ends of its steps: the
@@ -232,21 +380,21 @@ impl<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize> Moti
 
 /// What happened to the contacts at a change of modes.
 fn events<const N: usize, const S: usize, const C: usize>(
-    mechanism: &AnyMechanism<'_, N, S, C>,
+    mechanism: &AnyMechanism<'_, N, C>,
     at: &Transition<Modes<C>, S>,
-) -> Vec<Event<N, C>> {
-    let scene = Modal(mechanism);
-    let event = |name| Event {
+) -> Vec<ContactEvent<N, C>> {
+    let [before, after] = [&at.before, &at.after].map(MechanismState::from_array);
+    let event = |name| ContactEvent {
         name,
         t: at.t,
-        before: split(&at.before),
-        after: split(&at.after),
-        force: scene.forces(&at.from, &at.before),
+        before,
+        after,
+        force: Modal(mechanism).forces(&at.from, &before),
     };
     let Some(to) = at.to else {
         return vec![event(at.name.into())];
     };
-    let contacts = mechanism.contacts(&split(&at.after));
+    let contacts = mechanism.contacts(&after);
     let did = (0..C).filter_map(|i| {
         let name = contacts[i].name;
         let rides = matches!(contacts[i].press, Press::By(_));
@@ -269,4 +417,24 @@ fn events<const N: usize, const S: usize, const C: usize>(
         Some(event(format!("{name} {what}")))
     });
     did.collect()
+}
+
+/// The event that the bounces of a contact are over, if the run goes on to it and the contact is shut
+/// there.
+fn rests<const N: usize, const C: usize>(
+    mechanism: &AnyMechanism<'_, N, C>,
+    run: &dyn AnyRun<N, C>,
+    Rest { contact, t, .. }: Rest,
+) -> Option<ContactEvent<N, C>> {
+    let (modes, state) = run.at(t).ok()?;
+    let contacts = mechanism.contacts(&state);
+    let mut contacts = contacts.iter().zip(modes);
+    let shut = contacts.any(|(c, mode)| c.name == contact && mode != Mode::Open);
+    shut.then(|| ContactEvent {
+        name: format!("{contact} rests"),
+        t,
+        before: state,
+        after: state,
+        force: Modal(mechanism).forces(&modes, &state),
+    })
 }

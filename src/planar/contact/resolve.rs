@@ -1,17 +1,15 @@
 //! Which modes follow: at the start, where a contact lets go or touches, where a slip ends.
 
-use super::declare::{Contact, Mode, Press, Sense, State, dot};
-use super::modal::{Modal, join, split};
+use super::declare::{Contact, MechanismState, Mode, Press, Sense, dot};
+use super::modal::Modal;
 use super::response::{Choices, Problem, Response, Unsolved, ZERO};
 use super::{Mechanism, Modes};
 use crate::error::{Error, FINITE, Result, finite};
 use crate::math::EPS;
+use crate::planar::{Entry, Rest};
 
 /// Corrections of coordinates that are brought back onto their contacts, at most.
 const CORRECTIONS: usize = 3;
-
-/// A bounce lower than this part of the size of its gap is not resolved: 64 eps.
-const UNRESOLVED: f64 = 64.0 * EPS;
 
 /// What ended the modes before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,47 +27,99 @@ pub(super) enum Trigger {
 /// Where the modes before ended: they, and why.
 type Before<const C: usize> = Option<(Modes<C>, Trigger)>;
 
+/// What follows an event.
+pub(super) struct Entered<const N: usize, const C: usize> {
+    pub modes: Modes<C>,
+    pub state: MechanismState<N>,
+    pub rest: Option<Rest>,
+}
+
+impl<const N: usize, const S: usize, const C: usize> From<Entered<N, C>> for Entry<Modes<C>, S> {
+    fn from(Entered { modes, state, rest }: Entered<N, C>) -> Self {
+        Self {
+            phase: modes,
+            state: state.to_array(),
+            rest,
+        }
+    }
+}
+
 /// The modes that follow, and the state put onto their contacts, after impacts.
-pub(super) fn enter<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+pub(super) fn enter<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
     before: Before<C>,
-    state: &[f64; S],
-) -> Result<(Modes<C>, [f64; S])> {
+    mut start: MechanismState<N>,
+) -> Result<Entered<N, C>> {
     const { assert!(C <= super::MOST_CONTACTS && N + 2 * C <= super::linear::SIZE) };
-    let mut state = split(state);
     if let Some((modes, _)) = &before {
-        put_on(scene, modes, &mut state);
+        put_on(scene, modes, &mut start);
     } else {
-        check_start(scene, t, &state)?;
+        check_start(scene, t, &start)?;
     }
-    check_masses(scene, t, &state)?;
-    let shut = shut(scene, &before, &state);
-    let hit = impact(scene, t, &shut, &mut state)?;
-    let contacts = scene.0.contacts(&state);
-    let trigger = before.map(|(_, trigger)| trigger).filter(|_| !hit);
-    let choices =
-        core::array::from_fn(|i| choices(scene, i, &contacts[i], shut[i], trigger, &state));
-    let mass = scene.0.mass(&state.q);
-    let problem = scene.newton(&state, &mass, &contacts);
-    let (modes, Response { rate, .. }) = problem
-        .search(&choices)
-        .map_err(|unsolved| named(unsolved, t, &contacts, &state))?;
-    for i in (0..C).filter(|&i| hit && shut[i] && modes[i] == Mode::Open) {
-        resolved(scene, i, &contacts[i], t, &state, &rate)?;
+    check_masses(scene, t, &start)?;
+    let shut = shut(scene, &before, &start);
+    let contacts = scene.0.contacts(&start);
+    let speed = contacts.map(|c| c.normal.speed(&start.v));
+    let hits: [bool; C] = core::array::from_fn(|i| {
+        let pushes = contacts[i].press == Press::OneSided;
+        pushes && shut[i] && speed[i] < -ZERO * scene.normal_size(i, &start)
+    });
+    let all = (0..C).filter(|&i| hits[i]);
+    let fastest = all.min_by(|&i, &k| speed[i].total_cmp(&speed[k]));
+    let trigger = before.map(|(_, trigger)| trigger);
+    let trigger = trigger.filter(|_| fastest.is_none());
+    let mass = scene.0.mass(&start.q);
+    // A contact that would leave an impact and get no higher than counts as no gap is kept shut: by a
+    // plastic impact, in the place of all bounces that follow. Until they are over, both bring the
+    // same normal speed to 0 and the gap back to 0 under the same loads. So its impulses sum to the
+    // same, and so do those of its friction while it slips. The difference is of the size of that
+    // height.
+    let (mut stay, mut rest) = ([false; C], None::<Rest>);
+    loop {
+        let mut state = start;
+        if fastest.is_some() {
+            state.v = impact(scene, t, [&shut, &hits, &stay], &start)?;
+        }
+        let contacts = scene.0.contacts(&state);
+        let choices =
+            core::array::from_fn(|i| choices(scene, i, &contacts[i], shut[i], trigger, &state));
+        let (modes, Response { rate, .. }) = scene
+            .newton(&state, &mass, &contacts)
+            .search(&choices)
+            .map_err(|unsolved| named(unsolved, t, &contacts, &state))?;
+        let low = |i: usize| {
+            let height = bounce(&contacts[i], &state, &rate)[0];
+            modes[i] == Mode::Open && height < ZERO * scene.gap_size(i, &state)
+        };
+        let low = |i: &usize| shut[*i] && !stay[*i] && low(*i);
+        let (Some(first), Some(i)) = (fastest, (0..C).find(low)) else {
+            put_on(scene, &modes, &mut state);
+            return Ok(Entered { modes, state, rest });
+        };
+        let [height, lasts] = bounce(&contacts[i], &state, &rate);
+        // The part of the speed that a bounce leaves; where contacts hit in turn, the part here.
+        let leaves = match hits[i] {
+            true => contacts[i].restitution,
+            false => contacts[i].normal.speed(&state.v) / -speed[first],
+        };
+        let last = t + lasts / (1.0 - leaves).max(0.0);
+        if rest.is_none_or(|rest| rest.t < last) {
+            let (contact, t) = (contacts[first].name, last);
+            rest = Some(Rest { contact, height, t });
+        }
+        stay[i] = true;
     }
-    put_on(scene, &modes, &mut state);
-    Ok((modes, join(&state)))
 }
 
 /// What contact `i` may do next.
-fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn choices<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     i: usize,
     contact: &Contact<N>,
     shut: bool,
     trigger: Option<Trigger>,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Choices {
     let leaves = contact.normal.speed(&state.v) > ZERO * scene.normal_size(i, state);
     match contact.press {
@@ -78,22 +128,15 @@ fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize
         Press::By(_) if !shut => return Choices::only(Mode::Open),
         _ => {}
     }
-    let rubs = contact.friction.holding > 0.0;
-    let slip = contact.tangent.speed(&state.v);
-    let slips = trigger != Some(Trigger::Slip(i)) && slip.abs() > ZERO * scene.slip_size(i, state);
+    let slips = slips(scene, i, contact, state).filter(|_| trigger != Some(Trigger::Slip(i)));
     let may_open = matches!(contact.press, Press::OneSided | Press::By(_));
-    let sense = if slip > 0.0 {
-        Sense::Forward
-    } else {
-        Sense::Backward
-    };
-    let all = if rubs && slips {
+    let all = if let Some(sense) = slips {
         Choices::of(
             &[Mode::Slip(sense), Mode::Open][..1 + usize::from(may_open)],
             false,
         )
     } else {
-        Choices::shut(rubs, may_open)
+        Choices::shut(contact.friction.holding > 0.0, may_open)
     };
     match trigger {
         Some(Trigger::Force(k)) if k == i => all.retain(|m| m == Mode::Open).decided(),
@@ -104,34 +147,43 @@ fn choices<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize
     }
 }
 
-/// Refuses a bounce of contact `i` that is too low to be seen in its gap.
-fn resolved<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+/// Which way contact `i` slips, if it rubs and does.
+fn slips<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     i: usize,
     contact: &Contact<N>,
-    t: f64,
-    state: &State<N>,
+    state: &MechanismState<N>,
+) -> Option<Sense> {
+    let slip = contact.tangent.speed(&state.v);
+    let slips = slip.abs() > ZERO * scene.slip_size(i, state);
+    (contact.friction.holding > 0.0 && slips).then_some(if slip > 0.0 {
+        Sense::Forward
+    } else {
+        Sense::Backward
+    })
+}
+
+/// How high a contact bounces that leaves with these velocities and accelerations, and how long;
+/// for ever if it is not brought back.
+fn bounce<const N: usize>(
+    contact: &Contact<N>,
+    state: &MechanismState<N>,
     rate: &[f64; N],
-) -> Result<()> {
-    let Contact { normal, name, .. } = contact;
-    // Up with u, back with the acceleration -a: u^2/(2a) high.
-    let back = -dot(&normal.along, rate) - normal.bias;
-    let height = 0.5 * normal.speed(&state.v) * normal.speed(&state.v) / back;
-    if back > 0.0 && height < UNRESOLVED * scene.gap_size(i, state) {
-        return Err(Error::BouncesUnresolved {
-            contact: name,
-            t,
-            height,
-        });
+) -> [f64; 2] {
+    let speed = contact.normal.speed(&state.v);
+    let back = -dot(&contact.normal.along, rate) - contact.normal.bias;
+    if back > 0.0 {
+        [0.5 * speed * speed / back, 2.0 * speed / back]
+    } else {
+        [f64::INFINITY; 2]
     }
-    Ok(())
 }
 
 /// Which contacts can act: those that did, that has just closed, or whose gap is round-off.
-fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn shut<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     before: &Before<C>,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> [bool; C] {
     let contacts = scene.0.contacts(state);
     let shut: [bool; C] = core::array::from_fn(|i| {
@@ -147,46 +199,52 @@ fn shut<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
     })
 }
 
-/// Changes the velocities by the impulses of contacts that are shut and still closing;
-/// whether there were any.
-fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+/// The velocities after the impulses of all contacts that are `shut`, of which some hit. Those
+/// that `stay` shut neither return anything nor let go, though they had to pull.
+fn impact<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
-    shut: &[bool; C],
-    state: &mut State<N>,
-) -> Result<bool> {
-    let contacts = scene.0.contacts(state);
-    let speed = contacts.map(|c| c.normal.speed(&state.v));
-    let hits = |i: usize| {
-        let pushes = contacts[i].press == Press::OneSided;
-        pushes && shut[i] && speed[i] < -ZERO * scene.normal_size(i, state)
-    };
-    if !(0..C).any(hits) {
-        return Ok(false);
+    [shut, hits, stay]: [&[bool; C]; 3],
+    state: &MechanismState<N>,
+) -> Result<[f64; N]> {
+    let mut contacts = scene.0.contacts(state);
+    let aim = core::array::from_fn(|i| {
+        let Contact {
+            normal,
+            tangent,
+            restitution,
+            ..
+        } = &contacts[i];
+        let returned = if hits[i] && !stay[i] {
+            -restitution * normal.speed(&state.v)
+        } else {
+            0.0
+        };
+        [normal.surface + returned, tangent.surface]
+    });
+    let choices = core::array::from_fn(|i| match contacts[i].press {
+        Press::TwoSided => Choices::only(Mode::Smooth),
+        // What would let go is pulled back: friction that holds could not say how.
+        _ if stay[i] && !hits[i] => Choices::only(match slips(scene, i, &contacts[i], state) {
+            Some(sense) => Mode::Slip(sense),
+            None => Mode::Smooth,
+        }),
+        Press::OneSided | Press::By(_) if shut[i] => {
+            Choices::shut(contacts[i].friction.kinetic > 0.0, !stay[i])
+        }
+        _ => Choices::only(Mode::Open),
+    });
+    for i in (0..C).filter(|&i| stay[i]) {
+        contacts[i].press = Press::TwoSided;
     }
     let mass = scene.0.mass(&state.q);
     let problem = Problem {
         mass: &mass,
         load: momentum(&mass, &state.v),
         contacts: &contacts,
-        aim: core::array::from_fn(|i| {
-            let returned = if hits(i) {
-                -contacts[i].restitution * speed[i]
-            } else {
-                0.0
-            };
-            let surface = [contacts[i].normal.surface, contacts[i].tangent.surface];
-            [surface[0] + returned, surface[1]]
-        }),
+        aim,
         impact: true,
     };
-    let choices = core::array::from_fn(|i| match contacts[i].press {
-        Press::TwoSided => Choices::only(Mode::Smooth),
-        Press::OneSided | Press::By(_) if shut[i] => {
-            Choices::shut(contacts[i].friction.kinetic > 0.0, true)
-        }
-        _ => Choices::only(Mode::Open),
-    });
     let (_, Response { rate, .. }) = problem
         .search(&choices)
         .map_err(|unsolved| named(unsolved, t, &contacts, state))?;
@@ -198,8 +256,7 @@ fn impact<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>
     if !moved && after > before * (1.0 + 1e3 * ZERO) {
         return Err(Error::ImpactGainsEnergy { t, before, after });
     }
-    state.v = rate;
-    Ok(true)
+    Ok(rate)
 }
 
 fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
@@ -208,12 +265,12 @@ fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
 
 /// Moves coordinates and velocities onto the contacts that act, by least action on the
 /// masses: what the integration has drifted away.
-pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+pub(super) fn put_on<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     modes: &Modes<C>,
-    state: &mut State<N>,
+    state: &mut MechanismState<N>,
 ) {
-    let correct = |state: &mut State<N>, of_coordinates: bool| {
+    let correct = |state: &mut MechanismState<N>, of_coordinates: bool| {
         let contacts = scene.0.contacts(state);
         let mass = scene.0.mass(&state.q);
         let modes = core::array::from_fn(|i| match (contacts[i].press, modes[i]) {
@@ -259,10 +316,10 @@ pub(super) fn put_on<M: Mechanism<N, S, C>, const N: usize, const S: usize, cons
 }
 
 /// Refuses masses and forces that no motion follows from.
-fn check_masses<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn check_masses<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Result<()> {
     let mass = scene.0.mass(&state.q);
     if !is_positive(&mass) {
@@ -313,10 +370,10 @@ fn is_positive<const N: usize>(mass: &[[f64; N]; N]) -> bool {
 }
 
 /// Refuses contacts that cannot hold at the start, and coefficients that mean nothing.
-fn check_start<M: Mechanism<N, S, C>, const N: usize, const S: usize, const C: usize>(
-    scene: &Modal<M, N, S, C>,
+fn check_start<M: Mechanism<N, C>, const N: usize, const C: usize>(
+    scene: &Modal<M, N, C>,
     t: f64,
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Result<()> {
     let contacts = scene.0.contacts(state);
     for (i, contact) in contacts.iter().enumerate() {
@@ -392,7 +449,7 @@ fn named<const N: usize, const C: usize>(
     unsolved: Unsolved<C>,
     t: f64,
     contacts: &[Contact<N>; C],
-    state: &State<N>,
+    state: &MechanismState<N>,
 ) -> Error {
     let say = |modes: &Modes<C>| {
         let each: Vec<_> = contacts
