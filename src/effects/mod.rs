@@ -63,7 +63,7 @@ pub(crate) use check::{Checked, NEAR, is_same, piece};
 pub use closure::Torque;
 pub(crate) use closure::rising;
 pub use coulomb::CoulombBearing;
-pub use disc_drag::{DiscDrag, Regime};
+pub use disc_drag::{DiscDrag, FlowRegime};
 pub use elastic_yielding::ElasticYielding;
 pub use erased::AnyEffect;
 pub(crate) use erased::EffectRef;

@@ -42,7 +42,7 @@ pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use method::{About, Method};
 pub use munthe_kaas::MuntheKaas4;
 pub use ode::{ByClosure, Ode, Scale, newton, ode, place_and_velocity, second_order};
-pub use projected::{Kept, Projected};
+pub use projected::{FirstIntegrals, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;
 pub use splitting::{Resisted, Scheme, Separable, Splitting};

@@ -4,7 +4,7 @@ use super::{body, tilted};
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Gravity, PrescribedTorque, Profile, Regime, ViscousFriction,
+    CoulombBearing, DiscDrag, FlowRegime, Gravity, PrescribedTorque, Profile, ViscousFriction,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use support::assert_error;
@@ -141,11 +141,11 @@ fn the_regime_is_that_of_the_reynolds_number() {
     let drag = |spin| DiscDrag::new(1.0, 2.0, 1e-3, spin).expect("drag");
     let mut ran = 0;
     for (spin, regime) in [
-        (0.0, Regime::Laminar),
-        (299.9, Regime::Laminar),
-        (-299.9, Regime::Laminar),
-        (300.1, Regime::Turbulent),
-        (-300.1, Regime::Turbulent),
+        (0.0, FlowRegime::Laminar),
+        (299.9, FlowRegime::Laminar),
+        (-299.9, FlowRegime::Laminar),
+        (300.1, FlowRegime::Turbulent),
+        (-300.1, FlowRegime::Turbulent),
     ] {
         assert_eq!(drag(spin).regime(), regime);
         assert_eq!(drag(0.0).regime_at(spin), regime);
@@ -153,8 +153,8 @@ fn the_regime_is_that_of_the_reynolds_number() {
         let reynolds: f64 = 1e3 * f64::abs(spin);
         if spin != 0.0 {
             let friction = match regime {
-                Regime::Laminar => 3.87 * reynolds.powf(-0.5),
-                Regime::Turbulent => 0.146 * reynolds.powf(-0.2),
+                FlowRegime::Laminar => 3.87 * reynolds.powf(-0.5),
+                FlowRegime::Turbulent => 0.146 * reynolds.powf(-0.2),
             };
             let want = -f64::signum(spin) * spin * spin * friction;
             assert!((drag(spin).axial_torque(spin) / want - 1.0).abs() < 1e-14);
