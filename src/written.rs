@@ -2,7 +2,7 @@
 //! holds for every number.
 
 use crate::attitude::{EulerAngles, YawPitchRoll};
-use crate::body::{Kinematics, RigidBody, State};
+use crate::body::{DesignState, Kinematics, RigidBody, State};
 use crate::frame::written;
 use crate::inertia::{InertiaTensor, MassProperties, PrincipalMoments};
 use crate::motion::Kept;
@@ -78,6 +78,17 @@ impl Display for State {
         self.attitude.fmt(f)?;
         f.write_str(", angular momentum ")?;
         self.angular_momentum.fmt(f)?;
+        f.write_str(" kg m^2/s")
+    }
+}
+
+/// `attitude of the drawing (1, 0, 0, 0), angular momentum (0, 0, 5) kg m^2/s`
+impl Display for DesignState {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str("attitude of the drawing ")?;
+        self.attitude().fmt(f)?;
+        f.write_str(", angular momentum ")?;
+        self.principal().angular_momentum.fmt(f)?;
         f.write_str(" kg m^2/s")
     }
 }

@@ -88,7 +88,7 @@ fn thrown_it_moves_as_the_whole_tensor_says() {
         parts.about(corner).expect("finite"),
     ] {
         let body = DesignedBody::new(&tensor).expect("a body");
-        let state = body.state(start, omega.into()).expect("finite");
+        let state = body.state(start, omega.into()).expect("finite").principal();
         let rigid = body.rigid_body();
         let motion = FreeBody::new(
             rigid.moments(),
@@ -107,14 +107,14 @@ fn thrown_it_moves_as_the_whole_tensor_says() {
         let first = [omega[0], omega[1], omega[2], w, x, y, z];
         for t in [0.1, 0.5, 2.0] {
             let then = rigid.state(motion.attitude(t), motion.angular_velocity(t));
-            let then = then.expect("finite");
+            let then = body.from_principal(then.expect("finite"));
             let compare = |system: &OnTheDrawing| {
                 let (end, _) = dop.advance(system, 0.0, &first, t).expect("a run");
                 let turned = Attitude::from_quaternion([end[3], end[4], end[5], end[6]]);
                 let turned = turned.expect("a quaternion");
                 let w = DesignVector::new(end[0], end[1], end[2]);
-                let off = (body.angular_velocity(&then) - w).norm() / 12.2;
-                (body.attitude(&then).angle_to(&turned), off)
+                let off = (then.angular_velocity() - w).norm() / 12.2;
+                (then.attitude().angle_to(&turned), off)
             };
             let (turned, off) = compare(&system);
             attitude.push(turned);
