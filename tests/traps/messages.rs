@@ -3,7 +3,7 @@
 use kit::interval::{above, from_to};
 use rotation_dynamics::exact::jacobi::sn_cn_dn;
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{Dop853, Integrator, ode, second_order};
+use rotation_dynamics::integrators::{Dop853, Integrator, ode, second_order, size_or};
 use rotation_dynamics::math::{cos, exp};
 use rotation_dynamics::{Error, Result};
 use support::Errors;
@@ -266,7 +266,7 @@ fn messages_are_short() {
 /// A run in steps that the clock cannot tell apart is refused for that.
 #[test]
 fn a_coarse_clock_is_named() -> Result<()> {
-    let decay = |tau: f64| ode(move |_, [y]: &[f64; 1]| [-y / tau]);
+    let decay = |tau: f64| ode(move |_, [y]: &[f64; 1]| [-y / tau]).scaled(size_or([1.0; 1]));
     let method = Dop853::new(1e-12)?;
     let mut cases = 0;
     for (t, tau) in [
@@ -301,7 +301,7 @@ fn a_coarse_clock_is_named() -> Result<()> {
         "{message}"
     );
     // The damaged twin: a pole is a pole, and no matter of the clock.
-    let pole = ode(|_, [y]: &[f64; 1]| [y * y]);
+    let pole = ode(|_, [y]: &[f64; 1]| [y * y]).scaled(size_or([1.0; 1]));
     for t in [0.0, 1e3, -1e3] {
         let error = method.advance(&pole, t, &[1.0], t + 2.0);
         let Err(Error::StepUnderflow { clock: None, .. }) = error else {
@@ -318,7 +318,7 @@ fn any_time_will_do_from_zero() -> Result<()> {
     for tau in [
         1e-300, 1e-200, 1e-100, 1e-20, 1.0, 1e20, 1e100, 1e200, 1e300,
     ] {
-        let decay = ode(move |_, [y]: &[f64; 1]| [-y / tau]);
+        let decay = ode(move |_, [y]: &[f64; 1]| [-y / tau]).scaled(size_or([1.0; 1]));
         let (end, _) = Dop853::new(1e-12)?.advance(&decay, 0.0, &[1.0], tau)?;
         errors.push_at(end[0] / exp(-1.0) - 1.0, tau);
     }

@@ -6,7 +6,7 @@ use rotation_dynamics::body::DesignedBody;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, size_or};
 use support::Errors;
 
 type Matrix = [[f64; 3]; 3];
@@ -50,6 +50,10 @@ impl Ode<7> for OnTheDrawing {
             0.5 * (w * b + z * a - x * c),
             0.5 * (w * c + x * b - y * a),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
     }
 }
 

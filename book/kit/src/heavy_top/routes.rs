@@ -3,7 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::exact::heavy_top::ReducedTop;
-use rotation_dynamics::integrators::Ode;
+use rotation_dynamics::integrators::{Ode, size_or};
 use rotation_dynamics::math::{EPS, cos, sin};
 
 /// Equations (4) to (6) of the notes, 16.2: theta, dtheta/dt', phi, zeta.
@@ -16,6 +16,10 @@ impl Ode<4> for Equations {
         let precession = top.phi_rate(theta);
         let spin = 1.0 / top.a().sqrt() - precession * cos(theta);
         [nutation, top.torque(theta), precession, spin]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 
@@ -40,6 +44,10 @@ impl Ode<6> for Newton {
             (lz * ex - lx * ez) / i1,
             (lx * ey - ly * ex) / i1,
         ]
+    }
+
+    fn scale(&self, y: &[f64; 6]) -> [f64; 6] {
+        size_or([1.0; 6])(y)
     }
 }
 

@@ -14,7 +14,7 @@ use rotation_dynamics::effects::{
 };
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::scene::{components, state};
-use rotation_dynamics::integrators::{Dop853, Ode, Solution};
+use rotation_dynamics::integrators::{Dop853, Ode, Solution, size_or};
 use rotation_dynamics::math::{atan2, hypot};
 use rotation_dynamics::scene::Scene;
 
@@ -134,6 +134,10 @@ impl Ode<7> for Stepped {
         let [tx, ty, tz] = added.to_array();
         let [dx, dy, dz] = (momentum.cross(&axis) / i1).to_array();
         [tx - w * ey, ty + w * ex, tz, dx, dy, dz, added.dot(&rates)]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
     }
 }
 
