@@ -6,8 +6,9 @@ mod tests;
 
 pub(crate) use kinks::NEAR;
 
+use super::erased::AnyEffect;
 use super::gravity::GRAVITY;
-use super::{AnyEffect, Feature, Holding, IntegrableCase, Properties};
+use super::{Feature, Holding, IntegrableCase, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, FINITE, Result, finite, not_negative, positive};

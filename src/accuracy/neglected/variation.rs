@@ -1,7 +1,8 @@
 //! A motion and its linear response to an effect, as one system of 14 components.
 
 use crate::body::RigidBody;
-use crate::effects::{AnyEffect, Effect};
+use crate::effects::Effect;
+use crate::effects::erased::AnyEffect;
 use crate::error::Result;
 use crate::integrators::Ode;
 use crate::integrators::scene::state;
