@@ -150,10 +150,12 @@ impl<'e> Checked<'e> {
             checked.size = checked.size.max(size);
         }
         checked.scale(&places)?;
-        for (t, state) in &places {
-            checked.at(*t, state)?;
+        checked.at(span[0], state)?;
+        // The first place is the start itself.
+        for (t, state) in &places[1..] {
+            checked.at(*t, state).map_err(Error::probed)?;
         }
-        checked.smooth()?;
+        checked.smooth().map_err(Error::probed)?;
         Ok(checked)
     }
 
@@ -289,6 +291,7 @@ impl<'e> Checked<'e> {
             effect: self.name(),
             claim,
             t,
+            probe: false,
             off,
             allowed,
         }

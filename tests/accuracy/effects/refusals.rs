@@ -26,7 +26,7 @@ fn bad_coefficients_are_named() {
     let bearing = |tau, t| CoulombBearing::new(tau, &body, &start, t).err();
     let drag =
         |radius, density, viscosity, spin| DiscDrag::new(radius, density, viscosity, spin).err();
-    let cases: [(Option<Error>, &str); 25] = [
+    let cases: [(Option<Error>, &str); 26] = [
         (
             Gravity::new(-1.0, BodyVector::zero()).err(),
             "weight = -1 is not allowed: it must be greater than 0",
@@ -77,14 +77,31 @@ fn bad_coefficients_are_named() {
         ),
         (
             steps(&[(0.0, 1.0), (0.0, 2.0)]),
-            "time of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
+            "times of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
         ),
         (
             lines(&[(0.0, 1.0), (2.0, 2.0), (1.0, 0.0)]),
-            "time of a profile[2]: value = 1 is not allowed: the one before it is 2",
+            "times of a profile[2]: value = 1 is not allowed: the one before it is 2",
         ),
-        (lines(&[(NAN, 1.0)]), "time of a profile = NaN"),
-        (lines(&[(0.0, INF)]), "value of a profile = inf"),
+        (
+            lines(&[(0.0, 1.0), (NAN, 1.0)]),
+            "times of a profile[1]: value = NaN is not a finite number",
+        ),
+        (
+            lines(&[(0.0, INF)]),
+            "values of a profile[0]: value = inf is not a finite number",
+        ),
+        (
+            Profile::cubic(&[
+                (0.0, 0.0),
+                (1.0, 1.0),
+                (1.0_f64.next_up(), 1e300),
+                (2.0, 0.0),
+            ])
+            .err(),
+            "times of a profile[1]: time to the next = 2.220446049250313e-16 is not allowed: the \
+             curve from the value 1 to 1e300 in that time is beyond doubles",
+        ),
         (
             Profile::pulse(0.0, -1.0).err(),
             "width of the pulse = -1 is not allowed: it must be greater than 0",
@@ -98,7 +115,7 @@ fn bad_coefficients_are_named() {
         assert!(told.contains(words), "{told} should contain {words}");
         ran += 1;
     }
-    assert_eq!(ran, 25);
+    assert_eq!(ran, 26);
     assert!(Profile::pulse(INF, 1.0).is_err());
 }
 
