@@ -119,7 +119,7 @@ impl<F: Frame> Vector<F> {
 
     /// The vector with these components, as a nalgebra column.
     #[inline]
-    pub const fn from_column(components: Vector3<f64>) -> Self {
+    pub(crate) const fn from_column(components: Vector3<f64>) -> Self {
         Self {
             components,
             frame: PhantomData,

@@ -19,7 +19,7 @@ pub struct Tried {
     /// How far its end is from the exact one, or from what stands for it.
     pub errors: Errors,
     /// What it cost, all runs together.
-    pub work: Work,
+    pub(crate) work: Work,
     /// The error (rad) asked of `solve` whose end stands for the exact one; `None` if that is known.
     pub against: Option<f64>,
 }
@@ -121,7 +121,7 @@ impl Lab {
     /// assert!(((coarse.errors.attitude / fine.errors.attitude).log2() - 4.0).abs() < 0.2);
     /// # Ok::<(), kit::Error>(())
     /// ```
-    pub fn against_error_control<E>(scene: Scene<E>, start: State, end: f64) -> Self
+    pub(crate) fn against_error_control<E>(scene: Scene<E>, start: State, end: f64) -> Self
     where
         E: Effect + Clone + Send + Sync + 'static,
     {

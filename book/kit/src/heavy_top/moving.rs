@@ -24,7 +24,7 @@ pub(super) struct Drawn {
     /// Whether times are in seconds, not in t'.
     pub seconds: bool,
     /// 1, -1 for a centre of mass on the other side, 0 without weight.
-    pub sense: f64,
+    pub(crate) sense: f64,
     pub at: At,
 }
 
@@ -33,7 +33,7 @@ type At = Box<dyn Fn(f64) -> Result<Moment> + Send + Sync>;
 
 /// A top at one time.
 pub(super) struct Moment {
-    pub pose: Pose,
+    pub(crate) pose: Pose,
     pub axis: SpaceVector,
     pub momentum: SpaceVector,
 }
@@ -141,7 +141,7 @@ impl Pose {
 
 impl Motion {
     /// Where it is at time `t`.
-    pub fn pose(&self, t: f64) -> Pose {
+    pub(crate) fn pose(&self, t: f64) -> Pose {
         let angles = self.exact.angles(t);
         Pose {
             theta: angles.theta,

@@ -65,11 +65,11 @@ pub struct Nod {
     /// Advance of zeta (rad).
     pub spin: f64,
     /// How much the last refinement changed the largest of these three,
-    pub refinement: f64,
+    pub(crate) refinement: f64,
     /// by how much they magnify a relative error of the inputs,
-    pub condition: f64,
+    pub(crate) condition: f64,
     /// and an error of the turning points.
-    pub leverage: f64,
+    pub(crate) leverage: f64,
 }
 
 impl Nod {

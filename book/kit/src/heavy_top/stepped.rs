@@ -194,7 +194,11 @@ impl Stepped {
     ///
     /// # Errors
     /// As [`NeglectedEffects::line`](rotation_dynamics::accuracy::NeglectedEffects::line).
-    pub fn ledger(&self, tolerance: f64, [nodes, air, dry]: [&str; 3]) -> Result<Vec<EffectLine>> {
+    pub(crate) fn ledger(
+        &self,
+        tolerance: f64,
+        [nodes, air, dry]: [&str; 3],
+    ) -> Result<Vec<EffectLine>> {
         let candidates = (self
             .plain
             .neglected_effects(&self.start, self.end, tolerance)?)
