@@ -74,7 +74,7 @@ pub(crate) struct Holding<'e> {
     /// None if there is no law among them.
     parts: Vec<Part<'e>>,
     /// For each part, if anything is held yet.
-    pub held: Vec<[f64; 3]>,
+    pub(crate) held: Vec<[f64; 3]>,
 }
 
 impl<'e> Holding<'e> {

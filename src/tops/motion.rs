@@ -28,8 +28,8 @@ pub struct Phase {
 
 /// A top to be simulated with this error of a step.
 pub(super) struct Scene<'t, F, R, E> {
-    pub top: &'t Top<F, R, E>,
-    pub step: f64,
+    pub(super) top: &'t Top<F, R, E>,
+    pub(super) step: f64,
 }
 
 /// Part of sqrt(g l) with which a tip begins to slip: at zero its direction would not be known.

@@ -25,7 +25,7 @@ pub(super) struct Part<'a> {
     pub(crate) points: Vec<SpaceVector>,
     pub(crate) stroke: Stroke,
     /// Length of the head at its end, in px.
-    pub head: Option<f64>,
+    pub(super) head: Option<f64>,
     element: &'a Element,
 }
 

@@ -8,9 +8,9 @@ use super::label::{Label, SIZE};
 /// A rectangle in px; `top < bottom`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rect {
-    pub left: f64,
+    pub(super) left: f64,
     pub(crate) right: f64,
-    pub top: f64,
+    pub(super) top: f64,
     pub(crate) bottom: f64,
 }
 
@@ -109,10 +109,10 @@ impl Side {
 #[derive(Debug, Clone)]
 pub(super) struct Words {
     pub(crate) label: Label,
-    pub ink: Ink,
+    pub(super) ink: Ink,
     pub(crate) halo: bool,
     pub(crate) anchor: Anchor,
-    pub shift: Point,
+    pub(super) shift: Point,
 }
 
 impl Words {

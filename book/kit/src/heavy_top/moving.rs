@@ -18,14 +18,14 @@ const CHANGE: f64 = 0.6;
 /// A motion as its picture needs it.
 pub(super) struct Drawn {
     /// How far it is shown.
-    pub end: f64,
+    pub(super) end: f64,
     /// The times of the stills.
-    pub stills: [f64; 3],
+    pub(super) stills: [f64; 3],
     /// Whether times are in seconds, not in t'.
-    pub seconds: bool,
+    pub(super) seconds: bool,
     /// 1, -1 for a centre of mass on the other side, 0 without weight.
     pub(crate) sense: f64,
-    pub at: At,
+    pub(super) at: At,
 }
 
 /// What there is at a time.
@@ -34,8 +34,8 @@ type At = Box<dyn Fn(f64) -> Result<Moment> + Send + Sync>;
 /// A top at one time.
 pub(super) struct Moment {
     pub(crate) pose: Pose,
-    pub axis: SpaceVector,
-    pub momentum: SpaceVector,
+    pub(super) axis: SpaceVector,
+    pub(super) momentum: SpaceVector,
 }
 
 impl Drawn {
