@@ -91,7 +91,7 @@ impl Answer {
     ///
     /// # Errors
     /// Which unit it must have.
-    pub(crate) fn in_unit(&self, unit: &str) -> Result<f64, String> {
+    pub fn in_unit(&self, unit: &str) -> Result<f64, String> {
         match Fit::of(unit, &self.unit) {
             Fit::Same => Ok(self.value),
             Fit::Degrees => Ok(self.value / 180.0 * PI),

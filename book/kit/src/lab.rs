@@ -121,7 +121,7 @@ impl Lab {
     /// assert!(((coarse.errors.attitude / fine.errors.attitude).log2() - 4.0).abs() < 0.2);
     /// # Ok::<(), kit::Error>(())
     /// ```
-    pub(crate) fn against_error_control<E>(scene: Scene<E>, start: State, end: f64) -> Self
+    pub fn against_error_control<E>(scene: Scene<E>, start: State, end: f64) -> Self
     where
         E: Effect + Clone + Send + Sync + 'static,
     {

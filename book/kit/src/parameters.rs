@@ -361,7 +361,7 @@ impl Flag {
     }
 
     /// The values that a problem sheet draws; `None` if it leaves the parameter alone.
-    pub(crate) fn grid(&self) -> Option<Grid> {
+    pub fn grid(&self) -> Option<Grid> {
         self.grid
     }
 
