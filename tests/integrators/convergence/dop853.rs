@@ -329,7 +329,7 @@ fn a_scale_far_above_the_state_costs_its_digits() {
             .expect("smooth");
         (1e6 * end[0] - cos(20.0)).abs()
     };
-    assert_error!(off(1e-6), 5.3e-13);
+    assert_error!(off(1e-6), 5.2e-13);
     assert_error!(off(1.0), 4.2e-7);
 }
 
