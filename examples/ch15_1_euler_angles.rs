@@ -14,7 +14,7 @@ use kit::interval::from_to;
 use kit::{Report, Result, Table, below, claim};
 use rotation_dynamics::attitude::{Attitude, EulerAngles, Sequence, YawPitchRoll};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::integrators::{Ode, ode};
+use rotation_dynamics::integrators::{Ode, ode, size_or};
 use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sin, sincos};
 
 pub use pole::Passage;
@@ -126,11 +126,13 @@ pub fn rates_of_angles() -> impl Ode<3> + Copy {
         let ((sp, cp), (st, ct)) = (sincos(*phi), sincos(*theta));
         [-sp * ct / st, cp, sp / st]
     })
+    .scaled(size_or([1.0; 3]))
 }
 
 /// The same turning, of the quaternion (w, x, y, z).
 pub fn rates_of_quaternion() -> impl Ode<4> + Copy {
     ode(|_, [w, x, y, z]: &[f64; 4]| [-0.5 * x, 0.5 * w, -0.5 * z, 0.5 * y])
+        .scaled(size_or([1.0; 4]))
 }
 // ANCHOR_END: rates
 

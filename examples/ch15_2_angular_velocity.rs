@@ -18,7 +18,7 @@ pub use left_out::{filmed, missed, swollen};
 use matrices::{about_x, about_z, columns, in_space, length, on_own_axes, product};
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Ode, ode};
+use rotation_dynamics::integrators::{Ode, ode, size_or};
 use rotation_dynamics::math::{asin, atan2, cos, hypot, sin, sincos};
 pub use steps::{by_angles, by_quaternion, clear_of_poles, passing};
 
@@ -192,6 +192,7 @@ fn angles_of(omega: SpaceVector) -> impl Ode<3> {
         let spin = (omega.x() * sp - omega.y() * cp) / st;
         [omega.z() - spin * ct, omega.x() * cp + omega.y() * sp, spin]
     })
+    .scaled(size_or([1.0; 3]))
 }
 
 /// Its quaternion: q' = (0, Omega) q / 2.
@@ -201,6 +202,7 @@ fn quaternion_of(omega: SpaceVector) -> impl Ode<4> {
         let [a, b, c] = (half * *w + half.cross(&v)).to_array();
         [-half.dot(&v), a, b, c]
     })
+    .scaled(size_or([1.0; 4]))
 }
 // ANCHOR_END: steps
 

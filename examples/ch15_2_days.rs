@@ -13,7 +13,7 @@ mod year;
 use core::f64::consts::{PI, TAU};
 use kit::{ClosedForm, Report, Result, Table, short};
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::integrators::{Dop853, Ode, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Ode, Work, ode, size_or};
 use rotation_dynamics::math::{asin, atan2, cos, sin, sincos, tan};
 pub use year::{Extremes, date, extremes};
 
@@ -109,6 +109,7 @@ fn path(year: f64) -> impl Ode<4> {
         let by_cube = pull / (square * square.sqrt());
         [*u, *v, -by_cube * x, -by_cube * y]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 /// How far the Sun stands past the meridian of P: positive after noon, negative before.

@@ -9,7 +9,9 @@ pub mod hoop;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::prelude::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, Work, ode};
+use rotation_dynamics::integrators::{
+    Dop853, Event, Integrator, Ode, Solution, Work, ode, size_or,
+};
 
 parameters! {
     /// The four bodies; the notes leave all numbers open.
@@ -61,6 +63,7 @@ pub fn on_a_road() -> impl Ode<4> {
         let rim = velocity(spin, SpaceVector::new(rim_x, 0.0, rim_z), contact);
         [centre.x(), rim.x(), rim.z(), rim.norm()]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 /// A coin on a fixed one of `fixed` times its radius, which is the unit: its centre, a point of
@@ -74,6 +77,7 @@ pub fn on_a_coin(fixed: f64) -> impl Ode<6> {
         let orbit = (x * v.y() - y * v.x()) / centre.dot(&centre);
         [v.x(), v.y(), rim.x(), rim.y(), orbit, rim.norm()]
     })
+    .scaled(size_or([1.0; 6]))
 }
 // ANCHOR_END: rolling
 
@@ -167,6 +171,7 @@ pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
             c * w + a * y - b * x,
         ]
     })
+    .scaled(size_or([1.0; 4]))
 }
 // ANCHOR_END: cycle
 

@@ -17,7 +17,7 @@ use kit::{Report, Result, Table, Trajectory, short, times};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids as uniform};
-use rotation_dynamics::integrators::{Dop853, Integrator, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Work, ode, size_or};
 use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sincos};
 pub use solids::points_of;
 
@@ -366,7 +366,8 @@ pub fn diagonal(solid: &MassProperties) -> [f64; 3] {
 /// u'' = -(s + q u) and no tension at the free edge.
 pub fn yielded(number: f64) -> Result<(f64, Work)> {
     let q = 1.25 * number;
-    let plate = ode(|s, [u, slope, _]: &[f64; 3]| [*slope, -(s + q * u), (2.0 * s + q * u) * u]);
+    let plate = ode(|s, [u, slope, _]: &[f64; 3]| [*slope, -(s + q * u), (2.0 * s + q * u) * u])
+        .scaled(size_or([1.0; 3]));
     let method = Dop853::new(1e-14)?;
     let pulled = |slope| method.advance(&plate, 0.0, &[0.0, slope, 0.0], 1.0);
     // The slope at the free edge is linear in that in the middle.

@@ -19,7 +19,7 @@ use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
 use rotation_dynamics::inertia::{PrincipalMoments, solids};
-use rotation_dynamics::integrators::{Dop853, Ode, Solution, ode};
+use rotation_dynamics::integrators::{Dop853, Ode, Solution, ode, size_or};
 use rotation_dynamics::math::{atan2, cos, hypot, sin};
 use rotation_dynamics::scene::Scene;
 
@@ -159,6 +159,7 @@ pub fn newton([i1, i2, i3]: [f64; 3]) -> impl Ode<7> {
             0.5 * (w * r + x * q - y * p),
         ]
     })
+    .scaled(size_or([1.0; 7]))
 }
 // ANCHOR_END: euler
 

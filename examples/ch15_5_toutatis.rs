@@ -25,7 +25,7 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode, size_or};
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
 use rotation_dynamics::scene::Scene;
 
@@ -129,6 +129,7 @@ pub fn tumbling([a, b, c]: [f64; 3]) -> impl Ode<8> {
             azimuth,
         ]
     })
+    .scaled(size_or([1.0; 8]))
 }
 
 /// A free motion simulated by them over this time, s.
@@ -150,7 +151,8 @@ pub fn driven(
         let mut slope = free.derivative(t, state);
         slope[2] += torque * (DAY * DAY);
         slope
-    });
+    })
+    .scaled(size_or([1.0; 8]));
     Dop853::new(1e-14)?.advance(&law, 0.0, &from, time / DAY)
 }
 
@@ -452,7 +454,7 @@ pub fn off_about(found: &Attitude, seen: &Attitude, momentum: SpaceVector) -> Re
 
 /// The same by an integral: the angle is spread as (1 - cos a)/pi.
 fn random_by_integral() -> Result<f64> {
-    let spread = ode(|a: f64, _: &[f64; 1]| [a * (1.0 - cos(a)) / PI]);
+    let spread = ode(|a: f64, _: &[f64; 1]| [a * (1.0 - cos(a)) / PI]).scaled(size_or([1.0; 1]));
     Ok(Dop853::new(1e-14)?.advance(&spread, 0.0, &[0.0], PI)?.0[0])
 }
 
@@ -504,6 +506,7 @@ pub fn pulled([a, b, c]: [f64; 3], tide: OrbitingBody) -> impl Ode<8> {
         slope[2] += pull * (b - a) * l * m / c;
         slope
     })
+    .scaled(size_or([1.0; 8]))
 }
 
 /// Attitude and angular momentum at a time after a tide that begins to act at `begin`, by

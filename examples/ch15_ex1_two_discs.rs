@@ -6,7 +6,7 @@ mod figures;
 
 use kit::prelude::*;
 use rotation_dynamics::Error;
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, ode, size_or};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion_within,
 };
@@ -135,6 +135,7 @@ pub fn rubbing(p: &Parameters, torque: impl Fn(f64) -> f64) -> impl Ode<3> {
         let (slip, torque) = (fast - slow, torque(fast - slow));
         [-torque / upper, torque / lower, torque * slip]
     })
+    .scaled(size_or([1.0; 3]))
 }
 
 /// That motion until the slip is over, or has come down to this part of it.
@@ -160,7 +161,8 @@ fn braked(p: &Parameters, brake: &dyn Fn(f64, f64) -> [f64; 2]) -> Result<f64> {
     let law = ode(|_, &[fast, slow]: &[f64; 2]| {
         let [upper, lower] = brake(fast, slow);
         [-(rubs + upper) / p.upper, (rubs - lower) / p.lower]
-    });
+    })
+    .scaled(size_or([1.0; 2]));
     let over = Event::falling("over", |_, y: &[f64; 2]| (y[0] - y[1]) / a.relative).terminal();
     let start = [p.upper_rate, p.lower_rate];
     let run = Dop853::new(1e-11)?.solve(&law, 0.0, &start, 1e3 * a.time, &[over])?;

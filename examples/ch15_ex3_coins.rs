@@ -5,7 +5,7 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use kit::prelude::*;
-use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode, size_or};
 
 parameters! {
     /// The coins of the exercise; the notes leave all numbers open.
@@ -69,6 +69,7 @@ pub fn rolling(r: f64) -> impl Ode<6> {
         let orbit = (x * centre.1 - y * centre.0) / (x * x + y * y);
         [centre.0, centre.1, rim.0, rim.1, orbit, hypot(rim.0, rim.1)]
     })
+    .scaled(size_or([1.0; 6]))
 }
 // ANCHOR_END: rolling
 
@@ -217,7 +218,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([rubbed, ran], around) = (rubbing(p, 0.2)?, rolled(r, TAU, 1e-12)?);
     // If the rim at the contact moves, the middle moves so much more.
     let faster = 1.0 / (1.0 - slip / (1.0 + r));
-    let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate));
+    let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate))
+        .scaled(size_or([1.0; 6]));
     let start = [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0];
     let slipped = match faster > 0.0 && faster < 2.0 {
         true => {

@@ -10,7 +10,7 @@ use core::f64::consts::PI;
 use kit::prelude::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::MassProperties;
-use rotation_dynamics::integrators::{Dop853, Event, after, ode};
+use rotation_dynamics::integrators::{Dop853, Event, after, ode, size_or};
 
 parameters! {
     /// Bat and ball; the notes leave all numbers open.
@@ -108,7 +108,8 @@ pub fn node() -> f64 {
 /// The same by integrating w'''' = beta^4 w from a free end, with the end values of curvature and shear.
 pub fn shot(tolerance: f64) -> Result<(f64, [f64; 4])> {
     let fourth = BETA * BETA * BETA * BETA;
-    let law = ode(move |_, &[w, a, b, c]: &[f64; 4]| [a, b, c, fourth * w]);
+    let law =
+        ode(move |_, &[w, a, b, c]: &[f64; 4]| [a, b, c, fourth * w]).scaled(size_or([1.0; 4]));
     let node = Event::rising("node", |_, w: &[f64; 4]| w[0]);
     let start = [2.0, -2.0 * BETA * sigma(), 0.0, 0.0];
     let run = Dop853::new(tolerance)?.solve(&law, 0.0, &start, 1.0, &[node])?;
@@ -276,7 +277,8 @@ pub fn turning() -> Result<[f64; 3]> {
             means[1],
             means[2],
         ]
-    });
+    })
+    .scaled(size_or([1.0; 9]));
     let mut start = [0.0; 9];
     start[1] = 1.0;
     let [.., square, place, depth] = after(1.0, &law, &start, 1e-11)?;

@@ -10,7 +10,7 @@ use core::f64::consts::TAU;
 use kit::interval::{above_to, between};
 use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode, size_or};
 use rotation_dynamics::math::expm1;
 
 parameters! {
@@ -117,7 +117,7 @@ pub fn tipping(p: &Parameters) -> Result<f64> {
     let slant = p.height / cos(a);
     let off = |rate: f64| borne_at(p, rate).map_or(f64::NAN, |d| d / slant - 1.0);
     let rim = Event::rising("at the rim", |_, y: &[f64; 1]| off(unit * y[0])).terminal();
-    let law = ode(|_, _: &[f64; 1]| [1.0]);
+    let law = ode(|_, _: &[f64; 1]| [1.0]).scaled(size_or([1.0; 1]));
     let run = Dop853::new(1e-12)?.solve(&law, 0.0, &[0.01], 100.0, &[rim])?;
     Ok(unit * run.end_state()[0])
 }
@@ -133,6 +133,7 @@ fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
             c * w + a * y - b * x,
         ]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 /// The attitude after one circuit by steps, from the angular velocity alone.

@@ -8,7 +8,7 @@ pub mod pull;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use kit::prelude::*;
 use pull::{Pulled, across, direction, energy, outward, radius};
-use rotation_dynamics::integrators::{after, newton, ode};
+use rotation_dynamics::integrators::{after, newton, ode, size_or};
 
 parameters! {
     /// The string of the exercise; the notes leave all numbers open.
@@ -85,6 +85,7 @@ pub fn on_post(post: f64) -> impl rotation_dynamics::integrators::Ode<6> {
         let free = string_on_post(post, place);
         free * (velocity.dot(&velocity) / free.dot(&free))
     })
+    .scaled(size_or([1.0; 6]))
 }
 
 /// From the particle to the point where its string leaves the post, which it winds up forward.
@@ -118,7 +119,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let flight = (direction(&flown) - direction(&last)).rem_euclid(TAU);
     // On to the edge of the hole.
     let edge = Pulled::new(a.pull, hole, p.tolerance, 2.0 * far)?;
-    let naive = after(end, &ode(|t, _: &[f64; 1]| [a.across(t)]), &[0.0], 1e-13)?[0];
+    let naive = after(
+        end,
+        &ode(|t, _: &[f64; 1]| [a.across(t)]).scaled(size_or([1.0; 1])),
+        &[0.0],
+        1e-13,
+    )?[0];
     let keeping = -log(r) / a.pull;
     claims! { report,
         /// length of string that is left on the table
@@ -215,7 +221,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slowed = ode(|t, &[l]: &[f64; 1]| {
         let (r, v) = (a.radius(t), l / a.radius(t));
         [-rub * r * v / hypot(pull, v)]
-    });
+    })
+    .scaled(size_or([1.0; 1]));
     let kept = after(end, &slowed, &[1.0], 1e-13)?[0];
     let stretch = force / (3e9 * area);
     // It adds half of its mass at the end, and brings the angular momentum of what goes down.

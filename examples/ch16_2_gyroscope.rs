@@ -25,7 +25,7 @@ mod rotor;
 use kit::heavy_top::{Motion, Nod, trajectory};
 use kit::{ClaimEntry, Report, Result, Trajectory, claim};
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
-use rotation_dynamics::integrators::Ode;
+use rotation_dynamics::integrators::{Ode, size_or};
 use rotation_dynamics::math::sincos;
 
 // ANCHOR: equations
@@ -50,6 +50,10 @@ impl Ode<4> for Equations {
             precession,
             1.0 / a.sqrt() - precession * u, // (6)
         ]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 // ANCHOR_END: equations

@@ -15,7 +15,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, ode, second_order};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, ode, second_order, size_or};
 
 parameters! {
     /// The cylinder of section 15.4; the notes leave all numbers open.
@@ -126,6 +126,7 @@ impl Cylinder {
                 ],
             }
         })
+        .scaled(size_or([1.0; 4]))
     }
     // ANCHOR_END: lagrange
 

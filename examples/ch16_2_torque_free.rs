@@ -15,7 +15,7 @@ use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityGradient;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, ode};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, ode, size_or};
 use rotation_dynamics::scene::Scene;
 
 parameters! {
@@ -144,6 +144,7 @@ impl Top {
             let zeta2 = turn * nod * s - phi2 * c;
             [nod, turn, spin, theta2, phi2, zeta2]
         })
+        .scaled(size_or([1.0; 6]))
     }
     // ANCHOR_END: lagrange
 

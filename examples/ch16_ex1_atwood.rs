@@ -10,7 +10,7 @@ use kit::driven_in_air;
 use kit::prelude::*;
 use machine::{Grip, Machine, capstan};
 use rotation_dynamics::Error;
-use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::integrators::{after, ode, size_or};
 use rotation_dynamics::math::asinh;
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
@@ -336,7 +336,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let bearing = 0.1 * 0.005 / p.radius * load / (driven * p.gravity);
     let air = 0.5 * 1.204 * 0.02 * speed * speed / (driven * p.gravity);
     // The square of the speed on the way down, over that without air.
-    let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]);
+    let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]).scaled(size_or([1.0; 1]));
     let blown = air * after(1.0, &law, &[0.0], 1e-12)?[0];
     let thick = 0.004 / p.radius;
     let stretch = a.tensions[0] / (1e9 * 1.6e-5 * PI);

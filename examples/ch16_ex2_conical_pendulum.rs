@@ -7,7 +7,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, after, newton};
+use rotation_dynamics::integrators::{
+    Dop853, LocatedEvent, Ode, Solution, Work, after, newton, size_or,
+};
 use rotation_dynamics::integrators::{place_and_velocity, second_order, small_frequency};
 
 parameters! {
@@ -122,6 +124,7 @@ pub fn force(q: f64, theta: f64) -> f64 {
 pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
     let g = SpaceVector::new(0.0, 0.0, -squares(q)[1]);
     newton(move |_, [r, v]| g - r * tension(q, [r, v]) - v * (drag * v.norm()))
+        .scaled(size_or([1.0; 6]))
 }
 
 /// Tension, over M l and the square of the unit of time: it keeps the bob at its distance.

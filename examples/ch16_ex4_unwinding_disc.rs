@@ -10,7 +10,7 @@ use kit::driven_in_air;
 use kit::interval::above_to;
 use kit::prelude::*;
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::integrators::{after, ode, size_or};
 use rotation_dynamics::planar::Run;
 use rotation_dynamics::planar::contact::QuadraticDrag;
 use string::{Disc, Leaves, long_string};
@@ -257,7 +257,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let last = a.velocity(a.unwound(p.wound));
     let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;
     // The square of the speed on the way down, over that without air.
-    let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]);
+    let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]).scaled(size_or([1.0; 1]));
     let blown = air * after(1.0, &law, &[0.0], 1e-12)?[0];
     effect_card! { report,
         "stretch of the string, at the turn": "T_max l/(R E A)" = jerked, costs spared, "of T_max";

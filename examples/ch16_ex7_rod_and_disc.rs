@@ -9,7 +9,7 @@ use rotation_dynamics::Error;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, size_or};
 use rotation_dynamics::integrators::{after, ode, second_order, small_frequency};
 
 parameters! {
@@ -119,6 +119,7 @@ fn coupled(share: f64, drag: f64, pull: fn(f64) -> f64) -> impl Ode<4> {
         let torque = drag * (rate - spin); // on the disc, over J
         [*rate, -pull(*theta) - share * torque, *spin, torque]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 /// Rod and disc as one body, in the same units.
@@ -281,6 +282,7 @@ pub fn double(p: &Parameters, m: &Moments) -> impl Ode<4> {
             (first * g - mix * f) / det,
         ]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {

@@ -21,7 +21,7 @@ use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::effects::{Effect, GravityAtLever};
-use rotation_dynamics::integrators::{Dop853, ode};
+use rotation_dynamics::integrators::{Dop853, ode, size_or};
 use rotation_dynamics::scene::Scene;
 use std::sync::Arc;
 use weigh::Question;
@@ -77,7 +77,8 @@ fn by_angles(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
             let pull = weight * s - precession * s * (axial - i1 * precession * c);
             let brake = strength * torque(axial / i3);
             [rate, pull / i1, precession, brake, brake * c]
-        });
+        })
+        .scaled(size_or([1.0; 5]));
         let (theta, axial) = (rotor.tilt, rotor.momentum());
         let start = [theta, 0.0, 0.0, axial, axial * cos(theta)];
         Dop853::new(1e-12)?.solve(&law, 0.0, &start, p.seconds, &[])

@@ -16,7 +16,7 @@ use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{KeplerOrbit, OrbitingBody};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Solution, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Solution, ode, size_or};
 
 /// One second of arc (rad), a day and a Julian year (s).
 pub const ARCSEC: f64 = PI / 648_000.0;
@@ -104,6 +104,7 @@ pub fn axis<const N: usize>(p: &Parameters, pulls: impl Fn(f64) -> [Pull; N]) ->
         }
         rate.to_array()
     })
+    .scaled(size_or([1.0; 3]))
 }
 
 /// Sun and Moon where they are, at every time.

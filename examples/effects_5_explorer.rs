@@ -17,7 +17,7 @@ use rotation_dynamics::exact::free_body::{FreeBody, FreeFlow};
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::inertia::{PrincipalMoments, solids};
 use rotation_dynamics::integrators::{
-    Dop853, Event, Integrator, Ode, Scheme, Separable, Solution, Splitting, Work, ode,
+    Dop853, Event, Integrator, Ode, Scheme, Separable, Solution, Splitting, Work, ode, size_or,
 };
 
 parameters! {
@@ -74,6 +74,7 @@ impl Lossy {
                 n[j] * w[k] - n[k] * w[j] + self.loss * (n[i] * along - w[i] * square)
             })
         })
+        .scaled(size_or([1.0; 3]))
     }
 }
 

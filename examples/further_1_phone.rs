@@ -11,7 +11,7 @@ use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, after, ode, second_order};
+use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, after, ode, second_order, size_or};
 use rotation_dynamics::scene::Scene;
 use throw::{Throw, delay, euler, exchange, growth, in_air, measured_growth, screen, sway};
 
@@ -108,7 +108,8 @@ pub fn steady(moments: [f64; 3], turns: f64, spread: f64) -> Result<f64> {
     let strip = 4.0 * into_1.sqrt() * exp(-growth(moments) * TAU * turns);
     let half_width = strip / (spread * (1.0 + into_1 / into_3).sqrt());
     // What a bell curve has outside.
-    let bell = ode(|x, _: &[f64; 1]| [exp(-0.5 * x * x) * (2.0 / PI).sqrt()]);
+    let bell =
+        ode(|x, _: &[f64; 1]| [exp(-0.5 * x * x) * (2.0 / PI).sqrt()]).scaled(size_or([1.0; 1]));
     Ok(after(half_width.min(9.0), &bell, &[0.0], 1e-12)?[0])
 }
 

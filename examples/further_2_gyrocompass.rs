@@ -6,7 +6,7 @@ mod figures;
 use core::f64::consts::PI;
 use kit::prelude::*;
 use rotation_dynamics::exact::carlson;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, size_or};
 use rotation_dynamics::integrators::{after, newton, ode, place_and_velocity, small_frequency};
 
 /// Angular velocity of the Earth against the stars, rad/s.
@@ -89,6 +89,7 @@ impl Compass {
             let sinking = self.offset * self.pendulosity / self.momentum * axle.dot(&up);
             (drift + raised * ((self.pivot * rate - sinking) / raised.norm())).to_array()
         })
+        .scaled(size_or([1.0; 3]))
     }
 
     /// The whole body, nutation and all: its axle and the part of its angular velocity
@@ -435,7 +436,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         horizon: horizon(EARTH, p.latitude, p.speed),
         ..c
     };
-    let stone = newton(|_, [r, _]| r * (-p.gravity / RADIUS * r.norm().powi(-3)));
+    let stone =
+        newton(|_, [r, _]| r * (-p.gravity / RADIUS * r.norm().powi(-3))).scaled(size_or([1.0; 6]));
     let round = Dop853::new(1e-14)?.zero(
         &stone,
         [1.0, 0.0, 0.0, 0.0, (p.gravity / RADIUS).sqrt(), 0.0],

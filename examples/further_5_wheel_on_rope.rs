@@ -7,7 +7,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::integrators::{Dop853, Event, LocatedEvent, Ode, Solution, after, ode};
+use rotation_dynamics::integrators::{
+    Dop853, Event, LocatedEvent, Ode, Solution, after, ode, size_or,
+};
 
 parameters! {
     /// The bicycle wheel of section 16.2, on a rope.
@@ -72,7 +74,7 @@ impl Wheel {
     /// By Newton's law and the rope's pull, in space: directions of rope and axle, each
     /// followed by its rate.
     pub fn hung(self) -> impl Ode<12> {
-        ode(move |_, y: &[f64; 12]| self.rates(&place(y)))
+        ode(move |_, y: &[f64; 12]| self.rates(&place(y))).scaled(size_or([1.0; 12]))
     }
 
     pub fn rates(&self, now: &Place) -> [f64; 12] {
@@ -117,6 +119,7 @@ impl Wheel {
             let a = self.accelerations(q);
             [q[4], q[5], q[6], q[7], a[0], a[1], a[2], a[3]]
         })
+        .scaled(size_or([1.0; _]))
     }
 
     /// What rope and axle gain per rate of each coordinate, and what is left of their second
@@ -601,7 +604,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn braked(p: &Parameters, wheel: &Wheel, density: f64) -> Result<[f64; 2]> {
     let torque = 0.0066 * density * p.spin * p.spin * p.radius.powi(5);
     let slowing = torque / (wheel.momentum * wheel.steady(0.0)?[0]);
-    let law = ode(|_, &[spin, _]: &[f64; 2]| [-slowing * spin * spin, 1.0 / spin]);
+    let law = ode(|_, &[spin, _]: &[f64; 2]| [-slowing * spin * spin, 1.0 / spin])
+        .scaled(size_or([1.0; 2]));
     let round = |&[_, turned]: &[f64; 2]| turned - 2.0 * PI;
     let (once, _) = Dop853::new(1e-13)?.zero(&law, [1.0, 0.0], 1, 7.0, round)?;
     Ok([slowing, once.state[0]])

@@ -8,7 +8,7 @@ pub mod rolling;
 use core::f64::consts::PI;
 use kit::prelude::*;
 use rolling::{Ball, Moving, STILL, Surface, at};
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode, size_or};
 
 parameters! {
     /// A ball on a table of the laboratory, and a golf ball in its hole.
@@ -230,6 +230,7 @@ fn naive(rate: f64, shape: f64) -> impl Ode<4> {
         let [ax, ay] = [rate * x - 2.0 * vy, rate * y + 2.0 * vx];
         [vx, vy, nu * ax, nu * ay]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 fn circle(p: &Parameters, report: &mut Report) -> Result<()> {

@@ -17,7 +17,7 @@ use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::components;
-use rotation_dynamics::integrators::{self, Dop853, after, ode};
+use rotation_dynamics::integrators::{self, Dop853, after, ode, size_or};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::nalgebra::Matrix3;
 use rotation_dynamics::scene::Scene;
@@ -286,7 +286,8 @@ fn tilt_by_angles(torque: f64) -> Result<f64> {
         let precession = (vertical - axial * c) / (i1 * s * s);
         let pull = weight * s - precession * s * (axial - i1 * precession * c);
         [rate, pull / i1, torque * c]
-    });
+    })
+    .scaled(size_or([1.0; 3]));
     Ok(after(1.0, &law, &[1.0, 0.0, spin * cos(1.0)], 1e-13)?[0])
 }
 

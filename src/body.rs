@@ -11,7 +11,7 @@
 
 mod designed;
 
-pub use designed::DesignedBody;
+pub use designed::{DesignState, DesignedBody};
 
 use crate::attitude::Attitude;
 use crate::error::{Result, finite};
@@ -30,7 +30,8 @@ pub struct RigidBody {
 /// The fields are open for those who integrate; [`State::new`] checks them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
-    /// The rotation body -> space.
+    /// The rotation principal axes -> space. (Of a [`DesignedBody`] the axes of its drawing are
+    /// turned as [`DesignState::attitude`] says.)
     pub attitude: Attitude,
     /// Angular momentum about the body's reference point, on the fixed axes.
     pub angular_momentum: SpaceVector,

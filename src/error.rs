@@ -62,11 +62,13 @@ pub enum Error {
         value: Vec<f64>,
         allowed: Cow<'static, str>,
     },
-    /// An effect's torque is `off` its own `claim`, by more than is `allowed`.
+    /// An effect's torque is `off` its own `claim`, by more than is `allowed`: in a state of the motion,
+    /// or at a `probe` of another attitude and momentum at the time `t`.
     Contradiction {
         effect: String,
         claim: &'static str,
         t: f64,
+        probe: bool,
         off: f64,
         allowed: f64,
     },
@@ -221,12 +223,24 @@ impl Error {
     /// The entry of a list that does not come after the one before it.
     pub(crate) fn not_rising(name: &'static str, index: usize, before: f64, value: f64) -> Self {
         let allowed = format!("the one before it is {}, and they must rise", plain(before));
-        let reason = Box::new(Self::out_of_range("value", value, allowed));
+        Self::at_index(name, index, Self::out_of_range("value", value, allowed))
+    }
+
+    /// [`Error::AtIndex`] of these.
+    pub(crate) fn at_index(name: &'static str, index: usize, reason: Self) -> Self {
         Self::AtIndex {
             name,
             index,
-            reason,
+            reason: Box::new(reason),
         }
+    }
+
+    /// A contradiction found at a probe.
+    pub(crate) fn probed(mut self) -> Self {
+        if let Self::Contradiction { probe, .. } = &mut self {
+            *probe = true;
+        }
+        self
     }
 }
 
@@ -252,16 +266,16 @@ impl fmt::Display for Error {
             AtIndex { name, index, reason } => "{name}[{index}]: {reason}";
             FunctionOutOfRange { what, t, variables, state, value, allowed } =>
                 "the {what} at t = {}, {variables} = {state:?} is {value:?}; {allowed}", n(t);
-            Contradiction { effect, claim, t, off, .. } if off.is_nan() =>
-                "\"{effect}\" says {claim}, and at t = {} what it says is no number", n(t);
-            Contradiction { effect, claim, t, off, allowed } =>
-                "\"{effect}\" says {claim}, and at t = {} its torque is off that by {off:.3e} \
-                 (at most {} is allowed)", n(t), brief(*allowed);
+            Contradiction { effect, claim, t, probe, off, .. } if off.is_nan() =>
+                "\"{effect}\" says {claim}, and {} what it says is no number", place(*t, *probe);
+            Contradiction { effect, claim, t, probe, off, allowed } =>
+                "\"{effect}\" says {claim}, and {} its torque is off that by {off:.3e} \
+                 (at most {} is allowed)", place(*t, *probe), brief(*allowed);
             Sliding { effect, t } =>
                 "sliding motion at a jump of \"{effect}\" near t = {}: the torque jumps with the \
                  state, back and forth in every step, and the steps collapse; let it pass from one \
-                 value to the other over a small width, as tanh does, or end the motion there",
-                brief(*t);
+                 value to the other over a small width, as tanh does, give it hysteresis, sample it at \
+                 a rate (`Torque::sampled`), or end the motion there", brief(*t);
             Unseen { effect, requested, every } =>
                 "an error of {requested:e} is asked for, and runs do not agree: the torque of \
                  \"{effect}\" was looked at every {} s, and what is shorter may be unseen; \
@@ -292,9 +306,14 @@ impl fmt::Display for Error {
                  time is a 32nd of a turn or more", n(t);
             OutsideRun { t, start, end } =>
                 "t = {} is outside the run, which goes from {} to {}", n(t), n(start), n(end);
+            NotRotation { deviation, determinant } if *determinant > 0.0 =>
+                "the matrix is not a rotation: R^T R is off 1 by {deviation:.3e} (at most 1e-12 is \
+                 allowed) and its determinant is {} (it must be +1); `Attitude::nearest` finds the \
+                 rotation nearest to it, and says how far it is off", n(determinant);
             NotRotation { deviation, determinant } =>
                 "the matrix is not a rotation: R^T R is off 1 by {deviation:.3e} (at most 1e-12 is \
-                 allowed) and its determinant is {} (it must be +1)", n(determinant);
+                 allowed) and its determinant is {} (it must be +1, of right-handed axes)",
+                n(determinant);
             GimbalLock { sequence, angle, locked } =>
                 "second angle = {} of {sequence}: the first and the third turn are about the \
                  same line and their rates are not defined; it must not be {locked}", n(angle);
@@ -355,6 +374,17 @@ impl fmt::Display for Error {
     }
 }
 
+/// Where a claim was tried.
+fn place(t: f64, probe: bool) -> String {
+    match probe {
+        true => format!(
+            "probed at t = {}, at another attitude and momentum,",
+            plain(t)
+        ),
+        false => format!("at t = {}", plain(t)),
+    }
+}
+
 /// What has these moments, though it is no body that turns freely.
 fn thin(moments: &[f64; 3]) -> &'static str {
     match moments.iter().any(|m| *m > 0.0) {
@@ -402,6 +432,16 @@ pub fn finite(name: &'static str, value: f64) -> Result<f64> {
         Ok(value)
     } else {
         Err(Error::NotFinite { name, value })
+    }
+}
+
+/// Checks that every entry of a list is finite.
+pub(crate) fn all_finite(name: &'static str, values: &[f64]) -> Result<()> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => finite("value", values[index])
+            .map(|_| ())
+            .map_err(|reason| Error::at_index(name, index, reason)),
     }
 }
 

@@ -16,7 +16,10 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use nalgebra::Vector3;
 
 mod sealed {
-    pub trait Sealed {}
+    pub trait Sealed {
+        /// The name of a vector on these axes.
+        const VECTOR: &'static str;
+    }
 }
 
 /// A set of axes in which components are given.
@@ -33,9 +36,15 @@ pub struct Body;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Design;
 
-impl sealed::Sealed for Space {}
-impl sealed::Sealed for Body {}
-impl sealed::Sealed for Design {}
+impl sealed::Sealed for Space {
+    const VECTOR: &'static str = "SpaceVector";
+}
+impl sealed::Sealed for Body {
+    const VECTOR: &'static str = "BodyVector";
+}
+impl sealed::Sealed for Design {
+    const VECTOR: &'static str = "DesignVector";
+}
 impl Frame for Space {}
 impl Frame for Body {}
 impl Frame for Design {}
@@ -52,6 +61,7 @@ impl Frame for Design {}
 /// let walk: SpaceVector = steps.iter().sum();
 /// assert_eq!(walk[0], 1.25);
 /// assert_eq!(format!("{walk:.2} m"), "(1.25, 2.00, 0.50) m");
+/// assert_eq!(format!("{walk:?}"), "SpaceVector(1.25, 2.0, 0.5)");
 /// assert_eq!(<[f64; 3]>::from(walk), [1.25, 2.0, 0.5]);
 /// assert_eq!(nalgebra::Vector3::from(walk).y, walk.y());
 /// ```
@@ -66,7 +76,7 @@ impl Frame for Design {}
 /// let start = body.state(Attitude::IDENTITY, spin)?; // it wants a BodyVector
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Vector<F: Frame> {
     components: Vector3<f64>,
     frame: PhantomData<F>,
@@ -109,7 +119,7 @@ impl<F: Frame> Vector<F> {
 
     /// The vector with these components, as a nalgebra column.
     #[inline]
-    pub const fn from_column(components: Vector3<f64>) -> Self {
+    pub(crate) const fn from_column(components: Vector3<f64>) -> Self {
         Self {
             components,
             frame: PhantomData,

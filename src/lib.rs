@@ -131,6 +131,7 @@ pub mod motion;
 pub mod planar;
 pub mod scene;
 pub mod tops;
+mod written;
 
 pub use error::{Error, Result};
 /// Vectors and attitudes convert from and to its types.

@@ -7,7 +7,8 @@
 //! [`crate::exact`] and by [`crate::integrators`].
 
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Conserved, Effect, EffectList};
+use crate::effects::erased::AnyEffect;
+use crate::effects::{Conserved, Effect, EffectList};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::larger;
 
@@ -96,6 +97,16 @@ impl<E: Effect> Scene<E> {
     /// let scene = Scene::new(body).with(gravity).with(gravity);
     /// # Ok(())
     /// # }
+    /// ```
+    ///
+    /// A closure or a list is no effect, and the compiler says of what it becomes one:
+    ///
+    /// ```compile_fail,E0277
+    /// # use rotation_dynamics::{body::RigidBody, frame::SpaceVector};
+    /// # use rotation_dynamics::{inertia::PrincipalMoments, scene::Scene};
+    /// # let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+    /// let scene = Scene::new(body).with(|_t, _body, _state| SpaceVector::zero());
+    /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
     pub fn with<F: Effect>(self, effect: F) -> Scene<(E, F)> {
         const {

@@ -36,7 +36,7 @@ mod ties;
 mod units;
 
 use rotation_dynamics::Error;
-use rotation_dynamics::integrators::Dop853;
+use rotation_dynamics::integrators::{Dop853, size_or};
 use rotation_dynamics::planar::{Bilateral, Condition, Next, Phased, simulate, simulate_within};
 use support::{EPS, Errors, assert_error};
 
@@ -56,6 +56,10 @@ impl Phased<2> for Ball {
     fn conditions(&self, _: ()) -> Vec<Condition<'_, (), 2>> {
         let rebound = Next::jump((), |[_, v]: &[f64; 2]| [0.0, -self.restitution * v]);
         vec![Condition::gap("height", |y| y[0], rebound)]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 
@@ -162,6 +166,10 @@ impl Phased<2> for Dome {
             Condition::contact("leaves", push, Next::End),
             Condition::gap("floor", floor, Next::End),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 

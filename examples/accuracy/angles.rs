@@ -5,7 +5,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
 use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, size_or};
 use rotation_dynamics::math::sincos;
 
 /// Equations (4) to (6) of the notes, 16.2: theta, its rate, phi and zeta. The state has
@@ -23,6 +23,10 @@ impl Ode<4> for Angles {
         let precession = a.sqrt() * (b - u) / (s * s);
         let torque = c * s - a * (b - u) * (1.0 - b * u) / (s * s * s);
         [rate, torque, precession, 1.0 / a.sqrt() - precession * u]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 

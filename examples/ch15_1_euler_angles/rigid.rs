@@ -1,13 +1,14 @@
 //! How rigid is a steel rod: hung up, spun, warmed, and pushed at one end.
 
 use super::*;
-use rotation_dynamics::integrators::{Dop853, Integrator, Work};
+use rotation_dynamics::integrators::{Dop853, Integrator, Work, size_or};
 
 /// The end of a rod of length 1 that is held at 0 and pulled lengthwise, per piece by
 /// `strain * pull`: how far it moves, over the strain. The piece at s goes to
 /// x = s + strain u with u'' = -pull(x), and no tension is left at the free end.
 pub fn stretched(strain: f64, pull: fn(f64) -> f64) -> Result<(f64, Work)> {
-    let rod = ode(|s, [u, slope]: &[f64; 2]| [*slope, -pull(s + strain * u)]);
+    let rod =
+        ode(|s, [u, slope]: &[f64; 2]| [*slope, -pull(s + strain * u)]).scaled(size_or([1.0; 2]));
     let method = Dop853::new(1e-14)?;
     let pulled = |slope| method.advance(&rod, 0.0, &[0.0, slope], 1.0);
     // Of two guesses: the slope at the free end is linear in that at the held one.
@@ -32,7 +33,8 @@ pub fn pushed<const N: usize>() -> Result<(f64, Work)> {
             slope[masses + i] = stiffness * (before - 2.0 * y[i] + after);
         }
         slope
-    });
+    })
+    .scaled(size_or([1.0; N]));
     let mut start = [0.0; N];
     start[masses..].fill(-1.0);
     let (most, work) = Dop853::new(1e-10)?.zero(&chain, start, 1, 2.0, |y| y[N - 1])?;

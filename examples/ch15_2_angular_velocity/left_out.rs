@@ -1,7 +1,7 @@
 //! What the page leaves out: a camera sees turns and no rates, a laboratory turns, a rotor swells.
 
 use super::{Attitude, EulerRates, Gyroscope, Parameters, Report, Result, UP, ode, seen_from};
-use rotation_dynamics::integrators::{Dop853, Integrator, Work};
+use rotation_dynamics::integrators::{Dop853, Integrator, Work, size_or};
 
 /// By how much the turn between two pictures, over the time between them, misses the angular
 /// velocity in the middle (rad/s).
@@ -33,7 +33,8 @@ pub fn swollen(nu: f64) -> Result<(f64, Work)> {
     let disc = ode(|x, [e, s]: &[f64; 2]| {
         let (along, around) = ((1.0 - nu * nu) * s - nu * e, nu * s + e);
         [(along - e) / x, (around - s) / x - x]
-    });
+    })
+    .scaled(size_or([1.0; 2]));
     let (method, near) = (Dop853::new(1e-12)?, 1e-2);
     // In the middle it is stretched alike in all directions; the stress at the rim is linear
     // in by how much.

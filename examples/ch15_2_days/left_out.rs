@@ -3,7 +3,7 @@
 
 use super::*;
 use rotation_dynamics::effects::KeplerOrbit;
-use rotation_dynamics::integrators::after;
+use rotation_dynamics::integrators::{after, size_or};
 
 /// How far the Earth circles the centre that it has in common with the Moon, over the distance of
 /// the Sun.
@@ -81,7 +81,8 @@ pub fn by_jupiter(mass: f64) -> Result<(f64, Work)> {
         let (sun, planet) = (rate * rate - 1.0 / cube(*x, *y), mass / cube(far - x, *y));
         let along = sun * x + planet * (far - x) - mass / (far * far) + 2.0 * rate * v;
         [*u, *v, along, (sun - planet) * y - 2.0 * rate * u]
-    });
+    })
+    .scaled(size_or([1.0; 4]));
     // It crosses the line from the Sun to Jupiter at right angles, and must do so again half a
     // round later: then it comes back to the same.
     let method = Dop853::new(1e-13)?;

@@ -2,7 +2,7 @@
 //! noons as located events.
 
 use super::{Dop853, Parameters, Result, TAU, Work, atan2, ode, past_meridian, path, sincos};
-use rotation_dynamics::integrators::{Event, Integrator};
+use rotation_dynamics::integrators::{Event, Integrator, size_or};
 
 /// Place and velocity of the Sun when it is nearest.
 fn perigee(p: &Parameters) -> [f64; 4] {
@@ -45,7 +45,8 @@ pub fn noons_seen(
 /// turning at `rate`: when OP faces the Sun again, and when it points at the same star again.
 pub fn facing(rate: f64, motion: f64, step: f64) -> Result<[f64; 2]> {
     let arrows =
-        ode(move |_, [x, y, u, v]: &[f64; 4]| [-motion * y, motion * x, -rate * v, rate * u]);
+        ode(move |_, [x, y, u, v]: &[f64; 4]| [-motion * y, motion * x, -rate * v, rate * u])
+            .scaled(size_or([1.0; 4]));
     let (method, start) = (Dop853::new(step)?, [1.0, 0.0, 1.0, 0.0]);
     let until = 3.0 * TAU / (rate - motion);
     let time = |f: fn(&[f64; 4]) -> f64| {

@@ -2,7 +2,7 @@
 //! contacts: no conservation law is used. The rod is hinged at its middle, or free.
 
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::{Dop853, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
 use rotation_dynamics::math::{hypot, sincos};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion_within,
@@ -139,7 +139,8 @@ impl Strike {
         let law = ode(move |_, &[depth, closing, rate, _]: &[f64; 4]| {
             let slows = 1.0 - part + part * lever;
             [closing, -slows * depth, lever * depth, rate]
-        });
+        })
+        .scaled(size_or([1.0; 4]));
         let start = [0.0, 1.0, 0.0, 0.0];
         let (met, work) = Dop853::new(1e-14)?.zero(&law, start, 1, 10.0, |y| y[1])?;
         let [_, _, rate, angle] = met.state;

@@ -1,7 +1,7 @@
 //! A ball hits a dumbbell, simulated with contacts that push: no conservation law is used, and
 //! whoever meets again is hit again. Mass of the ball, length of the stick and speed are 1.
 
-use rotation_dynamics::integrators::{Dop853, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
 use rotation_dynamics::math::{hypot, sincos};
 use rotation_dynamics::planar::contact::{
     Contact, ContactEvent, ContactMotion, Mechanism, MechanismState, motion,
@@ -184,7 +184,8 @@ pub fn rubbed(after: &MechanismState<5>, friction: f64) -> Result<(f64, Work)> {
         let (q, v) = ([x, y, angle, 0.0, 0.0], [u, v, turn, 0.0, 0.0]);
         let [fx, fy, moment] = rubbing(&MechanismState { q, v }).map(|force| friction * force);
         [v[0], v[1], turn, fx, fy, 4.0 * moment]
-    });
+    })
+    .scaled(size_or([1.0; 6]));
     let ([u, v, turn, ..], speed) = (after.v, hypot(after.v[0], after.v[1]));
     let start = [0.0, 0.0, 0.0, u, v, turn];
     let far = |y: &[f64; 6]| hypot(y[0], y[1]) - 1.0;

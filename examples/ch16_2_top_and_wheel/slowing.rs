@@ -10,7 +10,7 @@ use rotation_dynamics::effects::{CoulombBearing, GravityAtLever};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::{components, state};
-use rotation_dynamics::integrators::{Dop853, Solution, after, ode};
+use rotation_dynamics::integrators::{Dop853, Solution, after, ode, size_or};
 use rotation_dynamics::math::{acos, cos, pow, sin, sincos};
 use rotation_dynamics::scene::Scene;
 
@@ -55,7 +55,8 @@ pub fn lead_by_angles(body: &Body, torque: impl Fn(f64) -> f64) -> Result<f64> {
             let pull = weight_moment * s - rate * s * (momentum - i1 * rate * c);
             [nutation, pull / i1, rate, brake, brake * c]
         },
-    );
+    )
+    .scaled(size_or([1.0; 5]));
     let momentum = body.i3 * body.spin;
     let vertical = momentum * cos(body.theta) + i1 * rate * pow(sin(body.theta), 2.0);
     let start = [body.theta, 0.0, 0.0, momentum, vertical];

@@ -3,7 +3,7 @@
 
 use core::f64::consts::PI;
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::{Dop853, after, ode};
+use rotation_dynamics::integrators::{Dop853, after, ode, size_or};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
 /// The machine. Its state is the way and the velocity of the mass on the left downward, and the
@@ -145,6 +145,10 @@ impl Phased<4> for Machine {
         });
         all
     }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
+    }
 }
 
 /// The ratio of the tensions of a rope that slips over half a turn, from the pull of each piece:
@@ -152,7 +156,7 @@ impl Phased<4> for Machine {
 pub fn capstan(friction: f64) -> Result<f64> {
     Ok(after(
         PI,
-        &ode(move |_, [t]: &[f64; 1]| [friction * t]),
+        &ode(move |_, [t]: &[f64; 1]| [friction * t]).scaled(size_or([1.0; 1])),
         &[1.0],
         1e-14,
     )?[0])

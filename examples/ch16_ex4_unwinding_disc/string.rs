@@ -4,7 +4,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::times;
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::{Dop853, Event, Solution, ode};
+use rotation_dynamics::integrators::{Dop853, Event, Solution, ode, size_or};
 use rotation_dynamics::math::{atan2, hypot, sin, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
@@ -130,7 +130,8 @@ impl Disc {
             let (pull, [ux, uy], [c, s]) = string(y);
             let spin = pull * (s * ux - c * uy) / self.shape;
             [y[3], y[4], y[5], -pull * ux, -pull * uy - 1.0, spin]
-        });
+        })
+        .scaled(size_or([1.0; 6]));
         let along = |y: &[f64; 6]| {
             let (_, u, arm) = string(y);
             u[0] * arm[0] + u[1] * arm[1]
@@ -161,7 +162,7 @@ impl Disc {
         };
         let spin = (2.0 * self.wound / (1.0 + k)).sqrt();
         let winds = Event::rising("winds", |_, y: &[f64; 4]| sin(y[0] - y[1])).terminal();
-        let turn = ode(|_, y: &[f64; 4]| knot(y).0);
+        let turn = ode(|_, y: &[f64; 4]| knot(y).0).scaled(size_or([1.0; 4]));
         let over = method.solve(&turn, 0.0, &[0.0, 0.0, 0.0, spin], 1e5, &[winds])?;
         let peak = highest([0.0, over.end_time()], |t| Ok(knot(&over.at(t)?).1))?[1];
         let [string, _, rate, turns] = *over.end_state();
@@ -169,7 +170,8 @@ impl Disc {
             let ((sine, cosine), out) = (sincos(angle), rate - turns);
             let swing = (s * rate * rate - s * sine - 2.0 * s * out * rate) / (s * s);
             [rate, swing, out, -(s * rate * rate + cosine) / (1.0 + k)]
-        });
+        })
+        .scaled(size_or([1.0; 4]));
         let top = Event::falling("top", |_, y: &[f64; 4]| y[3] - y[1]).terminal();
         let up = method.solve(&reel, 0.0, &[string, rate, l, turns], 1e5, &[top])?;
         let climb = l - up.end_state()[2];
@@ -210,6 +212,10 @@ impl Phased<6> for Disc {
         });
         all
     }
+
+    fn scale(&self, y: &[f64; 6]) -> [f64; 6] {
+        size_or([1.0; 6])(y)
+    }
 }
 
 /// The turn over the knot on a string so long that it stays vertical, to its lowest point: the
@@ -221,7 +227,7 @@ pub fn long_string(shape: f64, wound: f64, step: f64) -> Result<[f64; 2]> {
     };
     let start = [0.0, (2.0 * wound / (1.0 + shape)).sqrt()];
     let lowest = Event::rising("lowest", |_, y: &[f64; 2]| y[0] - FRAC_PI_2).terminal();
-    let turn = ode(|_, y: &[f64; 2]| [y[1], faster(y[0], y[1])]);
+    let turn = ode(|_, y: &[f64; 2]| [y[1], faster(y[0], y[1])]).scaled(size_or([1.0; 2]));
     let turned: Solution<2> = Dop853::new(step)?.solve(&turn, 0.0, &start, 1e5, &[lowest])?;
     let rate = turned.end_state()[1];
     Ok([1.0 + rate * rate, 2.0 * turned.end_time()])

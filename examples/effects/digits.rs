@@ -12,7 +12,7 @@ use rotation_dynamics::effects::{
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, ode};
+use rotation_dynamics::integrators::{Dop853, ode, size_or};
 use rotation_dynamics::math::{EPS, acos, log10, sincos};
 use rotation_dynamics::scene::Scene;
 
@@ -257,7 +257,8 @@ fn great_year() -> Result<Case> {
         .sum();
     let (s, c) = sincos(OBLIQUITY);
     // Time in units of the span.
-    let law = ode(move |_, [x, y, z]: &[f64; 3]| [k * end * z * y, -k * end * z * x, 0.0]);
+    let law = ode(move |_, [x, y, z]: &[f64; 3]| [k * end * z * y, -k * end * z * x, 0.0])
+        .scaled(size_or([1.0; 3]));
     let run = Dop853::new(1e-12)?.solve(&law, 0.0, &[0.0, -s, c], 1.0, &[])?;
     let mut largest = 0.0_f64;
     for n in 1..=400 {

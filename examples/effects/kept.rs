@@ -38,7 +38,7 @@ impl<E: Effect> Ode<8> for WithWork<'_, E> {
 // ANCHOR_END: balance
 
 /// What a run says of a scene.
-pub struct Kept {
+pub struct Drift {
     pub names: Vec<&'static str>,
     /// The largest change of a conserved quantity, as a part of its kind, over eps and steps.
     pub drift: f64,
@@ -60,7 +60,7 @@ fn symbol(quantity: Invariant) -> &'static str {
 }
 
 /// A run of ten seconds.
-pub fn run<E: Effect>(scene: &Scene<E>, start: &State) -> Result<Kept> {
+pub fn run<E: Effect>(scene: &Scene<E>, start: &State) -> Result<Drift> {
     let end = 10.0;
     let [w, x, y, z, a, b, c] = components(start);
     let method = Dop853::new(1e-15)?;
@@ -84,7 +84,7 @@ pub fn run<E: Effect>(scene: &Scene<E>, start: &State) -> Result<Kept> {
         })
         .fold(0.0, f64::max);
     let gained = (scene.energy_at(end, &last) - scene.energy_at(0.0, start)) / energy;
-    Ok(Kept {
+    Ok(Drift {
         names: scene.invariants().map(symbol).collect(),
         drift: drift / (EPS * work.steps as f64),
         balance: (gained - done / energy).abs(),

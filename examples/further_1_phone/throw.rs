@@ -9,7 +9,7 @@ use rotation_dynamics::exact::carlson::rf;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, after, ode};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, after, ode, size_or};
 use rotation_dynamics::math::{atan2, cos, hypot, log, sin, sincos};
 
 /// Moments I1 < I2 < I3 and rates at the release, that about axis 2 not zero.
@@ -100,6 +100,7 @@ pub fn in_air(moments: [f64; 3], [length, width]: [f64; 2], press: f64) -> impl 
         }
         [p, q, r]
     })
+    .scaled(size_or([1.0; 3]))
 }
 
 /// By how much air delays the flip (s), to first order in the parts of the rates about axes 1 and

@@ -3,7 +3,7 @@
 //! of the disc.
 
 use super::*;
-use rotation_dynamics::integrators::{Event, Ode, Solution, ode};
+use rotation_dynamics::integrators::{Event, Ode, Solution, ode, size_or};
 
 /// What takes energy from the disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,6 +132,7 @@ pub fn rolling(loss: Loss) -> impl Ode<9> {
             v.y(),
         ]
     })
+    .scaled(size_or([1.0; 9]))
 }
 // ANCHOR_END: disc
 

@@ -5,7 +5,7 @@
 use core::f64::consts::FRAC_PI_2;
 use kit::interval::at_least;
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::{Dop853, Event, ode};
+use rotation_dynamics::integrators::{Dop853, Event, ode, size_or};
 use rotation_dynamics::math::{atan2, cos, hypot, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
@@ -110,6 +110,10 @@ impl Phased<4> for YoYo {
         };
         vec![slack, other]
     }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
+    }
 }
 
 /// The same by Newton's law, for a weight of any mass on strings that may give.
@@ -161,6 +165,7 @@ impl Reel {
                 let (out, across) = (out + r * round * round, across - 2.0 * v * round);
                 [v, round, spin, out, across / r, slower]
             })
+            .scaled(size_or([1.0; 6]))
         };
         // A string that gives may begin without a free part.
         let first = if self.stiffness.is_none() { 1e-4 } else { 0.0 };

@@ -3,7 +3,7 @@
 use super::*;
 use kit::draw::Camera;
 use rolling::Touch;
-use rotation_dynamics::integrators::{newton, place_and_velocity};
+use rotation_dynamics::integrators::{newton, place_and_velocity, size_or};
 use rotation_dynamics::planar::Run;
 
 /// A table seen from above, with its axis.
@@ -115,7 +115,7 @@ figures! { p: &Parameters;
         let start = thrown(&ball, [0.08, -0.16], [0.0, 0.2]);
         let along = p.gravity * sin(p.tilt) / 1.4;
         // The field B points downward, and q E/m is along x.
-        let fields = newton(move |_, [_, v]| SpaceVector::new(along - nu * v.y(), nu * v.x(), 0.0));
+        let fields = newton(move |_, [_, v]| SpaceVector::new(along - nu * v.y(), nu * v.x(), 0.0)).scaled(size_or([1.0; 6]));
         let charge = [0.08, -0.16, 0.0, 0.0, 0.2, 0.0];
         let dots = sampled(times(0.0, end, 24), |t| {
             let [r, _] = place_and_velocity(&after(t, &fields, &charge, 1e-11)?);

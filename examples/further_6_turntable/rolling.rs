@@ -6,7 +6,7 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, Ode, ode};
+use rotation_dynamics::integrators::{Dop853, Ode, ode, size_or};
 use rotation_dynamics::math::hypot;
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
@@ -244,5 +244,9 @@ impl Phased<13> for Ball {
             }
         });
         all
+    }
+
+    fn scale(&self, y: &[f64; 13]) -> [f64; 13] {
+        size_or([1.0; 13])(y)
     }
 }

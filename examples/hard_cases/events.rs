@@ -7,7 +7,7 @@ use super::table::{Cell, Family, Naive, Row, bound};
 use kit::Result;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
-use rotation_dynamics::integrators::Dop853;
+use rotation_dynamics::integrators::{Dop853, size_or};
 use rotation_dynamics::math::{atan2, sincos};
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, MechanismState, motion, motion_within,
@@ -67,6 +67,10 @@ impl Phased<2> for Thrown {
     fn conditions(&self, (): ()) -> Vec<Condition<'_, (), 2>> {
         let back = Next::jump((), |&[y, speed]: &[f64; 2]| [y, -speed]);
         vec![Condition::gap("ceiling", |y| CEILING - y[0], back)]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 
@@ -141,6 +145,10 @@ impl Phased<4> for Corner {
             Condition::gap("wall", |y| 1.0 - y[0], wall),
             Condition::gap("floor", |y| y[1], floor),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 
@@ -247,6 +255,10 @@ impl Phased<2> for Belt {
         } else {
             Condition::opening_gap("sticks", |y| BELT - y[1], sticking)
         }]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Errors of a state against the exact one.
 
 use crate::body::State;
-use crate::effects::AnyEffect;
+use crate::effects::erased::AnyEffect;
 use crate::math::larger;
 use crate::scene::{Invariant, Scene};
 

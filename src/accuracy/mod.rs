@@ -29,3 +29,15 @@ pub use neglected::{MARGIN, Measured, NeglectedEffects, PredictedError};
 pub use problem::Problem;
 pub use stepper::{Resolution, Stepper, Variables, applies};
 pub use sweep::{DigitPrice, Point, Run, Sweep, WorkPrecision, front};
+
+use crate::error::{Error, Result, finite};
+
+/// Checks an error asked of an attitude (rad).
+fn tolerance_of_attitude(tolerance: f64) -> Result<()> {
+    finite("tolerance", tolerance)?;
+    if tolerance > 0.0 && tolerance <= core::f64::consts::PI {
+        return Ok(());
+    }
+    let allowed = "above 0 and at most pi";
+    Err(Error::out_of_range("tolerance", tolerance, allowed))
+}

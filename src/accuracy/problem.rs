@@ -3,7 +3,7 @@
 use super::{Errors, Resolution, Run, Stepper, Sweep, Variables};
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::AnyEffect;
+use crate::effects::erased::AnyEffect;
 use crate::error::{Error, Result, positive};
 use crate::integrators::{Method, Work};
 use crate::math::{exp2, log2};

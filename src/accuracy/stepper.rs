@@ -1,7 +1,8 @@
 //! A method made ready to run, and what it carries of a scene.
 
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Effect, EffectRef, IntegrableCase};
+use crate::effects::erased::AnyEffect;
+use crate::effects::{Effect, EffectRef, IntegrableCase};
 use crate::error::{Error, Result};
 use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
 use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};

@@ -12,12 +12,11 @@ use crate::inertia::{InertiaTensor, PrincipalMoments};
 
 /// A rigid body that is described on axes of the user's choice, those of its drawing.
 ///
-/// A start is given on the axes of the drawing, [`DesignedBody::state`]; the [`State`] it
-/// becomes is that of the principal axes, for scenes, closed forms and integrators with
-/// [`DesignedBody::rigid_body`]; what they return is read on the axes of the drawing again,
-/// [`DesignedBody::attitude`] and [`DesignedBody::angular_velocity`]. Vectors on the two
-/// sets of axes are different types. An attitude does not tell them apart: the field of a
-/// [`State`] is that of the principal axes.
+/// A start is given on the axes of the drawing, and a state is read on them: both are a
+/// [`DesignState`]. Scenes, closed forms and integrators take [`DesignedBody::rigid_body`] and
+/// the [`DesignState::principal`] state of the start; what they return comes back by
+/// [`DesignedBody::from_principal`]. Vectors and states on the two sets of axes are different
+/// types.
 ///
 /// The principal axes are those of six permutations and their signs that lie nearest to the
 /// axes of the drawing, right-handed. A diagonal tensor that is given keeps its axes, their
@@ -41,19 +40,23 @@ use crate::inertia::{InertiaTensor, PrincipalMoments};
 /// let body = DesignedBody::new(&angle.about_centre_of_mass())?;
 ///
 /// // Its axes lie along the fixed axes, and it turns about x, almost twice a second.
-/// let spin = DesignVector::new(12.0, 0.0, 0.0);
-/// let start = body.state(Attitude::IDENTITY, spin)?;
-/// let rigid = body.rigid_body();
-/// let rates = rigid.angular_velocity(&start);
-/// let motion = FreeBody::new(rigid.moments(), start.attitude, rates)?;
+/// let start = body.state(Attitude::IDENTITY, DesignVector::new(12.0, 0.0, 0.0))?;
+/// assert_eq!(format!("{:.3}", start.attitude()), "(1.000, 0.000, 0.000, 0.000)");
+/// // The principal axes are turned by 24 degrees about the edge of the corner.
+/// let principal = start.principal();
+/// assert_eq!(format!("{:.3}", principal.attitude), "(0.978, 0.000, 0.000, -0.208)");
 ///
 /// // A leg is not a principal axis: half a second later it turns about another line.
+/// let rigid = body.rigid_body();
+/// let rates = rigid.angular_velocity(&principal);
+/// let motion = FreeBody::new(rigid.moments(), principal.attitude, rates)?;
 /// let later = rigid.state(motion.attitude(0.5), motion.angular_velocity(0.5))?;
-/// let rates = body.angular_velocity(&later);
+/// let later = body.from_principal(later);
+/// let rates = later.angular_velocity();
 /// assert_eq!(format!("{rates:.3} rad/s"), "(11.057, -4.591, 4.078) rad/s");
-/// let long_leg = body.to_space(&later, DesignVector::new(1.0, 0.0, 0.0));
+/// let long_leg = later.to_space(DesignVector::new(1.0, 0.0, 0.0));
 /// assert_eq!(format!("{long_leg:.3}"), "(-0.330, 0.918, -0.221)");
-/// let yaw = body.attitude(&later).yaw_pitch_roll().yaw;
+/// let yaw = later.attitude().yaw_pitch_roll().yaw;
 /// assert_eq!(format!("{yaw:.3} rad"), "1.916 rad");
 /// # Ok(())
 /// # }
@@ -122,46 +125,79 @@ impl DesignedBody {
     }
 
     /// The state with this attitude of the axes of the drawing (drawing -> space) and this
-    /// angular velocity on them (rad/s).
-    ///
-    /// L = R I omega with the tensor as it was given. What is returned is the state of the
-    /// principal axes.
+    /// angular velocity on them (rad/s): L = R I omega with the tensor as it was given.
     ///
     /// Errors: as [`RigidBody::state`].
-    pub fn state(&self, attitude: Attitude, angular_velocity: DesignVector) -> Result<State> {
+    pub fn state(&self, attitude: Attitude, angular_velocity: DesignVector) -> Result<DesignState> {
         let rates = self.to_principal(angular_velocity);
-        self.rigid_body().state(attitude * self.principal, rates)
+        let state = self.rigid_body().state(attitude * self.principal, rates)?;
+        Ok(self.from_principal(state))
+    }
+
+    /// A state of the principal axes, to be read on those of the drawing.
+    pub const fn from_principal(&self, state: State) -> DesignState {
+        DesignState {
+            body: *self,
+            principal: state,
+        }
+    }
+}
+
+/// The state of a [`DesignedBody`], read on the axes of its drawing.
+///
+/// Nothing but a [`State`] is a start of a scene, so the principal axes are asked for by name:
+///
+/// ```compile_fail,E0308
+/// # use rotation_dynamics::{attitude::Attitude, body::DesignedBody, frame::DesignVector};
+/// # use rotation_dynamics::{inertia::InertiaTensor, scene::Scene};
+/// # let body = DesignedBody::new(&InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let start = body.state(Attitude::IDENTITY, DesignVector::new(0.0, 0.0, 3.0))?;
+/// Scene::new(body.rigid_body()).solve(&start, 1.0, 1e-9)?; // it wants &start.principal()
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DesignState {
+    body: DesignedBody,
+    principal: State,
+}
+
+impl DesignState {
+    /// The state of the principal axes, for scenes, closed forms and integrators.
+    pub const fn principal(&self) -> State {
+        self.principal
     }
 
     /// The attitude of the axes of the drawing, drawing -> space.
-    pub fn attitude(&self, state: &State) -> Attitude {
-        state.attitude * self.principal.inverse()
+    pub fn attitude(&self) -> Attitude {
+        self.principal.attitude * self.body.principal.inverse()
     }
 
     /// Angular velocity on the axes of the drawing (rad/s).
     ///
     /// Accuracy: of what went into [`DesignedBody::state`], 8.0 eps times the largest over
     /// the smallest moment, measured in `tests/bodies/inertia`.
-    pub fn angular_velocity(&self, state: &State) -> DesignVector {
-        self.to_design(self.rigid_body().angular_velocity(state))
+    pub fn angular_velocity(&self) -> DesignVector {
+        let rigid = self.body.rigid_body();
+        self.body.to_design(rigid.angular_velocity(&self.principal))
     }
 
     /// Angular momentum on the axes of the drawing (kg m^2/s).
     ///
     /// Accuracy: of I omega, 15.5 eps of the largest moment times |omega|.
-    pub fn angular_momentum(&self, state: &State) -> DesignVector {
-        self.to_design(self.rigid_body().angular_momentum(state))
+    pub fn angular_momentum(&self) -> DesignVector {
+        let rigid = self.body.rigid_body();
+        self.body.to_design(rigid.angular_momentum(&self.principal))
     }
 
     /// Components on the fixed axes of a vector on the axes of the drawing: where a point
     /// of it is, seen from the reference point.
-    pub fn to_space(&self, state: &State, v: DesignVector) -> SpaceVector {
-        state.attitude.to_space(self.to_principal(v))
+    pub fn to_space(&self, v: DesignVector) -> SpaceVector {
+        self.principal.attitude.to_space(self.body.to_principal(v))
     }
 
     /// Components on the axes of the drawing of a vector on the fixed axes.
-    pub fn from_space(&self, state: &State, v: SpaceVector) -> DesignVector {
-        self.to_design(state.attitude.to_body(v))
+    pub fn from_space(&self, v: SpaceVector) -> DesignVector {
+        self.body.to_design(self.principal.attitude.to_body(v))
     }
 }
 

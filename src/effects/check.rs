@@ -6,8 +6,9 @@ mod tests;
 
 pub(crate) use kinks::NEAR;
 
+use super::erased::AnyEffect;
 use super::gravity::GRAVITY;
-use super::{AnyEffect, Feature, Holding, IntegrableCase, Properties};
+use super::{Feature, Holding, IntegrableCase, Properties};
 use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, FINITE, Result, finite, not_negative, positive};
@@ -156,10 +157,12 @@ impl<'e> Checked<'e> {
             checked.size = checked.size.max(size);
         }
         checked.scale(&places)?;
-        for (t, state) in &places {
-            checked.at(*t, state)?;
+        checked.at(span[0], state)?;
+        // The first place is the start itself.
+        for (t, state) in &places[1..] {
+            checked.at(*t, state).map_err(Error::probed)?;
         }
-        checked.smooth()?;
+        checked.smooth().map_err(Error::probed)?;
         Ok(checked)
     }
 
@@ -295,6 +298,7 @@ impl<'e> Checked<'e> {
             effect: self.name(),
             claim,
             t,
+            probe: false,
             off,
             allowed,
         }

@@ -2,7 +2,7 @@
 
 use super::{Effect, Feature, Properties};
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, all_finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
 use core::fmt;
 use std::sync::Arc;
@@ -129,9 +129,7 @@ impl<const SMOOTH: bool> Torque<'_, SMOOTH> {
 
 /// The times, if they are finite and each comes after the one before.
 pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
-    for &t in times {
-        finite(name, t)?;
-    }
+    all_finite(name, times)?;
     match times.windows(2).position(|pair| pair[0] >= pair[1]) {
         None => Ok(times.to_vec()),
         Some(index) => Err(Error::not_rising(

@@ -8,7 +8,7 @@ use crate::math::{Lane, pow};
 
 /// How the air flows along the disc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Regime {
+pub enum FlowRegime {
     /// C_m = 3.87 Re^-1/2.
     Laminar,
     /// C_m = 0.146 Re^-1/5.
@@ -35,12 +35,12 @@ pub enum Regime {
 /// [`number`](Self::number).
 ///
 /// ```
-/// use rotation_dynamics::effects::{DiscDrag, Regime};
+/// use rotation_dynamics::effects::{DiscDrag, FlowRegime};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// // A rotor of 6 cm at 3000 rpm.
 /// let spin = 314.16;
 /// let drag = DiscDrag::new(0.06, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, spin)?;
-/// assert_eq!(drag.regime(), Regime::Laminar);
+/// assert_eq!(drag.regime(), FlowRegime::Laminar);
 /// assert!((drag.reynolds(spin) - 7.49e4).abs() < 50.0);
 /// assert!((drag.axial_torque(spin) + 6.53e-4).abs() < 1e-6);
 /// # Ok(())
@@ -53,7 +53,7 @@ pub enum Regime {
 pub struct DiscDrag {
     radius: f64,
     viscosity: f64,
-    regime: Regime,
+    regime: FlowRegime,
     /// The torque at 1 rad/s (N m).
     factor: f64,
 }
@@ -83,8 +83,8 @@ impl DiscDrag {
         let unit = positive("Reynolds number at 1 rad/s", radius * radius / viscosity)?;
         let regime = regime(finite("Reynolds number", unit * spin.abs())?);
         let friction = match regime {
-            Regime::Laminar => 3.87 / unit.sqrt(),
-            Regime::Turbulent => 0.146 * pow(unit, -0.2),
+            FlowRegime::Laminar => 3.87 / unit.sqrt(),
+            FlowRegime::Turbulent => 0.146 * pow(unit, -0.2),
         };
         let factor = 0.5 * density * pow(radius, 5.0) * friction;
         Ok(Self {
@@ -96,12 +96,12 @@ impl DiscDrag {
     }
 
     /// The regime whose law this is.
-    pub const fn regime(&self) -> Regime {
+    pub const fn regime(&self) -> FlowRegime {
         self.regime
     }
 
     /// The regime that this spin (rad/s) would have.
-    pub fn regime_at(&self, spin: f64) -> Regime {
+    pub fn regime_at(&self, spin: f64) -> FlowRegime {
         regime(self.reynolds(spin))
     }
 
@@ -114,8 +114,8 @@ impl DiscDrag {
     pub fn axial_torque(&self, spin: f64) -> f64 {
         let size = spin.abs();
         let power = match self.regime {
-            Regime::Laminar => size.sqrt(),
-            Regime::Turbulent => pow(size, 0.8),
+            FlowRegime::Laminar => size.sqrt(),
+            FlowRegime::Turbulent => pow(size, 0.8),
         };
         -self.factor * power * spin
     }
@@ -132,17 +132,17 @@ impl DiscDrag {
     /// The power of |omega| that the torque has beside omega.
     const fn power(&self) -> f64 {
         match self.regime {
-            Regime::Laminar => 0.5,
-            Regime::Turbulent => 0.8,
+            FlowRegime::Laminar => 0.5,
+            FlowRegime::Turbulent => 0.8,
         }
     }
 }
 
-fn regime(reynolds: f64) -> Regime {
+fn regime(reynolds: f64) -> FlowRegime {
     if reynolds < DiscDrag::TRANSITION {
-        Regime::Laminar
+        FlowRegime::Laminar
     } else {
-        Regime::Turbulent
+        FlowRegime::Turbulent
     }
 }
 

@@ -8,8 +8,21 @@ use crate::math::Lane;
 
 /// An [`Effect`] whose type is not asked for: what stands behind a pointer where the effects are
 /// chosen at run time ([`EffectList`](super::EffectList)). Every `Effect` is one; write an
-/// `Effect`, and box it. What each function gives is said there. Do not import this trait beside
-/// `Effect`: their functions have the same names.
+/// `Effect`, and box it. What each function gives is said there. This trait is not among the names
+/// of `effects`, since its functions have the names of those of `Effect`: a `use effects::*` brings
+/// one kind alone:
+///
+/// ```
+/// use rotation_dynamics::attitude::Attitude;
+/// use rotation_dynamics::body::{RigidBody, State};
+/// use rotation_dynamics::effects::*;
+/// use rotation_dynamics::{frame::SpaceVector, inertia::PrincipalMoments};
+/// let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
+/// let start = State::new(Attitude::IDENTITY, SpaceVector::new(0.0, 0.0, 2.0))?;
+/// let torque = ViscousFriction::about_axis(0.1)?.torque(0.0, &body, &start);
+/// assert!((torque.z() + 0.1 * 4.0).abs() < 1e-15);
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
 pub trait AnyEffect {
     /// [`Effect::PROPERTIES`].
     fn properties(&self) -> Properties;

@@ -68,11 +68,11 @@ pub struct KeplerOrbit {
 /// A place on an orbit.
 pub(super) struct Place {
     /// Towards it: a unit vector.
-    pub direction: SpaceVector,
+    pub(super) direction: SpaceVector,
     /// How far it is, m.
-    pub distance: f64,
+    pub(super) distance: f64,
     /// Its velocity, that of the turning of the orbit included, m/s.
-    pub velocity: SpaceVector,
+    pub(super) velocity: SpaceVector,
 }
 
 impl KeplerOrbit {

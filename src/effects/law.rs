@@ -1,9 +1,11 @@
 //! Effects that go on in pieces: what a run holds of them from one time to the next.
 
-use super::{AnyEffect, Effect, Feature, IntegrableCase, Properties, Resistance};
+use super::erased::AnyEffect;
+use super::{Effect, Properties};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, FINITE, Result};
 use crate::frame::SpaceVector;
+use core::ops::Deref;
 
 /// An effect that goes on in pieces, each of them smooth: a command that is sampled and held, a
 /// torque that switches with the state.
@@ -72,7 +74,7 @@ pub(crate) struct Holding<'e> {
     /// None if there is no law among them.
     parts: Vec<Part<'e>>,
     /// For each part, if anything is held yet.
-    pub held: Vec<[f64; 3]>,
+    pub(crate) held: Vec<[f64; 3]>,
 }
 
 impl<'e> Holding<'e> {
@@ -156,28 +158,8 @@ impl<'e> Holding<'e> {
         Ok(())
     }
 
-    /// The sum over the parts of what each of them is, with the torque of a law as it is held.
-    fn sum(
-        &self,
-        t: f64,
-        body: &RigidBody,
-        state: &State,
-        of: impl Fn(&dyn AnyEffect) -> f64,
-        of_held: impl Fn(SpaceVector) -> f64,
-    ) -> f64 {
-        let terms = self.parts.iter().zip(&self.held);
-        terms.fold(0.0, |sum, (part, held)| {
-            sum + match part.law {
-                Some(law) => of_held(law.torque_held(*held, t, body, state)),
-                None => of(part.effect),
-            }
-        })
-    }
-}
-
-/// As its effects, but for what a torque that is held changes.
-impl AnyEffect for Holding<'_> {
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+    /// The torque on the fixed axes (N m), that of each law as it is held.
+    pub(crate) fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         if !self.has_laws() {
             return self.whole.torque(t, body, state);
         }
@@ -190,71 +172,73 @@ impl AnyEffect for Holding<'_> {
         })
     }
 
-    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        if !self.has_laws() {
-            return self.whole.power(t, body, state);
-        }
+    /// The rate at which that torque changes the energy (W).
+    pub(crate) fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
         let omega = state.attitude.to_space(body.angular_velocity(state));
-        let power = |torque: SpaceVector| torque.dot(&omega);
-        self.sum(t, body, state, |e| e.power(t, body, state), power)
+        let of = |effect: &dyn AnyEffect| effect.power(t, body, state);
+        self.sum(t, body, state, of, |torque| torque.dot(&omega))
     }
 
-    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        if !self.has_laws() {
-            return self.whole.torque_scale(t, body, state);
-        }
-        let scale = |effect: &dyn AnyEffect| effect.torque_scale(t, body, state);
-        self.sum(t, body, state, scale, |torque| torque.norm())
+    /// Its scale (N m).
+    pub(crate) fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        let of = |effect: &dyn AnyEffect| effect.torque_scale(t, body, state);
+        self.sum(t, body, state, of, |torque| torque.norm())
     }
 
-    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        if !self.has_laws() {
-            return self.whole.torque_size(t, body, state);
-        }
-        let size = |effect: &dyn AnyEffect| effect.torque_size(t, body, state);
-        self.sum(t, body, state, size, |torque| torque.norm())
+    /// The size that its rounding is a part of (N m).
+    pub(crate) fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
+        let of = |effect: &dyn AnyEffect| effect.torque_size(t, body, state);
+        self.sum(t, body, state, of, |torque| torque.norm())
     }
 
-    fn properties(&self) -> Properties {
-        self.whole.properties()
-    }
-    fn torque_on_axis(&self, body: &RigidBody, axis: [f64; 3]) -> [f64; 3] {
-        self.whole.torque_on_axis(body, axis)
-    }
-    fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
-        self.whole.resistance(t, body)
-    }
-    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.whole.slip(t, body, state)
-    }
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.whole.potential_energy(t, body, state)
-    }
-    fn break_points(&self) -> Vec<f64> {
-        self.whole.break_points()
-    }
-    fn narrowest(&self) -> Option<Feature> {
-        self.whole.narrowest()
-    }
-    fn integrable_case(&self) -> IntegrableCase {
-        self.whole.integrable_case()
-    }
-    fn parts(&self) -> Vec<Part<'_>> {
-        self.whole.parts()
-    }
-    fn names(&self) -> Vec<&'static str> {
-        self.whole.names()
-    }
-    fn about_axis(&self) -> Vec<&'static str> {
-        self.whole.about_axis()
-    }
-    fn holds_from(
+    /// What effects say of themselves; of laws, what the torque that each holds says.
+    fn sum(
         &self,
         t: f64,
         body: &RigidBody,
-        start: &State,
-        about_axis: &[&'static str],
-    ) -> Result<()> {
-        self.whole.holds_from(t, body, start, about_axis)
+        state: &State,
+        of: impl Fn(&dyn AnyEffect) -> f64,
+        of_held: impl Fn(SpaceVector) -> f64,
+    ) -> f64 {
+        if !self.has_laws() {
+            return of(self.whole);
+        }
+        let terms = self.parts.iter().zip(&self.held);
+        terms.fold(0.0, |sum, (part, held)| {
+            sum + match part.law {
+                Some(law) => of_held(law.torque_held(*held, t, body, state)),
+                None => of(part.effect),
+            }
+        })
+    }
+}
+
+/// All that the laws do not change is what the effects say.
+impl<'e> Deref for Holding<'e> {
+    type Target = dyn AnyEffect + 'e;
+    fn deref(&self) -> &Self::Target {
+        self.whole
+    }
+}
+
+/// What is held, as an effect that can be stepped.
+pub(crate) struct Held<'h, 'e>(pub &'h Holding<'e>);
+
+impl Effect for Held<'_, '_> {
+    const PROPERTIES: Properties = Properties {
+        slips: true,
+        ..Properties::ANYTHING
+    };
+
+    fn name(&self) -> &'static str {
+        "effects"
+    }
+
+    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.torque(t, body, state)
+    }
+
+    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
+        self.0.slip(t, body, state)
     }
 }

@@ -1,6 +1,7 @@
 //! Effects that are chosen at run time.
 
-use super::{AnyEffect, Feature, IntegrableCase, Part, Properties, Resistance};
+use super::erased::AnyEffect;
+use super::{Feature, IntegrableCase, Part, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result};
 use crate::frame::SpaceVector;

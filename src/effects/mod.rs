@@ -39,7 +39,7 @@ mod closure;
 mod coulomb;
 mod disc_drag;
 mod elastic_yielding;
-mod erased;
+pub mod erased;
 mod gravity;
 mod gravity_anywhere;
 mod gravity_gradient;
@@ -63,16 +63,15 @@ pub(crate) use check::{Checked, NEAR, is_same, piece};
 pub use closure::Torque;
 pub(crate) use closure::rising;
 pub use coulomb::CoulombBearing;
-pub use disc_drag::{DiscDrag, Regime};
+pub use disc_drag::{DiscDrag, FlowRegime};
 pub use elastic_yielding::ElasticYielding;
-pub use erased::AnyEffect;
 pub(crate) use erased::EffectRef;
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;
 pub use internal_dissipation::InternalDissipation;
 pub use kepler_orbit::KeplerOrbit;
-pub(crate) use law::Holding;
+pub(crate) use law::{Held, Holding};
 pub use law::{Law, Part};
 pub use limited::Limited;
 pub use list::{BoxedEffect, EffectList};
@@ -129,6 +128,14 @@ use crate::math::lane::WIDEST;
 /// # Ok(())
 /// # }
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an effect",
+    label = "this acts on no body",
+    note = "a list of effects is all that acts: `Scene::new(body).with_list(EffectList::new(list)?)`",
+    note = "a closure becomes one by its name: `Torque::on_space(\"push\", |t, body, state| ..)`, or \
+            `Torque::on_body` for a torque on the body's axes",
+    note = "a type of your own is one by `impl Effect for ..`, with its properties, name and torque"
+)]
 pub trait Effect {
     /// What the torque depends on, and what it leaves alone, whatever the state: true of every value
     /// of the type.

@@ -2,7 +2,7 @@
 
 use super::{Effect, Feature, Properties, part_per_radian, rising};
 use crate::body::{RigidBody, State};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, all_finite, finite, plain, positive};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::math::exp;
 
@@ -70,8 +70,8 @@ impl Profile {
     pub fn cubic(points: &[(f64, f64)]) -> Result<Self> {
         let (times, values) = table(points)?;
         let bends = second_derivatives(&times, &values);
-        for bend in &bends {
-            finite("second derivative of a profile", *bend)?;
+        if !bends.iter().all(|bend| bend.is_finite()) {
+            return Err(too_steep(&times, &values));
         }
         Ok(Self(Shape::Cubic(times, values, bends)))
     }
@@ -157,6 +157,23 @@ fn second_derivatives(times: &[f64], values: &[f64]) -> Vec<f64> {
     bend
 }
 
+/// The points of a table between which a cubic would bend most, which doubles do not hold.
+fn too_steep(times: &[f64], values: &[f64]) -> Error {
+    let bend = |n: &usize| {
+        let dt = times[n + 1] - times[*n];
+        (values[n + 1] / dt - values[*n] / dt).abs() / dt
+    };
+    let most = |a: &usize, b: &usize| bend(a).total_cmp(&bend(b));
+    let n = (0..times.len() - 1).max_by(most).unwrap_or(0);
+    let allowed = format!(
+        "the curve from the value {} to {} in that time is beyond doubles; take points further apart",
+        plain(values[n]),
+        plain(values[n + 1])
+    );
+    let reason = Error::out_of_range("time to the next", times[n + 1] - times[n], allowed);
+    Error::at_index("times of a profile", n, reason)
+}
+
 /// Times and values of a table, if they are in order.
 fn table(rows: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
     if rows.is_empty() {
@@ -167,10 +184,8 @@ fn table(rows: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
         });
     }
     let (times, values): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
-    for value in &values {
-        finite("value of a profile", *value)?;
-    }
-    Ok((rising("time of a profile", &times)?, values))
+    all_finite("values of a profile", &values)?;
+    Ok((rising("times of a profile", &times)?, values))
 }
 
 /// A torque that is known as a function of time, on the fixed axes or on the body's.

@@ -91,7 +91,7 @@ impl Resistance {
     }
 
     /// True if it is the same in all directions across the axis.
-    pub fn is_round(&self) -> bool {
+    pub(crate) fn is_round(&self) -> bool {
         self.rates[0] == self.rates[1]
     }
 

@@ -10,12 +10,12 @@ use crate::math::{DoubleDouble as Dd, exp, expm1};
 #[derive(Debug, Clone)]
 pub(super) struct Periods {
     /// K, infinite for m = 1.
-    pub quarter: Dd,
+    pub(super) quarter: Dd,
     /// True if the series run in the nome q' of 1 - m: after Jacobi's imaginary
     /// transformation, in hyperbolic functions.
-    pub hyperbolic: bool,
+    pub(super) hyperbolic: bool,
     /// That of m, or if they do that of 1 - m.
-    pub nome: Nome,
+    pub(super) nome: Nome,
 }
 
 impl Periods {
@@ -136,11 +136,11 @@ pub(super) enum Zero {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Across<L = f64> {
     /// e^{-2y}.
-    pub decay: Dd<L>,
+    pub(super) decay: Dd<L>,
     /// 1 - e^{-2y}.
-    pub fall: Dd<L>,
+    pub(super) fall: Dd<L>,
     /// q e^{2y}.
-    pub rest: Dd<L>,
+    pub(super) rest: Dd<L>,
 }
 
 /// Waves of w >= 0 times 2 e^{-w}, so that nothing overflows, and the n-th times the n-th power of
@@ -148,10 +148,10 @@ pub(super) struct Across<L = f64> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Waves {
     /// cosh and sinh (2n+1) w.
-    pub odd_cosh: [f64; 4],
-    pub odd_sinh: [f64; 4],
+    pub(super) odd_cosh: [f64; 4],
+    pub(super) odd_sinh: [f64; 4],
     /// e^{-w} cosh 2n w.
-    pub even_cosh: [f64; 4],
+    pub(super) even_cosh: [f64; 4],
 }
 
 impl Waves {

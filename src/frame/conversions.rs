@@ -62,7 +62,15 @@ impl<F: Frame> fmt::Display for Vector<F> {
     }
 }
 
-/// The same with exponents: `{:e}`, `{:.3e}`.
+/// The name of the type and the components: `SpaceVector(1.25, 2.0, 0.5)`.
+impl<F: Frame> fmt::Debug for Vector<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(F::VECTOR)?;
+        written(self.to_array(), f, fmt::Debug::fmt)
+    }
+}
+
+/// The components with exponents: `{:e}`, `{:.3e}`.
 impl<F: Frame> fmt::LowerExp for Vector<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         written(self.to_array(), f, fmt::LowerExp::fmt)

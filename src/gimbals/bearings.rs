@@ -122,9 +122,9 @@ pub(super) fn pose(y: &[f64; N]) -> Pose {
 /// Gimbals, their bearings, and the tilt at which the ring meets its stop.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rubbing {
-    pub gimbals: Gimbals,
-    pub bearings: Bearings,
-    pub stop: f64,
+    pub(super) gimbals: Gimbals,
+    pub(super) bearings: Bearings,
+    pub(super) stop: f64,
 }
 
 /// Accelerations and torques at one state.

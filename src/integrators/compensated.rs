@@ -10,8 +10,8 @@ use crate::math::double_double::two_sum;
 /// instead of n eps |y|: long runs with small steps keep their digits.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Compensated<const N: usize> {
-    pub value: [f64; N],
-    pub carry: [f64; N],
+    pub(super) value: [f64; N],
+    pub(super) carry: [f64; N],
 }
 
 impl<const N: usize> Compensated<N> {

@@ -8,7 +8,7 @@ use super::scene::components;
 use super::{Integrator, Work, ode::check_span};
 use crate::attitude::{Attitude, EulerAngles};
 use crate::body::State;
-use crate::effects::AnyEffect;
+use crate::effects::erased::AnyEffect;
 use crate::error::{Error, Result, finite};
 use crate::frame::BodyVector;
 use crate::scene::Scene;

@@ -41,8 +41,8 @@ pub use explicit::{Tableau, Weights};
 pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use method::{About, Method};
 pub use munthe_kaas::MuntheKaas4;
-pub use ode::{ByClosure, Ode, Scale, newton, ode, place_and_velocity, second_order};
-pub use projected::{Kept, Projected};
+pub use ode::{ByClosure, Ode, Unscaled, newton, ode, place_and_velocity, second_order, size_or};
+pub use projected::{FirstIntegrals, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;
 pub use splitting::{Resisted, Scheme, Separable, Splitting};
@@ -53,13 +53,16 @@ use crate::error::Result;
 /// A method that carries states `Y` of the problem `P` through time.
 ///
 /// ```
-/// use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Rk4};
+/// use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Rk4, size_or};
 ///
 /// /// A pendulum of unit frequency: angle and rate.
 /// struct Pendulum;
 /// impl Ode<2> for Pendulum {
 ///     fn derivative(&self, _t: f64, [angle, rate]: &[f64; 2]) -> [f64; 2] {
 ///         [*rate, -rotation_dynamics::math::sin(*angle)]
+///     }
+///     fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+///         size_or([1.0; 2])(y)
 ///     }
 /// }
 ///

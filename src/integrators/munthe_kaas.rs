@@ -20,7 +20,7 @@ use super::{Integrator, Rk4, Work};
 use crate::attitude::Attitude;
 use crate::attitude::product::{stretched_and, vector_times};
 use crate::body::State;
-use crate::effects::AnyEffect;
+use crate::effects::erased::AnyEffect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::sincos;

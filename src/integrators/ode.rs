@@ -5,19 +5,22 @@ use crate::frame::SpaceVector;
 use crate::math::hypot;
 
 /// A system y' = f(t, y) of `N` first-order equations.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a system of first-order equations",
+    note = "an `ode(..)` or `newton(..)` becomes one by the sizes against which errors count: \
+            `.scaled(size_or([1.0; {N}]))`, or any other size of each component"
+)]
 pub trait Ode<const N: usize> {
     /// f(t, y).
     fn derivative(&self, t: f64, y: &[f64; N]) -> [f64; N];
 
     /// The size against which an error in each component counts: an adaptive
     /// method asked for the tolerance 1e-9 holds the error of `y[i]` near
-    /// 1e-9 of `scale(y)[i]` in each step.
+    /// 1e-9 of `scale(y)[i]` in each step. Each must be positive.
     ///
-    /// The default, the larger of |y_i| and 1, suits components of order 1.
-    /// Give your own where units or sizes differ. Each must be positive.
-    fn scale(&self, y: &[f64; N]) -> [f64; N] {
-        y.map(|c| c.abs().max(1.0))
-    }
+    /// [`size_or`] is the usual one. A scale far above a component costs its digits: an
+    /// oscillation of amplitude 1e-6 that counts against 1 keeps six digits fewer.
+    fn scale(&self, y: &[f64; N]) -> [f64; N];
 
     /// How far `y`, the end of a step, is off what the solution keeps (a shut contact, a
     /// norm) and a method does not; none if by no more than the part `within` of its size, or
@@ -42,30 +45,61 @@ impl<const N: usize, O: Ode<N> + ?Sized> Ode<N> for &O {
     }
 }
 
-/// The sizes of the components of a state; see [`Ode::scale`].
-pub type Scale<const N: usize> = fn(&[f64; N]) -> [f64; N];
+/// The usual [`scale`](Ode::scale): the size |y_i| of each component, but no less than `least`.
+///
+/// ```
+/// use rotation_dynamics::integrators::size_or;
+/// assert_eq!(size_or([1e-6, 1.0])(&[-3.0, 0.2]), [3.0, 1.0]);
+/// ```
+#[inline]
+pub fn size_or<const N: usize>(least: [f64; N]) -> impl Fn(&[f64; N]) -> [f64; N] + Copy {
+    move |y| core::array::from_fn(|i| y[i].abs().max(least[i]))
+}
 
-/// The system y' = f(t, y) by a closure; see [`ode`].
+/// The system y' = f(t, y) by a closure, with its scale; see [`ode`].
 #[derive(Debug, Clone, Copy)]
 pub struct ByClosure<F, S> {
     derivative: F,
     scale: S,
 }
 
-/// The system y' = f(t, y), with the usual [`scale`](Ode::scale).
+/// An [`ode`] before it is [`scaled`](Unscaled::scaled).
+#[derive(Debug, Clone, Copy)]
+pub struct Unscaled<F>(F);
+
+/// The system y' = f(t, y), once it is told against which sizes errors count.
 ///
 /// ```
-/// use rotation_dynamics::integrators::{Dop853, Integrator, ode};
+/// use rotation_dynamics::integrators::{Dop853, Integrator, size_or, ode};
 /// let spring = |rate: f64| ode(move |_, [x, v]: &[f64; 2]| [*v, -rate * rate * x]);
-/// let (end, _) = Dop853::new(1e-13)?.advance(&spring(2.0), 0.0, &[1.0, 0.0], 1.0)?;
+/// let spring = spring(2.0).scaled(size_or([1.0; 2]));
+/// let (end, _) = Dop853::new(1e-13)?.advance(&spring, 0.0, &[1.0, 0.0], 1.0)?;
 /// assert!((end[0] - rotation_dynamics::math::cos(2.0)).abs() < 1e-13);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
-pub fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(
-    derivative: F,
-) -> ByClosure<F, Scale<N>> {
-    let scale = |y: &[f64; N]| y.map(|c| c.abs().max(1.0));
-    ByClosure { derivative, scale }
+///
+/// Without them it does not compile:
+///
+/// ```compile_fail,E0277
+/// use rotation_dynamics::integrators::{Dop853, Integrator, ode};
+/// let spring = ode(|_, [x, v]: &[f64; 2]| [*v, -x]);
+/// Dop853::new(1e-13)?.advance(&spring, 0.0, &[1e-6, 0.0], 1.0)?;
+/// # Ok::<(), rotation_dynamics::Error>(())
+/// ```
+pub const fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(derivative: F) -> Unscaled<F> {
+    Unscaled(derivative)
+}
+
+impl<F> Unscaled<F> {
+    /// With this [`scale`](Ode::scale), the size against which an error counts.
+    pub fn scaled<const N: usize, S>(self, scale: S) -> ByClosure<F, S>
+    where
+        F: Fn(f64, &[f64; N]) -> [f64; N],
+        S: Fn(&[f64; N]) -> [f64; N],
+    {
+        let derivative = self.0;
+        ByClosure { derivative, scale }
+    }
 }
 
 /// A point of mechanics with one coordinate, `[x, x']`: x'' = `acceleration(t, x, x')`.
@@ -86,12 +120,12 @@ pub fn second_order(acceleration: impl Fn(f64, f64, f64) -> f64) -> impl Ode<2> 
 }
 
 /// A particle in space, `[x, y, z, x', y', z']`, by Newton's law: its acceleration at the
-/// time t, of its place and its velocity.
+/// time t, of its place and its velocity. As an [`ode`], it is to be scaled.
 ///
 /// ```
-/// use rotation_dynamics::integrators::{Dop853, Integrator, newton, place_and_velocity};
+/// use rotation_dynamics::integrators::{Dop853, Integrator, size_or, newton, place_and_velocity};
 /// // About a centre that attracts with 1/r^2, on a circle.
-/// let attracted = newton(|_t, [r, _v]| r * -r.norm().powi(-3));
+/// let attracted = newton(|_t, [r, _v]| r * -r.norm().powi(-3)).scaled(size_or([1.0; 6]));
 /// let turn = core::f64::consts::TAU;
 /// let start = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 /// let (end, _) = Dop853::new(1e-13)?.advance(&attracted, 0.0, &start, turn)?;
@@ -99,7 +133,9 @@ pub fn second_order(acceleration: impl Fn(f64, f64, f64) -> f64) -> impl Ode<2> 
 /// assert!((place.x() - 1.0).abs() < 1e-12 && (velocity.y() - 1.0).abs() < 1e-12);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
-pub fn newton(acceleration: impl Fn(f64, [SpaceVector; 2]) -> SpaceVector) -> impl Ode<6> {
+pub fn newton(
+    acceleration: impl Fn(f64, [SpaceVector; 2]) -> SpaceVector,
+) -> Unscaled<impl Fn(f64, &[f64; 6]) -> [f64; 6]> {
     ode(move |t, state| {
         let [place, velocity] = place_and_velocity(state);
         let [ax, ay, az] = acceleration(t, [place, velocity]).to_array();
@@ -111,14 +147,6 @@ pub fn newton(acceleration: impl Fn(f64, [SpaceVector; 2]) -> SpaceVector) -> im
 /// Place and velocity of a particle, from a state of [`newton`].
 pub fn place_and_velocity(&[x, y, z, vx, vy, vz]: &[f64; 6]) -> [SpaceVector; 2] {
     [[x, y, z], [vx, vy, vz]].map(SpaceVector::from_array)
-}
-
-impl<F, S> ByClosure<F, S> {
-    /// With another [`scale`](Ode::scale), the size against which an error counts.
-    pub fn scaled<const N: usize, T: Fn(&[f64; N]) -> [f64; N]>(self, scale: T) -> ByClosure<F, T> {
-        let derivative = self.derivative;
-        ByClosure { derivative, scale }
-    }
 }
 
 impl<const N: usize, F, S> Ode<N> for ByClosure<F, S>

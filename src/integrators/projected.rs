@@ -24,8 +24,8 @@ use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::scene::{Invariant, Scene};
 
-/// A problem that knows what its motions keep.
-pub trait Kept {
+/// A problem that knows the first integrals of its motions.
+pub trait FirstIntegrals {
     /// The state nearest to `state` in which everything that the motion keeps has the
     /// values it has in `start`.
     ///
@@ -80,7 +80,7 @@ impl<M> Projected<M> {
     }
 }
 
-impl<P: Kept, M: Integrator<P, State>> Integrator<P, State> for Projected<M> {
+impl<P: FirstIntegrals, M: Integrator<P, State>> Integrator<P, State> for Projected<M> {
     fn advance(&self, problem: &P, t: f64, start: &State, t_end: f64) -> Result<(State, Work)> {
         check_span(t, &components(start), t_end)?;
         let mut work = Work::default();
@@ -119,7 +119,7 @@ fn dot(a: &Change, b: &Change) -> f64 {
     a[0].dot(&b[0]) + a[1].dot(&b[1])
 }
 
-impl<E: Effect> Kept for Scene<E> {
+impl<E: Effect> FirstIntegrals for Scene<E> {
     /// One Newton step, by the shortest change of attitude and momentum.
     fn restored(&self, state: &State, start: &State) -> Result<State> {
         let size = state.angular_momentum.norm();
@@ -181,13 +181,13 @@ impl<E: Effect> Scene<E> {
     }
 }
 
-impl<E: Effect> Kept for SpinFree<'_, E> {
+impl<E: Effect> FirstIntegrals for SpinFree<'_, E> {
     fn restored(&self, state: &State, start: &State) -> Result<State> {
         self.scene().restored(state, start)
     }
 }
 
-impl Kept for FreeRotation {
+impl FirstIntegrals for FreeRotation {
     fn restored(&self, state: &State, start: &State) -> Result<State> {
         Scene::new(*self.body()).restored(state, start)
     }

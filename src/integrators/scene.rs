@@ -17,7 +17,7 @@
 use super::{Dop853, Integrator, Ode, Rk4, Work, advance_by_counting};
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::AnyEffect;
+use crate::effects::erased::AnyEffect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::scene::Scene;

@@ -49,7 +49,7 @@ pub fn two_sum<L: Copy + Add<Output = L> + Sub<Output = L>>(a: L, b: L) -> (L, L
 
 /// `a + b` exactly when `|a| >= |b|` (Dekker).
 #[inline(always)]
-pub fn quick_two_sum<L: Lane>(a: L, b: L) -> (L, L) {
+pub(crate) fn quick_two_sum<L: Lane>(a: L, b: L) -> (L, L) {
     let sum = a + b;
     (sum, b - (sum - a))
 }

@@ -41,9 +41,9 @@ pub fn sincos_turns<L: Phased>(t: L) -> (L, L) {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reduced<N> {
     /// Within [-1/2, 1/2], and a rounding.
-    pub rest: N,
+    pub(crate) rest: N,
     /// The whole quarters plus 3 * 2^51: the last bits are theirs.
-    pub whole: N,
+    pub(crate) whole: N,
 }
 
 impl<N: Number> Reduced<N> {

@@ -14,7 +14,7 @@ pub struct Moment<P, const N: usize> {
 }
 
 /// ```
-/// # use rotation_dynamics::integrators::Dop853;
+/// # use rotation_dynamics::integrators::{Dop853, size_or};
 /// # use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 /// # struct Ball;
 /// # impl Phased<2> for Ball {
@@ -24,6 +24,7 @@ pub struct Moment<P, const N: usize> {
 /// #         let rebound = Next::jump((), |[_, speed]: &[f64; 2]| [0.0, -0.5 * speed]);
 /// #         vec![Condition::gap("height", |y| y[0], rebound)]
 /// #     }
+/// #     fn scale(&self, y: &[f64; 2]) -> [f64; 2] { size_or([1.0; 2])(y) }
 /// # }
 /// use rotation_dynamics::motion::Motion;
 /// let run = simulate(&Ball, &Dop853::new(1e-12)?, (), [5.0, 0.0], 1.5)?;

@@ -42,7 +42,7 @@ pub use run::{PhaseRun, Rest, Run, Transition, simulate, simulate_so_far};
 /// clock as a coordinate.
 ///
 /// ```
-/// use rotation_dynamics::integrators::Dop853;
+/// use rotation_dynamics::integrators::{Dop853, size_or};
 /// use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 ///
 /// /// A ball dropped on a floor, from which it rebounds with half its speed.
@@ -55,6 +55,9 @@ pub use run::{PhaseRun, Rest, Run, Transition, simulate, simulate_so_far};
 ///     fn conditions(&self, _: ()) -> Vec<Condition<'_, (), 2>> {
 ///         let rebound = Next::jump((), |[_, speed]: &[f64; 2]| [0.0, -0.5 * speed]);
 ///         vec![Condition::gap("height", |y| y[0], rebound)]
+///     }
+///     fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+///         size_or([1.0; 2])(y)
 ///     }
 /// }
 /// # fn main() -> rotation_dynamics::Result<()> {
@@ -76,9 +79,7 @@ pub trait Phased<const N: usize> {
     fn conditions(&self, phase: Self::Phase) -> Vec<Condition<'_, Self::Phase, N>>;
 
     /// The size against which errors count, as [`crate::integrators::Ode::scale`].
-    fn scale(&self, state: &[f64; N]) -> [f64; N] {
-        state.map(|c| c.abs().max(1.0))
-    }
+    fn scale(&self, state: &[f64; N]) -> [f64; N];
 
     /// How far a state is off what `phase` keeps, such as a shut gap, as
     /// [`crate::integrators::Ode::drift`].

@@ -1,6 +1,6 @@
 //! What can be asked of a moment: velocities, forces, energies.
 
-use super::{Contact, Phase, Resistance, TipFriction, Top};
+use super::{ContactMode, Phase, ResistingMoment, TipFriction, Top};
 use crate::attitude::Attitude;
 use crate::attitude::product::spun;
 use crate::body::State;
@@ -94,7 +94,7 @@ pub(super) fn axis(&[w, x, y, z, ..]: &Coordinates) -> SpaceVector {
     axis / square
 }
 
-impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
     /// The body's attitude: of the coordinates of a run.
     pub fn attitude(&self, coordinates: &Coordinates) -> Attitude {
         let [w, x, y, z, spin, ..] = *coordinates;
@@ -116,8 +116,10 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         let turning = angular_velocity.cross(&arm);
         // The tip stays on the floor: its contact has no velocity upward.
         let velocity = match phase.contact {
-            Contact::Rolling => turning * -1.0,
-            Contact::Sliding => SpaceVector::new(p1 / shape.mass, p2 / shape.mass, -turning.z()),
+            ContactMode::Rolling => turning * -1.0,
+            ContactMode::Sliding => {
+                SpaceVector::new(p1 / shape.mass, p2 / shape.mass, -turning.z())
+            }
         };
         let slip = velocity + turning;
         Configuration {
@@ -166,7 +168,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
         let swung = omega.cross(&omega.cross(&at.axis)) * -self.shape.lever;
         let free = self.gravity + turned + swung;
         match phase.contact {
-            Contact::Sliding => {
+            ContactMode::Sliding => {
                 let grip = self.friction.sliding(at.slip, omega.z());
                 let (force, couple) = (UP + grip.force, resistance + UP * grip.torque);
                 let normal = -free.z() / self.response(at, force, couple).z();
@@ -177,7 +179,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
                     torque,
                 }
             }
-            Contact::Rolling => {
+            ContactMode::Rolling => {
                 let x = self.response(at, SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::zero());
                 let y = self.response(at, SpaceVector::new(0.0, 1.0, 0.0), SpaceVector::zero());
                 let z = self.response(at, UP, resistance);
@@ -253,8 +255,8 @@ mod tests {
             0.8, 0.36, 0.48, 0.0, 0.0, 2e-3, -1e-3, 5e-3, 0.1, 0.2, 0.02, 0.03, -0.01, 0.0,
         ];
         let at = |contact| top.configuration(Phase { contact, passed: 0 }, &y);
-        assert_eq!(at(Contact::Rolling).slip, SpaceVector::zero());
-        let sliding = at(Contact::Sliding);
+        assert_eq!(at(ContactMode::Rolling).slip, SpaceVector::zero());
+        let sliding = at(ContactMode::Sliding);
         let want = sliding.velocity + sliding.angular_velocity.cross(&sliding.arm);
         assert_eq!(sliding.slip, SpaceVector::new(want.x(), want.y(), 0.0));
         assert!(want.z() == 0.0 && want.norm() > 0.1);

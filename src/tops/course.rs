@@ -2,7 +2,7 @@
 
 use super::configuration::Coordinates;
 use super::motion::{Scene, checked};
-use super::{Configuration, Contact, Forces, Phase, Resistance, TipFriction, Top};
+use super::{Configuration, ContactMode, Forces, Phase, ResistingMoment, TipFriction, Top};
 use crate::effects::Effect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -60,7 +60,7 @@ pub struct Course<F, R, E> {
     run: Run<Phase, 14>,
 }
 
-impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
     /// The motion from this throw, until `t_end` (s) or until it falls or lifts off; the error
     /// of a step is held to `tolerance`, from 1e-15 to 0.1.
     ///
@@ -113,8 +113,8 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
         let [vx, vy] = throw.velocity.unwrap_or([0.0; 2]);
         let [px, py] = [vx, vy].map(|v| shape.mass() * v);
         let start = checked([w, x, y, z, 0.0, l1, l2, l3, 0.0, 0.0, height, px, py, 0.0])?;
-        let [sliding, rolling] =
-            [Contact::Sliding, Contact::Rolling].map(|contact| Phase { contact, passed: 0 });
+        let [sliding, rolling] = [ContactMode::Sliding, ContactMode::Rolling]
+            .map(|contact| Phase { contact, passed: 0 });
         let rolls = throw.velocity.is_none() || !F::SLIDES;
         let first = if rolls { rolling } else { sliding };
         let start = scene.settled(&self.configuration(first, &start), &start);
@@ -128,7 +128,7 @@ impl<F: TipFriction, R: Resistance, E: Effect + Clone> Top<F, R, E> {
     }
 }
 
-impl<F: TipFriction, R: Resistance, E: Effect> Course<F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect> Course<F, R, E> {
     /// The top.
     pub const fn top(&self) -> &Top<F, R, E> {
         &self.top

@@ -244,14 +244,14 @@ fn outside(x: f64) -> [f64; 2] {
 }
 
 /// A torque of the contact beside friction, over the normal force.
-pub trait Resistance: Copy {
+pub trait ResistingMoment: Copy {
     /// The torque on a top that turns with this angular velocity (rad/s), over the normal
     /// force (m).
     fn torque(&self, angular_velocity: SpaceVector) -> SpaceVector;
 }
 
 /// None.
-impl Resistance for () {
+impl ResistingMoment for () {
     #[inline]
     fn torque(&self, _: SpaceVector) -> SpaceVector {
         SpaceVector::zero()
@@ -259,7 +259,7 @@ impl Resistance for () {
 }
 
 /// Both.
-impl<A: Resistance, B: Resistance> Resistance for (A, B) {
+impl<A: ResistingMoment, B: ResistingMoment> ResistingMoment for (A, B) {
     #[inline]
     fn torque(&self, angular_velocity: SpaceVector) -> SpaceVector {
         self.0.torque(angular_velocity) + self.1.torque(angular_velocity)
@@ -288,7 +288,7 @@ impl Drilling {
     }
 }
 
-impl Resistance for Drilling {
+impl ResistingMoment for Drilling {
     #[inline]
     fn torque(&self, angular_velocity: SpaceVector) -> SpaceVector {
         SpaceVector::new(0.0, 0.0, -self.arm * sign(angular_velocity.z()))
@@ -320,7 +320,7 @@ impl RollingResistance {
     }
 }
 
-impl Resistance for RollingResistance {
+impl ResistingMoment for RollingResistance {
     #[inline]
     fn torque(&self, w: SpaceVector) -> SpaceVector {
         let size = hypot(hypot(w.x(), w.y()), self.rate);

@@ -4,7 +4,7 @@
 //! below the centre of mass. It stands on a level floor (or on one that slopes a little). Six
 //! coordinates and their momenta are carried; the floor pushes with a normal force N, rubs by
 //! a [law](TipFriction) of your choice, and lets go where N would have to pull. What is not
-//! asked for is not there: friction, [resistances](Resistance) of the contact and
+//! asked for is not there: friction, [resistances](ResistingMoment) of the contact and
 //! [effects](crate::effects) on the body are types, and absent ones compile to nothing.
 //!
 //! | item | what it is |
@@ -35,9 +35,9 @@ mod motion;
 pub use configuration::{Configuration, Forces, Powers};
 pub use course::{Course, Throw};
 pub use friction::{
-    Drilling, Dry, Grip, NoSlip, Patch, Resistance, RollingResistance, Smooth, TipFriction,
+    Drilling, Dry, Grip, NoSlip, Patch, ResistingMoment, RollingResistance, Smooth, TipFriction,
 };
-pub use motion::{Contact, Phase};
+pub use motion::{ContactMode, Phase};
 
 use crate::body::RigidBody;
 use crate::effects::Effect;
@@ -135,7 +135,7 @@ impl Shape {
 ///
 /// ```
 /// use rotation_dynamics::effects::DiscDrag;
-/// use rotation_dynamics::tops::{Contact, Dry, Shape, Throw, Top};
+/// use rotation_dynamics::tops::{ContactMode, Dry, Shape, Throw, Top};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// // 100 g, its centre of mass 4 cm above the centre of a ball of 5 mm.
 /// let shape = Shape::new(0.1, 4e-5, 4e-5, 0.04, 0.005)?.with_rim(0.03, 0.0)?;
@@ -146,7 +146,7 @@ impl Shape {
 /// // It slides, rises, and grips.
 /// let grips = thrown.event("grips")?;
 /// assert!(grips.t > 0.7 && grips.t < 0.8);
-/// assert_eq!(thrown.phase(2.9)?.contact, Contact::Rolling);
+/// assert_eq!(thrown.phase(2.9)?.contact, ContactMode::Rolling);
 /// # Ok(())
 /// # }
 /// ```
@@ -189,7 +189,7 @@ impl Top {
     }
 }
 
-impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
     /// The same shape under the same gravity, with what rubs, resists and acts changed.
     fn changed<G, S, H>(self, change: impl FnOnce(F, R, E) -> (G, S, H)) -> Top<G, S, H> {
         let (friction, resistance, effects) = change(self.friction, self.resistance, self.effects);
@@ -210,7 +210,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Top<F, R, E> {
     }
 
     /// The same with one more resistance of the contact.
-    pub fn resisted_by<S: Resistance>(self, resistance: S) -> Top<F, (R, S), E> {
+    pub fn resisted_by<S: ResistingMoment>(self, resistance: S) -> Top<F, (R, S), E> {
         self.changed(|friction, before, effects| (friction, (before, resistance), effects))
     }
 

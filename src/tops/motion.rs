@@ -1,7 +1,7 @@
 //! The equations of motion, phase by phase.
 
 use super::configuration::{Coordinates, axis};
-use super::{Configuration, Forces, Resistance, TipFriction, Top};
+use super::{Configuration, Forces, ResistingMoment, TipFriction, Top};
 use crate::effects::Effect;
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -10,7 +10,7 @@ use crate::planar::{Condition, Next, Phased};
 
 /// What the tip does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Contact {
+pub enum ContactMode {
     /// It slides (or creeps) over the floor.
     Sliding,
     /// It rolls, and may pivot.
@@ -21,21 +21,21 @@ pub enum Contact {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Phase {
     /// What the tip does.
-    pub contact: Contact,
+    pub contact: ContactMode,
     /// Marks passed.
     pub passed: usize,
 }
 
 /// A top to be simulated with this error of a step.
 pub(super) struct Scene<'t, F, R, E> {
-    pub top: &'t Top<F, R, E>,
-    pub step: f64,
+    pub(super) top: &'t Top<F, R, E>,
+    pub(super) step: f64,
 }
 
 /// Part of sqrt(g l) with which a tip begins to slip: at zero its direction would not be known.
 const ONSET: f64 = 1e-8;
 
-impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect> Scene<'_, F, R, E> {
     /// A speed of the size of the top's own, sqrt(g (|l| + r)).
     pub(super) fn speed(&self) -> f64 {
         let shape = self.top.shape();
@@ -66,7 +66,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     /// off otherwise.
     pub(super) fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
         let phase = Phase {
-            contact: Contact::Rolling,
+            contact: ContactMode::Rolling,
             passed,
         };
         let (at, forces) = self.seen(phase, y);
@@ -77,7 +77,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
         }
         (
             Phase {
-                contact: Contact::Sliding,
+                contact: ContactMode::Sliding,
                 passed,
             },
             self.let_go(&forces, settled),
@@ -96,20 +96,20 @@ impl<F: TipFriction, R: Resistance, E: Effect> Scene<'_, F, R, E> {
     fn slides(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
         let (at, forces) = self.seen(
             Phase {
-                contact: Contact::Rolling,
+                contact: ContactMode::Rolling,
                 passed,
             },
             y,
         );
         let phase = Phase {
-            contact: Contact::Sliding,
+            contact: ContactMode::Sliding,
             passed,
         };
         (phase, self.let_go(&forces, self.settled(&at, y)))
     }
 }
 
-impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect> Phased<14> for Scene<'_, F, R, E> {
     type Phase = Phase;
 
     #[inline]
@@ -154,7 +154,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E>
         let passed = phase.passed;
         if F::STICKS && F::SLIDES {
             match phase.contact {
-                Contact::Sliding => conditions.push(Condition::gap(
+                ContactMode::Sliding => conditions.push(Condition::gap(
                     "grips",
                     move |y| {
                         let slip = self.top.configuration(phase, y).slip;
@@ -162,7 +162,7 @@ impl<F: TipFriction, R: Resistance, E: Effect> Phased<14> for Scene<'_, F, R, E>
                     },
                     Next::decide(move |_, y| Ok(self.stuck(passed, y))),
                 )),
-                Contact::Rolling => conditions.push(Condition::gap(
+                ContactMode::Rolling => conditions.push(Condition::gap(
                     "slips",
                     move |y| {
                         let forces = self.seen(phase, y).1;

@@ -19,7 +19,7 @@ use rotation_dynamics::integrators::gauss_legendre::LaneByLane;
 use rotation_dynamics::integrators::gauss_legendre::coefficients::{NODES, STAGES, WEIGHTS};
 use rotation_dynamics::integrators::scene::components;
 use rotation_dynamics::integrators::{
-    GaussLegendre, Integrator, Kept, Ode, Projected, Rk4, SpinFree, Work,
+    FirstIntegrals, GaussLegendre, Integrator, Ode, Projected, Rk4, SpinFree, Work,
 };
 use rotation_dynamics::math::EPS;
 use support::{Errors as Judge, assert_error, attained};

@@ -13,7 +13,7 @@ use rotation_dynamics::effects::{
 };
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, ode, size_or};
 use rotation_dynamics::math::{EPS, cos, sin, sincos};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
@@ -351,7 +351,8 @@ fn a_short_passage_is_met() {
             force.y(),
             force.z(),
         ]
-    });
+    })
+    .scaled(size_or([1.0; 13]));
     let from = [
         rates[0],
         rates[1],

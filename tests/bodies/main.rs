@@ -6,4 +6,5 @@
 mod attitude;
 mod frames;
 mod inertia;
+mod print;
 mod refusals;

@@ -10,7 +10,7 @@ use rotation_dynamics::integrators::gauss_legendre::LaneByLane;
 use rotation_dynamics::integrators::gauss_legendre::coefficients::{
     CONTINUATION, NODES, STAGES, STAGES_REST, WEIGHTS, WEIGHTS_REST,
 };
-use rotation_dynamics::integrators::{GaussLegendre, Integrator, ode};
+use rotation_dynamics::integrators::{GaussLegendre, Integrator, ode, size_or};
 use rotation_dynamics::math::double_double::two_sum;
 use rotation_dynamics::math::{DoubleDouble as Dd, EPS, atan2, sincos};
 use support::{Errors, assert_error, derivative};
@@ -82,7 +82,7 @@ fn phase(angle: f64) -> Dd {
 
 #[test]
 fn phase_of_a_step_is_pades() {
-    let turning = LaneByLane(ode(|_, &[x, y]: &[f64; 2]| [-y, x]));
+    let turning = LaneByLane(ode(|_, &[x, y]: &[f64; 2]| [-y, x]).scaled(size_or([1.0; 2])));
     let mut errors = Errors::of("phase of a step");
     let mut leading = Errors::of("first term of what it lacks, relative");
     let mut damaged = Errors::of("the same with another constant");

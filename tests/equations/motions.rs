@@ -4,7 +4,7 @@
 use super::lagrangian::STATES;
 use super::{instance, theta_equation_4};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
-use rotation_dynamics::integrators::{Dop853, Ode};
+use rotation_dynamics::integrators::{Dop853, Ode, size_or};
 use rotation_dynamics::math::{EPS, cos, sin, tan};
 use support::Errors;
 
@@ -26,6 +26,10 @@ impl Ode<4> for FourToSix {
             precession,
             1.0 / self.a.sqrt() - precession * ct,
         ]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 

@@ -18,7 +18,7 @@ use rotation_dynamics::integrators::gauss_legendre::{
     BodyAxes, FreeRotation, LaneByLane, Lanes, Registers,
 };
 use rotation_dynamics::integrators::{
-    Dop853, GaussLegendre, Integrator, Ode, Rk4, Scheme, SpinFree, Splitting, Work,
+    Dop853, GaussLegendre, Integrator, Ode, Rk4, Scheme, SpinFree, Splitting, Work, size_or,
 };
 use rotation_dynamics::math::{DoubleDouble, exp, sin};
 use rotation_dynamics::scene::Scene;
@@ -151,6 +151,10 @@ impl Ode<2> for Pendulum {
     fn derivative(&self, _t: f64, &[angle, rate]: &[f64; 2]) -> [f64; 2] {
         [rate, -sin(angle)]
     }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
+    }
 }
 
 fn tumbling() -> (Scene<()>, State, FreeBody) {
@@ -281,6 +285,10 @@ impl Ode<2> for Surge {
         let s = t - 20.0;
         let rate = 0.5 + 2.0 * exp(-0.5 * s * s);
         [rate * y, -rate * x]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 
@@ -436,6 +444,10 @@ fn too_long_steps_are_refused() {
     impl Ode<1> for Broken {
         fn derivative(&self, _t: f64, [y]: &[f64; 1]) -> [f64; 1] {
             [(self.0 - y).sqrt()]
+        }
+
+        fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+            size_or([1.0; 1])(y)
         }
     }
     let zero = [0.0];

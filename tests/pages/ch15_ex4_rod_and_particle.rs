@@ -4,7 +4,7 @@
 use crate::answers::{confirmed, measured, refused, value};
 use pages::ch15_ex4_rod_and_particle::strike::Blow;
 use pages::ch15_ex4_rod_and_particle::{Answer, EXAMPLE, Parameters, ratio, scene};
-use rotation_dynamics::integrators::{Ode, after, ode};
+use rotation_dynamics::integrators::{Ode, after, ode, size_or};
 use rotation_dynamics::math::{cbrt, cos, hypot, log, sin, sincos};
 use std::f64::consts::PI;
 use support::{EPS, Errors, assert_error};
@@ -140,6 +140,7 @@ fn on_table(p: &Parameters) -> impl Ode<4> {
         let torque = moment - half * m * end / speed(end) - a.centre * across;
         [-rub * (across * c - along * s) / whole, -rub * (across * s + along * c) / whole, rate, rub * torque / inertia]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 /// What the card measures, by other routes: formulas for the solids and for a shorter lever, a

@@ -4,7 +4,7 @@
 use crate::answers::{cell, confirmed, measured, refused, value, with_report};
 use pages::ch15_ex5_centre_of_percussion::bat::{Blow, Strike};
 use pages::ch15_ex5_centre_of_percussion::*;
-use rotation_dynamics::integrators::{after, ode};
+use rotation_dynamics::integrators::{after, ode, size_or};
 use rotation_dynamics::math::{hypot, pow};
 use std::f64::consts::PI;
 use support::{EPS, Errors, assert_error};
@@ -115,7 +115,8 @@ fn what_the_card_measures() {
     let law = ode(move |_, &[d, v, a, w]: &[f64; 4]| {
         let force = 1.25 / pow(deepest, 2.5) * pow(d.max(0.0), 1.5);
         [v, -force, w, 0.5 * force - PI * PI * x * x * a]
-    });
+    })
+    .scaled(size_or([1.0; 4]));
     let [_, _, a, w] = after(1.5, &law, &[0.0, 1.0, 0.0, 0.0], 1e-10).unwrap();
     let mut errors = Errors::of("measured over another route, less one");
     errors.push(bending[1] / (shape(0.0) * shape(p.hit / p.length) * hypot(w, PI * x * a)).abs() - 1.0);

@@ -6,7 +6,7 @@ use kit::cli::Outcome;
 use kit::{MovingPicture, Page};
 use pages::ch16_2_gyroscope as gyroscope;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
-use rotation_dynamics::integrators::{Dop853, Integrator, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, ode, size_or};
 use rotation_dynamics::math::{cos, sin};
 use support::Errors;
 
@@ -350,7 +350,8 @@ fn a_spinning_disc_has_a_larger_moment() {
     let disc = ode(|x, [e, s, _]: &[f64; 3]| {
         let (along, around) = ((1.0 - nu * nu) * s - nu * e, nu * s + e);
         [(along - e) / x, (around - s) / x - x, 8.0 * e * x * x * x]
-    });
+    })
+    .scaled(size_or([1.0; 3]));
     let run = |e: f64| Dop853::new(1e-12).unwrap().advance(&disc, 1e-2, &[e, e / (1.0 - nu), 0.0], 1.0).unwrap().0;
     // No stress is left at the rim, and it is linear in the stretch of the middle.
     let ([_, left, a], [_, more, b]) = (run(0.0), run(1.0));

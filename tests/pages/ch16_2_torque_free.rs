@@ -5,7 +5,7 @@ use crate::answers::{computed, confirmed, ledger, refused, value};
 use kit::prelude::*;
 use pages::ch16_2_torque_free::*;
 use rotation_dynamics::exact::free_body::FreeBody;
-use rotation_dynamics::integrators::{Dop853, Ode, ode};
+use rotation_dynamics::integrators::{Dop853, Ode, ode, size_or};
 use std::f64::consts::TAU;
 use support::{Errors, assert_error};
 
@@ -163,7 +163,8 @@ fn unequal_moments_squeeze_the_cone_as_predicted() {
         let law = ode(move |_, n: &[f64; 3]| {
             let w = [0, 1, 2].map(|i| l * n[i] / moments[i]);
             [n[1] * w[2] - n[2] * w[1], n[2] * w[0] - n[0] * w[2], n[0] * w[1] - n[1] * w[0]]
-        });
+        })
+        .scaled(size_or([1.0; 3]));
         // L begins across e2 and crosses to e1: there the cone is at its other extreme.
         let omega = wide.free_body().unwrap().angular_velocity(0.0).to_array();
         let all = [0, 1, 2].map(|i| omega[i] * moments[i]);

@@ -5,7 +5,7 @@ use crate::answers::{cell, computed, confirmed, errors_of, refused};
 use kit::Page;
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
-use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode, size_or};
 use rotation_dynamics::planar::contact::{Mode, MechanismState, misdeclared, motion};
 use support::Errors;
 
@@ -157,7 +157,7 @@ fn a_law_of_signs_never_stops() {
         assert!((0.5..=1.0).contains(&unit), "{unit}");
         assert!(told("steps that change its sign") > 0.99);
     }
-    let brake = ode(|_, [spin]: &[f64; 1]| [-spin.signum()]);
+    let brake = ode(|_, [spin]: &[f64; 1]| [-spin.signum()]).scaled(size_or([1.0; 1]));
     let creeps = |end| Rk4::new(100 * end as u64).unwrap().advance(&brake, 0.0, &[1.0037], end).unwrap().0[0];
     let (soon, late) = (creeps(2.0), creeps(200.0));
     assert!(soon.abs() > 1e-4 && (late - soon).abs() < 1e-12, "{soon} {late}");

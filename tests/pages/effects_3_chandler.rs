@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 use pages::effects_3_chandler::excited::{Dice, Excited};
 use pages::effects_3_chandler::parts::{CORE, CoreAndMantle};
 use pages::effects_3_chandler::*;
-use rotation_dynamics::integrators::{Ode, after, ode};
+use rotation_dynamics::integrators::{Ode, after, ode, size_or};
 use rotation_dynamics::math::{exp, log};
 use rotation_dynamics::frame::BodyVector;
 use support::{Errors, assert_error};
@@ -103,7 +103,8 @@ fn eq_2_what_core_and_mantle_keep() {
         let ([a, b, c, ..], [l, n]) = (law.derivative(t, y), pair(y));
         let [d, e, f] = n.cross(&earth.turning([l, n])[0]).to_array();
         [a, b, c, d, e, f]
-    });
+    })
+    .scaled(size_or([1.0; 6]));
     let first = told(&start);
     for turns in [1.0, 10.0, 100.0] {
         let end = told(&after(TAU * turns, &law, &start, 1e-14).unwrap());

@@ -9,7 +9,7 @@ use rotation_dynamics::effects::InternalDissipation;
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Scheme, Separable, after, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Scheme, Separable, after, ode, size_or};
 use rotation_dynamics::math::{exp, log, sin, tan};
 use rotation_dynamics::scene::Scene;
 use support::{Errors, assert_error};
@@ -242,7 +242,8 @@ fn the_loss_alone_is_exact_and_the_splitting_of_its_order() {
             let w = [0, 1, 2].map(|i| n[i] * lossy.inverse[i]);
             let along: f64 = (0..3).map(|i| n[i] * w[i]).sum();
             [0, 1, 2].map(|i| lossy.loss * (n[i] * along - w[i]))
-        });
+        })
+        .scaled(size_or([1.0; 3]));
         let first = [0.6, 0.64, 0.48];
         let want = after(7.0, &alone, &first, 1e-15).unwrap();
         let kicked = |dt| {

@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 use kit::Page;
 use pages::further_3_euler_disc::*;
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, Ode, after, ode};
+use rotation_dynamics::integrators::{Dop853, Ode, after, ode, size_or};
 use rotation_dynamics::math::sincos;
 use support::{EPS, Errors, second_derivative};
 
@@ -21,6 +21,7 @@ fn in_angles(loss: Loss, inertia: f64) -> impl Ode<4> {
         let turn = (axial * falling * spin - drag * c / s) / inertia - 2.0 * rate * c * falling;
         [falling, pull / (inertia + 1.0), turn / s, (rate * s * falling + drag) / (axial + 1.0)]
     })
+    .scaled(size_or([1.0; 4]))
 }
 
 /// What vectors and angles say after some turns, from a start that is not steady.

@@ -5,7 +5,7 @@ use crate::answers::{computed, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
 use kit::Page;
 use pages::further_5_wheel_on_rope::*;
-use rotation_dynamics::integrators::{Ode, after};
+use rotation_dynamics::integrators::{Ode, after, size_or};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{cos, hypot, log, sin};
 use support::Errors;
@@ -203,7 +203,8 @@ fn directions_left_to_round_off_drift() {
         let part = |k: usize| SpaceVector::new(y[k], y[k + 1], y[k + 2]);
         let bare = Place { rope: [part(0), part(3)], axle: [part(6), part(9)] };
         wheel.rates(&bare)
-    });
+    })
+    .scaled(size_or([1.0; 12]));
     let start = wheel.in_space(&wheel.going(0.5).unwrap());
     let long = |y: [f64; 12]| (hypot(hypot(y[6], y[7]), y[8]) - 1.0).abs();
     let [short, longer] = [5.0, 8.0].map(|t| long(after(t, &naive, &start, 1e-14).unwrap()));

@@ -6,7 +6,7 @@ use kit::Page;
 use kit::prelude::*;
 use pages::further_6_turntable::rolling::{Ball, Moving, Surface, Touch, at};
 use pages::further_6_turntable::*;
-use rotation_dynamics::integrators::{after, newton, place_and_velocity};
+use rotation_dynamics::integrators::{after, newton, place_and_velocity, size_or};
 use std::f64::consts::{PI, TAU};
 use support::Errors;
 
@@ -146,7 +146,7 @@ fn eq_4_it_moves_as_a_charge_in_crossed_fields() {
         let end = later(ball, &start, t);
         let charge = |field: f64| {
             let b = SpaceVector::new(0.0, 0.0, field);
-            let law = newton(move |_, [_, v]| along + v.cross(&b));
+            let law = newton(move |_, [_, v]| along + v.cross(&b)).scaled(size_or([1.0; 6]));
             let end = after(t, &law, &[0.1, 0.0, 0.0, 0.05, 0.2, 0.0], 1e-14).unwrap();
             place_and_velocity(&end)[0]
         };

@@ -2,7 +2,7 @@
 
 use super::Dome;
 use rotation_dynamics::Result;
-use rotation_dynamics::integrators::Dop853;
+use rotation_dynamics::integrators::{Dop853, size_or};
 use rotation_dynamics::math::exp;
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate, simulate_within};
 use support::{EPS, Errors, assert_error};
@@ -98,6 +98,10 @@ impl Phased<2> for Forgetful {
             Next::decide(forget),
         )]
     }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
+    }
 }
 
 /// Times and ends agree whatever the steps; only the state at the event tells the runs apart.
@@ -176,6 +180,10 @@ impl Phased<2> for Tied {
                 other,
             ),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 

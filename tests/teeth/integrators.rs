@@ -6,7 +6,9 @@ use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::State;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::splitting::{BodyPoint, Outer};
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Scheme, Separable, Splitting};
+use rotation_dynamics::integrators::{
+    Dop853, Integrator, Ode, Scheme, Separable, Splitting, size_or,
+};
 use support::assert_error;
 
 const T: f64 = 20.0;
@@ -146,6 +148,10 @@ impl Ode<7> for OnBodyAxes {
             rate.y(),
             rate.z(),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Going on from a located event: a start that is on it is not the next one.
 
 use core::f64::consts::{PI, TAU};
-use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode, ode, second_order};
+use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode, ode, second_order, size_or};
 use rotation_dynamics::math::{cos, sin};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 use rotation_dynamics::{Error, Result};
@@ -256,7 +256,7 @@ fn a_touch_is_left_behind() -> Result<()> {
             [0.0, 1e-18, 1e-16, 3e-15][cases % 4],
         );
         let direction = [Direction::Either, Direction::Rising, Direction::Falling][cases % 3];
-        let clock = ode(|_, _: &[f64; 1]| [1.0]);
+        let clock = ode(|_, _: &[f64; 1]| [1.0]).scaled(size_or([1.0; 1]));
         let (mut t, mut state, mut stops) = (0.0, [0.0], 0);
         loop {
             let touches = move |_: f64, y: &[f64; 1]| (y[0] - centre) * (y[0] - centre) - depth;
@@ -320,6 +320,10 @@ impl Phased<2> for Relay {
         };
         vec![Condition::gap("switch", gap, Next::Enter(!right))]
     }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
+    }
 }
 
 /// A switch with plain gaps on both sides.
@@ -378,6 +382,10 @@ impl Phased<4> for Box2 {
             Condition::gap("bottom", |s| s[1], up),
             Condition::gap("top", move |s| b - s[1], down),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 
@@ -447,6 +455,10 @@ struct Clock;
 impl Ode<1> for Clock {
     fn derivative(&self, _: f64, _: &[f64; 1]) -> [f64; 1] {
         [1.0]
+    }
+
+    fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+        size_or([1.0; 1])(y)
     }
 }
 

@@ -1,9 +1,14 @@
 //! Refusals say what is wrong, in few digits.
 
 use kit::interval::{above, from_to};
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, Properties, check};
 use rotation_dynamics::exact::jacobi::sn_cn_dn;
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{Dop853, Integrator, ode, second_order};
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Dop853, Integrator, ode, second_order, size_or};
 use rotation_dynamics::math::{cos, exp};
 use rotation_dynamics::{Error, Result};
 use support::Errors;
@@ -47,6 +52,7 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             effect: text(),
             claim: name,
             t: x,
+            probe: x < y,
             off: y,
             allowed: z,
         },
@@ -267,7 +273,7 @@ fn messages_are_short() {
 /// A run in steps that the clock cannot tell apart is refused for that.
 #[test]
 fn a_coarse_clock_is_named() -> Result<()> {
-    let decay = |tau: f64| ode(move |_, [y]: &[f64; 1]| [-y / tau]);
+    let decay = |tau: f64| ode(move |_, [y]: &[f64; 1]| [-y / tau]).scaled(size_or([1.0; 1]));
     let method = Dop853::new(1e-12)?;
     let mut cases = 0;
     for (t, tau) in [
@@ -302,7 +308,7 @@ fn a_coarse_clock_is_named() -> Result<()> {
         "{message}"
     );
     // The damaged twin: a pole is a pole, and no matter of the clock.
-    let pole = ode(|_, [y]: &[f64; 1]| [y * y]);
+    let pole = ode(|_, [y]: &[f64; 1]| [y * y]).scaled(size_or([1.0; 1]));
     for t in [0.0, 1e3, -1e3] {
         let error = method.advance(&pole, t, &[1.0], t + 2.0);
         let Err(Error::StepUnderflow { clock: None, .. }) = error else {
@@ -319,7 +325,7 @@ fn any_time_will_do_from_zero() -> Result<()> {
     for tau in [
         1e-300, 1e-200, 1e-100, 1e-20, 1.0, 1e20, 1e100, 1e200, 1e300,
     ] {
-        let decay = ode(move |_, [y]: &[f64; 1]| [-y / tau]);
+        let decay = ode(move |_, [y]: &[f64; 1]| [-y / tau]).scaled(size_or([1.0; 1]));
         let (end, _) = Dop853::new(1e-12)?.advance(&decay, 0.0, &[1.0], tau)?;
         errors.push_at(end[0] / exp(-1.0) - 1.0, tau);
     }
@@ -375,5 +381,65 @@ fn parameters_outside_say_how_to_map_them() -> Result<()> {
     }
     errors.attain(9.4e-16..=9.5e-16, 15);
     quarters.attain(2.1e-15..=2.2e-15, 9);
+    Ok(())
+}
+
+/// An effect that says that it does not depend on how the body turns; it does, but only where the
+/// body is turned by more than this (rad).
+struct Turned(f64);
+
+impl Effect for Turned {
+    const PROPERTIES: Properties = Properties {
+        on_rates: false,
+        ..Properties::ANYTHING
+    };
+    fn name(&self) -> &'static str {
+        "spring"
+    }
+    fn torque(&self, _t: f64, _body: &RigidBody, state: &State) -> SpaceVector {
+        let far = state.attitude.angle_to(&Attitude::IDENTITY) >= self.0;
+        state.angular_momentum * if far { -1.0 } else { 0.0 }
+    }
+}
+
+#[test]
+fn refusals_say_where_and_hint_at_a_way_out() -> Result<()> {
+    let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+    let contradicted = |from| check(&Turned(from), &body, [0.0, 1.0], &start);
+    let typed = |z: f64| [[0.866, -0.5, 0.0], [0.5, 0.866, 0.0], [0.0, 0.0, z]];
+    let slides = Error::Sliding {
+        effect: "relay".into(),
+        t: 1.0,
+    };
+    let said = |refused: Result<()>| refused.expect_err("refused").to_string();
+    let cases = [
+        (
+            said(contradicted(0.0)),
+            "how the body turns, and at t = 0 its torque",
+        ),
+        (
+            said(contradicted(0.1)),
+            "at another attitude and momentum, its torque is off",
+        ),
+        (
+            said(Attitude::from_matrix(typed(1.0)).map(|_| ())),
+            "`Attitude::nearest` finds the rotation nearest to it",
+        ),
+        (
+            said(Attitude::from_matrix(typed(-1.0)).map(|_| ())),
+            "it must be +1, of right-handed axes",
+        ),
+        (
+            slides.to_string(),
+            "hysteresis, sample it at a rate (`Torque::sampled`)",
+        ),
+    ];
+    let mut ran = 0;
+    for (said, words) in cases {
+        assert!(said.contains(words), "{said} should contain {words}");
+        ran += 1;
+    }
+    assert_eq!(ran, 5);
     Ok(())
 }

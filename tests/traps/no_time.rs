@@ -16,7 +16,7 @@ use rotation_dynamics::gimbals::{Bearings, Course, Gimbals};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, MuntheKaas4, Resisted, Rk4, Scheme, SpinFree, Splitting,
-    second_order,
+    second_order, size_or,
 };
 use rotation_dynamics::math::{DoubleDouble, EPS};
 use rotation_dynamics::motion::Motion;
@@ -156,6 +156,10 @@ impl Phased<2> for Falling {
     fn conditions(&self, _: ()) -> Vec<Condition<'_, (), 2>> {
         let rebound = Next::jump((), |[_, v]: &[f64; 2]| [0.0, -v]);
         vec![Condition::gap("height", |y| y[0], rebound)]
+    }
+
+    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+        size_or([1.0; 2])(y)
     }
 }
 

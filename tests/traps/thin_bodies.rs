@@ -90,8 +90,7 @@ impl<E: Effect> Case<E> {
     fn in_momentum(&self, tolerance: f64, steps: u64) -> Result<(Attitude, u64)> {
         let method = Dop853::new(tolerance)?.with_step_limit(steps)?;
         let start = components(&self.start());
-        let (end, work) =
-            Integrator::<_, [f64; 7]>::advance(&method, &self.scene, 0.0, &start, self.t_end)?;
+        let (end, work) = method.advance(&self.scene, 0.0, &start, self.t_end)?;
         Ok((state(&end)?.attitude, work.derivatives))
     }
 

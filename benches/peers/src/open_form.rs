@@ -7,7 +7,7 @@
 use crate::form::Form;
 use crate::open::{LYING, Under, no_closed_form};
 use crate::problem::{Motion, Problem};
-use rotation_dynamics::integrators::StageOde;
+use rotation_dynamics::integrators::{StageOde, size_or};
 use rotation_dynamics::math::lane::WIDEST;
 use rotation_dynamics::math::{Lane, exp, sincos};
 use rotation_dynamics::{Error, Result};
@@ -153,6 +153,10 @@ impl StageOde<7> for Heavy {
     fn derivatives<L: Lane>(&self, _t: L, y: &[L; 7]) -> [L; 7] {
         self.undamped(y)
     }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
+    }
 }
 
 form!(Heavy, 7, "q, h", |_, _, &[w, x, y, z, ..]| [w, x, y, z]);
@@ -181,6 +185,10 @@ impl StageOde<7> for Damped {
     fn derivatives<L: Lane>(&self, _t: L, y: &[L; 7]) -> [L; 7] {
         let [w, x, y1, z, p, q, r] = self.heavy.undamped(y);
         [w, x, y1, z, p, q, r - y[6] * self.heavy.friction]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
     }
 }
 
@@ -237,6 +245,10 @@ impl StageOde<6> for HeavyInSpace {
         let k = self.weight;
         [dw, dx, dy, dz, (w * x - y * z) * k, (x * z + w * y) * k]
     }
+
+    fn scale(&self, y: &[f64; 6]) -> [f64; 6] {
+        size_or([1.0; 6])(y)
+    }
 }
 
 form!(HeavyInSpace, 6, "q, L", |_, _, &[w, x, y, z, ..]| [
@@ -290,6 +302,10 @@ impl StageOde<7> for DampedWithoutSpin {
             (w * y - x * z) * k,
             -(r * self.friction),
         ]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
     }
 }
 
@@ -356,6 +372,10 @@ impl StageOde<7> for Satellite {
         let [dp, dq, dr] = self.pulled(free, toward);
         [turn[0], turn[1], turn[2], turn[3], dp, dq, dr]
     }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
+    }
 }
 
 form!(Satellite, 7, "q, h", |_, _, &[w, x, y, z, ..]| [w, x, y, z]);
@@ -393,6 +413,10 @@ impl StageOde<7> for SatelliteOnOrbit {
         ];
         let [dp, dq, dr] = self.inner.pulled(free, toward);
         [dw + z * n, dx + y * n, dy - x * n, dz - w * n, dp, dq, dr]
+    }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
     }
 }
 
@@ -451,6 +475,10 @@ impl StageOde<7> for Driven {
         let [c, _] = wave(self.rate, t);
         self.pushed(c, [w, x, y, z], [p, q, r])
     }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
+    }
 }
 
 form!(Driven, 7, "q, h", |_, _, &[w, x, y, z, ..]| [w, x, y, z]);
@@ -484,6 +512,10 @@ impl StageOde<9> for DrivenByOscillator {
         let [dw, dx, dy, dz, dp, dq, dr] = self.inner.pushed(c, [w, x, y, z], [p, q, r]);
         let rate = self.inner.rate;
         [dw, dx, dy, dz, dp, dq, dr, -(s * rate), c * rate]
+    }
+
+    fn scale(&self, y: &[f64; 9]) -> [f64; 9] {
+        size_or([1.0; 9])(y)
     }
 }
 

@@ -74,7 +74,7 @@ impl Interval {
     }
 
     /// The part in which a reader will want to move, if it is narrower than the interval.
-    pub fn usual(&self) -> Option<[f64; 2]> {
+    pub(crate) fn usual(&self) -> Option<[f64; 2]> {
         self.usual
     }
 

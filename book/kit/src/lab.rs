@@ -19,7 +19,7 @@ pub struct Tried {
     /// How far its end is from the exact one, or from what stands for it.
     pub errors: Errors,
     /// What it cost, all runs together.
-    pub work: Work,
+    pub(crate) work: Work,
     /// The error (rad) asked of `solve` whose end stands for the exact one; `None` if that is known.
     pub against: Option<f64>,
 }

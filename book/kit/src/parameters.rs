@@ -346,12 +346,12 @@ impl Flag {
     }
 
     /// The unit, `"-"` if there is none.
-    pub fn unit(&self) -> &'static str {
+    pub(crate) fn unit(&self) -> &'static str {
         self.unit
     }
 
     /// What it is, in a few words.
-    pub fn meaning(&self) -> &'static str {
+    pub(crate) fn meaning(&self) -> &'static str {
         self.meaning.trim()
     }
 
@@ -366,7 +366,7 @@ impl Flag {
     }
 
     /// The usual strength of an effect; `None` for what is no effect.
-    pub fn usual(&self) -> Option<f64> {
+    pub(crate) fn usual(&self) -> Option<f64> {
         self.usual
     }
 
@@ -389,14 +389,14 @@ impl Flag {
     }
 
     /// Leaves the effect out; what is no effect stays as it is.
-    pub fn leave_out(&self, parameters: &mut dyn Settings) {
+    pub(crate) fn leave_out(&self, parameters: &mut dyn Settings) {
         if self.usual.is_some() {
             parameters.set(self.field, None);
         }
     }
 
     /// Sets the choice if `word` is among its words.
-    pub fn set_word(&self, parameters: &mut dyn Settings, word: &str) {
+    pub(crate) fn set_word(&self, parameters: &mut dyn Settings, word: &str) {
         if let Some(word) = self.words.iter().find(|w| **w == word) {
             parameters.set(self.field, Some(Value::Word(word)));
         }

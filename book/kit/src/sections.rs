@@ -268,7 +268,7 @@ impl Report {
     }
 
     /// Sets the methods that a reader may try.
-    pub fn set_lab(&mut self, lab: Lab) {
+    pub(crate) fn set_lab(&mut self, lab: Lab) {
         self.lab = Some(lab);
     }
 

@@ -115,7 +115,7 @@ impl Trajectory {
 
     /// The file: a line of names, then the samples, each number with as many
     /// digits as it takes to read the same bits back.
-    pub fn csv(&self) -> String {
+    pub(crate) fn csv(&self) -> String {
         let mut text = self.columns.join(",") + "\n";
         for row in &self.rows {
             for (i, value) in row.iter().enumerate() {

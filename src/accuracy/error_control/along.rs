@@ -5,7 +5,7 @@ use super::method::{Fine, Method, Passed, Runs, Steps, Stop};
 use super::refine::stops;
 use super::{ExactMotion, Limits, Solved};
 use crate::body::{RigidBody, State};
-use crate::effects::AnyEffect;
+use crate::effects::erased::AnyEffect;
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::motion::{Kept, Motion};

@@ -10,8 +10,10 @@ use super::problem::{ALL_ROWS, Acting, Distances, Probe, Problem};
 use super::refine::Refinement;
 use super::slender::Slender;
 use super::{ExactMotion, Solved};
+use crate::accuracy::tolerance_of_attitude;
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Checked, NEAR};
+use crate::effects::erased::AnyEffect;
+use crate::effects::{Checked, NEAR};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
@@ -69,14 +71,7 @@ impl<'s> Given<'s> {
         tolerance: f64,
         limits: &Limits<'s>,
     ) -> Result<Self> {
-        finite("tolerance", tolerance)?;
-        if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::out_of_range(
-                "tolerance",
-                tolerance,
-                "above 0 and at most pi",
-            ));
-        }
+        tolerance_of_attitude(tolerance)?;
         limits.checked(t_end)?;
         State::new(start.attitude, start.angular_momentum)?;
         let checked = Checked::new(effects, body, [limits.t_start, t_end], start)?;

@@ -7,7 +7,7 @@
 use super::method::{Stop, later};
 use super::problem::Problem;
 use crate::body::State;
-use crate::effects::{Holding, Law, is_same, piece};
+use crate::effects::{Held, Holding, Law, is_same, piece};
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Work, scene};
 
@@ -54,7 +54,8 @@ pub(super) fn carried(
         is_sample = sample < t_end && !is_same(sample, t_end);
         let to = if is_sample { sample } else { t_end };
         let (s, y, met) = {
-            let on_piece = problem.scene::<false, true>(&holding, [now, to]);
+            let held = Held(&holding);
+            let on_piece = problem.scene::<false, true>(&held, [now, to]);
             let ode: &dyn Ode<7> = &on_piece;
             let watched: Vec<_> = (holding.laws())
                 .filter(|(n, law)| law.margin(holding.held[*n], now, body, &state) != f64::INFINITY)

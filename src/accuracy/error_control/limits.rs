@@ -1,6 +1,7 @@
 //! What a solution may take, beside its scene, start, end and tolerance.
 
-use crate::effects::{AnyEffect, Checked, is_same};
+use crate::effects::erased::AnyEffect;
+use crate::effects::{Checked, is_same};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
 use core::sync::atomic::{AtomicBool, Ordering};

@@ -39,9 +39,9 @@ pub use exact_motion::ExactMotion;
 pub use limits::Limits;
 
 use crate::body::State;
-use crate::effects::AnyEffect;
 #[cfg(doc)]
 use crate::effects::Effect;
+use crate::effects::erased::AnyEffect;
 use crate::error::Result;
 use crate::integrators::Work;
 use crate::scene::Scene;

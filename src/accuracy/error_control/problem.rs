@@ -4,9 +4,10 @@ use super::exact_motion::ExactMotion;
 use super::slender::Slender;
 use crate::accuracy::{Stepper, Variables, larger};
 use crate::body::{RigidBody, State};
+use crate::effects::erased::AnyEffect;
 use crate::effects::{
-    AnyEffect, Checked, Conserved, Effect, EffectRef, GravityAtLever, IntegrableCase, Properties,
-    Resistance, each, one_by_one, piece,
+    Checked, Conserved, Effect, EffectRef, GravityAtLever, IntegrableCase, Properties, Resistance,
+    each, one_by_one, piece,
 };
 use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};

@@ -2,7 +2,8 @@
 
 use super::problem::{Acting, Problem};
 use crate::body::{RigidBody, State};
-use crate::effects::{AnyEffect, Effect, Properties};
+use crate::effects::erased::AnyEffect;
+use crate::effects::{Effect, Properties};
 use crate::error::Error;
 use crate::frame::SpaceVector;
 use crate::integrators::{Dop853, Integrator, Work};

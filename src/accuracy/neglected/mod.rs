@@ -16,11 +16,12 @@
 
 mod variation;
 
-use crate::accuracy::{Limits, larger};
+use crate::accuracy::{Limits, larger, tolerance_of_attitude};
 use crate::attitude::Attitude;
 use crate::body::State;
-use crate::effects::{AnyEffect, Effect, check};
-use crate::error::{Error, Result, finite};
+use crate::effects::erased::AnyEffect;
+use crate::effects::{Effect, check};
+use crate::error::{Error, Result};
 use crate::integrators::scene::components;
 use crate::integrators::{Dop853, Work};
 use crate::math::atan2;
@@ -162,14 +163,7 @@ impl<E: Effect> Scene<E> {
         tolerance: f64,
         limits: &Limits<'s>,
     ) -> Result<NeglectedEffects<'s, E>> {
-        finite("tolerance", tolerance)?;
-        if !(tolerance > 0.0 && tolerance <= core::f64::consts::PI) {
-            return Err(Error::out_of_range(
-                "tolerance",
-                tolerance,
-                "above 0 and at most pi",
-            ));
-        }
+        tolerance_of_attitude(tolerance)?;
         limits.checked(t_end)?;
         let start = State::new(start.attitude, start.angular_momentum)?;
         check(self.effects(), self.body(), [limits.t_start, t_end], &start)?;

@@ -1,7 +1,8 @@
 //! A motion and its linear response to an effect, as one system of 14 components.
 
 use crate::body::RigidBody;
-use crate::effects::{AnyEffect, Effect};
+use crate::effects::Effect;
+use crate::effects::erased::AnyEffect;
 use crate::error::Result;
 use crate::integrators::Ode;
 use crate::integrators::scene::state;
@@ -32,8 +33,8 @@ pub(super) fn leaned(y: &[f64; 14]) -> f64 {
 /// A scene behind pointers: what is written for it is compiled once for all scenes.
 #[derive(Clone, Copy)]
 pub(super) struct AnyScene<'s> {
-    pub body: &'s RigidBody,
-    pub effects: &'s dyn AnyEffect,
+    pub(super) body: &'s RigidBody,
+    pub(super) effects: &'s dyn AnyEffect,
     motion: &'s dyn Ode<7>,
 }
 
@@ -49,16 +50,16 @@ impl<'s, E: Effect> From<&'s Scene<E>> for AnyScene<'s> {
 
 /// The motion of a scene and its linear response to an effect, side by side.
 pub(super) struct Variation<'s> {
-    pub scene: AnyScene<'s>,
-    pub effect: &'s dyn AnyEffect,
+    pub(super) scene: AnyScene<'s>,
+    pub(super) effect: &'s dyn AnyEffect,
     /// A response (rad) of no interest, where the effect does not say how large it is.
-    pub least: f64,
+    pub(super) least: f64,
     /// A rate (rad/s) that is slow: a radian in the whole span.
-    pub slowest: f64,
+    pub(super) slowest: f64,
     /// The time (s) of the start, at which an effect says how large it is.
-    pub t_start: f64,
+    pub(super) t_start: f64,
     /// The first time and the last between two jumps.
-    pub piece: [f64; 2],
+    pub(super) piece: [f64; 2],
 }
 
 impl Variation<'_> {

@@ -42,13 +42,13 @@ pub(super) fn columns(turned: impl Fn([f64; 4]) -> [f64; 4]) -> Columns<f64> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates<V = f64> {
     /// L/J on the ordered axes, with the sign; and where each body axis stands in that order.
-    pub rate: [V; 3],
-    pub place: [usize; 3],
+    pub(super) rate: [V; 3],
+    pub(super) place: [usize; 3],
     /// l3 = c dn, dn^2 = m1 + m (l1/l1max)^2: the small l3 next to the separatrix
     /// keeps its relative accuracy, which |alpha|^2 - |beta|^2 would lose.
-    pub c: V,
-    pub m1: V,
-    pub m_over_l1: V,
+    pub(super) c: V,
+    pub(super) m1: V,
+    pub(super) m_over_l1: V,
 }
 
 impl<V: Constant> Rates<V> {

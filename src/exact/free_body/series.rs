@@ -20,18 +20,18 @@ pub(super) enum Series {
 /// Polynomials in sin^2 z.
 #[derive(Debug, Clone)]
 pub(super) struct Trigonometric {
-    pub alpha: [[f64; 4]; 2],
-    pub beta: [[f64; 4]; 2],
+    pub(super) alpha: [[f64; 4]; 2],
+    pub(super) beta: [[f64; 4]; 2],
 }
 
 /// Polynomials in k = 2 q cosh 2w, w = `rate` t.
 #[derive(Debug, Clone)]
 pub(super) struct Hyperbolic {
-    pub rate: Dd,
+    pub(super) rate: Dd,
     /// q, the root of the complementary nome.
-    pub nome: f64,
-    pub alpha: [[f64; 4]; 2],
-    pub beta: [[f64; 4]; 2],
+    pub(super) nome: f64,
+    pub(super) alpha: [[f64; 4]; 2],
+    pub(super) beta: [[f64; 4]; 2],
 }
 
 impl Series {

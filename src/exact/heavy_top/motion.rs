@@ -17,21 +17,21 @@ use nalgebra::Complex;
 /// A motion between two turning points.
 #[derive(Debug, Clone)]
 pub(super) struct Motion {
-    pub roots: Roots,
-    pub m: Dd,
-    pub m1: Dd,
+    pub(super) roots: Roots,
+    pub(super) m: Dd,
+    pub(super) m1: Dd,
     /// Time from a turning point to the next; infinite for the homoclinic motion.
-    pub half_period: Dd,
-    pub homoclinic: bool,
+    pub(super) half_period: Dd,
+    pub(super) homoclinic: bool,
     per_half_period: f64,
     /// Time from the turning point number `first` to the start.
-    pub offset: Dd,
-    pub first: i64,
-    pub series: Series,
-    pub rates: Rates,
+    pub(super) offset: Dd,
+    pub(super) first: i64,
+    pub(super) series: Series,
+    pub(super) rates: Rates,
     /// z or w per time.
-    pub rate: Dd,
-    pub channels: [Channel; 2],
+    pub(super) rate: Dd,
+    pub(super) channels: [Channel; 2],
 }
 
 /// The transverse rate's series.
@@ -45,29 +45,29 @@ pub(super) enum Rates {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Channel {
     /// Phase rate (rad per time).
-    pub rate: Dd,
+    pub(super) rate: Dd,
     /// Lag per half-period (rad).
-    pub step: Dd,
+    pub(super) step: Dd,
     /// The sense of its turn at each passage: +1 or -1.
-    pub sign: f64,
+    pub(super) sign: f64,
     /// It reaches zero: the axis passes the pole.
-    pub reached: bool,
+    pub(super) reached: bool,
     /// Argument of the series at the start, and the half turns beyond it.
-    pub initial: f64,
-    pub initial_half_turns: f64,
+    pub(super) initial: f64,
+    pub(super) initial_half_turns: f64,
 }
 
 /// A place on the time axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     /// Half-periods since the turning point `first`, the nearest one at the start.
-    pub count: f64,
+    pub(super) count: f64,
     /// Full periods, counted so that -1, 0 and 1 alternate in sign.
-    pub period: i64,
+    pub(super) period: i64,
     /// Near the turning point v2.
-    pub upper: bool,
+    pub(super) upper: bool,
     /// z or w from the nearest turning point.
-    pub x: f64,
+    pub(super) x: f64,
 }
 
 impl Motion {

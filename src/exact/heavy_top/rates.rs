@@ -11,8 +11,8 @@ use crate::math::DoubleDouble as Dd;
 /// k = 2 cos 2z, times cos z its real part and times sin z its imaginary one.
 #[derive(Debug, Clone)]
 pub(super) struct RateWave {
-    pub sense: f64,
-    pub factor: Factor,
+    pub(super) sense: f64,
+    pub(super) factor: Factor,
 }
 
 /// The same after Jacobi's imaginary transformation: theta_3(d + iw | q') around the lower

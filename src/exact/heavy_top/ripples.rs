@@ -12,8 +12,8 @@ pub(super) struct Ripple {
     sign: f64,
     y: Angle,
     /// theta_4(y'), and d arg theta_4(y' + iw)/dw at w = 0.
-    pub at_zero: Dd,
-    pub slope: Dd,
+    pub(super) at_zero: Dd,
+    pub(super) slope: Dd,
     /// sin and cos of y', 3y', 5y', 7y': each with the relative accuracy of the first.
     odd: [(f64, f64); 4],
     /// sin and cos of 2y', 4y', 6y'.

@@ -22,17 +22,17 @@ use crate::math::{DoubleDouble as Dd, ilogb, ldexp};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Conserved {
     /// B = +-L_z/I1.
-    pub spin: Dd,
+    pub(super) spin: Dd,
     /// A - B: zero for a motion that can reach v = 1.
-    pub difference: Dd,
+    pub(super) difference: Dd,
     /// A + B: zero for a motion that can reach v = -1.
-    pub sum: Dd,
+    pub(super) sum: Dd,
     /// alpha - beta.
-    pub excess: Dd,
+    pub(super) excess: Dd,
     /// alpha + beta.
-    pub total: Dd,
+    pub(super) total: Dd,
     /// beta >= 0.
-    pub gravity: Dd,
+    pub(super) gravity: Dd,
 }
 
 impl Conserved {
@@ -61,34 +61,34 @@ pub(super) enum Origin {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct State {
     /// 1 - v, without cancellation.
-    pub to_one: Dd,
+    pub(super) to_one: Dd,
     /// 1 + v, without cancellation.
-    pub from_minus_one: Dd,
+    pub(super) from_minus_one: Dd,
     /// v'.
-    pub rate: Dd,
+    pub(super) rate: Dd,
     /// F'(v).
-    pub slope: Dd,
+    pub(super) slope: Dd,
 }
 
 /// The roots by their distances from 1, -1 and each other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Roots {
     /// 1 - v1.
-    pub x1: Dd,
+    pub(super) x1: Dd,
     /// 1 - v2.
-    pub x2: Dd,
+    pub(super) x2: Dd,
     /// 1 + v1.
-    pub y1: Dd,
+    pub(super) y1: Dd,
     /// 1 + v2.
-    pub y2: Dd,
+    pub(super) y2: Dd,
     /// v2 - v1.
-    pub gap: Dd,
+    pub(super) gap: Dd,
     /// beta (v3 - 1), finite as beta -> 0.
-    pub outer: Dd,
+    pub(super) outer: Dd,
     /// beta.
-    pub gravity: Dd,
+    pub(super) gravity: Dd,
     /// v - v1 and v2 - v at the start.
-    pub start: (Dd, Dd),
+    pub(super) start: (Dd, Dd),
 }
 
 impl Roots {

@@ -25,26 +25,26 @@ use nalgebra::Complex;
 /// Both parameters at a point, up to a common real factor, with derivatives by z or w.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
-    pub a: Complex<f64>,
-    pub b: Complex<f64>,
+    pub(super) a: Complex<f64>,
+    pub(super) b: Complex<f64>,
 }
 
 /// One factor as the series of its real and imaginary part, polynomials in k = 2 cos 2z
 /// or in q' 2 cosh 2w.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Factor {
-    pub re: [f64; 4],
-    pub im: [f64; 4],
+    pub(super) re: [f64; 4],
+    pub(super) im: [f64; 4],
 }
 
 /// The series around both turning points.
 #[derive(Debug, Clone)]
 pub(super) struct Series {
-    pub hyperbolic: bool,
+    pub(super) hyperbolic: bool,
     /// q', or q.
-    pub nome: f64,
+    pub(super) nome: f64,
     /// [lower, upper] turning point: the factor of type H and the one of type H1.
-    pub sides: [[Factor; 2]; 2],
+    pub(super) sides: [[Factor; 2]; 2],
 }
 
 impl Series {

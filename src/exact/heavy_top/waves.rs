@@ -15,16 +15,16 @@ use crate::math::{DoubleDouble as Dd, Exact};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Zero {
     /// The sense in which the phase runs past it: +1 or -1.
-    pub sign: f64,
-    pub place: theta::Zero,
+    pub(super) sign: f64,
+    pub(super) place: theta::Zero,
 }
 
 /// What the set-up learns besides the series: the phase rates d arg/dz that the two
 /// series have where they are matched.
 pub(super) struct Matched {
-    pub series: Series,
+    pub(super) series: Series,
     /// d arg a/dz at the upper turning point, d arg b/dz at the lower one.
-    pub slopes: [Dd; 2],
+    pub(super) slopes: [Dd; 2],
 }
 
 impl Series {
@@ -117,7 +117,7 @@ pub(super) struct Wave<L = f64> {
     cosh: [Dd<L>; LEADING],
     sinh: [Dd<L>; LEADING],
     /// H1(-i eta).
-    pub at_zero: Dd<L>,
+    pub(super) at_zero: Dd<L>,
     /// Two terms more of the sum of (2n+1) sinh.
     more_slope: L,
 }

@@ -57,13 +57,16 @@ use core::ops::ControlFlow;
 /// memory of the last error (PI), *II*, IV.2.
 ///
 /// ```
-/// use rotation_dynamics::integrators::{Dop853, Event, Ode};
+/// use rotation_dynamics::integrators::{Dop853, Event, Ode, size_or};
 ///
 /// /// A stone thrown upwards: height and speed.
 /// struct Stone;
 /// impl Ode<2> for Stone {
 ///     fn derivative(&self, _t: f64, [_, speed]: &[f64; 2]) -> [f64; 2] {
 ///         [*speed, -9.81]
+///     }
+///     fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+///         size_or([1.0; 2])(y)
 ///     }
 /// }
 ///

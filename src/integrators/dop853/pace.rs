@@ -50,9 +50,10 @@ impl Dop853 {
     /// Source: K. F. Sundman, Acta Math. 36, 105 (1912).
     ///
     /// ```
-    /// use rotation_dynamics::integrators::{Dop853, ode};
+    /// use rotation_dynamics::integrators::{Dop853, size_or, ode};
     /// // A fall to a centre that attracts with 1/r^2, from rest at r = 1 to r = 1e-4: r, r', t.
     /// let fall = ode(|_, [r, v, _]: &[f64; 3]| [*v, -1.0 / (r * r), 1.0]);
+    /// let fall = fall.scaled(size_or([1.0; 3]));
     /// let method = Dop853::new(1e-14)?;
     /// let t_end = 1.110_720_263_120_927_6;
     /// let ([r, ..], _) = method.advance_at_pace(&fall, &[1.0, 0.0, 0.0], t_end, |[r, ..]| *r)?;

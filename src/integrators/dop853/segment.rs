@@ -3,13 +3,13 @@
 /// One step as a polynomial of degree 7 in the time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Segment<const N: usize> {
-    pub t: f64,
-    pub t_end: f64,
-    pub start: [f64; N],
-    pub end: [f64; N],
+    pub(super) t: f64,
+    pub(super) t_end: f64,
+    pub(super) start: [f64; N],
+    pub(super) end: [f64; N],
     /// d, b, w, c3 ... c6 of y = start + s (d + r (b + s (w + r (c3 + s (c4 +
     /// r (c5 + s c6)))))), where s is the fraction of the step and r = 1 - s.
-    pub coefficients: [[f64; N]; 7],
+    pub(super) coefficients: [[f64; N]; 7],
 }
 
 impl<const N: usize> Segment<N> {

@@ -13,11 +13,11 @@ use crate::math::lane::write_finite;
 /// A step, tried again and again in one place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trial<const N: usize> {
-    pub t: f64,
-    pub t_end: f64,
-    pub start: Compensated<N>,
-    pub end: Compensated<N>,
-    pub k: [[f64; N]; STAGES],
+    pub(super) t: f64,
+    pub(super) t_end: f64,
+    pub(super) start: Compensated<N>,
+    pub(super) end: Compensated<N>,
+    pub(super) k: [[f64; N]; STAGES],
     /// What was added to the start.
     made: [f64; N],
     /// What was added to the end to put it back, where it had drifted.

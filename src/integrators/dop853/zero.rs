@@ -10,10 +10,11 @@ impl Dop853 {
     /// the work; `f` may be zero at the start.
     ///
     /// ```
-    /// use rotation_dynamics::integrators::{Dop853, Ode};
+    /// use rotation_dynamics::integrators::{Dop853, Ode, size_or};
     /// struct Spring;
     /// impl Ode<2> for Spring {
     ///     fn derivative(&self, _: f64, [x, v]: &[f64; 2]) -> [f64; 2] { [*v, -x] }
+    ///     fn scale(&self, y: &[f64; 2]) -> [f64; 2] { size_or([1.0; 2])(y) }
     /// }
     /// let (back, _) = Dop853::new(1e-14)?.zero(&Spring, [1.0, 0.0], 2, 100.0, |y| y[1])?;
     /// assert!((back.t - core::f64::consts::TAU).abs() < 1e-13);

@@ -58,9 +58,7 @@ pub trait StageOde<const N: usize> {
 
     /// The size against which an error in each component counts, as in
     /// [`Ode::scale`]: asked for at the start of a run. Each must be positive.
-    fn scale(&self, y: &[f64; N]) -> [f64; N] {
-        y.map(|c| c.abs().max(1.0))
-    }
+    fn scale(&self, y: &[f64; N]) -> [f64; N];
 }
 
 /// Any [`Ode`] as a [`StageOde`], one lane after the other: the same bits as a

@@ -3,7 +3,8 @@
 use super::pairs::{air, bearing, creaks, held, lever, motor, oil, on_orbit, push};
 use super::{body, tilted};
 use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{AnyEffect, BoxedEffect, EffectList, Gravity};
+use rotation_dynamics::effects::erased::AnyEffect;
+use rotation_dynamics::effects::{BoxedEffect, EffectList, Gravity};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator};
 use rotation_dynamics::scene::{Invariant, Scene};

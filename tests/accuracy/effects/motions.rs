@@ -5,8 +5,8 @@ use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    DiscDrag, Effect, Feature, Gravity, GravityAtLever, PrescribedTorque, Profile, Properties,
-    Regime, ViscousFriction, check,
+    DiscDrag, Effect, Feature, FlowRegime, Gravity, GravityAtLever, PrescribedTorque, Profile,
+    Properties, ViscousFriction, check,
 };
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
@@ -105,7 +105,7 @@ fn disc_drag_slows_a_spin_by_a_power() {
     let i3 = 0.02;
     let body = body(0.01, 0.01, i3);
     // Re = 1.3e5 and 1.3e6 in air.
-    for (spin, regime) in [(20.0, Regime::Laminar), (200.0, Regime::Turbulent)] {
+    for (spin, regime) in [(20.0, FlowRegime::Laminar), (200.0, FlowRegime::Turbulent)] {
         let (radius, density, viscosity) = (0.3125, 1.204, 1.51e-5);
         let drag = DiscDrag::new(radius, density, viscosity, spin).expect("drag");
         assert_eq!(drag.regime(), regime);
@@ -122,13 +122,13 @@ fn disc_drag_slows_a_spin_by_a_power() {
             let (u, k) = (pow(spin, -0.8), turbulent);
             5.0 / k * (pow(u, -0.25) - pow(u + 0.8 * k * t, -0.25))
         };
-        let angle = |t: f64, regime: Regime| match regime {
-            Regime::Laminar => spun(by_laminar(t)),
-            Regime::Turbulent => spun(by_turbulent(t)),
+        let angle = |t: f64, regime: FlowRegime| match regime {
+            FlowRegime::Laminar => spun(by_laminar(t)),
+            FlowRegime::Turbulent => spun(by_turbulent(t)),
         };
         let other = match regime {
-            Regime::Laminar => Regime::Turbulent,
-            Regime::Turbulent => Regime::Laminar,
+            FlowRegime::Laminar => FlowRegime::Turbulent,
+            FlowRegime::Turbulent => FlowRegime::Laminar,
         };
         judge(
             [&mut delivered, &mut twin],

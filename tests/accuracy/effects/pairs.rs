@@ -3,10 +3,10 @@
 
 use super::{body, tilted};
 use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::erased::AnyEffect;
 use rotation_dynamics::effects::{
-    AnyEffect, BoxedEffect, CoulombBearing, DiscDrag, EffectList, Gravity, GravityAtLever,
-    GravityGradient, InternalDissipation, PrescribedTorque, Profile, Torque, ViscousFriction,
-    check,
+    BoxedEffect, CoulombBearing, DiscDrag, EffectList, Gravity, GravityAtLever, GravityGradient,
+    InternalDissipation, PrescribedTorque, Profile, Torque, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::scene::{components, state};

@@ -4,7 +4,7 @@ use super::{body, tilted};
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Gravity, PrescribedTorque, Profile, Regime, ViscousFriction,
+    CoulombBearing, DiscDrag, FlowRegime, Gravity, PrescribedTorque, Profile, ViscousFriction,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use support::assert_error;
@@ -26,7 +26,7 @@ fn bad_coefficients_are_named() {
     let bearing = |tau, t| CoulombBearing::new(tau, &body, &start, t).err();
     let drag =
         |radius, density, viscosity, spin| DiscDrag::new(radius, density, viscosity, spin).err();
-    let cases: [(Option<Error>, &str); 25] = [
+    let cases: [(Option<Error>, &str); 26] = [
         (
             Gravity::new(-1.0, BodyVector::zero()).err(),
             "weight = -1 is not allowed: it must be greater than 0",
@@ -77,14 +77,31 @@ fn bad_coefficients_are_named() {
         ),
         (
             steps(&[(0.0, 1.0), (0.0, 2.0)]),
-            "time of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
+            "times of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
         ),
         (
             lines(&[(0.0, 1.0), (2.0, 2.0), (1.0, 0.0)]),
-            "time of a profile[2]: value = 1 is not allowed: the one before it is 2",
+            "times of a profile[2]: value = 1 is not allowed: the one before it is 2",
         ),
-        (lines(&[(NAN, 1.0)]), "time of a profile = NaN"),
-        (lines(&[(0.0, INF)]), "value of a profile = inf"),
+        (
+            lines(&[(0.0, 1.0), (NAN, 1.0)]),
+            "times of a profile[1]: value = NaN is not a finite number",
+        ),
+        (
+            lines(&[(0.0, INF)]),
+            "values of a profile[0]: value = inf is not a finite number",
+        ),
+        (
+            Profile::cubic(&[
+                (0.0, 0.0),
+                (1.0, 1.0),
+                (1.0_f64.next_up(), 1e300),
+                (2.0, 0.0),
+            ])
+            .err(),
+            "times of a profile[1]: time to the next = 2.220446049250313e-16 is not allowed: the \
+             curve from the value 1 to 1e300 in that time is beyond doubles",
+        ),
         (
             Profile::pulse(0.0, -1.0).err(),
             "width of the pulse = -1 is not allowed: it must be greater than 0",
@@ -98,7 +115,7 @@ fn bad_coefficients_are_named() {
         assert!(told.contains(words), "{told} should contain {words}");
         ran += 1;
     }
-    assert_eq!(ran, 25);
+    assert_eq!(ran, 26);
     assert!(Profile::pulse(INF, 1.0).is_err());
 }
 
@@ -141,11 +158,11 @@ fn the_regime_is_that_of_the_reynolds_number() {
     let drag = |spin| DiscDrag::new(1.0, 2.0, 1e-3, spin).expect("drag");
     let mut ran = 0;
     for (spin, regime) in [
-        (0.0, Regime::Laminar),
-        (299.9, Regime::Laminar),
-        (-299.9, Regime::Laminar),
-        (300.1, Regime::Turbulent),
-        (-300.1, Regime::Turbulent),
+        (0.0, FlowRegime::Laminar),
+        (299.9, FlowRegime::Laminar),
+        (-299.9, FlowRegime::Laminar),
+        (300.1, FlowRegime::Turbulent),
+        (-300.1, FlowRegime::Turbulent),
     ] {
         assert_eq!(drag(spin).regime(), regime);
         assert_eq!(drag(0.0).regime_at(spin), regime);
@@ -153,8 +170,8 @@ fn the_regime_is_that_of_the_reynolds_number() {
         let reynolds: f64 = 1e3 * f64::abs(spin);
         if spin != 0.0 {
             let friction = match regime {
-                Regime::Laminar => 3.87 * reynolds.powf(-0.5),
-                Regime::Turbulent => 0.146 * reynolds.powf(-0.2),
+                FlowRegime::Laminar => 3.87 * reynolds.powf(-0.5),
+                FlowRegime::Turbulent => 0.146 * reynolds.powf(-0.2),
             };
             let want = -f64::signum(spin) * spin * spin * friction;
             assert!((drag(spin).axial_torque(spin) / want - 1.0).abs() < 1e-14);

@@ -149,7 +149,7 @@ fn bad_limits_are_named() -> Result<()> {
             break_points: &[f64::NAN],
             ..limits
         },
-        "break point = NaN",
+        "break point[0]: value = NaN is not a finite number",
     );
     says(
         Limits {

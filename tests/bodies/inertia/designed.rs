@@ -91,34 +91,39 @@ fn moments_and_axes_of_tensors_with_80_digits() {
 fn what_goes_in_on_the_drawing_comes_out_on_the_drawing() {
     let [mut there, mut momentum, mut rates, mut energy] =
         ["attitude", "momentum", "rates", "energy"].map(|what| Errors::in_units_of(EPS, what));
-    let mut damaged = Errors::of("principal components read on the drawing");
+    let [mut damaged, mut turned_axes] =
+        ["rates", "attitudes"].map(|of| Errors::of(format!("principal {of} read on the drawing")));
     for (n, (tensor, [[smallest, _], _, [largest, _]])) in references().into_iter().enumerate() {
         let body = DesignedBody::new(&tensor).expect("a body");
         let given = askew(n);
         let omega = DesignVector::new(0.3, -0.7, 1.1);
         let state = body.state(given, omega).expect("finite");
-        there.push(body.attitude(&state).angle_to(&given));
+        let principal = state.principal();
+        there.push(state.attitude().angle_to(&given));
         let scale = largest * omega.norm();
         let want = tensor.angular_momentum(omega);
-        momentum.add((body.angular_momentum(&state) - want).norm(), 0.0, scale);
+        momentum.add((state.angular_momentum() - want).norm(), 0.0, scale);
         let in_space = given.to_space(want.to_array().into());
-        momentum.add((state.angular_momentum - in_space).norm(), 0.0, scale);
-        let back = body.angular_velocity(&state) - omega;
+        momentum.add((principal.angular_momentum - in_space).norm(), 0.0, scale);
+        let back = state.angular_velocity() - omega;
         rates.add(back.norm(), 0.0, omega.norm() * largest / smallest);
-        let kinetic = body.rigid_body().kinetic_energy(&state);
+        let kinetic = body.rigid_body().kinetic_energy(&principal);
         energy.add(kinetic, tensor.kinetic_energy(omega), scale * omega.norm());
         let point = DesignVector::new(0.2, 0.1, -0.4);
-        let seen = body.to_space(&state, point);
+        let seen = state.to_space(point);
         there.push((seen - given.to_space(point.to_array().into())).norm());
-        there.push((body.from_space(&state, seen) - point).norm());
-        let unread = body.rigid_body().angular_velocity(&state).to_array();
+        there.push((state.from_space(seen) - point).norm());
+        let unread = body.rigid_body().angular_velocity(&principal).to_array();
         damaged.push((DesignVector::from(unread) - omega).norm());
+        // The attitude of the principal axes is another one, and comes back to the same state.
+        turned_axes.push(principal.attitude.angle_to(&given));
+        assert_eq!(body.from_principal(principal), state);
     }
     there.attain(4.3..=4.4, 3 * 160);
     momentum.attain(15.4..=15.5, 2 * 160);
     rates.attain(7.9..=8.0, 160);
     energy.attain(8.9..=9.0, 160);
-    assert!(damaged.largest() > 1.0);
+    assert!(damaged.largest() > 1.0 && turned_axes.largest() > 1.0);
 }
 
 #[test]

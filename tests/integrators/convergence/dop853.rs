@@ -7,8 +7,9 @@ use rotation_dynamics::Error;
 use rotation_dynamics::integrators::dop853::coefficients::{
     A, ALL_STAGES, C, ERROR_5, ORDER_3, STAGES,
 };
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work};
-use support::{Errors, attained};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode, size_or};
+use rotation_dynamics::math::cos;
+use support::{Errors, assert_error, attained};
 
 fn method() -> Method {
     Method {
@@ -202,12 +203,20 @@ impl Ode<1> for Growth {
     fn derivative(&self, _t: f64, [y]: &[f64; 1]) -> [f64; 1] {
         [y * y]
     }
+
+    fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+        size_or([1.0; 1])(y)
+    }
 }
 
 struct Root;
 impl Ode<1> for Root {
     fn derivative(&self, _t: f64, [y]: &[f64; 1]) -> [f64; 1] {
         [-y.sqrt() - 1.0]
+    }
+
+    fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+        size_or([1.0; 1])(y)
     }
 }
 
@@ -308,6 +317,22 @@ fn units_do_not_matter() {
     );
 }
 
+/// An oscillation of amplitude 1e-6 over 20 rad: what it keeps where errors count against its own
+/// size, and what it loses where they count against 1.
+#[test]
+fn a_scale_far_above_the_state_costs_its_digits() {
+    let method = Dop853::new(1e-12).expect("valid");
+    let off = |least: f64| {
+        let spring = ode(|_, &[x, v]: &[f64; 2]| [v, -x]).scaled(size_or([least; 2]));
+        let (end, _) = method
+            .advance(&spring, 0.0, &[1e-6, 0.0], 20.0)
+            .expect("smooth");
+        (1e6 * end[0] - cos(20.0)).abs()
+    };
+    assert_error!(off(1e-6), 5.2e-13);
+    assert_error!(off(1.0), 4.2e-7);
+}
+
 /// What the solution keeps and the method does not is put back at the end of each step; between
 /// them the interpolant goes to where it was put, in one piece.
 #[test]
@@ -322,6 +347,10 @@ fn what_drifts_is_put_back() {
         fn drift(&self, _t: f64, y: &[f64; 2], within: f64) -> Option<[f64; 2]> {
             let beyond = 0.5 * (y[0] * y[0] + y[1] * y[1] - 1.0);
             (self.kept && beyond.abs() > within).then(|| y.map(|c| beyond * c))
+        }
+
+        fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
+            size_or([1.0; 2])(y)
         }
     }
     let run = |kept| {

@@ -2,7 +2,7 @@
 
 use super::kepler::{Kepler, distance, exact};
 use core::f64::consts::PI;
-use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode};
+use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode, size_or};
 use rotation_dynamics::math::{cos, sin};
 use support::{EPS, Errors, assert_error, attained};
 
@@ -52,6 +52,10 @@ struct Clock;
 impl Ode<1> for Clock {
     fn derivative(&self, t: f64, _y: &[f64; 1]) -> [f64; 1] {
         [cos(t)]
+    }
+
+    fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+        size_or([1.0; 1])(y)
     }
 }
 
@@ -117,6 +121,10 @@ fn events_in_one_step_come_in_order() {
     impl Ode<1> for Line {
         fn derivative(&self, _t: f64, _y: &[f64; 1]) -> [f64; 1] {
             [1.0]
+        }
+
+        fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+            size_or([1.0; 1])(y)
         }
     }
     let method = Dop853::new(1e-9).expect("valid");
@@ -194,6 +202,10 @@ fn a_graze_within_a_step_is_met() {
         fn derivative(&self, _: f64, _: &[f64; 1]) -> [f64; 1] {
             [1.0]
         }
+
+        fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+            size_or([1.0; 1])(y)
+        }
     }
     let mut late = Errors::of("time of a graze, in what a rounding does");
     let mut touched = Errors::of("the bottom of the dip taken for its zero");
@@ -234,6 +246,10 @@ struct Slowly;
 impl Ode<1> for Slowly {
     fn derivative(&self, t: f64, _y: &[f64; 1]) -> [f64; 1] {
         [3.0 * t * t - 4.0 * t * t * t]
+    }
+
+    fn scale(&self, y: &[f64; 1]) -> [f64; 1] {
+        size_or([1.0; 1])(y)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The Kepler ellipse: a nonlinear problem whose solution is known at any time.
 
-use rotation_dynamics::integrators::Ode;
+use rotation_dynamics::integrators::{Ode, size_or};
 use rotation_dynamics::math::{cos, sin};
 use support::Errors;
 
@@ -12,6 +12,10 @@ impl Ode<4> for Kepler {
         let r2 = x * x + y * y;
         let r3 = r2 * r2.sqrt();
         [u, v, -x / r3, -y / r3]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode, size_or};
 use rotation_dynamics::math::{exp, sin, sincos};
 use support::{EPS, assert_error, attained};
 
@@ -94,7 +94,7 @@ fn there_and_back() {
 fn refusals() {
     let method = Dop853::new(1e-9).expect("valid");
     // Upwards at the speed 1, and the time.
-    let line = ode(|_, _: &[f64; 2]| [1.0, 1.0]);
+    let line = ode(|_, _: &[f64; 2]| [1.0, 1.0]).scaled(size_or([1.0; 2]));
     let at_pace = |t_end: f64, pace: fn(&[f64; 2]) -> f64| {
         method.advance_at_pace(&line, &[0.0; 2], t_end, pace)
     };

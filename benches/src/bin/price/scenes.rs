@@ -8,7 +8,7 @@ use rotation_dynamics::accuracy::{Resolution, Solved, Variables};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, GravityAtLever, Regime, Torque, ViscousFriction,
+    CoulombBearing, DiscDrag, Effect, FlowRegime, GravityAtLever, Torque, ViscousFriction,
 };
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
@@ -238,8 +238,8 @@ fn in_air(dice: &mut Dice) -> Result<Case> {
     let density = lost * i3 * (spin / of_unit).abs();
     let drag = DiscDrag::new(radius, density, viscosity, spin)?;
     let power = match drag.regime() {
-        Regime::Laminar => 0.5,
-        Regime::Turbulent => 0.8,
+        FlowRegime::Laminar => 0.5,
+        FlowRegime::Turbulent => 0.8,
     };
     let across = dice.scale(1e-4, 3.0) / t_end;
     let resisting = Resisting {

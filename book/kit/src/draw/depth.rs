@@ -14,10 +14,10 @@ use std::collections::BinaryHeap;
 
 /// A convex face, or a piece of a line.
 pub(super) struct Item {
-    pub points: Vec<SpaceVector>,
-    pub paint: Paint,
+    pub(crate) points: Vec<SpaceVector>,
+    pub(crate) paint: Paint,
     /// A piece of a line that goes on where the item before it ends.
-    pub goes_on: bool,
+    pub(crate) goes_on: bool,
 }
 
 struct Seen {

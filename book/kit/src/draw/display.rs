@@ -25,7 +25,7 @@ pub enum Dash {
 
 impl Dash {
     /// Lengths of ink and gap in px; the dots are round ends of nearly nothing.
-    pub fn pattern(self) -> Option<[f64; 2]> {
+    pub(crate) fn pattern(self) -> Option<[f64; 2]> {
         match self {
             Self::Solid => None,
             Self::Dashed => Some([6.0, 4.0]),
@@ -42,9 +42,9 @@ pub struct Stroke {
     /// Its width in px.
     pub width: f64,
     /// How it is broken.
-    pub dash: Dash,
+    pub(crate) dash: Dash,
     /// 1 is full, 0 is nothing.
-    pub opacity: f64,
+    pub(crate) opacity: f64,
 }
 
 impl Stroke {
@@ -97,11 +97,11 @@ pub struct Run {
     /// What it says.
     pub text: String,
     /// A variable: in the slanted face.
-    pub slanted: bool,
+    pub(crate) slanted: bool,
     /// Size of the letters in px.
     pub size: f64,
     /// Distance of its baseline below that of the text, in px.
-    pub drop: f64,
+    pub(crate) drop: f64,
 }
 
 /// A label.
@@ -110,11 +110,11 @@ pub struct Text {
     /// A point of its baseline.
     pub at: Place,
     /// Which point.
-    pub anchor: Anchor,
+    pub(crate) anchor: Anchor,
     /// Its colour, as text.
     pub ink: Ink,
     /// Whether a rim of paper, 2 px wide, keeps what is drawn off its letters.
-    pub halo: bool,
+    pub(crate) halo: bool,
     /// What it says.
     pub runs: Vec<Run>,
 }

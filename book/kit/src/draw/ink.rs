@@ -48,9 +48,9 @@ pub struct Colour {
     /// Text on light paper.
     pub text: u32,
     /// Lines on dark paper.
-    pub dark_line: u32,
+    pub(crate) dark_line: u32,
     /// Text on dark paper.
-    pub dark_text: u32,
+    pub(crate) dark_text: u32,
 }
 
 const fn colour(ink: Ink, name: &'static str, light: [u32; 2], dark: [u32; 2]) -> Colour {

@@ -19,21 +19,6 @@ fn beside(from: Point, to: Point, along: f64, aside: f64) -> Point {
 }
 
 impl Sketch {
-    /// Adds a spring with this many coils, half as wide as `half`, and straight ends.
-    #[must_use]
-    pub fn spring(self, from: (f64, f64), to: (f64, f64), coils: u32, half: f64) -> Self {
-        let length = hypot(to.0 - from.0, to.1 - from.1);
-        let (end, turns) = (0.12 * length, 2 * coils);
-        let step = (length - 2.0 * end) / f64::from(turns.max(1));
-        let mut points = vec![from, beside(from, to, end, 0.0)];
-        for i in 0..turns {
-            let side = if i % 2 == 0 { half } else { -half };
-            points.push(beside(from, to, end + (f64::from(i) + 0.5) * step, side));
-        }
-        points.extend([beside(from, to, length - end, 0.0), to]);
-        self.curve(Curve::new(points, Ink::Ink).width(1.4))
-    }
-
     /// Adds a rope through these points.
     #[must_use]
     pub fn rope(self, points: impl IntoIterator<Item = (f64, f64)>) -> Self {

@@ -142,16 +142,6 @@ impl Panel {
         self
     }
 
-    /// Adds a faint area between a curve and the level `base`.
-    #[must_use]
-    pub fn area_to(self, curve: impl IntoIterator<Item = (f64, f64)>, base: f64, ink: Ink) -> Self {
-        let mut outline: Vec<Point> = curve.into_iter().collect();
-        if let (Some(&first), Some(&last)) = (outline.first(), outline.last()) {
-            outline.extend([(last.0, base), (first.0, base)]);
-        }
-        self.area(outline, ink)
-    }
-
     /// Adds a thin line across the panel at height `y`; `label` may be empty.
     #[must_use]
     pub fn level(mut self, y: f64, ink: Ink, label: &str) -> Self {

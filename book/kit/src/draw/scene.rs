@@ -22,10 +22,10 @@ enum Layer {
 /// What is painted together, in one layer.
 pub(super) struct Part<'a> {
     layer: Layer,
-    pub points: Vec<SpaceVector>,
-    pub stroke: Stroke,
+    pub(crate) points: Vec<SpaceVector>,
+    pub(crate) stroke: Stroke,
     /// Length of the head at its end, in px.
-    pub head: Option<f64>,
+    pub(super) head: Option<f64>,
     element: &'a Element,
 }
 

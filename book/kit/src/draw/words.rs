@@ -8,10 +8,10 @@ use super::label::{Label, SIZE};
 /// A rectangle in px; `top < bottom`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rect {
-    pub left: f64,
-    pub right: f64,
-    pub top: f64,
-    pub bottom: f64,
+    pub(super) left: f64,
+    pub(crate) right: f64,
+    pub(super) top: f64,
+    pub(crate) bottom: f64,
 }
 
 impl Rect {
@@ -108,11 +108,11 @@ impl Side {
 /// A text with its place: the box it fills is known before it is drawn.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
-    pub label: Label,
-    pub ink: Ink,
-    pub halo: bool,
-    pub anchor: Anchor,
-    pub shift: Point,
+    pub(crate) label: Label,
+    pub(super) ink: Ink,
+    pub(crate) halo: bool,
+    pub(crate) anchor: Anchor,
+    pub(super) shift: Point,
 }
 
 impl Words {

@@ -109,7 +109,7 @@ impl Motion {
     }
 
     /// Whether its time is in seconds, not in t'.
-    pub fn in_seconds(&self) -> bool {
+    pub(crate) fn in_seconds(&self) -> bool {
         self.exact.body().is_some()
     }
 
@@ -124,7 +124,7 @@ impl Motion {
     }
 
     /// The regime in words.
-    pub fn regime(&self) -> &'static str {
+    pub(crate) fn regime(&self) -> &'static str {
         match self.exact.regime() {
             Regime::Steady => "steady precession",
             Regime::Waves => "precession with waves",
@@ -139,7 +139,7 @@ impl Motion {
 
     /// Whether phi and zeta are of use: far enough from both poles for equations (5)
     /// and (6), which divide by sin^2(theta).
-    pub fn clear_of_poles(&self) -> bool {
+    pub(crate) fn clear_of_poles(&self) -> bool {
         let regular = matches!(
             self.exact.regime(),
             Regime::Steady | Regime::Waves | Regime::Cusps | Regime::Loops
@@ -155,7 +155,7 @@ impl Motion {
     }
 
     /// The end in t'.
-    pub fn end_reduced(&self) -> f64 {
+    pub(crate) fn end_reduced(&self) -> f64 {
         self.end / self.unit
     }
 

@@ -18,14 +18,14 @@ const CHANGE: f64 = 0.6;
 /// A motion as its picture needs it.
 pub(super) struct Drawn {
     /// How far it is shown.
-    pub end: f64,
+    pub(super) end: f64,
     /// The times of the stills.
-    pub stills: [f64; 3],
+    pub(super) stills: [f64; 3],
     /// Whether times are in seconds, not in t'.
-    pub seconds: bool,
+    pub(super) seconds: bool,
     /// 1, -1 for a centre of mass on the other side, 0 without weight.
-    pub sense: f64,
-    pub at: At,
+    pub(crate) sense: f64,
+    pub(super) at: At,
 }
 
 /// What there is at a time.
@@ -33,9 +33,9 @@ type At = Box<dyn Fn(f64) -> Result<Moment> + Send + Sync>;
 
 /// A top at one time.
 pub(super) struct Moment {
-    pub pose: Pose,
-    pub axis: SpaceVector,
-    pub momentum: SpaceVector,
+    pub(crate) pose: Pose,
+    pub(super) axis: SpaceVector,
+    pub(super) momentum: SpaceVector,
 }
 
 impl Drawn {
@@ -141,7 +141,7 @@ impl Pose {
 
 impl Motion {
     /// Where it is at time `t`.
-    pub fn pose(&self, t: f64) -> Pose {
+    pub(crate) fn pose(&self, t: f64) -> Pose {
         let angles = self.exact.angles(t);
         Pose {
             theta: angles.theta,

@@ -3,7 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::exact::heavy_top::ReducedTop;
-use rotation_dynamics::integrators::Ode;
+use rotation_dynamics::integrators::{Ode, size_or};
 use rotation_dynamics::math::{EPS, cos, sin};
 
 /// Equations (4) to (6) of the notes, 16.2: theta, dtheta/dt', phi, zeta.
@@ -16,6 +16,10 @@ impl Ode<4> for Equations {
         let precession = top.phi_rate(theta);
         let spin = 1.0 / top.a().sqrt() - precession * cos(theta);
         [nutation, top.torque(theta), precession, spin]
+    }
+
+    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
+        size_or([1.0; 4])(y)
     }
 }
 
@@ -41,6 +45,10 @@ impl Ode<6> for Newton {
             (lx * ey - ly * ex) / i1,
         ]
     }
+
+    fn scale(&self, y: &[f64; 6]) -> [f64; 6] {
+        size_or([1.0; 6])(y)
+    }
 }
 
 /// Where the tilt turns back, and what happens in one nod, in t'.
@@ -57,11 +65,11 @@ pub struct Nod {
     /// Advance of zeta (rad).
     pub spin: f64,
     /// How much the last refinement changed the largest of these three,
-    pub refinement: f64,
+    pub(crate) refinement: f64,
     /// by how much they magnify a relative error of the inputs,
-    pub condition: f64,
+    pub(crate) condition: f64,
     /// and an error of the turning points.
-    pub leverage: f64,
+    pub(crate) leverage: f64,
 }
 
 impl Nod {

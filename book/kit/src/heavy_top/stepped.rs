@@ -14,7 +14,7 @@ use rotation_dynamics::effects::{
 };
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::scene::{components, state};
-use rotation_dynamics::integrators::{Dop853, Ode, Solution};
+use rotation_dynamics::integrators::{Dop853, Ode, Solution, size_or};
 use rotation_dynamics::math::{atan2, hypot};
 use rotation_dynamics::scene::Scene;
 
@@ -135,6 +135,10 @@ impl Ode<7> for Stepped {
         let [dx, dy, dz] = (momentum.cross(&axis) / i1).to_array();
         [tx - w * ey, ty + w * ex, tz, dx, dy, dz, added.dot(&rates)]
     }
+
+    fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
+        size_or([1.0; 7])(y)
+    }
 }
 
 impl Stepped {
@@ -190,7 +194,11 @@ impl Stepped {
     ///
     /// # Errors
     /// As [`NeglectedEffects::line`](rotation_dynamics::accuracy::NeglectedEffects::line).
-    pub fn ledger(&self, tolerance: f64, [nodes, air, dry]: [&str; 3]) -> Result<Vec<EffectLine>> {
+    pub(crate) fn ledger(
+        &self,
+        tolerance: f64,
+        [nodes, air, dry]: [&str; 3],
+    ) -> Result<Vec<EffectLine>> {
         let candidates = (self
             .plain
             .neglected_effects(&self.start, self.end, tolerance)?)

@@ -6,9 +6,10 @@ use super::{Case, Dice};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::erased::AnyEffect;
 use rotation_dynamics::effects::{
-    AnyEffect, BoxedEffect, EffectList, GravityAtLever, GravityGradient, PrescribedTorque, Profile,
-    Switched, Torque, ViscousFriction,
+    BoxedEffect, EffectList, GravityAtLever, GravityGradient, PrescribedTorque, Profile, Switched,
+    Torque, ViscousFriction,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::sin;

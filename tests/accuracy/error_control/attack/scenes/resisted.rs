@@ -8,7 +8,7 @@ use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, GravityAtLever, Regime, ViscousFriction,
+    CoulombBearing, DiscDrag, Effect, FlowRegime, GravityAtLever, ViscousFriction,
 };
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::BodyVector;
@@ -144,8 +144,8 @@ fn in_air(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
         .abs();
     let drag = DiscDrag::new(radius, lost * i3 * spin.abs() / of_unit, viscosity, spin)?;
     let power = match drag.regime() {
-        Regime::Laminar => 0.5,
-        Regime::Turbulent => 0.8,
+        FlowRegime::Laminar => 0.5,
+        FlowRegime::Turbulent => 0.8,
     };
     let across = dice.scale(1e-4, 3.0) / t_end;
     let resisting = Resisting {
