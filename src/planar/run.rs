@@ -109,7 +109,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
 ///
 /// ```
 /// # use rotation_dynamics::Error;
-/// # use rotation_dynamics::integrators::Dop853;
+/// # use rotation_dynamics::integrators::{Dop853, size_or};
 /// # use rotation_dynamics::planar::{Condition, Next, Phased, simulate_so_far};
 /// # struct Ball;
 /// # impl Phased<2> for Ball {
@@ -119,6 +119,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
 /// #         let rebound = Next::jump((), |[_, speed]: &[f64; 2]| [0.0, -0.5 * speed]);
 /// #         vec![Condition::gap("height", |y| y[0], rebound)]
 /// #     }
+/// #     fn scale(&self, y: &[f64; 2]) -> [f64; 2] { size_or([1.0; 2])(y) }
 /// # }
 /// // A ball that returns half of its speed rests after 3 s and infinitely many bounces.
 /// let (run, refused) = simulate_so_far(&Ball, &Dop853::new(1e-12)?, (), [5.0, 0.0], 4.0);
@@ -195,7 +196,7 @@ fn through_phases<P: Copy + PartialEq + Debug, const N: usize>(
     t_end: f64,
 ) -> Result<()> {
     let limit = scene.phase_limit();
-    let (mut t, mut phase, mut state) = (0.0, phase, start);
+    let (mut t, mut phase, mut state, mut first) = (0.0, phase, start, true);
     while run.transitions.len() < limit {
         let conditions = scene.conditions(phase);
         // What ends the scene may come together with what begins a phase.
@@ -265,15 +266,21 @@ fn through_phases<P: Copy + PartialEq + Debug, const N: usize>(
             }
             Next::End => (None, before, None),
         };
-        run.transitions.push(Transition {
-            name: conditions[index].name,
-            t: when,
-            from: phase,
-            to,
-            before,
-            after,
-            rest,
-        });
+        // Modes that are over at once, where a motion goes on from an event, were none.
+        let is_decided = matches!(conditions[index].next, Next::Decide(_)) && before == after;
+        let is_none = first && when == 0.0 && is_decided;
+        first = false;
+        if !is_none {
+            run.transitions.push(Transition {
+                name: conditions[index].name,
+                t: when,
+                from: phase,
+                to,
+                before,
+                after,
+                rest,
+            });
+        }
         let Some(to) = to.filter(|_| when < t_end) else {
             return Ok(());
         };

@@ -3,6 +3,7 @@
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::integrators::{Direction, Dop853, Event, Ode, ode, second_order, size_or};
 use rotation_dynamics::math::{cos, sin};
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion};
 use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
 use rotation_dynamics::{Error, Result};
 use support::Errors;
@@ -483,5 +484,59 @@ fn a_coarse_clock_gets_on() -> Result<()> {
         }
     }
     assert_eq!(stops, 300);
+    Ok(())
+}
+
+/// A mass on a spring, on a belt that takes it along until the spring is stronger.
+struct Belt {
+    slipping: f64,
+    holding: f64,
+    speed: f64,
+}
+
+impl Mechanism<1, 1> for Belt {
+    fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
+        [[1.3]]
+    }
+    fn force(&self, state: &MechanismState<1>) -> [f64; 1] {
+        [-2.1 * state.q[0]]
+    }
+    fn contacts(&self, _: &MechanismState<1>) -> [Contact<1>; 1] {
+        let belt = Contact::pressed("belt", 1.7).tangent([1.0], 0.0);
+        [belt
+            .frictions(self.slipping, self.holding)
+            .moving(self.speed)]
+    }
+}
+
+/// From stop to stop of a mass that sticks and slips: no start is a stop, and all are met.
+#[test]
+fn sticking_and_slipping_from_stop_to_stop() -> Result<()> {
+    let method = Dop853::new(1e-12)?;
+    let mut errors = Errors::of("error of the stops");
+    for (slipping, holding, speed) in [
+        (0.2, 0.4, 0.3),
+        (0.2, 0.2, 0.3),
+        (0.1, 0.5, -0.7),
+        (0.3, 0.3, 0.0),
+    ] {
+        for x in [0.5, -0.9, 3.0] {
+            let belt = Belt {
+                slipping,
+                holding,
+                speed,
+            };
+            let whole = motion(&belt, &method, MechanismState::rest([x]), 60.0)?;
+            let (mut t, mut state) = (0.0, MechanismState::rest([x]));
+            for event in whole.events() {
+                let rest = motion(&belt, &method, state, 60.0 - t)?;
+                let next = &rest.events()[0];
+                assert!(next.t > 0.0, "{} at once", next.name);
+                (t, state) = (t + next.t, next.after);
+                errors.push((t - event.t).abs());
+            }
+        }
+    }
+    errors.attain(5.1e-9..=5.2e-9, 226);
     Ok(())
 }
