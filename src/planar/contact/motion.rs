@@ -48,8 +48,9 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 /// 1e-13 of itself where the coordinate is the gap, for e up to 0.99; for a ball of 0.1 m, whose
 /// height is rounded to its own digits, to 1.4e-11, and for one of 1 m to 2.1e-9. Where contacts hit
 /// in turn, as the corners of a rocking block, by one part of the speed each time, to 1e-9 s
-/// (`tests/planar/rest.rs`); where it is another part each time, to some of these last 1e-6 s. A
-/// smaller error than these of a time is not delivered.
+/// (`tests/planar/rest.rs`); of a rod whose ends rattle, to 2.4e-15 s. It may be off by some of the last
+/// 1e-6 s where both ends still hit in turn then, by another part each time. `motion_within` refuses
+/// an error below that to which the times are rounded.
 ///
 /// ```
 /// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion_within};
