@@ -43,8 +43,8 @@ impl SolvedMotion<'_> {
     /// It is looked at wherever the body has turned by about a quarter of a radian, at 64 places at
     /// least, and where it comes nearest to zero between them. [`Limits::longest_step`](super::Limits)
     /// makes the looks closer, for a function that changes faster. A graze less deep than the error of
-    /// the function is left out. A function that is zero at the start has no crossing there, nor before
-    /// the second look. A jump over zero counts as a crossing.
+    /// the function is left out. A function that is zero at the start has no crossing there, and
+    /// one before the second look is not found. A jump over zero counts as a crossing.
     ///
     /// Each state is stepped to its own time, so it is as good as the motion; it lies on the far side of
     /// zero, and a motion that goes on from it does not meet the crossing again. The search takes some
