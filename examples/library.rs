@@ -62,7 +62,7 @@ pub fn day(p: &Parameters) -> Result<Vec<State>> {
 // ANCHOR_END: satellite
 
 // ANCHOR: upright
-/// Where it hangs straight until `t_end`, each time with the estimated error of the time.
+/// When it hangs straight until `t_end`, each time with an estimate of its error.
 pub fn upright(p: &Parameters, t_end: f64) -> Result<Vec<Crossing>> {
     let (scene, start) = satellite(p)?;
     let motion = scene.solve_along(&start, t_end, p.tolerance, &Limits::default())?;
@@ -227,13 +227,13 @@ pub fn led_astray(p: &Parameters, magnet: impl Effect + Clone, step: f64) -> Res
     let without = plain.solve_at(&start, &quarters, p.tolerance, &limits)?;
     let with = scene.solve_at(&start, &quarters, p.tolerance, &limits)?;
     let run = Dop853::new(step)?.solve(&scene, 0.0, &components(&start), DAY, &[])?;
-    let (mut by_dial, mut by_steps) = (0.0_f64, 0.0_f64);
+    let (mut by_solve, mut by_steps) = (0.0_f64, 0.0_f64);
     for ((t, state), other) in quarters.into_iter().zip(with).zip(without) {
         let stepped = integrators::scene::state(&run.at(t)?)?;
-        by_dial = by_dial.max(state.attitude.angle_to(&other.attitude));
+        by_solve = by_solve.max(state.attitude.angle_to(&other.attitude));
         by_steps = by_steps.max(stepped.attitude.angle_to(&other.attitude));
     }
-    Ok([by_dial, by_steps])
+    Ok([by_solve, by_steps])
 }
 
 /// The rate of its slow swing out of the plane, mostly about its long axis, if all swings are

@@ -1,4 +1,4 @@
-//! A ball that is dropped onto the slope, bounces, slips, and rolls.
+//! A ball that is dropped onto the slope, bounces, and rolls.
 
 use super::{Parameters, Roller, gripping};
 use kit::prelude::*;
@@ -8,7 +8,7 @@ use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion,
 };
 
-/// The part of its speed that it returns.
+/// The part of its speed towards the slope that it returns.
 pub const RESTITUTION: f64 = 0.6;
 /// How far above the slope it is let go, in radii.
 pub const HEIGHT: f64 = 5.0;

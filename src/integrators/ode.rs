@@ -67,7 +67,8 @@ pub struct ByClosure<F, S> {
 #[derive(Debug, Clone, Copy)]
 pub struct Unscaled<F>(F);
 
-/// The system y' = f(t, y), once it is told against which sizes errors count.
+/// The system y' = f(t, y), once [`scaled`](Unscaled::scaled) gives the sizes against which errors
+/// count.
 ///
 /// ```
 /// use rotation_dynamics::integrators::{Dop853, Integrator, size_or, ode};
@@ -78,7 +79,7 @@ pub struct Unscaled<F>(F);
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 ///
-/// Without them it does not compile:
+/// Without these sizes it does not compile:
 ///
 /// ```compile_fail,E0277
 /// use rotation_dynamics::integrators::{Dop853, Integrator, ode};

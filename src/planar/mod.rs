@@ -14,7 +14,7 @@
 //! | [`Condition`], [`Next`] | what a phase needs, and what follows when it fails |
 //! | [`simulate`], [`Run`] | the motion, with its events, from phase to phase |
 //! | [`simulate_so_far`] | the motion up to where it is refused |
-//! | [`simulate_within`] | the same with a bound on the error at the end |
+//! | [`simulate_within`] | the motion with a bound on the error at every event and at the end |
 //! | [`Bilateral`] | the same scene with contacts that may pull: the usual mistake |
 //!
 //! Where several contacts act at once and rub, which of them do what is itself a problem to
@@ -87,7 +87,7 @@ pub trait Phased<const N: usize> {
         None
     }
 
-    /// After how many changes of phase a run is refused.
+    /// After how many changes of phase a run is refused: 1000 unless the scene says otherwise.
     fn phase_limit(&self) -> usize {
         1000
     }
@@ -230,7 +230,7 @@ pub struct Entry<P, const N: usize> {
     pub phase: P,
     /// The state.
     pub state: [f64; N],
-    /// The end of the bounces that the phase stands for, if it does.
+    /// The infinitely many bounces that the phase replaces, if it does.
     pub rest: Option<Rest>,
 }
 

@@ -39,18 +39,18 @@ pub struct Transition<P, const N: usize> {
     pub before: [f64; N],
     /// The state with which the next phase begins; other than `before` after an impact.
     pub after: [f64; N],
-    /// The end of the infinitely many bounces that begin here, if they do.
+    /// The infinitely many bounces that begin here, if they do.
     pub rest: Option<Rest>,
 }
 
-/// Infinitely many bounces that are lower than doubles resolve, taken as one plastic impact.
+/// Infinitely many bounces that are too low to be resolved, taken as one plastic impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rest {
     /// The contact that bounces.
     pub contact: &'static str,
-    /// How high the first of them is.
+    /// How high the first of them is (m).
     pub height: f64,
-    /// When the last of them is over.
+    /// When they are all over (s).
     pub t: f64,
 }
 

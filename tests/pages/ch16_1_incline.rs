@@ -168,7 +168,7 @@ fn resistance_and_air_shorten_the_way() {
     errors.attain(8.88e-16..=8.89e-16, 2);
 }
 
-/// However it bounces and slips, a ball that is dropped rolls in the end as if it had rolled since.
+/// After all its bounces a ball that was dropped rolls as fast as one that has rolled since then.
 #[test]
 fn a_dropped_ball_is_as_fast_as_one_that_rolled() {
     let (mut limits, mut speeds) = (Errors::of("end of its bounces"), Errors::of("speed in the end"));

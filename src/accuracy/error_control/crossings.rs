@@ -8,9 +8,9 @@ use crate::integrators::Work;
 use crate::math::EPS;
 use crate::math::bracket::{least, zero};
 
-/// From look to look the body turns by this at most (rad).
+/// From look to look the body turns by about this (rad), by twice as much at most.
 const LOOK: f64 = 0.25;
-/// There are at least so many looks.
+/// There are at least so many stretches between looks.
 const LOOKS: f64 = 64.0;
 /// Derivatives along the motion are differences over this part of the time between two looks: short
 /// enough for their curvature, long enough for their rounding.
@@ -28,8 +28,9 @@ pub struct Crossing {
     /// True if the function went from negative to positive along the motion.
     pub rising: bool,
     /// An upper estimate (s) of how far the true crossing is from `t`: the change of the function that
-    /// the estimated errors of attitude and momentum make, over its rate. Infinite where these errors
-    /// could undo the crossing, as at a graze.
+    /// the estimated errors of attitude and momentum make, over its rate, which its curvature may
+    /// lessen. Infinite where these errors could undo the crossing, as at a graze. Of a jump over zero it
+    /// says nothing: there take a function that is smooth, such as the sine of an angle.
     pub t_estimate: f64,
 }
 
@@ -39,16 +40,16 @@ type Function<'f> = dyn Fn(f64, &State) -> f64 + 'f;
 impl SolvedMotion<'_> {
     /// Where `function(t, state)` goes through zero, in the order of the motion.
     ///
-    /// It is looked at wherever the body has turned by a quarter of a radian, at 64 places at least, and
-    /// where it comes nearest to zero between them. [`Limits::longest_step`](super::Limits) makes
-    /// the looks closer, for a function that changes faster. A graze less deep than the error of the
-    /// function is left out. A function that is zero at the start has no crossing there. A jump over
-    /// zero counts as a crossing.
+    /// It is looked at wherever the body has turned by about a quarter of a radian, at 64 places at
+    /// least, and where it comes nearest to zero between them. [`Limits::longest_step`](super::Limits)
+    /// makes the looks closer, for a function that changes faster. A graze less deep than the error of
+    /// the function is left out. A function that is zero at the start has no crossing there, and
+    /// one before the second look is not found. A jump over zero counts as a crossing.
     ///
     /// Each state is stepped to its own time, so it is as good as the motion; it lies on the far side of
-    /// zero, and a motion that goes on from it does not meet the crossing again. The looks take some
-    /// twenty times the torques of the run, within its [`budget`](super::Limits::budget): 17 times in
-    /// the median of `tests/accuracy/error_control/crossings.rs`, 57 at most.
+    /// zero, and a motion that goes on from it does not meet the crossing again. The search takes some
+    /// ten times the torques of the run, within its [`budget`](super::Limits::budget): 10 times in
+    /// the median of `tests/accuracy/error_control/crossings.rs`, 30 at most.
     ///
     /// ```
     /// # use rotation_dynamics::{accuracy::Limits, attitude::Attitude, body::RigidBody};

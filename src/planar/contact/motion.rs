@@ -32,25 +32,26 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 ///
 /// A body that bounces ever lower rests after infinitely many bounces. The first that is no higher
 /// than 1e-12 of the size of its gap ([`Mechanism::scale`]) is the event "floor touches", and all that
-/// follow are taken together with it; "floor rests" is the event at the time when they are over. For
-/// bounces with the restitution e, the first of which leaves at `t` with the speed u and is brought
-/// back by the acceleration a, that is
+/// follow are taken together with it; "floor rests" is the event at the time when they are over. For a
+/// body with the restitution e, which leaves this impact at `t` with the speed u and is brought back by
+/// the acceleration a, that is
 ///
 /// ```text
 /// t + 2 u/(a (1 - e)).
 /// ```
 ///
 /// Between the two the velocity is not resolved: the one given is that of a body that rests on the
-/// contact already, and the true one is within u of it, some 4e-6 m/s. After them state and forces are as accurate as
-/// elsewhere, but for 1e-12 of the size of the gap. A run that ends between them is refused.
+/// contact already, and the true one is within u of it, some 4e-6 m/s for a gap of the size 1 m. From
+/// then on state and forces are as accurate as elsewhere, but for 1e-12 of the size of the gap. A run
+/// that ends between the two is refused.
 ///
 /// Accuracy: the state after to 16 eps, whatever bounced and slipped before. The time of rest to
 /// 1e-13 of itself where the coordinate is the gap, for e up to 0.99; for a ball of 0.1 m, whose
 /// height is rounded to its own digits, to 1.4e-11, and for one of 1 m to 2.1e-9. Where contacts hit
-/// in turn, as the corners of a rocking block, by one part of the speed each time, to 1e-9 s
-/// (`tests/planar/rest.rs`); of a rod whose ends rattle, to 2.4e-15 s. It may be off by some of the last
-/// 1e-6 s where both ends still hit in turn then, by another part each time. `motion_within` refuses
-/// an error below that to which the times are rounded.
+/// in turn and keep the same part of the speed each time, as the corners of a rocking block, to 1e-9 s;
+/// for a rod whose ends rattle, to 2.4e-15 s (`tests/planar/rest.rs`). Where contacts hit in turn to the
+/// end and the part changes from hit to hit, it may be off by some of the last 1e-6 s.
+/// [`motion_within`] refuses an error below that to which the times are rounded.
 ///
 /// ```
 /// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion_within};
