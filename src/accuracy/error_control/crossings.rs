@@ -15,6 +15,9 @@ const LOOKS: f64 = 64.0;
 /// Derivatives along the motion are differences over this part of the time between two looks: short
 /// enough for their curvature, long enough for their rounding.
 const BESIDE: f64 = 1e-2;
+/// A function that is this part of its change between two looks at its zero jumps there: of smooth ones
+/// rounding leaves a billionth.
+const JUMP: f64 = 1e-3;
 /// Derivatives by the state are differences over this change of it, the root of a rounding.
 const CHANGE: f64 = 1e-8;
 
@@ -29,8 +32,8 @@ pub struct Crossing {
     pub rising: bool,
     /// An upper estimate (s) of how far the true crossing is from `t`: the change of the function that
     /// the estimated errors of attitude and momentum make, over its rate, which its curvature may
-    /// lessen. Infinite where these errors could undo the crossing, as at a graze. Of a jump over zero it
-    /// says nothing: there take a function that is smooth, such as the sine of an angle.
+    /// lessen. Infinite where these errors could undo the crossing, as at a graze, and where the function
+    /// jumps over zero: there take one that is smooth, such as the sine of an angle.
     pub t_estimate: f64,
 }
 
@@ -43,8 +46,8 @@ impl SolvedMotion<'_> {
     /// It is looked at wherever the body has turned by about a quarter of a radian, at 64 places at
     /// least, and where it comes nearest to zero between them. [`Limits::longest_step`](super::Limits)
     /// makes the looks closer, for a function that changes faster. A graze less deep than the error of
-    /// the function is left out. A function that is zero at the start has no crossing there, and
-    /// one before the second look is not found. A jump over zero counts as a crossing.
+    /// the function is left out. A function that is zero at the start has no crossing there. A
+    /// jump over zero counts as a crossing.
     ///
     /// Each state is stepped to its own time, so it is as good as the motion; it lies on the far side of
     /// zero, and a motion that goes on from it does not meet the crossing again. The search takes some
@@ -161,6 +164,10 @@ impl Search<'_, '_> {
         }
         let longest = ((to - from).abs() / LOOKS).min(self.motion.longest_step());
         let mut apart = longest.min(LOOK / last.rate);
+        if last.side == 0.0 {
+            // Which way it leaves a zero at the start is seen at once.
+            apart *= BESIDE;
+        }
         loop {
             apart = apart.max(8.0 * EPS * last.t.abs());
             let is_last = (to - last.t).abs() <= apart;
@@ -242,7 +249,7 @@ impl Search<'_, '_> {
         } else {
             zero(|t| Ok(self.go(&from.here, t)?.2), (t_a, a), (t_b, b))?
         };
-        let (_, state, _) = self.go(&from.here, t)?;
+        let (_, state, value) = self.go(&from.here, t)?;
         let by = BESIDE * (end - begin);
         let (least, most) = ((begin + by).min(end - by), (begin + by).max(end - by));
         let middle = t.clamp(least, most);
@@ -253,7 +260,8 @@ impl Search<'_, '_> {
         let uncertainty = self.uncertainty(t, &state)?;
         // The function changes by so much in this time, with the curvature against it.
         let left = slope * slope - 2.0 * curvature * uncertainty;
-        let t_estimate = if left > 0.0 {
+        let jumps = value.abs() > JUMP * (after - before).abs();
+        let t_estimate = if left > 0.0 && !jumps {
             2.0 * uncertainty / (slope + left.sqrt())
         } else {
             f64::INFINITY

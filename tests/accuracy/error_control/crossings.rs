@@ -244,6 +244,11 @@ fn what_is_no_number_and_what_is_over_budget() -> Result<()> {
     assert_eq!(motion.crossings("above", |_, _| 1.0)?, []);
     assert_eq!(motion.crossings("zero", |_, _| 0.0)?, []);
     assert_eq!(motion.crossings("start", |t, _| t)?, []);
+    // What leaves zero at the start and is back soon is met there; at a jump no rate tells of the time.
+    let back = motion.crossings("back", |t, _| t * (t - 0.01))?;
+    assert!(back.len() == 1 && back[0].rising && (back[0].t - 0.01).abs() < 1e-15);
+    let jump = motion.crossings("jump", |t, _| if t < 1.5 { -1.0 } else { 1.0 })?;
+    assert!(jump.len() == 1 && (jump[0].t - 1.5).abs() < 1e-15 && jump[0].t_estimate.is_infinite());
     let middle = &motion.crossings("middle", |t, _| t - 1.5)?;
     assert!(middle.len() == 1 && middle[0].rising && (middle[0].t - 1.5).abs() < 1e-15);
     let scene = scene.with(
