@@ -141,8 +141,8 @@ pub enum Error {
     },
     /// An impact with restitution and friction would end with more energy (J).
     ImpactGainsEnergy { t: f64, before: f64, after: f64 },
-    /// The run ends between `t` and `until`, while infinitely many bounces go on, lower (m) than doubles
-    /// resolve.
+    /// The run ends between `t` and `until`, while infinitely many bounces go on, too low (m) to be
+    /// told from rest.
     BouncesUnresolved {
         contact: &'static str,
         height: f64,
@@ -344,13 +344,12 @@ impl fmt::Display for Error {
                  restitution contradicts this friction; take a smaller one of the two",
                 n(t), n(before), n(after);
             BouncesUnresolved { contact, height, t, until } if until.is_infinite() =>
-                "from t = {} on the bounces of \"{contact}\" are {height:.1e} high, which doubles do \
-                 not resolve, and they never end: end the run before, or take a restitution below 1",
+                "from t = {} on the bounces of \"{contact}\" are {height:.1e} high, too low \
+                 to be told from rest, and they never end: end the run before, or take a restitution below 1",
                 n(t);
             BouncesUnresolved { contact, height, t, until } =>
                 "the run ends between t = {} and t = {}, while \"{contact}\" bounces infinitely often, \
-                 up to {height:.1e} high: doubles do not resolve its speed there; end the run before \
-                 or after", n(t), n(until);
+                 up to {height:.1e} high, and its speed is not known; end the run before or after", n(t), n(until);
             NotReached { name, until } => "\"{name}\" has not happened by t = {}", n(until);
             ConditionUnknown { name } =>
                 "the condition of \"{name}\" is not known, because its inputs are not";

@@ -98,9 +98,14 @@ figures! { p: &Parameters;
         let (limit, found) = (ball.rests(), ball.run(1e-9)?);
         let end = 1.4 * limit;
         let simulated = |t| Ok(found.at(t)?.q[1] / p.radius - 1.0);
+        // With the touches among them, where the arcs meet.
+        let touches = found.events().iter().map(|event| event.t);
+        let mut line: Vec<f64> = times(0.0, end, 400).into_iter().chain(touches).collect();
+        line.retain(|t| *t <= end);
+        line.sort_by(f64::total_cmp);
         Panel::over_axes("$t$ / s", Axis::linear("height / $R$").range(0.0, 1.15 * bouncer::HEIGHT))
             .upright(limit, Ink::Frame, "rests")
-            .curve(Curve::of(times(0.0, end, 400), |t| ball.height(t), Ink::Ink))
+            .curve(Curve::of(line, |t| ball.height(t), Ink::Ink))
             .curve(Curve::sampled(times(0.0, end, 42), simulated, Ink::Body)?.dots())
     };
 }
