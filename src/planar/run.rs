@@ -109,7 +109,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
 ///
 /// ```
 /// # use rotation_dynamics::Error;
-/// # use rotation_dynamics::integrators::Dop853;
+/// # use rotation_dynamics::integrators::{Dop853, size_or};
 /// # use rotation_dynamics::planar::{Condition, Next, Phased, simulate_so_far};
 /// # struct Ball;
 /// # impl Phased<2> for Ball {
@@ -119,6 +119,7 @@ pub fn simulate<const N: usize, S: Phased<N>>(
 /// #         let rebound = Next::jump((), |[_, speed]: &[f64; 2]| [0.0, -0.5 * speed]);
 /// #         vec![Condition::gap("height", |y| y[0], rebound)]
 /// #     }
+/// #     fn scale(&self, y: &[f64; 2]) -> [f64; 2] { size_or([1.0; 2])(y) }
 /// # }
 /// // A ball that returns half of its speed rests after 3 s and infinitely many bounces.
 /// let (run, refused) = simulate_so_far(&Ball, &Dop853::new(1e-12)?, (), [5.0, 0.0], 4.0);
