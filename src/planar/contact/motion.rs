@@ -16,7 +16,8 @@ pub struct ContactEvent<const N: usize, const C: usize> {
     /// The name of the contact and what it did: "floor touches", "floor bounces",
     /// "floor rests", "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
     /// [rolling resistance](super::Contact::rolling) "wheel stops", "wheel starts", "wheel
-    /// reverses"; or that of the end.
+    /// reverses"; or that of the end. "sticks" is the end of a slip in contact: a slip that ends
+    /// within an impact has no event of its own, and [`ContactMotion::modes`] tell what follows.
     pub name: String,
     /// When.
     pub t: f64,
@@ -32,7 +33,8 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 ///
 /// A body that bounces ever lower rests after infinitely many bounces. The first that is no higher
 /// than 1e-12 of the size of its gap ([`Mechanism::scale`]) is the event "floor touches", and all that
-/// follow are taken together with it; "floor rests" is the event at the time when they are over. For
+/// follow are taken together with it; "floor rests" is the event at the time when they are over. (An
+/// impact that does not bounce, as with the restitution 0, is "floor touches" alone.) For
 /// bounces with the restitution e, the first of which leaves at `t` with the speed u and is brought
 /// back by the acceleration a, that is
 ///
@@ -189,6 +191,9 @@ where
 }
 
 /// The motion as [`motion`] has it, as far as it goes, and the refusal that ended it, if one did.
+///
+/// The error of the part is not estimated: [`motion_within`] up to a time within it does that. A start
+/// that is refused leaves no state at all.
 pub fn motion_so_far<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,
