@@ -289,7 +289,8 @@ impl fmt::Display for Error {
                 "after {limit} steps the run has come to t = {} of {}: \
                  allow more steps or a larger tolerance", n(t), n(t_end);
             LimitReached { what, t, t_end, limit } =>
-                "after {limit} {what} the run has come only to t = {} of {}", n(t), n(t_end);
+                "after {limit} {what} the run has come only to t = {} of {}: allow more of them \
+                 (`phase_limit` of the scene), or end the run before", n(t), n(t_end);
             Cancelled { torques } => "cancelled, after {torques} torques";
             StepUnderflow { t, step, clock: Some(clock), .. } =>
                 "at t = {} the clock is too coarse: it shows no time shorter than {clock:.1e}, and \
@@ -327,7 +328,7 @@ impl fmt::Display for Error {
             CannotHold { name, t, value, rate: Some(rate) } =>
                 "\"{name}\" cannot hold at t = {}: its gap is {} and opens at {} a second; \
                  neither may be negative (a joint needs both to be 0, a force that presses \
-                 must not be negative)", n(t), n(value), n(rate);
+                 must not be negative); an impact needs a start before it or after it", n(t), n(value), n(rate);
             CannotHold { name, t, value, .. } =>
                 "at t = {} a phase begins in which \"{name}\" must not be negative, but it is {} or \
                  becomes so at once (a gap that is shut there and opens is an `opening_gap`)",

@@ -24,8 +24,11 @@ impl Attitude {
     /// The rotation R nearest to a matrix M, row-major, body -> space, and how far the matrix
     /// was: |M - R|, the root of the sum of the squares of all nine differences.
     ///
-    /// For matrices that are measured, typed with a few digits or stored as `f32`.
-    /// [`Attitude::from_matrix`] refuses what is off by more than 1e-12, and says so.
+    /// For matrices that are measured, typed with a few digits or stored as `f32`
+    /// (`matrix.map(|row| row.map(f64::from))`). [`Attitude::from_matrix`] refuses what is off by
+    /// more than 1e-12, and says so. A matrix of columns, or space -> body, is the transpose: as good
+    /// a rotation, so it is not refused, and gives the [inverse](Attitude::inverse). A factor of
+    /// the whole matrix changes nothing but the distance.
     ///
     /// Errors: an element that is not finite; [`Error::OutOfRange`] with the smallest singular
     /// value if it is not above 16 eps of the largest (a singular matrix), or is negative (a
@@ -165,8 +168,8 @@ impl Attitude {
     /// least, which is the largest eigenvector of the sum of w q q^T. The signs of the quaternions
     /// do not matter.
     ///
-    /// Errors: a weight that is negative or not finite, with its index; weights that are all
-    /// zero, as of an empty list; [`Error::OutOfRange`] with the lead of the mean over the next
+    /// Errors: an empty list; a weight that is negative or not finite, with its index; weights that
+    /// are all zero; [`Error::OutOfRange`] with the lead of the mean over the next
     /// best where it is 1e-12 or less (two attitudes half a turn apart).
     /// Accuracy: 6.6 eps for attitudes up to 1.4 rad off the middle, measured in
     /// `tests/bodies/attitude`. Source: F. L. Markley, Y. Cheng, J. L. Crassidis, Y. Oshman,
@@ -245,6 +248,10 @@ fn leads(which: &'static str, first: f64, second: f64) -> Result<()> {
 fn weights(given: impl Iterator<Item = f64> + Clone) -> Result<Vec<f64>> {
     for (index, weight) in given.clone().enumerate() {
         not_negative("weight", weight).map_err(at("weights", index))?;
+    }
+    if given.clone().next().is_none() {
+        let allowed = "there must be at least one";
+        return Err(Error::out_of_range("number of weights", 0.0, allowed));
     }
     let largest = given.clone().fold(0.0, f64::max);
     if largest > 0.0 {

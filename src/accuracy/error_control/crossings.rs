@@ -33,7 +33,8 @@ pub struct Crossing {
     /// An upper estimate (s) of how far the true crossing is from `t`: the change of the function that
     /// the estimated errors of attitude and momentum make, over its rate, which its curvature may
     /// lessen. Infinite where these errors could undo the crossing, as at a graze, and where the function
-    /// jumps over zero: there take one that is smooth, such as the sine of an angle.
+    /// jumps over zero: there take one that is smooth, such as the sine of an angle. The rounding of
+    /// the function and of `t` is not in it: it is 0 for a function of the time alone.
     pub t_estimate: f64,
 }
 
@@ -50,7 +51,9 @@ impl SolvedMotion<'_> {
     /// jump over zero counts as a crossing.
     ///
     /// Each state is stepped to its own time, so it is as good as the motion; it lies on the far side of
-    /// zero, and a motion that goes on from it does not meet the crossing again. The search takes some
+    /// zero, and a motion that goes on from it does not meet the crossing again (one that goes back
+    /// does, at once). Under a [sampled](crate::effects::SampledControl) control a motion that goes on
+    /// from there is another one, as it calls the law anew at its start. The search takes some
     /// ten times the torques of the run, within its [`budget`](super::Limits::budget): 10 times in
     /// the median of `tests/accuracy/error_control/crossings.rs`, 30 at most.
     ///
@@ -253,7 +256,12 @@ impl Search<'_, '_> {
         let by = BESIDE * (end - begin);
         let (least, most) = ((begin + by).min(end - by), (begin + by).max(end - by));
         let middle = t.clamp(least, most);
-        let mut at = |t: f64| Ok(self.go(&from.here, t)?.2);
+        // Rounding may lead beyond an end, where there is no motion.
+        let mut at = |t: f64| {
+            Ok(self
+                .go(&from.here, t.clamp(begin.min(end), begin.max(end)))?
+                .2)
+        };
         let (before, here, after) = (at(middle - by)?, at(middle)?, at(middle + by)?);
         let slope = ((after - before) / (2.0 * by)).abs();
         let curvature = ((after - here) - (here - before)).abs() / (by * by);

@@ -32,7 +32,8 @@ impl<M, const N: usize, const C: usize> fmt::Debug for Modal<M, N, C> {
 /// [`crate::Error::CannotHold`] for a contact whose gap is negative or closing at the start,
 /// [`crate::Error::FunctionOutOfRange`] for a mass matrix or a force that has no motion,
 /// [`crate::Error::ContactsUndetermined`],
-/// [`crate::Error::OutOfRange`] and [`crate::Error::NotFinite`] for coefficients.
+/// [`crate::Error::OutOfRange`] and [`crate::Error::NotFinite`] for coefficients,
+/// [`crate::Error::AtIndex`] for a coordinate or a velocity that is not finite.
 pub fn entry<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: &M,
     state: MechanismState<N>,

@@ -16,7 +16,8 @@ pub struct ContactEvent<const N: usize, const C: usize> {
     /// The name of the contact and what it did: "floor touches", "floor bounces",
     /// "floor rests", "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
     /// [rolling resistance](super::Contact::rolling) "wheel stops", "wheel starts", "wheel
-    /// reverses"; or that of the end.
+    /// reverses"; or that of the end. "sticks" is the end of a slip in contact: a slip that ends
+    /// within an impact has no event of its own, and [`ContactMotion::modes`] tell what follows.
     pub name: String,
     /// When.
     pub t: f64,
@@ -32,9 +33,10 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 ///
 /// A body that bounces ever lower rests after infinitely many bounces. The first that is no higher
 /// than 1e-12 of the size of its gap ([`Mechanism::scale`]) is the event "floor touches", and all that
-/// follow are taken together with it; "floor rests" is the event at the time when they are over. For a
-/// body with the restitution e, which leaves this impact at `t` with the speed u and is brought back by
-/// the acceleration a, that is
+/// follow are taken together with it; "floor rests" is the event at the time when they are over. (An
+/// impact that does not bounce, as with the restitution 0, is "floor touches" alone.) For a body with
+/// the restitution e, which leaves this impact at `t` with the speed u and is brought back by the
+/// acceleration a, that is
 ///
 /// ```text
 /// t + 2 u/(a (1 - e)).
@@ -47,7 +49,8 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 ///
 /// Accuracy: the state after to 16 eps, whatever bounced and slipped before. The time of rest to
 /// 1e-13 of itself where the coordinate is the gap, for e up to 0.99; for a ball of 0.1 m, whose
-/// height is rounded to its own digits, to 1.4e-11, and for one of 1 m to 2.1e-9. Where contacts hit
+/// height is rounded to its own digits, to 1.4e-11 (9e-11 in 400 throws from 1 mm to 10 m), and for one
+/// of 1 m to 2.1e-9. Where contacts hit
 /// in turn and keep the same part of the speed each time, as the corners of a rocking block, to 1e-9 s;
 /// for a rod whose ends rattle, to 2.4e-15 s (`tests/planar/rest.rs`). Where contacts hit in turn to the
 /// end and the part changes from hit to hit, it may be off by some of the last 1e-6 s.
@@ -191,6 +194,9 @@ where
 }
 
 /// The motion as [`motion`] has it, as far as it goes, and the refusal that ended it, if one did.
+///
+/// The error of the part is not estimated: [`motion_within`] up to a time within it does that. A start
+/// that is refused leaves no state at all.
 pub fn motion_so_far<M: Mechanism<N, C>, const N: usize, const C: usize>(
     mechanism: M,
     method: &Dop853,

@@ -4,7 +4,7 @@ use super::declare::{Contact, MechanismState, Mode, Press, Sense, dot};
 use super::modal::Modal;
 use super::response::{Choices, Problem, Response, Unsolved, ZERO};
 use super::{Mechanism, Modes};
-use crate::error::{Error, FINITE, Result, finite};
+use crate::error::{Error, FINITE, Result, all_finite, finite};
 use crate::math::EPS;
 use crate::planar::{Entry, Rest};
 
@@ -375,6 +375,8 @@ fn check_start<M: Mechanism<N, C>, const N: usize, const C: usize>(
     t: f64,
     state: &MechanismState<N>,
 ) -> Result<()> {
+    all_finite("coordinates", &state.q)?;
+    all_finite("velocities", &state.v)?;
     let contacts = scene.0.contacts(state);
     for (i, contact) in contacts.iter().enumerate() {
         let Contact {

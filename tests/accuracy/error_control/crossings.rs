@@ -228,6 +228,36 @@ fn a_satellite_is_stopped_where_its_axis_crosses_the_plane_of_its_orbit() -> Res
     Ok(())
 }
 
+/// Crossings beside the ends of a span that does not start at 0, where derivatives are differences to one
+/// side: rounding does not lead out of the span.
+#[test]
+fn beside_the_ends_of_the_span() -> Result<()> {
+    let round = Round::draw(&mut Random(346));
+    let nothing = Torque::on_space("nothing", |_, _: &RigidBody, _: &State| SpaceVector::zero());
+    let scene = Scene::new(round.body).with(nothing.smooth());
+    let mut met = 0;
+    for k in 1..100 {
+        for onward in [1.0, -1.0] {
+            let t_start = 0.1 * f64::from(k);
+            let t_end = t_start + onward;
+            let limits = Limits {
+                t_start,
+                ..Limits::default()
+            };
+            let motion = scene.solve_along(&round.start, t_end, 1e-6, &limits)?;
+            for zero in [t_start + 1e-5 * onward, t_end - 1e-5 * onward] {
+                let crossings = motion.crossings("beside", |t, _| t - zero)?;
+                assert_eq!(crossings.len(), 1, "{t_start} {onward}");
+                assert!((crossings[0].t - zero).abs() <= 2e-15);
+                assert_eq!(crossings[0].t_estimate, 0.0);
+                met += 1;
+            }
+        }
+    }
+    assert_eq!(met, 396);
+    Ok(())
+}
+
 #[test]
 fn what_is_no_number_and_what_is_over_budget() -> Result<()> {
     let round = Round::draw(&mut Random(345));
