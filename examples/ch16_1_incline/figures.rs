@@ -100,7 +100,7 @@ figures! { p: &Parameters;
         let simulated = |t| Ok(found.at(t)?.q[1] / p.radius - 1.0);
         // With the touches among them, where the arcs meet.
         let touches = found.events().iter().map(|event| event.t);
-        let mut line: Vec<f64> = times(0.0, end, 400).into_iter().chain(touches).collect();
+        let mut line: Vec<f64> = times(0.0, end, 400).chain(touches).collect();
         line.retain(|t| *t <= end);
         line.sort_by(f64::total_cmp);
         Panel::over_axes("$t$ / s", Axis::linear("height / $R$").range(0.0, 1.15 * bouncer::HEIGHT))
