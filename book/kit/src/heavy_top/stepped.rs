@@ -284,7 +284,7 @@ impl Stepped {
     /// done, the bearing, the air and the dry friction called so.
     ///
     /// # Errors
-    /// Those of [`Stepped::claims`] and [`Stepped::ledger`].
+    /// Those of [`Stepped::claims`] and its ledger.
     pub fn report(
         &self,
         [title, what]: [&str; 2],
