@@ -16,7 +16,8 @@ pub struct Delivered<P, const N: usize> {
     /// The motion.
     pub run: Run<P, N>,
     /// How far it is from the run before it, which was made with larger steps:
-    /// an upper estimate of its error.
+    /// an upper estimate of its error. The time at which bounces are over may be off by more, but not
+    /// by more than was asked for: of 400 falls two were, by up to 11 times the estimate.
     pub estimate: f64,
     /// The error of a step, as [`Dop853::new`] takes it, with which it was made.
     pub step_error: f64,
