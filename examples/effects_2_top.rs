@@ -276,10 +276,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
-    // What wakes it is a tiny deviation, to which the steps add. A tenth of the tolerance leaves no
-    // less than a twentieth of it: that takes at most so much longer (s) to grow.
+    // What wakes it is a tiny deviation, to which the steps add: a tenth of the tolerance leaves a tenth
+    // of it. Its two components are due to chance, so that it is below a thirtieth of that once in 900
+    // runs (1/(1 + 30^2) if both are normal); it takes so much longer (s) to grow.
     let grown = log(life.configuration(wakes)?.tilt() / life.configuration(wakes - 1.0)?.tilt());
-    let later = log(20.0) / grown;
+    let later = log(300.0) / grown;
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
     let grip = |step: f64| -> Result<[f64; 2]> {
         let point = p

@@ -74,11 +74,13 @@ pub enum Error {
     },
     /// The torque jumps with the state, back and forth in every step, and the steps collapse.
     Sliding { effect: String, t: f64 },
-    /// Runs do not agree, and the torque was looked at only once `every` so many seconds.
+    /// Runs do not agree, or not within this `limit` of torques, and the torque was looked at only once
+    /// `every` so many seconds.
     Unseen {
         effect: String,
         requested: f64,
         every: f64,
+        limit: Option<u64>,
     },
     /// The scene, the method or the start does not allow these effects.
     Incompatible {
@@ -276,7 +278,12 @@ impl fmt::Display for Error {
                  state, back and forth in every step, and the steps collapse; let it pass from one \
                  value to the other over a small width, as tanh does, give it hysteresis, sample it at \
                  a rate (`Torque::sampled`), or end the motion there", brief(*t);
-            Unseen { effect, requested, every } =>
+            Unseen { effect, requested, every, limit: Some(limit) } =>
+                "an error of {requested:e} takes more than the {limit} torques that are allowed: the \
+                 torque of \"{effect}\" was looked at every {} s, and what is shorter may be unseen; \
+                 name its break points, or its narrowest feature; or allow more torques, a larger \
+                 error or a shorter time", brief(*every);
+            Unseen { effect, requested, every, limit: None } =>
                 "an error of {requested:e} is asked for, and runs do not agree: the torque of \
                  \"{effect}\" was looked at every {} s, and what is shorter may be unseen; \
                  name its break points, or its narrowest feature", brief(*every);
@@ -287,7 +294,8 @@ impl fmt::Display for Error {
                  or name the times at which a torque jumps or has a kink", n(t), n(t_end);
             LimitReached { what: "steps", t, t_end, limit } =>
                 "after {limit} steps the run has come to t = {} of {}: \
-                 allow more steps or a larger tolerance", n(t), n(t_end);
+                 allow more steps or a larger tolerance; no number of them does where the derivative \
+                 jumps with y and drives it back from both sides", n(t), n(t_end);
             LimitReached { what, t, t_end, limit } =>
                 "after {limit} {what} the run has come only to t = {} of {}: allow more of them \
                  (`phase_limit` of the scene), or end the run before", n(t), n(t_end);

@@ -128,6 +128,8 @@ pub(crate) struct Checked<'e> {
     span: [f64; 2],
     /// The break points that the effect names, rising.
     breaks: Vec<f64>,
+    /// The torque at the start, before any other was asked for (N m).
+    first: SpaceVector,
 }
 
 impl<'e> Checked<'e> {
@@ -144,7 +146,7 @@ impl<'e> Checked<'e> {
         effect.holds_from(span[0], body, state, &effect.about_axis())?;
         let mut checked = Self::unlooked(effect, body, span, state);
         checked.effect.hold(span[0], body, state)?;
-        checked.function(span[0], state)?;
+        checked.first = checked.function(span[0], state)?;
         checked.declared()?;
         if checked.properties.torque_free && names.is_empty() {
             return Ok(checked);
@@ -184,6 +186,7 @@ impl<'e> Checked<'e> {
             size: 0.0,
             span,
             breaks,
+            first: SpaceVector::zero(),
         }
     }
 
@@ -271,13 +274,29 @@ impl<'e> Checked<'e> {
         for t in [mirrored, t] {
             self.effect.torque(t, &self.body, &elsewhere);
         }
-        let again = self.effect.torque(t, &self.body, state);
+        self.again(t, state, torque)?;
+        Ok(torque)
+    }
+
+    /// The torque is this one, as it was before.
+    fn again(&self, t: f64, state: &State, before: SpaceVector) -> Result<()> {
+        let torque = self.effect.torque(t, &self.body, state);
         let claim = "that its torque is a function of time and state, which remembers nothing \
                      (for a law that is called at a rate and held in between there is Torque::sampled)";
-        match again == torque {
-            true => Ok(torque),
-            false => Err(self.contradicted(claim, t, (again - torque).norm(), 0.0)),
+        match torque == before {
+            true => Ok(()),
+            false => Err(self.contradicted(claim, t, (torque - before).norm(), 0.0)),
         }
+    }
+
+    /// The torque at the start is what it was before all runs; at these places it is the same against
+    /// the order of the motion as along it.
+    pub(crate) fn remembers_nothing(&self, places: &[(f64, State)]) -> Result<()> {
+        self.again(self.span[0], &self.start, self.first)?;
+        let torque = |(t, state): &(f64, State)| self.effect.torque(*t, &self.body, state);
+        let before: Vec<_> = places.iter().map(torque).collect();
+        let mut back = places.iter().zip(before).rev();
+        back.try_for_each(|((t, state), before)| self.again(*t, state, before))
     }
 
     fn name(&self) -> String {

@@ -37,9 +37,18 @@ impl Profile {
     /// and after the last it is 0.
     ///
     /// # Errors
-    /// As [`steps`](Self::steps).
+    /// As [`steps`](Self::steps); a difference of two neighbours beyond `f64`.
     pub fn lines(points: &[(f64, f64)]) -> Result<Self> {
         let (times, values) = table(points)?;
+        for (of, all) in [
+            ("times of a profile", &times),
+            ("values of a profile", &values),
+        ] {
+            for (n, two) in all.windows(2).enumerate() {
+                finite("difference from the next", two[1] - two[0])
+                    .map_err(|reason| Error::at_index(of, n, reason))?;
+            }
+        }
         Ok(Self(Shape::Lines(times, values)))
     }
 

@@ -64,6 +64,13 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             effect: text(),
             requested: x,
             every: y,
+            limit: None,
+        },
+        Error::Unseen {
+            effect: text(),
+            requested: x,
+            every: y,
+            limit: Some(n),
         },
         Error::Incompatible {
             effects: text(),
@@ -264,8 +271,8 @@ fn messages_are_short() {
     }
     // At most 25 of the library, and five of pages.
     assert_eq!(names.len(), 25 + 5);
-    // Eight have two messages or cases, one of them three.
-    assert_eq!(told.len(), names.len() + 9);
+    // Nine have two messages or cases, one of them three.
+    assert_eq!(told.len(), names.len() + 10);
     // The damaged twin: the same number as it is printed without care.
     assert!(digits(&format!("{}", 1e300)) > 300);
 }

@@ -56,6 +56,8 @@ pub(super) struct Given<'s> {
     /// What the torque may be as large as, and where it jumps.
     torque: f64,
     breaks: Vec<f64>,
+    /// True if the torque on the body as it starts was seen to change with the time.
+    varies: bool,
     longest_step: f64,
     /// What a trial run shows of a slender body, and what it took.
     slender: Option<Slender>,
@@ -96,6 +98,7 @@ impl<'s> Given<'s> {
                 .torque_scale(limits.t_start, body, start)
                 .max(checked.at_start()),
             breaks: limits.breaks(effects, t_end),
+            varies: false,
             longest_step: limits.longest_step,
             checked,
             slender: None,
@@ -112,6 +115,7 @@ impl<'s> Given<'s> {
         } else {
             Vec::new()
         };
+        given.varies = seen.windows(2).any(|two| two[0] != two[1]);
         if !properties.smooth && !seen.is_empty() {
             let jumps = given.checked.jumps(&seen);
             let kinks = given.checked.kinks(&seen, &given.breaks);
@@ -281,15 +285,19 @@ impl Given<'_> {
         {
             return error;
         }
+        let limit = match error {
+            Error::LimitReached { limit, .. } => Some(limit),
+            _ => None,
+        };
         match self.looked_every() {
             Some(every)
-                if !self.effects.properties().smooth
-                    && !matches!(error, Error::LimitReached { .. }) =>
+                if !self.effects.properties().smooth && (limit.is_none() || self.varies) =>
             {
                 Error::Unseen {
                     effect: effect(),
                     requested: self.tolerance,
                     every,
+                    limit,
                 }
             }
             _ => error,

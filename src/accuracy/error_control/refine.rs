@@ -510,9 +510,12 @@ impl<'p> Refinement<'p> {
         estimate: Distances,
         condition: Distances,
     ) -> Result<Delivered> {
-        for (t, stop) in &run.passed {
-            self.problem.checked.at(*t, &stop.state)?;
+        let checked = self.problem.checked;
+        let passed: Vec<_> = (run.passed.iter().map(|(t, stop)| (*t, stop.state))).collect();
+        for (t, state) in &passed {
+            checked.at(*t, state)?;
         }
+        checked.remembers_nothing(&passed)?;
         Ok(Delivered {
             method,
             precision,

@@ -109,12 +109,17 @@ impl<const N: usize> Trial<N> {
         let h = self.t_end - self.t;
         let e5 = increment(h, ERROR_5, &self.k);
         let b3 = mean_increment(h, ORDER_3, &self.k);
-        let (mut sum_5, mut sum_3) = (0.0, 0.0);
+        let (mut sum_5, mut sum_3, mut largest) = (0.0, 0.0, 0.0_f64);
         for i in 0..N {
             let allowed = tolerance * size[i].max(size_end[i]);
+            largest = largest.max(allowed);
             let (r5, r3) = (e5[i] / allowed, (self.made[i] - b3[i]) / allowed);
             sum_5 += r5 * r5;
             sum_3 += r3 * r3;
+        }
+        // Stages that ran away: a quotient by what is infinite would be 0.
+        if !(sum_5 + sum_3 + largest).is_finite() {
+            return f64::INFINITY;
         }
         if sum_5 == 0.0 {
             return 0.0;
@@ -172,5 +177,38 @@ pub(super) fn sizes<const N: usize>(ode: &dyn System<N>, y: &[f64; N]) -> Result
             value,
             "it must be greater than 0",
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::system::ByRef;
+    use super::*;
+    use crate::integrators::{ode, size_or};
+    use crate::math::pow;
+
+    /// A step of y' = -y that is far too long has an error, however far its stages run away.
+    #[test]
+    fn no_step_that_is_too_long_is_good() -> Result<()> {
+        let decay = ode(|_, [y]: &[f64; 1]| [-y]).scaled(size_or([1.0]));
+        let decay = ByRef(&decay);
+        let (mut tried, mut beyond) = (0, 0);
+        for n in 100..=6000 {
+            let mut trial = Trial::new(0.0, [1.0], [-1.0], 1.0);
+            let step = pow(10.0, f64::from(n) / 100.0);
+            if trial.step_to(&decay, step, &mut Work::default()).is_err() {
+                // Beyond doubles.
+                beyond += 1;
+                continue;
+            }
+            for tolerance in [1e-4, 1e-8, 1e-12] {
+                let error = trial.error(&decay, tolerance)?;
+                assert!(error > 1.0, "{n}: {error}");
+                tried += 1;
+            }
+        }
+        assert_eq!(tried + 3 * beyond, 5901 * 3);
+        assert!(tried > 5000 && beyond > 1000, "{tried} {beyond}");
+        Ok(())
     }
 }
