@@ -4,7 +4,7 @@
 // Answers with JSON: `{palette, pages: [{declared, motion, told, full}]}`, the last three lists of
 // the numbers of functions. They need not be complete: where a function is missing, the module
 // traps, and the page loads a longer list.
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { runInThisContext } from 'node:vm';
 
 const root = new URL('../../', import.meta.url);
@@ -71,7 +71,8 @@ function settings({ flags }) {
 }
 
 // The command lines of `run` that readers are given, those that draw or the others.
-const given = readFileSync(new URL('tests/snapshots/commands/all.snap', root), 'utf8')
+const locked = new URL('tests/snapshots/commands/', root);
+const given = readdirSync(locked).map((name) => readFileSync(new URL(name, locked), 'utf8')).join('\n')
   .split('\n').map((line) => line.trim().split(/\s+/).slice(2));
 const draws = (words) => words.includes('--svg') || words.includes('--csv');
 const givenFor = (stem, drawn) => given.filter(([of, ...words]) => of === stem && draws(words) === drawn).map((words) => words.slice(1));

@@ -36,30 +36,45 @@ fn told(stem: &str, arguments: &str) -> Option<(u8, u64)> {
     Some((outcome.code, digest(all.chain(written))))
 }
 
-#[test]
-fn every_command_that_a_reader_is_given_runs() {
-    if !WHOLE {
-        return;
-    }
+/// An example and its arguments.
+type Command = (String, String);
+
+/// The commands of the README and of all pages, and those of the README alone.
+fn given() -> (BTreeSet<Command>, BTreeSet<Command>) {
     let mut texts = vec![root().join("README.md")];
     let pages = fs::read_dir(root().join("book/src")).expect("the pages can be read");
     texts.extend(pages.map(|page| page.expect("an entry").path()));
-    let mut given = BTreeMap::new();
-    let mut must_run = BTreeSet::new();
+    let (mut given, mut by_readme) = (BTreeSet::new(), BTreeSet::new());
     for path in texts {
         let text = fs::read_to_string(&path).expect("a text");
         for command in commands(&text) {
             let (stem, arguments) = command.split_once(" -- ").unwrap_or((command, ""));
             let command = (stem.to_owned(), arguments.to_owned());
-            // A page may ask what a program will refuse; the README invites.
             if path.ends_with("README.md") {
-                must_run.insert(command.clone());
+                by_readme.insert(command.clone());
             }
-            given.insert(command, None);
+            given.insert(command);
         }
     }
+    (given, by_readme)
+}
+
+/// The groups of pages whose commands are locked in one file each; a page is of the first whose name
+/// its own begins with.
+const GROUPS: [&str; 7] = ["accuracy", "ch15", "ch16", "effects", "further", "hard_cases", ""];
+
+/// Locks how the commands of this group end and what they print.
+fn run(group: &str) {
+    if !WHOLE {
+        return;
+    }
+    let (given, by_readme) = given();
+    let of_group = |(stem, _): &&Command| {
+        GROUPS.into_iter().find(|group| stem.starts_with(group)) == Some(group)
+    };
+    let mut all: BTreeMap<_, _> = given.iter().filter(of_group).map(|c| (c, None)).collect();
     // Each thread takes the next command, for a few take as long as all others.
-    let queue = Mutex::new(given.iter_mut());
+    let queue = Mutex::new(all.iter_mut());
     let next = || queue.lock().expect("no thread has failed").next();
     thread::scope(|scope| {
         for _ in 0..2 {
@@ -71,19 +86,47 @@ fn every_command_that_a_reader_is_given_runs() {
         }
     });
     let mut list = String::new();
-    for (command, ended) in &given {
+    for (command, ended) in &all {
         let (stem, arguments) = command;
         let Some((code, digest)) = ended else {
             assert_eq!(stem, "problem_sheet", "there is no example {stem}");
             continue;
         };
-        let refused = *code > 1 && must_run.contains(command);
+        // A page may ask what a program will refuse; the README invites.
+        let refused = *code > 1 && by_readme.contains(command);
         assert!(!refused, "the README's {stem} {arguments} is refused");
         let line = format!("{code} {digest:016x} {stem} {arguments}");
         let _ = writeln!(list, "{}", line.trim_end());
     }
-    assert!(must_run.len() > 5 && given.len() > 200, "{} commands", given.len());
-    settings("snapshots/commands").bind(|| insta::assert_snapshot!("all", list));
+    let file = if group.is_empty() { "others" } else { group };
+    settings("snapshots/commands").bind(|| insta::assert_snapshot!(file, list));
+}
+
+/// Every command that a reader is given runs.
+mod every_command_runs {
+    macro_rules! of {
+        ($($name:ident $group:literal;)*) => { $(
+            #[test]
+            fn $name() {
+                super::run($group);
+            }
+        )* };
+    }
+    of! {
+        accuracy "accuracy";
+        ch15 "ch15";
+        ch16 "ch16";
+        effects "effects";
+        further "further";
+        hard_cases "hard_cases";
+        others "";
+    }
+}
+
+#[test]
+fn commands_are_found() {
+    let (given, by_readme) = given();
+    assert!(by_readme.len() > 5 && given.len() > 200, "{} commands", given.len());
 }
 
 /// The damaged twin: a command that has grown old is refused, another output is another line.

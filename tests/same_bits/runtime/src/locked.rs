@@ -54,8 +54,9 @@ impl Locked {
         for report in reports.values_mut() {
             *report = body(report).to_owned();
         }
-        let commands = fs::read_to_string(snapshots.join("commands/all.snap"))?;
-        let commands: Option<_> = body(&commands).lines().map(command).collect();
+        let commands = texts(&snapshots.join("commands"), ".snap")?;
+        let lines = commands.values().flat_map(|text| body(text).lines());
+        let commands: Option<_> = lines.map(command).collect();
         Ok(Self {
             reports,
             figures: texts(&snapshots.join("figures"), ".snap.svg")?,
