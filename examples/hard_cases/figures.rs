@@ -14,13 +14,11 @@ fn decades(from: i32, to: i32, each: i32) -> impl Iterator<Item = f64> {
     (0..=(to - from) * each).map(move |n| pow(10.0, f64::from(from) + step * f64::from(n)))
 }
 
-/// Errors over one quantity, a curve for each method, which is styled as its label says.
+/// Errors over one quantity, a curve for each method.
 fn errors<const N: usize>(
-    panel: Panel,
     xs: impl IntoIterator<Item = f64>,
     errors: impl Fn(f64) -> Result<[f64; N]>,
-    styles: [(Ink, &dyn Fn(Curve) -> Curve); N],
-) -> Result<Panel> {
+) -> Result<[Vec<(f64, f64)>; N]> {
     let mut curves = [const { Vec::new() }; N];
     for x in xs {
         for (curve, error) in curves.iter_mut().zip(errors(x)?) {
@@ -29,10 +27,7 @@ fn errors<const N: usize>(
             }
         }
     }
-    let curves = curves.into_iter().zip(styles);
-    Ok(curves.fold(panel, |panel, (points, (ink, styled))| {
-        panel.curve(styled(Curve::new(points, ink)))
-    }))
+    Ok(curves)
 }
 
 /// What breaks and what holds.
@@ -40,15 +35,12 @@ fn pair(
     panel: Panel,
     xs: impl IntoIterator<Item = f64>,
     both: impl Fn(f64) -> Result<[f64; 2]>,
-    [wrong, held]: [&str; 2],
+    labels: [&str; 2],
 ) -> Result<Panel> {
-    let wrong = |curve: Curve| curve.dashed().label(wrong);
-    errors(
-        panel,
-        xs,
-        both,
-        [(Ink::Wrong, &wrong), (Ink::Ink, &|curve| curve.label(held))],
-    )
+    let [wrong, held] = errors(xs, both)?;
+    let wrong = Curve::new(wrong, Ink::Wrong).dashed();
+    let held = Curve::new(held, Ink::Ink).label(labels[1]);
+    Ok(panel.curve(wrong.label(labels[0])).curve(held))
 }
 
 /// The errors of an attitude by a naive method, and of the closed form.
@@ -60,52 +52,13 @@ fn ends(motion: &Motion, naive: impl Fn(&Motion) -> Option<Attitude>) -> Result<
 }
 
 /// The naive error of a case, and that of its last answer, in units of the least bound.
-fn across(Answered(_, (_, naive), answers): Answered) -> [f64; 2] {
-    let least = answers
-        .iter()
-        .fold(f64::INFINITY, |least, (_, bound)| least.min(*bound));
-    let last = answers
+fn across(Answered(_, (_, naive), answers): Answered) -> Result<[f64; 2]> {
+    let bounds = answers.iter().map(|(_, bound)| *bound);
+    let least = bounds.fold(f64::INFINITY, f64::min);
+    let held = answers
         .last()
         .and_then(|(answer, bound)| Some(answer.as_ref().ok()? / bound));
-    [naive, last.map_or(f64::NAN, |part| part * least)]
-}
-
-/// 1 - cos x as it stands and as 2 sin^2(x/2): relative errors.
-fn one_less_cosine(x: f64) -> Result<[f64; 2]> {
-    let half = DoubleDouble::from(0.5 * x).sin_cos().0;
-    let truth = half.square() * 2.0;
-    let sine = sin(0.5 * x);
-    Ok([1.0 - cos(x), 2.0 * sine * sine].map(|y| ((truth - y) / truth).to_f64().abs()))
-}
-
-/// A small tilt by the arc cosine, and by the arc tangent of the library: relative errors.
-fn small_tilt(theta: f64) -> Result<[f64; 2]> {
-    let tilted = turned(0.3, theta, 0.2)?;
-    let tilts = [by_arc_cosine(tilted).unwrap_or(tilted), tilted].map(|a| a.euler_angles().theta);
-    Ok(tilts.map(|tilt| (tilt / theta - 1.0).abs()))
-}
-
-/// After so many periods of two flips.
-fn after_flips(periods: f64) -> Result<[f64; 2]> {
-    let whole = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
-    let motion = whole.until(whole.end * periods / FLIPS_PERIODS);
-    ends(&motion, |m| on_quaternion(m, (200.0 * periods) as u32))
-}
-
-fn after_periods(periods: f64) -> Result<[f64; 2]> {
-    let late = Late::after(periods, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
-    ends(&late.motion, |_| Some(late.modulo))
-}
-
-/// After one flip with this 1 - k^2: the direction of L on the body's axes by Landau's formulas,
-/// and by the closed form.
-fn after_a_flip(complement: f64) -> Result<[f64; 2]> {
-    let motion = one_flip(complement)?;
-    let closed = motion.free_body()?.angular_velocity(motion.end).to_array();
-    Ok([
-        momentum_off(&motion, rates_by_landau(&motion))?,
-        momentum_off(&motion, closed)?,
-    ])
+    Ok([naive, held.map_or(f64::NAN, |part| part * least)])
 }
 
 /// A top whose energy is so little above the least: the smaller turning point by the formula for
@@ -137,65 +90,30 @@ fn turning_points(excess: f64) -> Result<[f64; 2]> {
 /// A torque switched on and off.
 fn jumps(panel: Panel) -> Result<Panel> {
     let over = decades(1, 4, 8).map(f64::round);
-    errors(
-        panel,
-        over,
-        |n| Ok(torques::across_jumps(n as u64)?),
-        [
-            (Ink::Wrong, &|curve| {
-                curve.dashed().label("wrong: RK4 straight on")
-            }),
-            (Ink::RungeKutta, &|curve| curve.label("RK4 anew")),
-            (Ink::Gauss, &|curve| curve.label("Gauss–Legendre anew")),
-        ],
-    )
+    let [on, rk4, gauss] = errors(over, |n| Ok(torques::across_jumps(n as u64)?))?;
+    let on = Curve::new(on, Ink::Wrong).dashed();
+    Ok(panel
+        .curve(on.label("wrong: RK4 straight on"))
+        .curve(Curve::new(rk4, Ink::RungeKutta).label("RK4 anew"))
+        .curve(Curve::new(gauss, Ink::Gauss).label("Gauss–Legendre anew")))
 }
 
 /// Two moments this far from equal: the body called symmetric below 1e-6, the first moment
 /// changed by 1e-9, and the closed form.
 fn nearly_symmetric(panel: Panel) -> Result<Panel> {
-    let off = |apart: f64| {
+    let [called, jittered, closed] = errors(decades(-15, -3, 6), |apart| {
         let motion = shaped([1.0, 1.0 + apart, 1.7])?;
-        let called = if apart < 1e-6 {
-            shaped([1.0, 1.0, 1.7])?
-        } else {
-            motion
-        };
+        let equal = shaped([1.0, 1.0, 1.7])?;
+        let called = if apart < 1e-6 { equal } else { motion };
         let [jittered, closed] = ends(&motion, jittered)?;
         Ok([motion.off(called.in_closed_form().ok()), jittered, closed])
-    };
-    errors(
-        panel,
-        decades(-15, -3, 6),
-        off,
-        [
-            (Ink::Wrong, &|curve| {
-                curve
-                    .dashed()
-                    .label_at("wrong: called equal", 2e-13, 1e-13, Side::Right)
-            }),
-            (Ink::Wrong, &|curve| {
-                curve.dotted().label("wrong: made unequal")
-            }),
-            (Ink::Ink, &|curve| curve.label("closed form")),
-        ],
-    )
-}
-
-/// This far from half a turn: the quaternion from the trace of the matrix, and from the largest
-/// component.
-fn beside_half_a_turn(off: f64) -> Result<[f64; 2]> {
-    let axis = SpaceVector::new(1.0, -2.0, 3.0);
-    let turned = Attitude::about_space_axis(axis, PI - off)?;
-    let naive = by_trace(turned).map_or(f64::NAN, |a| a.angle_to(&turned));
-    Ok([naive, MATRIX(turned)?.angle_to(&turned)])
-}
-
-/// The same motion of a body so large, with 1e-30 added to its moments and without. Where the
-/// guard is less than a rounding, nothing is wrong and nothing drawn.
-fn guarded_at(moment: f64) -> Result<[f64; 2]> {
-    let [naive, closed] = ends(&scaled(moment, 1.0)?, guarded)?;
-    Ok([if naive > EPS { naive } else { f64::NAN }, closed])
+    })?;
+    let called = Curve::new(called, Ink::Wrong).dashed();
+    let jittered = Curve::new(jittered, Ink::Wrong).dotted();
+    Ok(panel
+        .curve(called.label_at("wrong: called equal", 2e-13, 1e-13, Side::Right))
+        .curve(jittered.label("wrong: made unequal"))
+        .curve(Curve::new(closed, Ink::Ink).label("closed form")))
 }
 
 /// How much a change of the start by so much moves the end, over that change: a body that
@@ -230,8 +148,11 @@ fn parts_over(x: &str) -> Panel {
 figures! { p: &Parameters;
     /// The relative error of 1 - cos x against x, both logarithmic. As it stands it grows as
     /// 1/x^2, to one below 1e-8; written as twice the square of a sine it stays at 1e-16.
-    digits: pair(parts_over("$x$"), decades(-9, 0, 12), one_less_cosine,
-        ["wrong: $1-\\cos x$", r"$2\sin^2(x/2)$"])?;
+    digits: pair(parts_over("$x$"), decades(-9, 0, 12), |x| {
+            let truth = DoubleDouble::from(0.5 * x).sin_cos().0.square() * 2.0;
+            let sine = sin(0.5 * x);
+            Ok([1.0 - cos(x), 2.0 * sine * sine].map(|y| ((truth - y) / truth).to_f64().abs()))
+        }, ["wrong: $1-\\cos x$", r"$2\sin^2(x/2)$"])?;
 
     /// The error after 20 s against the distance from the pole at the start, both logarithmic.
     /// The one of RK4 on Euler angles jumps about, up to a thousandth of a radian, and is a rounding
@@ -242,18 +163,28 @@ figures! { p: &Parameters;
 
     /// The relative error of a tilt against the tilt, both logarithmic. By an arc cosine it grows
     /// to one at 1e-8 rad; by the arc tangent of two lengths it is a rounding everywhere.
-    tilt: pair(parts_over(r"$\theta$ / rad"), decades(-9, 0, 12), small_tilt,
-        ["wrong: arc cosine", "arc tangent"])?;
+    tilt: pair(parts_over(r"$\theta$ / rad"), decades(-9, 0, 12), |theta| {
+            let tilted = turned(0.3, theta, 0.2)?;
+            let tilts = [by_arc_cosine(tilted).unwrap_or(tilted), tilted].map(|a| a.euler_angles().theta);
+            Ok(tilts.map(|tilt| (tilt / theta - 1.0).abs()))
+        }, ["wrong: arc cosine", "arc tangent"])?;
 
     /// The error after one flip against 1 - k^2, both logarithmic. By subtraction it grows as one over
     /// 1 - k^2, to one at 1e-16; that of the closed form stays small.
-    separatrix: pair(errors_over("$1-k^2$"), decades(-16, -2, 4), after_a_flip,
-        ["wrong: subtracted", "closed form"])?;
+    separatrix: pair(errors_over("$1-k^2$"), decades(-16, -2, 4), |complement| {
+            // The direction of L on the body's axes.
+            let motion = one_flip(complement)?;
+            let closed = motion.free_body()?.angular_velocity(motion.end).to_array();
+            Ok([momentum_off(&motion, rates_by_landau(&motion))?, momentum_off(&motion, closed)?])
+        }, ["wrong: subtracted", "closed form"])?;
 
     /// The error against the number of periods of two flips, both logarithmic. That of RK4 grows
     /// until it is of order one; that of the closed form stays a rounding.
-    flips: pair(errors_over("periods"), decades(0, 3, 2).map(|n| n + 0.25), after_flips,
-        ["wrong: RK4", "closed form"])?;
+    flips: pair(errors_over("periods"), decades(0, 3, 2).map(|n| n + 0.25), |periods| {
+            let whole = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
+            let motion = whole.until(whole.end * periods / FLIPS_PERIODS);
+            ends(&motion, |m| on_quaternion(m, (200.0 * periods) as u32))
+        }, ["wrong: RK4", "closed form"])?;
 
     /// The error of a turning point against how far the energy is above the least, both logarithmic.
     /// By the formula for the roots of a cubic it grows to 1e-8; by the library it stays small.
@@ -262,8 +193,10 @@ figures! { p: &Parameters;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.
-    late: pair(errors_over("periods"), decades(0, 12, 1), after_periods,
-        ["wrong: $t$ mod $T$", "closed form"])?;
+    late: pair(errors_over("periods"), decades(0, 12, 1), |periods| {
+            let (motion, _, modulo) = late(periods, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
+            ends(&motion, |_| Some(modulo))
+        }, ["wrong: $t$ mod $T$", "closed form"])?;
 
     /// The error against the number of steps through a torque that is switched on and off, both
     /// logarithmic. RK4 is ragged and falls about as one over the number, also where it is started
@@ -284,13 +217,19 @@ figures! { p: &Parameters;
 
     /// The error of a quaternion against how far a rotation is from half a turn, both logarithmic.
     /// From the trace it grows as one over it, to 1e-8, and ends at 1e-8; from the largest component it is a rounding.
-    turns: pair(errors_over("half a turn less this / rad"), decades(-9, 0, 8), beside_half_a_turn,
-        ["wrong: by the trace", "largest component"])?;
+    turns: pair(errors_over("half a turn less this / rad"), decades(-9, 0, 8), |off| {
+            let turned = Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI - off)?;
+            let naive = by_trace(turned).map_or(f64::NAN, |a| a.angle_to(&turned));
+            Ok([naive, MATRIX(turned)?.angle_to(&turned)])
+        }, ["wrong: by the trace", "largest component"])?;
 
     /// The error after 30 rad against the size of the moments, both logarithmic. With 1e-30 added it
     /// falls in proportion above 1e-29, and is of order one below; without, it is a rounding.
-    scales: pair(errors_over("moment / (kg m²)"), decades(-46, 0, 2), guarded_at,
-        ["wrong: guarded", "closed form"])?;
+    scales: pair(errors_over("moment / (kg m²)"), decades(-46, 0, 2), |moment| {
+            // Where the guard is less than a rounding, nothing is wrong and nothing drawn.
+            let [naive, closed] = ends(&scaled(moment, 1.0)?, guarded)?;
+            Ok([if naive > EPS { naive } else { f64::NAN }, closed])
+        }, ["wrong: guarded", "closed form"])?;
 
     /// How much the end moves over how much the start was moved, against the latter, both
     /// logarithmic. For changes below 1e-20 it is level at 1e19; for larger ones it falls in
@@ -301,13 +240,13 @@ figures! { p: &Parameters;
     /// it is from a third of a millimetre to centimetres; with the event located it is a rounding, growing as the graze
     /// gets shallow.
     events: pair(Panel::over_axes(Axis::log("excess speed / (m/s)"), Axis::log("error / m")),
-        decades(-9, -1, 3), |excess| Ok(across(events::graze(excess)?)), ["wrong: every 0.03 s", "located"])?;
+        decades(-9, -1, 3), |excess| across(events::graze(excess)?), ["wrong: every 0.03 s", "located"])?;
 
     /// The relative error of the speed after an impact against the ratio of the masses, both
     /// logarithmic. From the energy it is smallest for equal masses and reaches one on either side;
     /// by the impulse it is a rounding.
     impacts: pair(Panel::over_axes(Axis::log("mass that hits / mass that is hit"), Axis::log("relative error")),
-        decades(-16, 15, 2).map(|m| 2.0 * m), |mass| Ok(across(impacts::hit(mass, 1.0)?)), ["wrong: from the energy", "impulse"])?;
+        decades(-16, 15, 2).map(|m| 2.0 * m), |mass| across(impacts::hit(mass, 1.0)?), ["wrong: from the energy", "impulse"])?;
 
     /// What a step multiplies a braked spin by, against rate times step. The exact factor falls to
     /// zero; that of RK4 follows it to about one, turns, and crosses one at 2.785.

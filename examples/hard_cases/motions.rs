@@ -127,25 +127,18 @@ impl Asked {
 }
 
 /// Its closed form.
-enum Closed {
-    Free(Box<FreeBody>),
-    Top(Box<HeavyTop>),
+trait Closed {
+    fn kinematics(&self, t: f64) -> Kinematics;
+    fn condition(&self, t: f64) -> Solved<f64>;
 }
 
-impl Closed {
-    fn kinematics(&self, t: f64) -> Kinematics {
-        match self {
-            Self::Free(motion) => motion.kinematics(t),
-            Self::Top(motion) => motion.kinematics(t),
-        }
-    }
-    fn condition(&self, t: f64) -> Solved<f64> {
-        match self {
-            Self::Free(motion) => motion.condition(t),
-            Self::Top(motion) => motion.condition(t),
-        }
-    }
+macro_rules! closed {
+    ($($form:ty),+) => { $( impl Closed for $form {
+        fn kinematics(&self, t: f64) -> Kinematics { self.kinematics(t) }
+        fn condition(&self, t: f64) -> Solved<f64> { rotation_dynamics::motion::Motion::condition(self, t) }
+    } )+ };
 }
+closed!(FreeBody, HeavyTop);
 
 /// The points of a path at which a disturbance is followed to the end.
 const PLACES: u32 = 8;
@@ -210,23 +203,27 @@ impl Motion {
         BodyVector::from_array(self.rates)
     }
 
+    /// The angular momentum on the body's axes with these rates.
+    pub fn momentum(&self, rates: [f64; 3]) -> BodyVector {
+        let [i1, i2, i3] = self.moments;
+        BodyVector::new(i1 * rates[0], i2 * rates[1], i3 * rates[2])
+    }
+
     /// The closed form of a body on which nothing acts.
     pub fn free_body(&self) -> Solved<FreeBody> {
         FreeBody::new(self.body()?, self.attitude, self.rates())
     }
 
-    fn closed(&self, from: Kinematics) -> Solved<Closed> {
+    fn closed(&self, from: Kinematics) -> Solved<Box<dyn Closed>> {
         let (attitude, rates) = (from.attitude, from.angular_velocity);
         let Some([weight, lever]) = self.gravity else {
-            return Ok(Closed::Free(
-                FreeBody::new(self.body()?, attitude, rates)?.into(),
-            ));
+            return Ok(Box::new(FreeBody::new(self.body()?, attitude, rates)?));
         };
         let top = SymmetricTop::new(self.moments[0], self.moments[2], weight, lever)?;
-        Ok(Closed::Top(HeavyTop::new(top, attitude, rates)?.into()))
+        Ok(Box::new(HeavyTop::new(top, attitude, rates)?))
     }
 
-    fn closed_from(&self, attitude: Attitude) -> Solved<Closed> {
+    fn closed_from(&self, attitude: Attitude) -> Solved<Box<dyn Closed>> {
         self.closed(Kinematics::new(attitude, self.rates()))
     }
 
@@ -238,7 +235,7 @@ impl Motion {
 
     fn by_series(&self) -> Solved<Attitude> {
         let (truth, start) = self.series()?;
-        if let Ok(Closed::Free(motion)) = self.closed_from(self.attitude) {
+        if let (None, Ok(motion)) = (self.gravity, self.free_body()) {
             let period = motion.rate_period();
             if self.end.abs() > MANY * period {
                 return truth.late(&start, period, self.end);

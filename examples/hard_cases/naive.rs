@@ -76,14 +76,9 @@ fn turned_back(motion: &Motion) -> Solved<f64> {
 
 /// The distance of the quaternions at the end, of this start and of its antipode.
 fn between_quaternions(motion: &Motion) -> Solved<f64> {
-    let attitude = half_turn()?;
-    let [a, b, c, d] = motion.truth()?.quaternion();
-    let [e, f, g, h] = Motion {
-        attitude,
-        ..*motion
-    }
-    .truth()?
-    .quaternion();
+    let mut half = *motion;
+    half.attitude = half_turn()?;
+    let [[a, b, c, d], [e, f, g, h]] = [motion.truth()?, half.truth()?].map(|a| a.quaternion());
     Ok(2.0 * hypot(hypot(a - e, b - f), hypot(c - g, d - h)))
 }
 
@@ -107,15 +102,6 @@ fn path<const N: usize>(
     let h = end / f64::from(count);
     let next = move |y: &[f64; N]| Some(rk4(&f, y, h));
     core::iter::successors(Some(start), next).take(count as usize + 1)
-}
-
-fn steps<const N: usize>(
-    f: impl Fn(&[f64; N]) -> [f64; N],
-    start: [f64; N],
-    end: f64,
-    count: u32,
-) -> [f64; N] {
-    path(f, start, end, count).last().unwrap_or(start)
 }
 
 /// The rate of a quaternion.
@@ -153,8 +139,9 @@ pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
         let [a, b, d] = rates_of(motion, [p, q, r], [s * sz, s * cz]);
         [turn, p * cz - q * sz, r - turn * c, a, b, d]
     };
-    let [phi, theta, zeta, ..] = steps(slope, [phi, theta, zeta, p, q, r], motion.end, count);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta }).ok()
+    let path = path(slope, [phi, theta, zeta, p, q, r], motion.end, count);
+    let [phi, theta, zeta, ..] = path.last()?;
+    turned(phi, theta, zeta).ok()
 }
 
 /// RK4 on yaw, pitch and roll, with 1/cos(pitch) in their rates.
@@ -167,7 +154,8 @@ pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
         let [a, b, d] = rates_of(motion, [p, q, r], [-s, c * sr]);
         [turn, q * cr - r * sr, p + turn * s, a, b, d]
     };
-    let [yaw, pitch, roll, ..] = steps(slope, [yaw, pitch, roll, p, q, r], motion.end, count);
+    let path = path(slope, [yaw, pitch, roll, p, q, r], motion.end, count);
+    let [yaw, pitch, roll, ..] = path.last()?;
     Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()
 }
 
@@ -175,12 +163,8 @@ pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
 /// the matrix: the formulas of every textbook.
 pub fn by_arc_cosine(attitude: Attitude) -> Option<Attitude> {
     let m = attitude.matrix();
-    let angles = EulerAngles {
-        phi: atan2(m[0][2], -m[1][2]),
-        theta: acos(m[2][2].clamp(-1.0, 1.0)),
-        zeta: atan2(m[2][0], m[2][1]),
-    };
-    Attitude::from_euler(angles).ok()
+    let (phi, zeta) = (atan2(m[0][2], -m[1][2]), atan2(m[2][0], m[2][1]));
+    turned(phi, acos(m[2][2].clamp(-1.0, 1.0)), zeta).ok()
 }
 
 /// The scalar part of a quaternion from the trace of the matrix.
@@ -192,14 +176,8 @@ pub fn scalar_by_trace(attitude: Attitude) -> f64 {
 /// A quaternion divided by that.
 pub fn by_trace(attitude: Attitude) -> Option<Attitude> {
     let (m, w) = (attitude.matrix(), scalar_by_trace(attitude));
-    let part = |a: f64, b: f64| (a - b) / (4.0 * w);
-    let q = [
-        w,
-        part(m[2][1], m[1][2]),
-        part(m[0][2], m[2][0]),
-        part(m[1][0], m[0][1]),
-    ];
-    Attitude::from_quaternion(q).ok()
+    let [x, y, z] = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| (m[i][j] - m[j][i]) / (4.0 * w));
+    Attitude::from_quaternion([w, x, y, z]).ok()
 }
 
 /// The same motion with the first moment larger by a billionth, "so that nothing is 0/0".
@@ -244,7 +222,7 @@ pub fn rates_by_landau(motion: &Motion) -> [f64; 3] {
         ((square - twice * i1) / (i3 * (i3 - i1))).max(0.0).sqrt(),
     ];
     // At the turning point of the middle rate a quarter of a period has passed.
-    let quarter = core::f64::consts::FRAC_PI_2 / mean(1.0, (1.0 - k2).max(0.0).sqrt());
+    let quarter = FRAC_PI_2 / mean(1.0, (1.0 - k2).max(0.0).sqrt());
     let [sn, cn, dn] = jacobi(rate * motion.end + quarter, k2);
     [largest[0] * cn, largest[1] * sn, largest[2] * dn]
 }
@@ -286,25 +264,15 @@ pub fn by_momentum(motion: &Motion, count: u32) -> Option<Attitude> {
 /// start and after each step, with the rate about the middle axis.
 pub fn path_by_momentum(motion: &Motion, count: u32) -> Solved<Vec<(Attitude, f64)>> {
     let [i1, i2, i3] = motion.moments;
-    let [p, q, r] = motion.rates;
-    let momentum = motion
-        .attitude
-        .to_space(BodyVector::new(i1 * p, i2 * q, i3 * r));
+    let momentum = motion.attitude.to_space(motion.momentum(motion.rates));
     let rates = |attitude: Attitude| {
         let [a, b, c] = attitude.to_body(momentum).to_array();
         [a / i1, b / i2, c / i3]
     };
-    let slope = |q: &[f64; 4]| {
-        turning(
-            *q,
-            rates(Attitude::from_quaternion(*q).unwrap_or(motion.attitude)),
-        )
-    };
-    path(slope, motion.attitude.quaternion(), motion.end, count)
-        .map(|now| {
-            let attitude = Attitude::from_quaternion(now)?;
-            Ok((attitude, rates(attitude)[1]))
-        })
+    let read = |q: &[f64; 4]| Attitude::from_quaternion(*q);
+    let slope = |q: &[f64; 4]| turning(*q, rates(read(q).unwrap_or(motion.attitude)));
+    let path = path(slope, motion.attitude.quaternion(), motion.end, count);
+    path.map(|q| read(&q).map(|attitude| (attitude, rates(attitude)[1])))
         .collect()
 }
 
@@ -327,21 +295,22 @@ pub fn tilt_by_energy(motion: &Motion, count: u32) -> f64 {
         let left = 2.0 * (energy - pull * c) / i1 - turn * turn;
         [sign * left.max(0.0).sqrt()]
     };
-    steps(slope, [theta], motion.end, count)[0]
+    let path = path(slope, [theta], motion.end, count);
+    path.last().map_or(f64::NAN, |[theta]| theta)
 }
 
 /// The smaller turning point of a top (the notes' a, b, c and E~) by the trigonometric formula
 /// for the roots of a cubic, from its coefficients.
 pub fn turning_point([a, b, c]: [f64; 3], energy: f64) -> f64 {
-    let [p, q, r] = [
+    let (p, q) = (
         -(2.0 * energy + 2.0 * c + a) / (2.0 * c),
         (2.0 * a * b - 2.0 * c) / (2.0 * c),
-        (2.0 * energy + 2.0 * c - a * b * b) / (2.0 * c),
-    ];
+    );
+    let r = (2.0 * energy + 2.0 * c - a * b * b) / (2.0 * c);
     let [linear, constant] = [q - p * p / 3.0, 2.0 * p * p * p / 27.0 - p * q / 3.0 + r];
     let size = (-linear / 3.0).sqrt();
     let angle = acos((-constant / (2.0 * size * size * size)).clamp(-1.0, 1.0)) / 3.0;
-    let third = core::f64::consts::TAU / 3.0;
+    let third = TAU / 3.0;
     let mut roots = [0.0, 1.0, 2.0].map(|k| 2.0 * size * cos(angle - k * third) - p / 3.0);
     roots.sort_by(f64::total_cmp);
     acos(roots[1])

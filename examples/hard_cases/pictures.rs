@@ -232,7 +232,7 @@ fn separatrix_passed() -> Result<MovingPicture> {
     let motion = one_flip(1e-16)?;
     let exact = motion.free_body()?;
     let along = move |rates: [f64; 3]| {
-        let [x, y, z]: [f64; 3] = core::array::from_fn(|i| motion.moments[i] * rates[i]);
+        let [x, y, z] = motion.momentum(rates).to_array();
         let l = SpaceVector::new(x, y, z);
         l / l.norm()
     };
@@ -420,24 +420,25 @@ fn molecule() -> Result<MovingPicture> {
 /// After a hundred trillion periods, in steps that a double of that time still has.
 fn trillions() -> Result<MovingPicture> {
     const PERIODS: f64 = 1e14;
-    let late = |t: f64| Late::after(PERIODS + t, [1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
+    let late = |t: f64| late(PERIODS + t, [1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
     let ends = move |t: f64| {
-        let Late { motion, modulo, .. } = late(t)?;
+        let (motion, _, modulo) = late(t)?;
         Ok::<_, kit::Error>((motion.end, [motion.in_closed_form()?, modulo]))
     };
     // A double of this time is a multiple of a sixteenth of a second: drawn where it is.
-    let (first, period) = (ends(0.0)?.0, late(0.0)?.exact.rate_period());
-    let [mut exact, mut wrong] = [const { Vec::new() }; 2];
+    let (first, exact, _) = late(0.0)?;
+    let [mut exact_path, mut wrong] = [const { Vec::new() }; 2];
     for t in times(0.0, 1.5, 96) {
         let (end, both) = ends(t)?;
+        let t = (end - first.end) / exact.rate_period();
         let height = |a: Attitude| a.to_space(BodyVector::new(1.0, 0.0, 0.0)).z();
-        let [truth, naive] = both.map(|a| ((end - first) / period, height(a)));
-        exact.push(truth);
+        let [truth, naive] = both.map(|a| (t, height(a)));
+        exact_path.push(truth);
         wrong.push(naive);
     }
     let height = axis("height of an edge", [-1.05, 1.05, 1.0]);
     let graph = Panel::over_axes(Axis::linear("$t/T-10^{14}$"), height)
-        .curve(Curve::new(exact, Ink::Ink))
+        .curve(Curve::new(exact_path, Ink::Ink))
         .curve(Curve::new(wrong, Ink::Wrong).dashed());
     MovingPicture::above(graph, 0.0..=1.5, [0.25, 1.0], move |t| {
         let (_, [truth, naive]) = ends(t)?;

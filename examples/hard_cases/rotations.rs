@@ -64,13 +64,8 @@ const CRITICAL: f64 = 4.0;
 const BELOW: f64 = CRITICAL * (1.0 - f64::EPSILON);
 
 pub fn at_threshold(theta: f64, kick: f64, spin: f64) -> Solved<Motion> {
-    Ok(Motion::top(
-        [1.0, 0.5],
-        1.0,
-        turned(0.3, theta, 0.2)?,
-        [kick, 0.0, spin],
-        15.0,
-    ))
+    let (tilted, rates) = (turned(0.3, theta, 0.2)?, [kick, 0.0, spin]);
+    Ok(Motion::top([1.0, 0.5], 1.0, tilted, rates, 15.0))
 }
 
 /// Exactly upright: the condition is the spin's.
@@ -111,10 +106,7 @@ pub fn one_flip(complement: f64) -> Solved<Motion> {
 
 /// The angle between the angular momentum on the body's axes with these rates and the true one.
 pub fn momentum_off(motion: &Motion, rates: [f64; 3]) -> Solved<f64> {
-    let momentum = |rates: [f64; 3]| {
-        BodyVector::from_array(core::array::from_fn(|i| motion.moments[i] * rates[i]))
-    };
-    let (one, truth) = (momentum(rates), momentum(motion.true_rates()?));
+    let [one, truth] = [rates, motion.true_rates()?].map(|rates| motion.momentum(rates));
     Ok(atan2(one.cross(&truth).norm(), one.dot(&truth)))
 }
 
@@ -124,13 +116,8 @@ fn homoclinic(end: f64) -> Solved<Motion> {
     let across = moments[1] * spin * tan(0.5 * theta);
     let lost = 2.0 * (1.0 - cos(theta));
     let along = -(lost - across * across).sqrt();
-    Ok(Motion::top(
-        moments,
-        1.0,
-        turned(0.3, theta, 0.0)?,
-        [along, across, spin],
-        end,
-    ))
+    let (tilted, rates) = (turned(0.3, theta, 0.0)?, [along, across, spin]);
+    Ok(Motion::top(moments, 1.0, tilted, rates, end))
 }
 
 family! { SEPARATRIX, "separatrix": "At the separatrix", by By::FREE, in NAMES;
@@ -207,25 +194,16 @@ family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", 
 pub const NOTES_TOP: [f64; 3] = [1.5, 1.2, 0.2];
 
 /// The body of the notes' parameters a and c: I1 = 1, I3 = a, m g l = c, omega_3 = 1/sqrt(a).
-fn top([a, c]: [f64; 2], theta: f64, [along, across]: [f64; 2], end: f64) -> Solved<Motion> {
+fn top([a, c]: [f64; 2], theta: f64, rates: [f64; 2], end: f64) -> Solved<Motion> {
+    let (tilted, [along, across]) = (turned(0.3, theta, 0.0)?, rates);
     let rates = [along, across, 1.0 / a.sqrt()];
-    Ok(Motion::top(
-        [1.0, a],
-        c,
-        turned(0.3, theta, 0.0)?,
-        rates,
-        end,
-    ))
+    Ok(Motion::top([1.0, a], c, tilted, rates, end))
 }
 
 /// The same with the notes' b, which gives the rate across the node.
 fn of_b([a, b, c]: [f64; 3], theta: f64, along: f64) -> Solved<Motion> {
-    top(
-        [a, c],
-        theta,
-        [along, a.sqrt() * (b - cos(theta)) / sin(theta)],
-        40.0,
-    )
+    let across = a.sqrt() * (b - cos(theta)) / sin(theta);
+    top([a, c], theta, [along, across], 40.0)
 }
 
 pub fn released(of: [f64; 2], theta: f64, end: f64) -> Solved<Motion> {
@@ -369,49 +347,37 @@ family! { SCALES, "scales": "From a molecule to the Earth", by By::FREE, in NAME
 
 pub const TRILLION: f64 = 1e12;
 
-/// A free body after many periods, and where it is if whole periods are dropped in doubles.
-pub struct Late {
-    pub motion: Motion,
-    pub exact: FreeBody,
-    pub modulo: Attitude,
+/// A free body after so many periods and three tenths of one, its closed form, and where it is if
+/// whole periods are dropped in doubles.
+pub fn late(
+    periods: f64,
+    moments: [f64; 3],
+    rates: [f64; 3],
+) -> Solved<(Motion, FreeBody, Attitude)> {
+    let motion = Motion::free(moments, start()?, rates, 0.0);
+    let exact = motion.free_body()?;
+    let period = exact.rate_period();
+    let motion = motion.until(periods * period + 0.3 * period);
+    let (count, rest) = ((motion.end / period).floor(), motion.end % period);
+    let phase = (count * exact.precession_per_period()) % TAU;
+    let turn = Attitude::about_space_axis(exact.angular_momentum(), phase)?;
+    let modulo = turn * exact.attitude(rest);
+    Ok((motion, exact, modulo))
 }
 
-impl Late {
-    /// After so many periods and three tenths of one.
-    pub fn after(periods: f64, moments: [f64; 3], rates: [f64; 3]) -> Solved<Self> {
-        let motion = Motion::free(moments, start()?, rates, 0.0);
-        let exact = motion.free_body()?;
-        let period = exact.rate_period();
-        let motion = motion.until(periods * period + 0.3 * period);
-        let (count, rest) = ((motion.end / period).floor(), motion.end % period);
-        let phase = (count * exact.precession_per_period()) % TAU;
-        let turn = Attitude::about_space_axis(exact.angular_momentum(), phase)?;
-        let modulo = turn * exact.attitude(rest);
-        Ok(Self {
-            motion,
-            exact,
-            modulo,
-        })
-    }
-
-    /// The inputs are what they are: what a period may do is all that is granted.
-    fn asked(moments: [f64; 3], rates: [f64; 3]) -> Solved<Asked> {
-        let Self {
-            motion,
-            exact,
-            modulo,
-        } = Self::after(TRILLION, moments, rates)?;
-        let naive = ("t modulo the period, in doubles", motion.off(Some(modulo)));
-        let condition = exact.condition(exact.rate_period())?;
-        Ok(Asked(motion, naive, [condition; 2], motion.truth()?))
-    }
+/// The inputs are what they are: what a period may do is all that is granted.
+fn modulo(moments: [f64; 3], rates: [f64; 3]) -> Solved<Asked> {
+    let (motion, exact, modulo) = late(TRILLION, moments, rates)?;
+    let naive = ("t modulo the period, in doubles", motion.off(Some(modulo)));
+    let condition = exact.condition(exact.rate_period())?;
+    Ok(Asked(motion, naive, [condition; 2], motion.truth()?))
 }
 
 family! { LONG, "long": "A trillion periods", by By::CLOSED, in NAMES;
     "three moments", "a period rounded once is a trillion times wrong":
-        Late::asked([1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
+        modulo([1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
     "near the separatrix, 1 - k^2 = 2e-5", "the same, and the period is hard to have":
-        Late::asked([1.0, 2.0, 2.5], [0.0, 1.0, 2e-3]);
+        modulo([1.0, 2.0, 2.5], [0.0, 1.0, 2e-3]);
     "two moments", "the same of two circular motions":
-        Late::asked([1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
+        modulo([1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
 }

@@ -1,7 +1,7 @@
 //! The sections that every page has: what is claimed of the table, limits, and a picture of it.
 
 use super::naive::{guarded, on_quaternion, on_yaw_pitch_roll};
-use super::rotations::{FLIPS_STEPS, Late, POLE_STEPS, TRILLION, flips, locked, scaled};
+use super::rotations::{FLIPS_STEPS, POLE_STEPS, TRILLION, flips, late, locked, scaled};
 use super::*;
 
 /// All of them, before the families' tables.
@@ -52,11 +52,7 @@ fn broken(report: &mut Report) -> Result<()> {
     let rate = 0.2_f64.sqrt();
     let (locked, molecule) = (locked()?, scaled(1e-46, 1e12)?);
     let flips = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
-    let Late {
-        motion: late,
-        modulo,
-        ..
-    } = Late::after(TRILLION, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
+    let (late, _, modulo) = late(TRILLION, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
     let [a, b, c, d] = [
         (locked, on_yaw_pitch_roll(&locked, POLE_STEPS)),
         (flips, on_quaternion(&flips, FLIPS_STEPS)),

@@ -17,7 +17,11 @@ pub struct Family {
 }
 
 /// A case, what goes wrong there, and what these methods make of it.
-pub struct Case(&'static str, &'static str, fn(&[By]) -> Result<Answered>);
+pub struct Case(
+    pub &'static str,
+    pub &'static str,
+    pub fn(&[By]) -> Result<Answered>,
+);
 
 /// A family as a table in the source, two lines a case: its name, what goes wrong, and what is
 /// asked, of which `by` the family's methods answers come.
@@ -29,21 +33,11 @@ macro_rules! family {
             title: $title,
             methods: &$methods,
             forms: &$forms,
-            cases: &[ $( Case::new($case, $wrong, |methods| $asked?.by(methods)) ),+ ],
+            cases: &[ $( Case($case, $wrong, |methods| $asked?.by(methods)) ),+ ],
         };
     };
 }
 pub(super) use family;
-
-impl Case {
-    pub const fn new(
-        case: &'static str,
-        wrong: &'static str,
-        asked: fn(&[By]) -> Result<Answered>,
-    ) -> Self {
-        Self(case, wrong, asked)
-    }
-}
 
 /// The method that everyone writes first, and how far off it is on a case.
 pub type Naive = (&'static str, f64);
