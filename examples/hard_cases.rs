@@ -38,7 +38,7 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 use kit::draw::Camera;
 use kit::prelude::*;
 use kit::{Prepared, short};
-use motions::{By, FORMS, MATRIX, Motion, NAMES, QUATERNION, turned};
+use motions::{By, FORMS, MATRIX, Motion, NAMES, QUATERNION, in_each_form, turned};
 use rotation_dynamics::accuracy::{Limits, Problem, Resolution, Stepper};
 use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
 use rotation_dynamics::body::{Kinematics, RigidBody, State};

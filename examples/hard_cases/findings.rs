@@ -48,46 +48,38 @@ impl Task {
         Ok(Self(turned(phi, 0.8, 0.2)?, rates, end, tolerance, budget))
     }
 
-    /// What `solve` makes of it with this effect.
-    fn of<E: Effect>(
-        self,
-        scene: &Scene<E>,
-        truth: Option<Attitude>,
-        naive: Naive,
-    ) -> Result<Answered> {
+    /// What `solve` makes of it in this scene.
+    fn of<E: Effect>(self, scene: &Scene<E>, truth: End, naive: Naive) -> Result<Answered> {
         let Self(attitude, rates, end, tolerance, budget) = self;
         let limits = Limits {
             budget,
             ..Limits::default()
         };
-        let (mut condition, mut answers) = (f64::NAN, Vec::new());
-        for form in FORMS {
-            let start = scene.body().state(form(attitude)?, rates)?;
-            let solved = scene.solve_with(&start, end, tolerance, &limits);
-            if let Ok(solved) = &solved {
-                condition = solved.condition;
-            }
-            let delivered = solved.and_then(|solved| form(solved.state.attitude));
-            answers.push((delivered.map(|end| off(truth, end)), tolerance));
-        }
-        Ok(Answered(condition, naive, answers))
+        let mut condition = f64::NAN;
+        let answers = in_each_form(attitude, truth, tolerance, |from| {
+            let start = scene.body().state(from, rates)?;
+            let solved = scene.solve_with(&start, end, tolerance, &limits)?;
+            condition = solved.condition;
+            Ok(solved.state.attitude)
+        });
+        Ok(Answered(condition, naive, answers.into()))
     }
 
     /// The same, beside RK4.
-    fn beside_rk4<E: Effect>(self, effect: E, truth: Option<Attitude>) -> Result<Answered> {
+    fn beside_rk4<E: Effect>(self, effect: E, truth: End) -> Result<Answered> {
         let Self(attitude, rates, end, ..) = self;
         let scene = free()?.with(effect);
         let steps = Stepper::new(Method::Rk4, Resolution::Steps(1000))?;
         let start = scene.body().state(attitude, rates)?;
         let plain = steps.advance_as_usual(&scene, [0.0, end], &start);
-        let error = plain.map_or(f64::NAN, |(end, _)| off(truth, end.attitude));
+        let off = |(truth, (end, _)): (Attitude, (State, _))| truth.angle_to(&end.attitude);
+        let error = truth.zip(plain.ok()).map_or(f64::NAN, off);
         self.of(&scene, truth, ("RK4, 1000 steps", error))
     }
 }
 
-fn off(truth: Option<Attitude>, end: Attitude) -> f64 {
-    truth.map_or(f64::NAN, |truth| truth.angle_to(&end))
-}
+/// Where it ends, if that is known.
+type End = Option<Attitude>;
 
 fn free_for(moments: [f64; 3], rates: [f64; 3], end: f64) -> Solved<Motion> {
     Ok(Motion::free(moments, start()?, rates, end))
@@ -100,36 +92,21 @@ pub fn off_the_middle(off: f64) -> Solved<Motion> {
 
 /// Exactly about it.
 pub fn on_the_middle(end: f64) -> Solved<Motion> {
-    Ok(Motion::free(
-        [1.0, 2.0, 2.5],
-        turned(1.0, 0.5, 2.0)?,
-        [0.0, 1.0, 0.0],
-        end,
-    ))
+    let from = turned(1.0, 0.5, 2.0)?;
+    Ok(Motion::free([1.0, 2.0, 2.5], from, [0.0, 1.0, 0.0], end))
 }
 
 /// A top without spin whose push just lifts it to the vertical.
 pub fn gets_up() -> Solved<Motion> {
     let (rate, (s, c)) = (2.0 * sin(1.25), sincos(1.0));
-    let rates = [rate * c, -rate * s, 0.0];
-    Ok(Motion::top(
-        [1.0, 0.5],
-        1.0,
-        turned(0.3, 2.5, 1.0)?,
-        rates,
-        80.0,
-    ))
+    let (tilted, rates) = (turned(0.3, 2.5, 1.0)?, [rate * c, -rate * s, 0.0]);
+    Ok(Motion::top([1.0, 0.5], 1.0, tilted, rates, 80.0))
 }
 
 /// Released upside down at rest: taken for the motion that never leaves, and then no number.
 fn inverted(moments: [f64; 2], pull: f64, end: f64) -> Solved<Motion> {
-    Ok(Motion::top(
-        moments,
-        pull,
-        turned(0.597, PI, -7.354)?,
-        [0.0; 3],
-        end,
-    ))
+    let down = turned(0.597, PI, -7.354)?;
+    Ok(Motion::top(moments, pull, down, [0.0; 3], end))
 }
 
 fn moments() -> Solved<PrincipalMoments> {
@@ -155,12 +132,10 @@ fn driven() -> Result<Answered> {
     task.beside_rk4(drive.smooth(), Some(grown(task, rate)?))
 }
 
-/// A torque in space for which no end is known.
-fn endless(
-    name: &'static str,
-    end: f64,
-    torque: fn(f64, SpaceVector) -> SpaceVector,
-) -> Result<Answered> {
+type Drive = fn(f64, SpaceVector) -> SpaceVector;
+
+/// A torque in space, of the time and L, for which no end is known.
+fn endless(name: &'static str, end: f64, torque: Drive) -> Result<Answered> {
     let torque = Torque::on_space(name, move |t, _: &RigidBody, state: &State| {
         torque(t, state.angular_momentum)
     });
@@ -185,17 +160,9 @@ impl Effect for Plain {
 
 /// Once compiled, and integrated without its torque.
 fn plain_gravity() -> Result<Answered> {
-    let top = Motion::top(
-        [1.0, 0.5],
-        0.4,
-        turned(0.1, 0.8, 0.2)?,
-        [0.3, 0.1, 2.0],
-        20.0,
-    );
-    let bare = Motion {
-        gravity: None,
-        ..top
-    };
+    let (tilted, rates) = (turned(0.1, 0.8, 0.2)?, [0.3, 0.1, 2.0]);
+    let top = Motion::top([1.0, 0.5], 0.4, tilted, rates, 20.0);
+    let bare = Motion::free(top.moments, tilted, rates, top.end);
     let gravity = Plain(GravityAtLever::new(0.4, 1.0)?);
     let heavy = Scene::new(RigidBody::new(top.body()?)).with(gravity);
     let error = top.off(Some(bare.truth()?));

@@ -25,6 +25,26 @@ pub fn turned(phi: f64, theta: f64, zeta: f64) -> Solved<Attitude> {
     Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
 
+/// What is carried from here to its end, in each form: how far that is from the truth, if there is
+/// one, and the bound. Forms that give one start share a run.
+pub fn in_each_form(
+    from: Attitude,
+    truth: Option<Attitude>,
+    bound: f64,
+    mut carried: impl FnMut(Attitude) -> Solved<Attitude>,
+) -> [(Solved<f64>, f64); 5] {
+    let mut runs: Vec<(Attitude, Solved<Attitude>)> = Vec::new();
+    let mut off = |form: Form| {
+        let start = form(from)?;
+        let known = runs.iter().find(|(from, _)| *from == start);
+        let end = known.map_or_else(|| carried(start), |(_, end)| end.clone());
+        runs.push((start, end.clone()));
+        let end = form(end?)?;
+        Ok(truth.map_or(f64::NAN, |truth| truth.angle_to(&end)))
+    };
+    FORMS.map(|form| (off(form), bound))
+}
+
 /// How a case is carried to its end.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum By {
@@ -118,9 +138,8 @@ impl Asked {
             // Where no step is made only the start's own rounding is felt.
             let closed = By::CLOSED.contains(by);
             let bound = by.bound(if closed { condition } else { path });
-            for end in motion.reached_in_each(*by, bound) {
-                answers.push((end.map(|end| truth.angle_to(&end)), bound));
-            }
+            let carried = |from| motion.carried(*by, from, bound);
+            answers.extend(in_each_form(motion.attitude, Some(truth), bound, carried));
         }
         Ok(Answered(condition, naive, answers))
     }
@@ -251,9 +270,8 @@ impl Motion {
         let body = RigidBody::new(self.body()?);
         let start = body.state(form(self.attitude)?, self.rates())?;
         let (truth, _) = self.series()?;
-        truth
-            .after(&truth.place_of(&start), self.end.into())
-            .attitude()
+        let start = truth.place_of(&start);
+        truth.after(&start, self.end.into()).attitude()
     }
 
     /// The rates at the end, in a unit of their own.
@@ -288,21 +306,6 @@ impl Motion {
         form(self.carried(by, form(self.attitude)?, asked)?)
     }
 
-    /// The same in each representation; those that give one start share a run.
-    fn reached_in_each(&self, by: By, asked: f64) -> [Solved<Attitude>; 5] {
-        let mut runs: Vec<(Attitude, Solved<Attitude>)> = Vec::new();
-        FORMS.map(|form| {
-            let start = form(self.attitude)?;
-            let known = runs.iter().find(|(from, _)| *from == start);
-            let end = match known {
-                Some((_, end)) => end.clone(),
-                None => self.carried(by, start, asked),
-            };
-            runs.push((start, end.clone()));
-            form(end?)
-        })
-    }
-
     /// The closed form at the end, given and delivered as a quaternion.
     pub fn in_closed_form(&self) -> Solved<Attitude> {
         self.reached(By::ClosedForm, QUATERNION, 0.0)
@@ -313,15 +316,14 @@ impl Motion {
             return Ok(self.closed_from(from)?.kinematics(self.end).attitude);
         }
         let scene = Scene::new(RigidBody::new(self.body()?));
-        let Some([weight, lever]) = self.gravity else {
-            return self.stepped(&scene, from, by, asked);
+        let end = match self.gravity {
+            None => self.stepped(&scene, from, by, asked)?,
+            Some([weight, lever]) => {
+                let scene = scene.with(GravityAtLever::new(weight, lever)?);
+                self.stepped(&scene, from, by, asked)?
+            }
         };
-        self.stepped(
-            &scene.with(GravityAtLever::new(weight, lever)?),
-            from,
-            by,
-            asked,
-        )
+        Ok(end.attitude)
     }
 
     fn stepped<E: Effect>(
@@ -330,23 +332,16 @@ impl Motion {
         from: Attitude,
         by: By,
         asked: f64,
-    ) -> Solved<Attitude> {
+    ) -> Solved<State> {
         let start = scene.body().state(from, self.rates())?;
         let stepper = match by {
-            By::Request => return Ok(scene.solve(&start, self.end, asked)?.state.attitude),
             DOP853 => Stepper::Dop853(Dop853::new(1e-15)?.with_step_limit(STEPS_ALLOWED)?),
             By::Steps(method) => Stepper::new(method, Resolution::Steps(self.steps(by)))?,
-            _ => {
-                return Ok(scene
-                    .solve_by_stepping(&start, self.end, asked)?
-                    .state
-                    .attitude);
-            }
+            By::Request => return Ok(scene.solve(&start, self.end, asked)?.state),
+            _ => return Ok(scene.solve_by_stepping(&start, self.end, asked)?.state),
         };
-        Ok(stepper
-            .advance_as_usual(scene, [0.0, self.end], &start)?
-            .0
-            .attitude)
+        let run = stepper.advance_as_usual(scene, [0.0, self.end], &start);
+        run.map(|(end, _)| end)
     }
 
     /// Steps in which the fastest rotation turns by the method's angle.

@@ -336,24 +336,21 @@ pub fn guarded(motion: &Motion) -> Option<Attitude> {
     other.truth().ok()
 }
 
+fn size([a, b, c]: [f64; 3]) -> f64 {
+    (a * a + b * b + c * c).sqrt()
+}
+
 /// Axis by division by |omega|, as it is squared and summed; then the angle |omega| t.
 pub fn by_axis(motion: &Motion) -> Option<Attitude> {
-    let [p, q, r] = motion.rates;
-    let size = (p * p + q * q + r * r).sqrt();
+    let size = size(motion.rates);
     let (sin, cos) = sincos(0.5 * size * motion.end);
-    let turn = Attitude::from_quaternion([cos, sin * p / size, sin * q / size, sin * r / size]);
-    Some(motion.attitude * turn.ok()?)
+    let [x, y, z] = motion.rates.map(|rate| sin * rate / size);
+    Some(motion.attitude * Attitude::from_quaternion([cos, x, y, z]).ok()?)
 }
 
 /// RK4 in steps of a hundredth of the time in which the rates change by their own size.
 pub fn by_first_step(motion: &Motion) -> Option<Attitude> {
-    let size = |[a, b, c]: [f64; 3]| (a * a + b * b + c * c).sqrt();
-    let ([i1, i2, i3], [p, q, r]) = (motion.moments, motion.rates);
-    let slope = [
-        (i2 - i3) / i1 * q * r,
-        (i3 - i1) / i2 * r * p,
-        (i1 - i2) / i3 * p * q,
-    ];
+    let slope = rates_of(motion, motion.rates, [0.0; 2]);
     let step = 0.01 * size(motion.rates) / size(slope);
     // No step, no end.
     (step > 0.0).then(|| on_quaternion(motion, (motion.end / step).ceil() as u32))?

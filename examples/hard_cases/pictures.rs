@@ -77,16 +77,17 @@ pub fn picture<T, S: Into<Drawn>>(
     MovingPicture::above(graph, 0.0..=end, stills, move |t| Ok(scene(t, both(t)?)))
 }
 
-/// A linear axis of this range, with a tick at each step.
-pub fn axis(label: &str, [from, to, step]: [f64; 3]) -> Axis {
-    Axis::linear(label).range(from, to).step(step)
+/// Two linear axes, the second of this range, with a tick at each step.
+pub fn axes(x: &str, y: &str, [from, to, step]: [f64; 3]) -> [Axis; 2] {
+    let y = Axis::linear(y).range(from, to);
+    [Axis::linear(x), y.step(step)]
 }
 
-pub fn seconds() -> Axis {
-    Axis::linear("$t$ / s")
-}
+pub const TIME: &str = "$t$ / s";
+const MIDDLE_RATE: &str = r"$\Omega_2$ / (rad/s)";
 
 pub const ZERO: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
+pub const THIRD: BodyVector = BodyVector::new(0.0, 0.0, 1.0);
 const ALONG: BodyVector = BodyVector::new(0.0, 0.0, 0.95);
 
 /// A brick of these edges where it is, and dashed the outline of where it is said to be, with
@@ -100,13 +101,8 @@ fn brick(edges: [f64; 3], axis: BodyVector, truth: Attitude, naive: Option<Attit
         .solid(Solid::cuboid(ZERO, solid), Ink::Body)
         .arrow(ZERO, truth.to_space(axis), Ink::Body, "exact", Side::Right);
     let Some(naive) = naive else { return view };
-    let corners = [
-        (-0.5, -0.5),
-        (0.5, -0.5),
-        (0.5, 0.5),
-        (-0.5, 0.5),
-        (-0.5, -0.5),
-    ];
+    let (l, r) = (-0.5, 0.5);
+    let corners = [(l, l), (r, l), (r, r), (l, r), (l, l)];
     let outline = corners.map(|(x, y)| naive.to_space(BodyVector::new(x * a, y * b, 0.55 * c)));
     let said = naive.to_space(axis);
     view.dashed(outline, Ink::Wrong)
@@ -135,12 +131,10 @@ fn book() -> Result<MovingPicture> {
     let path = path_by_momentum(&motion, STEPS)?;
     let h = THROWN / f64::from(STEPS);
     let middle = |t: f64| exact.angular_velocity(t).y();
-    let naive = path
-        .iter()
-        .enumerate()
-        .map(|(n, (_, middle))| (h * n as f64, *middle));
-    let rates = axis(r"$\Omega_2$ / (rad/s)", [-1.1, 1.6, 1.0]);
-    let graph = Panel::over_axes(seconds(), rates)
+    let naive = path.iter().enumerate();
+    let naive = naive.map(|(n, (_, middle))| (h * n as f64, *middle));
+    let [t, rates] = axes(TIME, MIDDLE_RATE, [-1.1, 1.6, 1.0]);
+    let graph = Panel::over_axes(t, rates)
         .curve(Curve::of(times(0.0, THROWN, 600), middle, Ink::Ink).label("exact"))
         .curve(Curve::new(naive, Ink::Wrong).dashed().label("wrong: RK4"));
     MovingPicture::above(graph, 0.0..=THROWN, [40.0, 85.0, 120.0], move |t| {
@@ -159,15 +153,12 @@ fn book() -> Result<MovingPicture> {
 fn gimbals() -> Result<MovingPicture> {
     let motion = locked()?;
     picture(
-        [seconds(), axis("off by / rad", [0.0, 1.5, 0.5])],
+        axes(TIME, "off by / rad", [0.0, 1.5, 0.5]),
         (motion.end, 200),
         [0.0, 3.0],
         move |t| {
-            let now = motion.until(t);
-            Ok((
-                now.in_closed_form()?,
-                on_yaw_pitch_roll(&now, (100.0 * t) as u32 + 1),
-            ))
+            let (now, steps) = (motion.until(t), (100.0 * t) as u32 + 1);
+            Ok((now.in_closed_form()?, on_yaw_pitch_roll(&now, steps)))
         },
         |(truth, naive)| [0.0, naive.map_or(f64::NAN, |naive| naive.angle_to(truth))],
         |t, (truth, naive)| {
@@ -200,8 +191,8 @@ fn tip() -> Result<MovingPicture> {
         .map(|(t, (_, tilt, wrong))| ((t, SIZE * tilt), (t, SIZE * wrong)))
         .unzip();
     let wrong = wrong.into_iter().filter(|(_, tilt)| tilt.is_finite());
-    let tilt = axis(r"$10^8\,\theta$ / rad", [0.0, 4.0, 1.0]);
-    let graph = Panel::over_axes(seconds(), tilt)
+    let [x, y] = axes(TIME, r"$10^8\,\theta$ / rad", [0.0, 4.0, 1.0]);
+    let graph = Panel::over_axes(x, y)
         .curve(Curve::new(exact, Ink::Ink))
         .curve(Curve::new(wrong, Ink::Wrong).dots());
     MovingPicture::above(graph, 0.0..=span, [1.6, 3.4], move |t| {
@@ -240,14 +231,12 @@ fn separatrix_passed() -> Result<MovingPicture> {
         .map(|t| along(exact.angular_velocity(t).to_array()))
         .collect();
     picture(
-        [seconds(), axis(r"$\Omega_2$ / (rad/s)", [-1.1, 1.1, 1.0])],
+        axes(TIME, MIDDLE_RATE, [-1.1, 1.1, 1.0]),
         (motion.end, 200),
         [30.0, 59.0],
         move |t| {
-            Ok([
-                exact.angular_velocity(t).to_array(),
-                rates_by_landau(&motion.until(t)),
-            ])
+            let exact = exact.angular_velocity(t).to_array();
+            Ok([exact, rates_by_landau(&motion.until(t))])
         },
         |both| both.map(|rates| rates[1]),
         move |t, both| {
@@ -275,10 +264,7 @@ fn late_flips() -> Result<MovingPicture> {
     let path: Vec<_> = path_on_quaternion(&motion, 200_600).skip(200_000).collect();
     let exact = motion.free_body()?;
     picture(
-        [
-            Axis::linear("$t-1000\\,T$ / s"),
-            axis(r"$\Omega_2$ / (rad/s)", [-1.1, 1.1, 1.0]),
-        ],
+        axes("$t-1000\\,T$ / s", MIDDLE_RATE, [-1.1, 1.1, 1.0]),
         (3.0 * period, 300),
         [0.95 * period, 1.5 * period],
         move |t| {
@@ -304,14 +290,11 @@ fn late_flips() -> Result<MovingPicture> {
 /// were called equal.
 fn all_but_symmetric() -> Result<MovingPicture> {
     const LATE: f64 = 1e9;
-    let of =
-        |moments| Motion::free(moments, turned(0.3, 0.8, 0.2)?, [0.8, 0.4, 0.9], 0.0).free_body();
-    let bodies = [of([1.0, 1.0 + 1e-9, 1.7])?, of([1.0, 1.0, 1.7])?];
+    let late = r"$t-10^9\,\mathrm{s}$ / s";
+    let of = |apart: f64| shaped([1.0, 1.0 + apart, 1.7])?.free_body();
+    let bodies = [of(1e-9)?, of(0.0)?];
     picture(
-        [
-            Axis::linear(r"$t-10^9\,\mathrm{s}$ / s"),
-            axis(r"$\Omega_1$ / (rad/s)", [-1.0, 1.0, 0.5]),
-        ],
+        axes(late, r"$\Omega_1$ / (rad/s)", [-1.0, 1.0, 0.5]),
         (30.0, 200),
         [0.0, 10.0],
         move |t| Ok(bodies.each_ref().map(|body| body.kinematics(LATE + t))),
@@ -331,14 +314,10 @@ fn all_but_symmetric() -> Result<MovingPicture> {
 /// A top that is let go at rest.
 fn let_go() -> Result<MovingPicture> {
     let at = |end: f64| released([1.5, 0.25], FRAC_PI_3, end);
-    let axis_at = move |t: f64| {
-        Ok(at(t)?
-            .in_closed_form()?
-            .to_space(BodyVector::new(0.0, 0.0, 1.0)))
-    };
+    let axis_at = move |t: f64| Ok(at(t)?.in_closed_form()?.to_space(THIRD));
     let span = 22.8;
     let tilts = graph(
-        [seconds(), axis(r"$\theta$ / rad", [0.9, 1.5, 0.2])],
+        axes(TIME, r"$\theta$ / rad", [0.9, 1.5, 0.2]),
         times(0.0, span, 200),
         |t| {
             let now = at(t)?;
@@ -393,10 +372,7 @@ fn half_turn() -> Result<MovingPicture> {
 fn molecule() -> Result<MovingPicture> {
     let motion = scaled(1e-46, 1e12)?;
     picture(
-        [
-            Axis::linear("$t$ / ps"),
-            axis("turned by / rad", [0.0, 3.3, 1.0]),
-        ],
+        axes("$t$ / ps", "turned by / rad", [0.0, 3.3, 1.0]),
         (30.0, 240),
         [3.0, 8.0],
         move |t| {
@@ -427,19 +403,16 @@ fn trillions() -> Result<MovingPicture> {
     };
     // A double of this time is a multiple of a sixteenth of a second: drawn where it is.
     let (first, exact, _) = late(0.0)?;
-    let [mut exact_path, mut wrong] = [const { Vec::new() }; 2];
-    for t in times(0.0, 1.5, 96) {
+    let heights = sampled(times(0.0, 1.5, 96), |t| {
         let (end, both) = ends(t)?;
         let t = (end - first.end) / exact.rate_period();
-        let height = |a: Attitude| a.to_space(BodyVector::new(1.0, 0.0, 0.0)).z();
-        let [truth, naive] = both.map(|a| (t, height(a)));
-        exact_path.push(truth);
-        wrong.push(naive);
-    }
-    let height = axis("height of an edge", [-1.05, 1.05, 1.0]);
-    let graph = Panel::over_axes(Axis::linear("$t/T-10^{14}$"), height)
-        .curve(Curve::new(exact_path, Ink::Ink))
-        .curve(Curve::new(wrong, Ink::Wrong).dashed());
+        Ok(both.map(|a| (t, a.to_space(BodyVector::new(1.0, 0.0, 0.0)).z())))
+    })?;
+    let curve = |i: usize, ink| Curve::new(heights.iter().map(|both| both[i]), ink);
+    let [x, y] = axes("$t/T-10^{14}$", "height of an edge", [-1.05, 1.05, 1.0]);
+    let graph = Panel::over_axes(x, y)
+        .curve(curve(0, Ink::Ink))
+        .curve(curve(1, Ink::Wrong).dashed());
     MovingPicture::above(graph, 0.0..=1.5, [0.25, 1.0], move |t| {
         let (_, [truth, naive]) = ends(t)?;
         let alt = format!(

@@ -305,23 +305,17 @@ family! { TURNS, "turns": "Half turns, and rates of every size", by By::FREE, in
 /// Moments 1, 1.3, 1.7 and rates 0.3, 0.2, 1 in these units, for 30 units of time.
 pub fn scaled(moment: f64, rate: f64) -> Solved<Motion> {
     let moments = [1.0, 1.3, 1.7].map(|i| i * moment);
-    Ok(Motion::free(
-        moments,
-        start()?,
-        [0.3, 0.2, 1.0].map(|w| w * rate),
-        30.0 / rate,
-    ))
+    let rates = [0.3, 0.2, 1.0].map(|w| w * rate);
+    Ok(Motion::free(moments, start()?, rates, 30.0 / rate))
 }
 
 /// A top of moments 1 and 0.5 in these units, its centre of mass so far from its tip (m), and a
 /// weight that pulls with 1 of what they make: for 10 units of time.
 fn scaled_top(moment: f64, rate: f64, lever: f64) -> Solved<Motion> {
     let (pull, rates) = (moment * rate * rate, [0.3, 0.2, 2.0].map(|w| w * rate));
-    let top = Motion::top([moment, 0.5 * moment], pull, start()?, rates, 10.0 / rate);
-    Ok(Motion {
-        gravity: Some([pull / lever, lever]),
-        ..top
-    })
+    let mut top = Motion::top([moment, 0.5 * moment], pull, start()?, rates, 10.0 / rate);
+    top.gravity = Some([pull / lever, lever]);
+    Ok(top)
 }
 
 family! { SCALES, "scales": "From a molecule to the Earth", by By::FREE, in NAMES;
@@ -347,13 +341,11 @@ family! { SCALES, "scales": "From a molecule to the Earth", by By::FREE, in NAME
 
 pub const TRILLION: f64 = 1e12;
 
+type Late = (Motion, FreeBody, Attitude);
+
 /// A free body after so many periods and three tenths of one, its closed form, and where it is if
 /// whole periods are dropped in doubles.
-pub fn late(
-    periods: f64,
-    moments: [f64; 3],
-    rates: [f64; 3],
-) -> Solved<(Motion, FreeBody, Attitude)> {
+pub fn late(periods: f64, moments: [f64; 3], rates: [f64; 3]) -> Solved<Late> {
     let motion = Motion::free(moments, start()?, rates, 0.0);
     let exact = motion.free_body()?;
     let period = exact.rate_period();

@@ -18,12 +18,8 @@ pub fn add(report: &mut Report, p: &Parameters, computed: &[Arc<Computed>]) -> R
     report.strip(&flip()?, &asked)?;
     let columns = ["finding", "what was found", "the test that sees it"];
     let told = |[finding, found, _, test]: &[&'static str; 4]| Ok([*finding, *found, *test]);
-    report.add(Table::of(
-        "findings_elsewhere",
-        columns,
-        findings::ELSEWHERE,
-        told,
-    )?)?;
+    let table = Table::of("findings_elsewhere", columns, findings::ELSEWHERE, told)?;
+    report.add(table)?;
     summary(report, computed)
 }
 
@@ -53,18 +49,14 @@ fn broken(report: &mut Report) -> Result<()> {
     let (locked, molecule) = (locked()?, scaled(1e-46, 1e12)?);
     let flips = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
     let (late, _, modulo) = late(TRILLION, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
-    let [a, b, c, d] = [
-        (locked, on_yaw_pitch_roll(&locked, POLE_STEPS)),
-        (flips, on_quaternion(&flips, FLIPS_STEPS)),
-        (late, Some(modulo)),
-        (molecule, guarded(&molecule)),
-    ];
-    let off = |(motion, reached): (Motion, Option<Attitude>)| -> Result<[f64; 2]> {
+    let off = |motion: Motion, reached: Option<Attitude>| -> Result<[f64; 2]> {
         let exact = motion.in_closed_form()?;
         let again = reached.map_or(f64::NAN, |reached| exact.angle_to(&reached));
         Ok([motion.off(reached), again])
     };
-    let [a, b, c, d] = [off(a)?, off(b)?, off(c)?, off(d)?];
+    let a = off(locked, on_yaw_pitch_roll(&locked, POLE_STEPS))?;
+    let b = off(flips, on_quaternion(&flips, FLIPS_STEPS))?;
+    let [c, d] = [off(late, Some(modulo))?, off(molecule, guarded(&molecule))?];
     claims! { report,
         /// a rounding about the middle axis has grown to one
         grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => pictures::first_flip()?, within 5.0;
@@ -101,27 +93,22 @@ fn counts(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
     }?;
     for one in computed {
         let (family, count) = (one.family, one.count());
-        for (what, meaning, value, route, gives) in [
-            (
-                "cells",
-                "cells of the table",
-                count.cells,
-                "cases times methods times representations",
-                one.due(),
-            ),
-            (
-                "holds",
-                "cells that hold their bound",
-                count.holds,
-                "cells less refusals",
-                count.cells - count.refusals,
-            ),
-        ] {
-            let key = format!("{}_{what}", family.key);
-            let meaning = format!("{}: {meaning}", family.title);
-            let value = claim(key, meaning, value as f64, "-");
-            report.add(value.agrees_with(route, gives as f64, 0.0))?;
-        }
+        let mut add = |what: &str, meaning: &str, value: usize, route, gives: usize| {
+            let (key, meaning) = (family.key, format!("{}: {meaning}", family.title));
+            let value = claim(format!("{key}_{what}"), meaning, value as f64, "-");
+            report.add(value.agrees_with(route, gives as f64, 0.0))
+        };
+        let product = "cases times methods times representations";
+        add(
+            "cells",
+            "cells of the table",
+            count.cells,
+            product,
+            one.due(),
+        )?;
+        let rest = count.cells - count.refusals;
+        let meaning = "cells that hold their bound";
+        add("holds", meaning, count.holds, "cells less refusals", rest)?;
     }
     Ok(())
 }
@@ -144,9 +131,7 @@ fn flip() -> Result<Problem<()>> {
     let (moments, rates) = ([3.0, 4.0, 6.0], [0.0, 1.0, 4.7e-5]);
     let motion = Motion::free(moments, Attitude::IDENTITY, rates, 38.0);
     let scene = Scene::new(RigidBody::new(motion.body()?));
-    let start = scene
-        .body()
-        .state(motion.attitude, BodyVector::from_array(rates))?;
+    let start = scene.body().state(motion.attitude, motion.rates())?;
     let exact = motion.free_body()?;
     let end = exact.state(motion.end);
     Ok(Problem::new(scene, start, motion.end, end).in_closed_form(move |t| exact.attitude(t)))
@@ -155,24 +140,15 @@ fn flip() -> Result<Problem<()>> {
 /// A line for each family.
 fn summary(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
     let columns = "family, what it is, cases, cells, hold, refused, error/bound, naive";
-    report.add(Table::of(
-        "families",
-        columns.split(", "),
-        computed,
-        |one| {
-            let count = one.count();
-            Ok([
-                one.family.key.to_owned(),
-                one.family.title.to_owned(),
-                count.rows.to_string(),
-                count.cells.to_string(),
-                count.holds.to_string(),
-                count.refusals.to_string(),
-                short(count.worst, 2),
-                short(count.least_broken, 2),
-            ])
-        },
-    )?)
+    let line = |one: &Arc<Computed>| {
+        let (family, count) = (one.family, one.count());
+        let numbers = [count.rows, count.cells, count.holds, count.refusals];
+        let [cases, cells, hold, refused] = numbers.map(|n| n.to_string());
+        let [worst, naive] = [count.worst, count.least_broken].map(|part| short(part, 2));
+        let [key, title] = [family.key, family.title].map(str::to_owned);
+        Ok([key, title, cases, cells, hold, refused, worst, naive])
+    };
+    report.add(Table::of("families", columns.split(", "), computed, line)?)
 }
 
 /// All cells as numbers: family, case, method, representation, error, bound; those that hold.

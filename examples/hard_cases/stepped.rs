@@ -1,7 +1,7 @@
 //! What moves where something is stepped: torques, contacts, impacts, and steps that are too long.
 
 use super::motions::DOP853;
-use super::pictures::{ZERO, axis, graph, picture, seconds};
+use super::pictures::{THIRD, TIME, ZERO, axes, graph, picture};
 use super::*;
 
 /// A wheel that turns by `exact` and, dashed, by `wrong`.
@@ -32,7 +32,7 @@ pub fn bell() -> Result<MovingPicture> {
         seen.push([turned + H * spin + H * H / 6.0 * (a + 2.0 * b), next]);
     }
     picture(
-        [seconds(), axis(r"$\Omega_3$ / (rad/s)", [1.5, 3.0, 0.5])],
+        axes(TIME, r"$\Omega_3$ / (rad/s)", [1.5, 3.0, 0.5]),
         (10.0, 400),
         [4.0, 7.0],
         // The angles turned and the spins.
@@ -61,11 +61,10 @@ pub fn risen() -> Result<MovingPicture> {
     let path = sampled(grid, |t| {
         let at = motion.until(t);
         let run = at.reached(DOP853, QUATERNION, 0.0)?;
-        let axis = |a: Attitude| a.to_space(BodyVector::new(0.0, 0.0, 1.0));
-        Ok([at.truth_as_given(QUATERNION)?, run].map(axis))
+        Ok([at.truth_as_given(QUATERNION)?, run].map(|a| a.to_space(THIRD)))
     })?;
     picture(
-        [seconds(), axis("height of the tip", [-1.05, 1.05, 1.0])],
+        axes(TIME, "height of the tip", [-1.05, 1.05, 1.0]),
         (motion.end, 160),
         [20.0, 76.0],
         move |t| Ok(path[((t / step).round() as usize).min(path.len() - 1)]),
@@ -113,7 +112,7 @@ pub fn bounces() -> Result<MovingPicture> {
         seen.push(y);
     }
     picture(
-        [seconds(), axis("height / m", [0.0, 5.0, 1.0])],
+        axes(TIME, "height / m", [0.0, 5.0, 1.0]),
         (5.0, 400),
         [1.7, 2.2],
         move |t| {
@@ -140,12 +139,10 @@ pub fn bounces() -> Result<MovingPicture> {
 /// A body of 1e17 kg runs into one of 1 kg, whose speed is taken from what is left of the energy.
 pub fn pushed() -> Result<MovingPicture> {
     const MASS: f64 = 1e17;
-    let speeds = [
-        impacts::SPEED * 2.0 * MASS / (MASS + 1.0),
-        impacts::by_energy(MASS, 1.0),
-    ];
+    let exact = impacts::SPEED * 2.0 * MASS / (MASS + 1.0);
+    let speeds = [exact, impacts::by_energy(MASS, 1.0)];
     picture(
-        [seconds(), axis("way of the light one / m", [0.0, 8.0, 2.0])],
+        axes(TIME, "way of the light one / m", [0.0, 8.0, 2.0]),
         (3.0, 150),
         [0.5, 2.0],
         move |t| Ok(speeds.map(|speed| (t - 1.0).max(0.0) * speed)),
@@ -177,7 +174,7 @@ pub fn braked() -> Result<MovingPicture> {
     let (grown, h) = (stability::factor(z), z / rate);
     let steps = move |t: f64| (t * rate / z).floor();
     let spins = graph(
-        [seconds(), axis(r"$\Omega_3$ / (rad/s)", [0.0, 9.0, 3.0])],
+        axes(TIME, r"$\Omega_3$ / (rad/s)", [0.0, 9.0, 3.0]),
         times(0.0, 10.5, 300),
         |t| Ok([exp(-rate * t), pow(grown, steps(t))]),
         |spins| *spins,

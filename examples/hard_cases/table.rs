@@ -96,11 +96,8 @@ impl Cell {
     /// The error in units of its bound; 0 within a bound of 0. None if it is refused.
     pub fn part(&self) -> Option<f64> {
         let measured = *self.verdict.as_ref().ok()?;
-        Some(if measured == 0.0 {
-            0.0
-        } else {
-            measured / self.bound
-        })
+        let part = measured / self.bound;
+        Some(if measured == 0.0 { 0.0 } else { part })
     }
 
     fn printed(&self) -> String {
@@ -141,12 +138,6 @@ impl Row {
             naive,
             cells,
         })
-    }
-
-    /// The cells of each method, in so many forms.
-    fn by_method(&self, forms: usize) -> impl Iterator<Item = (&'static str, &[Cell])> {
-        let of = |cells| (self.case, cells);
-        self.cells.chunks(forms).map(of)
     }
 
     /// The smallest bound of the row: what a careful method is held to, or what was asked for
@@ -226,46 +217,29 @@ impl Computed {
     pub fn tables(&self) -> Result<Vec<Table>> {
         let Family { key, forms, .. } = self.family;
         let columns = "case, what goes wrong, condition, naive method, its error, over the bound";
-        let number = |x: f64, none: &str| {
-            if x.is_finite() {
-                short(x, 2)
-            } else {
-                none.to_owned()
-            }
+        let number = |x: f64, none: &str| match x.is_finite() {
+            true => short(x, 2),
+            false => none.to_owned(),
         };
-        let naive = |row: &Row| {
+        let line = |row: &Row| {
             let [case, wrong, method] = [row.case, row.wrong, row.naive.0].map(str::to_owned);
             let [error, broken] = [row.naive.1, row.broken()].map(|x| number(x, "no number"));
-            Ok([
-                case,
-                wrong,
-                number(row.condition, "-"),
-                method,
-                error,
-                broken,
-            ])
+            let condition = number(row.condition, "-");
+            Ok([case, wrong, condition, method, error, broken])
         };
-        let naive = Table::of(
-            &format!("{key}_naive"),
-            columns.split(", "),
-            &self.rows,
-            naive,
-        )?;
+        let name = format!("{key}_naive");
+        let naive = Table::of(&name, columns.split(", "), &self.rows, line)?;
 
         let columns = ["case", "method", "bound"].iter().chain(*forms);
-        let by_method = |row| Row::by_method(row, forms.len());
-        let lines = self.rows.iter().flat_map(by_method);
-        let cells = Table::of(
-            key,
-            columns.copied(),
-            lines,
-            |(case, cells): (&str, &[Cell])| {
+        let mut table = Table::new(key, columns.copied())?;
+        for row in &self.rows {
+            for cells in row.cells.chunks(forms.len()) {
                 let held = cells.iter().find(|cell| cell.verdict.is_ok());
                 let bound = held.map_or("-".into(), |cell| rounded_up(cell.bound));
-                let line = [case.to_owned(), cells[0].method.to_owned(), bound];
-                Ok(line.into_iter().chain(cells.iter().map(Cell::printed)))
-            },
-        )?;
+                let line = [row.case.to_owned(), cells[0].method.to_owned(), bound];
+                table.push(line.into_iter().chain(cells.iter().map(Cell::printed)))?;
+            }
+        }
 
         // What each kind of refusal says, once.
         let mut told: Vec<[String; 2]> = Vec::new();
@@ -276,7 +250,7 @@ impl Computed {
             }
         }
         let refusals = Table::of(&format!("{key}_refusals"), ["refusal", "says"], told, Ok)?;
-        let all = [naive, cells, refusals];
+        let all = [naive, table, refusals];
         Ok(all.into_iter().filter(|table| !table.is_empty()).collect())
     }
 }

@@ -66,12 +66,6 @@ impl<E: Effect> Turned<E> {
         Ok(now.attitude)
     }
 
-    fn solved(&self, from: Attitude, asked: f64) -> Solved<Attitude> {
-        let (start, limits) = (state(from)?, Limits::default());
-        let solved = self.scene.solve_with(&start, self.end(), asked, &limits)?;
-        Ok(solved.state.attitude)
-    }
-
     /// The error of RK4 in so many equal steps, whatever the torque does.
     fn straight(&self, steps: u64) -> Solved<f64> {
         let stepper = Stepper::new(Method::Rk4, Resolution::Steps(steps))?;
@@ -82,24 +76,17 @@ impl<E: Effect> Turned<E> {
 
     /// `solve`, and Gauss-Legendre piece by piece, beside RK4 straight on.
     fn against(&self, method: &'static str, steps: u64) -> Result<Answered> {
-        let (truth, condition) = (self.truth()?, 2.0 + self.size);
-        let mut answers = Vec::new();
-        for by in METHODS {
-            let bound = by.bound(condition);
-            for form in FORMS {
-                let from = form(start()?)?;
-                let end = match by {
-                    By::Pieces => self.by_pieces(Method::GaussLegendre16, from),
-                    _ => self.solved(from, bound),
-                };
-                answers.push((end.and_then(form).map(|end| truth.angle_to(&end)), bound));
-            }
-        }
-        Ok(Answered(
-            condition,
-            (method, self.straight(steps)?),
-            answers,
-        ))
+        let (truth, condition) = (Some(self.truth()?), 2.0 + self.size);
+        let bounds = METHODS.map(|by| by.bound(condition));
+        let asked = in_each_form(start()?, truth, bounds[0], |from| {
+            let solved = self.scene.solve(&state(from)?, self.end(), bounds[0])?;
+            Ok(solved.state.attitude)
+        });
+        let in_pieces = in_each_form(start()?, truth, bounds[1], |from| {
+            self.by_pieces(Method::GaussLegendre16, from)
+        });
+        let (naive, answers) = ((method, self.straight(steps)?), [asked, in_pieces]);
+        Ok(Answered(condition, naive, answers.concat()))
     }
 }
 
