@@ -13,7 +13,7 @@ mod impacts;
 #[path = "hard_cases/ladder.rs"]
 mod ladder;
 #[path = "hard_cases/motions.rs"]
-pub mod motions;
+mod motions;
 #[path = "hard_cases/naive.rs"]
 mod naive;
 #[path = "hard_cases/pictures.rs"]
@@ -31,7 +31,7 @@ pub mod table;
 #[path = "hard_cases/torques.rs"]
 mod torques;
 #[path = "hard_cases/truth.rs"]
-pub mod truth;
+mod truth;
 
 // What the modules share.
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};

@@ -45,10 +45,8 @@ fn pair(
 
 /// The errors of an attitude by a naive method, and of the closed form.
 fn ends(motion: &Motion, naive: impl Fn(&Motion) -> Option<Attitude>) -> Result<[f64; 2]> {
-    Ok([
-        motion.off(naive(motion)),
-        motion.off(Some(motion.in_closed_form()?)),
-    ])
+    let closed = motion.in_closed_form()?;
+    Ok([naive(motion), Some(closed)].map(|end| motion.off(end)))
 }
 
 /// The naive error of a case, and that of its last answer, in units of the least bound.

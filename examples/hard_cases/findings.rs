@@ -109,6 +109,9 @@ fn inverted(moments: [f64; 2], pull: f64, end: f64) -> Solved<Motion> {
     Ok(Motion::top(moments, pull, down, [0.0; 3], end))
 }
 
+/// A weight times its lever (N m).
+const STRONG: f64 = -46.246_407_947_939_46 * 0.043_441_341_552_221_39;
+
 fn moments() -> Solved<PrincipalMoments> {
     PrincipalMoments::new(1.0, 1.3, 1.7)
 }
@@ -271,26 +274,19 @@ family! { FAMILY, "findings": "Found by attack", by [By::Request], in NAMES;
     "inverted at rest, a weak weight, 200 s", "pi as a double is 6e-17 off, which is a fall":
         asked(inverted([0.3, 0.5], -0.00981, 200.0)?, By::Request, 1e-6, ON_ANGLES);
     "inverted at rest, 1000 s", "pi as a double is 6e-17 off, which is a fall":
-        asked(
-            inverted([1.0, 1.0], -46.246_407_947_939_46 * 0.043_441_341_552_221_39, 1000.0)?,
-            By::Request, 1e-6, ON_ANGLES,
-        );
-    "momentum that grows 300 times", "a probe that fails must not end the answer":
-        driven();
+        asked(inverted([1.0, 1.0], STRONG, 1000.0)?, By::Request, 1e-6, ON_ANGLES);
+    "momentum that grows 300 times", "a probe that fails must not end the answer": driven();
     "dry friction on L, to a stop", "the torque turns about within a rounding of L":
         endless("dry friction", 40.0, |_, l| l * (-0.1 / l.norm().max(1e-300)));
     "a brake of 1e7/s for 100 s", "a billion stable steps":
         endless("brake", 100.0, |_, l| l * -1e7);
     "a torque that is no number", "NaN compares as nothing":
         endless("no number", 1.0, |t, _| SpaceVector::new(0.0, 0.0, if t > 0.5 { f64::NAN } else { 1.0 }));
-    "it sees the axis, and has no form for that", "a default that stands for none":
-        plain_gravity();
+    "it sees the axis, and has no form for that", "a default that stands for none": plain_gravity();
     "a torque whose scale is no number", "an error is never less than a part of it":
         of_scale(f64::NAN);
-    "a torque whose scale is negative", "an error is never less than a part of it":
-        of_scale(-1.0);
-    "the torques that it took, counted", "a run that fails has cost something too":
-        counted();
+    "a torque whose scale is negative", "an error is never less than a part of it": of_scale(-1.0);
+    "the torques that it took, counted", "a run that fails has cost something too": counted();
 }
 
 /// Findings that are no error of a motion: what was found, and the file and the test that sees it

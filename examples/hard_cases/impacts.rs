@@ -19,14 +19,8 @@ pub fn by_energy(m: f64, e: f64) -> f64 {
 /// A mass that hits another of 1 kg, which is at rest 1 m on: both speeds, each relative to itself.
 pub fn hit(m: f64, e: f64) -> Result<Answered> {
     let truth = [(m - e) / (m + 1.0), m * (1.0 + e) / (m + 1.0)].map(|part| part * SPEED);
-    let pair = Bodies(
-        [m, 1.0],
-        |_| [0.0; 2],
-        |pair| {
-            let [x, y] = pair.q;
-            [Contact::new("they meet", y - x, [-1.0, 1.0], 0.0).restitution(e)]
-        },
-    );
+    let meet = |gap: f64| [Contact::new("they meet", gap, [-1.0, 1.0], 0.0).restitution(e)];
+    let pair = Bodies([m, 1.0], |_| [0.0; 2], |pair| meet(pair.q[1] - pair.q[0]));
     let found = motion(&pair, &tightest()?, moving([0.0, 1.0], [SPEED, 0.0]), 2.0);
     let after = found.map(|found| found.events().first().map(|event| event.after.v));
     // A product and a sum of what is given.

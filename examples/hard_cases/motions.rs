@@ -281,9 +281,9 @@ impl Motion {
     }
 
     fn series(&self) -> Solved<(Truth, Place)> {
-        let [weight, lever] = self.gravity.unwrap_or([0.0, 0.0]);
-        let truth = Truth::new(self.body()?, weight, lever, self.rates());
-        let start = truth.place(self.attitude, self.rates());
+        let moments = self.body()?.to_array();
+        let truth = Truth::new(moments, self.gravity.unwrap_or([0.0; 2]), self.rates);
+        let start = truth.place(self.attitude, self.rates);
         Ok((truth, start))
     }
 

@@ -302,10 +302,8 @@ pub fn tilt_by_energy(motion: &Motion, count: u32) -> f64 {
 /// The smaller turning point of a top (the notes' a, b, c and E~) by the trigonometric formula
 /// for the roots of a cubic, from its coefficients.
 pub fn turning_point([a, b, c]: [f64; 3], energy: f64) -> f64 {
-    let (p, q) = (
-        -(2.0 * energy + 2.0 * c + a) / (2.0 * c),
-        (2.0 * a * b - 2.0 * c) / (2.0 * c),
-    );
+    let p = -(2.0 * energy + 2.0 * c + a) / (2.0 * c);
+    let q = (2.0 * a * b - 2.0 * c) / (2.0 * c);
     let r = (2.0 * energy + 2.0 * c - a * b * b) / (2.0 * c);
     let [linear, constant] = [q - p * p / 3.0, 2.0 * p * p * p / 27.0 - p * q / 3.0 + r];
     let size = (-linear / 3.0).sqrt();

@@ -31,10 +31,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
 pub fn stills(p: &Parameters) -> Result<Vec<Figure>> {
     let mut all = Vec::new();
     for family in FAMILIES.iter().filter(|_| p.family == "all") {
-        let of = Parameters {
-            family: family.key,
-            ..p.clone()
-        };
+        let mut of = p.clone();
+        of.family = family.key;
         for (still, n) in moving_picture(&of)?.stills()?.into_iter().zip(1..) {
             let name = format!("{}_{n}", family.key);
             all.push(Figure { name, ..still });

@@ -39,19 +39,16 @@ pub fn locked() -> Solved<Motion> {
 family! { POLES, "poles": "Pole passages and gimbal lock", by By::TOP, in NAMES;
     "exactly up, kicked", "precession and spin are one turn: no rate of either is defined":
         at_pole(upright()?, [0.1, 0.0, SPIN]).against(ANGLES);
-    "exactly down, kicked", "the same below; pi is no double":
-        hanging(0.0)?.against(ANGLES);
+    "exactly down, kicked", "the same below; pi is no double": hanging(0.0)?.against(ANGLES);
     "1e-8 rad off the top", "the angles turn a hundred million times faster than the body":
         at_pole(turned(0.3, 1e-8, 0.0)?, [0.1, 0.0, SPIN]).against(ANGLES);
-    "1e-8 rad off the bottom", "the same below":
-        hanging(1e-8)?.against(ANGLES);
+    "1e-8 rad off the bottom", "the same below": hanging(1e-8)?.against(ANGLES);
     // With this rate across the node L_Z = L_z, or L_Z = -L_z: the axis meets the pole.
     "through the top in flight, b = 1", "the axis meets the pole and the angles jump by pi":
         at_pole(turned(0.3, 1.0, 0.0)?, [-1.5, tan(0.5), SPIN]).against(ANGLES);
     "through the bottom in flight, b = -1", "the same below":
         at_pole(turned(0.3, 1.0, 0.0)?, [0.5, -1.0 / tan(0.5), SPIN]).against(ANGLES);
-    "pitch of pi/2", "gimbal lock: yaw and roll are one turn":
-        locked()?.against(YAW);
+    "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(YAW);
     // What turns the vertical axis alone changes nothing of it: the condition is the spin's.
     "exactly up below the critical spin", "any rounding is a kick, and grows as exp(0.87 t)":
         at_pole(upright()?, [0.0, 0.0, SPIN]).of_condition(2.0 + 20.0 * SPIN, ANGLES);
@@ -82,12 +79,10 @@ family! { THRESHOLD, "threshold": "The sleeping top at its threshold", by By::TO
         at_threshold(1e-6, 0.0, BELOW)?.against(ARC_COSINE);
     "upright, kicked at the threshold", "the kick is all there is":
         at_threshold(0.0, 1e-6, CRITICAL)?.against(ANGLES);
-    "upright, kicked an eps below", "the same":
-        at_threshold(0.0, 1e-6, BELOW)?.against(ANGLES);
+    "upright, kicked an eps below", "the same": at_threshold(0.0, 1e-6, BELOW)?.against(ANGLES);
     "exactly upright, at the threshold", "a kick by rounding would grow with t":
         asleep_at(CRITICAL);
-    "exactly upright, an eps below", "and here exponentially":
-        asleep_at(BELOW);
+    "exactly upright, an eps below", "and here exponentially": asleep_at(BELOW);
 }
 
 // Next to the motion that needs for ever: the middle axis, and the top that just gets up.
@@ -125,8 +120,7 @@ family! { SEPARATRIX, "separatrix": "At the separatrix", by By::FREE, in NAMES;
         one_flip(1e-8)?.against(LANDAU);
     "1 - k^2 = 1e-12, one flip", "of which a difference from 1 keeps four digits":
         one_flip(1e-12)?.against(LANDAU);
-    "1 - k^2 = 1e-16, one flip", "and here none":
-        one_flip(1e-16)?.against(LANDAU);
+    "1 - k^2 = 1e-16, one flip", "and here none": one_flip(1e-16)?.against(LANDAU);
     "exactly about the middle axis", "any rounding is a kick, and grows as exp(t/3)":
         beside_separatrix([0.0, 1.0, 0.0], 20.0)?.against(LANDAU);
     // On the separatrix itself: 3 (4 - 3) omega_1^2 = 6 (6 - 4) omega_3^2 to the last bit.
@@ -167,16 +161,14 @@ pub fn shaped(moments: [f64; 3]) -> Solved<Motion> {
 }
 
 family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", by By::FREE, in NAMES;
-    "I2/I1 - 1 = 0", "formulas for three moments are 0/0":
-        shaped([1.0, 1.0, 1.7])?.against(JITTER);
+    "I2/I1 - 1 = 0", "formulas for three moments are 0/0": shaped([1.0, 1.0, 1.7])?.against(JITTER);
     "I2/I1 - 1 = 1e-15", "all that tells them apart is four last bits":
         shaped([1.0, 1.0 + 1e-15, 1.7])?.against(JITTER);
     "I2/I1 - 1 = 1e-10", "neither symmetric nor far from it":
         shaped([1.0, 1.0 + 1e-10, 1.7])?.against(JITTER);
     "all but a sphere", "every difference of moments is a billionth":
         shaped([1.0, 1.0 + 1e-9, 1.0 - 1e-9])?.against(JITTER);
-    "sphere", "nothing tells one axis from another":
-        shaped([2.0, 2.0, 2.0])?.against(JITTER);
+    "sphere", "nothing tells one axis from another": shaped([2.0, 2.0, 2.0])?.against(JITTER);
     // The larger moment is the sum of the others, or a rounding more.
     "disc, I3 = I1 + I2 and a rounding", "0.7 + 0.1 is less than 0.8 in doubles":
         shaped([0.7, 0.1, 0.8])?.against(TRIANGLE);
@@ -230,8 +222,7 @@ family! { TOPS, "tops": "Steady, cusped, fast and slow tops", by By::TOP, in NAM
         steady()?.against(ENERGY);
     "exactly on a cusp, b = 1/2", "it starts at rest, where the root is zero":
         released([1.5, 0.25], FRAC_PI_3, 40.0)?.against(ENERGY);
-    "very fast, c = 1e-8", "it nods by 1e-8 rad":
-        released([1.5, 1e-8], 1.0, 60.0)?.against(ENERGY);
+    "very fast, c = 1e-8", "it nods by 1e-8 rad": released([1.5, 1e-8], 1.0, 60.0)?.against(ENERGY);
     "very slow, c = 1e6", "it falls like a pendulum and passes the bottom close by":
         released([1.5, 1e6], 1.0, 0.03)?.against(ENERGY);
     "E~ two roundings above U_min", "all but a double root: half of the digits are lost":
@@ -292,12 +283,9 @@ family! { TURNS, "turns": "Half turns, and rates of every size", by By::FREE, in
     // A rate that is all but nothing, and below the rates of any motion.
     "1e-200 rad/s beside 1 rad/s", "its square is no double, and 1 - k^2 is made of it":
         Motion::free([1.0, 1.5, 2.0], half_turn()?, [1e-200, 1.0, 0.0], 30.0).against(LANDAU_RATES);
-    "1e200 rad/s for 1e-200 s", "its square is infinite, and so is its energy":
-        alone(1e200);
-    "1e-300 rad/s for 1e300 s", "its square is zero, and its momentum's":
-        alone(1e-300);
-    "the least double, 5e-324 rad/s", "nothing smaller to round to":
-        alone(5e-324);
+    "1e200 rad/s for 1e-200 s", "its square is infinite, and so is its energy": alone(1e200);
+    "1e-300 rad/s for 1e300 s", "its square is zero, and its momentum's": alone(1e-300);
+    "the least double, 5e-324 rad/s", "nothing smaller to round to": alone(5e-324);
 }
 
 // The same motion from a molecule to the Earth.
@@ -329,8 +317,7 @@ family! { SCALES, "scales": "From a molecule to the Earth", by By::FREE, in NAME
         scaled(1e160, 1.0)?.against(SQUARES);
     "molecule: 1e-46 kg m^2, 1e12 rad/s", "its moments are less than any number that looks like zero":
         scaled(1e-46, 1e12)?.against(GUARDED);
-    "dust: 1e-40 kg m^2, 1e6 rad/s", "the same":
-        scaled(1e-40, 1e6)?.against(GUARDED);
+    "dust: 1e-40 kg m^2, 1e6 rad/s", "the same": scaled(1e-40, 1e6)?.against(GUARDED);
     "asteroid: 1e20 kg m^2, 1e-6 rad/s", "its rates look like rest":
         scaled(1e20, 1e-6)?.against(ASLEEP);
     "Earth: 1e38 kg m^2, 7.3e-5 rad/s", "the same, and its energy is 5e29 J":
@@ -370,6 +357,5 @@ family! { LONG, "long": "A trillion periods", by By::CLOSED, in NAMES;
         modulo([1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
     "near the separatrix, 1 - k^2 = 2e-5", "the same, and the period is hard to have":
         modulo([1.0, 2.0, 2.5], [0.0, 1.0, 2e-3]);
-    "two moments", "the same of two circular motions":
-        modulo([1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
+    "two moments", "the same of two circular motions": modulo([1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
 }

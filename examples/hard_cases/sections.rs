@@ -75,11 +75,11 @@ fn broken(report: &mut Report) -> Result<()> {
 fn counts(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
     let total =
         |of: fn(&Computed) -> usize| computed.iter().map(|one| of(one)).sum::<usize>() as f64;
-    let [cells, holds, refused] = [
+    let (cells, holds) = (
         total(|one| one.count().cells),
         total(|one| one.count().holds),
-        total(|one| one.count().refusals),
-    ];
+    );
+    let refused = total(|one| one.count().refusals);
     claims! { report,
         /// cases
         cases: total(|one| one.rows.len()), "-",
@@ -98,17 +98,11 @@ fn counts(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
             let value = claim(format!("{key}_{what}"), meaning, value as f64, "-");
             report.add(value.agrees_with(route, gives as f64, 0.0))
         };
+        let (cells, due) = (count.cells, one.due());
         let product = "cases times methods times representations";
-        add(
-            "cells",
-            "cells of the table",
-            count.cells,
-            product,
-            one.due(),
-        )?;
-        let rest = count.cells - count.refusals;
-        let meaning = "cells that hold their bound";
-        add("holds", meaning, count.holds, "cells less refusals", rest)?;
+        add("cells", "cells of the table", cells, product, due)?;
+        let (means, rest) = ("cells that hold their bound", cells - count.refusals);
+        add("holds", means, count.holds, "cells less refusals", rest)?;
     }
     Ok(())
 }

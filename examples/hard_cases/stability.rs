@@ -37,11 +37,8 @@ fn braked(z: f64, steps: u32) -> Result<Answered> {
     let condition = f64::from(steps) * (1.0 + (z * slope / factor(z)).abs());
     let answer = spin.map(|(end, _)| (body.angular_velocity(&end).z() / foretold - 1.0).abs());
     let off = (exp(-RATE * end) / foretold - 1.0).abs();
-    answered(
-        answer,
-        condition,
-        ("exp(-lambda t), believed of any step", off),
-    )
+    let naive = ("exp(-lambda t), believed of any step", off);
+    answered(answer, condition, naive)
 }
 
 /// Pushed in step with its own nutation: the transverse rate grows as N t/I1.

@@ -116,11 +116,8 @@ pub fn across_jumps(steps: u64) -> Solved<[f64; 3]> {
     pushed.step = 10.0 / steps as f64;
     let truth = pushed.truth()?;
     let anew = |method| Ok(truth.angle_to(&pushed.by_pieces(method, start()?)?));
-    Ok([
-        pushed.straight(steps)?,
-        anew(Method::Rk4)?,
-        anew(Method::GaussLegendre16)?,
-    ])
+    let [rk4, gauss] = [anew(Method::Rk4)?, anew(Method::GaussLegendre16)?];
+    Ok([pushed.straight(steps)?, rk4, gauss])
 }
 
 /// A pulse of a fiftieth of a second in a minute: steps of 0.06 s have a stage at 30 s and one at
@@ -142,11 +139,9 @@ fn rung() -> Solved<Turned<PrescribedTorque>> {
     let bell = PrescribedTorque::on_body(axis, Profile::pulse(centre, width)?)?;
     // Where on the bell a time is, doubles know to eps centre/width.
     let known = [turned + gained, turned + gained * (2.0 + centre / width)];
-    let rung = Turned::by(bell, &[centre - 0.2, centre + 0.2, end], known)?;
-    Ok(Turned {
-        step: 0.004,
-        ..rung
-    })
+    let mut rung = Turned::by(bell, &[centre - 0.2, centre + 0.2, end], known)?;
+    rung.step = 0.004;
+    Ok(rung)
 }
 
 /// Rising to 1 at t = 1, falling to 0 at t = 3: areas 1/2 and 1, about 2/3 and 5/3.
@@ -162,11 +157,8 @@ fn stopped() -> Solved<Turned<CoulombBearing>> {
     let tau = 0.7;
     let stop = I3 * SPIN / tau;
     let bearing = CoulombBearing::new(tau, &body()?, &state(start()?)?, 0.0)?;
-    Turned::by(
-        bearing,
-        &[stop, 10.0],
-        [0.5 * SPIN * stop, 2.0 * SPIN * stop],
-    )
+    let known = [0.5 * SPIN * stop, 2.0 * SPIN * stop];
+    Turned::by(bearing, &[stop, 10.0], known)
 }
 
 /// |sin t|: between its corners at k pi it is smooth; in each half wave its area is 2.
@@ -189,11 +181,9 @@ fn damped() -> Solved<Turned<ViscousFriction>> {
     let angle = -SPIN * expm1(-rate * end) / rate;
     let size = SPIN / rate * (1.0 + rate * end * exp(-rate * end));
     let friction = ViscousFriction::about_axis(rate * I3)?;
-    let damped = Turned::by(friction, &[end], [angle, size])?;
-    Ok(Turned {
-        step: 0.5 / rate,
-        ..damped
-    })
+    let mut damped = Turned::by(friction, &[end], [angle, size])?;
+    damped.step = 0.5 / rate;
+    Ok(damped)
 }
 
 family! { FAMILY, "torques": "Torques that jump, bend, stop and damp", by METHODS, in NAMES;

@@ -5,12 +5,8 @@
 //! sum of products of those before it; no angle, no elliptic function and no method of the
 //! library has a part in it. Of 32 digits a run of a hundred radians leaves about 28.
 
-use rotation_dynamics::Result;
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::State;
-use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::{DoubleDouble as Dd, pow};
+use super::*;
+use rotation_dynamics::math::DoubleDouble as Dd;
 
 const ORDER: usize = 36;
 
@@ -40,22 +36,22 @@ pub struct Place([Dd; 10]);
 impl Truth {
     /// For a motion of these moments (kg m^2), weight (N) and lever (m) that begins with these
     /// rates (rad/s).
-    pub fn new(moments: PrincipalMoments, weight: f64, lever: f64, rates: BodyVector) -> Self {
-        let moments = moments.to_array();
+    pub fn new(moments: [f64; 3], [weight, lever]: [f64; 2], rates: [f64; 3]) -> Self {
         let least = moments.iter().copied().fold(f64::INFINITY, f64::min);
         let pulled = (weight * lever.abs() / least).sqrt();
-        let fastest = rates.to_array().iter().fold(pulled, |m, w| m.max(w.abs()));
-        let (per_second, pull) = (power_of_two(fastest), Dd::product(weight, lever));
+        let per_second = power_of_two(rates.iter().fold(pulled, |m, w| m.max(w.abs())));
+        let pull = Dd::product(weight, lever).scaled(1.0 / per_second);
+        let pull = pull.scaled(1.0 / per_second);
         Self {
             moments,
-            pull: pull.scaled(1.0 / per_second).scaled(1.0 / per_second),
+            pull,
             per_second,
         }
     }
 
     /// A start.
-    pub fn place(&self, attitude: Attitude, rates: BodyVector) -> Place {
-        let rates = rates.to_array().map(|r| Dd::from(r / self.per_second));
+    pub fn place(&self, attitude: Attitude, rates: [f64; 3]) -> Place {
+        let rates = rates.map(|r| Dd::from(r / self.per_second));
         Self::placed(attitude, |_| rates)
     }
 
@@ -96,7 +92,7 @@ impl Truth {
 
     /// The attitude at a late time of a free body whose rates have about this period (s): the
     /// rotation of one period, taken to a power.
-    pub fn late(&self, start: &Place, period: f64, t: f64) -> Result<Attitude> {
+    pub fn late(&self, start: &Place, period: f64, t: f64) -> Solved<Attitude> {
         let once = self.after(start, Dd::from(period));
         // The period to all digits, by a step of Newton's method along the path.
         let series = self.series(start);
@@ -168,7 +164,7 @@ impl Place {
         [w, x, y, z]
     }
 
-    pub fn attitude(&self) -> Result<Attitude> {
+    pub fn attitude(&self) -> Solved<Attitude> {
         rounded(self.quaternion())
     }
 
@@ -179,7 +175,7 @@ impl Place {
 }
 
 /// The attitude, rounded once.
-fn rounded(quaternion: [Dd; 4]) -> Result<Attitude> {
+fn rounded(quaternion: [Dd; 4]) -> Solved<Attitude> {
     Attitude::from_quaternion(quaternion.map(Dd::to_f64))
 }
 
