@@ -351,7 +351,7 @@ fn zeno() -> Result<Answered> {
 }
 
 family! { FAMILY, "events": "Grazes, ties, stops and bounces without end",
-    by [By::Events], in ["time of the event", "state at the end"];
+    by [By::Events], in ["time of the event", "state at the end"], seen in stepped::bounces;
     "a graze 1e-2 deep", "both ends of a step are on the same side": graze(1e-2);
     "a graze 1e-6 deep", "both ends of a step are on the same side": graze(1e-6);
     "a graze 1e-8 deep", "both ends of a step are on the same side": graze(1e-8);

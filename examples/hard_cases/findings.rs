@@ -255,7 +255,8 @@ fn counted() -> Result<Answered> {
     Ok(Answered(f64::NAN, naive, answers))
 }
 
-family! { FAMILY, "findings": "Found by attack", by [By::Request], in NAMES;
+family! { FAMILY, "findings": "Found by attack",
+    by [By::Request], in NAMES, seen in stepped::risen;
     // Granted once 4e-5, 1e-10, 3e-3 and 1e-3 rad, and off by 0.046, 1.4e-6, 3.14 and 1.83.
     "middle axis, 100 s", "a condition felt on changes of 1e-12 is that of a tame motion":
         asked(on_the_middle(100.0)?, By::Request, 4e-5, BELIEVED);

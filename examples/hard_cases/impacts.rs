@@ -36,7 +36,7 @@ pub fn hit(m: f64, e: f64) -> Result<Answered> {
 }
 
 family! { FAMILY, "impacts": "Impacts of a trillion to one",
-    by [By::Contacts], in ["speed of the one that hits", "speed of the one that is hit"];
+    by [By::Contacts], in ["speed of the one that hits", "speed of the one that is hit"], seen in stepped::pushed;
     "1e-12 hits 1, elastic", "what the heavy one gets is lost in the energy of the light one": hit(1e-12, 1.0);
     "1e-8 hits 1, elastic", "what the heavy one gets is lost in the energy of the light one": hit(1e-8, 1.0);
     "1e-6 hits 1, half elastic", "what the heavy one gets is lost in the energy of the light one": hit(1e-6, 0.5);

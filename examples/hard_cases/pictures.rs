@@ -8,32 +8,15 @@ use kit::draw::Scene as Drawn;
 
 /// The picture of the family asked for; of all of them the book that must not flip.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    match p.family {
-        "poles" => gimbals(),
-        "threshold" => tip(),
-        "separatrix" => separatrix_passed(),
-        "flips" => late_flips(),
-        "shapes" => all_but_symmetric(),
-        "tops" => let_go(),
-        "turns" => half_turn(),
-        "scales" => molecule(),
-        "long" => trillions(),
-        "torques" => stepped::bell(),
-        "findings" => stepped::risen(),
-        "events" => stepped::bounces(),
-        "impacts" => stepped::pushed(),
-        "stability" => stepped::braked(),
-        _ => book(),
-    }
+    let family = FAMILIES.iter().find(|family| family.key == p.family);
+    family.map_or_else(book, |family| (family.picture)())
 }
 
 /// Two stills of each family's picture, for the pages: `poles_1`, `poles_2`, ...
 pub fn stills(p: &Parameters) -> Result<Vec<Figure>> {
     let mut all = Vec::new();
     for family in FAMILIES.iter().filter(|_| p.family == "all") {
-        let mut of = p.clone();
-        of.family = family.key;
-        for (still, n) in moving_picture(&of)?.stills()?.into_iter().zip(1..) {
+        for (still, n) in (family.picture)()?.stills()?.into_iter().zip(1..) {
             let name = format!("{}_{n}", family.key);
             all.push(Figure { name, ..still });
         }
@@ -148,7 +131,7 @@ fn book() -> Result<MovingPicture> {
 }
 
 /// Nose on the vertical, by yaw, pitch and roll: the first step divides by the cosine of pi/2.
-fn gimbals() -> Result<MovingPicture> {
+pub fn gimbals() -> Result<MovingPicture> {
     let motion = locked()?;
     picture(
         axes(TIME, "off by / rad", [0.0, 1.5, 0.5]),
@@ -171,7 +154,7 @@ fn gimbals() -> Result<MovingPicture> {
 }
 
 /// The tip of a top that all but sleeps, from above, a hundred million times as large.
-fn tip() -> Result<MovingPicture> {
+pub fn tip() -> Result<MovingPicture> {
     const SIZE: f64 = 1e8;
     let motion = at_threshold(1e-8, 0.0, 4.4)?;
     // The azimuth and the tilt, and the tilt by the arc cosine.
@@ -217,7 +200,7 @@ fn tip() -> Result<MovingPicture> {
 }
 
 /// The angular momentum on the axes of a body that flips, 1 - k^2 = 1e-16.
-fn separatrix_passed() -> Result<MovingPicture> {
+pub fn separatrix_passed() -> Result<MovingPicture> {
     let motion = one_flip(1e-16)?;
     let exact = motion.free_body()?;
     let along = move |rates: [f64; 3]| {
@@ -255,7 +238,7 @@ fn separatrix_passed() -> Result<MovingPicture> {
 }
 
 /// Three periods of two flips after a thousand, by RK4 with a hundred steps a flip.
-fn late_flips() -> Result<MovingPicture> {
+pub fn late_flips() -> Result<MovingPicture> {
     let whole = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
     let period = whole.end / FLIPS_PERIODS;
     let motion = whole.until(1003.0 * period);
@@ -286,7 +269,7 @@ fn late_flips() -> Result<MovingPicture> {
 
 /// A body whose moments differ by a billionth, after a billion seconds, and one for which they
 /// were called equal.
-fn all_but_symmetric() -> Result<MovingPicture> {
+pub fn all_but_symmetric() -> Result<MovingPicture> {
     const LATE: f64 = 1e9;
     let late = r"$t-10^9\,\mathrm{s}$ / s";
     let of = |apart: f64| shaped([1.0, 1.0 + apart, 1.7])?.free_body();
@@ -310,7 +293,7 @@ fn all_but_symmetric() -> Result<MovingPicture> {
 }
 
 /// A top that is let go at rest.
-fn let_go() -> Result<MovingPicture> {
+pub fn let_go() -> Result<MovingPicture> {
     let at = |end: f64| released([1.5, 0.25], FRAC_PI_3, end);
     let axis_at = move |t: f64| Ok(at(t)?.in_closed_form()?.to_space(THIRD));
     let span = 22.8;
@@ -341,7 +324,7 @@ fn let_go() -> Result<MovingPicture> {
 }
 
 /// Towards half a turn, a power of ten in each unit of time: from its matrix by the trace.
-fn half_turn() -> Result<MovingPicture> {
+pub fn half_turn() -> Result<MovingPicture> {
     let axis = SpaceVector::new(1.0, -2.0, 3.0);
     picture(
         [
@@ -367,7 +350,7 @@ fn half_turn() -> Result<MovingPicture> {
 }
 
 /// A molecule, and the one to whose moments 1e-30 kg m^2 was added.
-fn molecule() -> Result<MovingPicture> {
+pub fn molecule() -> Result<MovingPicture> {
     let motion = scaled(1e-46, 1e12)?;
     picture(
         axes("$t$ / ps", "turned by / rad", [0.0, 3.3, 1.0]),
@@ -392,7 +375,7 @@ fn molecule() -> Result<MovingPicture> {
 }
 
 /// After a hundred trillion periods, in steps that a double of that time still has.
-fn trillions() -> Result<MovingPicture> {
+pub fn trillions() -> Result<MovingPicture> {
     const PERIODS: f64 = 1e14;
     let late = |t: f64| late(PERIODS + t, [1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
     let ends = move |t: f64| {

@@ -36,7 +36,8 @@ pub fn locked() -> Solved<Motion> {
     Ok(at_pole(locked, [0.4, 0.3, SPIN]))
 }
 
-family! { POLES, "poles": "Pole passages and gimbal lock", by By::TOP, in NAMES;
+family! { POLES, "poles": "Pole passages and gimbal lock",
+    by By::TOP, in NAMES, seen in pictures::gimbals;
     "exactly up, kicked", "precession and spin are one turn: no rate of either is defined":
         at_pole(upright()?, [0.1, 0.0, SPIN]).against(ANGLES);
     "exactly down, kicked", "the same below; pi is no double": hanging(0.0)?.against(ANGLES);
@@ -70,7 +71,8 @@ fn asleep_at(spin: f64) -> Solved<Asked> {
     at_threshold(0.0, 0.0, spin)?.of_condition(2.0 + spin * 15.0, ANGLES)
 }
 
-family! { THRESHOLD, "threshold": "The sleeping top at its threshold", by By::TOP, in NAMES;
+family! { THRESHOLD, "threshold": "The sleeping top at its threshold",
+    by By::TOP, in NAMES, seen in pictures::tip;
     "1e-6 rad off, at the threshold", "two roots of the cubic meet":
         at_threshold(1e-6, 0.0, CRITICAL)?.against(ARC_COSINE);
     "1e-6 rad off, an eps above", "their gap is lost to cancellation":
@@ -115,7 +117,8 @@ fn homoclinic(end: f64) -> Solved<Motion> {
     Ok(Motion::top(moments, 1.0, tilted, rates, end))
 }
 
-family! { SEPARATRIX, "separatrix": "At the separatrix", by By::FREE, in NAMES;
+family! { SEPARATRIX, "separatrix": "At the separatrix",
+    by By::FREE, in NAMES, seen in pictures::separatrix_passed;
     "1 - k^2 = 1e-8, one flip", "the flip is late by the logarithm of 1 - k^2":
         one_flip(1e-8)?.against(LANDAU);
     "1 - k^2 = 1e-12, one flip", "of which a difference from 1 keeps four digits":
@@ -145,7 +148,8 @@ pub fn flips(moments: [f64; 3], rates: [f64; 3]) -> Solved<Motion> {
     Ok(motion.until(FLIPS_PERIODS * motion.free_body()?.rate_period()))
 }
 
-family! { FLIPS, "flips": "Ten thousand flips", by By::CLOSED, in NAMES;
+family! { FLIPS, "flips": "Ten thousand flips",
+    by By::CLOSED, in NAMES, seen in pictures::late_flips;
     "a thousandth off the middle axis", "a small error of the energy makes each flip late":
         flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?.against(FLIPS_BY_RK4);
     "the same, the axes in another order", "an odd order of the axes is no rotation":
@@ -160,7 +164,8 @@ pub fn shaped(moments: [f64; 3]) -> Solved<Motion> {
     Ok(Motion::free(moments, start()?, [0.8, 0.4, 0.9], 30.0))
 }
 
-family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", by By::FREE, in NAMES;
+family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere",
+    by By::FREE, in NAMES, seen in pictures::all_but_symmetric;
     "I2/I1 - 1 = 0", "formulas for three moments are 0/0": shaped([1.0, 1.0, 1.7])?.against(JITTER);
     "I2/I1 - 1 = 1e-15", "all that tells them apart is four last bits":
         shaped([1.0, 1.0 + 1e-15, 1.7])?.against(JITTER);
@@ -217,7 +222,8 @@ fn steady() -> Solved<Motion> {
     of_b(NOTES_TOP, ReducedTop::new(a, b, c)?.minimum().0, 1e-6)
 }
 
-family! { TOPS, "tops": "Steady, cusped, fast and slow tops", by By::TOP, in NAMES;
+family! { TOPS, "tops": "Steady, cusped, fast and slow tops",
+    by By::TOP, in NAMES, seen in pictures::let_go;
     "E~ within 5e-13 of U_min", "the turning points are a millionth apart, a double root but for that":
         steady()?.against(ENERGY);
     "exactly on a cusp, b = 1/2", "it starts at rest, where the root is zero":
@@ -265,7 +271,8 @@ fn many_turns() -> Solved<Asked> {
     Ok(Asked(motion, naive, motion.conditions()?, same.truth()?))
 }
 
-family! { TURNS, "turns": "Half turns, and rates of every size", by By::FREE, in NAMES;
+family! { TURNS, "turns": "Half turns, and rates of every size",
+    by By::FREE, in NAMES, seen in pictures::half_turn;
     "started after half a turn", "the scalar part is zero, and is divided by":
         turning_at(half_turn()?, [0.3, 0.2, 1.0], 10.0).against(TRACE);
     "started from the antipodal quaternion", "q and -q are one attitude":
@@ -306,7 +313,8 @@ fn scaled_top(moment: f64, rate: f64, lever: f64) -> Solved<Motion> {
     Ok(top)
 }
 
-family! { SCALES, "scales": "From a molecule to the Earth", by By::FREE, in NAMES;
+family! { SCALES, "scales": "From a molecule to the Earth",
+    by By::FREE, in NAMES, seen in pictures::molecule;
     "top: 1e-40 kg m^2, 1e6 rad/s, 1e-14 m", "a torque of 1e-28 N m looks like none":
         scaled_top(1e-40, 1e6, 1e-14)?.against(GUARDED);
     "top: 1e38 kg m^2, 4e-5 rad/s, 1e6 m", "its rates look like rest, its torque is 1e29 N m":
@@ -352,7 +360,8 @@ fn modulo(moments: [f64; 3], rates: [f64; 3]) -> Solved<Asked> {
     Ok(Asked(motion, naive, [condition; 2], motion.truth()?))
 }
 
-family! { LONG, "long": "A trillion periods", by By::CLOSED, in NAMES;
+family! { LONG, "long": "A trillion periods",
+    by By::CLOSED, in NAMES, seen in pictures::trillions;
     "three moments", "a period rounded once is a trillion times wrong":
         modulo([1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
     "near the separatrix, 1 - k^2 = 2e-5", "the same, and the period is hard to have":

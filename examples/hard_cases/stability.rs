@@ -67,7 +67,8 @@ fn resonance(method: Method, steps: u64) -> Result<Answered> {
     answered(off(method, steps), condition, ("RK4, 1000 steps", naive))
 }
 
-family! { FAMILY, "stability": "Beyond the stability limit, and at resonance", by [By::Foretold], in ["rates"];
+family! { FAMILY, "stability": "Beyond the stability limit, and at resonance",
+    by [By::Foretold], in ["rates"], seen in stepped::braked;
     "RK4, lambda h = 2", "stable is not accurate: it fades, at a rate of its own": braked(2.0, 100);
     "RK4, lambda h = 2.785, just inside", "stable is not accurate: it fades, at a rate of its own":
         braked(2.785, 100);

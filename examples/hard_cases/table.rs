@@ -14,6 +14,8 @@ pub struct Family {
     pub methods: &'static [By],
     pub forms: &'static [&'static str],
     pub cases: &'static [Case],
+    /// The true motion and, dashed, what a naive method makes of it.
+    pub picture: fn() -> Result<MovingPicture>,
 }
 
 /// A case, what goes wrong there, and what these methods make of it.
@@ -26,13 +28,14 @@ pub struct Case(
 /// A family as a table in the source, two lines a case: its name, what goes wrong, and what is
 /// asked, of which `by` the family's methods answers come.
 macro_rules! family {
-    ($name:ident, $key:literal: $title:literal, by $methods:expr, in $forms:expr;
+    ($name:ident, $key:literal: $title:literal, by $methods:expr, in $forms:expr, seen in $picture:path;
      $( $case:literal, $wrong:literal: $asked:expr; )+) => {
         pub const $name: Family = Family {
             key: $key,
             title: $title,
             methods: &$methods,
             forms: &$forms,
+            picture: $picture,
             cases: &[ $( Case($case, $wrong, |methods| $asked?.by(methods)) ),+ ],
         };
     };
@@ -125,11 +128,14 @@ pub struct Row {
 impl Row {
     fn new(family: &Family, &Case(case, wrong, asked): &Case) -> Result<Self> {
         let Answered(condition, naive, answers) = asked(family.methods)?;
+        let of = |by: &By| {
+            let method = by.name();
+            family.forms.iter().map(move |form| (method, *form))
+        };
+        let names = family.methods.iter().flat_map(of);
         let mut cells = Vec::new();
-        for (n, (answer, bound)) in answers.into_iter().enumerate() {
-            let (method, form) = (n / family.forms.len(), n % family.forms.len());
-            let name = (case, family.methods[method].name(), family.forms[form]);
-            cells.push(Cell::of(name, answer, bound)?);
+        for ((method, form), (answer, bound)) in names.zip(answers) {
+            cells.push(Cell::of((case, method, form), answer, bound)?);
         }
         Ok(Self {
             case,

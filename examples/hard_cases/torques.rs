@@ -186,7 +186,8 @@ fn damped() -> Solved<Turned<ViscousFriction>> {
     Ok(damped)
 }
 
-family! { FAMILY, "torques": "Torques that jump, bend, stop and damp", by METHODS, in NAMES;
+family! { FAMILY, "torques": "Torques that jump, bend, stop and damp",
+    by METHODS, in NAMES, seen in stepped::bell;
     "a torque switched on and off", "a step across a jump is of order one":
         switched(ONCE, 0.5)?.against("RK4 straight on, 10 000 steps", 10_000);
     "a knock of 0.02 s in a minute", "every step passes over it and none of them sees it":
