@@ -23,12 +23,6 @@ fn upright() -> Solved<Attitude> {
     Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), 0.7)
 }
 
-/// So far off the bottom.
-fn hanging(off: f64) -> Solved<Motion> {
-    let attitude = Attitude::from_quaternion([0.5 * off, 1.0, 0.0, 0.0])?;
-    Ok(at_pole(attitude, [0.1, 0.2, SPIN]))
-}
-
 /// Nose on the vertical: the pitch is pi/2, and yaw and roll are about one line.
 pub fn locked() -> Solved<Motion> {
     let (yaw, pitch, roll) = (0.3, FRAC_PI_2, 0.1);
@@ -40,10 +34,12 @@ family! { POLES, "poles": "Pole passages and gimbal lock",
     by By::TOP, in NAMES, seen in pictures::gimbals;
     "exactly up, kicked", "precession and spin are one turn: no rate of either is defined":
         at_pole(upright()?, [0.1, 0.0, SPIN]).against(ANGLES);
-    "exactly down, kicked", "the same below; pi is no double": hanging(0.0)?.against(ANGLES);
+    "exactly down, kicked", "the same below; pi is no double":
+        at_pole(Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(ANGLES);
     "1e-8 rad off the top", "the angles turn a hundred million times faster than the body":
         at_pole(turned(0.3, 1e-8, 0.0)?, [0.1, 0.0, SPIN]).against(ANGLES);
-    "1e-8 rad off the bottom", "the same below": hanging(1e-8)?.against(ANGLES);
+    "1e-8 rad off the bottom", "the same below":
+        at_pole(Attitude::from_quaternion([0.5e-8, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(ANGLES);
     // With this rate across the node L_Z = L_z, or L_Z = -L_z: the axis meets the pole.
     "through the top in flight, b = 1", "the axis meets the pole and the angles jump by pi":
         at_pole(turned(0.3, 1.0, 0.0)?, [-1.5, tan(0.5), SPIN]).against(ANGLES);
@@ -66,11 +62,6 @@ pub fn at_threshold(theta: f64, kick: f64, spin: f64) -> Solved<Motion> {
     Ok(Motion::top([1.0, 0.5], 1.0, tilted, rates, 15.0))
 }
 
-/// Exactly upright: the condition is the spin's.
-fn asleep_at(spin: f64) -> Solved<Asked> {
-    at_threshold(0.0, 0.0, spin)?.of_condition(2.0 + spin * 15.0, ANGLES)
-}
-
 family! { THRESHOLD, "threshold": "The sleeping top at its threshold",
     by By::TOP, in NAMES, seen in pictures::tip;
     "1e-6 rad off, at the threshold", "two roots of the cubic meet":
@@ -82,9 +73,11 @@ family! { THRESHOLD, "threshold": "The sleeping top at its threshold",
     "upright, kicked at the threshold", "the kick is all there is":
         at_threshold(0.0, 1e-6, CRITICAL)?.against(ANGLES);
     "upright, kicked an eps below", "the same": at_threshold(0.0, 1e-6, BELOW)?.against(ANGLES);
+    // Exactly upright: the condition is the spin's.
     "exactly upright, at the threshold", "a kick by rounding would grow with t":
-        asleep_at(CRITICAL);
-    "exactly upright, an eps below", "and here exponentially": asleep_at(BELOW);
+        at_threshold(0.0, 0.0, CRITICAL)?.of_condition(2.0 + 15.0 * CRITICAL, ANGLES);
+    "exactly upright, an eps below", "and here exponentially":
+        at_threshold(0.0, 0.0, BELOW)?.of_condition(2.0 + 15.0 * BELOW, ANGLES);
 }
 
 // Next to the motion that needs for ever: the middle axis, and the top that just gets up.

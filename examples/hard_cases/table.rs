@@ -148,7 +148,7 @@ impl Row {
 
     /// The smallest bound of the row: what a careful method is held to, or what was asked for
     /// and refused; of a row of which nothing holds, what it would be held to.
-    pub fn least_bound(&self) -> f64 {
+    fn least_bound(&self) -> f64 {
         let bounds = self.cells.iter().filter_map(|cell| match cell.verdict {
             Ok(_) => Some(cell.bound),
             Err(Error::NotDelivered {

@@ -146,10 +146,9 @@ fn rung() -> Solved<Turned<PrescribedTorque>> {
 
 /// Rising to 1 at t = 1, falling to 0 at t = 3: areas 1/2 and 1, about 2/3 and 5/3.
 fn bent() -> Solved<Turned<PrescribedTorque>> {
-    let end = 10.0;
-    let gained = (0.5 * (end - 2.0 / 3.0) + end - 5.0 / 3.0) / I3;
     let profile = Profile::lines(&[(0.0, 0.0), (1.0, 1.0), (3.0, 0.0)])?;
-    pushed(profile, [1.0, 3.0, end], gained)
+    let gained = (0.5 * (10.0 - 2.0 / 3.0) + 10.0 - 5.0 / 3.0) / I3;
+    pushed(profile, [1.0, 3.0, 10.0], gained)
 }
 
 /// Dry friction: L/tau until the stop, half of the way that the spin would make.
