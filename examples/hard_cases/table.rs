@@ -77,16 +77,15 @@ impl Cell {
         verdict: Solved<f64>,
         bound: f64,
     ) -> Result<Self> {
+        let held = |measured: f64| measured <= bound;
         match verdict {
-            Ok(measured) if measured.is_nan() || measured > bound => {
-                Err(kit::Error::Contradicted {
-                    key: format!("{case}, {method}, {form}"),
-                    value: measured,
-                    oracle: "the truth".into(),
-                    oracle_value: 0.0,
-                    bound,
-                })
-            }
+            Ok(value) if !held(value) => Err(kit::Error::Contradicted {
+                key: format!("{case}, {method}, {form}"),
+                value,
+                oracle: "the truth".into(),
+                oracle_value: 0.0,
+                bound,
+            }),
             _ => Ok(Self {
                 method,
                 form,

@@ -112,11 +112,8 @@ impl Truth {
 
     fn series(&self, place: &Place) -> [Series; 10] {
         let [i1, i2, i3] = self.moments;
-        let ratios = [
-            Dd::sum(i2, -i3) / i1,
-            Dd::sum(i3, -i1) / i2,
-            Dd::sum(i1, -i2) / i3,
-        ];
+        let ratios = [(i2, i3, i1), (i3, i1, i2), (i1, i2, i3)];
+        let ratios = ratios.map(|(a, b, over)| Dd::sum(a, -b) / over);
         let pulls = [self.pull / i1, self.pull / -i2];
         let mut y = [[Dd::ZERO; ORDER + 1]; 10];
         for (series, part) in y.iter_mut().zip(place.0) {
