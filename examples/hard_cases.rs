@@ -8,52 +8,51 @@ mod events;
 mod figures;
 #[path = "hard_cases/findings.rs"]
 pub mod findings;
-#[path = "hard_cases/flips.rs"]
-mod flips;
-#[path = "hard_cases/forms.rs"]
-pub mod forms;
 #[path = "hard_cases/impacts.rs"]
 mod impacts;
 #[path = "hard_cases/ladder.rs"]
 mod ladder;
-#[path = "hard_cases/long.rs"]
-mod long;
 #[path = "hard_cases/motions.rs"]
-pub mod motions;
+mod motions;
 #[path = "hard_cases/naive.rs"]
 mod naive;
 #[path = "hard_cases/pictures.rs"]
 mod pictures;
-#[path = "hard_cases/poles.rs"]
-mod poles;
-#[path = "hard_cases/scales.rs"]
-mod scales;
+#[path = "hard_cases/rotations.rs"]
+pub mod rotations;
 #[path = "hard_cases/sections.rs"]
 mod sections;
-#[path = "hard_cases/separatrix.rs"]
-mod separatrix;
-#[path = "hard_cases/shapes.rs"]
-mod shapes;
 #[path = "hard_cases/stability.rs"]
 mod stability;
 #[path = "hard_cases/stepped.rs"]
 mod stepped;
 #[path = "hard_cases/table.rs"]
 pub mod table;
-#[path = "hard_cases/threshold.rs"]
-mod threshold;
-#[path = "hard_cases/tops.rs"]
-mod tops;
 #[path = "hard_cases/torques.rs"]
 mod torques;
 #[path = "hard_cases/truth.rs"]
-pub mod truth;
-#[path = "hard_cases/turns.rs"]
-pub mod turns;
+mod truth;
 
-use kit::{Figure, Prepared, Report, Result};
+// What the modules share.
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
+use kit::draw::Camera;
+use kit::prelude::*;
+use kit::{Prepared, short};
+use motions::{By, FORMS, MATRIX, Motion, NAMES, QUATERNION, in_each_form, turned};
+use rotation_dynamics::accuracy::{Limits, Problem, Resolution, Stepper};
+use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
+use rotation_dynamics::body::{Kinematics, RigidBody, State};
+use rotation_dynamics::effects::{Effect, GravityAtLever, Torque, ViscousFriction};
+use rotation_dynamics::exact::free_body::FreeBody;
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, SymmetricTop};
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::integrators::{Dop853, Method};
+use rotation_dynamics::math::{DoubleDouble, EPS, expm1};
+use rotation_dynamics::motion::Motion as _;
+use rotation_dynamics::scene::Scene;
+use rotation_dynamics::{Error, Result as Solved};
 use std::sync::Arc;
-use table::{Computed, Family};
+use table::{Answered, Case, Computed, Family, Naive, family};
 
 kit::parameters! {
     /// Which family is computed.
@@ -67,15 +66,15 @@ kit::parameters! {
 
 /// The families, in the order of the page.
 pub const FAMILIES: &[Family] = &[
-    poles::FAMILY,
-    threshold::FAMILY,
-    separatrix::FAMILY,
-    flips::FAMILY,
-    shapes::FAMILY,
-    tops::FAMILY,
-    turns::FAMILY,
-    scales::FAMILY,
-    long::FAMILY,
+    rotations::POLES,
+    rotations::THRESHOLD,
+    rotations::SEPARATRIX,
+    rotations::FLIPS,
+    rotations::SHAPES,
+    rotations::TOPS,
+    rotations::TURNS,
+    rotations::SCALES,
+    rotations::LONG,
     torques::FAMILY,
     findings::FAMILY,
     events::FAMILY,
@@ -103,7 +102,7 @@ fn report(p: &Parameters) -> Result<Report> {
     )?;
     sections::add(&mut report, p, &computed)?;
     for family in computed.iter() {
-        family.add(&mut report)?;
+        report.add(family.tables()?)?;
     }
     Ok(report)
 }

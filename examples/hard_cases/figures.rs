@@ -1,22 +1,9 @@
 //! The drawings: a method that breaks, and beside it the form that holds.
 
-use super::forms::Form;
-use super::long::Late;
-use super::motions::{By, Motion};
-use super::naive::{
-    by_arc_cosine, by_momentum, by_trace, guarded, jittered, on_euler_angles, on_quaternion,
-    rates_by_landau, turning_point,
-};
-use super::table::Cell;
-use super::{
-    Parameters, events, findings, flips, impacts, poles, scales, separatrix, shapes, torques,
-};
+use super::naive::*;
+use super::rotations::*;
+use super::*;
 use kit::draw::Marker;
-use kit::prelude::*;
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::exact::free_body::FreeBody;
-use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
-use rotation_dynamics::math::{DoubleDouble, EPS};
 
 /// Below it a logarithmic axis draws an error as this: no double has a smaller one of 1.
 const FLOOR: f64 = 1e-17;
@@ -27,86 +14,54 @@ fn decades(from: i32, to: i32, each: i32) -> impl Iterator<Item = f64> {
     (0..=(to - from) * each).map(move |n| pow(10.0, f64::from(from) + step * f64::from(n)))
 }
 
-/// What breaks and what holds, over one quantity; a pair of errors at each place.
+/// Errors over one quantity, a curve for each method.
+fn errors<const N: usize>(
+    xs: impl IntoIterator<Item = f64>,
+    errors: impl Fn(f64) -> Result<[f64; N]>,
+) -> Result<[Vec<(f64, f64)>; N]> {
+    let mut curves = [const { Vec::new() }; N];
+    for x in xs {
+        for (curve, error) in curves.iter_mut().zip(errors(x)?) {
+            if error.is_finite() {
+                curve.push((x, error.max(FLOOR)));
+            }
+        }
+    }
+    Ok(curves)
+}
+
+/// What breaks and what holds.
 fn pair(
     panel: Panel,
     xs: impl IntoIterator<Item = f64>,
-    errors: impl Fn(f64) -> Result<[f64; 2]>,
+    both: impl Fn(f64) -> Result<[f64; 2]>,
     labels: [&str; 2],
 ) -> Result<Panel> {
-    let (mut wrong, mut held) = (Vec::new(), Vec::new());
-    for x in xs {
-        let [naive, ours] = errors(x)?;
-        if naive.is_finite() {
-            wrong.push((x, naive.max(FLOOR)));
-        }
-        held.push((x, ours.max(FLOOR)));
-    }
-    let wrong = Curve::new(wrong, Ink::Wrong).dashed().label(labels[0]);
+    let [wrong, held] = errors(xs, both)?;
+    let wrong = Curve::new(wrong, Ink::Wrong).dashed();
     let held = Curve::new(held, Ink::Ink).label(labels[1]);
-    Ok(panel.curve(wrong).curve(held))
+    Ok(panel.curve(wrong.label(labels[0])).curve(held))
 }
 
-fn closed(motion: &Motion) -> rotation_dynamics::Result<Attitude> {
-    motion.reached(By::ClosedForm, Form::Quaternion, 0.0)
+/// The errors of an attitude by a naive method, and of the closed form.
+fn ends(motion: &Motion, naive: impl Fn(&Motion) -> Option<Attitude>) -> Result<[f64; 2]> {
+    let closed = motion.in_closed_form()?;
+    Ok([naive(motion), Some(closed)].map(|end| motion.off(end)))
 }
 
-/// 1 - cos x as it stands and as 2 sin^2(x/2): relative errors.
-fn one_less_cosine(x: f64) -> [f64; 2] {
-    let half = DoubleDouble::from(0.5 * x).sin_cos().0;
-    let truth = half.square() * 2.0;
-    let sine = sin(0.5 * x);
-    [1.0 - cos(x), 2.0 * sine * sine].map(|y| ((truth - y) / truth).to_f64().abs())
-}
-
-/// A small tilt by the arc cosine, and by the arc tangent of the library: relative errors.
-fn small_tilt(theta: f64) -> Result<[f64; 2]> {
-    let (phi, zeta) = (0.3, 0.2);
-    let tilted = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
-    let tilts = [by_arc_cosine(tilted).unwrap_or(tilted), tilted].map(|a| a.euler_angles().theta);
-    Ok(tilts.map(|tilt| (tilt / theta - 1.0).abs()))
-}
-
-/// So far from the pole at the start: RK4 on Euler angles, and the closed form.
-fn beside_the_pole(theta: f64) -> Result<[f64; 2]> {
-    let motion = poles::top(poles::tilted(theta)?, [0.1, 0.0, 2.0]);
-    let naive = motion.off(on_euler_angles(&motion, poles::STEPS));
-    Ok([naive, motion.off(Some(closed(&motion)?))])
-}
-
-/// After so many periods of two flips.
-fn after_flips(periods: f64) -> Result<[f64; 2]> {
-    let whole = flips::flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
-    let end = whole.end * periods / flips::PERIODS;
-    let motion = Motion { end, ..whole };
-    let naive = on_quaternion(&motion, (200.0 * periods) as u32);
-    Ok([motion.off(naive), motion.off(Some(closed(&motion)?))])
-}
-
-fn after_periods(periods: f64) -> Result<[f64; 2]> {
-    let late = Late::after(periods, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
-    let reached = [late.modulo, closed(&late.motion)?];
-    Ok(reached.map(|end| late.motion.off(Some(end))))
-}
-
-/// After one flip with this 1 - k^2: the direction of L on the body's axes by Landau's formulas,
-/// and by the closed form.
-fn after_a_flip(complement: f64) -> Result<[f64; 2]> {
-    let motion = separatrix::one_flip(complement)?;
-    let rates = BodyVector::from_array(motion.rates);
-    let exact = FreeBody::new(motion.body()?, motion.attitude, rates)?;
-    let closed = exact.angular_velocity(motion.end).to_array();
-    let naive = rates_by_landau(&motion);
-    Ok([
-        separatrix::off(&motion, naive)?,
-        separatrix::off(&motion, closed)?,
-    ])
+/// The naive error of a case, and its last answer as a part of its bound, times the least bound.
+fn across(Answered(_, (_, naive), answers): Answered) -> Result<[f64; 2]> {
+    let bounds = answers.iter().map(|(_, bound)| *bound);
+    let least = bounds.fold(f64::INFINITY, f64::min);
+    let part = |(answer, bound): &(Solved<f64>, f64)| Some(answer.as_ref().ok()? / bound);
+    let part = answers.last().and_then(part).unwrap_or(f64::NAN);
+    Ok([naive, part * least])
 }
 
 /// A top whose energy is so little above the least: the smaller turning point by the formula for
 /// the roots of a cubic, and by the library. The truth by Newton's method in pairs of doubles.
 fn turning_points(excess: f64) -> Result<[f64; 2]> {
-    let [a, b, c] = [1.5, 1.2, 0.2];
+    let [a, b, c] = NOTES_TOP;
     let top = ReducedTop::new(a, b, c)?;
     let (_, lowest) = top.minimum();
     let energy = lowest + excess * lowest.abs();
@@ -131,19 +86,11 @@ fn turning_points(excess: f64) -> Result<[f64; 2]> {
 
 /// A torque switched on and off.
 fn jumps(panel: Panel) -> Result<Panel> {
-    let mut curves = [const { Vec::new() }; 3];
-    for n in decades(1, 4, 8).map(f64::round) {
-        for (curve, error) in curves.iter_mut().zip(torques::across_jumps(n as u64)?) {
-            curve.push((n, error.max(FLOOR)));
-        }
-    }
-    let [on, rk4, gauss] = curves;
+    let over = decades(1, 4, 8).map(f64::round);
+    let [on, rk4, gauss] = errors(over, |n| Ok(torques::across_jumps(n as u64)?))?;
+    let on = Curve::new(on, Ink::Wrong).dashed();
     Ok(panel
-        .curve(
-            Curve::new(on, Ink::Wrong)
-                .dashed()
-                .label("wrong: RK4 straight on"),
-        )
+        .curve(on.label("wrong: RK4 straight on"))
         .curve(Curve::new(rk4, Ink::RungeKutta).label("RK4 anew"))
         .curve(Curve::new(gauss, Ink::Gauss).label("Gauss–Legendre anew")))
 }
@@ -151,80 +98,25 @@ fn jumps(panel: Panel) -> Result<Panel> {
 /// Two moments this far from equal: the body called symmetric below 1e-6, the first moment
 /// changed by 1e-9, and the closed form.
 fn nearly_symmetric(panel: Panel) -> Result<Panel> {
-    let errors = |apart: f64| {
-        let motion = shapes::free([1.0, 1.0 + apart, 1.7])?;
-        let called = match apart < 1e-6 {
-            true => shapes::free([1.0, 1.0, 1.7])?,
-            false => motion,
-        };
-        Ok::<_, rotation_dynamics::Error>(
-            [
-                closed(&called).ok(),
-                jittered(&motion),
-                closed(&motion).ok(),
-            ]
-            .map(|a| motion.off(a)),
-        )
-    };
-    let mut curves = [const { Vec::new() }; 3];
-    for x in decades(-15, -3, 6) {
-        for (curve, error) in curves.iter_mut().zip(errors(x)?) {
-            curve.push((x, error.max(FLOOR)));
-        }
-    }
-    let [called, jittered, closed] = curves;
+    let [called, jittered, closed] = errors(decades(-15, -3, 6), |apart| {
+        let motion = shaped([1.0, 1.0 + apart, 1.7])?;
+        let equal = shaped([1.0, 1.0, 1.7])?;
+        let called = if apart < 1e-6 { equal } else { motion };
+        let [jittered, closed] = ends(&motion, jittered)?;
+        Ok([motion.off(called.in_closed_form().ok()), jittered, closed])
+    })?;
+    let called = Curve::new(called, Ink::Wrong).dashed();
+    let jittered = Curve::new(jittered, Ink::Wrong).dotted();
     Ok(panel
-        .curve(Curve::new(called, Ink::Wrong).dashed().label_at(
-            "wrong: called equal",
-            2e-13,
-            1e-13,
-            Side::Right,
-        ))
-        .curve(
-            Curve::new(jittered, Ink::Wrong)
-                .dotted()
-                .label("wrong: made unequal"),
-        )
+        .curve(called.label_at("wrong: called equal", 2e-13, 1e-13, Side::Right))
+        .curve(jittered.label("wrong: made unequal"))
         .curve(Curve::new(closed, Ink::Ink).label("closed form")))
-}
-
-/// A needle as thin as this: its rates from L in steps of a millisecond, and the closed form.
-fn needle(thin: f64) -> Result<[f64; 2]> {
-    let motion = Motion {
-        end: 5.0,
-        ..shapes::free([1.0, 1.0, thin])?
-    };
-    let stepped = by_momentum(&motion, 5000);
-    Ok([motion.off(stepped), motion.off(Some(closed(&motion)?))])
-}
-
-/// This far from half a turn: the quaternion from the trace of the matrix, and from the largest
-/// component.
-fn beside_half_a_turn(off: f64) -> Result<[f64; 2]> {
-    let axis = SpaceVector::new(1.0, -2.0, 3.0);
-    let turned = Attitude::about_space_axis(axis, core::f64::consts::PI - off)?;
-    let naive = by_trace(turned).map_or(f64::NAN, |a| a.angle_to(&turned));
-    Ok([naive, Form::Matrix.through(turned)?.angle_to(&turned)])
-}
-
-/// The same motion of a body so large, with 1e-30 added to its moments and without.
-fn guarded_at(moment: f64) -> Result<[f64; 2]> {
-    let motion = scales::scaled(moment, 1.0)?;
-    // Where the guard is less than a rounding, nothing is wrong and nothing drawn.
-    let naive = Some(motion.off(guarded(&motion))).filter(|off| *off > EPS);
-    Ok([
-        naive.unwrap_or(f64::NAN),
-        motion.off(Some(closed(&motion)?)),
-    ])
 }
 
 /// How much a change of the start by so much moves the end, over that change: a body that
 /// turns about its middle axis for 100 s.
 fn condition_by_difference(panel: Panel) -> Result<Panel> {
-    let end = |off: f64| {
-        let motion = findings::off_the_middle(off)?;
-        closed(&motion)
-    };
+    let end = |off: f64| findings::off_the_middle(off)?.in_closed_form();
     let still = end(0.0)?;
     let moved = |off: f64| Ok(end(off)?.angle_to(&still) / off);
     Ok(panel
@@ -234,49 +126,62 @@ fn condition_by_difference(panel: Panel) -> Result<Panel> {
 
 /// What a step of length z over the rate multiplies a spin by, that is braked: RK4 and exact.
 fn factor(panel: Panel) -> Panel {
-    let exact = |z: f64| exp(-z);
-    let rk4 = |z: f64| 1.0 - z * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0)));
+    let over = || times(0.0, 3.2, 80);
+    let rk4 = Curve::of(over(), stability::factor, Ink::Wrong);
     panel
         .level(1.0, Ink::Frame, "")
-        .curve(Curve::of(times(0.0, 3.2, 80), exact, Ink::Ink).label("exact"))
-        .curve(
-            Curve::of(times(0.0, 3.2, 80), rk4, Ink::Wrong)
-                .dashed()
-                .label("RK4"),
-        )
+        .curve(Curve::of(over(), |z| exp(-z), Ink::Ink).label("exact"))
+        .curve(rk4.dashed().label("RK4"))
 }
 
 fn errors_over(x: &str) -> Panel {
     Panel::over_axes(Axis::log(x), Axis::log("error / rad"))
 }
 
+fn parts_over(x: &str) -> Panel {
+    Panel::over_axes(Axis::log(x), Axis::log("relative error").range(FLOOR, 10.0))
+}
+
 figures! { p: &Parameters;
     /// The relative error of 1 - cos x against x, both logarithmic. As it stands it grows as
     /// 1/x^2, to one below 1e-8; written as twice the square of a sine it stays at 1e-16.
-    digits: pair(Panel::over_axes(Axis::log("$x$"), Axis::log("relative error").range(FLOOR, 10.0)),
-        decades(-9, 0, 12), |x| Ok(one_less_cosine(x)),
-        ["wrong: $1-\\cos x$", r"$2\sin^2(x/2)$"])?;
+    digits: pair(parts_over("$x$"), decades(-9, 0, 12), |x| {
+            let truth = DoubleDouble::from(0.5 * x).sin_cos().0.square() * 2.0;
+            let sine = sin(0.5 * x);
+            Ok([1.0 - cos(x), 2.0 * sine * sine].map(|y| ((truth - y) / truth).to_f64().abs()))
+        }, ["wrong: $1-\\cos x$", r"$2\sin^2(x/2)$"])?;
 
     /// The error after 20 s against the distance from the pole at the start, both logarithmic.
     /// The one of RK4 on Euler angles jumps about, up to a thousandth of a radian, and is a rounding
     /// only next to the pole; that of the closed form is one everywhere.
-    poles: pair(errors_over(r"$\theta_0$ / rad"), decades(-10, -1, 4), beside_the_pole,
+    poles: pair(errors_over(r"$\theta_0$ / rad"), decades(-10, -1, 4),
+        |theta| ends(&at_pole(turned(0.3, theta, 0.0)?, [0.1, 0.0, 2.0]), |m| on_euler_angles(m, POLE_STEPS)),
         ["wrong: Euler angles", "closed form"])?;
 
     /// The relative error of a tilt against the tilt, both logarithmic. By an arc cosine it grows
     /// to one at 1e-8 rad; by the arc tangent of two lengths it is a rounding everywhere.
-    tilt: pair(Panel::over_axes(Axis::log(r"$\theta$ / rad"), Axis::log("relative error").range(FLOOR, 10.0)),
-        decades(-9, 0, 12), small_tilt, ["wrong: arc cosine", "arc tangent"])?;
+    tilt: pair(parts_over(r"$\theta$ / rad"), decades(-9, 0, 12), |theta| {
+            let tilted = turned(0.3, theta, 0.2)?;
+            let tilts = [by_arc_cosine(tilted).unwrap_or(tilted), tilted].map(|a| a.euler_angles().theta);
+            Ok(tilts.map(|tilt| (tilt / theta - 1.0).abs()))
+        }, ["wrong: arc cosine", "arc tangent"])?;
 
     /// The error after one flip against 1 - k^2, both logarithmic. By subtraction it grows as one over
     /// 1 - k^2, to one at 1e-16; that of the closed form stays small.
-    separatrix: pair(errors_over("$1-k^2$"), decades(-16, -2, 4), after_a_flip,
-        ["wrong: subtracted", "closed form"])?;
+    separatrix: pair(errors_over("$1-k^2$"), decades(-16, -2, 4), |complement| {
+            // The direction of L on the body's axes.
+            let motion = one_flip(complement)?;
+            let closed = motion.free_body()?.angular_velocity(motion.end).to_array();
+            Ok([momentum_off(&motion, rates_by_landau(&motion))?, momentum_off(&motion, closed)?])
+        }, ["wrong: subtracted", "closed form"])?;
 
     /// The error against the number of periods of two flips, both logarithmic. That of RK4 grows
     /// until it is of order one; that of the closed form stays a rounding.
-    flips: pair(errors_over("periods"), decades(0, 3, 2).map(|n| n + 0.25), after_flips,
-        ["wrong: RK4", "closed form"])?;
+    flips: pair(errors_over("periods"), decades(0, 3, 2).map(|n| n + 0.25), |periods| {
+            let whole = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
+            let motion = whole.until(whole.end * periods / FLIPS_PERIODS);
+            ends(&motion, |m| on_quaternion(m, (200.0 * periods) as u32))
+        }, ["wrong: RK4", "closed form"])?;
 
     /// The error of a turning point against how far the energy is above the least, both logarithmic.
     /// By the formula for the roots of a cubic it grows to 1e-8; by the library it stays small.
@@ -285,8 +190,10 @@ figures! { p: &Parameters;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.
-    late: pair(errors_over("periods"), decades(0, 12, 1), after_periods,
-        ["wrong: $t$ mod $T$", "closed form"])?;
+    late: pair(errors_over("periods"), decades(0, 12, 1), |periods| {
+            let (motion, _, modulo) = late(periods, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
+            ends(&motion, |_| Some(modulo))
+        }, ["wrong: $t$ mod $T$", "closed form"])?;
 
     /// The error against the number of steps through a torque that is switched on and off, both
     /// logarithmic. RK4 is ragged and falls about as one over the number, also where it is started
@@ -301,18 +208,25 @@ figures! { p: &Parameters;
     /// The error after 5 s against the needle's moment along it, both logarithmic. With the rates
     /// from the angular momentum it rises steeply to one and ends where there is no number; that of
     /// the closed form is a rounding.
-    needle: pair(errors_over("$I_3/I_1$"), decades(-9, 0, 4), needle,
+    needle: pair(errors_over("$I_3/I_1$"), decades(-9, 0, 4),
+        |thin| ends(&shaped([1.0, 1.0, thin])?.until(5.0), |m| by_momentum(m, 5000)),
         ["wrong: from $L$", "closed form"])?;
 
     /// The error of a quaternion against how far a rotation is from half a turn, both logarithmic.
     /// From the trace it grows as one over it, to 1e-8, and ends at 1e-8; from the largest component it is a rounding.
-    turns: pair(errors_over("half a turn less this / rad"), decades(-9, 0, 8), beside_half_a_turn,
-        ["wrong: by the trace", "largest component"])?;
+    turns: pair(errors_over("half a turn less this / rad"), decades(-9, 0, 8), |off| {
+            let turned = Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI - off)?;
+            let naive = by_trace(turned).map_or(f64::NAN, |a| a.angle_to(&turned));
+            Ok([naive, MATRIX(turned)?.angle_to(&turned)])
+        }, ["wrong: by the trace", "largest component"])?;
 
     /// The error after 30 rad against the size of the moments, both logarithmic. With 1e-30 added it
     /// falls in proportion above 1e-29, and is of order one below; without, it is a rounding.
-    scales: pair(errors_over("moment / (kg m²)"), decades(-46, 0, 2), guarded_at,
-        ["wrong: guarded", "closed form"])?;
+    scales: pair(errors_over("moment / (kg m²)"), decades(-46, 0, 2), |moment| {
+            // Where the guard is less than a rounding, nothing is wrong and nothing drawn.
+            let [naive, closed] = ends(&scaled(moment, 1.0)?, guarded)?;
+            Ok([if naive > EPS { naive } else { f64::NAN }, closed])
+        }, ["wrong: guarded", "closed form"])?;
 
     /// How much the end moves over how much the start was moved, against the latter, both
     /// logarithmic. For changes below 1e-20 it is level at 1e19; for larger ones it falls in
@@ -323,13 +237,13 @@ figures! { p: &Parameters;
     /// it is from a third of a millimetre to centimetres; with the event located it is a rounding, growing as the graze
     /// gets shallow.
     events: pair(Panel::over_axes(Axis::log("excess speed / (m/s)"), Axis::log("error / m")),
-        decades(-9, -1, 3), events::across_graze, ["wrong: every 0.03 s", "located"])?;
+        decades(-9, -1, 3), |excess| across(events::graze(excess)?), ["wrong: every 0.03 s", "located"])?;
 
     /// The relative error of the speed after an impact against the ratio of the masses, both
     /// logarithmic. From the energy it is smallest for equal masses and reaches one on either side;
     /// by the impulse it is a rounding.
     impacts: pair(Panel::over_axes(Axis::log("mass that hits / mass that is hit"), Axis::log("relative error")),
-        decades(-16, 15, 2).map(|m| 2.0 * m), impacts::errors, ["wrong: from the energy", "impulse"])?;
+        decades(-16, 15, 2).map(|m| 2.0 * m), |mass| across(impacts::hit(mass, 1.0)?), ["wrong: from the energy", "impulse"])?;
 
     /// What a step multiplies a braked spin by, against rate times step. The exact factor falls to
     /// zero; that of RK4 follows it to about one, turns, and crosses one at 2.785.
@@ -349,13 +263,13 @@ fn apart(x: f64) -> f64 {
 
 /// A line for each family: what holds left of one, what breaks right of it.
 fn overview(p: &Parameters) -> Result<Panel> {
-    let computed = super::computed(p)?;
+    let computed = computed(p)?;
     let (mut held, mut naive, mut names) = (Vec::new(), Vec::new(), Vec::new());
     for (i, one) in computed.iter().enumerate() {
         let y = (computed.len() - i) as f64;
         names.push((y, one.family.key));
         for row in &one.rows {
-            let parts = row.cells.iter().filter_map(Cell::part);
+            let parts = row.cells.iter().filter_map(table::Cell::part);
             held.extend(parts.map(|part| (apart(part.max(1e-8)), y)));
             naive.push((apart(row.broken().clamp(1e-8, 1e16)), y));
         }

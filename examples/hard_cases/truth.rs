@@ -5,12 +5,8 @@
 //! sum of products of those before it; no angle, no elliptic function and no method of the
 //! library has a part in it. Of 32 digits a run of a hundred radians leaves about 28.
 
-use rotation_dynamics::Result;
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::State;
-use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::{DoubleDouble as Dd, pow};
+use super::*;
+use rotation_dynamics::math::DoubleDouble as Dd;
 
 const ORDER: usize = 36;
 
@@ -19,6 +15,9 @@ const LEFT: f64 = 1e-32;
 
 /// The coefficients of a series in the time.
 type Series = [Dd; ORDER + 1];
+
+/// Where the rates stand in a place.
+const RATES: [usize; 3] = [4, 5, 6];
 
 /// A body, with a weight on its third axis or none, in units of time in which it turns by
 /// about a radian.
@@ -31,74 +30,59 @@ pub struct Truth {
 }
 
 /// Quaternion, rates and vertical on the body's axes.
-#[derive(Clone)]
-pub struct Place {
-    pub quaternion: [Dd; 4],
-    rates: [Dd; 3],
-    vertical: [Dd; 3],
-}
+#[derive(Clone, Copy)]
+pub struct Place([Dd; 10]);
 
 impl Truth {
     /// For a motion of these moments (kg m^2), weight (N) and lever (m) that begins with these
     /// rates (rad/s).
-    pub fn new(moments: PrincipalMoments, weight: f64, lever: f64, rates: BodyVector) -> Self {
-        let moments = moments.to_array();
+    pub fn new(moments: [f64; 3], [weight, lever]: [f64; 2], rates: [f64; 3]) -> Self {
         let least = moments.iter().copied().fold(f64::INFINITY, f64::min);
         let pulled = (weight * lever.abs() / least).sqrt();
-        let fastest = rates.to_array().iter().fold(pulled, |m, w| m.max(w.abs()));
-        let per_second = power_of_two(fastest);
+        let per_second = power_of_two(rates.iter().fold(pulled, |m, w| m.max(w.abs())));
+        let pull = Dd::product(weight, lever).scaled(1.0 / per_second);
+        let pull = pull.scaled(1.0 / per_second);
         Self {
             moments,
-            pull: Dd::product(weight, lever)
-                .scaled(1.0 / per_second)
-                .scaled(1.0 / per_second),
+            pull,
             per_second,
         }
     }
 
     /// A start.
-    pub fn place(&self, attitude: Attitude, rates: BodyVector) -> Place {
+    pub fn place(&self, attitude: Attitude, rates: [f64; 3]) -> Place {
+        let rates = rates.map(|r| Dd::from(r / self.per_second));
+        Self::placed(attitude, |_| rates)
+    }
+
+    fn placed(attitude: Attitude, rates: impl Fn([Dd; 4]) -> [Dd; 3]) -> Place {
         let q = attitude.quaternion().map(Dd::from);
         let length = q.iter().fold(Dd::ZERO, |sum, c| sum + c.square()).sqrt();
         let [w, x, y, z] = q.map(|c| c / length);
-        Place {
-            quaternion: [w, x, y, z],
-            rates: rates.to_array().map(|r| Dd::from(r / self.per_second)),
-            vertical: [
-                (x * z - w * y) * 2.0,
-                (y * z + w * x) * 2.0,
-                w.square() + z.square() - x.square() - y.square(),
-            ],
-        }
+        let ([p, q, r], g1) = (rates([w, x, y, z]), (x * z - w * y) * 2.0);
+        let g3 = w.square() + z.square() - x.square() - y.square();
+        Place([w, x, y, z, p, q, r, g1, (y * z + w * x) * 2.0, g3])
     }
 
     /// A start given by its angular momentum in space: I^-1 R^T L to all digits.
     pub fn place_of(&self, state: &State) -> Place {
-        let mut place = self.place(state.attitude, BodyVector::zero());
-        let momentum = state.angular_momentum.to_array().map(Dd::from);
-        let [_, x, y, z] = product(
-            product(
-                conjugate(place.quaternion),
-                [Dd::ZERO, momentum[0], momentum[1], momentum[2]],
-            ),
-            place.quaternion,
-        );
+        let [lx, ly, lz] = state.angular_momentum.to_array().map(Dd::from);
         let [i1, i2, i3] = self.moments;
-        place.rates = [x / i1, y / i2, z / i3].map(|rate| rate.scaled(1.0 / self.per_second));
-        place
+        Self::placed(state.attitude, |q| {
+            let [_, x, y, z] = product(product(conjugate(q), [Dd::ZERO, lx, ly, lz]), q);
+            [x / i1, y / i2, z / i3].map(|rate| rate.scaled(1.0 / self.per_second))
+        })
     }
 
     /// Where it is after `t` (s).
     pub fn after(&self, place: &Place, t: Dd) -> Place {
         let mut left = t.scaled(self.per_second);
-        let mut now = place.clone();
+        let mut now = *place;
         while left != 0.0 {
             let series = self.series(&now);
-            let step = reach(&series);
-            let step = if left.abs() <= step {
-                left
-            } else {
-                Dd::from(step.copysign(left.to_f64()))
+            let step = match reach(&series) {
+                step if left.abs() <= step => left,
+                step => Dd::from(step.copysign(left.to_f64())),
             };
             now = sum(&series, step);
             left -= step;
@@ -108,46 +92,32 @@ impl Truth {
 
     /// The attitude at a late time of a free body whose rates have about this period (s): the
     /// rotation of one period, taken to a power.
-    pub fn late(&self, start: &Place, period: f64, t: f64) -> Result<Attitude> {
+    pub fn late(&self, start: &Place, period: f64, t: f64) -> Solved<Attitude> {
         let once = self.after(start, Dd::from(period));
         // The period to all digits, by a step of Newton's method along the path.
-        let slope = self.slope(start);
+        let series = self.series(start);
         let (mut along, mut square) = (Dd::ZERO, Dd::ZERO);
-        for (i, slope) in slope.iter().enumerate() {
-            along += (once.rates[i] - start.rates[i]) * *slope;
+        for i in RATES {
+            let slope = series[i][1];
+            along += (once.0[i] - start.0[i]) * slope;
             square += slope.square();
         }
         let period = Dd::from(period) - (along / square).scaled(1.0 / self.per_second);
         let once = self.after(start, period);
-        let turn = product(once.quaternion, conjugate(start.quaternion));
+        let turn = product(once.quaternion(), conjugate(start.quaternion()));
         let count = (Dd::from(t) / period).round();
         let rest = self.after(start, Dd::from(t) - period * count);
-        let quaternion = product(to_the_power(turn, count), rest.quaternion);
-        Place { quaternion, ..rest }.attitude()
-    }
-
-    /// The rates' own rates.
-    fn slope(&self, place: &Place) -> [Dd; 3] {
-        let series = self.series(place);
-        [4, 5, 6].map(|i| series[i][1])
+        rounded(product(to_the_power(turn, count), rest.quaternion()))
     }
 
     fn series(&self, place: &Place) -> [Series; 10] {
         let [i1, i2, i3] = self.moments;
-        let ratios = [
-            Dd::sum(i2, -i3) / i1,
-            Dd::sum(i3, -i1) / i2,
-            Dd::sum(i1, -i2) / i3,
-        ];
+        let ratios = [(i2, i3, i1), (i3, i1, i2), (i1, i2, i3)];
+        let ratios = ratios.map(|(a, b, over)| Dd::sum(a, -b) / over);
         let pulls = [self.pull / i1, self.pull / -i2];
         let mut y = [[Dd::ZERO; ORDER + 1]; 10];
-        let parts = place
-            .quaternion
-            .iter()
-            .chain(&place.rates)
-            .chain(&place.vertical);
-        for (series, part) in y.iter_mut().zip(parts) {
-            series[0] = *part;
+        for (series, part) in y.iter_mut().zip(place.0) {
+            series[0] = part;
         }
         for n in 0..ORDER {
             let [w, x, yy, z, p, q, r, g1, g2, g3] = &y;
@@ -186,15 +156,24 @@ impl Truth {
 }
 
 impl Place {
-    /// The attitude, rounded once.
-    pub fn attitude(&self) -> Result<Attitude> {
-        Attitude::from_quaternion(self.quaternion.map(Dd::to_f64))
+    fn quaternion(&self) -> [Dd; 4] {
+        let [w, x, y, z, ..] = self.0;
+        [w, x, y, z]
+    }
+
+    pub fn attitude(&self) -> Solved<Attitude> {
+        rounded(self.quaternion())
     }
 
     /// The rates on the body's axes, in the units of the truth.
     pub fn rates(&self) -> [f64; 3] {
-        self.rates.map(Dd::to_f64)
+        RATES.map(|i| self.0[i].to_f64())
     }
+}
+
+/// The attitude, rounded once.
+fn rounded(quaternion: [Dd; 4]) -> Solved<Attitude> {
+    Attitude::from_quaternion(quaternion.map(Dd::to_f64))
 }
 
 /// The power of two just below a number, the least normal one at least; 1 for 0.
@@ -216,12 +195,8 @@ fn reach(series: &[Series; 10]) -> f64 {
 }
 
 fn sum(series: &[Series; 10], h: Dd) -> Place {
-    let at = |i: usize| series[i].iter().rev().fold(Dd::ZERO, |sum, c| sum * h + *c);
-    Place {
-        quaternion: [0, 1, 2, 3].map(at),
-        rates: [4, 5, 6].map(at),
-        vertical: [7, 8, 9].map(at),
-    }
+    let at = |s: &Series| s.iter().rev().fold(Dd::ZERO, |sum, c| sum * h + *c);
+    Place(series.each_ref().map(at))
 }
 
 fn conjugate([w, x, y, z]: [Dd; 4]) -> [Dd; 4] {
