@@ -49,13 +49,10 @@ fn ends(motion: &Motion, naive: impl Fn(&Motion) -> Option<Attitude>) -> Result<
     Ok([naive(motion), Some(closed)].map(|end| motion.off(end)))
 }
 
-/// The naive error of a case, and its last answer as a part of its bound, times the least bound.
+/// The naive error of a case, and that of its last answer.
 fn across(Answered(_, (_, naive), answers): Answered) -> Result<[f64; 2]> {
-    let bounds = answers.iter().map(|(_, bound)| *bound);
-    let least = bounds.fold(f64::INFINITY, f64::min);
-    let part = |(answer, bound): &(Solved<f64>, f64)| Some(answer.as_ref().ok()? / bound);
-    let part = answers.last().and_then(part).unwrap_or(f64::NAN);
-    Ok([naive, part * least])
+    let last = answers.last().and_then(|(answer, _)| answer.as_ref().ok());
+    Ok([naive, last.copied().unwrap_or(f64::NAN)])
 }
 
 /// A top whose energy is so little above the least: the smaller turning point by the formula for
