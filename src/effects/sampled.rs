@@ -17,8 +17,9 @@ use crate::math::EPS;
 /// in each of its runs, and once at the start: a run that starts between two samples holds what the
 /// law says there until the next sample. Between samples the torque is smooth whatever the law
 /// does: it may saturate, round or look things up. Where a sample falls beside a step of a law that
-/// rounds, two runs may round apart, and finer ones follow. A law that
-/// remembers more than its command, an integral or a filter, is an effect and a [`Law`] of its own. There is no way back in time.
+/// rounds, two runs may round apart, and finer ones follow. A law that remembers more than its
+/// command, an integral or a filter, is an effect and a [`Law`] of its own. There is no way back in
+/// time.
 ///
 /// As an [`Effect`] it is the law as if it were called just there; an integrator that is used by itself
 /// sees that.
@@ -40,6 +41,13 @@ use crate::math::EPS;
 /// // Every sample takes the part 0.4 dt/I of the rate.
 /// let left = 2.0 * (1.0_f64 - 0.4 * 0.1 / 0.5).powi(50);
 /// assert!((body.angular_velocity(&end).z() - left).abs() < 1e-9);
+/// // A wheel that gives no more than 0.3 N m is cut inside the law: at this rate, in every sample.
+/// let weak = Torque::on_body("weak brake", |_t, body, state| {
+///     let rate = body.angular_velocity(state).z();
+///     BodyVector::new(0.0, 0.0, (-0.4 * rate).clamp(-0.3, 0.3))
+/// });
+/// let end = Scene::new(body).with(weak.sampled(0.1)?).solve(&start, 1.0, 1e-9)?.state;
+/// assert!((body.angular_velocity(&end).z() - (2.0 - 0.3 / 0.5)).abs() < 1e-9);
 /// # Ok(())
 /// # }
 /// ```

@@ -21,8 +21,8 @@ type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 /// [`smooth`](Torque::smooth) if they are. If both drive the signal back to zero, the motion slides
 /// along it, no law says by which torque, and [`Error::Sliding`](crate::Error::Sliding) names it.
 ///
-/// A thruster with a dead zone is two of these, one for each side; without hysteresis its motion often
-/// slides. Hysteresis is a [`Law`] of one's own, or the law is [sampled](Torque::sampled).
+/// A thruster with a dead zone is two of these, one for each side; one that also brakes often makes its
+/// motion slide without hysteresis. Hysteresis is a [`Law`] of one's own, or the law is [sampled](Torque::sampled).
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -41,6 +41,19 @@ type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 /// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 1.0))?;
 /// let end = Scene::new(body).with(motor).solve(&start, 9.0, 1e-9)?.state;
 /// assert!((body.angular_velocity(&end).z() - 2.0).abs() < 1e-12);
+///
+/// // Three levels are two of these: thrusters that push back beyond 0.1 to either side of the middle,
+/// // and rest in between. There the body drifts; it comes back as fast as it came.
+/// let push = |size| Torque::on_body("push", move |_, _, _| BodyVector::new(0.0, 0.0, size)).smooth();
+/// let aside = |state: &State| state.attitude.quaternion()[3];
+/// let over = move |_t: f64, _: &RigidBody, state: &State| 0.1 - aside(state);
+/// let under = move |_t: f64, _: &RigidBody, state: &State| 0.1 + aside(state);
+/// let thrusters = Scene::new(body)
+///     .with(Switched::new("back", over, push(-1.0), push(0.0)))
+///     .with(Switched::new("forth", under, push(1.0), push(0.0)));
+/// let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.3))?;
+/// let end = thrusters.solve(&start, 1.5, 1e-9)?.state;
+/// assert!((body.angular_velocity(&end).z() + 0.3).abs() < 1e-9);
 /// # Ok(())
 /// # }
 /// ```
