@@ -1,7 +1,7 @@
 //! A share of each attack: none that is granted exceeds its request.
 
 use benches::attack::hostile::{self, CAUGHT_PULSES, QUICKEST_PULSE, unnamed_pulse};
-use benches::attack::{Attacked, attacked, held, kinked, largest, resisted};
+use benches::attack::{Attacked, attacked, held, kinked, largest, laws, resisted};
 use std::ops::RangeInclusive;
 
 /// How many are granted, and refused, and the range in which the largest error lies, as a part of its
@@ -39,6 +39,13 @@ fn nothing_that_resists_breaks_the_promise() {
 fn kinks_without_a_name_break_no_promise() {
     let attacked = attacked(0..240, kinked::KINDS, kinked::case).expect("sound scenes");
     hold(&attacked, [457, 23], 0.20..=0.21);
+}
+
+/// Tables, sampled, saturated and switched laws.
+#[test]
+fn no_control_breaks_the_promise() {
+    let attacked = attacked(0..240, laws::KINDS, laws::case).expect("sound scenes");
+    hold(&attacked, [454, 26], 0.076..=0.077);
 }
 
 /// The pulses of millions of steps; all others, and the quickest of these, are tried by the test of
