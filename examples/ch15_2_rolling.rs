@@ -283,8 +283,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let exact = cycle_turned(p, spin, circuit)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let run = move |step| cycle_carried(&wheel, circuit, step);
-    report.controlled(
-        "DOP853, error of a step",
+    report.stepped(
         asked,
         run,
         |run| run.1,

@@ -6,7 +6,7 @@ mod figures;
 pub mod strike;
 
 use kit::interval::from_to;
-use kit::{ClosedForm, Report, Result};
+use kit::{Report, Result};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
@@ -99,7 +99,7 @@ fn report(p: &Parameters) -> Result<Report> {
     report.controlled("contacts by DOP853", asked, run, Blow::work, move |blow| {
         Ok(largest([error(blow)?]))
     })?;
-    report.set_closed_form(ClosedForm::new(move |part| Ok(part * turned)));
+    report.in_closed_form(move |part| part * turned);
     Ok(report)
 }
 

@@ -6,13 +6,11 @@ mod figures;
 pub mod string;
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use kit::driven_in_air;
 use kit::interval::above_to;
 use kit::prelude::*;
+use kit::{driven_in_air, taken_by_air};
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{after, ode, size_or};
 use rotation_dynamics::planar::Run;
-use rotation_dynamics::planar::contact::QuadraticDrag;
 use string::{Disc, Leaves, long_string};
 
 parameters! {
@@ -52,12 +50,11 @@ pub struct Answer {
 
 impl Answer {
     pub fn new(p: &Parameters) -> Self {
-        let acceleration = p.gravity / (1.0 + p.shape);
-        let tension = p.mass * p.gravity * p.shape / (1.0 + p.shape);
+        let (part, radius) = (p.gravity / (1.0 + p.shape), p.radius);
         Self {
-            acceleration,
-            tension,
-            radius: p.radius,
+            acceleration: part,
+            tension: p.mass * p.gravity * p.shape / (1.0 + p.shape),
+            radius,
         }
     }
     pub fn velocity(&self, t: f64) -> f64 {
@@ -79,21 +76,14 @@ const LEAST: f64 = 0.5;
 /// The disc in units of its radius, and of its mass and g.
 pub fn disc(p: &Parameters) -> Result<Disc> {
     let (wound, free) = (p.wound / p.radius, p.free / p.radius);
-    let turns =
-        from_to(LEAST, 1e6).because("with less string it is not wound up again on the other side");
-    turns.check("wound/radius", wound)?;
-    let hangs = above_to(1.0, 1e6).because("at 1 the disc touches the roof");
-    hangs.check("free/radius", free)?;
-    let all = Answer::new(p).unwound(p.wound);
-    let falls = from_to(0.0, all).because("then no string is left to unwind");
-    falls.check("time", p.time)?;
-    let spreads = from_to(1e-3, 1e3).because("all mass near the axis falls, far from it hangs");
-    spreads.check("shape", p.shape)?;
-    Ok(Disc {
-        shape: p.shape,
-        wound,
-        free,
-    })
+    let shape = p.shape;
+    allowed! {
+        "wound/radius": wound, from_to(LEAST, 1e6), "with less string it is not wound up again on the other side";
+        "free/radius": free, above_to(1.0, 1e6), "at 1 the disc touches the roof";
+        "time": p.time, from_to(0.0, Answer::new(p).unwound(p.wound)), "then no string is left to unwind";
+        "shape": shape, from_to(1e-3, 1e3), "all mass near the axis falls, far from it hangs";
+    }?;
+    Ok(Disc { shape, wound, free })
 }
 
 /// The largest tension over the weight if the string is so long that it stays vertical.
@@ -191,15 +181,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// A hoop, a weight with a thread, and turns over the knot with nothing sideways or no gravity.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
-    let (gravity, rest) = (1.0, Parameters::default());
-    let over_g = |shape| {
-        let other = Parameters {
-            shape,
-            gravity,
-            ..rest
-        };
-        Answer::new(&other).acceleration
-    };
+    let rest = Parameters::default();
+    let over_g =
+        |shape| Answer::new(&rest.but(|p| (p.shape, p.gravity) = (shape, 1.0))).acceleration;
     let shape = 0.5;
     let disc = |wound, free| Disc { shape, wound, free };
     let (long, fast) = (disc(5.0, 1e6), disc(1e6, 2e6));
@@ -229,12 +213,13 @@ fn width(p: &Parameters) -> f64 {
 
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(coefficient) = p.air else {
-        return Ok(());
-    };
+    let Some(drag) = p.air else { return Ok(()) };
     let (a, inertia) = (Answer::new(p).acceleration, p.mass * (1.0 + p.shape));
-    let drag = QuadraticDrag::in_air(1.204, coefficient, 2.0 * p.radius * width(p))?;
-    driven_in_air(report, drag, [a, inertia, p.wound])
+    driven_in_air(
+        report,
+        [drag, 2.0 * p.radius * width(p)],
+        [a, inertia, p.wound],
+    )
 }
 
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.
@@ -256,15 +241,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let last = a.velocity(a.unwound(p.wound));
     let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;
-    // The square of the speed on the way down, over that without air.
-    let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]).scaled(size_or([1.0; 1]));
-    let blown = air * after(1.0, &law, &[0.0], 1e-12)?[0];
     effect_card! { report,
         "stretch of the string, at the turn": "T_max l/(R E A)" = jerked, costs spared, "of T_max";
         "thickness of the string": "d/(2 R)" = thick, costs 2.0 * thick * k / (1.0 + k), "of a";
         "mass of the string": "m/M" = string, costs string * (1.0 - k).abs() / (1.0 + k), "of a, at the start";
         "stretch of the string, in the fall": "T/(E A)" = hangs, costs hangs, "of the way";
-        "air drag, at the end": "rho C S v^2/(2 M g)" = air, costs air, "of a, at the end", measured blown;
+        "air drag, at the end": "rho C S v^2/(2 M g)" = air, costs air, "of a, at the end", measured taken_by_air(air)?;
     }
 }
 
@@ -273,23 +255,16 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (d, a, end) = (disc(p)?, Answer::new(p), Answer::new(p).unwound(p.wound));
     let [_, _, climb, _] = d.by_angles(1e-15)?;
     let error = move |run: &Run<Leaves, 6>| {
-        let last = run
-            .transitions()
-            .last()
-            .map_or(run.pieces()[0].solution.end_state(), |event| &event.before);
+        let (last, start) = (
+            run.transitions().last(),
+            run.pieces()[0].solution.end_state(),
+        );
+        let last = last.map_or(start, |event| &event.before);
         Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
     };
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>([a.velocity(part * end), a.angular_velocity(part * end)])
-    }));
+    report.in_closed_form(move |part| [a.velocity(part * end), a.angular_velocity(part * end)]);
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    report.controlled(
-        "DOP853, error of a step",
-        asked,
-        move |step| d.run(step),
-        Run::work,
-        error,
-    )
+    report.stepped(asked, move |step| d.run(step), Run::work, error)
 }
 
 example! {

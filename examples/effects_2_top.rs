@@ -387,7 +387,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let error = move |(t, _): &(f64, Work)| Ok((t / exact - 1.0).abs());
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
-    report.controlled("DOP853, error of a step", asked, grips, |run| run.1, error)
+    report.stepped(asked, grips, |run| run.1, error)
 }
 
 example! {

@@ -593,7 +593,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
     report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(motion.rate())));
     let error = move |(back, _): &(LocatedEvent<9>, Work)| Ok((back.t / period - 1.0).abs());
-    report.controlled("DOP853, error of a step", asked, back, |run| run.1, error)
+    report.stepped(asked, back, |run| run.1, error)
 }
 
 /// Both losses to the end: where the slow law gives up, and what the disc does instead.

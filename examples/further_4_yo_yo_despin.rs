@@ -307,13 +307,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     }));
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let error = move |run: &Run<Hangs, 4>| Ok(run.transition("outward")?.before[2] - last);
-    report.controlled(
-        "DOP853, error of a step",
-        asked,
-        move |step| yoyo.run(step),
-        Run::work,
-        error,
-    )
+    report.stepped(asked, move |step| yoyo.run(step), Run::work, error)
 }
 
 /// Strings with a spring and without, both made for the spin that is wanted, for other spins

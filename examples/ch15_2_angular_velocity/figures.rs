@@ -127,10 +127,14 @@ fn disc() -> Result<Figure> {
         .arrow(o, flat(O_PRIME), Ink::Frame, "$a$", Side::Below)
         .arrow(o, flat(A), Ink::Frame, "$r$", Side::Above)
         .arrow(flat(O_PRIME), flat(A), Ink::Frame, "$r'$", Side::BelowRight)
-        .arrow_along([flat(O_PRIME), flat(O_PRIME + of_o)], Ink::Ink)
-        .text(flat(O_PRIME + of_o), "$V_{O'}$", Ink::Ink, Side::Right)
-        .arrow_along([flat(A), flat(A + of_a)], Ink::Ink)
-        .text(flat(A + of_a), "$V_A$", Ink::Ink, Side::AboveLeft)
+        .arrow_to(
+            flat(O_PRIME),
+            flat(O_PRIME + of_o),
+            Ink::Ink,
+            "$V_{O'}$",
+            Side::Right,
+        )
+        .arrow_to(flat(A), flat(A + of_a), Ink::Ink, "$V_A$", Side::AboveLeft)
         .curve(
             Curve::new([flat(A), flat(A + of_o)], Ink::Ink)
                 .thin()

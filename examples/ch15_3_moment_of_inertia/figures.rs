@@ -197,9 +197,7 @@ fn two_axes(sketch: Sketch, at: (f64, f64), angle: f64, length: f64, names: [&st
         .into_iter()
         .fold(sketch, |sketch, (angle, name, side)| {
             let end = sum(at, polar(length, angle));
-            sketch
-                .arrow_along([at, end], Ink::Ink)
-                .text(end, name, Ink::Ink, side)
+            sketch.arrow_to(at, end, Ink::Ink, name, side)
         })
 }
 

@@ -213,6 +213,20 @@ impl Sketch {
             .text(middle, label, ink, side)
     }
 
+    /// Adds an arrow with a label beside its tip.
+    #[must_use]
+    pub fn arrow_to(
+        self,
+        from: (f64, f64),
+        tip: (f64, f64),
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.arrow_along([from, tip], ink)
+            .text(tip, label, ink, side)
+    }
+
     /// Adds an arrow along a curve.
     #[must_use]
     pub fn arrow_along(mut self, points: impl IntoIterator<Item = (f64, f64)>, ink: Ink) -> Self {
