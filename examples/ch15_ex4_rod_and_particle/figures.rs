@@ -19,8 +19,7 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
         .dot((0.0, 0.0), Ink::Body, "middle", Side::Left)
         .disc((-0.75, -0.5), 0.045, Ink::Ink, 0.8)
         .text((-0.75, -0.45), "$M$", Ink::Ink, Side::Above)
-        .arrow_along([(-0.68, -0.5), (-0.3, -0.5)], Ink::Ink)
-        .text((-0.3, -0.5), "$v$", Ink::Ink, Side::Below)
+        .arrow_to((-0.68, -0.5), (-0.3, -0.5), Ink::Ink, "$v$", Side::Below)
         .text((0.0, 0.5), "$M$", Ink::Body, Side::Above)
         .dimension((0.5, -0.5), (0.5, 0.5), "$l$", Side::Right);
 
@@ -31,7 +30,7 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
     velocities: {
         let tip = |place: f64| (0.8 * a.after(place), place);
         let arrow = |sketch: Sketch, (place, label, side): (f64, &str, Side)| {
-            sketch.arrow_along([(0.0, place), tip(place)], Ink::Ink).text(tip(place), label, Ink::Ink, side)
+            sketch.arrow_to((0.0, place), tip(place), Ink::Ink, label, side)
         };
         let sketch = Sketch::within((-0.95, 1.25), (-0.68, 0.62))
             .bar((0.0, -0.5), (0.0, 0.5), 0.04, Ink::Body)
@@ -118,10 +117,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let stills = [0.7 * from, 0.12 * to, 0.55 * to];
     MovingPicture::above(graph, from..=to, stills, move |t| {
         let (state, hit) = (blow.at(t)?, t >= 0.0);
+        let way = ["left", "right"][usize::from(right)];
         let (does, when) = match hit {
-            true if right => ("Rod and particle drift to the right and turn,", "after"),
-            true => ("Rod and particle drift to the left and turn,", "after"),
-            false => ("The particle comes towards the rod,", "before"),
+            true => (
+                format!("Rod and particle drift to the {way} and turn,"),
+                "after",
+            ),
+            false => ("The particle comes towards the rod,".into(), "before"),
         };
         let alt = format!(
             "{does} {:.2} s {when} the impact. Below, momentum and angular momentum about the centre of \
@@ -139,10 +141,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         if hit {
             let trail = times(0.0, t, 120).map(|t| a.at(t, 0.5 * l));
             let turned = state.q[2] - FRAC_PI_2;
+            let ahead = (turned + sense * 0.3, turned + sense * 1.4);
             scene = scene.curve(Curve::new(trail, Ink::Body)).turn(
                 (x, y),
                 0.3 * l,
-                (turned + sense * 0.3, turned + sense * 1.4),
+                ahead,
                 Ink::Velocity,
             );
         }
