@@ -59,10 +59,8 @@ impl Cone {
     pub fn sums(&self, at: impl Fn(f64) -> Result<Attitude>, h: f64) -> Result<Sums> {
         const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0]; // over 60 h
         const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0]; // over 180 h^2
-        let attitudes: Vec<Attitude> = (-3..=3)
-            .map(|k| at(f64::from(k) * h))
-            .collect::<Result<_>>()?;
-        let zero = SpaceVector::zero();
+        let attitudes: Result<Vec<Attitude>> = (-3..=3).map(|k| at(f64::from(k) * h)).collect();
+        let (attitudes, zero) = (attitudes?, SpaceVector::zero());
         let mut sums = Sums {
             angular_momentum: zero,
             kinetic_energy: 0.0,
@@ -74,11 +72,8 @@ impl Cone {
             let places: Vec<SpaceVector> = places.collect();
             let sum =
                 |weights: [f64; 7]| (0..7).map(|k| places[k] * weights[k]).sum::<SpaceVector>();
-            let (r, v, a) = (
-                places[3],
-                sum(FIRST) / (60.0 * h),
-                sum(SECOND) / (180.0 * h * h),
-            );
+            let (r, v) = (places[3], sum(FIRST) / (60.0 * h));
+            let a = sum(SECOND) / (180.0 * h * h);
             sums.angular_momentum += r.cross(&v) * mass;
             sums.kinetic_energy += 0.5 * mass * v.dot(&v);
             sums.force += a * mass;
@@ -120,14 +115,10 @@ pub fn left_to_itself(
 }
 
 /// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned
-/// about itself by `spin` since.
-pub fn placed(rise: f64, azimuth: f64, spin: f64) -> rotation_dynamics::Result<Attitude> {
+/// about itself by `zeta` since.
+pub fn placed(rise: f64, azimuth: f64, zeta: f64) -> Result<Attitude> {
     let (phi, theta) = (azimuth + FRAC_PI_2, FRAC_PI_2 - rise);
-    Attitude::from_euler(EulerAngles {
-        phi,
-        theta,
-        zeta: spin,
-    })
+    Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
 
 /// The level direction at this azimuth.
@@ -143,9 +134,8 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
     let sliding = |spin: f64| -> Result<f64> {
         let point = placed(rise, 0.0, 0.0)?.to_body(contact);
         let h = 1e-3 / (rate + spin);
-        let at = |t: f64| {
-            Ok::<_, rotation_dynamics::Error>(placed(rise, rate * t, spin * t)?.to_space(point).y())
-        };
+        let at =
+            |t: f64| -> Result<f64> { Ok(placed(rise, rate * t, spin * t)?.to_space(point).y()) };
         Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
     };
     let (still, turned) = (sliding(0.0)?, sliding(rate)?);
@@ -157,12 +147,13 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
 pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitude) -> View {
     let (axis, radius) = (attitude.axis(), tan(half_angle));
     let place = |x: f64, z: f64| vertex + attitude.to_space(BodyVector::new(x, 0.0, z));
-    let stripe = [
-        place(0.0, 0.0),
-        place(1.02 * radius, 1.0),
-        place(1.02 * radius, 1.005),
-        place(0.0, 1.005),
+    let outward = [
+        (0.0, 0.0),
+        (1.02 * radius, 1.0),
+        (1.02 * radius, 1.005),
+        (0.0, 1.005),
     ];
+    let stripe = outward.map(|(x, z)| place(x, z));
     view.solid(Solid::cone(vertex + axis, vertex, radius), Ink::Body)
         .line(stripe, Ink::Ink)
 }

@@ -11,15 +11,14 @@ use support::{EPS, Errors};
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("omega", -3.547_833_630_058_67),
         ("l_rho", -0.089_755_429_562_472_2),
         ("l_up", 0.131_291_554_321_4),
         ("energy", 0.159_218_665_741_05),
         ("omega_tip", 6.231_600_004_822_99),
         ("turns", 2.567_932_455_547_78),
-    ];
-    errors_of(&EXAMPLE, instances).attain(3.6e1..=3.7e1, 6);
+    ]).attain(3.6e1..=3.7e1, 6);
 }
 
 #[test]
@@ -32,15 +31,14 @@ fn formulas_and_particles_agree_for_every_cone() {
 
 #[test]
 fn what_cannot_roll_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--half-angle=0", "half_angle = 0 is not allowed"),
         ("--half-angle=1.6", "from 0.001 to 1.5698"),
         ("--rate=7 --friction=2", "beyond which the cone tips, = 7 is not allowed"),
         ("--rate=5", "beyond which the cone slips, = 5 is not allowed"),
         ("--rate=0", "rate = 0 is not allowed"),
         ("--mass=nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The particles have the mass, the centre and the moments about the vertex of the library's
