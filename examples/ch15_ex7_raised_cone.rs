@@ -7,7 +7,6 @@ mod figures;
 
 use cone::{Cone, Sums, UP, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
-use kit::interval::between;
 use kit::prelude::*;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
@@ -95,10 +94,9 @@ pub fn without_table(
     n: f64,
 ) -> Result<(Scene<impl Effect + Clone + Send + Sync + 'static>, State)> {
     let (a, h, i) = (p.half_angle, p.height, p.mass * p.height * p.height);
-    let moments = PrincipalMoments::symmetric(
-        0.6 * i * (1.0 + 0.25 * tan(a) * tan(a)),
-        0.3 * i * tan(a) * tan(a),
-    )?;
+    let own = 0.3 * i * tan(a) * tan(a);
+    let across = 0.6 * i * (1.0 + 0.25 * tan(a) * tan(a));
+    let moments = PrincipalMoments::symmetric(across, own)?;
     // N at the rim, at the distance h, and the weight at 3 h/4; taken together, since they all
     // but cancel if the cone is slender.
     let lever = h * (n - 0.75 * p.mass * p.gravity);
@@ -135,18 +133,16 @@ fn asked(p: &Parameters) -> f64 {
 /// How high the axis points in the end, rad, with that force in place of the table.
 pub fn rises(p: &Parameters, n: f64) -> Result<f64> {
     let (scene, start) = without_table(p, n)?;
-    let axis = scene
-        .solve(&start, followed(p), asked(p))?
-        .state
-        .attitude
-        .axis();
+    let solved = scene.solve(&start, followed(p), asked(p))?;
+    let axis = solved.state.attitude.axis();
     Ok(atan2(axis.z(), hypot(axis.x(), axis.y())))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
-    let rates = from_to(1e-3, 1e3).because("the weight or the turning is lost beside the other");
-    rates.check("h Omega^2/g", h * rate * rate / p.gravity)?;
+    allowed! {
+        "h Omega^2/g": h * rate * rate / p.gravity, from_to(1e-3, 1e3), "the weight or the turning is lost beside the other";
+    }?;
     let (s, c, unit, weight) = (sin(a), cos(a), m * h * h * rate, m * p.gravity);
     let ([along, up], [rho, vertical]) = (angular_velocity(a), angular_momentum(a));
     let (w, energy) = (h * rate * rate / p.gravity, unit * rate * kinetic_energy(a));
@@ -223,8 +219,9 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(density) = p.air else { return Ok(()) };
     let strips = body(p).air(0.0, density);
     let lost = -expm1(-2.0 * TAU * strips / inertia);
-    let goes_on = between(0.0, 0.9).because("it would stop within a circuit");
-    goes_on.check("part of the energy that the air takes in a circuit", lost)?;
+    allowed! {
+        "part of the energy that the air takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
+    }?;
     let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
     claims! { report,
         /// in air: rate after a circuit
