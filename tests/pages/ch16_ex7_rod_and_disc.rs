@@ -20,38 +20,19 @@ fn the_reference_case_is_met() {
 
 #[test]
 fn other_pendulums_are_confirmed() {
-    let runs = [
-        "--radius=0.9",
-        "--radius=1.5",
-        "--radius=1.5 --friction=0.5",
-        "--radius=0.001",
-        "--rod=20",
-        "--disc=1e-3",
-        "--length=0.05 --radius=0.05",
-        "--gravity=1.62",
-        "--release=0.001",
-        "--release=3.1 --tolerance=1e-15",
-        "--release=3.1 --tolerance=1e-7",
-        "--release=3.14159",
-        "--release=3.14159265",
-        "--friction=0.002",
-        "--friction=5",
-        "--friction=1e4",
-        "--tolerance=1e-3",
-        "--release=-1",
-        "--release=-3.1 --tolerance=1e-15",
-        "--release=1e-6",
-        "--radius=3",
-        "--radius=30",
-        "--radius=1e-5",
-        "--friction=0",
-    ];
-    confirmed(&EXAMPLE, runs, 24);
+    confirmed(&EXAMPLE, [
+        "--radius=0.9", "--radius=1.5", "--radius=1.5 --friction=0.5", "--radius=0.001", "--rod=20",
+        "--disc=1e-3", "--length=0.05 --radius=0.05", "--gravity=1.62", "--release=0.001",
+        "--release=3.1 --tolerance=1e-15", "--release=3.1 --tolerance=1e-7", "--release=3.14159",
+        "--release=3.14159265", "--friction=0.002", "--friction=5", "--friction=1e4",
+        "--tolerance=1e-3", "--release=-1", "--release=-3.1 --tolerance=1e-15", "--release=1e-6",
+        "--radius=3", "--radius=30", "--radius=1e-5", "--friction=0",
+    ], 24);
 }
 
 #[test]
 fn what_is_no_such_pendulum_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--length=-1", "length = -1 is not allowed"),
         ("--rod=0", "rod = 0 is not allowed"),
         ("--disc=NaN", "disc"),
@@ -60,8 +41,7 @@ fn what_is_no_such_pendulum_is_refused() {
         ("--radius=0", "radius = 0 is not allowed"),
         ("--release=0", "smaller swings are small swings"),
         ("--release=3.1415926535", "released upright it stays there"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Nothing turns a disc on a smooth axle, and how it turns does not matter to the rod: the
