@@ -241,10 +241,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // speed of the base.
     let (side, speed) = (h * h * tan(a), h * rate);
     let air = 0.4 * 0.5 * 1.204 * side * speed * speed * TAU * h / energy;
-    let (turning, strips) = (
-        [2.0 * energy / (rate * rate), rate],
-        body(p).air(0.0, 1.204),
-    );
+    let turning = [2.0 * energy / (rate * rate), rate];
+    let strips = body(p).air(0.0, 1.204);
     // Slower, it also presses less.
     let pressed = |rate: f64| bears(h * rate * rate / p.gravity);
     let (rolled, its_work) = left_to_itself(rolling, turning, pressed)?;

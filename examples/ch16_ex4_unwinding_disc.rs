@@ -255,10 +255,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (d, a, end) = (disc(p)?, Answer::new(p), Answer::new(p).unwound(p.wound));
     let [_, _, climb, _] = d.by_angles(1e-15)?;
     let error = move |run: &Run<Leaves, 6>| {
-        let (last, start) = (
-            run.transitions().last(),
-            run.pieces()[0].solution.end_state(),
-        );
+        let last = run.transitions().last();
+        let start = run.pieces()[0].solution.end_state();
         let last = last.map_or(start, |event| &event.before);
         Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
     };

@@ -206,10 +206,8 @@ fn assembled(p: &Parameters, far: f64) -> Result<[f64; 2]> {
     let both =
         MassProperties::of_parts(&[rod, MassProperties::of_points(&[(p.disc, down(far))])?])?;
     let disc = solids::disc(p.disc, p.radius)?.about_centre_of_mass();
-    let (own, carried) = (
-        disc.matrix()[2][2],
-        both.about(DesignVector::zero())?.matrix()[0][0],
-    );
+    let own = disc.matrix()[2][2];
+    let carried = both.about(DesignVector::zero())?.matrix()[0][0];
     Ok([carried + own, carried])
 }
 
@@ -362,11 +360,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         let m = Moments::new(q)?;
         Ok(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
     };
-    let (light, point, wheel) = (
-        with(1.0, 1e-6, 0.2),
-        with(1.0, 1.0, 1e-3),
-        with(1e-9, 1.0, 1e-3),
-    );
+    let light = with(1.0, 1e-6, 0.2);
+    let point = with(1.0, 1.0, 1e-3);
+    let wheel = with(1e-9, 1.0, 1e-3);
     let high = 2.0 * PI * swing(&point, PI - 1e-4, 0.0)? / swing(&point, 0.0, 0.0)?;
     let [loose, tight] = [1e-4, 1e4].map(|drag| Between::new(0.02, drag));
     limits! { report,

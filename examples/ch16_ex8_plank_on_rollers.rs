@@ -258,10 +258,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (period, widest, carried) = (TAU / swing, v / swing, held(p));
     // Simulations have errors in units of the distance: of small motions they are larger.
     let [wide, far] = [widest, p.offset.abs()].map(|size| exact * (1.0 + 0.01 * a / size));
-    let (ride, apart) = (
-        released(p, 1.0, span(p))?,
-        released(p, -1.0, 1e3 * span(p))?,
-    );
+    let ride = released(p, 1.0, span(p))?;
+    let apart = released(p, -1.0, 1e3 * span(p))?;
     let (zero, top) = quarter(p)?;
     let small = from(p, 0.05 * lift(p, 1.0).min(v / growth));
     let grown = released(&small, -1.0, 3.0 / growth)?.at(3.0 / growth)?.q[0] / small.offset;

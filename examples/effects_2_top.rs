@@ -264,14 +264,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [fallen, fallen_again] = at("falls")?;
     let least = p.least_spin();
     // Between two spins of the sleep.
-    let (early, late) = (
-        life.event("unstable")?.t * 0.5,
-        life.event("unstable")?.t * 0.9,
-    );
-    let (fast, slow) = (
-        life.configuration(early)?.spin(),
-        life.configuration(late)?.spin(),
-    );
+    let early = life.event("unstable")?.t * 0.5;
+    let late = life.event("unstable")?.t * 0.9;
+    let fast = life.configuration(early)?.spin();
+    let slow = life.configuration(late)?.spin();
     let slept = simpson(slow, fast, 200, |w| Ok(1.0 / p.braking(w)?))?;
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
@@ -358,10 +354,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
             .map_or(f64::NAN, |at| rolls.top().energy(&at))
     });
     // The spins at which a top can sleep, for a tip that shrinks to a point.
-    let sharp = Parameters {
-        tip: 1e-9,
-        ..p.clone()
-    };
+    let sharp = p.but(|p| p.tip = 1e-9);
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let within = 1e3 * p.tolerance;
     limits! { report,

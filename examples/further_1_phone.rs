@@ -62,8 +62,7 @@ pub fn slab(p: &Parameters) -> Result<[f64; 3]> {
 
 /// The throw of these parameters.
 pub fn thrown(p: &Parameters) -> Result<Throw> {
-    let turns = above(0.0).because("what does not turn does not turn over");
-    turns.check("size of the turns", p.turns.abs())?;
+    allowed! { "size of the turns": p.turns.abs(), above(0.0), "what does not turn does not turn over"; }?;
     let throw = Throw::new(slab(p)?, TAU * p.turns, p.tilt, p.toward);
     let stray = from_to(1e-10, 1.2).because("about the very axis it never turns over");
     stray.check("size of the tilt", p.tilt.abs())?;
@@ -76,8 +75,7 @@ pub fn thrown(p: &Parameters) -> Result<Throw> {
         .because("with fewer there is nothing to see, and more multiply a rounding to a turn");
     few.check("turns in the flight", p.turns.abs() * flight(p))?;
     let frames = 60.0 * (throw.until_flip()? + 9.0 * throw.between_flips()?);
-    let soon = from_to(0.0, 1e6).because("it turns too slowly");
-    soon.check("frames of a clock until ten flips", frames)?;
+    allowed! { "frames of a clock until ten flips": frames, from_to(0.0, 1e6), "it turns too slowly"; }?;
     Ok(throw)
 }
 

@@ -254,14 +254,8 @@ impl Settled {
     /// smaller one bends it one way and a larger one the other.
     fn exponent(&self) -> Result<f64> {
         let rates = sampled(self.passed.iter().copied(), |t| Ok(self.at(t)?.rate))?;
-        let (mut low, mut high) = (0.02, 1.0);
-        for _ in 0..50 {
-            let middle = 0.5 * (low + high);
-            match bend(middle, &self.passed, &rates) > 0.0 {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
+        let bent = |exponent| bend(exponent, &self.passed, &rates) > 0.0;
+        let [low, high] = bisect([0.02, 1.0], 0.0, bent);
         Ok(0.5 * (low + high))
     }
 }
@@ -377,10 +371,8 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
         report,
     )?;
     let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
-    let (tilt, near) = (
-        law.tilt(asked / time),
-        3.0 * pow(p.start, 4.0) + hasty(case),
-    );
+    let tilt = law.tilt(asked / time);
+    let near = 3.0 * pow(p.start, 4.0) + hasty(case);
     let about = |case: &Case| case.law.exponent() * (p.start * p.start + hasty(case));
     let then = run.at(run.end - asked / time);
     let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);

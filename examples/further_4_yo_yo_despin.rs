@@ -79,11 +79,10 @@ impl Answer {
 /// The satellite in the units of the simulation, and the answer for it.
 pub fn scene(p: &Parameters) -> Result<(YoYo, Answer)> {
     let inertia = p.inertia / (2.0 * p.weight * p.radius * p.radius);
-    let spins = above_to(0.0, 1e8)
-        .because("without a spin the weights stay where they are, and a rim is slower than light");
-    spins.check("size of the spin", p.spin.abs())?;
-    let light = from_to(1e-6, 5e6).because("lighter weights need thousands of turns of string");
-    light.check("I/(2 m R^2)", inertia)?;
+    allowed! {
+        "size of the spin": p.spin.abs(), above_to(0.0, 1e8), "without a spin the weights stay where they are, and a rim is slower than light";
+        "I/(2 m R^2)": inertia, from_to(1e-6, 5e6), "lighter weights need thousands of turns of string";
+    }?;
     let length = p.string / p.radius;
     let winds = from_to(1e-3, 1e4)
         .because("a shorter one hardly unwinds, a longer one unwinds for thousands of turns");
@@ -107,22 +106,18 @@ fn dawn() -> f64 {
     let [weights, cable, ratio, radius] = DAWN;
     let d = 1.0 + cable / radius;
     // u = (j (1 - r) + 1)/d in j (1 - r^2) + 1 = u^2: a quadratic in j.
-    let (two, one, none) = (
-        (1.0 - ratio) * (1.0 - ratio),
-        (1.0 - ratio) * (2.0 - d * d * (1.0 + ratio)),
-        1.0 - d * d,
-    );
+    let two = (1.0 - ratio) * (1.0 - ratio);
+    let one = (1.0 - ratio) * (2.0 - d * d * (1.0 + ratio));
+    let none = 1.0 - d * d;
     weights * radius * radius * (-one + (one * one - 4.0 * two * none).sqrt()) / (2.0 * two)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (yoyo, a) = scene(p)?;
     let (j, l, bound) = (yoyo.inertia, yoyo.length, 1e3 * p.tolerance);
-    let (w, r, newton) = (
-        p.spin,
-        p.radius,
-        2.0 * p.weight * p.spin * p.spin * p.radius,
-    );
+    let w = p.spin;
+    let r = p.radius;
+    let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
     let run = yoyo.run(p.tolerance)?;
     let (ends, out) = (run.transition("unwound")?, run.transition("outward")?);
     let pull = |hangs, y: &[f64; 4]| yoyo.tension(hangs, y);
@@ -331,11 +326,9 @@ fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
         let sprung = match &springs {
             Ok(springs) => format!(
                 "{:.3}",
-                w * Reel {
-                    inertia,
-                    ..*springs
-                }
-                .last(before, 1e-10)?[0]
+                w * springs
+                    .but(|springs| springs.inertia = inertia)
+                    .last(before, 1e-10)?[0]
             ),
             Err(_) => "none holds".into(),
         };
@@ -350,8 +343,7 @@ pub fn sprung(p: &Parameters) -> Result<Reel> {
     let (yoyo, a) = scene(p)?;
     let aim = p.aim / p.spin;
     let stiffness = p.spring / (p.weight * p.spin * p.spin);
-    let holds = above(2.0).because("a softer spring is drawn out without an end");
-    holds.check("spring/(m w0^2)", stiffness)?;
+    allowed! { "spring/(m w0^2)": stiffness, above(2.0), "a softer spring is drawn out without an end"; }?;
     // A stiffer one gives less than a millionth of its length.
     let stiffness = Some(stiffness).filter(|stiffness| *stiffness <= 1e6);
     let reel = |length| Reel {

@@ -2,6 +2,7 @@
 //! three rates can be seen.
 
 use super::*;
+use kit::But;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
 use kit::{Figure, MovingPicture, Trajectory, times};
 
@@ -244,10 +245,7 @@ fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
 /// For the two stills of its own: seen from where x, y and z part best.
 fn posed(p: &Parameters) -> Gyroscope {
     let g = Gyroscope::of(p, 0.1);
-    let angles = EulerAngles {
-        phi: -0.2,
-        ..g.angles
-    };
+    let angles = g.angles.but(|angles| angles.phi = -0.2);
     Gyroscope { angles, ..g }
 }
 

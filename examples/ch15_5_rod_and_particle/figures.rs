@@ -140,10 +140,8 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
     let (s, l) = (scene(p, true), p.length);
     let blow = Blow::new(s, p.tolerance, APPROACH, END)?;
     let (from, to) = (-APPROACH * s.unit(), END * s.unit());
-    let (whole, start) = (
-        s.angular_momentum(&blow.before, [0.0, 0.0]),
-        s.momentum(&blow.before)[0],
-    );
+    let whole = s.angular_momentum(&blow.before, [0.0, 0.0]);
+    let start = s.momentum(&blow.before)[0];
     // The jump stands at the impact: values before it, then after it.
     let instants = || times(from, -1e-9, 20).chain(times(0.0, to, 200));
     let of = |f: &dyn Fn(f64) -> Result<f64>| sampled(instants(), |t| Ok((t, f(t)?)));

@@ -77,10 +77,8 @@ impl Mechanism<5, 3> for Strike {
             true => Contact::joint(name, gap, gradient, bias),
             false => Contact::joint(name, 0.0, none, 0.0),
         };
-        let (x, y) = (
-            [1.0, 0.0, arm * s, 0.0, 0.0],
-            [0.0, 1.0, -arm * c, 0.0, 0.0],
-        );
+        let x = [1.0, 0.0, arm * s, 0.0, 0.0];
+        let y = [0.0, 1.0, -arm * c, 0.0, 0.0];
         let along = hold("along", q[0] - arm * c, x, arm * c * square);
         let across = hold("hands", q[1] - arm * s, y, arm * s * square);
         [ball, along, across]

@@ -73,10 +73,8 @@ impl Forces {
         }
         let (heavier, lighter) = (m.masses[more], m.masses[less]);
         let part = m.gravity / (heavier + m.grip * lighter);
-        let (size, behind) = (
-            (heavier - m.grip * lighter) * part,
-            2.0 * heavier * lighter * part,
-        );
+        let size = (heavier - m.grip * lighter) * part;
+        let behind = 2.0 * heavier * lighter * part;
         let mut tensions = [behind; 2];
         tensions[more] = m.grip * behind;
         Self {
