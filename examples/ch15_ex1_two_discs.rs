@@ -225,8 +225,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (square, both) = (bound * whole * size * size, p.upper_rate + p.lower_rate);
     claims! { report,
         /// the rate at which both turn in the end
-        common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size,
-        in "The common rate":
+        common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size, in "The common rate":
             0.5 * both => "the discs are not equal",
             momentum(first.map(f64::abs)) / whole => "rates have signs",
             (2.0 * before / whole).sqrt() => "energy is not kept: the discs rub";
@@ -242,8 +241,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// angular momentum of both, before and after
         momentum: momentum(first), "kg m^2/s", "discs simulated, after" => momentum(last), within near;
         /// how long they slip, without a fall
-        time: a.time, "s", "located event" => dry.end_time(), within time,
-        in "The time":
+        time: a.time, "s", "located event" => dry.end_time(), within time, in "The time":
             p.upper * a.relative.abs() / p.friction => "the lower disc gets faster meanwhile",
             p.lower * a.relative.abs() / p.friction => "the upper disc gets slower meanwhile",
             whole * a.relative.abs() / p.friction => "which inertia belongs to the slip?",

@@ -186,8 +186,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let near = 1e-9 * (all + moving.abs() + p.inertia_b * carried.abs());
     claims! { report,
         /// rate of gear B
-        rate_b: b, "rad/s", "wheels simulated" => end[1], within bound * b.abs(),
-        in "The gears":
+        rate_b: b, "rad/s", "wheels simulated" => end[1], within bound * b.abs(), in "The gears":
             -b => "two gears that touch turn in opposite senses",
             -p.rate / r => "the smaller gear turns faster",
             -p.rate => "the speeds of the rims are equal, not the rates";
@@ -202,8 +201,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The gears":
             0.5 * (la + lb) * p.rate => "that is not a body that turns as one";
         /// time until B is up to speed
-        time: time(p), "s", "located event" => sticks, within bound * time(p),
-        in "Setting B going":
+        time: time(p), "s", "located event" => sticks, within bound * time(p), in "Setting B going":
             p.inertia_b * p.rate / (p.friction * p.radius_b) => "which rate has B in the end?";
         /// push of the rims, summed over the time
         push: push, "N s", "wheels simulated" => p.friction * sticks, within bound * push;

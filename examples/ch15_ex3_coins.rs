@@ -133,8 +133,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             rate * (net - 1.0) => "that is relative to the line of centres",
             rate * (1.0 + r) => "which of the two radii is it divided by?";
         /// how often it turns in a circuit
-        turns: net, "-", "rolled about the contact" => turned, within bound,
-        in "The motion":
+        turns: net, "-", "rolled about the contact" => turned, within bound, in "The motion":
             net - 1.0 => "the line of centres turns as well";
         /// angular momentum about the middle of the fixed coin
         momentum: unit * l, "kg m^2/s", "four particles" => unit * momentum, within 1e-11 * unit * (1.0 + r) * (1.0 + r).max(1.0),

@@ -134,8 +134,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             a.momentum / (p.mass * l * l / 12.0) => "the particle turns with the rod",
             half / ((p.mass / 12.0 + 0.25 * m) * l * l - whole * a.centre * a.centre) => "moment and angular momentum about the same point";
         /// distance of the point at rest from the centre of mass, just after
-        rest: rest, "m", "contacts simulated" => middle / w - a.centre, within bound * l,
-        in "(d) The motion":
+        rest: rest, "m", "contacts simulated" => middle / w - a.centre, within bound * l, in "(d) The motion":
             rest + a.centre => "that is from the middle of the rod";
         /// way of the centre of mass in one turn
         way: TAU * rest, "m", "contacts simulated" => way.abs(), within 100.0 * p.tolerance * way,
@@ -158,8 +157,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// kinetic energy after
         energy: a.energies[1], "J", "contacts simulated" => scene.energy(&after), within bound * a.energies[0];
         /// part of it that is lost
-        lost: lost, "-", "contacts simulated" => lost_there, within bound,
-        in "(d) The motion":
+        lost: lost, "-", "contacts simulated" => lost_there, within bound, in "(d) The motion":
             p.mass / whole => "the rod also turns";
     }
 }

@@ -161,15 +161,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (reaction, centre) = (reaction(p), centre(p));
     claims! { report,
         /// distance from the hands at which a blow is not felt
-        centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l,
-        in "The place":
+        centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l, in "The place":
             arm => "that is the centre of mass; the bat turns about the hands",
             centre - arm => "that is from the centre of mass",
             l - p.hands => "that is the tip",
             0.75 * l => "compare the velocity of the centre of mass with the angular velocity";
         /// impulse of the hands over that of the ball
-        reaction: reaction, "-", "impact simulated" => held.reaction(), within bound,
-        in "The hands":
+        reaction: reaction, "-", "impact simulated" => held.reaction(), within bound, in "The hands":
             -reaction => "that is the impulse on the hands",
             hit / centre => "the momentum of the bat comes from the ball as well",
             free_hands(p) => "that is how a free bat would move there";
@@ -306,8 +304,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
             measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;
         "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
-            measured soft.reaction() - reaction(p), within slack,
-            at_work soft.motion.work();
+            measured soft.reaction() - reaction(p), within slack, at_work soft.motion.work();
         "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }

@@ -184,8 +184,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             unit * rate * energy * 2.0 => "half of that",
             0.5 * m * (0.75 * h * c * rate) * (0.75 * h * c * rate) => "that is the part of the centre of mass only";
         /// turns about its axis in a circuit, seen from the line of contact
-        turns: 1.0 / s, "-", "the line of contact at rest" => -spin / rate, within near / s,
-        in "The motion":
+        turns: 1.0 / s, "-", "the line of contact at rest" => -spin / rate, within near / s, in "The motion":
             1.0 / tan(a) => "the table meets the slanted side, not the base";
         /// where the table bears the cone, from the vertex
         borne_at: h * centre_of_pressure(a, w), "m", "24 particles" => borne_at(p, rate)?, within near * h,

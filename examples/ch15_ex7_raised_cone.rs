@@ -173,18 +173,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.6 * unit => "the cone is not a thin rod",
             unit * (0.0375 + 0.15 * tan(a) * tan(a)) => "that is about the centre of mass";
         /// kinetic energy
-        energy: energy, "J", "24 particles" => sums.kinetic_energy, within near * energy,
-        in "The motion":
+        energy: energy, "J", "24 particles" => sums.kinetic_energy, within near * energy, in "The motion":
             2.0 * energy => "half of that",
             energy * c * c => "that is the cone that lies on the table",
             0.5 * unit * rate * vertical => "the cone spins as well";
         /// turns about its axis in a circuit, seen from the axis
-        turns: 1.0 / tan(a), "-", "the lowest point at rest" => -spin / rate, within near / s,
-        in "The motion":
+        turns: 1.0 / tan(a), "-", "the lowest point at rest" => -spin / rate, within near / s, in "The motion":
             1.0 / s => "that is the cone that lies on the table";
         /// force of the table
-        pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n,
-        in "The forces":
+        pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n, in "The forces":
             weight => "the joint bears a part of the weight",
             0.75 * weight => "so it is at rest";
         /// how high the axis points after a circuit, with that force in place of the table

@@ -152,12 +152,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.5 * v0 / l * a.angular_velocity => "the arm is half of the stick",
             2.0 * v0 / l * c => "the ball keeps a part of its momentum";
         /// speed of the struck mass
-        v_hit: of(1.0), "m/s", "contacts simulated" => struck, within bound * v0,
-        in "The velocities":
+        v_hit: of(1.0), "m/s", "contacts simulated" => struck, within bound * v0, in "The velocities":
             v0.abs() * a.centre => "that is the centre of mass";
         /// speed of the other mass just after the hit
-        v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0,
-        in "The velocities":
+        v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0, in "The velocities":
             v0.abs() * a.centre => "the turning takes it backward";
         /// impulse of the hit
         impulse: m * v0 * a.impulse, "N s", "contacts simulated" => m * v0 * (1.0 - along([after.v[3], after.v[4]])), within bound * m * v0,

@@ -215,15 +215,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let touched = 0.5 * period(q, 1e-9)? / w;
     claims! { report,
         /// angle from the vertical
-        theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound,
-        in "The angle":
+        theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound, in "The angle":
             FRAC_PI_2 - theta => "measure from the vertical",
             cone(1.5 * q) => "that is a uniform rod without a bob",
             cone(q / (4.0 * PI * PI)) => "not turns but radians a second",
             (2.0 - 2.0 * q).max(0.0).sqrt() => "the angle is not small";
         /// rate where it rises
-        omega_threshold: w0, "rad/s", "swings in a slower plane" => slower, within 1e-9 * w0,
-        in "The angle":
+        omega_threshold: w0, "rad/s", "swings in a slower plane" => slower, within 1e-9 * w0, in "The angle":
             g / l => "that is its square";
         /// reaction: tension of the string
         tension: newton, "N", "a turn in space" => pull, within bound * newton, in "The reaction":
@@ -231,8 +229,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             unit * s => "that is its horizontal part only",
             m * g * c => "along the string the bob is accelerated";
         /// its part towards the axis
-        horizontal: unit * s, "N", "a turn in space" => pull * out, within bound * newton,
-        in "The reaction":
+        horizontal: unit * s, "N", "a turn in space" => pull * out, within bound * newton, in "The reaction":
             newton => "that is the whole of it";
         /// the plane kept turning
         driven: small, "rad/s", "simulated" => w * measured_driven(q)?, within 1e-9 * small,
@@ -295,8 +292,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sunk = cone(q) - atan2(hypot(x, y), -z);
     effect_card! { report,
         "air drag, bob left to itself":
-            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn",
-            measured sunk, within 1e-9;
+            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn", measured sunk, within 1e-9;
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
         "mass of the string": "m/M" = string, costs slope * string / 6.0, "rad of theta";
         "size of the bob": "2 r^2/(5 l^2)" = size, costs 0.5 * size, "of Omega";

@@ -272,8 +272,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The other sense":
             v_roll * roll => "it starts from rest";
         /// part of the energy that is left
-        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, if rubs,
-        in "The other sense":
+        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, if rubs, in "The other sense":
             2.0 / 3.0 => "that is the part that is lost",
             1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop

@@ -325,8 +325,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         ahead: 0.5 * (1.0 + (m.carried / fixed).sqrt()) * fixed / m.own, "-", "the simulated periods" => 0.5 * slow / (slow - stiff),
         within ((1e-6 + 1e-12 / share) / share).max(1e-12), if share >= 1e-8;
         /// torque that the fixed joint must hold
-        grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip,
-        in "The joint":
+        grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip, in "The joint":
             m.gravity * sin(p.release) => "that turns the whole pendulum",
             m.own * m.gravity * most / m.carried => "the disc is fixed here";
         /// greased axle: period of small swings
