@@ -5,13 +5,12 @@ pub mod cone;
 #[path = "ch15_ex6_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, left_to_itself, level, placed, spin_at_rest};
+use cone::{Sums, blown, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
 use kit::interval::above_to;
 use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode, size_or};
-use rotation_dynamics::math::expm1;
 
 parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
@@ -34,15 +33,6 @@ parameters! {
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e6));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
-    }
-}
-
-/// The cone of these parameters.
-fn body(p: &Parameters) -> Cone {
-    Cone {
-        mass: p.mass,
-        height: p.height,
-        half_angle: p.half_angle,
     }
 }
 
@@ -90,7 +80,7 @@ pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
 /// The sums over the particles at this rate, when the line of contact has the azimuth 0.
 pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
     let h = 0.02 * sin(p.half_angle) / rate;
-    body(p).sums(|t| rolled(p.half_angle, rate * t), h)
+    p.sums(|t| rolled(p.half_angle, rate * t), h)
 }
 
 /// Where the table must bear the cone, m from the vertex, by the particles: what they need beyond
@@ -98,7 +88,7 @@ pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
 pub fn borne_at(p: &Parameters, rate: f64) -> Result<f64> {
     let (sums, weight) = (summed(p, rate)?, p.mass * p.gravity);
     let at = rolled(p.half_angle, 0.0)?;
-    let parts = body(p).particles();
+    let parts = p.particles();
     let centre: SpaceVector = parts.iter().map(|(m, r)| at.to_space(*r) * *m).sum();
     // About phi = Z x rho, which is Y here: N d = (moment of the weight) - (moment needed).
     Ok((p.gravity * centre.x() - sums.moment.y()) / (weight + sums.force.z()))
@@ -241,17 +231,7 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
             rolled_rate: rate * (1.0 - lost).sqrt(), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
         }?;
     }
-    let Some(density) = p.air else { return Ok(()) };
-    let strips = body(p).air(a, density);
-    let lost = -expm1(-2.0 * TAU * strips / inertia);
-    allowed! {
-        "part of the energy that the air takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
-    }?;
-    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
-    claims! { report,
-        /// in air: rate after a circuit
-        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
-    }
+    blown(p, report, a, inertia)
 }
 
 /// The card of effects: hard smooth surfaces, in air.
@@ -266,7 +246,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (side, speed) = (h * h * tan(a), 0.75 * h * rate * cos(a));
     let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a) / energy;
     let rolling = bears * TAU / energy;
-    let (turning, strips) = ([2.0 * energy / (rate * rate), rate], body(p).air(a, 1.204));
+    let (turning, strips) = ([2.0 * energy / (rate * rate), rate], p.air(a, 1.204));
     let (rolled, its_work) = left_to_itself(rolling, turning, |_| bears)?;
     let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,

@@ -5,7 +5,7 @@ pub mod cone;
 #[path = "ch15_ex7_raised_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, UP, left_to_itself, level, placed, spin_at_rest};
+use cone::{Sums, UP, blown, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
 use kit::prelude::*;
 use rotation_dynamics::accuracy::Problem;
@@ -13,7 +13,6 @@ use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::expm1;
 use rotation_dynamics::scene::Scene;
 
 parameters! {
@@ -33,15 +32,6 @@ parameters! {
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e6));
         /// error of the solved attitude
         tolerance: number(1e-9, "rad", from_to(1e-11, 1e-3));
-    }
-}
-
-/// The cone of these parameters.
-fn body(p: &Parameters) -> Cone {
-    Cone {
-        mass: p.mass,
-        height: p.height,
-        half_angle: p.half_angle,
     }
 }
 
@@ -76,13 +66,13 @@ pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
 /// The sums over the particles at this rate, when the axis points along X.
 pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
     let step = 0.02 * sin(p.half_angle) / rate;
-    body(p).sums(|t| rolled(p.half_angle, rate * t), step)
+    p.sums(|t| rolled(p.half_angle, rate * t), step)
 }
 
 /// The force of the table, N, by the particles: what their motion needs beyond the moment of
 /// their weight about the vertex, the table must supply at the distance h.
 pub fn pressed(p: &Parameters, rate: f64) -> Result<f64> {
-    let particles = body(p).particles();
+    let particles = p.particles();
     let moment: f64 = particles.iter().map(|(m, r)| m * p.gravity * r.z()).sum();
     Ok((moment - summed(p, rate)?.moment.y()) / p.height)
 }
@@ -211,19 +201,8 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
 
 /// What `--with air` adds: the rate that is left after a circuit, if nothing drives the cone.
 fn left(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (a, h, rate) = (p.half_angle, p.height, p.rate);
-    let inertia = 2.0 * p.mass * h * h * kinetic_energy(a);
-    let Some(density) = p.air else { return Ok(()) };
-    let strips = body(p).air(0.0, density);
-    let lost = -expm1(-2.0 * TAU * strips / inertia);
-    allowed! {
-        "part of the energy that the air takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
-    }?;
-    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
-    claims! { report,
-        /// in air: rate after a circuit
-        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
-    }
+    let unit = p.mass * p.height * p.height;
+    blown(p, report, 0.0, 2.0 * unit * kinetic_energy(p.half_angle))
 }
 
 /// The card of effects: hard smooth surfaces, in air.
@@ -239,7 +218,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (side, speed) = (h * h * tan(a), h * rate);
     let air = 0.4 * 0.5 * 1.204 * side * speed * speed * TAU * h / energy;
     let turning = [2.0 * energy / (rate * rate), rate];
-    let strips = body(p).air(0.0, 1.204);
+    let strips = p.air(0.0, 1.204);
     // Slower, it also presses less.
     let pressed = |rate: f64| bears(h * rate * rate / p.gravity);
     let (rolled, its_work) = left_to_itself(rolling, turning, pressed)?;

@@ -1,25 +1,19 @@
 //! A solid cone as a few particles, its places, and how it is drawn: for the two exercises on
 //! cones. The vertex is the origin of the body's axes, and e3 points from it to the base.
 
+use super::Parameters;
 use kit::draw::{Ink, Solid, View};
+use kit::prelude::{Report, allowed, between, claims};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
-use rotation_dynamics::math::{cos, sincos, tan};
+use rotation_dynamics::math::{cos, exp, expm1, sincos, tan};
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// The vertical.
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-
-/// Mass, height and half angle at the vertex.
-#[derive(Debug, Clone, Copy)]
-pub struct Cone {
-    pub mass: f64,
-    pub height: f64,
-    pub half_angle: f64,
-}
 
 /// What the particles of a cone that moves about its vertex add up to.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +28,7 @@ pub struct Sums {
     pub moment: SpaceVector,
 }
 
-impl Cone {
+impl Parameters {
     /// 24 particles whose sums of masses times squares and products of coordinates are the
     /// integrals over the cone: Gauss's nodes along the axis and outward, four directions.
     pub fn particles(&self) -> Vec<(f64, BodyVector)> {
@@ -112,6 +106,22 @@ pub fn left_to_itself(
     let law = second_order(|_, _, v| -brake(rate * v) / (inertia * rate * rate));
     let (back, work) = Dop853::new(1e-13)?.zero(&law, [0.0, 1.0], 1, 1e3, |y| y[0] - TAU)?;
     Ok((Some(1.0 - back.state[1] * back.state[1]), Some(work)))
+}
+
+/// What `--with air` adds to the claims of a cone whose axis points `rise` above the level and which
+/// has this inertia about the vertical: the rate that is left after a circuit, if nothing drives it.
+pub fn blown(p: &Parameters, report: &mut Report, rise: f64, inertia: f64) -> kit::Result<()> {
+    let Some(density) = p.air else { return Ok(()) };
+    let (strips, rate) = (p.air(rise, density), p.rate);
+    let lost = -expm1(-2.0 * TAU * strips / inertia);
+    allowed! {
+        "part of the energy that the air takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
+    }?;
+    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
+    claims! { report,
+        /// in air: rate after a circuit
+        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
+    }
 }
 
 /// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned

@@ -63,7 +63,7 @@ fn the_force_of_the_table_keeps_the_axis_level() {
 fn the_raised_cone_turns_as_the_lying_one_but_faster() {
     let (mut errors, mut damaged) = (Errors::of("ratios"), Errors::of("ratio of the energies, 1"));
     for a in [0.1, 0.4, 0.8, 1.2] {
-        let body = cone::Cone { mass: 2.0, height: 0.3, half_angle: a };
+        let body = Parameters { half_angle: a, ..Parameters::default() };
         let h = 0.01 * sin(a);
         let lying = body.sums(|t| cone::placed(a, t, -t / sin(a)), h).expect("sums");
         let raised = body.sums(|t| cone::placed(0.0, t, -t / tan(a)), h).expect("sums");
@@ -82,7 +82,7 @@ fn the_raised_cone_turns_as_the_lying_one_but_faster() {
 fn driven_faster_it_needs_friction_along_its_path() {
     let (mut errors, mut damaged) = (Errors::of("F/(M h Omega')"), Errors::of("at a constant rate"));
     for a in [0.1, 0.4, 0.8, 1.2] {
-        let body = cone::Cone { mass: 1.0, height: 1.0, half_angle: a };
+        let body = Parameters { mass: 1.0, height: 1.0, half_angle: a, ..Parameters::default() };
         let friction = |growth: f64| {
             let turned = |t: f64| rolled(a, t + 0.5 * growth * t * t);
             body.sums(turned, 0.01 * sin(a)).expect("sums").moment.x() / tan(a)
