@@ -40,33 +40,18 @@ parameters! {
 }
 
 // ANCHOR: answer
-/// The fall while the string unwinds, in SI units.
-#[derive(Debug, Clone, Copy)]
-pub struct Answer {
-    pub acceleration: f64,
-    pub tension: f64,
-    radius: f64,
+/// The fall while the string unwinds: acceleration of the centre and tension of the string.
+pub fn fall(p: &Parameters) -> [f64; 2] {
+    let weight = p.mass * p.gravity;
+    [
+        p.gravity / (1.0 + p.shape),
+        weight * p.shape / (1.0 + p.shape),
+    ]
 }
 
-impl Answer {
-    pub fn new(p: &Parameters) -> Self {
-        let (part, radius) = (p.gravity / (1.0 + p.shape), p.radius);
-        Self {
-            acceleration: part,
-            tension: p.mass * p.gravity * p.shape / (1.0 + p.shape),
-            radius,
-        }
-    }
-    pub fn velocity(&self, t: f64) -> f64 {
-        self.acceleration * t
-    }
-    pub fn angular_velocity(&self, t: f64) -> f64 {
-        self.velocity(t) / self.radius
-    }
-    /// The time after which this much string has unwound.
-    pub fn unwound(&self, length: f64) -> f64 {
-        (2.0 * length / self.acceleration).sqrt()
-    }
+/// The time after which this much string has unwound.
+pub fn unwound(p: &Parameters, length: f64) -> f64 {
+    (2.0 * length / fall(p)[0]).sqrt()
 }
 // ANCHOR_END: answer
 
@@ -80,7 +65,7 @@ pub fn disc(p: &Parameters) -> Result<Disc> {
     allowed! {
         "wound/radius": wound, from_to(LEAST, 1e6), "with less string it is not wound up again on the other side";
         "free/radius": free, above_to(1.0, 1e6), "at 1 the disc touches the roof";
-        "time": p.time, from_to(0.0, Answer::new(p).unwound(p.wound)), "then no string is left to unwind";
+        "time": p.time, from_to(0.0, unwound(p, p.wound)), "then no string is left to unwind";
         "shape": shape, from_to(1e-3, 1e3), "all mass near the axis falls, far from it hangs";
     }?;
     Ok(Disc { shape, wound, free })
@@ -97,16 +82,16 @@ fn gives(d: &Disc, peak: f64, stiffness: f64) -> f64 {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (d, a, bound) = (disc(p)?, Answer::new(p), 1e3 * p.tolerance);
+    let (d, [a, pull], bound) = (disc(p)?, fall(p), 1e3 * p.tolerance);
     let (g, weight, k) = (p.gravity, p.mass * p.gravity, p.shape);
     let (second, speed) = ((p.radius / g).sqrt(), (p.radius * g).sqrt());
     let run = d.run(p.tolerance)?;
     let [_, _, _, _, fall, spin] = run.at(p.time / second)?.1;
     let ends = run.transition("all unwound")?;
     let taut = d.taut(Leaves::Unwinding, &ends.before);
-    let (v, w) = (a.velocity(p.time), a.angular_velocity(p.time));
-    let end = a.unwound(p.wound);
-    let last = a.velocity(end);
+    let (v, w) = (a * p.time, a * p.time / p.radius);
+    let end = unwound(p, p.wound);
+    let last = a * end;
     // What follows, by two routes.
     let over = run.transition("winds up")?;
     let (peak, [turn, largest, wound_up, rises]) = (d.peak(&run)?, d.by_angles(1e-14)?);
@@ -128,13 +113,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let long = long_peak(&d);
     claims! { report,
         /// acceleration of the centre, downward
-        a: a.acceleration, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g,
+        a: a, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g,
         in "While the string unwinds":
             g => "the string pulls as well",
             g / k => "the weight has no moment about the centre; which force turns the disc?",
             weight * k / (1.0 + k) / p.mass => "that is the tension over the mass";
         /// tension
-        tension: a.tension, "N", "simulated" => weight * taut.tension, within bound * weight,
+        tension: pull, "N", "simulated" => weight * taut.tension, within bound * weight,
         in "While the string unwinds":
             weight => "then the disc would not fall",
             weight / (1.0 + k) => "that is the mass times the acceleration, and the string pulls upward";
@@ -182,8 +167,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// A hoop, a weight with a thread, and turns over the knot with nothing sideways or no gravity.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let rest = Parameters::default();
-    let over_g =
-        |shape| Answer::new(&rest.but(|p| (p.shape, p.gravity) = (shape, 1.0))).acceleration;
+    let over_g = |shape| fall(&rest.but(|p| (p.shape, p.gravity) = (shape, 1.0)))[0];
     let shape = 0.5;
     let disc = |wound, free| Disc { shape, wound, free };
     let (long, fast) = (disc(5.0, 1e6), disc(1e6, 2e6));
@@ -214,7 +198,7 @@ fn width(p: &Parameters) -> f64 {
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(drag) = p.air else { return Ok(()) };
-    let (a, inertia) = (Answer::new(p).acceleration, p.mass * (1.0 + p.shape));
+    let (a, inertia) = (fall(p)[0], p.mass * (1.0 + p.shape));
     driven_in_air(
         report,
         [drag, 2.0 * p.radius * width(p)],
@@ -224,11 +208,11 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (d, a, weight) = (disc(p)?, Answer::new(p), p.mass * p.gravity);
+    let (d, [a, pull], weight) = (disc(p)?, fall(p), p.mass * p.gravity);
     let (k, area) = (p.shape, 1e-6 * PI);
     let thick = 1e-3 / p.radius;
     let string = 1150.0 * area * p.wound / p.mass;
-    let hangs = a.tension / p.stiffness;
+    let hangs = pull / p.stiffness;
     let run = d.run(p.tolerance)?;
     let (start, peak) = (run.transition("all unwound")?.before, d.peak(&run)?);
     let firm = p.stiffness / weight;
@@ -239,7 +223,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         true => 0.0,
         false => 1.0,
     };
-    let last = a.velocity(a.unwound(p.wound));
+    let last = a * unwound(p, p.wound);
     let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;
     effect_card! { report,
         "stretch of the string, at the turn": "T_max l/(R E A)" = jerked, costs spared, "of T_max";
@@ -252,7 +236,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: the string that is wound up at the top, by Newton's law.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (d, a, end) = (disc(p)?, Answer::new(p), Answer::new(p).unwound(p.wound));
+    let (d, [a, _], end, radius) = (disc(p)?, fall(p), unwound(p, p.wound), p.radius);
     let [_, _, climb, _] = d.by_angles(1e-15)?;
     let error = move |run: &Run<Leaves, 6>| {
         let last = run.transitions().last();
@@ -260,7 +244,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         let last = last.map_or(start, |event| &event.before);
         Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
     };
-    report.in_closed_form(move |part| [a.velocity(part * end), a.angular_velocity(part * end)]);
+    report.in_closed_form(move |part| [a * (part * end), a * (part * end) / radius]);
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     report.stepped(asked, move |step| d.run(step), Run::work, error)
 }
