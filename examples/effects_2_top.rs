@@ -185,7 +185,7 @@ fn load(p: &Parameters) -> Result<f64> {
     let middle = 4.0 * a * p.modulus / (TAU * p.tip);
     // Over the angle whose sine is rho/a.
     let ring = |(s, c): (f64, f64)| Ok(TAU * a * a * middle * s * c * c);
-    simpson(0.0, 0.25 * TAU, 2000, |angle| ring(sincos(angle)))
+    kit::simpson([0.0, 0.25 * TAU], 2000, |angle| ring(sincos(angle)))
 }
 
 /// How fast a small tilt grows (1/s) on a level floor without air, at this spin.
@@ -221,21 +221,6 @@ fn least_by_growth(p: &Parameters) -> Result<f64> {
     Ok(0.5 * (low + high))
 }
 
-/// The rule of Simpson.
-fn simpson(from: f64, to: f64, n: u32, f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
-    let h = (to - from) / f64::from(n);
-    let mut sum = 0.0;
-    for i in 0..=n {
-        let weight = if i == 0 || i == n {
-            1.0
-        } else {
-            2.0 + 2.0 * f64::from(i % 2)
-        };
-        sum += weight * f(from + h * f64::from(i))?;
-    }
-    Ok(sum * h / 3.0)
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let sleeps = above(1.25).because("a slower one does not sleep");
     sleeps.check(
@@ -268,7 +253,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let late = life.event("unstable")?.t * 0.9;
     let fast = life.configuration(early)?.spin();
     let slow = life.configuration(late)?.spin();
-    let slept = simpson(slow, fast, 200, |w| Ok(1.0 / p.braking(w)?))?;
+    let slept = kit::simpson([slow, fast], 200, |w| {
+        Ok::<_, kit::Error>(1.0 / p.braking(w)?)
+    })?;
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;

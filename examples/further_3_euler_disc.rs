@@ -233,21 +233,7 @@ impl Settled {
 
     /// Turns of the contact from the start to `t`, by the rule of Simpson.
     fn turns(&self, t: f64) -> Result<f64> {
-        let h = t / 20_000.0;
-        let values = sampled(times(0.0, t, 20_000), |t| Ok(self.at(t)?.rate))?;
-        let weight = |i: usize| {
-            if i == 0 || i == 20_000 {
-                1.0
-            } else {
-                2.0 + 2.0 * (i % 2) as f64
-            }
-        };
-        let sum: f64 = values
-            .iter()
-            .enumerate()
-            .map(|(i, rate)| weight(i) * rate)
-            .sum();
-        Ok(sum * h / (3.0 * TAU))
+        Ok(kit::simpson([0.0, t], 20_000, |t| Ok::<_, kit::Error>(self.at(t)?.rate))? / TAU)
     }
 
     /// The exponent for which rate^(-1/exponent) falls on a line over the marks: bisected, as a

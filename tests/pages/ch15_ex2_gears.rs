@@ -81,12 +81,8 @@ fn what_the_card_measures() {
     let p = Parameters::default();
     let (b, own) = (rate_b(&p, 0.0).abs(), p.friction * p.radius_a / (0.03 * p.rate) / p.inertia_a);
     let part = |t: f64| 1.0 - 0.03 * (1.0 - exp(-own * t));
-    let (mut low, mut high) = (0.0, time(&p));
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        let behind = b * part(middle) > p.friction * p.radius_b / p.inertia_b * middle;
-        *(if behind { &mut low } else { &mut high }) = middle;
-    }
+    let behind = |t: f64| b * part(t) > p.friction * p.radius_b / p.inertia_b * t;
+    let [low, _] = kit::bisect([0.0, time(&p)], 0.0, behind);
     let (whole, rubs) = (momentum(&p, 0.0), 1.5e-3 * (9.80665 * p.mass_b + p.friction) * 0.005);
     let mut errors = Errors::of("measured over another route, less one");
     errors.push(motor[1] / (whole * (1.0 - part(low))) - 1.0);

@@ -2,6 +2,7 @@
 //! the report: a claim that differs from its oracle is an error.
 
 use crate::answers::{confirmed, errors_of, refused};
+use kit::simpson;
 use pages::ch15_ex8_string::pull::{Pulled, across, energy, radius};
 use pages::ch15_ex8_string::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};
@@ -69,13 +70,9 @@ fn the_spiral_and_the_tension() {
 fn the_work_is_the_energy_gained() {
     let (mut errors, mut damaged) = (Errors::of("work less gain"), Errors::of("first force all the way"));
     for pull in [0.03, 1.0 / 15.0, 0.3, 2.0] {
-        let (end, n) = (0.5 / pull, 400);
+        let end = 0.5 / pull;
         let run = Pulled::new(pull, 0.1, 1e-14, end).unwrap();
-        let part = |k: i32| {
-            let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
-            weight * run.tension(end * f64::from(k) / f64::from(n)).unwrap() * pull
-        };
-        let work = (0..=n).map(part).sum::<f64>() * end / f64::from(3 * n);
+        let work = simpson([0.0, end], 400, |t| run.tension(t)).unwrap() * pull;
         // After the jerk the particle has the energy of both velocities.
         let gain = energy(&run.at(end).unwrap()) - 0.5 * (1.0 + pull * pull);
         errors.push(work - gain);

@@ -2,6 +2,7 @@
 //! equations in angles confirm each other is part of the report.
 
 use crate::answers::{confirmed, errors_of, number, refused};
+use kit::simpson;
 use pages::ch16_ex4_unwinding_disc::string::{Disc, Leaves};
 use pages::ch16_ex4_unwinding_disc::*;
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
@@ -109,15 +110,11 @@ fn the_tension_does_not_jump_at_either_end_of_the_turn() {
 /// for a turn and for a bounce. Simpson's rule over the tension.
 #[test]
 fn the_turn_gives_the_impulse_of_a_bounce() {
-    let (d, n) = (Disc { free: 1e6, ..usual() }, 2000);
+    let d = Disc { free: 1e6, ..usual() };
     let run = d.run(1e-14).unwrap();
     let [from, to] = ["all unwound", "winds up"].map(|name| run.transition(name).unwrap().t);
-    let pull = |k: u32| {
-        let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
-        let y = run.at(from + (to - from) * f64::from(k) / f64::from(n)).unwrap().1;
-        weight * d.taut(Leaves::Knot, &y).tension
-    };
-    let impulse = (0..=n).map(pull).sum::<f64>() * (to - from) / f64::from(3 * n);
+    let pull = |t| Ok::<_, kit::Error>(d.taut(Leaves::Knot, &run.at(t)?.1).tension);
+    let impulse = simpson([from, to], 2000, pull).unwrap();
     let speed = (2.0 * d.wound / (1.0 + d.shape)).sqrt();
     let mut errors = Errors::of("impulse less 2 M v + M g t");
     errors.push(impulse - 2.0 * speed - (to - from));

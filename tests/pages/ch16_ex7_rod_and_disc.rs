@@ -2,7 +2,7 @@
 //! the report: a claim or a limit that differs from its oracle is an error.
 
 use crate::answers::{computed, confirmed, refused, value};
-use kit::times;
+use kit::simpson;
 use pages::ch16_ex7_rod_and_disc::*;
 use rotation_dynamics::integrators::{Integrator, Rk4};
 use rotation_dynamics::math::{cos, sin};
@@ -69,11 +69,8 @@ fn energy_and_angular_momentum_balance() {
         let y = |t| run.at(t).unwrap();
         let energy = |[a, u, _, w]: [f64; 4]| 0.5 * (u * u + share * w * w) - cos(a);
         let momentum = |[_, u, _, w]: [f64; 4]| u + share * w;
-        // Simpson's rule over 3000 pieces.
         let over = |f: &dyn Fn([f64; 4]) -> f64| {
-            let all = times(0.0, 15.0, 6000).enumerate();
-            let weight = |i: usize| if i.is_multiple_of(6000) { 1.0 } else { [2.0, 4.0][i % 2] };
-            all.map(|(i, t)| weight(i) * f(y(t))).sum::<f64>() * 15.0 / 6000.0 / 3.0
+            simpson([0.0, 15.0], 6000, |t| Ok::<_, kit::Error>(f(y(t)))).unwrap()
         };
         let taken = share * drag * over(&|[_, u, _, w]| (u - w) * (u - w));
         let lost = energy(y(0.0)) - energy(y(15.0));

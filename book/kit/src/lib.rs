@@ -86,7 +86,7 @@ pub use lab::{Lab, Tried};
 pub use live::Moves;
 pub use moving::MovingPicture;
 pub use number::{below, rounded_up, short, supported_digits};
-pub use numeric::{But, bisect, require, solved, try_bisect, when};
+pub use numeric::{But, bisect, require, simpson, solved, try_bisect, when};
 pub use parameters::{Flag, Grid, ParameterSet, Settings, Value, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};

@@ -63,6 +63,32 @@ pub fn try_bisect<E>(
     }
 }
 
+/// The integral of a function over this span by Simpson's rule, with so many pieces, an even number.
+///
+/// ```
+/// use kit::simpson;
+/// let cube = simpson([0.0, 2.0], 2, |x: f64| Ok::<_, kit::Error>(x * x * x))?;
+/// assert_eq!(cube, 4.0);
+/// # Ok::<(), kit::Error>(())
+/// ```
+///
+/// # Errors
+/// The first of `f`.
+pub fn simpson<E>(
+    [from, to]: [f64; 2],
+    pieces: u32,
+    f: impl Fn(f64) -> core::result::Result<f64, E>,
+) -> core::result::Result<f64, E> {
+    let h = (to - from) / f64::from(pieces);
+    let mut sum = 0.0;
+    for i in 0..=pieces {
+        let inside = 2.0 + 2.0 * f64::from(i % 2);
+        let weight = if i == 0 || i == pieces { 1.0 } else { inside };
+        sum += weight * f(from + h * f64::from(i))?;
+    }
+    Ok(sum * h / 3.0)
+}
+
 /// What `run` finds, if it is `sound` to run it: beyond its limits nothing is measured.
 ///
 /// ```
