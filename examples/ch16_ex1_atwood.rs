@@ -137,9 +137,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let holds = catch > 0.0 && m.grip > 1.0 && a.grip == Grip::Holds;
     let reached = 0.5 * drawn.abs() * catch * catch < 0.99 * h && holds;
     let one = 2.0 * m1 * m2 * g / (m1 + m2);
-    let light = m
-        .but(|m| (m.pulley, m.grip) = (0.0, FIRM))
-        .forces(Grip::Holds, 0.0);
+    let light = m.but(|m| (m.pulley, m.grip) = (0.0, FIRM));
+    let light = light.forces(Grip::Holds, 0.0);
     claims! { report,
         /// acceleration of the masses
         a: a.acceleration, "m/s^2", "Newton for each body" => found.acceleration, within bound * g,
@@ -221,19 +220,13 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(area) = p.air else { return Ok(()) };
     let (m, a) = (machine(p)?, Forces::new(&machine(p)?));
-    require(
-        a.grip == Grip::Holds && p.m1 != p.m2,
-        "the acceleration of a rope that slips or rests, with air",
-        a.acceleration,
-        "the claims about the air are for a rope that holds and moves: more friction, \
-         a lighter pulley, or unequal masses",
-    )?;
-    let inertia = p.m1 + p.m2 + m.pulley;
-    driven_in_air(
-        report,
-        [1.0, area],
-        [a.acceleration.abs(), inertia, p.height],
-    )
+    let told = "the claims about the air are for a rope that holds and moves: more friction, \
+                a lighter pulley, or unequal masses";
+    let name = "the acceleration of a rope that slips or rests, with air";
+    let moves = a.grip == Grip::Holds && p.m1 != p.m2;
+    require(moves, name, a.acceleration, told)?;
+    let driven = [a.acceleration.abs(), p.m1 + p.m2 + m.pulley, p.height];
+    driven_in_air(report, [1.0, area], driven)
 }
 
 /// A rope 8 mm thick, a bearing that rubs, the air.

@@ -37,12 +37,8 @@ fn ratio(p: &Parameters) -> Result<f64> {
     let far = |off: f64| off.abs() >= NEAREST;
     let turns = "from there the bob creeps up to the vertical and takes for ever: \
                  2 g/(l w^2) - cos(release) must differ from 1 by 1e-8";
-    require(
-        far(1.0 - opposite(q, p.release)),
-        "release",
-        p.release,
-        turns,
-    )?;
+    let creeps = opposite(q, p.release) - 1.0;
+    require(far(creeps), "release", p.release, turns)?;
     let stays = "at rest there the bob stays, at the vertical as on the cone: \
                  it must be off by 1e-8 rad";
     let moves = far(p.release) && far(cone(q) - p.release.abs());
@@ -157,12 +153,8 @@ pub fn measured_driven(q: f64) -> Result<f64> {
         true => [cone(q + size * (1.0 - q)), 0.0],
         false => [size * driven(q), 0.0],
     };
-    Ok(small_frequency(
-        &in_plane(q, 0.0),
-        start,
-        1e2 / driven(q),
-        |y| y[1],
-    )?)
+    let until = 1e2 / driven(q);
+    Ok(small_frequency(&in_plane(q, 0.0), start, until, |y| y[1])?)
 }
 
 /// [`free`], simulated.

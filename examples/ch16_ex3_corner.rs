@@ -309,13 +309,9 @@ fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(lean) = p.lean else { return Ok(()) };
     let (u, cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
     let [floor, wall] = cylinder.pressed();
-    require(
-        floor > 0.0 && wall > 0.0,
-        "lean",
-        lean,
-        "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
-         or nothing rubs",
-    )?;
+    let told = "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
+                or nothing rubs";
+    require(floor > 0.0 && wall > 0.0, "lean", lean, told)?;
     let (time, stop) = (u.time, u.spin / cylinder.braking());
     let found = stopped(cylinder, u.spin, stop, p.tolerance.min(1e-9))?;
     claims! { report,
@@ -415,7 +411,7 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
         let after = &all[steps as usize + 1..];
         let left = after
             .iter()
-            .fold(0.0, |m: f64, [_, spin]| m.max(spin.abs()));
+            .fold(0.0, |most: f64, [_, spin]| most.max(spin.abs()));
         let turns = |pair: &&[[f64; 2]]| pair[0][1] * pair[1][1] < 0.0;
         let changes = after.windows(2).filter(turns).count();
         let part = changes as f64 / (after.len() - 1) as f64;

@@ -198,12 +198,8 @@ fn width(p: &Parameters) -> f64 {
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(drag) = p.air else { return Ok(()) };
-    let (a, inertia) = (fall(p)[0], p.mass * (1.0 + p.shape));
-    driven_in_air(
-        report,
-        [drag, 2.0 * p.radius * width(p)],
-        [a, inertia, p.wound],
-    )
+    let driven = [fall(p)[0], p.mass * (1.0 + p.shape), p.wound];
+    driven_in_air(report, [drag, 2.0 * p.radius * width(p)], driven)
 }
 
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.

@@ -102,12 +102,9 @@ impl Ball {
     pub fn new(p: &Parameters) -> Result<Self> {
         let pull = p.charge * p.field / p.mass;
         let weights = pull / p.gravity;
-        require(
-            (1e-9..=1e9).contains(&weights.abs()),
-            "q E/(m g)",
-            weights,
-            "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
-        )?;
+        let told = "its size must be from 1e-9, below which nothing drives the ball, to 1e9";
+        let drives = (1e-9..=1e9).contains(&weights.abs());
+        require(drives, "q E/(m g)", weights, told)?;
         allowed! {
             "coefficient of friction that rolling needs": p.shape / (1.0 + p.shape) * weights.abs(),
                 above(1e-11), "contacts do not tell a smaller part of the weight from none";

@@ -119,11 +119,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (a, b, rim) = (p.radius_a, p.radius_b, p.radius_a * p.rate);
     let (time, end) = (time(&p), run.end_time());
     let speed = |k: usize, r: f64| {
-        Curve::sampled(
-            times(0.0, end, 120),
-            |t| Ok(r * run.at(t)?.v[k]),
-            Ink::Velocity,
-        )
+        let of = |t| Ok(r * run.at(t)?.v[k]);
+        Curve::sampled(times(0.0, end, 120), of, Ink::Velocity)
     };
     let (of_a, of_b) = (speed(0, a)?, speed(1, -b)?.dashed());
     let graph = Panel::over_axes("$t$ / s", "speed of the rim / m/s")

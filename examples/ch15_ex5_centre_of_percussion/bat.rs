@@ -114,7 +114,7 @@ impl Blow {
         let (before, after) = match strike.stiffness {
             None => motion
                 .event("ball bounces")
-                .map(|hit| (hit.before, hit.after))?,
+                .map(|at| (at.before, at.after))?,
             Some(_) => (motion.at(touch)?, motion.at(end)?),
         };
         Ok(Self {

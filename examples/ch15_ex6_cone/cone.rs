@@ -157,13 +157,8 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
 pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitude) -> View {
     let (axis, radius) = (attitude.axis(), tan(half_angle));
     let place = |x: f64, z: f64| vertex + attitude.to_space(BodyVector::new(x, 0.0, z));
-    let outward = [
-        (0.0, 0.0),
-        (1.02 * radius, 1.0),
-        (1.02 * radius, 1.005),
-        (0.0, 1.005),
-    ];
-    let stripe = outward.map(|(x, z)| place(x, z));
+    let (rim, base) = (1.02 * radius, 1.005);
+    let stripe = [(0.0, 0.0), (rim, 1.0), (rim, base), (0.0, base)].map(|(x, z)| place(x, z));
     view.solid(Solid::cone(vertex + axis, vertex, radius), Ink::Body)
         .line(stripe, Ink::Ink)
 }

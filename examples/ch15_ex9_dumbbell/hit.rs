@@ -132,10 +132,8 @@ impl Blow {
     /// The second hit: when it is, and the state just after.
     pub fn again(&self) -> Result<(f64, MechanismState<5>)> {
         let (name, until) = ("a second hit", self.motion.end_time() - APPROACH);
-        let (t, event) = self
-            .later()
-            .next()
-            .ok_or(Error::NotReached { name, until })?;
+        let none = Error::NotReached { name, until };
+        let (t, event) = self.later().next().ok_or(none)?;
         Ok((t, event.after))
     }
 

@@ -55,10 +55,8 @@ fn amplitudes(share: f64, drag: f64) -> Result<Vec<(f64, f64)>> {
     let turns = Event::falling("turns", |_, y: &[f64; 4]| y[1]);
     let start = [1.0, 0.0, 1.0, 0.0];
     let run = Dop853::new(1e-12)?.solve(&scene, 0.0, &start, 120.0 * PI, &[turns])?;
-    let each = run
-        .events()
-        .iter()
-        .map(|turn| (turn.t / (2.0 * PI), turn.state[0]));
+    let turn = |turn: &LocatedEvent<4>| (turn.t / (2.0 * PI), turn.state[0]);
+    let each = run.events().iter().map(turn);
     let all = core::iter::once((0.0, 1.0)).chain(each);
     Ok(all.step_by(4).collect())
 }
