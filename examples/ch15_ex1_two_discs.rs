@@ -26,8 +26,7 @@ parameters! {
         friction: number(0.5, "N m", from_to(1e-9, 1e9).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// height of the fall
         drop: number(0.2, "m", at_least(0.0).usually(0.0, 1.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-6, 1e6).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));
         /// friction of the bearing of the lower disc, for the claims about it
         bearing: effect(0.05, "N m", above_to(0.0, 1e6));
         /// relative error of the simulations

@@ -25,8 +25,7 @@ parameters! {
         rate: number(1.5, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 6.0)).drawn(0.8, 2.4, 0.2);
         /// coefficient of friction of cone and table
         friction: number(0.5, "-", above(0.0).usually(0.1, 1.5)).drawn(0.30, 0.80, 0.05);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-6, 1e6).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));
         /// lever by which the pressure of the table runs ahead, for the claims about it
         rolling: effect(2e-5, "m", above_to(0.0, 1.0));
         /// density of the air that brakes it, for the claims about it

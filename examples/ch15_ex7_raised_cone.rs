@@ -26,8 +26,7 @@ parameters! {
         half_angle: number(0.4, "rad", from_to(1e-3, 1.5698).because("a thinner or flatter cone needs more digits than doubles have").usually(0.1, 1.2)).drawn(0.25, 0.70, 0.05);
         /// rate at which its axis turns about the vertical
         rate: number(1.5, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 12.0)).drawn(1.0, 4.0, 0.5);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-6, 1e6).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));
         /// density of the air that brakes it, for the claims about it
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e6));
         /// error of the solved attitude

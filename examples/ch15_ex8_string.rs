@@ -25,8 +25,7 @@ parameters! {
         time: number(3.0, "s", above(0.0).usually(0.5, 6.0)).drawn(1.0, 4.0, 0.5);
         /// radius of the hole
         hole: number(0.05, "m", above(0.0).usually(0.01, 0.1));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-14, 1e-6);
     }
 }
 

@@ -36,8 +36,7 @@ parameters! {
         friction: number(0.5, "-", at_least(0.0).usually(0.0, 1.0));
         /// speed at the start, up the slope, rolling
         speed: number(2.0, "m/s", above(0.0).because("started downward it never turns").usually(0.5, 5.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// arm of the normal force ahead of the body, for the claims about it
         rolling: effect(2e-4, "m", above_to(0.0, 1.0));
         /// drag coefficient of a cylinder of wood in air, for the claims about it

@@ -30,8 +30,7 @@ parameters! {
         tilt: number(0.5, "rad", between(0.0, FRAC_PI_2).because("upright and level it needs no torque").usually(0.05, 1.5));
         /// angular velocity about the vertical
         rate: number(10.0, "rad/s", any().usually(1.0, 100.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 

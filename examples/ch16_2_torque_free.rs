@@ -35,8 +35,7 @@ parameters! {
         cone: number(0.35, "rad", from_to(1e-3, 1.57).because("nearer to 0 it hardly wobbles, to pi/2 it hardly spins").usually(0.05, 1.0));
         /// angle between L and Z
         lean: number(0.6, "rad", from_to(1e-3, 3.1).because("nearer to 0 or pi, along L, it hardly nods").usually(0.01, 1.2));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 

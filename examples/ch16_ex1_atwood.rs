@@ -23,8 +23,7 @@ parameters! {
         inertia: number(0.02, "kg m^2", at_least(0.0).usually(0.001, 0.1)).drawn(0.005, 0.030, 0.005);
         /// radius of the pulley
         radius: number(0.1, "m", above(0.0).usually(0.05, 0.2)).drawn(0.08, 0.15, 0.01);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// how far both masses hang below the axle
         height: number(1.0, "m", above(0.0).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
         /// coefficient of friction between rope and pulley
@@ -35,8 +34,7 @@ parameters! {
         spin: number(40.0, "rad/s", any().usually(5.0, 80.0));
         /// C S of both masses in air, for the claims about it
         air: effect(0.02, "m^2", above_to(0.0, 10.0).because("more is a parachute"));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 

@@ -22,16 +22,14 @@ parameters! {
         friction: number(0.25, "-", at_least(0.0).usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
         /// angular velocity at the start
         spin: number(60.0, "rad/s", any().usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// what changes: how friction falls with the slip speed s, as 1/(1 + fading s)
         fading: number(0.05, "s/m", at_least(0.0).usually(0.01, 0.5));
         /// the moving picture: the sense that presses it to the wall, or the other one
         sense: choice("pressed", "away");
         /// angle by which the wall leans back, for the claims about it
         lean: effect(0.0175, "rad", above_to(0.0, 1.5).because("backward, and not down to the floor"));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 

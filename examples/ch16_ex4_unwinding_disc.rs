@@ -30,12 +30,10 @@ parameters! {
         time: number(0.5, "s", above(0.0).usually(0.1, 0.55)).drawn(0.20, 0.45, 0.05);
         /// E A of a string that gives: of nylon, 2 mm thick
         stiffness: number(9400.0, "N", above(0.0).usually(1000.0, 50000.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 11.0));
+        gravity: gravity(above(0.0).usually(1.0, 11.0));
         /// drag coefficient of a disc of steel in air, for the claims about it
         air: effect(1.0, "-", above_to(0.0, 1e3).because("more is a parachute"));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-14, 1e-6);
     }
 }
 

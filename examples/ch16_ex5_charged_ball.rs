@@ -33,8 +33,7 @@ parameters! {
         shot: number(-0.3, "m/s", any().usually(-1.0, 1.0));
         /// how far off its middle a charged spot is, over R
         spot: number(0.5, "-", from_to(0.0, 1.0).because("inside the ball").usually(0.0, 1.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// drag coefficient of the ball in air, for the claims about it
         air: effect(0.47, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// relative error asked for, at every event: from 1e-13 to 0.001
@@ -350,7 +349,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let spark = (own + 3.0 * p.field.abs()) / 3e6;
     let grip = p.friction * p.gravity / ball.holding().abs();
     // A ball that slips is faster than one that rolls.
-    let slipping = f64::from(grip < 1.0) * (1.0 - pull / ((1.0 + p.shape) * a));
+    let faster = 1.0 - pull / ((1.0 + p.shape) * a);
+    let slipping = if grip < 1.0 { faster } else { 0.0 };
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
     let arrives = |resisting: [f64; 2]| -> Result<f64> {
         let run = ball.but(|ball| ball.resisting = resisting);

@@ -24,8 +24,7 @@ parameters! {
     pub struct Parameters {
         /// length of the ladder
         length: number(3.0, "m", above(0.0).usually(1.0, 6.0)).drawn(2.0, 6.0, 0.1);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle from the wall at the start
         angle: number(0.25, "rad", between(0.0, FRAC_PI_2).because("upright it stands for ever, flat it lies").usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
         /// relative error asked for, at every event: from 3.2e-14 to 0.1

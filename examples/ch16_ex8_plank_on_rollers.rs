@@ -29,14 +29,12 @@ parameters! {
         offset: number(0.3, "m", any().usually(0.05, 0.4)).drawn(0.20, 0.35, 0.05);
         /// thickness of the plank
         thickness: number(0.0, "m", at_least(0.0).usually(0.0, 0.1));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// the moving picture: the tops of the rollers move towards each other (in) or apart
         sense: choice("in", "out");
         /// part of the friction that is lost per m/s of slip, for the claims about it
         falling: effect(0.1, "s/m", above_to(0.0, 10.0).because("with more, a tenth of a metre a second takes all friction away"));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-13, 1e-6);
     }
 }
 
@@ -184,8 +182,10 @@ pub fn caught(p: &Parameters, sense: f64) -> (f64, f64, f64) {
     let widest = p.runs() / rate;
     if sense > 0.0 {
         let at = ((x - widest) * (x + widest)).max(0.0).sqrt();
-        let caught = widest < (1.0 - 1e-6) * x;
-        let when = [f64::INFINITY, atan2(widest, at) / rate][usize::from(caught)];
+        let when = match widest < (1.0 - 1e-6) * x {
+            true => atan2(widest, at) / rate,
+            false => f64::INFINITY,
+        };
         return (when, at, f64::INFINITY);
     }
     let (at, when) = (hypot(x, widest), asinh(widest / x) / rate);

@@ -38,8 +38,7 @@ parameters! {
         spread: number(0.05, "rad", from_to(1e-3, 0.2).because("the strip is that of small strays").usually(0.01, 0.2));
         /// a mass that sits near a corner
         lump: number(0.01, "kg", at_least(0.0).usually(0.001, 0.03));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// error asked of the attitude after three flips: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }

@@ -33,8 +33,7 @@ parameters! {
         speed: number(10.0, "m/s", any().usually(-50.0, 50.0)).drawn(4.0, 14.0, 1.0);
         /// azimuth of the axle when it is let go
         release: number(0.5, "rad", between(-PI, PI).because("towards the south it is at rest, too, and stays").usually(0.05, 1.5));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(9.7, 9.9));
+        gravity: gravity(above(0.0).usually(9.7, 9.9));
         /// error of a step of the simulations: from 1e-14 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));
     }

@@ -37,8 +37,7 @@ parameters! {
         film: number(1e-5, "m", at_least(1e-6).because("a thinner film is below the roughness of an edge").usually(1e-6, 1e-4));
         /// a time before the end that is asked about
         left: number(1.0, "s", above(0.0).usually(0.01, 50.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// error of a step of the simulations: from 1e-14 to 1e-8
         tolerance: number(1e-10, "-", from_to(1e-14, 1e-8));
     }

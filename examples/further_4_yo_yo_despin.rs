@@ -30,8 +30,7 @@ parameters! {
         body: number(160.0, "kg", above(0.0).usually(50.0, 500.0));
         /// stiffness of the spring in each string of a stretch yo-yo
         spring: number(450.0, "N/m", above(0.0).usually(100.0, 2000.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-14, 1e-6);
     }
 }
 

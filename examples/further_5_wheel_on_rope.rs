@@ -28,8 +28,7 @@ parameters! {
         rise: number(0.5, "rad", between(-FRAC_PI_2, FRAC_PI_2).because("an upright axle has no azimuth that could turn").usually(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
         push: number(0.0, "rad/s", any().usually(-2.0, 3.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// density of the air that brakes the wheel, for the claims about it
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e3).because("what is denser is a liquid, and carries the wheel"));
         /// error of a step of the simulations: from 1e-14 to 1e-6

@@ -39,10 +39,8 @@ parameters! {
         orbit: number(45.0, "rad/s", any().usually(30.0, 80.0)).drawn(40.0, 60.0, 5.0);
         /// its velocity downward at the start
         drop: number(0.3, "m/s", any().usually(0.0, 0.6)).drawn(0.1, 0.5, 0.1);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 

@@ -138,13 +138,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let usual = 0.45 / (p.m1.max(p.m2) * m.gravity);
     let force = fitting.into_iter().fold(usual, f64::min);
     let (name, side, goes_on) = match m.masses {
-        [left, right] if left > right => ("heavier", -1.0, "rise"),
-        [left, right] if left < right => ("heavier", 1.0, "fall"),
+        [left, right] if left > right => ("heavier", -1.0, "rise as"),
+        [left, right] if left < right => ("heavier", 1.0, "fall as"),
         _ => ("left", -1.0, "stay"),
     };
-    let as_one = if goes_on == "stay" { "" } else { "as " };
     let told = match run.transition("catches").is_ok() && Forces::new(&m).grip == Grip::Holds {
-        true => format!(": they approach each other and then {goes_on} {as_one}one line"),
+        true => format!(": they approach each other and then {goes_on} one line"),
         false => String::new(),
     };
     let stills = [0.0, 0.2 * end, 0.9 * end];

@@ -9,7 +9,7 @@
 //! What an example is made of: its [`parameters!`](crate::parameters); a [`Report`] with
 //! its [`claims!`](crate::claims), its [`limits!`](crate::limits) and its card of
 //! [`effect_card!`](crate::effect_card); [`figures!`](crate::figures) by [`draw`], a
-//! [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion; all that by [`prelude`]; at the end [`example!`](crate::example), which makes an
+//! [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion; [`allowed!`](crate::allowed) and [`require`] to refuse what the page cannot take; all that by [`prelude`]; at the end [`example!`](crate::example), which makes an
 //! [`Example`] of them. What the pages on the heavy top share is in [`heavy_top`].
 //!
 //! # The text of a report
