@@ -128,9 +128,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let height = 0.5 * q[0].max(0.0) / drop.max(1e-9);
         let view = discs(height, [q[1], q[2]].map(|turn| (0.05 * turn) % TAU));
-        let arrow = |view, z, r, w: f64, label| match (w / largest).abs() > 0.02 {
-            true => turning(view, z, r, 1.6 * w / largest, label),
-            false => view,
+        let arrow = |view: View, z, r, w: f64, label| {
+            let shown = (w / largest).abs() > 0.02;
+            view.only_if(shown, |view| turning(view, z, r, 1.6 * w / largest, label))
         };
         let view = arrow(view, 0.24 + height, 0.98, v[1], r"$\Omega_1$");
         Ok((alt, arrow(view, 0.0, 1.13, v[2], r"$\Omega_2$")))

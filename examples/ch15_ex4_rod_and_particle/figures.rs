@@ -118,12 +118,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, from..=to, stills, move |t| {
         let (state, hit) = (blow.at(t)?, t >= 0.0);
         let way = ["left", "right"][usize::from(right)];
+        let drifts = format!("Rod and particle drift to the {way} and turn,");
         let (does, when) = match hit {
-            true => (
-                format!("Rod and particle drift to the {way} and turn,"),
-                "after",
-            ),
-            false => ("The particle comes towards the rod,".into(), "before"),
+            true => (drifts.as_str(), "after"),
+            false => ("The particle comes towards the rod,", "before"),
         };
         let alt = format!(
             "{does} {:.2} s {when} the impact. Below, momentum and angular momentum about the centre of \
@@ -135,21 +133,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let ahead = times(0.0, to, 2).map(|t| (a.velocity * t, a.centre));
         let (near, far) = (0.75 * l, reach + 0.85 * l);
         let across = if right { (-near, far) } else { (-far, near) };
-        let mut scene = Sketch::within(across, (-1.1 * l, 0.75 * l))
+        let trail = times(0.0, t.max(0.0), 120).map(|t| a.at(t, 0.5 * l));
+        let turned = state.q[2] - FRAC_PI_2;
+        let turns = (turned + sense * 0.3, turned + sense * 1.4);
+        let scene = Sketch::within(across, (-1.1 * l, 0.75 * l))
             .high(149)
-            .curve(Curve::new(ahead, Ink::Body).thin().dashed());
-        if hit {
-            let trail = times(0.0, t, 120).map(|t| a.at(t, 0.5 * l));
-            let turned = state.q[2] - FRAC_PI_2;
-            let ahead = (turned + sense * 0.3, turned + sense * 1.4);
-            scene = scene.curve(Curve::new(trail, Ink::Body)).turn(
-                (x, y),
-                0.3 * l,
-                ahead,
-                Ink::Velocity,
-            );
-        }
-        let scene = scene
+            .curve(Curve::new(ahead, Ink::Body).thin().dashed())
+            .only_if(hit, |scene| {
+                let scene = scene.curve(Curve::new(trail, Ink::Body));
+                scene.turn((x, y), 0.3 * l, turns, Ink::Velocity)
+            })
             .bar(place(-0.5), place(0.5), 0.04 * l, Ink::Body)
             .disc((state.q[3], state.q[4]), 0.05 * l, Ink::Ink, 0.8)
             .dot((x, y), Ink::Body, "$S$", Side::Above);

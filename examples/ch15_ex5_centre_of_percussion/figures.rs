@@ -122,10 +122,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .ring(on(0.0), Ink::Ink, "", Side::Below);
         let force = |scene: Sketch, (x, y): (f64, f64), size: f64, label| {
             let tip = (x, y + sense * 0.4 * size / most);
-            match (size / most).abs() > 0.02 {
-                true => scene.arrow_to((x, y), tip, Ink::Force, label, Side::Right),
-                false => scene,
-            }
+            let arrow = |s: Sketch| s.arrow_to((x, y), tip, Ink::Force, label, Side::Right);
+            scene.only_if((size / most).abs() > 0.02, arrow)
         };
         let scene = force(scene, on(p.hit - p.hands), ball, "ball");
         Ok((alt, force(scene, on(0.0), hands, "hands")))

@@ -208,17 +208,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let (pull, hole) = (0.3 * force / most / hypot(x, y), (0.0, 0.0));
         let scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);
-        let scene = match force > 0.0 {
-            true => scene.string((x, y), hole, "", Side::Above),
-            false => scene.guide([(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), hole]),
-        };
-        let mut scene = scene
+        let slack = [(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), hole];
+        let pulled = [(x, y), (x - pull * x, y - pull * y)];
+        let scene = scene
+            .only_if(force > 0.0, |s| s.string((x, y), hole, "", Side::Above))
+            .only_if(force <= 0.0, |s| s.guide(slack))
             .ring(hole, Ink::Ink, "", Side::Below)
             .arrow_along([(x, y), (x + 0.2 * vx, y + 0.2 * vy)], Ink::Ink)
-            .weight((x, y), 0.045, "");
-        if force > 0.0 {
-            scene = scene.arrow_along([(x, y), (x - pull * x, y - pull * y)], Ink::Force);
-        }
+            .weight((x, y), 0.045, "")
+            .only_if(force > 0.0, |s| s.arrow_along(pulled, Ink::Force));
         Ok((alt, scene.mirrored_if(clockwise)))
     })
 }

@@ -39,10 +39,8 @@ fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit
     let mirrored = |at: (f64, f64)| (x + side * (at.0 - x), at.1);
     let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
         let (from, to) = (mirrored(from), mirrored(to));
-        if hypot(to.0 - from.0, to.1 - from.1) < 0.02 {
-            return sketch;
-        }
-        sketch.arrow(from, to, Ink::Force, "", Side::Above)
+        let long = hypot(to.0 - from.0, to.1 - from.1) >= 0.02;
+        sketch.only_if(long, |s| s.arrow(from, to, Ink::Force, "", Side::Above))
     };
     let sketch = arrow(sketch, (x, y), (x, y - unit));
     let (low, left) = ((x, y - 1.0), (x - 1.0, y));

@@ -17,11 +17,10 @@ fn drawn(sketch: Sketch, top: f64, (leaves, [x, y, knot, ..], taut): &Held) -> S
     };
     let [across, up] = taut.arm;
     let (left, end) = (atan2(up, across), (x + across, y + up));
-    let mut sketch = sketch.roller((*x, *y), 1.0, *knot, Ink::Body);
-    if wound != 0.0 {
-        sketch = sketch.curve(Curve::new(times(left - wound, left, 90).map(at), Ink::Ink));
-    }
+    let rim = || Curve::new(times(left - wound, left, 90).map(at), Ink::Ink);
     sketch
+        .roller((*x, *y), 1.0, *knot, Ink::Body)
+        .only_if(wound != 0.0, |sketch| sketch.curve(rim()))
         .string((top * end.0 / end.1, top), end, "", Side::Left)
         .dot(at(*knot), Ink::Ink, "", Side::Left)
 }

@@ -97,6 +97,12 @@ impl Sketch {
         self
     }
 
+    /// With what `draw` adds, if it is `shown`.
+    #[must_use]
+    pub fn only_if(self, shown: bool, draw: impl FnOnce(Self) -> Self) -> Self {
+        if shown { draw(self) } else { self }
+    }
+
     /// The mirrored scene if `mirrored`: left and right are exchanged, and every sense of turning.
     #[must_use]
     pub fn mirrored_if(mut self, mirrored: bool) -> Self {
